@@ -36,13 +36,27 @@ fetch() (
     cd "$new" && download && verify && unpack && { [ -e ../checked ] || mv "$new" ../checked; }
 )
 
-debian() {
-    has apt-get || { echo 'gradlew: found no Gradle, and could download none' >&2; exit 1; }
-    [ "$(id -u)" = 0 ] && root= || root='sudo -n'
-    $root apt-get -qq update >&2
-    $root apt-get -qq install --no-install-recommends gradle $(has javac || echo default-jdk-headless) >&2
+# Says what to do by hand when nothing could be set up.
+give_up() {
+    echo "gradlew: $1" >&2
+    echo "gradlew: install a JDK 17 or later and Gradle (Debian: apt-get install gradle default-jdk-headless; elsewhere any" >&2
+    echo "gradlew: Gradle 4.4 to 9 on the PATH), or let this machine reach $url, and run the same command again." >&2
+    exit 1
 }
 
+debian() {
+    has apt-get || give_up "cannot find $1, and this machine has no apt-get to install it with"
+    [ "$(id -u)" = 0 ] && root= || root='sudo -n'
+    echo "gradlew: cannot find $1; installing Debian's package" >&2
+    export DEBIAN_FRONTEND=noninteractive
+    { $root apt-get -qq update && $root apt-get -qq install --no-install-recommends "$2"; } >&2 ||
+        give_up "apt-get could not install $2"
+}
+
+has javac || [ -x "${JAVA_HOME:-/none}/bin/javac" ] || debian 'a Java compiler (javac)' default-jdk-headless
 [ -x "$gradle" ] || fetch || gradle=gradle
-has "$gradle" || debian
+has "$gradle" || debian 'Gradle' gradle
+
+# The server greets a newcomer on a terminal; behind Gradle it can't see one itself.
+[ -t 1 ] && set -- -Pterminal "$@"
 exec "$gradle" "$@"

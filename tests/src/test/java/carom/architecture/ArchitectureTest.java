@@ -1,0 +1,222 @@
+package carom.architecture;
+
+import static com.tngtech.archunit.core.domain.JavaCall.Predicates.target;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.core.domain.properties.HasName.Predicates.nameMatching;
+import static com.tngtech.archunit.core.domain.properties.HasOwner.Predicates.With.owner;
+import static com.tngtech.archunit.lang.conditions.ArchConditions.callMethodWhere;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.JavaCall;
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.lang.ArchRule;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Holds the code to the house plan of docs/ARCHITECTURE.md: which package may see which, and what
+ * the bit-exact part must never touch.
+ */
+final class ArchitectureTest {
+  private static final JavaClasses CAROM =
+      new ClassFileImporter()
+          .withImportOption(new ImportOption.DoNotIncludeTests())
+          .withImportOption(location -> !location.contains("testkit"))
+          .importPackages("carom");
+
+  /** Everything a simulation's next state depends on. */
+  private static final String[] EXACT = {"carom.physics..", "carom.sim..", "carom.game.."};
+
+  /** Packages of Carom each package may use, besides itself. */
+  private static final Map<String, Set<String>> ALLOWED = new TreeMap<>();
+
+  static {
+    allow("carom.physics.math");
+    allow("carom.physics.geometry", "carom.physics.math");
+    allow("carom.physics.collision", "carom.physics.math", "carom.physics.geometry");
+    allow("carom.physics.broadphase", "carom.physics.math");
+    allow(
+        "carom.physics.dynamics",
+        "carom.physics.math",
+        "carom.physics.geometry",
+        "carom.physics.collision",
+        "carom.physics.broadphase");
+    allow("carom.physics", "carom.physics..");
+    allow("carom.sim", "carom.physics..");
+    allow("carom.game", "carom.physics..", "carom.sim");
+    allow("carom.net.codec");
+    allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol");
+    allow("carom.net.protocol", "carom.net.codec");
+    allow("carom.net.transport", "carom.net.protocol");
+    allow("carom.net.kryo", "carom.net.protocol", "carom.net.transport", "carom.net.codec");
+    allow(
+        "carom.server..",
+        "carom.server..",
+        "carom.net..",
+        "carom.sim",
+        "carom.game",
+        "carom.physics..");
+    allow(
+        "carom.client..",
+        "carom.client..",
+        "carom.net..",
+        "carom.sim",
+        "carom.game",
+        "carom.physics..");
+  }
+
+  private static void allow(String from, String... to) {
+    ALLOWED.put(from, new TreeSet<>(Set.of(to)));
+  }
+
+  @Test
+  void packagesUseOnlyWhatThePlanAllows() {
+    ALLOWED.forEach(
+        (from, to) -> {
+          String[] allowed = new String[to.size() + 1];
+          allowed[0] = from;
+          int i = 1;
+          for (String name : to) {
+            allowed[i++] = name;
+          }
+          DescribedPredicate<JavaClass> foreign =
+              resideInAPackage("carom..")
+                  .and(DescribedPredicate.not(JavaClass.Predicates.resideInAnyPackage(allowed)));
+          noClasses()
+              .that()
+              .resideInAPackage(from)
+              .should()
+              .dependOnClassesThat(foreign)
+              .because(from + " may use only " + to)
+              .check(CAROM);
+        });
+  }
+
+  @Test
+  void everyPackageHasAPlaceInThePlan() {
+    classes()
+        .should()
+        .resideInAnyPackage(ALLOWED.keySet().toArray(new String[0]))
+        .because("a new package is entered in docs/ARCHITECTURE.md and here")
+        .check(CAROM);
+  }
+
+  @Test
+  void packagesFormNoCycles() {
+    slices().matching("(carom.**)").should().beFreeOfCycles().check(CAROM);
+  }
+
+  @Test
+  void socketLibraryHasOneHome() {
+    onlyIn("carom.net.kryo..", "com.esotericsoftware..");
+  }
+
+  @Test
+  void windowToolkitHasOneHome() {
+    onlyIn(
+        "carom.client.desktop..",
+        "com.badlogicgames..",
+        "org.lwjgl..",
+        "java.awt..",
+        "javax.swing..");
+  }
+
+  @Test
+  void serverAndClientNeverMeet() {
+    noClasses()
+        .that()
+        .resideInAPackage("carom.server..")
+        .should()
+        .dependOnClassesThat()
+        .resideInAPackage("carom.client..")
+        .check(CAROM);
+    noClasses()
+        .that()
+        .resideInAPackage("carom.client..")
+        .should()
+        .dependOnClassesThat()
+        .resideInAPackage("carom.server..")
+        .check(CAROM);
+  }
+
+  @Test
+  void physicsNeedsOnlyTheLanguage() {
+    classes()
+        .that()
+        .resideInAPackage("carom.physics..")
+        .should()
+        .onlyDependOnClassesThat()
+        .resideInAnyPackage("carom.physics..", "java.lang..", "java.util", "java.util.function")
+        .because("the engine is used alone, and must stay portable")
+        .check(CAROM);
+  }
+
+  @Test
+  void exactCodeKnowsNeitherClockNorThreadNorChance() {
+    noClasses()
+        .that()
+        .resideInAnyPackage(EXACT)
+        .should()
+        .dependOnClassesThat()
+        .haveNameMatching(
+            "java\\.util\\.(Random|SplittableRandom|Date|Timer|TimerTask)|java\\.util\\.concurrent\\..*|java\\.time\\..*"
+                + "|java\\.lang\\.(Thread|ThreadLocal|Runtime)|java\\.util\\.stream\\..*")
+        .check(CAROM);
+    neverCalls("java.lang.System", "nanoTime|currentTimeMillis|identityHashCode");
+  }
+
+  @Test
+  void exactCodeUsesNoFunctionWhoseLastBitDependsOnTheMachine() {
+    neverCalls(
+        "java.lang.Math",
+        "sin|cos|tan|asin|acos|atan|atan2|exp|expm1|log|log10|log1p|pow|cbrt|sinh|cosh|tanh|hypot|random|fma");
+  }
+
+  @Test
+  void exactCodeHasNoHashOrder() {
+    noClasses()
+        .that()
+        .resideInAnyPackage(EXACT)
+        .should()
+        .dependOnClassesThat()
+        .haveNameMatching("java\\.util\\.(HashMap|HashSet|IdentityHashMap|WeakHashMap|Hashtable)")
+        .because("iteration order would leak into results; use arrays, lists or TreeMap")
+        .check(CAROM);
+  }
+
+  @Test
+  void theRulesSeeTheCode() {
+    ArchRule wrong = noClasses().should().resideInAPackage("carom.physics");
+    assertThrows(AssertionError.class, () -> wrong.check(CAROM));
+    assertEquals(0, CAROM.stream().filter(c -> c.getName().endsWith("Test")).count());
+  }
+
+  private static void onlyIn(String home, String... libraries) {
+    noClasses()
+        .that()
+        .resideOutsideOfPackage(home)
+        .should()
+        .dependOnClassesThat()
+        .resideInAnyPackage(libraries)
+        .check(CAROM);
+  }
+
+  private static void neverCalls(String type, String methods) {
+    DescribedPredicate<JavaCall<?>> banned =
+        target(owner(DescribedPredicate.describe(type, owner -> owner.getName().equals(type))))
+            .and(target(nameMatching(methods)))
+            .forSubtype();
+    noClasses().that().resideInAnyPackage(EXACT).should(callMethodWhere(banned)).check(CAROM);
+  }
+}
