@@ -1,0 +1,166 @@
+package carom.physics.broadphase;
+
+import java.util.Arrays;
+
+/**
+ * Many axis-aligned boxes as a structure of arrays; the index is the caller's id.
+ *
+ * <p>Metres, closed intervals. The arrays are public for hot loops; they are replaced when {@link
+ * #ensureCapacity} grows them, so don't keep them across that call. Not thread-safe.
+ */
+public final class AabbArray {
+  /** Left edges, m. */
+  public float[] minX;
+
+  /** Lower edges, m. */
+  public float[] minY;
+
+  /** Right edges, m. */
+  public float[] maxX;
+
+  /** Upper edges, m. */
+  public float[] maxY;
+
+  /**
+   * Makes room for boxes 0 to capacity - 1, all of zero size at the origin.
+   *
+   * @param capacity number of boxes, 0 or more
+   */
+  public AabbArray(int capacity) {
+    minX = new float[capacity];
+    minY = new float[capacity];
+    maxX = new float[capacity];
+    maxY = new float[capacity];
+  }
+
+  /**
+   * The number of boxes there is room for.
+   *
+   * @return the number of boxes; valid ids are smaller
+   */
+  public int capacity() {
+    return minX.length;
+  }
+
+  /**
+   * Grows the arrays (at least by half) if they hold fewer boxes than this; keeps what is in them.
+   *
+   * @param capacity number of boxes wanted
+   */
+  public void ensureCapacity(int capacity) {
+    if (capacity > minX.length) {
+      int grown = Math.max(capacity, minX.length + (minX.length >> 1) + 8);
+      minX = Arrays.copyOf(minX, grown);
+      minY = Arrays.copyOf(minY, grown);
+      maxX = Arrays.copyOf(maxX, grown);
+      maxY = Arrays.copyOf(maxY, grown);
+    }
+  }
+
+  /**
+   * Sets one box; nothing is checked.
+   *
+   * @param id which, below {@link #capacity()}
+   * @param left left edge, m
+   * @param bottom lower edge, m, finite
+   * @param right right edge, m, not below {@code left}
+   * @param top upper edge, m, not below {@code bottom}
+   */
+  public void set(int id, float left, float bottom, float right, float top) {
+    minX[id] = left;
+    minY[id] = bottom;
+    maxX[id] = right;
+    maxY[id] = top;
+  }
+
+  /**
+   * Copies one box over another.
+   *
+   * @param from id of the source
+   * @param to id of the destination
+   */
+  public void copy(int from, int to) {
+    set(to, minX[from], minY[from], maxX[from], maxY[from]);
+  }
+
+  /**
+   * Whether two boxes overlap or touch.
+   *
+   * @param a one id
+   * @param b another id
+   * @return true if the closed boxes share a point
+   */
+  public boolean overlaps(int a, int b) {
+    return overlaps(a, minX[b], minY[b], maxX[b], maxY[b]);
+  }
+
+  /**
+   * Whether a box overlaps or touches the given one.
+   *
+   * @param id which box
+   * @param left left edge of the other, m
+   * @param bottom lower edge of the other, m
+   * @param right right edge of the other, m
+   * @param top upper edge of the other, m
+   * @return true if the closed boxes share a point
+   */
+  public boolean overlaps(int id, float left, float bottom, float right, float top) {
+    return minX[id] <= right && maxX[id] >= left && minY[id] <= top && maxY[id] >= bottom;
+  }
+
+  /**
+   * Whether one box lies inside another, edges included.
+   *
+   * @param outer id of the outer box
+   * @param left left edge of the inner box, m
+   * @param bottom lower edge of the inner box, m
+   * @param right right edge of the inner box, m
+   * @param top upper edge of the inner box, m
+   * @return true if no part of the inner box lies outside
+   */
+  public boolean contains(int outer, float left, float bottom, float right, float top) {
+    return minX[outer] <= left
+        && maxX[outer] >= right
+        && minY[outer] <= bottom
+        && maxY[outer] >= top;
+  }
+
+  /**
+   * Refuses a box no index can hold: NaN, infinite, inside out or wider than Float.MAX_VALUE.
+   *
+   * @param id which box
+   * @throws IllegalArgumentException with the id and the values
+   */
+  void check(int id) {
+    if (id < 0 || id >= minX.length) {
+      throw new IllegalArgumentException(
+          "id=" + id + " is outside the box array, limit 0.." + (minX.length - 1));
+    }
+    if (!valid(minX[id], minY[id], maxX[id], maxY[id])) {
+      throw invalid(id);
+    }
+  }
+
+  /** Whether a box is finite with min &lt;= max; one subtraction sees NaN and infinities alike. */
+  static boolean valid(float left, float bottom, float right, float top) {
+    float width = right - left;
+    float height = top - bottom;
+    return width >= 0 && width <= Float.MAX_VALUE && height >= 0 && height <= Float.MAX_VALUE;
+  }
+
+  /** The exception for a box that isn't {@link #valid}. */
+  IllegalArgumentException invalid(int id) {
+    return new IllegalArgumentException(
+        "box id="
+            + id
+            + " must be finite with min <= max: minX="
+            + minX[id]
+            + " minY="
+            + minY[id]
+            + " maxX="
+            + maxX[id]
+            + " maxY="
+            + maxY[id]
+            + "; look for NaN in the body's pose or shape");
+  }
+}
