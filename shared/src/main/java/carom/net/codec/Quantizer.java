@@ -1,0 +1,88 @@
+package carom.net.codec;
+
+/**
+ * Numbers of the world to integers on the wire and back. Rounds to nearest. What is outside a range
+ * is clamped to its end, NaN becomes 0: the wire shows a wrong picture of a broken world, and never
+ * breaks itself.
+ */
+public final class Quantizer {
+
+  /** Steps per metre of a position. */
+  public static final int POSITION_STEPS = 512;
+
+  /** Steps per turn of an angle. */
+  public static final int ANGLE_STEPS = 1_024;
+
+  /** Steps per metre per second of a velocity. */
+  public static final int VELOCITY_STEPS = 64;
+
+  /** Steps per radian per second of an angular velocity. */
+  public static final int OMEGA_STEPS = 32;
+
+  /** Largest magnitude of a quantised position: 65,536 m. */
+  public static final int MAX_POSITION = 1 << 25;
+
+  /** Largest magnitude of a quantised velocity: 2,048 m/s. */
+  public static final int MAX_VELOCITY = 1 << 17;
+
+  /** Largest magnitude of a quantised angular velocity: 1,024 rad/s. */
+  public static final int MAX_OMEGA = 1 << 15;
+
+  private static final double ANGLE_SCALE = ANGLE_STEPS / (2 * Math.PI);
+
+  private Quantizer() {}
+
+  /** Metres to steps, within plus or minus {@link #MAX_POSITION}. */
+  public static int position(float metres) {
+    return clamp(metres * (double) POSITION_STEPS, MAX_POSITION);
+  }
+
+  /** Steps to metres; exact in a float up to 32,768 m. */
+  public static float positionOf(int steps) {
+    return steps * (1f / POSITION_STEPS);
+  }
+
+  /** Radians to steps, 0..1,023; whole turns vanish. */
+  public static int angle(float radians) {
+    double steps = radians * ANGLE_SCALE;
+    if (!(Math.abs(steps) < 1e15)) {
+      return 0;
+    }
+    return (int) Math.floorMod(Math.round(steps), (long) ANGLE_STEPS);
+  }
+
+  /** Steps to radians, -pi (exclusive) .. pi. */
+  public static float angleOf(int steps) {
+    int wrapped = wrapAngle(steps);
+    return (float) ((wrapped == -ANGLE_STEPS / 2 ? ANGLE_STEPS / 2 : wrapped) / ANGLE_SCALE);
+  }
+
+  /** Metres per second to steps, within plus or minus {@link #MAX_VELOCITY}. */
+  public static int velocity(float metresPerSecond) {
+    return clamp(metresPerSecond * (double) VELOCITY_STEPS, MAX_VELOCITY);
+  }
+
+  /** Steps to metres per second. */
+  public static float velocityOf(int steps) {
+    return steps * (1f / VELOCITY_STEPS);
+  }
+
+  /** Radians per second to steps, within plus or minus {@link #MAX_OMEGA}. */
+  public static int omega(float radiansPerSecond) {
+    return clamp(radiansPerSecond * (double) OMEGA_STEPS, MAX_OMEGA);
+  }
+
+  /** Steps to radians per second. */
+  public static float omegaOf(int steps) {
+    return steps * (1f / OMEGA_STEPS);
+  }
+
+  /** The shortest way of an angle difference in steps: -512..511. */
+  public static int wrapAngle(int steps) {
+    return (steps << 22) >> 22;
+  }
+
+  private static int clamp(double steps, int max) {
+    return (int) Math.max(-max, Math.min(max, Math.round(steps)));
+  }
+}

@@ -1,0 +1,30 @@
+package carom.net.protocol;
+
+/** What a client sends reliably and in order. Encoded by {@link ClientMessageCodec}. */
+public sealed interface ClientMessage {
+
+  /**
+   * The first message: who is there.
+   *
+   * @param protocolVersion {@link Protocol#VERSION} of the client
+   * @param physicsDigest {@link Protocol#physicsDigest()} of the client
+   * @param name the player's name, see {@link PlayerName}
+   * @param resumeSecret secret of an earlier session's {@link ServerMessage.Welcome}, or 0
+   */
+  record Hello(int protocolVersion, long physicsDigest, String name, long resumeSecret)
+      implements ClientMessage {}
+
+  /**
+   * Asks for the level's bytes from an offset on; the client asks for the next piece when it has
+   * this one.
+   *
+   * @param offset 0..{@link Limits#MAX_LEVEL_BYTES} - 1
+   */
+  record LevelRequest(int offset) implements ClientMessage {}
+
+  /** The level is loaded: give me a body. */
+  record Ready() implements ClientMessage {}
+
+  /** The player goes; no grace period. */
+  record Leave() implements ClientMessage {}
+}

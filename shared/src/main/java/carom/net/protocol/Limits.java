@@ -1,0 +1,70 @@
+package carom.net.protocol;
+
+/**
+ * Every bound of the protocol, in one place. Decoders refuse what is outside, encoders never
+ * produce it.
+ */
+public final class Limits {
+
+  /**
+   * Largest datagram in bytes, either way. Fits every path's MTU with IP, UDP and tunnel headers.
+   */
+  public static final int MAX_DATAGRAM_BYTES = 1_200;
+
+  /** Largest encoded message from a client, in bytes. */
+  public static final int MAX_CLIENT_MESSAGE_BYTES = 256;
+
+  /**
+   * Largest encoded message from the server, in bytes; a full {@link ServerMessage.Roster} is the
+   * largest.
+   */
+  public static final int MAX_SERVER_MESSAGE_BYTES = 16 * 1_024;
+
+  /** Longest player name in UTF-8 bytes; the shortest is 1. See {@link PlayerName}. */
+  public static final int MAX_NAME_BYTES = 32;
+
+  /**
+   * Longest text for a player ({@code Notice}, {@code Refused}, {@code Goodbye}), in UTF-8 bytes.
+   */
+  public static final int MAX_TEXT_BYTES = 512;
+
+  /** Longest game name in UTF-8 bytes. */
+  public static final int MAX_GAME_NAME_BYTES = 64;
+
+  /** Longest level name in UTF-8 bytes. */
+  public static final int MAX_LEVEL_NAME_BYTES = 128;
+
+  /** Bytes of level file in one {@link ServerMessage.LevelChunk}. */
+  public static final int MAX_LEVEL_CHUNK_BYTES = 4_096;
+
+  /** Largest level file in bytes. */
+  public static final int MAX_LEVEL_BYTES = 4 * 1_024 * 1_024;
+
+  /** Players in a room; ids are 0..255. */
+  public static final int MAX_PLAYERS = 256;
+
+  /** Entity slots in a room; ids are 0..65,534. */
+  public static final int MAX_ENTITIES = 65_535;
+
+  /** Input frames in one input datagram. */
+  public static final int MAX_INPUTS = 16;
+
+  /** Slowest tick rate in Hz. */
+  public static final int MIN_TICK_RATE = 10;
+
+  /** Fastest tick rate in Hz. */
+  public static final int MAX_TICK_RATE = 240;
+
+  /**
+   * Input datagrams the server takes from one client per second; two a tick at the fastest rate.
+   */
+  public static final int MAX_INPUT_DATAGRAMS_PER_SECOND = 2 * MAX_TICK_RATE;
+
+  /**
+   * Reliable messages the server takes from one client per second, while it loads the level
+   * included.
+   */
+  public static final int MAX_CLIENT_MESSAGES_PER_SECOND = 2_000;
+
+  private Limits() {}
+}

@@ -1,0 +1,130 @@
+package carom.net.snapshot;
+
+/**
+ * The exact state of a player's own body, bit by bit, with the player's four memory ints: what
+ * client prediction restores. Mutable, reused. Positions and velocities are of the body's centre of
+ * mass, metres, m/s, rad/s.
+ */
+public final class OwnState {
+
+  /** Number of exact floats: x, y, cos, sin, vx, vy, omega. */
+  public static final int FLOATS = 7;
+
+  /** Number of memory ints. */
+  public static final int MEMORY = 4;
+
+  int slot = -1;
+  int generation;
+  final int[] values = new int[FLOATS + MEMORY];
+
+  /** Creates the state of a player without a body. */
+  public OwnState() {}
+
+  /** Sets the body's exact state. */
+  public void setBody(
+      int slot,
+      int generation,
+      float x,
+      float y,
+      float cos,
+      float sin,
+      float vx,
+      float vy,
+      float omega) {
+    this.slot = slot;
+    this.generation = generation;
+    values[0] = Float.floatToRawIntBits(x);
+    values[1] = Float.floatToRawIntBits(y);
+    values[2] = Float.floatToRawIntBits(cos);
+    values[3] = Float.floatToRawIntBits(sin);
+    values[4] = Float.floatToRawIntBits(vx);
+    values[5] = Float.floatToRawIntBits(vy);
+    values[6] = Float.floatToRawIntBits(omega);
+  }
+
+  /** The player has no body now; the memory stays. */
+  public void clearBody() {
+    slot = -1;
+    generation = 0;
+    for (int i = 0; i < FLOATS; i++) {
+      values[i] = 0;
+    }
+  }
+
+  /** Sets one of the player's memory ints. */
+  public void setMemory(int index, int value) {
+    values[FLOATS + checked(index)] = value;
+  }
+
+  /** Entity slot of the body, or -1 when there is none. */
+  public int slot() {
+    return slot;
+  }
+
+  /** Generation of the body's entity. */
+  public int generation() {
+    return generation;
+  }
+
+  /** Centre of mass, metres. */
+  public float x() {
+    return Float.intBitsToFloat(values[0]);
+  }
+
+  /** Centre of mass, metres. */
+  public float y() {
+    return Float.intBitsToFloat(values[1]);
+  }
+
+  /** Cosine of the angle. */
+  public float cos() {
+    return Float.intBitsToFloat(values[2]);
+  }
+
+  /** Sine of the angle. */
+  public float sin() {
+    return Float.intBitsToFloat(values[3]);
+  }
+
+  /** Velocity of the centre of mass, m/s. */
+  public float vx() {
+    return Float.intBitsToFloat(values[4]);
+  }
+
+  /** Velocity of the centre of mass, m/s. */
+  public float vy() {
+    return Float.intBitsToFloat(values[5]);
+  }
+
+  /** Angular velocity, rad/s. */
+  public float omega() {
+    return Float.intBitsToFloat(values[6]);
+  }
+
+  /** One of the player's memory ints, index 0..3. */
+  public int memory(int index) {
+    return values[FLOATS + checked(index)];
+  }
+
+  /** Copies everything of another state into this one. */
+  public void set(OwnState other) {
+    slot = other.slot;
+    generation = other.generation;
+    System.arraycopy(other.values, 0, values, 0, values.length);
+  }
+
+  /** Whether all bits are the same. */
+  public boolean sameAs(OwnState other) {
+    return slot == other.slot
+        && generation == other.generation
+        && java.util.Arrays.equals(values, other.values);
+  }
+
+  private static int checked(int index) {
+    if (index < 0 || index >= MEMORY) {
+      throw new IndexOutOfBoundsException(
+          "memory index=" + index + " is outside 0.." + (MEMORY - 1));
+    }
+    return index;
+  }
+}
