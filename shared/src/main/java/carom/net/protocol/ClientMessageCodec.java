@@ -1,10 +1,22 @@
 package carom.net.protocol;
 
+import java.nio.ByteBuffer;
+import java.nio.CharBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+
 /**
  * Fixed layout of what clients send: a tag byte, then the fields, big-endian, exact length. No
  * object graph, no reflection; safe on any bytes. Stateless, any thread.
  */
 public final class ClientMessageCodec {
+
+  private static final byte HELLO = 1;
+  private static final byte LEVEL_REQUEST = 2;
+  private static final byte READY = 3;
+  private static final byte LEAVE = 4;
+  private static final int HELLO_FIXED_BYTES = 1 + 4 + 8 + 8 + 1;
 
   private ClientMessageCodec() {}
 
@@ -18,21 +30,93 @@ public final class ClientMessageCodec {
    *     limit
    */
   public static int encode(ClientMessage message, byte[] out, int offset) {
-    throw new UnsupportedOperationException("soon");
+    ByteBuffer buffer = ByteBuffer.wrap(out, offset, out.length - offset);
+    if (message instanceof ClientMessage.Hello hello) {
+      byte[] name = hello.name().getBytes(StandardCharsets.UTF_8);
+      if (name.length > Limits.MAX_NAME_BYTES) {
+        throw new IllegalArgumentException(
+            "Hello.name has bytes=" + name.length + ", limit=" + Limits.MAX_NAME_BYTES);
+      }
+      buffer.put(HELLO);
+      buffer.putInt(hello.protocolVersion());
+      buffer.putLong(hello.physicsDigest());
+      buffer.putLong(hello.resumeSecret());
+      buffer.put((byte) name.length);
+      buffer.put(name);
+    } else if (message instanceof ClientMessage.LevelRequest request) {
+      if (!validOffset(request.offset())) {
+        throw new IllegalArgumentException(
+            "LevelRequest.offset="
+                + request.offset()
+                + " is outside 0.."
+                + (Limits.MAX_LEVEL_BYTES - 1));
+      }
+      buffer.put(LEVEL_REQUEST);
+      buffer.putInt(request.offset());
+    } else if (message instanceof ClientMessage.Ready) {
+      buffer.put(READY);
+    } else {
+      buffer.put(LEAVE);
+    }
+    return buffer.position() - offset;
   }
 
   /** As {@link #encode(ClientMessage, byte[], int)}, into an array of exactly the right length. */
   public static byte[] encode(ClientMessage message) {
-    throw new UnsupportedOperationException("soon");
+    byte[] out = new byte[Limits.MAX_CLIENT_MESSAGE_BYTES];
+    return Arrays.copyOf(out, encode(message, out, 0));
   }
 
   /**
    * Reads a message. Never throws on the content, allocates at most the message and a name of
-   * {@link Limits#MAX_NAME_BYTES}.
+   * {@link Limits#MAX_NAME_BYTES}. A name is only checked to be UTF-8 of at most that length;
+   * {@link PlayerName} judges the rest.
    *
    * @return the message, or null when the bytes are not exactly one message within the limits
    */
   public static ClientMessage decode(byte[] bytes, int offset, int length) {
-    throw new UnsupportedOperationException("soon");
+    if (length < 1) {
+      return null;
+    }
+    ByteBuffer buffer = ByteBuffer.wrap(bytes, offset, length);
+    switch (buffer.get()) {
+      case HELLO:
+        return decodeHello(buffer);
+      case LEVEL_REQUEST:
+        if (buffer.remaining() != 4) {
+          return null;
+        }
+        int from = buffer.getInt();
+        return validOffset(from) ? new ClientMessage.LevelRequest(from) : null;
+      case READY:
+        return buffer.hasRemaining() ? null : new ClientMessage.Ready();
+      case LEAVE:
+        return buffer.hasRemaining() ? null : new ClientMessage.Leave();
+      default:
+        return null;
+    }
+  }
+
+  private static ClientMessage decodeHello(ByteBuffer buffer) {
+    if (buffer.remaining() < HELLO_FIXED_BYTES - 1) {
+      return null;
+    }
+    int version = buffer.getInt();
+    long digest = buffer.getLong();
+    long secret = buffer.getLong();
+    int nameBytes = buffer.get() & 0xff;
+    if (nameBytes > Limits.MAX_NAME_BYTES || nameBytes != buffer.remaining()) {
+      return null;
+    }
+    try {
+      CharBuffer name = StandardCharsets.UTF_8.newDecoder().decode(buffer);
+      return new ClientMessage.Hello(version, digest, name.toString(), secret);
+    } catch (CharacterCodingException e) {
+      return null;
+    }
+  }
+
+  private static boolean validOffset(int offset) {
+    return offset >= 0 && offset < Limits.MAX_LEVEL_BYTES;
   }
 }

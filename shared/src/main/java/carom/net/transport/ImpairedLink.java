@@ -1,5 +1,6 @@
 package carom.net.transport;
 
+import carom.net.protocol.Limits;
 import java.util.function.LongSupplier;
 
 /**
@@ -7,14 +8,48 @@ import java.util.function.LongSupplier;
  * client's link and leave the server's alone. Delayed traffic moves on when {@link #poll}, {@link
  * #send} or {@link #sendDatagram} is called. Reliable messages are delayed, never lost or
  * reordered. One thread.
+ *
+ * <p>{@link #close} doesn't wait: messages that were still on their way out are sent at once,
+ * datagrams are forgotten.
  */
 public final class ImpairedLink implements Link {
+
+  private static final int INNER_POLL = 1_024;
+
+  private final Link link;
+  private final LongSupplier nowNs;
+  private final LinkCounters counters = new LinkCounters();
+  private final Lane out;
+  private final Lane in;
+  private boolean innerClosed;
+  private long closedDueNs;
+  private boolean closeReported;
+
+  private final LinkHandler collector =
+      new LinkHandler() {
+        @Override
+        public void message(Link from, Object message) {
+          in.addMessage(message, nowNs.getAsLong());
+        }
+
+        @Override
+        public void datagram(Link from, byte[] bytes, int length) {
+          int dropped = in.addDatagram(bytes, 0, length, nowNs.getAsLong());
+          counters.datagramsDropped.addAndGet(dropped);
+        }
+
+        @Override
+        public void closed(Link from, String reason) {
+          innerClosed = true;
+          closedDueNs = in.messageDue(nowNs.getAsLong());
+        }
+      };
 
   /**
    * Wraps a link.
    *
    * @param link the real one; owned by this from now on
-   * @param impairment for both directions
+   * @param impairment for both directions, each with random numbers of its own
    * @param nowNs the clock, nanoseconds; virtual or {@code System::nanoTime}
    */
   public ImpairedLink(Link link, Impairment impairment, LongSupplier nowNs) {
@@ -22,50 +57,127 @@ public final class ImpairedLink implements Link {
   }
 
   /** Wraps a link with one impairment for what is sent and one for what is received. */
-  public ImpairedLink(Link link, Impairment outgoing, Impairment incoming, LongSupplier nowNs) {}
+  public ImpairedLink(Link link, Impairment outgoing, Impairment incoming, LongSupplier nowNs) {
+    this.link = link;
+    this.nowNs = nowNs;
+    out = new Lane(outgoing, 0);
+    in = new Lane(incoming, 1);
+  }
 
-  /** Changes the impairment of both directions from now on; what is on its way keeps its fate. */
+  /**
+   * Changes the impairment of both directions from now on; what is on its way keeps its fate. The
+   * seeds don't start again.
+   */
   public void impair(Impairment outgoing, Impairment incoming) {
-    throw new UnsupportedOperationException("soon");
+    out.impair(outgoing);
+    in.impair(incoming);
   }
 
   @Override
   public State state() {
-    throw new UnsupportedOperationException("soon");
+    return link.state();
   }
 
   @Override
   public boolean send(Object message) {
-    throw new UnsupportedOperationException("soon");
+    if (link.state() != State.OPEN) {
+      return false;
+    }
+    long now = nowNs.getAsLong();
+    out.addMessage(message, now);
+    counters.messagesOut.incrementAndGet();
+    flush(now);
+    return link.state() == State.OPEN;
   }
 
   @Override
   public boolean sendDatagram(byte[] bytes, int offset, int length) {
-    throw new UnsupportedOperationException("soon");
+    if (length < 1 || length > Limits.MAX_DATAGRAM_BYTES) {
+      throw new IllegalArgumentException(
+          "datagram length=" + length + " is outside 1.." + Limits.MAX_DATAGRAM_BYTES);
+    }
+    if (link.state() != State.OPEN) {
+      return false;
+    }
+    long now = nowNs.getAsLong();
+    counters.datagramsOut.incrementAndGet();
+    counters.datagramBytesOut.addAndGet(length);
+    counters.datagramsDropped.addAndGet(out.addDatagram(bytes, offset, length, now));
+    flush(now);
+    return true;
   }
 
   @Override
   public int poll(LinkHandler handler, int max) {
-    throw new UnsupportedOperationException("soon");
+    long now = nowNs.getAsLong();
+    flush(now);
+    if (!innerClosed) {
+      link.poll(collector, INNER_POLL);
+    }
+    int count = 0;
+    while (count < max) {
+      Lane.Item item = in.takeDue(now);
+      if (item == null) {
+        break;
+      }
+      count++;
+      if (item.message != null) {
+        counters.messagesIn.incrementAndGet();
+        handler.message(this, item.message);
+      } else {
+        counters.datagramsIn.incrementAndGet();
+        counters.datagramBytesIn.addAndGet(item.length);
+        handler.datagram(this, item.bytes, item.length);
+      }
+      in.recycle(item);
+    }
+    if (innerClosed && !closeReported && now - closedDueNs >= 0 && !in.hasMessages()) {
+      closeReported = true;
+      in.clear();
+      handler.closed(this, link.closeReason());
+    }
+    return count;
+  }
+
+  private void flush(long now) {
+    for (Lane.Item item; (item = out.takeDue(now)) != null; out.recycle(item)) {
+      pass(item);
+    }
+  }
+
+  private void pass(Lane.Item item) {
+    if (item.message != null) {
+      link.send(item.message);
+    } else {
+      link.sendDatagram(item.bytes, 0, item.length);
+    }
   }
 
   @Override
   public void close(String reason) {
-    throw new UnsupportedOperationException("soon");
+    for (Lane.Item item; (item = out.takeMessage()) != null; ) {
+      link.send(item.message);
+    }
+    out.clear();
+    link.close(reason);
   }
 
   @Override
   public String remote() {
-    throw new UnsupportedOperationException("soon");
+    return link.remote();
   }
 
   @Override
   public String closeReason() {
-    throw new UnsupportedOperationException("soon");
+    return link.closeReason();
   }
 
+  /**
+   * Counters at this end of the bad network: out = handed to it, in = come out of it, dropped =
+   * lost in it, both directions. Bytes of messages are not known here and stay 0.
+   */
   @Override
   public LinkCounters counters() {
-    throw new UnsupportedOperationException("soon");
+    return counters;
   }
 }

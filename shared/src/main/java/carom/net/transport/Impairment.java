@@ -11,7 +11,8 @@ package carom.net.transport;
  * @param jitterMs one-way delay varies evenly by plus or minus this, milliseconds, never below zero
  * @param jitterReorders whether jitter may let a datagram overtake another; reliable messages never
  *     overtake
- * @param reorderPercent 0..100, share of datagrams that are held back until later ones have passed
+ * @param reorderPercent 0..100, share of datagrams that are held back by twice the jitter, at least
+ *     25 ms, so that later ones overtake them
  * @param duplicatePercent 0..100, share of datagrams that arrive twice
  */
 public record Impairment(
@@ -23,6 +24,16 @@ public record Impairment(
     boolean jitterReorders,
     double reorderPercent,
     double duplicatePercent) {
+
+  /** Checks the ranges. */
+  public Impairment {
+    check("lossPercent", lossPercent, 0, 100);
+    check("burst", burst, 1, 10_000);
+    check("latencyMs", latencyMs, 0, 60_000);
+    check("jitterMs", jitterMs, 0, 60_000);
+    check("reorderPercent", reorderPercent, 0, 100);
+    check("duplicatePercent", duplicatePercent, 0, 100);
+  }
 
   /** A perfect network. */
   public static final Impairment NONE = new Impairment(1, 0, 1, 0, 0, true, 0, 0);
@@ -95,5 +106,11 @@ public record Impairment(
         jitterReorders,
         reorderPercent,
         duplicatePercent);
+  }
+
+  private static void check(String name, double value, double min, double max) {
+    if (!(value >= min && value <= max)) {
+      throw new IllegalArgumentException(name + "=" + value + " is outside " + min + ".." + max);
+    }
   }
 }

@@ -1,25 +1,115 @@
 package carom.net.transport;
 
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.List;
+
 /**
  * A network inside one process: links between its server and client side, bounded inboxes, real
- * bytes through a {@link MessageCodec}. Nothing is lost, nothing takes time; wrap links in {@link
- * ImpairedLink} for that. Safe with the two sides on two threads; needs none.
+ * bytes through a {@link MessageCodec}. Nothing is lost except by a full inbox, nothing takes time;
+ * wrap links in {@link ImpairedLink} for that. Safe with the two sides on two threads; needs none.
  */
 public final class InProcessNetwork {
 
+  /** Links that may wait for {@link ServerTransport#accept}; the next one is refused. */
+  public static final int MAX_WAITING_LINKS = 1_024;
+
+  private final MessageCodec codec;
+  private final Object lock = new Object();
+  private final ArrayDeque<InProcessLink> waiting = new ArrayDeque<>();
+  private final List<InProcessLink> links = new ArrayList<>();
+  private boolean serverClosed;
+  private int connections;
+
+  private final ServerTransport server =
+      new ServerTransport() {
+        @Override
+        public Link accept() {
+          synchronized (lock) {
+            return waiting.poll();
+          }
+        }
+
+        @Override
+        public int tcpPort() {
+          return 0;
+        }
+
+        @Override
+        public int udpPort() {
+          return 0;
+        }
+
+        @Override
+        public void close() {
+          synchronized (lock) {
+            serverClosed = true;
+            waiting.clear();
+          }
+          closeLinks("the server transport was closed");
+        }
+      };
+
+  private final ClientTransport client =
+      new ClientTransport() {
+        @Override
+        public Link connect(String host, int tcpPort, int udpPort) {
+          return open();
+        }
+
+        @Override
+        public void close() {
+          closeLinks("the client transport was closed");
+        }
+      };
+
   /** Creates a network whose messages go through {@code codec}. */
-  public InProcessNetwork(MessageCodec codec) {}
+  public InProcessNetwork(MessageCodec codec) {
+    this.codec = codec;
+  }
 
   /** The server's side; the same object at each call. Its ports are 0. */
   public ServerTransport server() {
-    throw new UnsupportedOperationException("soon");
+    return server;
   }
 
   /**
    * The client's side; host and ports are ignored. Links are {@code OPEN} at once, or {@code
-   * CLOSED} when the server side is closed.
+   * CLOSED} when the server side is closed. Closing it closes all links, and new ones may be opened
+   * afterwards.
    */
   public ClientTransport client() {
-    throw new UnsupportedOperationException("soon");
+    return client;
+  }
+
+  private Link open() {
+    synchronized (lock) {
+      links.removeIf(link -> link.state() == Link.State.CLOSED);
+      int number = ++connections;
+      InProcessLink serverEnd = new InProcessLink(codec, "in-process client " + number);
+      InProcessLink clientEnd = new InProcessLink(codec, "in-process server");
+      InProcessLink.join(serverEnd, clientEnd);
+      if (serverClosed) {
+        clientEnd.close("the server is not running");
+      } else if (waiting.size() >= MAX_WAITING_LINKS) {
+        clientEnd.close("the server accepts no more connections now");
+      } else {
+        waiting.add(serverEnd);
+        links.add(clientEnd);
+        links.add(serverEnd);
+      }
+      return clientEnd;
+    }
+  }
+
+  private void closeLinks(String reason) {
+    List<InProcessLink> all;
+    synchronized (lock) {
+      all = new ArrayList<>(links);
+      links.clear();
+    }
+    for (InProcessLink link : all) {
+      link.close(reason);
+    }
   }
 }

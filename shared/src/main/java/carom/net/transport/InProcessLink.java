@@ -1,0 +1,196 @@
+package carom.net.transport;
+
+import carom.net.protocol.Limits;
+import java.util.ArrayDeque;
+
+/** One end of an in-process connection. Both ends share one lock; handlers run outside it. */
+final class InProcessLink implements Link {
+
+  /** Datagrams that may wait in an inbox; the next one is dropped, as a full socket buffer does. */
+  static final int MAX_DATAGRAMS = 1_024;
+
+  /** Bytes of messages that may wait in an inbox; more closes the link. */
+  static final int MAX_MESSAGE_BYTES = 4 * 1_024 * 1_024;
+
+  private static final class Item {
+    final boolean datagram;
+    final byte[] bytes;
+    int length;
+
+    Item(boolean datagram, byte[] bytes) {
+      this.datagram = datagram;
+      this.bytes = bytes;
+      length = bytes.length;
+    }
+  }
+
+  private final MessageCodec codec;
+  private final String remote;
+  private final LinkCounters counters = new LinkCounters();
+  private final ArrayDeque<Item> inbox = new ArrayDeque<>();
+  private final ArrayDeque<Item> spareDatagrams = new ArrayDeque<>();
+  private int inboxDatagrams;
+  private int inboxMessageBytes;
+  private Object lock = new Object();
+  private InProcessLink peer = this;
+  private volatile State state = State.OPEN;
+  private volatile String closeReason = "";
+  private boolean closeReported;
+
+  InProcessLink(MessageCodec codec, String remote) {
+    this.codec = codec;
+    this.remote = remote;
+  }
+
+  static void join(InProcessLink a, InProcessLink b) {
+    a.peer = b;
+    b.peer = a;
+    b.lock = a.lock;
+  }
+
+  @Override
+  public State state() {
+    return state;
+  }
+
+  @Override
+  public boolean send(Object message) {
+    byte[] bytes = codec.encode(message);
+    synchronized (lock) {
+      if (state != State.OPEN) {
+        return false;
+      }
+      if (peer.inboxMessageBytes + bytes.length > MAX_MESSAGE_BYTES) {
+        closeBoth(
+            "the other side doesn't take its messages: "
+                + peer.inboxMessageBytes
+                + " bytes wait, limit="
+                + MAX_MESSAGE_BYTES);
+        return false;
+      }
+      peer.inbox.add(new Item(false, bytes));
+      peer.inboxMessageBytes += bytes.length;
+    }
+    counters.messagesOut.incrementAndGet();
+    counters.messageBytesOut.addAndGet(bytes.length);
+    return true;
+  }
+
+  @Override
+  public boolean sendDatagram(byte[] bytes, int offset, int length) {
+    checkLength(length);
+    synchronized (lock) {
+      if (state != State.OPEN) {
+        return false;
+      }
+      counters.datagramsOut.incrementAndGet();
+      counters.datagramBytesOut.addAndGet(length);
+      if (peer.inboxDatagrams >= MAX_DATAGRAMS) {
+        peer.counters.datagramsDropped.incrementAndGet();
+        return true;
+      }
+      Item item = peer.spareDatagrams.poll();
+      if (item == null) {
+        item = new Item(true, new byte[Limits.MAX_DATAGRAM_BYTES]);
+      }
+      System.arraycopy(bytes, offset, item.bytes, 0, length);
+      item.length = length;
+      peer.inbox.add(item);
+      peer.inboxDatagrams++;
+      return true;
+    }
+  }
+
+  static void checkLength(int length) {
+    if (length < 1 || length > Limits.MAX_DATAGRAM_BYTES) {
+      throw new IllegalArgumentException(
+          "datagram length=" + length + " is outside 1.." + Limits.MAX_DATAGRAM_BYTES);
+    }
+  }
+
+  @Override
+  public int poll(LinkHandler handler, int max) {
+    int count = 0;
+    while (count < max) {
+      Item item;
+      synchronized (lock) {
+        item = inbox.poll();
+        if (item == null) {
+          break;
+        }
+        if (item.datagram) {
+          inboxDatagrams--;
+        } else {
+          inboxMessageBytes -= item.length;
+        }
+      }
+      count++;
+      hand(item, handler);
+    }
+    reportClose(handler);
+    return count;
+  }
+
+  private void hand(Item item, LinkHandler handler) {
+    if (item.datagram) {
+      counters.datagramsIn.incrementAndGet();
+      counters.datagramBytesIn.addAndGet(item.length);
+      handler.datagram(this, item.bytes, item.length);
+      synchronized (lock) {
+        spareDatagrams.add(item);
+      }
+      return;
+    }
+    counters.messagesIn.incrementAndGet();
+    counters.messageBytesIn.addAndGet(item.length);
+    Object message = codec.decode(item.bytes, 0, item.length);
+    if (message == null) {
+      counters.malformed.incrementAndGet();
+      close("the other side sent a message that can't be decoded");
+    } else {
+      handler.message(this, message);
+    }
+  }
+
+  private void reportClose(LinkHandler handler) {
+    synchronized (lock) {
+      if (state != State.CLOSED || closeReported || !inbox.isEmpty()) {
+        return;
+      }
+      closeReported = true;
+    }
+    handler.closed(this, closeReason);
+  }
+
+  @Override
+  public void close(String reason) {
+    synchronized (lock) {
+      closeBoth(reason);
+    }
+  }
+
+  private void closeBoth(String reason) {
+    if (state == State.CLOSED) {
+      return;
+    }
+    closeReason = reason;
+    peer.closeReason = "the connection was closed by the other side";
+    state = State.CLOSED;
+    peer.state = State.CLOSED;
+  }
+
+  @Override
+  public String remote() {
+    return remote;
+  }
+
+  @Override
+  public String closeReason() {
+    return closeReason;
+  }
+
+  @Override
+  public LinkCounters counters() {
+    return counters;
+  }
+}

@@ -1,0 +1,27 @@
+package carom.net.transport;
+
+/**
+ * The splitmix64 generator (Steele, Lea and Flood, 2014): the same numbers for a seed on every
+ * machine, for ever.
+ */
+final class SplitMix {
+
+  private long state;
+
+  SplitMix(long seed) {
+    state = seed;
+  }
+
+  long next() {
+    state += 0x9e3779b97f4a7c15L;
+    long z = state;
+    z = (z ^ (z >>> 30)) * 0xbf58476d1ce4e5b9L;
+    z = (z ^ (z >>> 27)) * 0x94d049bb133111ebL;
+    return z ^ (z >>> 31);
+  }
+
+  /** Evenly in 0 (inclusive) .. 1 (exclusive). */
+  double unit() {
+    return (next() >>> 11) * 0x1.0p-53;
+  }
+}
