@@ -1,44 +1,108 @@
 package carom.physics.broadphase;
 
+import java.util.Arrays;
+
 /**
  * The engine's own index: a KD-tree over the centres of the boxes, with tight bounds per node.
  *
- * <p>Cheap from tick to tick: {@link #add}, {@link #remove} and {@link #refit()} repair the tree in
- * place; nobody needs to call {@link #rebuild} again.
+ * <p>Made to be kept. {@link #add}, {@link #remove} and {@link #refit()} repair the tree in place;
+ * after the first {@link #rebuild} (or none) nobody needs to call it again.
+ *
+ * <p><b>Layout.</b> A perfect binary tree without node objects: node 1 is the root, 2n and 2n + 1
+ * are the children of n, and leaf l is node {@code leaves + l}. A leaf has room for {@value #SLOTS}
+ * boxes and holds at most {@value #FILL} on average, so that boxes come and go without moving
+ * others; its boxes lie side by side in one array, so that testing two leaves touches a few cache
+ * lines. Inner nodes split x or y at the median of the centres, whichever extent is wider.
+ *
+ * <p><b>From tick to tick.</b> Every leaf knows the cell, a region between split lines, for which
+ * it was made. {@link #refit()} reads the new boxes leaf by leaf; a box whose centre is still in
+ * the cell (with some slack) stays, the few others are handed down from the root again. A leaf that
+ * runs full has the smallest subtree around it rebuilt that isn't crowded itself, as in a
+ * packed-memory array, so the work is local where the change is local. When more than one in
+ * {@value #REBUILD_SHARE} left its cell, all is rebuilt at once. Cells ride along with the mean
+ * motion of all boxes, so a swarm that flies in formation costs nothing extra. The partition
+ * decides about speed alone: bounds are always those of the boxes, hence answers are right however
+ * stale the partition is.
+ *
+ * <p><b>Cost.</b> refit and pairs O(n) in practice, add and remove amortised O(log n), query O(log
+ * n + found). Recursion is no deeper than the tree, which has at most 28 levels.
  */
 public final class KdTree implements SpatialIndex {
+  /** Room for boxes in a leaf; also the distance between the coordinate rows of a leaf. */
+  static final int SLOTS = 16;
+
+  /** Boxes per leaf, averaged over the tree, that make it grow. */
+  static final int FILL = 8;
+
+  /** Rebuild all when more than this fraction (1 / n) of the boxes left their cells in one tick. */
+  static final int REBUILD_SHARE = 8;
+
+  /** A box may stray this fraction of its cell's width before it moves to another leaf. */
+  static final float CELL_SLACK = 0.125f;
+
+  private static final int ROW = SLOTS;
+  private static final int BLOCK = 4 * SLOTS;
+  private static final int LOW = (1 << 31) - 1;
+
+  private AabbArray boxes;
+  private int size;
+  private int leaves = 1;
+
+  /** Per node: minX, minY, maxX, maxY; inverted infinities when empty. */
+  private float[] bounds = new float[8];
+
+  /** Per inner node: the split coordinate, in the frame that rides along. */
+  private float[] split = new float[1];
+
+  /** Per inner node: whether the split is across y. */
+  private boolean[] splitsY = new boolean[1];
+
+  /** Per leaf: the cell (minX, minY, maxX, maxY), slack included, in the frame that rides along. */
+  private float[] cell = new float[4];
+
+  /** Per leaf: number of boxes in it. */
+  private int[] fill = new int[1];
+
+  /** Per slot: the box's id. */
+  private int[] ids = new int[SLOTS];
+
+  /** Per leaf a block of four rows: minX, minY, maxX, maxY of its slots. No negative zeros. */
+  private float[] slots = new float[BLOCK];
+
+  /** Per id: its slot, or -1. */
+  private int[] slotOf = new int[0];
+
+  /** Where the frame of the cells has moved since they were made. */
+  private double frameX;
+
+  private double frameY;
+
+  /** Ids that left their cell in this refit. */
+  private int[] stray = new int[SLOTS];
+
+  /** Scratch for building: ids, their centres, and sort keys that carry the index into both. */
+  private int[] work = new int[SLOTS];
+
+  private float[] centerX = new float[SLOTS];
+  private float[] centerY = new float[SLOTS];
+  private long[] keys = new long[SLOTS];
+
+  /** Node pairs still to visit: per level at most three are left behind. */
+  private final int[] stack = new int[2 * (4 * 32)];
+
   /**
    * Makes an empty tree over these boxes.
    *
    * @param boxes the boxes, indexed by id; a reference is kept
    */
   public KdTree(AabbArray boxes) {
-    throw new UnsupportedOperationException("soon");
+    this.boxes = boxes;
+    clear();
   }
 
   @Override
-  public void rebuild(AabbArray boxes, int[] ids, int count) {
-    throw new UnsupportedOperationException("soon");
-  }
-
-  /**
-   * Adds a box, as it is in the box array now. Amortised O(log n).
-   *
-   * @param id index of the box in the box array
-   * @throws IllegalArgumentException if the id is in the tree already or its box isn't valid
-   */
-  public void add(int id) {
-    throw new UnsupportedOperationException("soon");
-  }
-
-  /**
-   * Removes a box. O(log n); bounds stay tight.
-   *
-   * @param id which
-   * @return false if it wasn't in the tree
-   */
-  public boolean remove(int id) {
-    throw new UnsupportedOperationException("soon");
+  public int size() {
+    return size;
   }
 
   /**
@@ -48,30 +112,681 @@ public final class KdTree implements SpatialIndex {
    * @return true if it is
    */
   public boolean contains(int id) {
-    throw new UnsupportedOperationException("soon");
+    return id >= 0 && id < slotOf.length && slotOf[id] >= 0;
   }
 
   /** Removes all boxes; keeps the memory. */
   public void clear() {
-    throw new UnsupportedOperationException("soon");
+    Arrays.fill(slotOf, -1);
+    size = 0;
+    leaves = 1;
+    fill[0] = 0;
+    setCell(0, -INF, -INF, INF, INF);
+    frameX = 0;
+    frameY = 0;
+    fitLeaf(0);
+  }
+
+  private static final float INF = Float.POSITIVE_INFINITY;
+
+  // ---------------------------------------------------------------- changing the set of boxes
+
+  /**
+   * {@inheritDoc}
+   *
+   * <p>When the ids are those already in the tree, their order is used again: building from nearly
+   * sorted boxes is faster.
+   */
+  @Override
+  public void rebuild(AabbArray newBoxes, int[] newIds, int count) {
+    if (count < 0 || count > newIds.length) {
+      throw new IllegalArgumentException("count=" + count + ", limit 0.." + newIds.length);
+    }
+    boxes = newBoxes;
+    ensureWork(count);
+    boolean same = count == size;
+    for (int i = 0; i < count && same; i++) {
+      same = contains(newIds[i]);
+    }
+    if (same) {
+      gather(0, leaves, 0);
+    } else {
+      System.arraycopy(newIds, 0, work, 0, count);
+    }
+    clear();
+    try {
+      for (int i = 0; i < count; i++) {
+        int id = newIds[i];
+        boxes.check(id);
+        ensureId(id);
+        if (slotOf[id] >= 0) {
+          throw new IllegalArgumentException("id=" + id + " comes twice in ids, index=" + i);
+        }
+        slotOf[id] = 0;
+      }
+    } catch (IllegalArgumentException e) {
+      clear();
+      throw e;
+    }
+    size = count;
+    buildAll(count);
   }
 
   /**
+   * Adds a box, as it is in the box array now. Amortised O(log n).
+   *
+   * @param id index of the box in the box array
+   * @throws IllegalArgumentException if the id is in the tree already or its box isn't valid; the
+   *     tree stays as it was
+   */
+  public void add(int id) {
+    boxes.check(id);
+    if (contains(id)) {
+      throw new IllegalArgumentException(
+          "id=" + id + " is in the tree already; remove it first, or call refit() if it moved");
+    }
+    ensureId(id);
+    size++;
+    int leaf = insert(id);
+    if (leaf >= 0) {
+      fitAncestors(leaf + leaves);
+    }
+  }
+
+  /**
+   * Removes a box. O(log n); bounds stay tight.
+   *
+   * @param id which; any number
+   * @return false if it wasn't in the tree
+   */
+  public boolean remove(int id) {
+    if (!contains(id)) {
+      return false;
+    }
+    int slot = slotOf[id];
+    int leaf = slot / SLOTS;
+    int last = leaf * SLOTS + --fill[leaf];
+    moveSlot(last, slot);
+    slotOf[id] = -1;
+    size--;
+    fitLeaf(leaf);
+    fitAncestors(leaf + leaves);
+    return true;
+  }
+
+  /** Copies slot {@code from} over slot {@code to} of the same leaf. */
+  private void moveSlot(int from, int to) {
+    int id = ids[from];
+    ids[to] = id;
+    slotOf[id] = to;
+    int block = from / SLOTS * BLOCK;
+    int source = block + from % SLOTS;
+    int target = block + to % SLOTS;
+    for (int row = 0; row < BLOCK; row += ROW) {
+      slots[target + row] = slots[source + row];
+    }
+  }
+
+  /**
+   * Puts a box, not in the tree now but counted in {@link #size}, into the leaf for its centre.
+   *
+   * @return the leaf, whose bounds are right but not its ancestors'; -1 if a subtree was rebuilt
+   *     and all bounds are right
+   */
+  private int insert(int id) {
+    float x = (float) (center(boxes.minX[id], boxes.maxX[id]) - frameX);
+    float y = (float) (center(boxes.minY[id], boxes.maxY[id]) - frameY);
+    int ties = id * 0x9E3779B9;
+    int node = 1;
+    while (node < leaves) {
+      float c = splitsY[node] ? y : x;
+      float s = split[node];
+      int right = c > s ? 1 : 0;
+      if (c == s) {
+        right = ties >>> 31;
+        ties <<= 1;
+      }
+      node = 2 * node + right;
+    }
+    int leaf = node - leaves;
+    int n = fill[leaf];
+    if (n == SLOTS) {
+      makeRoom(leaf, id);
+      return -1;
+    }
+    fill[leaf] = n + 1;
+    store(leaf, n, id);
+    int at = leaf * BLOCK + n;
+    extend(4 * node, slots[at], slots[at + ROW], slots[at + 2 * ROW], slots[at + 3 * ROW]);
+    return leaf;
+  }
+
+  /** Rebuilds the smallest subtree around a full leaf that isn't crowded, with one box more. */
+  private void makeRoom(int leaf, int id) {
+    int height = 31 - Integer.numberOfLeadingZeros(leaves);
+    int first = leaf;
+    int end = leaf + 1;
+    int count = fill[leaf] + 1;
+    for (int h = 1; h <= height; h++) {
+      int wide = 1 << h;
+      int newFirst = leaf & -wide;
+      int newEnd = newFirst + wide;
+      count += sumFill(newFirst, first) + sumFill(end, newEnd);
+      first = newFirst;
+      end = newEnd;
+      // allowed: a full leaf at height 0, down to FILL boxes per leaf at the root
+      long limit = (long) wide * (SLOTS * height - (SLOTS - FILL) * h) / height;
+      if (count <= limit) {
+        ensureWork(count);
+        gather(first, end, 0);
+        work[count - 1] = id;
+        buildSubtree((leaf + leaves) >> h, count);
+        return;
+      }
+    }
+    ensureWork(size);
+    int others = gather(0, leaves, 0);
+    work[others] = id;
+    buildAll(others + 1);
+  }
+
+  private int sumFill(int from, int to) {
+    int sum = 0;
+    for (int leaf = from; leaf < to; leaf++) {
+      sum += fill[leaf];
+    }
+    return sum;
+  }
+
+  /** Writes the ids of a range of leaves to {@link #work}; answers where it ended. */
+  private int gather(int firstLeaf, int endLeaf, int at) {
+    int to = at;
+    for (int leaf = firstLeaf; leaf < endLeaf; leaf++) {
+      int n = fill[leaf];
+      System.arraycopy(ids, leaf * SLOTS, work, to, n);
+      to += n;
+    }
+    return to;
+  }
+
+  // ---------------------------------------------------------------- following motion
+
+  /**
    * Takes over the boxes' new places: call once per tick, after they moved. O(n), plus the repair
-   * of what left its place.
+   * of what left its cell.
+   *
+   * @throws IllegalArgumentException if a box isn't finite with min &lt;= max; the tree is empty
+   *     then
    */
   public void refit() {
-    throw new UnsupportedOperationException("soon");
+    if (size == 0) {
+      return;
+    }
+    if (leaves > 1 && size < leaves * FILL / 8) {
+      ensureWork(size);
+      gather(0, leaves, 0);
+      buildAll(size);
+      return;
+    }
+    ensureWork(size);
+    int strays = refitLeaves();
+    if (strays > size / REBUILD_SHARE && leaves > 1) {
+      int stayed = gather(0, leaves, 0);
+      System.arraycopy(stray, 0, work, stayed, strays);
+      buildAll(size);
+      return;
+    }
+    for (int i = 0; i < strays; i++) {
+      insert(stray[i]);
+    }
+    fitInner(1, leaves);
   }
+
+  /** Reads all boxes, takes those that left their cells out ({@link #stray}); answers how many. */
+  private int refitLeaves() {
+    float[] minX = boxes.minX;
+    float[] minY = boxes.minY;
+    float[] maxX = boxes.maxX;
+    float[] maxY = boxes.maxY;
+    float offX = (float) frameX;
+    float offY = (float) frameY;
+    double driftX = 0;
+    double driftY = 0;
+    int strays = 0;
+    for (int leaf = 0; leaf < leaves; leaf++) {
+      float cellLeft = cell[4 * leaf] + offX;
+      float cellBottom = cell[4 * leaf + 1] + offY;
+      float cellRight = cell[4 * leaf + 2] + offX;
+      float cellTop = cell[4 * leaf + 3] + offY;
+      float left = INF;
+      float bottom = INF;
+      float right = -INF;
+      float top = -INF;
+      int n = fill[leaf];
+      int block = leaf * BLOCK;
+      float moveX = 0;
+      float moveY = 0;
+      for (int k = 0; k < n; ) {
+        int id = ids[leaf * SLOTS + k];
+        float x0 = minX[id] + 0f;
+        float y0 = minY[id] + 0f;
+        float x1 = maxX[id] + 0f;
+        float y1 = maxY[id] + 0f;
+        if (!(x0 <= x1 && y0 <= y1)) {
+          clear();
+          throw boxes.invalid(id);
+        }
+        float x = center(x0, x1);
+        float y = center(y0, y1);
+        moveX += x0 - slots[block + k];
+        moveY += y0 - slots[block + ROW + k];
+        if (x < cellLeft || x > cellRight || y < cellBottom || y > cellTop) {
+          stray[strays++] = id;
+          slotOf[id] = -1;
+          n--;
+          if (k < n) {
+            moveSlot(leaf * SLOTS + n, leaf * SLOTS + k);
+          }
+          continue;
+        }
+        slots[block + k] = x0;
+        slots[block + ROW + k] = y0;
+        slots[block + 2 * ROW + k] = x1;
+        slots[block + 3 * ROW + k] = y1;
+        left = Math.min(left, x0);
+        bottom = Math.min(bottom, y0);
+        right = Math.max(right, x1);
+        top = Math.max(top, y1);
+        k++;
+      }
+      fill[leaf] = n;
+      setBounds(leaf + leaves, left, bottom, right, top);
+      driftX += moveX;
+      driftY += moveY;
+    }
+    if (Math.abs(driftX) + Math.abs(driftY) <= Float.MAX_VALUE) {
+      frameX += driftX / size;
+      frameY += driftY / size;
+    }
+    return strays;
+  }
+
+  // ---------------------------------------------------------------- building
+
+  /** Builds the whole tree from the first {@code count} ids in {@link #work}. */
+  private void buildAll(int count) {
+    int wanted = 1;
+    while ((long) wanted * FILL < count) {
+      wanted *= 2;
+    }
+    setLeaves(wanted);
+    frameX = 0;
+    frameY = 0;
+    buildSubtree(1, count);
+  }
+
+  /** Builds a subtree anew from the first {@code count} ids in {@link #work}. */
+  private void buildSubtree(int node, int count) {
+    for (int i = 0; i < count; i++) {
+      int id = work[i];
+      centerX[i] = (float) (center(boxes.minX[id], boxes.maxX[id]) - frameX);
+      centerY[i] = (float) (center(boxes.minY[id], boxes.maxY[id]) - frameY);
+      keys[i] = i;
+    }
+    float left = -INF;
+    float bottom = -INF;
+    float right = INF;
+    float top = INF;
+    for (int h = 30 - Integer.numberOfLeadingZeros(node); h >= 0; h--) {
+      int above = node >> (h + 1);
+      boolean high = (node >> h & 1) == 1;
+      float s = split[above];
+      if (splitsY[above]) {
+        bottom = high ? s : bottom;
+        top = high ? top : s;
+      } else {
+        left = high ? s : left;
+        right = high ? right : s;
+      }
+    }
+    build(node, 0, count, left, bottom, right, top);
+    fitInner(node, leaves);
+    fitAncestors(node);
+  }
+
+  /** Splits the keys from {@code lo} to {@code hi} - 1 among the leaves below a node. */
+  private void build(int node, int lo, int hi, float left, float bottom, float right, float top) {
+    if (node >= leaves) {
+      int leaf = node - leaves;
+      fill[leaf] = hi - lo;
+      setCell(leaf, left, bottom, right, top);
+      for (int i = lo; i < hi; i++) {
+        store(leaf, i - lo, work[(int) keys[i] & LOW]);
+      }
+      fitLeaf(leaf);
+      return;
+    }
+    boolean y = isTaller(lo, hi);
+    float[] c = y ? centerY : centerX;
+    for (int i = lo; i < hi; i++) {
+      int e = (int) keys[i] & LOW;
+      keys[i] = key(c[e], e);
+    }
+    int mid = (lo + hi) >>> 1;
+    float s = 0;
+    if (hi > lo) {
+      Select.nth(keys, lo, hi - 1, mid);
+      s = c[(int) keys[mid] & LOW];
+    }
+    split[node] = s;
+    splitsY[node] = y;
+    if (y) {
+      build(2 * node, lo, mid, left, bottom, right, s);
+      build(2 * node + 1, mid, hi, left, s, right, top);
+    } else {
+      build(2 * node, lo, mid, left, bottom, s, top);
+      build(2 * node + 1, mid, hi, s, bottom, right, top);
+    }
+  }
+
+  /** Whether the centres spread wider in y than in x. */
+  private boolean isTaller(int lo, int hi) {
+    float x0 = INF;
+    float y0 = INF;
+    float x1 = -INF;
+    float y1 = -INF;
+    for (int i = lo; i < hi; i++) {
+      int e = (int) keys[i] & LOW;
+      float x = centerX[e];
+      float y = centerY[e];
+      x0 = Math.min(x0, x);
+      x1 = Math.max(x1, x);
+      y0 = Math.min(y0, y);
+      y1 = Math.max(y1, y);
+    }
+    return y1 - y0 > x1 - x0;
+  }
+
+  /**
+   * A number that sorts like (coordinate, entry); differences of two never overflow, and no two are
+   * equal, so that a million boxes in one place split as evenly as any others.
+   */
+  private static long key(float c, int entry) {
+    int bits = Float.floatToRawIntBits(c);
+    int sortable = bits ^ (bits >> 31 & LOW);
+    return ((long) sortable << 31) + entry;
+  }
+
+  /** Writes the box of an id into a slot of a leaf. */
+  private void store(int leaf, int k, int id) {
+    ids[leaf * SLOTS + k] = id;
+    slotOf[id] = leaf * SLOTS + k;
+    int at = leaf * BLOCK + k;
+    // adding zero turns -0 into +0, which the sign tests of pairs() rely on
+    slots[at] = boxes.minX[id] + 0f;
+    slots[at + ROW] = boxes.minY[id] + 0f;
+    slots[at + 2 * ROW] = boxes.maxX[id] + 0f;
+    slots[at + 3 * ROW] = boxes.maxY[id] + 0f;
+  }
+
+  private static float center(float min, float max) {
+    return 0.5f * min + 0.5f * max;
+  }
+
+  private void setCell(int leaf, float left, float bottom, float right, float top) {
+    // an open side makes the slack infinite, and infinity minus infinity must not occur
+    float slackX = right - left < INF ? CELL_SLACK * (right - left) : 0;
+    float slackY = top - bottom < INF ? CELL_SLACK * (top - bottom) : 0;
+    cell[4 * leaf] = left - slackX;
+    cell[4 * leaf + 1] = bottom - slackY;
+    cell[4 * leaf + 2] = right + slackX;
+    cell[4 * leaf + 3] = top + slackY;
+  }
+
+  // ---------------------------------------------------------------- bounds
+
+  private void setBounds(int node, float left, float bottom, float right, float top) {
+    bounds[4 * node] = left;
+    bounds[4 * node + 1] = bottom;
+    bounds[4 * node + 2] = right;
+    bounds[4 * node + 3] = top;
+  }
+
+  private void extend(int at, float left, float bottom, float right, float top) {
+    bounds[at] = Math.min(bounds[at], left);
+    bounds[at + 1] = Math.min(bounds[at + 1], bottom);
+    bounds[at + 2] = Math.max(bounds[at + 2], right);
+    bounds[at + 3] = Math.max(bounds[at + 3], top);
+  }
+
+  private void fitLeaf(int leaf) {
+    float left = INF;
+    float bottom = INF;
+    float right = -INF;
+    float top = -INF;
+    int from = leaf * BLOCK;
+    int to = from + fill[leaf];
+    for (int i = from; i < to; i++) {
+      left = Math.min(left, slots[i]);
+      bottom = Math.min(bottom, slots[i + ROW]);
+      right = Math.max(right, slots[i + 2 * ROW]);
+      top = Math.max(top, slots[i + 3 * ROW]);
+    }
+    setBounds(leaf + leaves, left, bottom, right, top);
+  }
+
+  private void fitNode(int node) {
+    float[] b = bounds;
+    int to = 4 * node;
+    int from = 8 * node;
+    b[to] = Math.min(b[from], b[from + 4]);
+    b[to + 1] = Math.min(b[from + 1], b[from + 5]);
+    b[to + 2] = Math.max(b[from + 2], b[from + 6]);
+    b[to + 3] = Math.max(b[from + 3], b[from + 7]);
+  }
+
+  /** Fits the inner nodes of a subtree, deepest first. */
+  private void fitInner(int top, int endNode) {
+    int first = top;
+    int last = top;
+    while (2 * first < endNode) {
+      first = 2 * first;
+      last = 2 * last + 1;
+    }
+    while (first >= top && first < endNode) {
+      for (int node = last; node >= first; node--) {
+        fitNode(node);
+      }
+      first >>= 1;
+      last >>= 1;
+    }
+  }
+
+  private void fitAncestors(int node) {
+    for (int above = node >> 1; above > 0; above >>= 1) {
+      fitNode(above);
+    }
+  }
+
+  // ---------------------------------------------------------------- memory
+
+  private void setLeaves(int wanted) {
+    leaves = wanted;
+    if (fill.length < wanted) {
+      bounds = new float[8 * wanted];
+      split = new float[wanted];
+      splitsY = new boolean[wanted];
+      cell = new float[4 * wanted];
+      fill = new int[wanted];
+      ids = new int[SLOTS * wanted];
+      slots = new float[BLOCK * wanted];
+    }
+  }
+
+  private void ensureId(int id) {
+    if (id >= slotOf.length) {
+      int old = slotOf.length;
+      slotOf = Arrays.copyOf(slotOf, Math.max(id + 1, old + (old >> 1) + 16));
+      Arrays.fill(slotOf, old, slotOf.length, -1);
+    }
+  }
+
+  private void ensureWork(int count) {
+    if (count > work.length) {
+      int grown = Math.max(count, work.length + (work.length >> 1));
+      work = Arrays.copyOf(work, grown);
+      stray = new int[grown];
+      centerX = new float[grown];
+      centerY = new float[grown];
+      keys = new long[grown];
+    }
+  }
+
+  // ---------------------------------------------------------------- searching
 
   @Override
   public void query(float minX, float minY, float maxX, float maxY, IntVisitor visitor) {
-    throw new UnsupportedOperationException("soon");
+    int node = 1;
+    do {
+      int b = 4 * node;
+      if (bounds[b] <= maxX
+          && bounds[b + 2] >= minX
+          && bounds[b + 1] <= maxY
+          && bounds[b + 3] >= minY) {
+        if (node < leaves) {
+          node = 2 * node;
+          continue;
+        }
+        int leaf = node - leaves;
+        for (int k = 0; k < fill[leaf]; k++) {
+          int at = leaf * BLOCK + k;
+          if (slots[at] <= maxX
+              && slots[at + 2 * ROW] >= minX
+              && slots[at + ROW] <= maxY
+              && slots[at + 3 * ROW] >= minY
+              && !visitor.visit(ids[leaf * SLOTS + k])) {
+            return;
+          }
+        }
+      }
+      node = next(node);
+    } while (node != 1);
+  }
+
+  /** The node after a subtree in depth-first order, 1 at the end. */
+  private static int next(int node) {
+    int after = node + 1;
+    return after >> Integer.numberOfTrailingZeros(after);
   }
 
   @Override
   public void pairs(PairVisitor visitor) {
-    throw new UnsupportedOperationException("soon");
+    int top = 0;
+    stack[top++] = 1;
+    stack[top++] = 1;
+    while (top > 0) {
+      int b = stack[--top];
+      int a = stack[--top];
+      if (a >= leaves) {
+        if (a == b) {
+          pairsInLeaf(a - leaves, visitor);
+        } else {
+          pairsOfLeaves(a - leaves, b - leaves, visitor);
+        }
+        continue;
+      }
+      int a0 = 2 * a;
+      int a1 = a0 + 1;
+      if (a == b) {
+        top = push(a0, a0, top);
+        top = push(a1, a1, top);
+        top = pushIfOverlapping(a0, a1, top);
+      } else {
+        int b0 = 2 * b;
+        int b1 = b0 + 1;
+        top = pushIfOverlapping(a0, b0, top);
+        top = pushIfOverlapping(a0, b1, top);
+        top = pushIfOverlapping(a1, b0, top);
+        top = pushIfOverlapping(a1, b1, top);
+      }
+    }
+  }
+
+  private int push(int a, int b, int top) {
+    stack[top] = a;
+    stack[top + 1] = b;
+    return top + 2;
+  }
+
+  private int pushIfOverlapping(int a, int b, int top) {
+    return apart(bounds, 4 * a, bounds, 4 * b, 1) < 0 ? top : push(a, b, top);
+  }
+
+  /**
+   * Negative if two boxes are apart, else not. The sign bit of a difference of floats tells which
+   * is larger, also for denormals and infinities, as long as there are no negative zeros and no
+   * NaN; or-ing four sign bits makes one branch of four.
+   */
+  private static int apart(float[] p, int a, float[] q, int b, int row) {
+    return Float.floatToRawIntBits(q[b + 2 * row] - p[a])
+        | Float.floatToRawIntBits(p[a + 2 * row] - q[b])
+        | Float.floatToRawIntBits(q[b + 3 * row] - p[a + row])
+        | Float.floatToRawIntBits(p[a + 3 * row] - q[b + row]);
+  }
+
+  private void pairsInLeaf(int leaf, PairVisitor visitor) {
+    int block = leaf * BLOCK;
+    int n = fill[leaf];
+    for (int i = 0; i < n; i++) {
+      for (int j = i + 1; j < n; j++) {
+        if (apart(slots, block + i, slots, block + j, ROW) >= 0) {
+          report(ids[leaf * SLOTS + i], ids[leaf * SLOTS + j], visitor);
+        }
+      }
+    }
+  }
+
+  private void pairsOfLeaves(int leafA, int leafB, PairVisitor visitor) {
+    int blockA = leafA * BLOCK;
+    int blockB = leafB * BLOCK;
+    int nA = fill[leafA];
+    int nB = fill[leafB];
+    int boundsB = 4 * (leafB + leaves);
+    float left = bounds[boundsB];
+    float bottom = bounds[boundsB + 1];
+    float right = bounds[boundsB + 2];
+    float top = bounds[boundsB + 3];
+    for (int i = 0; i < nA; i++) {
+      float x0 = slots[blockA + i];
+      float y0 = slots[blockA + ROW + i];
+      float x1 = slots[blockA + 2 * ROW + i];
+      float y1 = slots[blockA + 3 * ROW + i];
+      if (apart(x0, y0, x1, y1, left, bottom, right, top) < 0) {
+        continue;
+      }
+      for (int j = blockB; j < blockB + nB; j++) {
+        if (apart(x0, y0, x1, y1, slots[j], slots[j + ROW], slots[j + 2 * ROW], slots[j + 3 * ROW])
+            >= 0) {
+          report(ids[leafA * SLOTS + i], ids[leafB * SLOTS + j - blockB], visitor);
+        }
+      }
+    }
+  }
+
+  private static int apart(
+      float ax0, float ay0, float ax1, float ay1, float bx0, float by0, float bx1, float by1) {
+    return Float.floatToRawIntBits(bx1 - ax0)
+        | Float.floatToRawIntBits(ax1 - bx0)
+        | Float.floatToRawIntBits(by1 - ay0)
+        | Float.floatToRawIntBits(ay1 - by0);
+  }
+
+  private static void report(int a, int b, PairVisitor visitor) {
+    if (a < b) {
+      visitor.pair(a, b);
+    } else {
+      visitor.pair(b, a);
+    }
   }
 
   /**
@@ -82,7 +797,61 @@ public final class KdTree implements SpatialIndex {
    * @param visitor receives the pairs
    */
   public void join(KdTree other, PairVisitor visitor) {
-    throw new UnsupportedOperationException("soon");
+    float[] otherBounds = other.bounds;
+    int top = 0;
+    if (apart(bounds, 4, otherBounds, 4, 1) >= 0) {
+      top = push(1, 1, top);
+    }
+    while (top > 0) {
+      int b = stack[--top];
+      int a = stack[--top];
+      boolean leafA = a >= leaves;
+      boolean leafB = b >= other.leaves;
+      if (leafA && leafB) {
+        joinLeaves(a - leaves, other, b - other.leaves, visitor);
+      } else if (leafB || (!leafA && extent(bounds, a) >= extent(otherBounds, b))) {
+        for (int child = 2 * a; child <= 2 * a + 1; child++) {
+          if (apart(bounds, 4 * child, otherBounds, 4 * b, 1) >= 0) {
+            top = push(child, b, top);
+          }
+        }
+      } else {
+        for (int child = 2 * b; child <= 2 * b + 1; child++) {
+          if (apart(bounds, 4 * a, otherBounds, 4 * child, 1) >= 0) {
+            top = push(a, child, top);
+          }
+        }
+      }
+    }
+  }
+
+  private static float extent(float[] bounds, int node) {
+    int b = 4 * node;
+    return bounds[b + 2] - bounds[b] + (bounds[b + 3] - bounds[b + 1]);
+  }
+
+  private void joinLeaves(int leafA, KdTree other, int leafB, PairVisitor visitor) {
+    int boundsB = 4 * (leafB + other.leaves);
+    int blockA = leafA * BLOCK;
+    int blockB = leafB * BLOCK;
+    int nA = fill[leafA];
+    int nB = other.fill[leafB];
+    for (int i = blockA; i < blockA + nA; i++) {
+      float x0 = slots[i];
+      float y0 = slots[i + ROW];
+      float x1 = slots[i + 2 * ROW];
+      float y1 = slots[i + 3 * ROW];
+      float[] b = other.bounds;
+      if (apart(x0, y0, x1, y1, b[boundsB], b[boundsB + 1], b[boundsB + 2], b[boundsB + 3]) < 0) {
+        continue;
+      }
+      float[] q = other.slots;
+      for (int j = blockB; j < blockB + nB; j++) {
+        if (apart(x0, y0, x1, y1, q[j], q[j + ROW], q[j + 2 * ROW], q[j + 3 * ROW]) >= 0) {
+          visitor.pair(ids[leafA * SLOTS + i - blockA], other.ids[leafB * SLOTS + j - blockB]);
+        }
+      }
+    }
   }
 
   /**
@@ -91,11 +860,18 @@ public final class KdTree implements SpatialIndex {
    * @param visitor receives bounds and depths
    */
   public void cells(CellVisitor visitor) {
-    throw new UnsupportedOperationException("soon");
-  }
-
-  @Override
-  public int size() {
-    throw new UnsupportedOperationException("soon");
+    int node = 1;
+    do {
+      int b = 4 * node;
+      if (bounds[b] <= bounds[b + 2]) {
+        int depth = 31 - Integer.numberOfLeadingZeros(node);
+        visitor.cell(bounds[b], bounds[b + 1], bounds[b + 2], bounds[b + 3], depth);
+        if (node < leaves) {
+          node = 2 * node;
+          continue;
+        }
+      }
+      node = next(node);
+    } while (node != 1);
   }
 }

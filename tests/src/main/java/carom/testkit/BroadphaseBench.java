@@ -1,0 +1,137 @@
+package carom.testkit;
+
+import carom.physics.broadphase.KdTree;
+import carom.physics.broadphase.PairVisitor;
+import carom.physics.broadphase.QuadTree;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.util.Locale;
+
+/**
+ * A small benchmark of the broadphase alone: all boxes move, every overlapping pair is reported.
+ *
+ * <p>Times are CPU nanoseconds of the calling thread per box and tick, motion excluded. One row
+ * takes about the seconds asked for.
+ */
+public final class BroadphaseBench {
+  /** What is measured. */
+  public enum Method {
+    /** KD-tree, built anew every tick. */
+    KD_REBUILD,
+    /** KD-tree, refitted every tick, as the engine uses it. */
+    KD_REFIT,
+    /** Quadtree, built anew every tick. */
+    QUAD_REBUILD
+  }
+
+  /**
+   * One row of results.
+   *
+   * @param method what was measured
+   * @param boxes number of boxes
+   * @param clustered whether the boxes were clustered
+   * @param updateNs ns per box and tick to update the index (median)
+   * @param pairsNs ns per box and tick to report all pairs (median)
+   * @param worstNs ns per box of the slowest tick, update and pairs
+   * @param pairs number of pairs in the last tick
+   * @param hash order-independent hash of the pairs of the first three ticks
+   */
+  public record Row(
+      Method method,
+      int boxes,
+      boolean clustered,
+      double updateNs,
+      double pairsNs,
+      double worstNs,
+      long pairs,
+      long hash) {
+    @Override
+    public String toString() {
+      return String.format(
+          Locale.ROOT,
+          "%-12s %-9s %7d  update %6.1f  pairs %6.1f  sum %6.1f  worst %6.1f ns/box  pairs/box %.3f"
+              + "  hash %016x",
+          method,
+          clustered ? "clustered" : "uniform",
+          boxes,
+          updateNs,
+          pairsNs,
+          updateNs + pairsNs,
+          worstNs,
+          (double) pairs / boxes,
+          hash);
+    }
+  }
+
+  /** Counts pairs and hashes them independently of their order. */
+  private static final class Tally implements PairVisitor {
+    long count;
+    long hash;
+
+    @Override
+    public void pair(int idA, int idB) {
+      count++;
+      hash += BroadphaseScene.mix(((long) idA << 32) + idB);
+    }
+  }
+
+  private BroadphaseBench() {}
+
+  /**
+   * Measures one method on one scene.
+   *
+   * @param method what to measure
+   * @param n number of boxes
+   * @param clustered whether the boxes cluster
+   * @param seconds how long to measure after a warm-up of the same length
+   * @return the row
+   */
+  public static Row run(Method method, int n, boolean clustered, double seconds) {
+    BroadphaseScene scene = new BroadphaseScene(n, clustered);
+    KdTree kd = new KdTree(scene.boxes());
+    QuadTree quad = new QuadTree();
+    kd.rebuild(scene.boxes(), scene.ids(), n);
+    ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+    double[] update = new double[100_000];
+    double[] pairs = new double[update.length];
+    double worst = 0;
+    long hash = 0;
+    Tally tally = new Tally();
+    long begin = System.nanoTime();
+    long warm = begin + (long) (seconds * 1e9);
+    long end = begin + (long) (seconds * 2e9);
+    int rows = 0;
+    for (int tick = 0; tick < update.length && (tick < 6 || System.nanoTime() < end); tick++) {
+      scene.step();
+      tally.count = 0;
+      tally.hash = 0;
+      long t0 = threads.getCurrentThreadCpuTime();
+      switch (method) {
+        case KD_REBUILD -> kd.rebuild(scene.boxes(), scene.ids(), n);
+        case KD_REFIT -> kd.refit();
+        case QUAD_REBUILD -> quad.rebuild(scene.boxes(), scene.ids(), n);
+      }
+      long t1 = threads.getCurrentThreadCpuTime();
+      if (method == Method.QUAD_REBUILD) {
+        quad.pairs(tally);
+      } else {
+        kd.pairs(tally);
+      }
+      long t2 = threads.getCurrentThreadCpuTime();
+      hash += tick < 3 ? tally.hash : 0;
+      if (tick >= 3 && System.nanoTime() >= warm) {
+        update[rows] = (double) (t1 - t0) / n;
+        pairs[rows] = (double) (t2 - t1) / n;
+        worst = Math.max(worst, update[rows] + pairs[rows]);
+        rows++;
+      }
+    }
+    return new Row(
+        method, n, clustered, median(update, rows), median(pairs, rows), worst, tally.count, hash);
+  }
+
+  private static double median(double[] values, int count) {
+    java.util.Arrays.sort(values, 0, count);
+    return values[count / 2];
+  }
+}
