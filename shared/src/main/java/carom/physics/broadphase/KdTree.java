@@ -42,6 +42,7 @@ public final class KdTree implements SpatialIndex {
 
   private static final int ROW = SLOTS;
   private static final int BLOCK = 4 * SLOTS;
+  private static final float INF = Float.POSITIVE_INFINITY;
   private static final int LOW = (1 << 31) - 1;
 
   private AabbArray boxes;
@@ -77,6 +78,11 @@ public final class KdTree implements SpatialIndex {
 
   private double frameY;
 
+  /** The mean motion of the boxes in the last refit: where the frame is expected to go next. */
+  private double driftX;
+
+  private double driftY;
+
   /** Ids that left their cell in this refit. */
   private int[] stray = new int[SLOTS];
 
@@ -86,6 +92,11 @@ public final class KdTree implements SpatialIndex {
   private float[] centerX = new float[SLOTS];
   private float[] centerY = new float[SLOTS];
   private long[] keys = new long[SLOTS];
+
+  /** Strays of the last refit, and boxes ever placed by building: for tests and tuning. */
+  private int lastStrays;
+
+  private long built;
 
   /** Node pairs still to visit: per level at most three are left behind. */
   private final int[] stack = new int[2 * (4 * 32)];
@@ -115,6 +126,16 @@ public final class KdTree implements SpatialIndex {
     return id >= 0 && id < slotOf.length && slotOf[id] >= 0;
   }
 
+  /** How many boxes left their cells in the last refit. */
+  int strays() {
+    return lastStrays;
+  }
+
+  /** How many boxes were ever placed by building a subtree, a measure of the work of repair. */
+  long built() {
+    return built;
+  }
+
   /** Removes all boxes; keeps the memory. */
   public void clear() {
     Arrays.fill(slotOf, -1);
@@ -124,10 +145,10 @@ public final class KdTree implements SpatialIndex {
     setCell(0, -INF, -INF, INF, INF);
     frameX = 0;
     frameY = 0;
+    driftX = 0;
+    driftY = 0;
     fitLeaf(0);
   }
-
-  private static final float INF = Float.POSITIVE_INFINITY;
 
   // ---------------------------------------------------------------- changing the set of boxes
 
@@ -330,6 +351,7 @@ public final class KdTree implements SpatialIndex {
     }
     ensureWork(size);
     int strays = refitLeaves();
+    lastStrays = strays;
     if (strays > size / REBUILD_SHARE && leaves > 1) {
       int stayed = gather(0, leaves, 0);
       System.arraycopy(stray, 0, work, stayed, strays);
@@ -348,10 +370,10 @@ public final class KdTree implements SpatialIndex {
     float[] minY = boxes.minY;
     float[] maxX = boxes.maxX;
     float[] maxY = boxes.maxY;
-    float offX = (float) frameX;
-    float offY = (float) frameY;
-    double driftX = 0;
-    double driftY = 0;
+    float offX = (float) (frameX + driftX);
+    float offY = (float) (frameY + driftY);
+    double sumX = 0;
+    double sumY = 0;
     int strays = 0;
     for (int leaf = 0; leaf < leaves; leaf++) {
       float cellLeft = cell[4 * leaf] + offX;
@@ -381,6 +403,10 @@ public final class KdTree implements SpatialIndex {
         moveX += x0 - slots[block + k];
         moveY += y0 - slots[block + ROW + k];
         if (x < cellLeft || x > cellRight || y < cellBottom || y > cellTop) {
+          if (!AabbArray.valid(x0, y0, x1, y1)) {
+            clear();
+            throw boxes.invalid(id);
+          }
           stray[strays++] = id;
           slotOf[id] = -1;
           n--;
@@ -401,14 +427,29 @@ public final class KdTree implements SpatialIndex {
       }
       fill[leaf] = n;
       setBounds(leaf + leaves, left, bottom, right, top);
-      driftX += moveX;
-      driftY += moveY;
+      if (n > 0 && !AabbArray.valid(left, bottom, right, top)) {
+        checkLeaf(leaf);
+      }
+      sumX += moveX;
+      sumY += moveY;
     }
-    if (Math.abs(driftX) + Math.abs(driftY) <= Float.MAX_VALUE) {
-      frameX += driftX / size;
-      frameY += driftY / size;
-    }
+    boolean finite = Math.abs(sumX) + Math.abs(sumY) <= Float.MAX_VALUE;
+    driftX = finite ? sumX / size : 0;
+    driftY = finite ? sumY / size : 0;
+    frameX += driftX;
+    frameY += driftY;
     return strays;
+  }
+
+  /** A leaf with suspicious bounds: throws if one of its boxes is not finite. */
+  private void checkLeaf(int leaf) {
+    for (int k = 0; k < fill[leaf]; k++) {
+      int id = ids[leaf * SLOTS + k];
+      if (!AabbArray.valid(boxes.minX[id], boxes.minY[id], boxes.maxX[id], boxes.maxY[id])) {
+        clear();
+        throw boxes.invalid(id);
+      }
+    }
   }
 
   // ---------------------------------------------------------------- building
@@ -427,6 +468,7 @@ public final class KdTree implements SpatialIndex {
 
   /** Builds a subtree anew from the first {@code count} ids in {@link #work}. */
   private void buildSubtree(int node, int count) {
+    built += count;
     for (int i = 0; i < count; i++) {
       int id = work[i];
       centerX[i] = (float) (center(boxes.minX[id], boxes.maxX[id]) - frameX);
