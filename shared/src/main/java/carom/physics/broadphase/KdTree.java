@@ -38,7 +38,7 @@ public final class KdTree implements SpatialIndex {
   static final int REBUILD_SHARE = 8;
 
   /** A box may stray this fraction of its cell's width before it moves to another leaf. */
-  static final float CELL_SLACK = 0.125f;
+  static final float CELL_SLACK = 0.03125f;
 
   private static final int ROW = SLOTS;
   private static final int BLOCK = 4 * SLOTS;
@@ -723,17 +723,20 @@ public final class KdTree implements SpatialIndex {
 
   @Override
   public void pairs(PairVisitor visitor) {
-    int top = 0;
-    stack[top++] = 1;
-    stack[top++] = 1;
+    int found = 0;
+    int top = push(1, 1, 0);
     while (top > 0) {
       int b = stack[--top];
       int a = stack[--top];
       if (a >= leaves) {
         if (a == b) {
-          pairsInLeaf(a - leaves, visitor);
+          found = pairsInLeaf(a - leaves, found);
         } else {
-          pairsOfLeaves(a - leaves, b - leaves, visitor);
+          found = pairsOfLeaves(a - leaves, b - leaves, found);
+        }
+        if (found >= hits.length - SLOTS * SLOTS) {
+          flush(found, visitor);
+          found = 0;
         }
         continue;
       }
@@ -752,6 +755,7 @@ public final class KdTree implements SpatialIndex {
         top = pushIfOverlapping(a1, b1, top);
       }
     }
+    flush(found, visitor);
   }
 
   private int push(int a, int b, int top) {
@@ -760,8 +764,10 @@ public final class KdTree implements SpatialIndex {
     return top + 2;
   }
 
+  /** Pushes without a branch: the pair is always written, and kept if the bounds overlap. */
   private int pushIfOverlapping(int a, int b, int top) {
-    return apart(bounds, 4 * a, bounds, 4 * b, 1) < 0 ? top : push(a, b, top);
+    push(a, b, top);
+    return top + 2 + (apart(bounds, 4 * a, bounds, 4 * b, 1) >> 31 << 1);
   }
 
   /**
@@ -776,44 +782,74 @@ public final class KdTree implements SpatialIndex {
         | Float.floatToRawIntBits(p[a + 3 * row] - q[b + row]);
   }
 
-  private void pairsInLeaf(int leaf, PairVisitor visitor) {
-    int block = leaf * BLOCK;
-    int n = fill[leaf];
-    for (int i = 0; i < n; i++) {
-      for (int j = i + 1; j < n; j++) {
-        if (apart(slots, block + i, slots, block + j, ROW) >= 0) {
-          report(ids[leaf * SLOTS + i], ids[leaf * SLOTS + j], visitor);
-        }
-      }
+  private int pairsInLeaf(int leaf, int found) {
+    int end = leaf * BLOCK + fill[leaf];
+    int total = found;
+    for (int i = leaf * BLOCK; i < end - 1; i++) {
+      total = pairsOfBox(i, i + 1, end, total);
     }
+    return total;
   }
 
-  private void pairsOfLeaves(int leafA, int leafB, PairVisitor visitor) {
-    int blockA = leafA * BLOCK;
-    int blockB = leafB * BLOCK;
-    int nA = fill[leafA];
-    int nB = fill[leafB];
+  private int pairsOfLeaves(int leafA, int leafB, int found) {
     int boundsB = 4 * (leafB + leaves);
     float left = bounds[boundsB];
     float bottom = bounds[boundsB + 1];
     float right = bounds[boundsB + 2];
     float top = bounds[boundsB + 3];
-    for (int i = 0; i < nA; i++) {
-      float x0 = slots[blockA + i];
-      float y0 = slots[blockA + ROW + i];
-      float x1 = slots[blockA + 2 * ROW + i];
-      float y1 = slots[blockA + 3 * ROW + i];
-      if (apart(x0, y0, x1, y1, left, bottom, right, top) < 0) {
-        continue;
-      }
-      for (int j = blockB; j < blockB + nB; j++) {
-        if (apart(x0, y0, x1, y1, slots[j], slots[j + ROW], slots[j + 2 * ROW], slots[j + 3 * ROW])
-            >= 0) {
-          report(ids[leafA * SLOTS + i], ids[leafB * SLOTS + j - blockB], visitor);
-        }
-      }
+    int near = 0;
+    int from = leafA * BLOCK;
+    int to = from + fill[leafA];
+    for (int i = from; i < to; i++) {
+      nearby[near] = i;
+      near +=
+          1
+              + (apart(
+                      slots[i],
+                      slots[i + ROW],
+                      slots[i + 2 * ROW],
+                      slots[i + 3 * ROW],
+                      left,
+                      bottom,
+                      right,
+                      top)
+                  >> 31);
+    }
+    int total = found;
+    int endB = leafB * BLOCK + fill[leafB];
+    for (int k = 0; k < near; k++) {
+      total = pairsOfBox(nearby[k], leafB * BLOCK, endB, total);
+    }
+    return total;
+  }
+
+  private int pairsOfBox(int i, int from, int to, int found) {
+    float[] s = slots;
+    long[] h = hits;
+    float x0 = s[i];
+    float y0 = s[i + ROW];
+    float x1 = s[i + 2 * ROW];
+    float y1 = s[i + 3 * ROW];
+    int total = found;
+    for (int j = from; j < to; j++) {
+      h[total] = (long) i << 32 | j;
+      total += 1 + (apart(x0, y0, x1, y1, s[j], s[j + ROW], s[j + 2 * ROW], s[j + 3 * ROW]) >> 31);
+    }
+    return total;
+  }
+
+  private void flush(int found, PairVisitor visitor) {
+    for (int k = 0; k < found; k++) {
+      int i = (int) (hits[k] >>> 32);
+      int j = (int) hits[k];
+      int a = ids[i / BLOCK * SLOTS + i % BLOCK];
+      int b = ids[j / BLOCK * SLOTS + j % BLOCK];
+      visitor.pair(Math.min(a, b), Math.max(a, b));
     }
   }
+
+  private final int[] nearby = new int[SLOTS];
+  private final long[] hits = new long[1024];
 
   private static int apart(
       float ax0, float ay0, float ax1, float ay1, float bx0, float by0, float bx1, float by1) {
@@ -821,14 +857,6 @@ public final class KdTree implements SpatialIndex {
         | Float.floatToRawIntBits(ax1 - bx0)
         | Float.floatToRawIntBits(by1 - ay0)
         | Float.floatToRawIntBits(ay1 - by0);
-  }
-
-  private static void report(int a, int b, PairVisitor visitor) {
-    if (a < b) {
-      visitor.pair(a, b);
-    } else {
-      visitor.pair(b, a);
-    }
   }
 
   /**
