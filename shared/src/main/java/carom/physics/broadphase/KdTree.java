@@ -25,7 +25,7 @@ import java.util.Arrays;
  * stale the partition is.
  *
  * <p><b>Cost.</b> refit and pairs O(n) in practice, add and remove amortised O(log n), query O(log
- * n + found). Recursion is no deeper than the tree, which has at most 28 levels.
+ * n + found). Recursion is no deeper than the tree, which has at most 24 levels.
  */
 public final class KdTree implements SpatialIndex {
   /** Room for boxes in a leaf; also the distance between the coordinate rows of a leaf. */
@@ -41,7 +41,12 @@ public final class KdTree implements SpatialIndex {
   static final float CELL_SLACK = 0.03125f;
 
   private static final int ROW = SLOTS;
-  private static final int BLOCK = 4 * SLOTS;
+  private static final int SHIFT = 6;
+  private static final int BLOCK = 1 << SHIFT;
+
+  /** Boxes for which the arrays' lengths still fit an int. */
+  private static final int MAX_SIZE = 1 << 27;
+
   private static final float INF = Float.POSITIVE_INFINITY;
   private static final int LOW = (1 << 31) - 1;
 
@@ -86,8 +91,10 @@ public final class KdTree implements SpatialIndex {
   /** Ids that left their cell in this refit. */
   private int[] stray = new int[SLOTS];
 
-  /** Scratch for building: ids, their centres, and sort keys that carry the index into both. */
+  /** Scratch for building: ids, their boxes and centres, and sort keys that carry the index. */
   private int[] work = new int[SLOTS];
+
+  private final AabbArray workBoxes = new AabbArray(SLOTS);
 
   private float[] centerX = new float[SLOTS];
   private float[] centerY = new float[SLOTS];
@@ -97,6 +104,12 @@ public final class KdTree implements SpatialIndex {
   private int lastStrays;
 
   private long built;
+
+  /** Boxes of one leaf that overlap the bounds of another, as indexes into {@link #slots}. */
+  private final int[] nearby = new int[SLOTS];
+
+  /** Pairs found but not reported yet, as two indexes into {@link #slots}. */
+  private final long[] hits = new long[4 * SLOTS * SLOTS];
 
   /** Node pairs still to visit: per level at most three are left behind. */
   private final int[] stack = new int[2 * (4 * 32)];
@@ -170,7 +183,7 @@ public final class KdTree implements SpatialIndex {
       same = contains(newIds[i]);
     }
     if (same) {
-      gather(0, leaves, 0);
+      gather(0, leaves);
     } else {
       System.arraycopy(newIds, 0, work, 0, count);
     }
@@ -188,6 +201,9 @@ public final class KdTree implements SpatialIndex {
     } catch (IllegalArgumentException e) {
       clear();
       throw e;
+    }
+    for (int i = 0; i < count; i++) {
+      fetch(i, work[i]);
     }
     size = count;
     buildAll(count);
@@ -276,7 +292,7 @@ public final class KdTree implements SpatialIndex {
       return -1;
     }
     fill[leaf] = n + 1;
-    store(leaf, n, id);
+    store(leaf, n, id, boxes, id);
     int at = leaf * BLOCK + n;
     extend(4 * node, slots[at], slots[at + ROW], slots[at + 2 * ROW], slots[at + 3 * ROW]);
     return leaf;
@@ -299,15 +315,14 @@ public final class KdTree implements SpatialIndex {
       long limit = (long) wide * (SLOTS * height - (SLOTS - FILL) * h) / height;
       if (count <= limit) {
         ensureWork(count);
-        gather(first, end, 0);
-        work[count - 1] = id;
+        fetch(gather(first, end), id);
         buildSubtree((leaf + leaves) >> h, count);
         return;
       }
     }
     ensureWork(size);
-    int others = gather(0, leaves, 0);
-    work[others] = id;
+    int others = gather(0, leaves);
+    fetch(others, id);
     buildAll(others + 1);
   }
 
@@ -319,15 +334,26 @@ public final class KdTree implements SpatialIndex {
     return sum;
   }
 
-  /** Writes the ids of a range of leaves to {@link #work}; answers where it ended. */
-  private int gather(int firstLeaf, int endLeaf, int at) {
-    int to = at;
+  /** Writes what is in a range of leaves to the scratch arrays; answers how many. */
+  private int gather(int firstLeaf, int endLeaf) {
+    int to = 0;
     for (int leaf = firstLeaf; leaf < endLeaf; leaf++) {
       int n = fill[leaf];
+      int block = leaf * BLOCK;
       System.arraycopy(ids, leaf * SLOTS, work, to, n);
+      System.arraycopy(slots, block, workBoxes.minX, to, n);
+      System.arraycopy(slots, block + ROW, workBoxes.minY, to, n);
+      System.arraycopy(slots, block + 2 * ROW, workBoxes.maxX, to, n);
+      System.arraycopy(slots, block + 3 * ROW, workBoxes.maxY, to, n);
       to += n;
     }
     return to;
+  }
+
+  /** Writes an id of {@link #work} together with its present box to the scratch arrays. */
+  private void fetch(int at, int id) {
+    work[at] = id;
+    workBoxes.set(at, boxes.minX[id], boxes.minY[id], boxes.maxX[id], boxes.maxY[id]);
   }
 
   // ---------------------------------------------------------------- following motion
@@ -343,18 +369,15 @@ public final class KdTree implements SpatialIndex {
     if (size == 0) {
       return;
     }
-    if (leaves > 1 && size < leaves * FILL / 8) {
-      ensureWork(size);
-      gather(0, leaves, 0);
-      buildAll(size);
-      return;
-    }
     ensureWork(size);
     int strays = refitLeaves();
     lastStrays = strays;
-    if (strays > size / REBUILD_SHARE && leaves > 1) {
-      int stayed = gather(0, leaves, 0);
-      System.arraycopy(stray, 0, work, stayed, strays);
+    boolean sparse = size < leaves;
+    if (leaves > 1 && (sparse || strays > size / REBUILD_SHARE)) {
+      int stayed = gather(0, leaves);
+      for (int i = 0; i < strays; i++) {
+        fetch(stayed + i, stray[i]);
+      }
       buildAll(size);
       return;
     }
@@ -454,8 +477,11 @@ public final class KdTree implements SpatialIndex {
 
   // ---------------------------------------------------------------- building
 
-  /** Builds the whole tree from the first {@code count} ids in {@link #work}. */
+  /** Builds the whole tree from the first {@code count} entries of the scratch arrays. */
   private void buildAll(int count) {
+    if (count > MAX_SIZE) {
+      throw new IllegalArgumentException("count=" + count + ", limit " + MAX_SIZE);
+    }
     int wanted = 1;
     while ((long) wanted * FILL < count) {
       wanted *= 2;
@@ -466,13 +492,12 @@ public final class KdTree implements SpatialIndex {
     buildSubtree(1, count);
   }
 
-  /** Builds a subtree anew from the first {@code count} ids in {@link #work}. */
+  /** Builds a subtree anew from the first {@code count} entries of the scratch arrays. */
   private void buildSubtree(int node, int count) {
     built += count;
     for (int i = 0; i < count; i++) {
-      int id = work[i];
-      centerX[i] = (float) (center(boxes.minX[id], boxes.maxX[id]) - frameX);
-      centerY[i] = (float) (center(boxes.minY[id], boxes.maxY[id]) - frameY);
+      centerX[i] = (float) (center(workBoxes.minX[i], workBoxes.maxX[i]) - frameX);
+      centerY[i] = (float) (center(workBoxes.minY[i], workBoxes.maxY[i]) - frameY);
       keys[i] = i;
     }
     float left = -INF;
@@ -503,7 +528,8 @@ public final class KdTree implements SpatialIndex {
       fill[leaf] = hi - lo;
       setCell(leaf, left, bottom, right, top);
       for (int i = lo; i < hi; i++) {
-        store(leaf, i - lo, work[(int) keys[i] & LOW]);
+        int e = (int) keys[i] & LOW;
+        store(leaf, i - lo, work[e], workBoxes, e);
       }
       fitLeaf(leaf);
       return;
@@ -559,16 +585,16 @@ public final class KdTree implements SpatialIndex {
     return ((long) sortable << 31) + entry;
   }
 
-  /** Writes the box of an id into a slot of a leaf. */
-  private void store(int leaf, int k, int id) {
+  /** Writes an id and a box, {@code from[e]}, into slot {@code k} of a leaf. */
+  private void store(int leaf, int k, int id, AabbArray from, int e) {
     ids[leaf * SLOTS + k] = id;
     slotOf[id] = leaf * SLOTS + k;
     int at = leaf * BLOCK + k;
     // adding zero turns -0 into +0, which the sign tests of pairs() rely on
-    slots[at] = boxes.minX[id] + 0f;
-    slots[at + ROW] = boxes.minY[id] + 0f;
-    slots[at + 2 * ROW] = boxes.maxX[id] + 0f;
-    slots[at + 3 * ROW] = boxes.maxY[id] + 0f;
+    slots[at] = from.minX[e] + 0f;
+    slots[at + ROW] = from.minY[e] + 0f;
+    slots[at + 2 * ROW] = from.maxX[e] + 0f;
+    slots[at + 3 * ROW] = from.maxY[e] + 0f;
   }
 
   private static float center(float min, float max) {
@@ -677,6 +703,7 @@ public final class KdTree implements SpatialIndex {
     if (count > work.length) {
       int grown = Math.max(count, work.length + (work.length >> 1));
       work = Arrays.copyOf(work, grown);
+      workBoxes.ensureCapacity(grown);
       stray = new int[grown];
       centerX = new float[grown];
       centerY = new float[grown];
@@ -732,10 +759,10 @@ public final class KdTree implements SpatialIndex {
         if (a == b) {
           found = pairsInLeaf(a - leaves, found);
         } else {
-          found = pairsOfLeaves(a - leaves, b - leaves, found);
+          found = pairsOfLeaves(a - leaves, this, b - leaves, found);
         }
         if (found >= hits.length - SLOTS * SLOTS) {
-          flush(found, visitor);
+          reportPairs(found, visitor);
           found = 0;
         }
         continue;
@@ -745,17 +772,17 @@ public final class KdTree implements SpatialIndex {
       if (a == b) {
         top = push(a0, a0, top);
         top = push(a1, a1, top);
-        top = pushIfOverlapping(a0, a1, top);
+        top = pushIfOverlapping(a0, this, a1, top);
       } else {
         int b0 = 2 * b;
         int b1 = b0 + 1;
-        top = pushIfOverlapping(a0, b0, top);
-        top = pushIfOverlapping(a0, b1, top);
-        top = pushIfOverlapping(a1, b0, top);
-        top = pushIfOverlapping(a1, b1, top);
+        top = pushIfOverlapping(a0, this, b0, top);
+        top = pushIfOverlapping(a0, this, b1, top);
+        top = pushIfOverlapping(a1, this, b0, top);
+        top = pushIfOverlapping(a1, this, b1, top);
       }
     }
-    flush(found, visitor);
+    reportPairs(found, visitor);
   }
 
   private int push(int a, int b, int top) {
@@ -765,9 +792,9 @@ public final class KdTree implements SpatialIndex {
   }
 
   /** Pushes without a branch: the pair is always written, and kept if the bounds overlap. */
-  private int pushIfOverlapping(int a, int b, int top) {
+  private int pushIfOverlapping(int a, KdTree other, int b, int top) {
     push(a, b, top);
-    return top + 2 + (apart(bounds, 4 * a, bounds, 4 * b, 1) >> 31 << 1);
+    return top + 2 + (apart(bounds, 4 * a, other.bounds, 4 * b) >> 31 << 1);
   }
 
   /**
@@ -775,28 +802,36 @@ public final class KdTree implements SpatialIndex {
    * is larger, also for denormals and infinities, as long as there are no negative zeros and no
    * NaN; or-ing four sign bits makes one branch of four.
    */
-  private static int apart(float[] p, int a, float[] q, int b, int row) {
-    return Float.floatToRawIntBits(q[b + 2 * row] - p[a])
-        | Float.floatToRawIntBits(p[a + 2 * row] - q[b])
-        | Float.floatToRawIntBits(q[b + 3 * row] - p[a + row])
-        | Float.floatToRawIntBits(p[a + 3 * row] - q[b + row]);
+  private static int apart(
+      float ax0, float ay0, float ax1, float ay1, float bx0, float by0, float bx1, float by1) {
+    return Float.floatToRawIntBits(bx1 - ax0)
+        | Float.floatToRawIntBits(ax1 - bx0)
+        | Float.floatToRawIntBits(by1 - ay0)
+        | Float.floatToRawIntBits(ay1 - by0);
+  }
+
+  /** The same for two nodes. */
+  private static int apart(float[] p, int a, float[] q, int b) {
+    return apart(p[a], p[a + 1], p[a + 2], p[a + 3], q[b], q[b + 1], q[b + 2], q[b + 3]);
   }
 
   private int pairsInLeaf(int leaf, int found) {
     int end = leaf * BLOCK + fill[leaf];
     int total = found;
     for (int i = leaf * BLOCK; i < end - 1; i++) {
-      total = pairsOfBox(i, i + 1, end, total);
+      total = pairsOfBox(i, slots, i + 1, end, total);
     }
     return total;
   }
 
-  private int pairsOfLeaves(int leafA, int leafB, int found) {
-    int boundsB = 4 * (leafB + leaves);
-    float left = bounds[boundsB];
-    float bottom = bounds[boundsB + 1];
-    float right = bounds[boundsB + 2];
-    float top = bounds[boundsB + 3];
+  private int pairsOfLeaves(int leafA, KdTree other, int leafB, int found) {
+    float[] s = slots;
+    float[] b = other.bounds;
+    int node = 4 * (leafB + other.leaves);
+    float left = b[node];
+    float bottom = b[node + 1];
+    float right = b[node + 2];
+    float top = b[node + 3];
     int near = 0;
     int from = leafA * BLOCK;
     int to = from + fill[leafA];
@@ -804,59 +839,61 @@ public final class KdTree implements SpatialIndex {
       nearby[near] = i;
       near +=
           1
-              + (apart(
-                      slots[i],
-                      slots[i + ROW],
-                      slots[i + 2 * ROW],
-                      slots[i + 3 * ROW],
-                      left,
-                      bottom,
-                      right,
-                      top)
+              + (apart(left, bottom, right, top, s[i], s[i + ROW], s[i + 2 * ROW], s[i + 3 * ROW])
                   >> 31);
     }
     int total = found;
-    int endB = leafB * BLOCK + fill[leafB];
+    int fromB = leafB * BLOCK;
+    int toB = fromB + other.fill[leafB];
     for (int k = 0; k < near; k++) {
-      total = pairsOfBox(nearby[k], leafB * BLOCK, endB, total);
+      total = pairsOfBox(nearby[k], other.slots, fromB, toB, total);
     }
     return total;
   }
 
-  private int pairsOfBox(int i, int from, int to, int found) {
-    float[] s = slots;
+  /** Writes every candidate to {@link #hits}, to be overwritten by the next if it is apart. */
+  private int pairsOfBox(int i, float[] others, int from, int to, int found) {
     long[] h = hits;
-    float x0 = s[i];
-    float y0 = s[i + ROW];
-    float x1 = s[i + 2 * ROW];
-    float y1 = s[i + 3 * ROW];
+    float x0 = slots[i];
+    float y0 = slots[i + ROW];
+    float x1 = slots[i + 2 * ROW];
+    float y1 = slots[i + 3 * ROW];
     int total = found;
     for (int j = from; j < to; j++) {
       h[total] = (long) i << 32 | j;
-      total += 1 + (apart(x0, y0, x1, y1, s[j], s[j + ROW], s[j + 2 * ROW], s[j + 3 * ROW]) >> 31);
+      total +=
+          1
+              + (apart(
+                      x0,
+                      y0,
+                      x1,
+                      y1,
+                      others[j],
+                      others[j + ROW],
+                      others[j + 2 * ROW],
+                      others[j + 3 * ROW])
+                  >> 31);
     }
     return total;
   }
 
-  private void flush(int found, PairVisitor visitor) {
+  /** The index into {@link #ids} of a box found at an index into {@link #slots}. */
+  private static int slot(int at) {
+    return (at >>> SHIFT) * SLOTS + (at & BLOCK - 1);
+  }
+
+  private void reportPairs(int found, PairVisitor visitor) {
     for (int k = 0; k < found; k++) {
-      int i = (int) (hits[k] >>> 32);
-      int j = (int) hits[k];
-      int a = ids[i / BLOCK * SLOTS + i % BLOCK];
-      int b = ids[j / BLOCK * SLOTS + j % BLOCK];
+      int a = ids[slot((int) (hits[k] >>> 32))];
+      int b = ids[slot((int) hits[k])];
       visitor.pair(Math.min(a, b), Math.max(a, b));
     }
   }
 
-  private final int[] nearby = new int[SLOTS];
-  private final long[] hits = new long[1024];
-
-  private static int apart(
-      float ax0, float ay0, float ax1, float ay1, float bx0, float by0, float bx1, float by1) {
-    return Float.floatToRawIntBits(bx1 - ax0)
-        | Float.floatToRawIntBits(ax1 - bx0)
-        | Float.floatToRawIntBits(by1 - ay0)
-        | Float.floatToRawIntBits(ay1 - by0);
+  private void reportJoin(int found, KdTree other, PairVisitor visitor) {
+    for (int k = 0; k < found; k++) {
+      visitor.pair(ids[slot((int) (hits[k] >>> 32))], other.ids[slot((int) hits[k])]);
+    }
   }
 
   /**
@@ -867,61 +904,35 @@ public final class KdTree implements SpatialIndex {
    * @param visitor receives the pairs
    */
   public void join(KdTree other, PairVisitor visitor) {
-    float[] otherBounds = other.bounds;
-    int top = 0;
-    if (apart(bounds, 4, otherBounds, 4, 1) >= 0) {
-      top = push(1, 1, top);
-    }
+    float[] p = bounds;
+    float[] q = other.bounds;
+    int found = 0;
+    int top = pushIfOverlapping(1, other, 1, 0);
     while (top > 0) {
       int b = stack[--top];
       int a = stack[--top];
       boolean leafA = a >= leaves;
       boolean leafB = b >= other.leaves;
       if (leafA && leafB) {
-        joinLeaves(a - leaves, other, b - other.leaves, visitor);
-      } else if (leafB || (!leafA && extent(bounds, a) >= extent(otherBounds, b))) {
-        for (int child = 2 * a; child <= 2 * a + 1; child++) {
-          if (apart(bounds, 4 * child, otherBounds, 4 * b, 1) >= 0) {
-            top = push(child, b, top);
-          }
+        found = pairsOfLeaves(a - leaves, other, b - other.leaves, found);
+        if (found >= hits.length - SLOTS * SLOTS) {
+          reportJoin(found, other, visitor);
+          found = 0;
         }
+      } else if (leafB || (!leafA && extent(p, a) >= extent(q, b))) {
+        top = pushIfOverlapping(2 * a, other, b, top);
+        top = pushIfOverlapping(2 * a + 1, other, b, top);
       } else {
-        for (int child = 2 * b; child <= 2 * b + 1; child++) {
-          if (apart(bounds, 4 * a, otherBounds, 4 * child, 1) >= 0) {
-            top = push(a, child, top);
-          }
-        }
+        top = pushIfOverlapping(a, other, 2 * b, top);
+        top = pushIfOverlapping(a, other, 2 * b + 1, top);
       }
     }
+    reportJoin(found, other, visitor);
   }
 
   private static float extent(float[] bounds, int node) {
     int b = 4 * node;
     return bounds[b + 2] - bounds[b] + (bounds[b + 3] - bounds[b + 1]);
-  }
-
-  private void joinLeaves(int leafA, KdTree other, int leafB, PairVisitor visitor) {
-    int boundsB = 4 * (leafB + other.leaves);
-    int blockA = leafA * BLOCK;
-    int blockB = leafB * BLOCK;
-    int nA = fill[leafA];
-    int nB = other.fill[leafB];
-    for (int i = blockA; i < blockA + nA; i++) {
-      float x0 = slots[i];
-      float y0 = slots[i + ROW];
-      float x1 = slots[i + 2 * ROW];
-      float y1 = slots[i + 3 * ROW];
-      float[] b = other.bounds;
-      if (apart(x0, y0, x1, y1, b[boundsB], b[boundsB + 1], b[boundsB + 2], b[boundsB + 3]) < 0) {
-        continue;
-      }
-      float[] q = other.slots;
-      for (int j = blockB; j < blockB + nB; j++) {
-        if (apart(x0, y0, x1, y1, q[j], q[j + ROW], q[j + 2 * ROW], q[j + 3 * ROW]) >= 0) {
-          visitor.pair(ids[leafA * SLOTS + i - blockA], other.ids[leafB * SLOTS + j - blockB]);
-        }
-      }
-    }
   }
 
   /**
