@@ -1,11 +1,18 @@
 package carom.net.codec;
 
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
+import java.nio.ByteOrder;
+
 /**
  * Reads what {@link BitWriter} wrote. Reading past the end answers zeros and sets a sticky {@link
  * #failed} instead of throwing, so that a decoder reads straight on and looks once. One thread, no
  * allocation.
  */
 public final class BitReader {
+
+  private static final VarHandle LONGS =
+      MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.LITTLE_ENDIAN);
 
   private byte[] bytes = new byte[0];
   private int limitBit;
@@ -37,6 +44,16 @@ public final class BitReader {
       failed = true;
       return 0;
     }
+    int used = position & 7;
+    int index = position >> 3;
+    if (index + Long.BYTES <= limitBit >> 3) {
+      position += count;
+      return (int) (((long) LONGS.get(bytes, index) >>> used) & ((1L << count) - 1));
+    }
+    return readSlowly(count);
+  }
+
+  private int readSlowly(int count) {
     long value = 0;
     int got = 0;
     while (got < count) {

@@ -1,5 +1,9 @@
 package carom.net.codec;
 
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
+import java.nio.ByteOrder;
+
 /**
  * Writes bits into a caller's array. The first bit goes to the lowest bit of the first byte; a
  * number's lowest bit goes first.
@@ -8,6 +12,9 @@ package carom.net.codec;
  * try, look and {@link #rewind}. One thread, no allocation.
  */
 public final class BitWriter {
+
+  private static final VarHandle LONGS =
+      MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.LITTLE_ENDIAN);
 
   private byte[] bytes = new byte[0];
   private int startBit;
@@ -42,15 +49,30 @@ public final class BitWriter {
       return;
     }
     long rest = value & ((1L << count) - 1);
+    int used = position & 7;
+    int index = position >> 3;
+    if (index + Long.BYTES <= limitBit >> 3) {
+      long before = (long) LONGS.get(bytes, index) & ((1L << used) - 1);
+      LONGS.set(bytes, index, before | (rest << used));
+    } else {
+      writeSlowly(rest, count);
+    }
+    position += count;
+  }
+
+  /** Near the end of the room: byte by byte, so that nothing behind it is touched. */
+  private void writeSlowly(long value, int count) {
+    long rest = value;
     int left = count;
+    int at = position;
     while (left > 0) {
-      int used = position & 7;
-      int index = position >> 3;
+      int used = at & 7;
+      int index = at >> 3;
       int take = Math.min(8 - used, left);
       int low = (1 << used) - 1;
       bytes[index] = (byte) ((bytes[index] & low) | ((int) rest << used));
       rest >>>= take;
-      position += take;
+      at += take;
       left -= take;
     }
   }

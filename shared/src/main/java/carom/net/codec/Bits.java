@@ -38,4 +38,20 @@ public final class Bits {
   public static int rawBits(int ordered) {
     return ordered ^ ((ordered >> 31) & 0x7fffffff);
   }
+
+  /**
+   * Writes a number with its width before it: 5 bits hold 0..31, the width of its zigzag form.
+   * Magnitudes below 2^30.
+   */
+  public static void writeSized(BitWriter w, int value) {
+    int z = zigzag(value);
+    int width = width(z);
+    w.write(width, 5);
+    w.write(z, width);
+  }
+
+  /** Reads what {@link #writeSized} wrote. */
+  public static int readSized(BitReader r) {
+    return unzigzag(r.read(r.read(5)));
+  }
 }

@@ -1,11 +1,19 @@
 package carom.net.protocol;
 
+import carom.net.codec.BitReader;
+import carom.net.codec.BitWriter;
+
 /**
  * What a client sends each tick: key, acks of snapshots, and its last inputs. A mutable object that
  * is used again and again: the client fills and encodes it, the server decodes into one. No
  * allocation. One thread.
  */
 public final class InputDatagram {
+
+  /** Largest encoded size in bytes. */
+  public static final int MAX_BYTES = 128;
+
+  private static final int INPUT_BITS = 48;
 
   /**
    * The key of {@link ServerMessage.Welcome}. The server drops datagrams with another one silently.
@@ -36,14 +44,48 @@ public final class InputDatagram {
    */
   public final long[] inputs = new long[Limits.MAX_INPUTS];
 
+  private final BitWriter writer = new BitWriter();
+  private final BitReader reader = new BitReader();
+
+  /** Creates an empty datagram. */
+  public InputDatagram() {}
+
   /**
    * Writes this datagram.
    *
    * @param out at least {@link #MAX_BYTES} from {@code offset} on
    * @return number of bytes written
+   * @throws IllegalArgumentException when {@link #count} is outside its range
    */
   public int encode(byte[] out, int offset) {
-    throw new UnsupportedOperationException("soon");
+    if (count < 0 || count > Limits.MAX_INPUTS) {
+      throw new IllegalArgumentException(
+          "inputs count=" + count + " is outside 0.." + Limits.MAX_INPUTS);
+    }
+    BitWriter w = writer;
+    w.reset(out, offset, MAX_BYTES);
+    w.write(key, 32);
+    w.write(sequence, 16);
+    w.write(hasAck);
+    if (hasAck) {
+      w.write(ackSequence, 16);
+      w.writeLong(ackBits);
+    }
+    w.write(count, 5);
+    if (count > 0) {
+      w.write(newestTick, 32);
+    }
+    for (int i = 0; i < count; i++) {
+      boolean same = i > 0 && ((inputs[i] ^ inputs[i - 1]) << (64 - INPUT_BITS)) == 0;
+      if (i > 0) {
+        w.write(same);
+      }
+      if (!same) {
+        w.write((int) inputs[i], 32);
+        w.write((int) (inputs[i] >>> 32), INPUT_BITS - 32);
+      }
+    }
+    return w.bytes();
   }
 
   /**
@@ -52,14 +94,37 @@ public final class InputDatagram {
    * @return false when the bytes are not exactly one input datagram; this object is then undefined
    */
   public boolean decode(byte[] bytes, int offset, int length) {
-    throw new UnsupportedOperationException("soon");
+    BitReader r = reader;
+    r.reset(bytes, offset, length);
+    key = r.read(32);
+    sequence = r.read(16);
+    hasAck = r.readBit();
+    ackSequence = hasAck ? r.read(16) : 0;
+    ackBits = hasAck ? r.readLong() : 0;
+    count = r.read(5);
+    if (count > Limits.MAX_INPUTS) {
+      return false;
+    }
+    newestTick = count > 0 ? r.read(32) : 0;
+    for (int i = 0; i < count; i++) {
+      if (i > 0 && r.readBit()) {
+        inputs[i] = inputs[i - 1];
+      } else {
+        long low = r.read(32) & 0xffffffffL;
+        inputs[i] = low | ((long) r.read(INPUT_BITS - 32) << 32);
+      }
+    }
+    return r.finished();
   }
 
   /** The key of an encoded datagram without decoding the rest; 0 when shorter than 4 bytes. */
   public static int peekKey(byte[] bytes, int offset, int length) {
-    throw new UnsupportedOperationException("soon");
+    if (length < 4) {
+      return 0;
+    }
+    return (bytes[offset] & 0xff)
+        | (bytes[offset + 1] & 0xff) << 8
+        | (bytes[offset + 2] & 0xff) << 16
+        | bytes[offset + 3] << 24;
   }
-
-  /** Largest encoded size in bytes. */
-  public static final int MAX_BYTES = 160;
 }

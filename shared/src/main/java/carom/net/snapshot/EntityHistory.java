@@ -2,84 +2,179 @@ package carom.net.snapshot;
 
 /**
  * What a client has received of one entity slot: up to {@link #SIZE} states, each exactly the
- * server's quantised state after its tick. Index 0 is the newest. Between two entries the entity
- * moved; an entity that rested has an entry at the end of its rest, so that the way between two
- * neighbouring entries is always a movement that really took that long.
+ * server's quantised state after its tick. Index 0 is the newest. An entity that rested has an
+ * entry at the end of its rest too, so that between two neighbouring entries there is a movement
+ * that really took that long.
  */
 public final class EntityHistory {
 
   /** Most states kept. */
   public static final int SIZE = 64;
 
+  private static final int MASK = SIZE - 1;
+  private static final int FREE = -1;
+  private static final int TICK = 0;
+  private static final int KIND = 1;
+  private static final int OWNER = 2;
+  private static final int X = 3;
+  private static final int Y = 4;
+  private static final int ANGLE = 5;
+  private static final int VX = 6;
+  private static final int VY = 7;
+  private static final int OMEGA = 8;
+  private static final int FIELDS = 9;
+
+  private final int[] data = new int[SIZE * FIELDS];
+  private int newest;
+  private int size;
+
   EntityHistory() {}
 
-  /** States held, 0..{@link #SIZE}. */
+  /** States held, 1..{@link #SIZE}. */
   public int size() {
-    throw new UnsupportedOperationException("soon");
+    return size;
   }
 
   /** Whether the newest known state is a living entity. */
   public boolean alive() {
-    return size() > 0 && alive(0);
+    return size > 0 && alive(0);
   }
 
   /** Index of the newest entry at or before a tick, or -1. */
   public int indexAt(int tick) {
-    throw new UnsupportedOperationException("soon");
+    for (int i = 0; i < size; i++) {
+      if (tick(i) <= tick) {
+        return i;
+      }
+    }
+    return -1;
   }
 
   /** Tick of an entry. */
   public int tick(int index) {
-    throw new UnsupportedOperationException("soon");
+    return data[at(index) + TICK];
   }
 
   /** Whether the slot held an entity then; if not, the entry's other values mean nothing. */
   public boolean alive(int index) {
-    throw new UnsupportedOperationException("soon");
+    return data[at(index) + KIND] != FREE;
   }
 
   /** Generation: entries of different generations are different entities. */
   public int generation(int index) {
-    throw new UnsupportedOperationException("soon");
+    return data[at(index) + KIND] & 0xff;
   }
 
   /** Archetype index. */
   public int archetype(int index) {
-    throw new UnsupportedOperationException("soon");
+    return data[at(index) + KIND] >>> 8;
   }
 
   /** Player id of the owner, or -1. */
   public int owner(int index) {
-    throw new UnsupportedOperationException("soon");
+    return data[at(index) + OWNER];
   }
 
   /** Position in steps; {@code Quantizer.positionOf} gives metres. */
   public int x(int index) {
-    throw new UnsupportedOperationException("soon");
+    return data[at(index) + X];
   }
 
   /** Position in steps. */
   public int y(int index) {
-    throw new UnsupportedOperationException("soon");
+    return data[at(index) + Y];
   }
 
   /** Angle in steps, 0..1,023; {@code Quantizer.angleOf} gives radians. */
   public int angle(int index) {
-    throw new UnsupportedOperationException("soon");
+    return data[at(index) + ANGLE];
   }
 
   /** Velocity in steps; {@code Quantizer.velocityOf} gives m/s. */
   public int vx(int index) {
-    throw new UnsupportedOperationException("soon");
+    return data[at(index) + VX];
   }
 
   /** Velocity in steps. */
   public int vy(int index) {
-    throw new UnsupportedOperationException("soon");
+    return data[at(index) + VY];
   }
 
   /** Angular velocity in steps; {@code Quantizer.omegaOf} gives rad/s. */
   public int omega(int index) {
-    throw new UnsupportedOperationException("soon");
+    return data[at(index) + OMEGA];
+  }
+
+  private int at(int index) {
+    if (index < 0 || index >= size) {
+      throw new IndexOutOfBoundsException("index=" + index + " is outside 0.." + (size - 1));
+    }
+    return ((newest - index) & MASK) * FIELDS;
+  }
+
+  void motion(int index, Motion out) {
+    int at = at(index);
+    out.x = data[at + X];
+    out.y = data[at + Y];
+    out.angle = data[at + ANGLE];
+    out.vx = data[at + VX];
+    out.vy = data[at + VY];
+    out.omega = data[at + OMEGA];
+  }
+
+  /**
+   * The state known at a tick also holds at a later one: an entry there, unless there is one
+   * already.
+   */
+  void hold(int index, int tick, Motion scratch) {
+    if (tick(index) != tick) {
+      motion(index, scratch);
+      add(tick, generation(index), archetype(index), owner(index), scratch);
+    }
+  }
+
+  /** Adds a state of a living entity. */
+  void add(int tick, int generation, int archetype, int owner, Motion motion) {
+    int at = open(tick);
+    if (at >= 0) {
+      data[at + KIND] = archetype << 8 | generation;
+      data[at + OWNER] = owner;
+      data[at + X] = motion.x;
+      data[at + Y] = motion.y;
+      data[at + ANGLE] = motion.angle;
+      data[at + VX] = motion.vx;
+      data[at + VY] = motion.vy;
+      data[at + OMEGA] = motion.omega;
+    }
+  }
+
+  /** Adds that the slot was free. */
+  void addFree(int tick) {
+    int at = open(tick);
+    if (at >= 0) {
+      data[at + KIND] = FREE;
+    }
+  }
+
+  /**
+   * Makes room for an entry in the order of ticks; -1 when the tick is there already or older than
+   * a full history.
+   */
+  private int open(int tick) {
+    int newer = 0;
+    while (newer < size && tick(newer) > tick) {
+      newer++;
+    }
+    if (newer == SIZE || (newer < size && tick(newer) == tick)) {
+      return -1;
+    }
+    newest = (newest + 1) & MASK;
+    size = Math.min(SIZE, size + 1);
+    for (int i = 0; i < newer; i++) {
+      System.arraycopy(data, at(i + 1), data, at(i), FIELDS);
+    }
+    int at = at(newer);
+    data[at + TICK] = tick;
+    return at;
   }
 }

@@ -9,46 +9,95 @@ package carom.net.snapshot;
  * ring.end();
  * }</pre>
  *
- * One thread, no allocation after construction.
+ * One thread. Frames grow with the highest slot in use; no allocation otherwise.
  */
 public final class FrameRing {
 
   /** Frames kept; a baseline is at most {@code SIZE - 1} ticks old. */
   public static final int SIZE = 64;
 
+  private static final int MASK = SIZE - 1;
+
+  private final int capacity;
+  private final FrameState[] frames = new FrameState[SIZE];
+  private long ended;
+  private boolean begun;
+
   /**
    * Creates an empty ring.
    *
-   * @param capacity entity slots of each frame, 1..65,535
+   * @param capacity most entity slots of a frame, 1..65,535
    */
-  public FrameRing(int capacity) {}
+  public FrameRing(int capacity) {
+    if (capacity < 1 || capacity > 65_535) {
+      throw new IllegalArgumentException("capacity=" + capacity + " is outside 1..65535");
+    }
+    this.capacity = capacity;
+    for (int i = 0; i < SIZE; i++) {
+      frames[i] = new FrameState(capacity);
+    }
+  }
 
-  /** Entity slots of each frame. */
+  /** Most entity slots of a frame. */
   public int capacity() {
-    throw new UnsupportedOperationException("soon");
+    return capacity;
   }
 
   /**
    * Starts the frame of a tick; all slots are free until {@link FrameState#put}.
    *
-   * @param tick greater than the newest frame's
+   * @param tick not negative and greater than the newest frame's
    */
   public FrameState begin(int tick) {
-    throw new UnsupportedOperationException("soon");
+    FrameState newest = newest();
+    if (tick < 0 || (newest != null && tick <= newest.tick())) {
+      throw new IllegalArgumentException(
+          "tick=" + tick + " must follow " + (newest == null ? -1 : newest.tick()));
+    }
+    FrameState frame = frames[(int) ended & MASK];
+    frame.begin(tick);
+    begun = true;
+    return frame;
   }
 
   /** Ends the frame that was begun: from now on it is the newest and doesn't change. */
   public void end() {
-    throw new UnsupportedOperationException("soon");
+    if (!begun) {
+      throw new IllegalStateException("end() without begin()");
+    }
+    frames[(int) ended & MASK].end(newest());
+    ended++;
+    begun = false;
   }
 
   /** The newest ended frame, or null before the first. */
   public FrameState newest() {
-    throw new UnsupportedOperationException("soon");
+    return back(0);
   }
 
   /** The frame of a tick, or null when the ring doesn't hold it. */
   public FrameState at(int tick) {
-    throw new UnsupportedOperationException("soon");
+    FrameState newest = newest();
+    if (newest == null || tick > newest.tick()) {
+      return null;
+    }
+    // Without gaps the first look hits; with gaps the frame is nearer to the newest.
+    for (int back = Math.min(newest.tick() - tick, count() - 1); back >= 0; back--) {
+      FrameState frame = back(back);
+      if (frame.tick() >= tick) {
+        return frame.tick() == tick ? frame : null;
+      }
+    }
+    return null;
+  }
+
+  /** Ended frames held. While a frame is being filled, it has taken the oldest one's place. */
+  int count() {
+    return (int) Math.min(ended, begun ? MASK : SIZE);
+  }
+
+  /** The frame that many frames before the newest, or null when the ring doesn't hold it. */
+  FrameState back(int frames) {
+    return frames < count() ? this.frames[(int) (ended - 1 - frames) & MASK] : null;
   }
 }

@@ -1,12 +1,47 @@
 package carom.net.snapshot;
 
+import carom.net.codec.Quantizer;
+import java.util.Arrays;
+
 /**
  * A room's whole world at one tick, quantised once for all sessions: a structure of int arrays, by
  * entity slot. Filled through {@link FrameRing}. Units: see {@link carom.net.codec.Quantizer}.
  */
 public final class FrameState {
 
-  FrameState(int capacity) {}
+  private static final int FREE = -1;
+  private static final int MIN_LENGTH = 64;
+
+  private final int capacity;
+  private int tick;
+  private int count;
+  private int limit;
+  private boolean filling;
+  private boolean hashed;
+  private long hash;
+  private int[] kind = {};
+  private int[] owner = {};
+  private int[] x = {};
+  private int[] y = {};
+  private int[] angle = {};
+  private int[] vx = {};
+  private int[] vy = {};
+  private int[] omega = {};
+  private int[] changedTick = {};
+  private long[] changed = {};
+
+  FrameState(int capacity) {
+    this.capacity = capacity;
+  }
+
+  void begin(int tick) {
+    this.tick = tick;
+    count = 0;
+    Arrays.fill(kind, 0, limit, FREE);
+    limit = 0;
+    filling = true;
+    hashed = false;
+  }
 
   /**
    * Puts an entity into the frame, quantising its state.
@@ -33,7 +68,13 @@ public final class FrameState {
       float vx,
       float vy,
       float omega) {
-    throw new UnsupportedOperationException("soon");
+    identify(slot, generation, archetype, owner);
+    this.x[slot] = Quantizer.position(x);
+    this.y[slot] = Quantizer.position(y);
+    this.angle[slot] = Quantizer.angle(angle);
+    this.vx[slot] = Quantizer.velocity(vx);
+    this.vy[slot] = Quantizer.velocity(vy);
+    this.omega[slot] = Quantizer.omega(omega);
   }
 
   /**
@@ -50,81 +91,225 @@ public final class FrameState {
       int vx,
       int vy,
       int omega) {
-    throw new UnsupportedOperationException("soon");
+    check("x", x, -Quantizer.MAX_POSITION, Quantizer.MAX_POSITION);
+    check("y", y, -Quantizer.MAX_POSITION, Quantizer.MAX_POSITION);
+    check("angle", angle, 0, Quantizer.ANGLE_STEPS - 1);
+    check("vx", vx, -Quantizer.MAX_VELOCITY, Quantizer.MAX_VELOCITY);
+    check("vy", vy, -Quantizer.MAX_VELOCITY, Quantizer.MAX_VELOCITY);
+    check("omega", omega, -Quantizer.MAX_OMEGA, Quantizer.MAX_OMEGA);
+    identify(slot, generation, archetype, owner);
+    this.x[slot] = x;
+    this.y[slot] = y;
+    this.angle[slot] = angle;
+    this.vx[slot] = vx;
+    this.vy[slot] = vy;
+    this.omega[slot] = omega;
+  }
+
+  private void identify(int slot, int generation, int archetype, int owner) {
+    if (!filling) {
+      throw new IllegalStateException("put() outside FrameRing.begin() and end()");
+    }
+    check("slot", slot, 0, capacity - 1);
+    check("generation", generation, 0, 255);
+    check("archetype", archetype, 0, 65_535);
+    check("owner", owner, -1, 255);
+    ensure(slot + 1);
+    if (kind[slot] != FREE) {
+      throw new IllegalStateException("slot=" + slot + " was put twice");
+    }
+    kind[slot] = archetype << 8 | generation;
+    this.owner[slot] = owner;
+    count++;
+    limit = Math.max(limit, slot + 1);
+  }
+
+  private static void check(String name, int value, int min, int max) {
+    if (value < min || value > max) {
+      throw new IllegalArgumentException(name + "=" + value + " is outside " + min + ".." + max);
+    }
+  }
+
+  private void ensure(int length) {
+    if (length <= kind.length) {
+      return;
+    }
+    int old = kind.length;
+    int grown = Math.max(MIN_LENGTH, Math.min(capacity, Math.max(length, 2 * old)));
+    kind = Arrays.copyOf(kind, grown);
+    Arrays.fill(kind, old, grown, FREE);
+    owner = Arrays.copyOf(owner, grown);
+    x = Arrays.copyOf(x, grown);
+    y = Arrays.copyOf(y, grown);
+    angle = Arrays.copyOf(angle, grown);
+    vx = Arrays.copyOf(vx, grown);
+    vy = Arrays.copyOf(vy, grown);
+    omega = Arrays.copyOf(omega, grown);
+    changedTick = Arrays.copyOf(changedTick, grown);
+    changed = Arrays.copyOf(changed, (grown + 63) >> 6);
+  }
+
+  /** Finds what changed since {@code previous}, the frame before, or null for the first one. */
+  void end(FrameState previous) {
+    if (previous != null) {
+      ensure(previous.limit);
+      limit = Math.max(limit, previous.limit);
+    }
+    Arrays.fill(changed, 0);
+    for (int slot = 0; slot < limit; slot++) {
+      if (previous != null && slot < previous.limit && same(previous, slot)) {
+        changedTick[slot] = previous.changedTick[slot];
+      } else {
+        changedTick[slot] = tick;
+        changed[slot >> 6] |= 1L << slot;
+      }
+    }
+    filling = false;
+  }
+
+  private boolean same(FrameState other, int slot) {
+    if (kind[slot] != other.kind[slot]) {
+      return false;
+    }
+    return kind[slot] == FREE
+        || (owner[slot] == other.owner[slot]
+            && x[slot] == other.x[slot]
+            && y[slot] == other.y[slot]
+            && angle[slot] == other.angle[slot]
+            && vx[slot] == other.vx[slot]
+            && vy[slot] == other.vy[slot]
+            && omega[slot] == other.omega[slot]);
   }
 
   /** The tick this frame is the state after. */
   public int tick() {
-    throw new UnsupportedOperationException("soon");
+    return tick;
   }
 
   /** Entities alive. */
   public int count() {
-    throw new UnsupportedOperationException("soon");
+    return count;
   }
 
-  /** Whether a slot holds an entity. */
+  /**
+   * One more than the highest slot that was ever used up to this frame: the end for loops over
+   * slots.
+   */
+  public int slotLimit() {
+    return limit;
+  }
+
+  /** Whether a slot holds an entity; false for slots beyond {@link #slotLimit}. */
   public boolean alive(int slot) {
-    throw new UnsupportedOperationException("soon");
+    return slot < limit && kind[slot] != FREE;
   }
 
   /** Generation of the slot's entity, 0..255. */
   public int generation(int slot) {
-    throw new UnsupportedOperationException("soon");
+    return kind[slot] & 0xff;
   }
 
   /** Archetype of the slot's entity. */
   public int archetype(int slot) {
-    throw new UnsupportedOperationException("soon");
+    return kind[slot] >>> 8;
   }
 
   /** Player id of the owner, or -1. */
   public int owner(int slot) {
-    throw new UnsupportedOperationException("soon");
+    return owner[slot];
   }
 
   /** Position, steps. */
   public int x(int slot) {
-    throw new UnsupportedOperationException("soon");
+    return x[slot];
   }
 
   /** Position, steps. */
   public int y(int slot) {
-    throw new UnsupportedOperationException("soon");
+    return y[slot];
   }
 
   /** Angle, steps, 0..1,023. */
   public int angle(int slot) {
-    throw new UnsupportedOperationException("soon");
+    return angle[slot];
   }
 
   /** Velocity, steps. */
   public int vx(int slot) {
-    throw new UnsupportedOperationException("soon");
+    return vx[slot];
   }
 
   /** Velocity, steps. */
   public int vy(int slot) {
-    throw new UnsupportedOperationException("soon");
+    return vy[slot];
   }
 
   /** Angular velocity, steps. */
   public int omega(int slot) {
-    throw new UnsupportedOperationException("soon");
+    return omega[slot];
   }
 
   /**
    * The last tick at which anything of the slot's quantised state changed, liveness and identity
-   * included.
+   * included. A slot never used has never changed: -1.
    */
   public int changedTick(int slot) {
-    throw new UnsupportedOperationException("soon");
+    return slot < limit ? changedTick[slot] : -1;
   }
 
   /**
    * 64-bit hash of all slots' quantised state; equal frames have equal hashes, whatever their tick.
    */
   public long hash() {
-    throw new UnsupportedOperationException("soon");
+    if (!hashed) {
+      hash = computeHash();
+      hashed = true;
+    }
+    return hash;
+  }
+
+  private long computeHash() {
+    long h = count;
+    for (int slot = 0; slot < limit; slot++) {
+      if (kind[slot] != FREE) {
+        h = mix(h, slot, kind[slot]);
+        h = mix(h, owner[slot], angle[slot]);
+        h = mix(h, x[slot], y[slot]);
+        h = mix(h, vx[slot], vy[slot]);
+        h = mix(h, omega[slot], 0);
+      }
+    }
+    return h;
+  }
+
+  private static long mix(long hash, int a, int b) {
+    long h = (hash ^ ((long) a << 32 | (b & 0xffffffffL))) * 0x9e3779b97f4a7c15L;
+    return h ^ (h >>> 29);
+  }
+
+  /** Whether a slot is of the same entity, owner and archetype in both frames, and alive. */
+  boolean sameIdentity(FrameState other, int slot) {
+    return alive(slot)
+        && other.alive(slot)
+        && kind[slot] == other.kind[slot]
+        && owner[slot] == other.owner[slot];
+  }
+
+  /** Copies the slot's motion. */
+  void motion(int slot, Motion out) {
+    out.x = x[slot];
+    out.y = y[slot];
+    out.angle = angle[slot];
+    out.vx = vx[slot];
+    out.vy = vy[slot];
+    out.omega = omega[slot];
+  }
+
+  /** Sets the bit of each slot that changed in this very tick. */
+  void addChanged(long[] bits) {
+    int words = (limit + 63) >> 6;
+    for (int i = 0; i < words; i++) {
+      bits[i] |= changed[i];
+    }
   }
 }

@@ -1,13 +1,58 @@
 package carom.net.snapshot;
 
+import carom.net.codec.BitReader;
+import carom.net.codec.Crc16;
+import carom.net.codec.Sequence;
+import java.util.Arrays;
+
 /**
  * The client's side: datagrams in, a history per entity out, and the acks to send back.
  *
  * <p>Total: any bytes give a {@link DecodeStatus}, never an exception, and a datagram counts as a
- * whole or not at all. Memory is bounded by the number of slots. One thread; allocates only when a
- * slot is seen for the first time.
+ * whole or not at all. Memory is bounded: about 2.3 KiB for each slot ever seen. One thread;
+ * allocates only when a slot is seen for the first time.
  */
 public final class SnapshotDecoder {
+
+  private static final int MAX_RECORDS =
+      8 * SnapshotEncoder.MAX_DATAGRAM_BYTES / RecordCodec.MIN_RECORD_BITS;
+  private static final int HISTORY = FrameRing.SIZE;
+  private static final int ACK_BITS = 64;
+
+  private final int capacity;
+  private final int key;
+  private final Predictor predictor;
+  private final BitReader reader = new BitReader();
+  private EntityHistory[] histories = {};
+  private int slotLimit;
+
+  private boolean hasAck;
+  private int ackSequence;
+  private long ackBits;
+  private int tick;
+  private int newestTick;
+
+  private final OwnState[] owns = new OwnState[HISTORY];
+  private final int[] ownTicks = new int[HISTORY];
+  private final OwnState nothing = new OwnState();
+  private final InputFeedback feedback = new InputFeedback();
+  private boolean hasOwn;
+  private OwnState own = nothing;
+
+  // A datagram is read into these first and counts only when all of it was good.
+  private final OwnState readOwn = new OwnState();
+  private final InputFeedback readFeedback = new InputFeedback();
+  private final int[] slots = new int[MAX_RECORDS];
+  private final byte[] kinds = new byte[MAX_RECORDS];
+  private final int[] ages = new int[MAX_RECORDS];
+  private final int[] generations = new int[MAX_RECORDS];
+  private final int[] archetypes = new int[MAX_RECORDS];
+  private final int[] owners = new int[MAX_RECORDS];
+  private final Motion[] motions = new Motion[MAX_RECORDS];
+  private final Motion scratch = new Motion();
+  private int count;
+  private final int[] touchedSlots = new int[MAX_RECORDS];
+  private int touched;
 
   /**
    * Creates a decoder that knows nothing.
@@ -15,55 +60,227 @@ public final class SnapshotDecoder {
    * @param capacity entity slots, at least the server's; 1..65,535
    * @param key the session's datagram key
    * @param tick the server's tick in {@code Welcome}: datagrams carry 16 bits of theirs
+   * @param tickRate ticks per second, as in {@code Welcome}
    */
-  public SnapshotDecoder(int capacity, int key, int tick) {}
+  public SnapshotDecoder(int capacity, int key, int tick, int tickRate) {
+    this.capacity = capacity;
+    this.key = key;
+    this.tick = tick;
+    newestTick = tick;
+    predictor = new LinearPredictor(tickRate);
+    Arrays.fill(ownTicks, -1);
+    for (int i = 0; i < HISTORY; i++) {
+      owns[i] = new OwnState();
+    }
+    for (int i = 0; i < MAX_RECORDS; i++) {
+      motions[i] = new Motion();
+    }
+  }
 
-  /** Decodes a datagram. When it answers {@code OK}, the other methods tell what it held. */
+  /**
+   * Decodes a datagram. When it answers {@code OK}, the other methods tell what it held; else
+   * nothing has changed.
+   */
   public DecodeStatus decode(byte[] bytes, int offset, int length) {
-    throw new UnsupportedOperationException("soon");
+    if (length < 6 || length > SnapshotEncoder.MAX_DATAGRAM_BYTES) {
+      return DecodeStatus.DAMAGED;
+    }
+    BitReader r = reader;
+    r.reset(bytes, offset, length);
+    if (r.read(16) != Crc16.of(key, bytes, offset + 2, length - 2)) {
+      return DecodeStatus.DAMAGED;
+    }
+    int sequence = r.read(16);
+    int ahead = hasAck ? Sequence.difference(sequence, ackSequence) : 1;
+    if (ahead <= 0) {
+      if (ahead < -ACK_BITS) {
+        return DecodeStatus.STALE;
+      }
+      if (ahead == 0 || (ackBits >>> (-1 - ahead) & 1) != 0) {
+        return DecodeStatus.DUPLICATE;
+      }
+    }
+    int datagramTick = Sequence.expand(r.read(16), newestTick);
+    DecodeStatus status = read(r, datagramTick);
+    if (status == DecodeStatus.OK) {
+      acknowledge(sequence, ahead);
+      keep(datagramTick);
+    }
+    return status;
+  }
+
+  private DecodeStatus read(BitReader r, int datagramTick) {
+    if (datagramTick < 0) {
+      return DecodeStatus.DAMAGED;
+    }
+    HeaderCodec.readFeedback(r, readFeedback, datagramTick);
+    boolean withOwn = r.readBit();
+    if (withOwn) {
+      int age = r.read(RecordCodec.AGE_BITS);
+      OwnState baseline = age == 0 ? nothing : ownAt(datagramTick - age);
+      if (baseline == null) {
+        return DecodeStatus.NO_BASELINE;
+      }
+      HeaderCodec.readOwn(r, baseline, readOwn);
+    }
+    DecodeStatus status = readRecords(r, datagramTick);
+    if (status == DecodeStatus.OK) {
+      hasOwn = withOwn;
+    }
+    return status;
+  }
+
+  private OwnState ownAt(int wantedTick) {
+    int at = wantedTick & (HISTORY - 1);
+    return wantedTick >= 0 && ownTicks[at] == wantedTick ? owns[at] : null;
+  }
+
+  private DecodeStatus readRecords(BitReader r, int datagramTick) {
+    count = 0;
+    int age = 0;
+    int slot = -1;
+    while ((slot = RecordCodec.readSlot(r, slot)) != RecordCodec.END) {
+      if (slot < 0 || slot >= capacity || count == MAX_RECORDS || r.failed()) {
+        return DecodeStatus.DAMAGED;
+      }
+      int kind = RecordCodec.readKind(r);
+      Motion motion = motions[count];
+      if (kind == RecordCodec.DELTA) {
+        age = RecordCodec.readAge(r, age);
+        if (!baseline(slot, datagramTick - age, age)) {
+          return r.failed() || age == 0 ? DecodeStatus.DAMAGED : DecodeStatus.NO_BASELINE;
+        }
+        predictor.predict(motion, age);
+        RecordCodec.readMotion(r, motion);
+      } else if (kind == RecordCodec.ABSOLUTE) {
+        generations[count] = r.read(8);
+        archetypes[count] = RecordCodec.readArchetype(r);
+        owners[count] = RecordCodec.readOwner(r);
+        RecordCodec.readAbsolute(r, motion);
+      }
+      if (r.failed() || (kind != RecordCodec.GONE && !motion.inRange())) {
+        return DecodeStatus.DAMAGED;
+      }
+      slots[count] = slot;
+      kinds[count] = (byte) kind;
+      ages[count] = age;
+      count++;
+    }
+    return r.finished() ? DecodeStatus.OK : DecodeStatus.DAMAGED;
+  }
+
+  /**
+   * Loads the state that the slot had at a tick into the next record; false when it isn't known.
+   */
+  private boolean baseline(int slot, int wantedTick, int age) {
+    EntityHistory history = history(slot);
+    int index = history == null || age == 0 ? -1 : history.indexAt(wantedTick);
+    if (index < 0 || !history.alive(index)) {
+      return false;
+    }
+    history.motion(index, motions[count]);
+    generations[count] = history.generation(index);
+    archetypes[count] = history.archetype(index);
+    owners[count] = history.owner(index);
+    return true;
+  }
+
+  private void acknowledge(int sequence, int ahead) {
+    if (!hasAck) {
+      hasAck = true;
+      ackSequence = sequence;
+    } else if (ahead > 0) {
+      // The old newest moves to bit (ahead - 1); Java shifts by the lowest six bits only.
+      long moved = ahead >= ACK_BITS ? 0 : ackBits << ahead;
+      ackBits = ahead > ACK_BITS ? 0 : moved | 1L << (ahead - 1);
+      ackSequence = sequence;
+    } else {
+      ackBits |= 1L << (-1 - ahead);
+    }
+  }
+
+  private void keep(int datagramTick) {
+    tick = datagramTick;
+    newestTick = Math.max(newestTick, datagramTick);
+    feedback.set(readFeedback);
+    if (hasOwn) {
+      int at = datagramTick & (HISTORY - 1);
+      owns[at].set(readOwn);
+      ownTicks[at] = datagramTick;
+      own = owns[at];
+    }
+    for (int i = 0; i < count; i++) {
+      EntityHistory history = historyFor(slots[i]);
+      if (kinds[i] == RecordCodec.GONE) {
+        history.addFree(datagramTick);
+        continue;
+      }
+      if (kinds[i] == RecordCodec.DELTA) {
+        int held = datagramTick - ages[i];
+        history.hold(history.indexAt(held), held, scratch);
+      }
+      history.add(datagramTick, generations[i], archetypes[i], owners[i], motions[i]);
+    }
+    System.arraycopy(slots, 0, touchedSlots, 0, count);
+    touched = count;
+  }
+
+  private EntityHistory historyFor(int slot) {
+    if (slot >= histories.length) {
+      int grown = Math.min(capacity, Math.max(64, Math.max(slot + 1, 2 * histories.length)));
+      histories = Arrays.copyOf(histories, grown);
+    }
+    if (histories[slot] == null) {
+      histories[slot] = new EntityHistory();
+      slotLimit = Math.max(slotLimit, slot + 1);
+    }
+    return histories[slot];
   }
 
   /** Tick of the last decoded datagram: its content is the state after this tick. */
   public int tick() {
-    throw new UnsupportedOperationException("soon");
+    return tick;
   }
 
   /** Newest tick of all datagrams so far; the tick of {@code Welcome} before the first. */
   public int newestTick() {
-    throw new UnsupportedOperationException("soon");
+    return newestTick;
   }
 
   /** Feedback of the last decoded datagram; {@code present} is false when it had none. */
   public InputFeedback feedback() {
-    throw new UnsupportedOperationException("soon");
+    return feedback;
   }
 
   /** Whether the last decoded datagram had the own section. */
   public boolean hasOwn() {
-    throw new UnsupportedOperationException("soon");
+    return hasOwn;
   }
 
   /**
    * Own section of the last decoded datagram, the exact state after {@link #tick}; valid when
-   * {@link #hasOwn}.
+   * {@link #hasOwn}, until the next {@link #decode}.
    */
   public OwnState own() {
-    throw new UnsupportedOperationException("soon");
+    return own;
   }
 
   /** Records in the last decoded datagram. */
   public int touchedCount() {
-    throw new UnsupportedOperationException("soon");
+    return touched;
   }
 
   /** Slot of a record of the last decoded datagram, ascending; index 0..touchedCount - 1. */
   public int touchedSlot(int index) {
-    throw new UnsupportedOperationException("soon");
+    if (index < 0 || index >= touched) {
+      throw new IndexOutOfBoundsException("index=" + index + " is outside 0.." + (touched - 1));
+    }
+    return touchedSlots[index];
   }
 
   /** One more than the highest slot ever seen: iterate {@link #history} below it. */
   public int slotLimit() {
-    throw new UnsupportedOperationException("soon");
+    return slotLimit;
   }
 
   /**
@@ -71,21 +288,21 @@ public final class SnapshotDecoder {
    * {@link #decode}.
    */
   public EntityHistory history(int slot) {
-    throw new UnsupportedOperationException("soon");
+    return slot < histories.length ? histories[slot] : null;
   }
 
   /** Whether any datagram was decoded: before that, there is nothing to ack. */
   public boolean hasAck() {
-    throw new UnsupportedOperationException("soon");
+    return hasAck;
   }
 
   /** Sequence number of the newest datagram decoded. */
   public int ackSequence() {
-    throw new UnsupportedOperationException("soon");
+    return ackSequence;
   }
 
   /** Bit i = datagram {@code ackSequence() - 1 - i} was decoded. */
   public long ackBits() {
-    throw new UnsupportedOperationException("soon");
+    return ackBits;
   }
 }

@@ -1,0 +1,183 @@
+package carom.net.snapshot;
+
+import carom.net.codec.BitReader;
+import carom.net.codec.BitWriter;
+import carom.net.codec.Bits;
+import carom.net.codec.Quantizer;
+import carom.net.codec.ResidualCode;
+
+/**
+ * The forms of which an entity's record is made: each as a pair of write and read that mirror each
+ * other line by line. {@code docs/PROTOCOL.md} has the same as tables.
+ */
+final class RecordCodec {
+
+  /** Kinds of records, in order of their codes. */
+  static final int DELTA = 0;
+
+  static final int ABSOLUTE = 1;
+  static final int GONE = 2;
+
+  /** Answer of {@link #readSlot} at the end of the records. */
+  static final int END = -1;
+
+  /** Answer of {@link #readSlot} when no encoder would have written this. */
+  static final int INVALID = -2;
+
+  static final int END_BITS = 4;
+
+  /** No record is shorter: next slot, delta, same age, as predicted. */
+  static final int MIN_RECORD_BITS = 4;
+
+  static final int AGE_BITS = 6;
+
+  private static final int GAP_1_BITS = 4;
+  private static final int GAP_2_BITS = 8;
+  private static final int SLOT_BITS = 16;
+  private static final int SHORT_ARCHETYPE_BITS = 6;
+
+  private static final ResidualCode POSITION = new ResidualCode(2, 5, 9);
+  private static final ResidualCode ANGLE = new ResidualCode(1, 4, 9);
+  private static final ResidualCode VELOCITY = new ResidualCode(2, 5, 8);
+  private static final ResidualCode OMEGA = new ResidualCode(2, 5, 8);
+
+  private RecordCodec() {}
+
+  /** Slots ascend within a datagram; {@code previous} is -1 before the first. */
+  static void writeSlot(BitWriter w, int previous, int slot) {
+    int gap = slot - previous - 1;
+    if (gap == 0) {
+      w.write(0, 1);
+    } else if (gap <= 1 << GAP_1_BITS) {
+      w.write(0b01 | (gap - 1) << 2, 2 + GAP_1_BITS);
+    } else if (gap <= (1 << GAP_1_BITS) + (1 << GAP_2_BITS)) {
+      w.write(0b011 | (gap - 1 - (1 << GAP_1_BITS)) << 3, 3 + GAP_2_BITS);
+    } else {
+      w.write(0b0111 | slot << 4, 4 + SLOT_BITS);
+    }
+  }
+
+  static void writeEnd(BitWriter w) {
+    w.write(0b1111, END_BITS);
+  }
+
+  static int readSlot(BitReader r, int previous) {
+    if (!r.readBit()) {
+      return previous + 1;
+    }
+    if (!r.readBit()) {
+      return previous + 2 + r.read(GAP_1_BITS);
+    }
+    if (!r.readBit()) {
+      return previous + 2 + (1 << GAP_1_BITS) + r.read(GAP_2_BITS);
+    }
+    if (r.readBit()) {
+      return END;
+    }
+    int slot = r.read(SLOT_BITS);
+    return slot > previous ? slot : INVALID;
+  }
+
+  static void writeKind(BitWriter w, int kind) {
+    switch (kind) {
+      case DELTA -> w.write(0, 1);
+      case ABSOLUTE -> w.write(0b01, 2);
+      default -> w.write(0b11, 2);
+    }
+  }
+
+  static int readKind(BitReader r) {
+    if (!r.readBit()) {
+      return DELTA;
+    }
+    return r.readBit() ? GONE : ABSOLUTE;
+  }
+
+  static void writeAge(BitWriter w, int previousAge, int age) {
+    if (age == previousAge) {
+      w.write(1, 1);
+    } else {
+      w.write(age << 1, 1 + AGE_BITS);
+    }
+  }
+
+  static int readAge(BitReader r, int previousAge) {
+    return r.readBit() ? previousAge : r.read(AGE_BITS);
+  }
+
+  /** What {@code actual} differs from {@code predicted}. */
+  static void writeMotion(BitWriter w, Motion predicted, Motion actual) {
+    int x = actual.x - predicted.x;
+    int y = actual.y - predicted.y;
+    int angle = Quantizer.wrapAngle(actual.angle - predicted.angle);
+    int vx = actual.vx - predicted.vx;
+    int vy = actual.vy - predicted.vy;
+    int omega = actual.omega - predicted.omega;
+    if ((x | y | angle | vx | vy | omega) == 0) {
+      w.write(0, 1);
+      return;
+    }
+    w.write(1, 1);
+    POSITION.write(w, x);
+    POSITION.write(w, y);
+    ANGLE.write(w, angle);
+    VELOCITY.write(w, vx);
+    VELOCITY.write(w, vy);
+    OMEGA.write(w, omega);
+  }
+
+  /** Turns a prediction into the truth. */
+  static void readMotion(BitReader r, Motion predicted) {
+    if (!r.readBit()) {
+      return;
+    }
+    predicted.x += POSITION.read(r);
+    predicted.y += POSITION.read(r);
+    predicted.angle = (predicted.angle + ANGLE.read(r)) & (Quantizer.ANGLE_STEPS - 1);
+    predicted.vx += VELOCITY.read(r);
+    predicted.vy += VELOCITY.read(r);
+    predicted.omega += OMEGA.read(r);
+  }
+
+  static void writeIdentity(BitWriter w, int generation, int archetype, int owner) {
+    w.write(generation, 8);
+    boolean wide = archetype >= 1 << SHORT_ARCHETYPE_BITS;
+    w.write(wide);
+    w.write(archetype, wide ? 16 : SHORT_ARCHETYPE_BITS);
+    w.write(owner >= 0);
+    if (owner >= 0) {
+      w.write(owner, 8);
+    }
+  }
+
+  static int readArchetype(BitReader r) {
+    return r.readBit() ? r.read(16) : r.read(SHORT_ARCHETYPE_BITS);
+  }
+
+  static int readOwner(BitReader r) {
+    return r.readBit() ? r.read(8) : -1;
+  }
+
+  static void writeAbsolute(BitWriter w, Motion motion) {
+    Bits.writeSized(w, motion.x);
+    Bits.writeSized(w, motion.y);
+    w.write(motion.angle, 10);
+    boolean moving = (motion.vx | motion.vy | motion.omega) != 0;
+    w.write(moving);
+    if (moving) {
+      Bits.writeSized(w, motion.vx);
+      Bits.writeSized(w, motion.vy);
+      Bits.writeSized(w, motion.omega);
+    }
+  }
+
+  static void readAbsolute(BitReader r, Motion motion) {
+    motion.x = Bits.readSized(r);
+    motion.y = Bits.readSized(r);
+    motion.angle = r.read(10);
+    boolean moving = r.readBit();
+    motion.vx = moving ? Bits.readSized(r) : 0;
+    motion.vy = moving ? Bits.readSized(r) : 0;
+    motion.omega = moving ? Bits.readSized(r) : 0;
+  }
+}
