@@ -19,12 +19,15 @@ import java.util.Arrays;
  * the cell (with some slack) stays, the few others are handed down from the root again. A leaf that
  * runs full has the smallest subtree around it rebuilt that isn't crowded itself, as in a
  * packed-memory array, so the work is local where the change is local. When more than one in
- * {@value #REBUILD_SHARE} left its cell, all is rebuilt at once. Cells ride along with the mean
- * motion of all boxes, so a swarm that flies in formation costs nothing extra. The partition
- * decides about speed alone: bounds are always those of the boxes, hence answers are right however
- * stale the partition is.
+ * {@value #REBUILD_SHARE} left its cell, all is rebuilt at once. When most of the motion is common
+ * to all boxes the cells ride along, so a swarm that flies or falls in formation costs nothing
+ * extra. The partition decides about speed alone: bounds are always those of the boxes, hence
+ * answers are right however stale the partition is.
  *
- * <p><b>Cost.</b> refit and pairs O(n) in practice, add and remove amortised O(log n), query O(log
+ * <p><b>Threads.</b> As for every {@link SpatialIndex}; in addition, {@link #query} only reads, so
+ * between updates any number of threads may query.
+ *
+ * <p><b>Cost.</b> Refit and pairs O(n) in practice, add and remove amortised O(log n), query O(log
  * n + found). Recursion is no deeper than the tree, which has at most 24 levels.
  */
 public final class KdTree implements SpatialIndex {
@@ -83,10 +86,13 @@ public final class KdTree implements SpatialIndex {
 
   private double frameY;
 
-  /** The mean motion of the boxes in the last refit: where the frame is expected to go next. */
-  private double driftX;
+  /** The mean motion of the boxes in the last refit. */
+  private double meanX;
 
-  private double driftY;
+  private double meanY;
+
+  /** Whether the frame is expected to move by that much in the next refit, or to stay. */
+  private boolean riding;
 
   /** Ids that left their cell in this refit. */
   private int[] stray = new int[SLOTS];
@@ -158,8 +164,9 @@ public final class KdTree implements SpatialIndex {
     setCell(0, -INF, -INF, INF, INF);
     frameX = 0;
     frameY = 0;
-    driftX = 0;
-    driftY = 0;
+    meanX = 0;
+    meanY = 0;
+    riding = false;
     fitLeaf(0);
   }
 
@@ -173,8 +180,9 @@ public final class KdTree implements SpatialIndex {
    */
   @Override
   public void rebuild(AabbArray newBoxes, int[] newIds, int count) {
-    if (count < 0 || count > newIds.length) {
-      throw new IllegalArgumentException("count=" + count + ", limit 0.." + newIds.length);
+    int limit = Math.min(MAX_SIZE, newIds.length);
+    if (count < 0 || count > limit) {
+      throw new IllegalArgumentException("count=" + count + ", limit 0.." + limit);
     }
     boxes = newBoxes;
     ensureWork(count);
@@ -215,12 +223,16 @@ public final class KdTree implements SpatialIndex {
    * @param id index of the box in the box array
    * @throws IllegalArgumentException if the id is in the tree already or its box isn't valid; the
    *     tree stays as it was
+   * @throws IllegalStateException if the tree holds {@value #MAX_SIZE} boxes
    */
   public void add(int id) {
     boxes.check(id);
     if (contains(id)) {
       throw new IllegalArgumentException(
           "id=" + id + " is in the tree already; remove it first, or call refit() if it moved");
+    }
+    if (size == MAX_SIZE) {
+      throw new IllegalStateException("size=" + size + ", limit " + MAX_SIZE);
     }
     ensureId(id);
     size++;
@@ -393,10 +405,14 @@ public final class KdTree implements SpatialIndex {
     float[] minY = boxes.minY;
     float[] maxX = boxes.maxX;
     float[] maxY = boxes.maxY;
-    float offX = (float) (frameX + driftX);
-    float offY = (float) (frameY + driftY);
+    float guessX = (float) meanX;
+    float guessY = (float) meanY;
+    float offX = (float) frameX + (riding ? guessX : 0);
+    float offY = (float) frameY + (riding ? guessY : 0);
     double sumX = 0;
     double sumY = 0;
+    double motion = 0;
+    double residue = 0;
     int strays = 0;
     for (int leaf = 0; leaf < leaves; leaf++) {
       float cellLeft = cell[4 * leaf] + offX;
@@ -409,8 +425,10 @@ public final class KdTree implements SpatialIndex {
       float top = -INF;
       int n = fill[leaf];
       int block = leaf * BLOCK;
-      float moveX = 0;
-      float moveY = 0;
+      float leafX = 0;
+      float leafY = 0;
+      float leafMotion = 0;
+      float leafResidue = 0;
       for (int k = 0; k < n; ) {
         int id = ids[leaf * SLOTS + k];
         float x0 = minX[id] + 0f;
@@ -423,8 +441,12 @@ public final class KdTree implements SpatialIndex {
         }
         float x = center(x0, x1);
         float y = center(y0, y1);
-        moveX += x0 - slots[block + k];
-        moveY += y0 - slots[block + ROW + k];
+        float moveX = x0 - slots[block + k];
+        float moveY = y0 - slots[block + ROW + k];
+        leafX += moveX;
+        leafY += moveY;
+        leafMotion += Math.abs(moveX) + Math.abs(moveY);
+        leafResidue += Math.abs(moveX - guessX) + Math.abs(moveY - guessY);
         if (x < cellLeft || x > cellRight || y < cellBottom || y > cellTop) {
           if (!AabbArray.valid(x0, y0, x1, y1)) {
             clear();
@@ -453,15 +475,25 @@ public final class KdTree implements SpatialIndex {
       if (n > 0 && !AabbArray.valid(left, bottom, right, top)) {
         checkLeaf(leaf);
       }
-      sumX += moveX;
-      sumY += moveY;
+      sumX += leafX;
+      sumY += leafY;
+      motion += leafMotion;
+      residue += leafResidue;
     }
-    boolean finite = Math.abs(sumX) + Math.abs(sumY) <= Float.MAX_VALUE;
-    driftX = finite ? sumX / size : 0;
-    driftY = finite ? sumY / size : 0;
-    frameX += driftX;
-    frameY += driftY;
+    follow(sumX / size, sumY / size, residue < 0.5 * motion);
     return strays;
+  }
+
+  /** Moves the frame by the mean motion if it was riding, and decides whether it will next time. */
+  private void follow(double newMeanX, double newMeanY, boolean common) {
+    boolean finite = Math.abs(newMeanX) + Math.abs(newMeanY) <= Float.MAX_VALUE;
+    meanX = finite ? newMeanX : 0;
+    meanY = finite ? newMeanY : 0;
+    if (riding) {
+      frameX += meanX;
+      frameY += meanY;
+    }
+    riding = common && finite;
   }
 
   /** A leaf with suspicious bounds: throws if one of its boxes is not finite. */
@@ -479,9 +511,6 @@ public final class KdTree implements SpatialIndex {
 
   /** Builds the whole tree from the first {@code count} entries of the scratch arrays. */
   private void buildAll(int count) {
-    if (count > MAX_SIZE) {
-      throw new IllegalArgumentException("count=" + count + ", limit " + MAX_SIZE);
-    }
     int wanted = 1;
     while ((long) wanted * FILL < count) {
       wanted *= 2;

@@ -108,6 +108,47 @@ class KdTreeTest {
     assertArrayEquals(oracle(boxes), Pairs.of(tree), boxes.toString());
   }
 
+  @Test
+  void fewFastBoxesDoNotCarryTheCellsOfRestingOnesAway() {
+    Boxes boxes = new Boxes(Layout.UNIFORM, 4000, 7);
+    KdTree tree = treeOf(boxes);
+    for (int tick = 0; tick < 50; tick++) {
+      for (int id = 0; id < 200; id++) {
+        boxes.shift(id, 1.5f, 0);
+      }
+      tree.refit();
+      assertTrue(tree.strays() <= 200, "strays=" + tree.strays() + " tick=" + tick);
+    }
+    assertArrayEquals(oracle(boxes), Pairs.of(tree), boxes.toString());
+  }
+
+  @Test
+  void addingDoesNotTakeOverMotionOfOthers() {
+    Boxes boxes = new Boxes(Layout.IDENTICAL, 400, 13);
+    KdTree tree = new KdTree(boxes.array);
+    for (int id = 0; id < 400; id++) {
+      tree.add(id);
+      boxes.shift(id, 1000, 0);
+    }
+    assertEquals(400 * 399 / 2, Pairs.of(tree).length, "all where they were when added");
+    assertEquals(0, Pairs.query(tree, 1003, 4, 1005, 6).length);
+    tree.refit();
+    assertEquals(400, Pairs.query(tree, 1003, 4, 1005, 6).length);
+  }
+
+  @Test
+  void visitorThatThrowsLeavesTheTreeUsable() {
+    Boxes boxes = new Boxes(Layout.UNIFORM, 300, 14);
+    KdTree tree = treeOf(boxes);
+    PairVisitor angry =
+        (a, b) -> {
+          throw new IllegalStateException("enough");
+        };
+    assertThrows(IllegalStateException.class, () -> tree.pairs(angry));
+    assertThrows(IllegalStateException.class, () -> tree.join(tree, angry));
+    assertArrayEquals(oracle(boxes), Pairs.of(tree), boxes.toString());
+  }
+
   @ParameterizedTest
   @EnumSource(Layout.class)
   void joinFindsPairsAcrossTwoTrees(Layout layout) {
