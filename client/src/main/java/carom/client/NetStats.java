@@ -1,0 +1,328 @@
+package carom.client;
+
+import java.util.Arrays;
+import org.HdrHistogram.IntCountsHistogram;
+
+/**
+ * How the connection does, in numbers for a net graph, a status line or a test. Written by one
+ * {@link GameClient}; read on its thread.
+ *
+ * <p>Unless it says otherwise a value describes the last few seconds.
+ */
+public final class NetStats {
+  private static final int LOSS_WINDOW = 256;
+  private static final int REORDER_ALLOWANCE = 8;
+  private static final long SECOND = 1_000_000_000L;
+
+  final Series rtt = new Series();
+  final Series snapshotBytes = new Series();
+  final Series gap = new Series();
+  final Series margin = new Series();
+  final Series correction = new Series();
+
+  private final float[] scratch = new float[Series.CAPACITY];
+  private final IntCountsHistogram gapsUs = new IntCountsHistogram(60_000_000L, 2);
+  private final IntCountsHistogram rttUs = new IntCountsHistogram(60_000_000L, 2);
+
+  private boolean sequenced;
+  private int highest;
+  private final boolean[] received = new boolean[LOSS_WINDOW];
+  private int window;
+
+  private long playingSinceNs;
+  private long playedNs;
+  private boolean playing;
+  private long lastSnapshotNs;
+  private long snapshots;
+  private long bytesIn;
+  private long bytesOut;
+  private long playingBytesIn;
+  private long rateSinceNs;
+  private long rateBytesIn;
+  private long rateBytesOut;
+  private long rateSnapshots;
+  private double kbitIn;
+  private double kbitOut;
+  private double snapshotRate;
+
+  private long compared;
+  private long exact;
+  private long corrections;
+  private double correctionMetres;
+  private double largestCorrection;
+  double interpolationDelayMs;
+  double jitterMs;
+  double targetMargin;
+  double clockSpeed = 1;
+  int malformed;
+  int reconnects;
+
+  NetStats() {}
+
+  // ---- written by the client
+
+  void bytesIn(int bytes) {
+    bytesIn += bytes;
+    if (playing) {
+      playingBytesIn += bytes;
+    }
+  }
+
+  void bytesOut(int bytes) {
+    bytesOut += bytes;
+  }
+
+  void playing(boolean now, long nowNs) {
+    if (now && !playing) {
+      playingSinceNs = nowNs;
+      lastSnapshotNs = 0;
+      sequenced = false;
+      window = 0;
+    } else if (!now && playing) {
+      playedNs += nowNs - playingSinceNs;
+    }
+    playing = now;
+  }
+
+  void datagram(int sequence, int bytes) {
+    snapshotBytes.add(bytes);
+    if (!sequenced) {
+      sequenced = true;
+      highest = sequence;
+      window = 1;
+      Arrays.fill(received, false);
+      received[sequence & (LOSS_WINDOW - 1)] = true;
+      return;
+    }
+    int ahead = (short) (sequence - highest);
+    if (ahead > LOSS_WINDOW) {
+      sequenced = false;
+      datagram(sequence, 0);
+      return;
+    }
+    for (int i = 1; i <= ahead; i++) {
+      received[(highest + i) & (LOSS_WINDOW - 1)] = false;
+    }
+    if (ahead > 0) {
+      highest = sequence;
+      window = Math.min(LOSS_WINDOW, window + ahead);
+    }
+    if (ahead > -LOSS_WINDOW) {
+      received[sequence & (LOSS_WINDOW - 1)] = true;
+    }
+  }
+
+  /** A snapshot of a new tick arrived. */
+  void snapshot(long nowNs) {
+    snapshots++;
+    if (lastSnapshotNs != 0) {
+      long gapNs = Math.max(0, nowNs - lastSnapshotNs);
+      gap.add(gapNs / 1e6f);
+      gapsUs.recordValue(Math.min(60_000_000L, gapNs / 1_000));
+    }
+    lastSnapshotNs = nowNs;
+  }
+
+  void roundTrip(double ms) {
+    rtt.add((float) ms);
+    rttUs.recordValue((long) Math.max(0, Math.min(60_000_000.0, ms * 1_000)));
+  }
+
+  void compared(boolean same) {
+    compared++;
+    if (same) {
+      exact++;
+    }
+  }
+
+  void corrected(double metres) {
+    corrections++;
+    correctionMetres += metres;
+    largestCorrection = Math.max(largestCorrection, metres);
+  }
+
+  void roll(long nowNs) {
+    if (rateSinceNs == 0) {
+      rateSinceNs = nowNs;
+    }
+    long elapsed = nowNs - rateSinceNs;
+    if (elapsed >= SECOND) {
+      double seconds = elapsed / 1e9;
+      kbitIn = (bytesIn - rateBytesIn) * 8 / 1_000.0 / seconds;
+      kbitOut = (bytesOut - rateBytesOut) * 8 / 1_000.0 / seconds;
+      snapshotRate = (snapshots - rateSnapshots) / seconds;
+      rateSinceNs = nowNs;
+      rateBytesIn = bytesIn;
+      rateBytesOut = bytesOut;
+      rateSnapshots = snapshots;
+    }
+  }
+
+  // ---- read by everybody
+
+  /** Median round trip, milliseconds; what the server held an input back is not counted. */
+  public double rttMs() {
+    return rtt.percentile(0.5, scratch);
+  }
+
+  /** Median round trip since the client was created, milliseconds. */
+  public double rttP50Ms() {
+    return rttUs.getTotalCount() == 0 ? 0 : rttUs.getValueAtPercentile(50) / 1_000.0;
+  }
+
+  /** Lateness of snapshots that 95 % stay below, milliseconds. */
+  public double jitterMs() {
+    return jitterMs;
+  }
+
+  /** Snapshot datagrams lost, percent of the last {@value #LOSS_WINDOW}. */
+  public double lossPercent() {
+    int considered = window - REORDER_ALLOWANCE;
+    if (considered <= 0) {
+      return 0;
+    }
+    int lost = 0;
+    for (int i = 0; i < considered; i++) {
+      if (!received[(highest - REORDER_ALLOWANCE - i) & (LOSS_WINDOW - 1)]) {
+        lost++;
+      }
+    }
+    return 100.0 * lost / considered;
+  }
+
+  /** Mean size of a snapshot datagram, bytes. */
+  public double snapshotBytes() {
+    return snapshotBytes.mean();
+  }
+
+  /** Snapshots (ticks, not datagrams) received in the last second. */
+  public double snapshotsPerSecond() {
+    return snapshotRate;
+  }
+
+  /** Snapshots received since the client was created. */
+  public long snapshots() {
+    return snapshots;
+  }
+
+  /** Seconds in which the client was playing. */
+  public double playedSeconds(long nowNs) {
+    return (playedNs + (playing ? nowNs - playingSinceNs : 0)) / 1e9;
+  }
+
+  /** Payload received while playing, bytes: datagrams and reliable messages. */
+  public long playingBytesIn() {
+    return playingBytesIn;
+  }
+
+  /** Time between snapshots that 99 % stay below, milliseconds, since the client was created. */
+  public double gapP99Ms() {
+    return gapsUs.getTotalCount() == 0 ? 0 : gapsUs.getValueAtPercentile(99) / 1_000.0;
+  }
+
+  /** Inputs that waited at the server when it consumed one, in ticks; negative = too late. */
+  public double inputMargin() {
+    return margin.newest();
+  }
+
+  /** Input margin the clock aims at, in ticks. */
+  public double targetMargin() {
+    return targetMargin;
+  }
+
+  /** Speed of the client's clock; 1 = the server's. */
+  public double clockSpeed() {
+    return clockSpeed;
+  }
+
+  /** How far in the past others are drawn, milliseconds. */
+  public double interpolationDelayMs() {
+    return interpolationDelayMs;
+  }
+
+  /** Predictions of the own body that were corrected, per minute of play. */
+  public double correctionsPerMinute(long nowNs) {
+    double seconds = playedSeconds(nowNs);
+    return seconds <= 0 ? 0 : corrections * 60 / seconds;
+  }
+
+  /** Predictions of the own body that were corrected, since the client was created. */
+  public long corrections() {
+    return corrections;
+  }
+
+  /** Mean distance by which the own body was corrected, metres. */
+  public double correctionMeanMetres() {
+    return corrections == 0 ? 0 : correctionMetres / corrections;
+  }
+
+  /** Largest distance by which the own body was corrected, metres. */
+  public double correctionMaxMetres() {
+    return largestCorrection;
+  }
+
+  /** Share of compared predictions of the own body that were right in every bit, 0..1. */
+  public double exactRate() {
+    return compared == 0 ? 1 : (double) exact / compared;
+  }
+
+  /** Predictions of the own body compared with the server's state. */
+  public long compared() {
+    return compared;
+  }
+
+  /** Payload received, kbit/s in the last second. */
+  public double kbitInPerSecond() {
+    return kbitIn;
+  }
+
+  /** Payload sent, kbit/s in the last second. */
+  public double kbitOutPerSecond() {
+    return kbitOut;
+  }
+
+  /** Payload bytes received since the client was created. */
+  public long bytesIn() {
+    return bytesIn;
+  }
+
+  /** Payload bytes sent since the client was created. */
+  public long bytesOut() {
+    return bytesOut;
+  }
+
+  /** Datagrams that could not be decoded. */
+  public int malformed() {
+    return malformed;
+  }
+
+  /** Times the link was lost and came back. */
+  public int reconnects() {
+    return reconnects;
+  }
+
+  /** Round trips, milliseconds. */
+  public Series rttSeries() {
+    return rtt;
+  }
+
+  /** Sizes of snapshot datagrams, bytes. */
+  public Series snapshotBytesSeries() {
+    return snapshotBytes;
+  }
+
+  /** Times between snapshots, milliseconds. */
+  public Series gapSeries() {
+    return gap;
+  }
+
+  /** Input margins, ticks. */
+  public Series marginSeries() {
+    return margin;
+  }
+
+  /** Distances by which the own body was corrected, metres, one value per snapshot; 0 = exact. */
+  public Series correctionSeries() {
+    return correction;
+  }
+}

@@ -1,0 +1,192 @@
+package carom.client.clock;
+
+import java.util.Arrays;
+
+/**
+ * The moment of the server's past that is drawn: late enough that the snapshots around it have
+ * almost surely arrived, and no later.
+ *
+ * <p>Each snapshot of tick {@code T} that arrives at time {@code t} is one sample of the line
+ * {@code T = rate t + offset}. The clock follows the mean of that line, minus a delay made of
+ *
+ * <ul>
+ *   <li>the lateness that 95 % of the snapshots stay below (measured jitter),
+ *   <li>one send interval to have two states to draw between,
+ *   <li>one more for each consecutive loss worth surviving at the measured loss rate (one when the
+ *       line is clean, two above 1 %, three above 8 %).
+ * </ul>
+ *
+ * Changes of the line or the delay bend the speed by at most a tenth; only a gap too large for that
+ * jumps. Not thread-safe; allocates nothing after construction.
+ */
+public final class RenderClock {
+  private static final int WINDOW = 64;
+  private static final int LONGEST_INTERVAL = 15;
+  private static final double MAX_BEND = 0.1;
+  private static final double SETTLE_SECONDS = 0.25;
+  private static final double JUMP_SECONDS = 0.4;
+  private static final double MAX_DELAY_SECONDS = 0.5;
+
+  private final double ticksPerNs;
+  private final int tickRate;
+  private final double[] offsets = new double[WINDOW];
+  private final double[] sorted = new double[WINDOW];
+  private final float[] intervalWeight = new float[LONGEST_INTERVAL + 1];
+
+  private boolean started;
+  private long originNs;
+  private long nowNs;
+  private int newest;
+  private int samples;
+  private double mean;
+  private double lateness;
+  private double loss;
+  private int interval = 1;
+  private double position;
+
+  /**
+   * Creates a stopped clock; the first snapshot starts it.
+   *
+   * @param tickRate the server's ticks per second, at least 1
+   */
+  public RenderClock(int tickRate) {
+    if (tickRate < 1) {
+      throw new IllegalArgumentException("tickRate=" + tickRate + " must be at least 1");
+    }
+    this.tickRate = tickRate;
+    this.ticksPerNs = tickRate / 1e9;
+  }
+
+  /** Forgets everything; the next snapshot starts it again. */
+  public void reset() {
+    started = false;
+    samples = 0;
+    interval = 1;
+    lateness = 0;
+    loss = 0;
+    Arrays.fill(intervalWeight, 0);
+  }
+
+  /**
+   * Notes the arrival of a snapshot: call once per tick, for its first datagram.
+   *
+   * @param tick server tick of the snapshot
+   * @param arrivalNs when it came
+   */
+  public void snapshot(int tick, long arrivalNs) {
+    if (!started) {
+      started = true;
+      originNs = arrivalNs;
+      nowNs = arrivalNs;
+      newest = tick;
+      mean = tick;
+      offsets[0] = tick;
+      samples = 1;
+      position = tick - delayTicks();
+      return;
+    }
+    double offset = tick - (arrivalNs - originNs) * ticksPerNs;
+    if (Math.abs(offset - mean) > JUMP_SECONDS * tickRate && tick > newest) {
+      restart(tick, arrivalNs);
+      return;
+    }
+    offsets[samples % WINDOW] = offset;
+    samples++;
+    mean += Math.max(0.04, 1.0 / samples) * (offset - mean);
+    if (samples % 8 == 0 || samples < 8) {
+      int count = Math.min(samples, WINDOW);
+      System.arraycopy(offsets, 0, sorted, 0, count);
+      Arrays.sort(sorted, 0, count);
+      lateness = Math.max(0, mean - sorted[(int) (count * 0.05)]);
+    }
+    if (tick > newest) {
+      noteInterval(tick - newest);
+      newest = tick;
+    }
+  }
+
+  /** After a blackout or a stall of the server the old line is worth nothing. */
+  private void restart(int tick, long arrivalNs) {
+    originNs = arrivalNs;
+    mean = tick;
+    Arrays.fill(offsets, tick);
+    samples = 1;
+    newest = tick;
+  }
+
+  private void noteInterval(int gap) {
+    if (gap > LONGEST_INTERVAL) {
+      return;
+    }
+    int best = 1;
+    for (int i = 1; i <= LONGEST_INTERVAL; i++) {
+      intervalWeight[i] = intervalWeight[i] * 0.95f + (i == gap ? 1 : 0);
+      if (intervalWeight[i] > intervalWeight[best]) {
+        best = i;
+      }
+    }
+    interval = best;
+  }
+
+  /**
+   * Tells the clock how much is lost.
+   *
+   * @param fraction lost datagrams, 0..1
+   */
+  public void loss(double fraction) {
+    loss = fraction;
+  }
+
+  /**
+   * Moves to the present.
+   *
+   * @param nowNs the present; earlier than before counts as no time passed
+   */
+  public void advance(long nowNs) {
+    if (!started) {
+      return;
+    }
+    long elapsed = Math.max(0, nowNs - this.nowNs);
+    this.nowNs = Math.max(nowNs, this.nowNs);
+    double goal = (this.nowNs - originNs) * ticksPerNs + mean - delayTicks();
+    double step = elapsed * ticksPerNs;
+    double error = goal - (position + step);
+    if (Math.abs(error) > JUMP_SECONDS * tickRate) {
+      position = goal;
+      return;
+    }
+    double bend = error / (SETTLE_SECONDS * tickRate);
+    position += step * (1 + Math.max(-MAX_BEND, Math.min(MAX_BEND, bend)));
+  }
+
+  /** True once a snapshot came. */
+  public boolean started() {
+    return started;
+  }
+
+  /** The tick to draw, with its fraction. */
+  public double tick() {
+    return position;
+  }
+
+  /** Newest tick a snapshot was noted for. */
+  public int newestTick() {
+    return newest;
+  }
+
+  /** Ticks between the server's snapshots, as observed most often. */
+  public int intervalTicks() {
+    return interval;
+  }
+
+  /** Interpolation delay aimed at, in ticks behind the mean arrival. */
+  public double delayTicks() {
+    int survive = loss > 0.08 ? 3 : loss > 0.01 ? 2 : 1;
+    return Math.min(MAX_DELAY_SECONDS * tickRate, interval * (1 + survive) + lateness);
+  }
+
+  /** Lateness that 95 % of the snapshots stay below, in milliseconds. */
+  public double jitterMs() {
+    return lateness / tickRate * 1000;
+  }
+}

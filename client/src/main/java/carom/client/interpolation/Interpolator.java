@@ -1,0 +1,147 @@
+package carom.client.interpolation;
+
+/**
+ * Draws a smooth way through the states that arrived.
+ *
+ * <ul>
+ *   <li>Between two states: the cubic Hermite curve through both positions with both velocities. It
+ *       is exact for constant velocity and constant acceleration, and has no corners at the states.
+ *   <li>Where the curve would swing out, because a velocity and the way don't belong together (a
+ *       bounce in between), the straight line.
+ *   <li>A state that needs a speed far above both velocities is a teleport: the old place until its
+ *       tick, then the new one. Nothing slides across the screen.
+ *   <li>After the newest state: straight on for {@value #EXTRAPOLATION_MS} ms at most, then
+ *       standing still. Longer guesses run through walls.
+ *   <li>Before the first state there is nothing: an entity exists on screen from the tick on at
+ *       which it existed on the server, and is gone from the tick on at which it was gone there.
+ * </ul>
+ *
+ * Stateless but for its settings; one thread.
+ */
+public final class Interpolator {
+  /** Longest guess beyond the newest state, milliseconds. */
+  public static final int EXTRAPOLATION_MS = 150;
+
+  /** A jump is a teleport when longer than this many times what the velocities explain. */
+  private static final float TELEPORT_FACTOR = 3;
+
+  /** Metres always allowed without being a teleport. */
+  private static final float TELEPORT_METRES = 1;
+
+  private final float tickSeconds;
+  private final double extrapolationTicks;
+
+  /**
+   * Creates an interpolator.
+   *
+   * @param tickRate the server's ticks per second, at least 1
+   */
+  public Interpolator(int tickRate) {
+    tickSeconds = 1f / tickRate;
+    extrapolationTicks = EXTRAPOLATION_MS * 1e-3 * tickRate;
+  }
+
+  /**
+   * Where the slot's entity was.
+   *
+   * @param states what is known
+   * @param renderTick moment to draw, in ticks of the server
+   * @param out receives the pose; unchanged when the answer is negative
+   * @return index of the state the entity was last in at that moment, or -1 when it did not exist
+   *     then
+   */
+  public int sample(States states, double renderTick, Pose out) {
+    int size = states.size();
+    int from = 0;
+    while (from < size && states.tick(from) > renderTick) {
+      from++;
+    }
+    if (from == size || !states.alive(from)) {
+      return -1;
+    }
+    int to = from - 1;
+    if (to < 0
+        || !states.alive(to)
+        || states.generation(to) != states.generation(from)
+        || teleports(states, from, to)) {
+      double ahead = to < 0 ? renderTick - states.tick(from) : 0;
+      extrapolate(states, from, Math.min(ahead, extrapolationTicks), out);
+      return from;
+    }
+    hermite(states, from, to, renderTick, out);
+    return from;
+  }
+
+  private boolean teleports(States states, int from, int to) {
+    float seconds = (states.tick(to) - states.tick(from)) * tickSeconds;
+    float fastest =
+        Math.max(length(states.vx(from), states.vy(from)), length(states.vx(to), states.vy(to)));
+    float way = length(states.x(to) - states.x(from), states.y(to) - states.y(from));
+    return way > TELEPORT_METRES + TELEPORT_FACTOR * fastest * seconds;
+  }
+
+  private void extrapolate(States states, int index, double ticks, Pose out) {
+    float seconds = (float) (ticks * tickSeconds);
+    float vx = states.vx(index);
+    float vy = states.vy(index);
+    float omega = states.omega(index);
+    out.set(
+        states.x(index) + vx * seconds,
+        states.y(index) + vy * seconds,
+        states.angle(index) + omega * seconds,
+        vx,
+        vy,
+        omega);
+  }
+
+  private void hermite(States states, int from, int to, double renderTick, Pose out) {
+    int ticks = states.tick(to) - states.tick(from);
+    float seconds = ticks * tickSeconds;
+    float t = (float) ((renderTick - states.tick(from)) / ticks);
+    float x0 = states.x(from);
+    float y0 = states.y(from);
+    float vx0 = states.vx(from);
+    float vy0 = states.vy(from);
+    float vx1 = states.vx(to);
+    float vy1 = states.vy(to);
+    float dx = states.x(to) - x0;
+    float dy = states.y(to) - y0;
+    // A velocity that differs from the mean one by more than twice its size belongs to another
+    // movement than the way; slowly moving, coarsely quantised bodies get some slack.
+    float slack = 0.05f + 2 * length(dx, dy) / seconds;
+    if (length(vx0 - dx / seconds, vy0 - dy / seconds) > slack
+        || length(vx1 - dx / seconds, vy1 - dy / seconds) > slack) {
+      out.x = x0 + dx * t;
+      out.y = y0 + dy * t;
+      out.vx = dx / seconds;
+      out.vy = dy / seconds;
+    } else {
+      out.x = x0 + curve(t, dx, vx0 * seconds, vx1 * seconds);
+      out.y = y0 + curve(t, dy, vy0 * seconds, vy1 * seconds);
+      out.vx = vx0 + (vx1 - vx0) * t;
+      out.vy = vy0 + (vy1 - vy0) * t;
+    }
+    float omega0 = states.omega(from);
+    float omega1 = states.omega(to);
+    float angle0 = states.angle(from);
+    // Angles are known modulo a turn: of all ways, the one nearest to what the spin explains.
+    float spun = (omega0 + omega1) * 0.5f * seconds;
+    float turn = spun + Pose.wrap(states.angle(to) - angle0 - spun);
+    if (Math.abs(omega0 * seconds - turn) > 0.1f + 2 * Math.abs(turn)
+        || Math.abs(omega1 * seconds - turn) > 0.1f + 2 * Math.abs(turn)) {
+      out.angle = angle0 + turn * t;
+    } else {
+      out.angle = angle0 + curve(t, turn, omega0 * seconds, omega1 * seconds);
+    }
+    out.omega = omega0 + (omega1 - omega0) * t;
+  }
+
+  /** Cubic with value 0 and slope {@code m0} at 0, value {@code d} and slope {@code m1} at 1. */
+  private static float curve(float t, float d, float m0, float m1) {
+    return t * (m0 + t * (3 * d - 2 * m0 - m1 + t * (m0 + m1 - 2 * d)));
+  }
+
+  private static float length(float x, float y) {
+    return (float) Math.sqrt(x * x + y * y);
+  }
+}
