@@ -21,9 +21,6 @@ final class RecordCodec {
   /** Answer of {@link #readSlot} at the end of the records. */
   static final int END = -1;
 
-  /** Answer of {@link #readSlot} when no encoder would have written this. */
-  static final int INVALID = -2;
-
   static final int END_BITS = 4;
 
   /** No record is shorter: next slot, delta, same age, as predicted. */
@@ -43,14 +40,14 @@ final class RecordCodec {
 
   private RecordCodec() {}
 
-  /** Slots ascend within a datagram; {@code previous} is -1 before the first. */
+  /** Slots mostly ascend within a datagram; {@code previous} is -1 before the first. */
   static void writeSlot(BitWriter w, int previous, int slot) {
     int gap = slot - previous - 1;
     if (gap == 0) {
       w.write(0, 1);
-    } else if (gap <= 1 << GAP_1_BITS) {
+    } else if (gap > 0 && gap <= 1 << GAP_1_BITS) {
       w.write(0b01 | (gap - 1) << 2, 2 + GAP_1_BITS);
-    } else if (gap <= (1 << GAP_1_BITS) + (1 << GAP_2_BITS)) {
+    } else if (gap > 0 && gap <= (1 << GAP_1_BITS) + (1 << GAP_2_BITS)) {
       w.write(0b011 | (gap - 1 - (1 << GAP_1_BITS)) << 3, 3 + GAP_2_BITS);
     } else {
       w.write(0b0111 | slot << 4, 4 + SLOT_BITS);
@@ -71,11 +68,7 @@ final class RecordCodec {
     if (!r.readBit()) {
       return previous + 2 + (1 << GAP_1_BITS) + r.read(GAP_2_BITS);
     }
-    if (r.readBit()) {
-      return END;
-    }
-    int slot = r.read(SLOT_BITS);
-    return slot > previous ? slot : INVALID;
+    return r.readBit() ? END : r.read(SLOT_BITS);
   }
 
   static void writeKind(BitWriter w, int kind) {

@@ -140,7 +140,7 @@ public final class SnapshotDecoder {
     int age = 0;
     int slot = -1;
     while ((slot = RecordCodec.readSlot(r, slot)) != RecordCodec.END) {
-      if (slot < 0 || slot >= capacity || count == MAX_RECORDS || r.failed()) {
+      if (slot >= capacity || count == MAX_RECORDS || r.failed()) {
         return DecodeStatus.DAMAGED;
       }
       int kind = RecordCodec.readKind(r);
@@ -270,7 +270,7 @@ public final class SnapshotDecoder {
     return touched;
   }
 
-  /** Slot of a record of the last decoded datagram, ascending; index 0..touchedCount - 1. */
+  /** Slot of a record of the last decoded datagram; index 0..touchedCount - 1. */
   public int touchedSlot(int index) {
     if (index < 0 || index >= touched) {
       throw new IndexOutOfBoundsException("index=" + index + " is outside 0.." + (touched - 1));

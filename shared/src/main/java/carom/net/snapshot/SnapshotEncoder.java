@@ -68,6 +68,9 @@ public final class SnapshotEncoder {
   private boolean first;
   private int budget;
   private int cursor;
+  private int startSlot;
+  private int resumeSlot;
+  private boolean wrapped;
   private int waiting;
   private int previousAge;
 
@@ -193,7 +196,9 @@ public final class SnapshotEncoder {
       chooseLongestWaiting(budgetBytes);
     }
     budget = budgetBytes;
-    cursor = 0;
+    startSlot = resumeSlot;
+    cursor = startSlot;
+    wrapped = false;
     first = true;
   }
 
@@ -299,7 +304,7 @@ public final class SnapshotEncoder {
    * @return its length, or 0 when there is nothing more to send this tick
    */
   public int next(byte[] out) {
-    int slot = frame == null ? -1 : nextBit(chosen, cursor);
+    int slot = frame == null ? -1 : nextChosen(cursor);
     if (!first && (slot < 0 || budget < MIN_FURTHER_BYTES)) {
       frame = null;
       return 0;
@@ -325,7 +330,7 @@ public final class SnapshotEncoder {
       forced[slot >> 6] &= ~(1L << slot);
       waiting--;
       previous = slot;
-      slot = nextBit(chosen, slot + 1);
+      slot = nextChosen(slot + 1);
     }
     RecordCodec.writeEnd(w);
     int length = w.bytes();
@@ -333,9 +338,28 @@ public final class SnapshotEncoder {
     out[0] = (byte) check;
     out[1] = (byte) (check >>> 8);
     cursor = slot < 0 ? Integer.MAX_VALUE : slot;
+    resumeSlot = Math.max(slot, 0);
     budget -= length;
     first = false;
     return length;
+  }
+
+  /**
+   * The next chosen slot from a place on. A tick begins with the slot at which the budget cut the
+   * one before: if the order were always the same, it would always be the same slots that are cut.
+   */
+  private int nextChosen(int from) {
+    int begin = from;
+    if (!wrapped) {
+      int slot = nextBit(chosen, begin);
+      if (slot >= 0) {
+        return slot;
+      }
+      wrapped = true;
+      begin = 0;
+    }
+    int slot = nextBit(chosen, begin);
+    return slot < startSlot ? slot : -1;
   }
 
   private void writeHeader(BitWriter w, int sequence, boolean withOwn) {

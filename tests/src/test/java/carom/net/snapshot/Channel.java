@@ -1,0 +1,202 @@
+package carom.net.snapshot;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * An encoder and a decoder with a bad network between them, tick by tick. Every decoded datagram is
+ * held against the scene: what the client has for a slot and tick must be exactly what the server
+ * had.
+ */
+final class Channel {
+
+  static final int KEY = 0x5eed1234;
+
+  private record Delayed(int atTick, byte[] bytes, int ackSequence, long ackBits) {}
+
+  final Scene scene;
+  final SnapshotEncoder encoder;
+  SnapshotDecoder decoder;
+  final Dice dice;
+  final String name;
+  double lossPercent;
+  double duplicatePercent;
+  double reorderPercent;
+  double damagePercent;
+  int latencyTicks = 3;
+  int jitterTicks;
+  int budget = Integer.MAX_VALUE;
+  boolean withOwn = true;
+  boolean alwaysConsumed;
+
+  final int[] statuses = new int[DecodeStatus.values().length];
+  long datagrams;
+  long bytes;
+  long records;
+  int maxBytesPerTick;
+  int maxWaiting;
+
+  private final List<Delayed> down = new ArrayList<>();
+  private final List<Delayed> up = new ArrayList<>();
+  private final byte[] buffer = new byte[SnapshotEncoder.MAX_DATAGRAM_BYTES];
+  private final InputFeedback feedback = new InputFeedback();
+  private final OwnState own = new OwnState();
+  private final OwnState expectedOwn = new OwnState();
+
+  Channel(Scene scene, long seed) {
+    this.scene = scene;
+    dice = new Dice(seed);
+    name = "seed=" + seed;
+    encoder = new SnapshotEncoder(scene.ring, KEY, Scene.TICK_RATE);
+    decoder = new SnapshotDecoder(scene.slots, KEY, scene.firstTick, Scene.TICK_RATE);
+  }
+
+  void tick() {
+    send();
+    deliver();
+    acknowledge();
+  }
+
+  private void send() {
+    feedback.present = scene.tick % 7 != 0;
+    feedback.sequence = scene.tick & 0xffff;
+    feedback.holdMs = scene.tick % 256;
+    feedback.consumedTick = alwaysConsumed || scene.tick % 5 != 0 ? scene.tick : scene.tick - 9;
+    feedback.margin = scene.tick % 64 - 32;
+    Scene.own(scene.tick, own);
+    encoder.begin(feedback, withOwn ? own : null, budget);
+    int sum = 0;
+    for (int n; (n = encoder.next(buffer)) > 0; ) {
+      sum += n;
+      assertTrue(n <= SnapshotEncoder.MAX_DATAGRAM_BYTES, name);
+      datagrams++;
+      byte[] copy = java.util.Arrays.copyOf(buffer, n);
+      if (dice.percent(lossPercent)) {
+        continue;
+      }
+      if (dice.percent(damagePercent)) {
+        copy[dice.below(n)] ^= (byte) (1 << dice.below(8));
+      }
+      down.add(new Delayed(due(), copy, 0, 0));
+      if (dice.percent(duplicatePercent)) {
+        down.add(new Delayed(due(), copy.clone(), 0, 0));
+      }
+    }
+    bytes += sum;
+    maxBytesPerTick = Math.max(maxBytesPerTick, sum);
+    maxWaiting = Math.max(maxWaiting, encoder.waiting());
+  }
+
+  private int due() {
+    int late = dice.percent(reorderPercent) ? dice.below(6) : 0;
+    int jitter = jitterTicks == 0 ? 0 : dice.below(jitterTicks + 1);
+    return scene.tick + latencyTicks + jitter + late;
+  }
+
+  private void deliver() {
+    for (int i = 0; i < down.size(); i++) {
+      if (down.get(i).atTick <= scene.tick) {
+        byte[] datagram = down.remove(i--).bytes;
+        DecodeStatus status = decoder.decode(datagram, 0, datagram.length);
+        statuses[status.ordinal()]++;
+        if (status == DecodeStatus.OK) {
+          check();
+        }
+      }
+    }
+  }
+
+  private void check() {
+    int tick = decoder.tick();
+    records += decoder.touchedCount();
+    for (int i = 0; i < decoder.touchedCount(); i++) {
+      int slot = decoder.touchedSlot(i);
+      EntityHistory history = decoder.history(slot);
+      int index = history.indexAt(tick);
+      assertEquals(tick, history.tick(index), name);
+      checkEntry(slot, history, index);
+      if (index + 1 < history.size()) {
+        checkEntry(slot, history, index + 1);
+      }
+    }
+    if (decoder.feedback().present) {
+      assertEquals(tick & 0xffff, decoder.feedback().sequence, name);
+      assertEquals(tick % 256, decoder.feedback().holdMs, name);
+      boolean consumed = alwaysConsumed || tick % 5 != 0;
+      assertEquals(consumed ? tick : tick - 9, decoder.feedback().consumedTick, name);
+      assertEquals(tick % 64 - 32, decoder.feedback().margin, name);
+    }
+    if (decoder.hasOwn()) {
+      Scene.own(tick, expectedOwn);
+      assertTrue(decoder.own().sameAs(expectedOwn), name + " own state of tick " + tick);
+    }
+  }
+
+  void checkEntry(int slot, EntityHistory history, int index) {
+    int tick = history.tick(index);
+    int[] truth = scene.truth(slot, tick);
+    String where = name + " slot=" + slot + " tick=" + tick;
+    assertEquals(truth != null, history.alive(index), where);
+    if (truth != null) {
+      assertEquals(truth[0], history.generation(index), where);
+      assertEquals(truth[1], history.archetype(index), where);
+      assertEquals(truth[2], history.owner(index), where);
+      assertEquals(truth[3], history.x(index), where);
+      assertEquals(truth[4], history.y(index), where);
+      assertEquals(truth[5], history.angle(index), where);
+      assertEquals(truth[6], history.vx(index), where);
+      assertEquals(truth[7], history.vy(index), where);
+      assertEquals(truth[8], history.omega(index), where);
+    }
+  }
+
+  private void acknowledge() {
+    if (decoder.hasAck() && !dice.percent(lossPercent)) {
+      up.add(new Delayed(due(), null, decoder.ackSequence(), decoder.ackBits()));
+    }
+    for (int i = 0; i < up.size(); i++) {
+      if (up.get(i).atTick <= scene.tick) {
+        Delayed ack = up.remove(i--);
+        encoder.receiveAck(ack.ackSequence, ack.ackBits);
+      }
+    }
+  }
+
+  /** Everything in every history is true. */
+  void checkHistories() {
+    for (int slot = 0; slot < decoder.slotLimit(); slot++) {
+      EntityHistory history = decoder.history(slot);
+      for (int i = 0; history != null && i < history.size(); i++) {
+        checkEntry(slot, history, i);
+        if (i > 0) {
+          assertTrue(history.tick(i) < history.tick(i - 1), name);
+        }
+      }
+    }
+  }
+
+  /** The client shows exactly the world that the server has now. */
+  void checkConverged() {
+    for (int slot = 0; slot < scene.slots; slot++) {
+      EntityHistory history = decoder.history(slot);
+      int[] truth = scene.bodies[slot];
+      if (truth == null) {
+        assertFalse(history != null && history.alive(), name + " ghost in slot " + slot);
+      } else {
+        assertTrue(history != null && history.alive(), name + " nothing in slot " + slot);
+        assertEquals(truth[3], history.x(0), name + " slot=" + slot);
+        assertEquals(truth[4], history.y(0), name + " slot=" + slot);
+        assertEquals(truth[5], history.angle(0), name + " slot=" + slot);
+        assertEquals(truth[0], history.generation(0), name + " slot=" + slot);
+      }
+    }
+  }
+
+  int count(DecodeStatus status) {
+    return statuses[status.ordinal()];
+  }
+}
