@@ -5,6 +5,7 @@ import carom.physics.broadphase.PairVisitor;
 import carom.physics.broadphase.QuadTree;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
+import java.util.Arrays;
 import java.util.Locale;
 
 /**
@@ -131,7 +132,7 @@ public final class BroadphaseBench {
   }
 
   private static double median(double[] values, int count) {
-    java.util.Arrays.sort(values, 0, count);
+    Arrays.sort(values, 0, count);
     return values[count / 2];
   }
 }

@@ -22,7 +22,7 @@ package carom.physics.broadphase;
  *
  * <p><b>Errors.</b> Boxes must be finite with min &lt;= max (and not wider than {@code
  * Float.MAX_VALUE}); updating methods check it and throw IllegalArgumentException with id and
- * values. After such an exception the index must be rebuilt or cleared.
+ * values. A rebuild that fails for a box or an id leaves the index empty.
  */
 public interface SpatialIndex {
   /**

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.physics.broadphase.Boxes.Layout;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -13,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** What holds for every index, checked against brute force written down twice. */
+/** What holds for every index, checked against the definition written down as two loops. */
 class SpatialIndexTest {
   private static final int[] COUNTS = {0, 1, 2, 3, 8, 9, 17, 64, 65, 400};
 
@@ -103,7 +104,7 @@ class SpatialIndexTest {
                       AabbArray all = boxes.array;
                       long[] around =
                           Pairs.query(index, all.minX[a], all.minY[a], all.maxX[a], all.maxY[a]);
-                      assertTrue(java.util.Arrays.binarySearch(around, b) >= 0);
+                      assertTrue(Arrays.binarySearch(around, b) >= 0);
                       visitor.pair(a, b);
                     }));
     assertArrayEquals(outer, nested);
@@ -149,7 +150,7 @@ class SpatialIndexTest {
           assertThrows(
               IllegalArgumentException.class,
               () -> index.rebuild(boxes, new int[] {0, 1, 2}, 3),
-              java.util.Arrays.toString(w));
+              Arrays.toString(w));
       assertTrue(e.getMessage().contains("id=1"), e.getMessage());
       assertTrue(e.getMessage().contains("minX=" + w[0]), e.getMessage());
       assertEquals(0, index.size(), "empty after a failure");
