@@ -9,6 +9,16 @@ import carom.net.transport.Impairment;
  * @param impairment a bad network on purpose; {@code Impairment.NONE} for none
  * @param connectAtOnce whether the server was named: false shows the connect screen first
  * @param seconds leave after this time; 0 = when the player does
+ * @param netGraph whether the window starts with the net graph shown ({@code --net-graph})
+ * @param debug whether the window starts with debug drawing ({@code --debug})
+ * @param screenshot PNG file for the window's last picture, written when {@code seconds} are over
+ *     ({@code --screenshot FILE}); empty = none
  */
 public record ClientOptions(
-    ClientConfig config, Impairment impairment, boolean connectAtOnce, double seconds) {}
+    ClientConfig config,
+    Impairment impairment,
+    boolean connectAtOnce,
+    double seconds,
+    boolean netGraph,
+    boolean debug,
+    String screenshot) {}
