@@ -51,6 +51,18 @@ public final class ResidualCode {
     }
   }
 
+  /** Bits that {@link #write} takes. */
+  public int size(int residual) {
+    int z = Bits.zigzag(residual);
+    if (z < 0 || z >= anyBase) {
+      return 9 + Math.max(1, Bits.width(z - anyBase));
+    }
+    if (z < mediumBase) {
+      return z == 0 ? 1 : 2 + small;
+    }
+    return z < largeBase ? 3 + medium : 4 + large;
+  }
+
   /** Reads a difference. */
   public int read(BitReader r) {
     if (!r.readBit()) {

@@ -12,6 +12,57 @@ final class Motion {
   int vy;
   int omega;
 
+  void set(Motion other) {
+    x = other.x;
+    y = other.y;
+    angle = other.angle;
+    vx = other.vx;
+    vy = other.vy;
+    omega = other.omega;
+  }
+
+  boolean isZero() {
+    return (x | y | angle | vx | vy | omega) == 0;
+  }
+
+  /** Sets this to what {@code actual} differs from the prediction out of {@code baseline}. */
+  void setResidual(Predictor predictor, Motion baseline, Motion actual, int age) {
+    set(baseline);
+    predictor.predictVelocity(this, age);
+    int predictedVx = vx;
+    int predictedVy = vy;
+    int predictedOmega = omega;
+    set(baseline);
+    predictor.predictPose(this, actual.vx, actual.vy, actual.omega, age);
+    vx = actual.vx - predictedVx;
+    vy = actual.vy - predictedVy;
+    omega = actual.omega - predictedOmega;
+    x = actual.x - x;
+    y = actual.y - y;
+    angle = Quantizer.wrapAngle(actual.angle - angle);
+  }
+
+  /** Undoes {@link #setResidual}: turns a baseline into the actual state. */
+  void addResidual(Predictor predictor, Motion residual, int age) {
+    int oldVx = vx;
+    int oldVy = vy;
+    int oldOmega = omega;
+    predictor.predictVelocity(this, age);
+    int newVx = vx + residual.vx;
+    int newVy = vy + residual.vy;
+    int newOmega = omega + residual.omega;
+    vx = oldVx;
+    vy = oldVy;
+    omega = oldOmega;
+    predictor.predictPose(this, newVx, newVy, newOmega, age);
+    vx = newVx;
+    vy = newVy;
+    omega = newOmega;
+    x += residual.x;
+    y += residual.y;
+    angle = (angle + residual.angle) & (Quantizer.ANGLE_STEPS - 1);
+  }
+
   boolean inRange() {
     return within(x, Quantizer.MAX_POSITION)
         && within(y, Quantizer.MAX_POSITION)

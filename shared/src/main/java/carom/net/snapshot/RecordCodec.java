@@ -3,7 +3,6 @@ package carom.net.snapshot;
 import carom.net.codec.BitReader;
 import carom.net.codec.BitWriter;
 import carom.net.codec.Bits;
-import carom.net.codec.Quantizer;
 import carom.net.codec.ResidualCode;
 
 /**
@@ -33,10 +32,37 @@ final class RecordCodec {
   private static final int SLOT_BITS = 16;
   private static final int SHORT_ARCHETYPE_BITS = 6;
 
-  private static final ResidualCode POSITION = new ResidualCode(2, 5, 9);
-  private static final ResidualCode ANGLE = new ResidualCode(1, 4, 9);
-  private static final ResidualCode VELOCITY = new ResidualCode(2, 5, 8);
-  private static final ResidualCode OMEGA = new ResidualCode(2, 5, 8);
+  /** One set of widths for the six residuals. */
+  private record Widths(
+      ResidualCode velocity, ResidualCode omega, ResidualCode position, ResidualCode angle) {
+
+    int size(Motion residual) {
+      return velocity.size(residual.vx)
+          + velocity.size(residual.vy)
+          + omega.size(residual.omega)
+          + position.size(residual.x)
+          + position.size(residual.y)
+          + angle.size(residual.angle);
+    }
+  }
+
+  // Each record takes the cheaper of two sets. Found by clustering the residuals of four made-up
+  // scenes (top-down, bouncing, frictionless,
+  // piled discs; 200 bodies, baseline 100 ms old): one set 41.6 bits a record, two 40.2, four 40.3,
+  // eight 40.4.
+  private static final Widths CALM =
+      new Widths(
+          new ResidualCode(3, 5, 7),
+          new ResidualCode(3, 6, 7),
+          new ResidualCode(1, 6, 10),
+          new ResidualCode(1, 3, 5));
+  private static final Widths HIT =
+      new Widths(
+          new ResidualCode(6, 7, 10),
+          new ResidualCode(6, 6, 8),
+          new ResidualCode(6, 8, 9),
+          new ResidualCode(3, 4, 6));
+  private static final Motion NO_RESIDUAL = new Motion();
 
   private RecordCodec() {}
 
@@ -98,38 +124,34 @@ final class RecordCodec {
     return r.readBit() ? previousAge : r.read(AGE_BITS);
   }
 
-  /** What {@code actual} differs from {@code predicted}. */
-  static void writeMotion(BitWriter w, Motion predicted, Motion actual) {
-    int x = actual.x - predicted.x;
-    int y = actual.y - predicted.y;
-    int angle = Quantizer.wrapAngle(actual.angle - predicted.angle);
-    int vx = actual.vx - predicted.vx;
-    int vy = actual.vy - predicted.vy;
-    int omega = actual.omega - predicted.omega;
-    if ((x | y | angle | vx | vy | omega) == 0) {
-      w.write(0, 1);
+  static void writeResidual(BitWriter w, Motion residual) {
+    w.write(!residual.isZero());
+    if (residual.isZero()) {
       return;
     }
-    w.write(1, 1);
-    POSITION.write(w, x);
-    POSITION.write(w, y);
-    ANGLE.write(w, angle);
-    VELOCITY.write(w, vx);
-    VELOCITY.write(w, vy);
-    OMEGA.write(w, omega);
+    boolean hit = HIT.size(residual) < CALM.size(residual);
+    w.write(hit);
+    Widths widths = hit ? HIT : CALM;
+    widths.velocity.write(w, residual.vx);
+    widths.velocity.write(w, residual.vy);
+    widths.omega.write(w, residual.omega);
+    widths.position.write(w, residual.x);
+    widths.position.write(w, residual.y);
+    widths.angle.write(w, residual.angle);
   }
 
-  /** Turns a prediction into the truth. */
-  static void readMotion(BitReader r, Motion predicted) {
+  static void readResidual(BitReader r, Motion residual) {
     if (!r.readBit()) {
+      residual.set(NO_RESIDUAL);
       return;
     }
-    predicted.x += POSITION.read(r);
-    predicted.y += POSITION.read(r);
-    predicted.angle = (predicted.angle + ANGLE.read(r)) & (Quantizer.ANGLE_STEPS - 1);
-    predicted.vx += VELOCITY.read(r);
-    predicted.vy += VELOCITY.read(r);
-    predicted.omega += OMEGA.read(r);
+    Widths widths = r.readBit() ? HIT : CALM;
+    residual.vx = widths.velocity.read(r);
+    residual.vy = widths.velocity.read(r);
+    residual.omega = widths.omega.read(r);
+    residual.x = widths.position.read(r);
+    residual.y = widths.position.read(r);
+    residual.angle = widths.angle.read(r);
   }
 
   static void writeIdentity(BitWriter w, int generation, int archetype, int owner) {

@@ -150,8 +150,8 @@ public final class SnapshotDecoder {
         if (!baseline(slot, datagramTick - age, age)) {
           return r.failed() || age == 0 ? DecodeStatus.DAMAGED : DecodeStatus.NO_BASELINE;
         }
-        predictor.predict(motion, age);
-        RecordCodec.readMotion(r, motion);
+        RecordCodec.readResidual(r, scratch);
+        motion.addResidual(predictor, scratch, age);
       } else if (kind == RecordCodec.ABSOLUTE) {
         generations[count] = r.read(8);
         archetypes[count] = RecordCodec.readArchetype(r);

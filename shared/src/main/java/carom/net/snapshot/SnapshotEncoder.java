@@ -45,7 +45,8 @@ public final class SnapshotEncoder {
   private final BitWriter writer = new BitWriter();
   private final BitWriter measure = new BitWriter();
   private final byte[] measured = new byte[MAX_RECORD_BYTES + Long.BYTES];
-  private final Motion predicted = new Motion();
+  private final Motion old = new Motion();
+  private final Motion residual = new Motion();
   private final Motion actual = new Motion();
 
   private int[] acked = {};
@@ -391,11 +392,11 @@ public final class SnapshotEncoder {
     frame.motion(slot, actual);
     if (baseline == Baseline.ACKED) {
       int age = frame.tick() - baselineFrame.tick();
-      baselineFrame.motion(slot, predicted);
-      predictor.predict(predicted, age);
+      baselineFrame.motion(slot, old);
+      residual.setResidual(predictor, old, actual, age);
       RecordCodec.writeKind(w, RecordCodec.DELTA);
       RecordCodec.writeAge(w, previousAge, age);
-      RecordCodec.writeMotion(w, predicted, actual);
+      RecordCodec.writeResidual(w, residual);
       previousAge = age;
     } else {
       RecordCodec.writeKind(w, RecordCodec.ABSOLUTE);
