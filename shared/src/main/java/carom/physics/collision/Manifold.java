@@ -1,0 +1,146 @@
+package carom.physics.collision;
+
+/**
+ * Where two convex shapes A and B touch or are about to: one normal and up to two points.
+ *
+ * <p>Points are in world axes but <b>relative to A's transform position</b>, so they stay exact far
+ * from the world's origin and are A's lever arms when A's frame is centred at its mass. A point
+ * lies midway between the two surfaces. Its separation is the distance between the surfaces along
+ * the normal: positive for a gap, negative for overlap.
+ *
+ * <p>An id names the pair of vertices, (vertex of A) * 256 + (vertex of B), from which the point
+ * comes; it stays the same while the same corners stay in touch, whichever shape lends the
+ * reference face, and so carries impulses from tick to tick. The ids of one manifold differ.
+ * Contacts with a circle have one point and id 0. Mutable and reused; only the first {@link #count}
+ * points are meaningful.
+ */
+public final class Manifold {
+  /** X of the unit normal from A to B, world axes; 0 when count is 0. */
+  public float normalX;
+
+  /** Y of the unit normal from A to B, world axes; 0 when count is 0. */
+  public float normalY;
+
+  /** How many points there are: 0 (no contact), 1 or 2. */
+  public int count;
+
+  /** First point, x, metres from A's position. */
+  public float x0;
+
+  /** First point, y, metres from A's position. */
+  public float y0;
+
+  /** First point, separation in metres, negative when overlapping. */
+  public float separation0;
+
+  /** First point, feature id. */
+  public int id0;
+
+  /** Second point, x, metres from A's position. */
+  public float x1;
+
+  /** Second point, y, metres from A's position. */
+  public float y1;
+
+  /** Second point, separation in metres, negative when overlapping. */
+  public float separation1;
+
+  /** Second point, feature id. */
+  public int id1;
+
+  /** Makes an empty manifold. */
+  public Manifold() {}
+
+  /** Forgets everything: no contact. */
+  public void clear() {
+    set(0, 0, 0);
+    setPoint0(0, 0, 0, 0);
+    setPoint1(0, 0, 0, 0);
+  }
+
+  /** Copies {@code m}. Returns this. */
+  public Manifold set(Manifold m) {
+    set(m.normalX, m.normalY, m.count);
+    setPoint0(m.x0, m.y0, m.separation0, m.id0);
+    setPoint1(m.x1, m.y1, m.separation1, m.id1);
+    return this;
+  }
+
+  void set(float normalX, float normalY, int count) {
+    this.normalX = normalX;
+    this.normalY = normalY;
+    this.count = count;
+  }
+
+  void setPoint0(float x, float y, float separation, int id) {
+    x0 = x;
+    y0 = y;
+    separation0 = separation;
+    id0 = id;
+  }
+
+  void setPoint1(float x, float y, float separation, int id) {
+    x1 = x;
+    y1 = y;
+    separation1 = separation;
+    id1 = id;
+  }
+
+  /** Smallest separation of the points, metres; positive infinity when there is none. */
+  public float minSeparation() {
+    if (count == 0) {
+      return Float.POSITIVE_INFINITY;
+    }
+    return count == 1 ? separation0 : Math.min(separation0, separation1);
+  }
+
+  /** The id under which the same point appears when A and B are swapped. */
+  public static int swappedId(int id) {
+    return ((id & 0xff) << 8) | (id >>> 8);
+  }
+
+  /**
+   * X of the one point of collision that stands for the manifold, metres from A's position: the
+   * mean of the overlapping points, weighted by their depth, or the nearest point when none
+   * overlaps. It moves continuously as bodies rock. 0 when count is 0.
+   */
+  public float pointX() {
+    return mix(x0, x1);
+  }
+
+  /** Y of the point of collision, see {@link #pointX()}. */
+  public float pointY() {
+    return mix(y0, y1);
+  }
+
+  private float mix(float first, float second) {
+    if (count < 2) {
+      return count == 0 ? 0 : first;
+    }
+    float depth0 = Math.max(0, -separation0);
+    float depth1 = Math.max(0, -separation1);
+    float depth = depth0 + depth1;
+    if (depth > 0) {
+      return first + (second - first) * (depth1 / depth);
+    }
+    if (separation0 == separation1) {
+      return 0.5f * (first + second);
+    }
+    return separation0 < separation1 ? first : second;
+  }
+
+  @Override
+  public String toString() {
+    StringBuilder text = new StringBuilder("Manifold(count=").append(count);
+    if (count > 0) {
+      text.append(", normal=").append(normalX).append(' ').append(normalY);
+      text.append(", [").append(x0).append(' ').append(y0).append(" separation=");
+      text.append(separation0).append(" id=").append(id0).append(']');
+    }
+    if (count > 1) {
+      text.append(", [").append(x1).append(' ').append(y1).append(" separation=");
+      text.append(separation1).append(" id=").append(id1).append(']');
+    }
+    return text.append(')').toString();
+  }
+}

@@ -1,0 +1,33 @@
+package carom.physics.collision;
+
+/**
+ * A minimum translation vector: the shortest move of shape A, in world axes, that takes it out of
+ * shape B. Reused.
+ */
+public final class Mtv {
+  /** Metres along the world's x axis. */
+  public float x;
+
+  /** Metres along the world's y axis. */
+  public float y;
+
+  /** Makes a zero vector. */
+  public Mtv() {}
+
+  /** Sets both components. Returns this. */
+  public Mtv set(float x, float y) {
+    this.x = x;
+    this.y = y;
+    return this;
+  }
+
+  /** How deep the shapes overlap, metres. */
+  public float length() {
+    return (float) Math.sqrt((double) x * x + (double) y * y);
+  }
+
+  @Override
+  public String toString() {
+    return "Mtv(" + x + ", " + y + ")";
+  }
+}

@@ -1,0 +1,130 @@
+package carom.physics.geometry;
+
+import carom.physics.math.Aabb;
+import carom.physics.math.Transform;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Several convex shapes that move as one: how concave things are built. Nested compounds are
+ * flattened; the order of the parts is kept. Overlapping parts are allowed, and their common area
+ * then weighs as often as it is covered.
+ */
+public final class Compound extends Shape {
+  /** Most parts a compound can have. */
+  public static final int MAX_PARTS = 4096;
+
+  private final List<Convex> parts;
+
+  private Compound(List<Convex> parts) {
+    this.parts = parts;
+  }
+
+  /** Makes a compound of 1 to {@value #MAX_PARTS} parts. */
+  public static Compound of(Shape... shapes) {
+    return of(List.of(shapes));
+  }
+
+  /** Makes a compound of 1 to {@value #MAX_PARTS} parts; the list is copied. */
+  public static Compound of(List<? extends Shape> shapes) {
+    List<Convex> flat = new ArrayList<>(shapes.size());
+    for (Shape shape : shapes) {
+      flat.addAll(shape.parts());
+    }
+    if (flat.isEmpty() || flat.size() > MAX_PARTS) {
+      throw new IllegalArgumentException(
+          "compound parts=" + flat.size() + " must be in 1.." + MAX_PARTS);
+    }
+    return new Compound(List.copyOf(flat));
+  }
+
+  @Override
+  public List<Convex> parts() {
+    return parts;
+  }
+
+  /** Bounds of all parts. Allocates one small box: ask the parts themselves where that matters. */
+  @Override
+  public void aabb(Transform t, Aabb out) {
+    Aabb box = new Aabb();
+    out.setEmpty();
+    for (int i = 0; i < parts.size(); i++) {
+      parts.get(i).aabb(t, box);
+      out.add(box);
+    }
+  }
+
+  @Override
+  public float area() {
+    double area = 0;
+    for (Convex part : parts) {
+      area += part.area();
+    }
+    return (float) area;
+  }
+
+  /**
+   * The parts' masses add up; the centre is their weighted mean; inertias add up after each is
+   * moved to the common centre by the parallel axis theorem (Huygens and Steiner): I' = I + m
+   * d&sup2;.
+   */
+  @Override
+  public MassData mass(float density) {
+    checkDensity(density);
+    double mass = 0;
+    double weight = 0;
+    double momentX = 0;
+    double momentY = 0;
+    for (Convex part : parts) {
+      MassData m = part.mass(density);
+      double area = part.area();
+      mass += m.mass();
+      weight += area;
+      momentX += area * m.centerX();
+      momentY += area * m.centerY();
+    }
+    double centerX = momentX / weight;
+    double centerY = momentY / weight;
+    double inertia = 0;
+    for (Convex part : parts) {
+      MassData m = part.mass(density);
+      double dx = m.centerX() - centerX;
+      double dy = m.centerY() - centerY;
+      inertia += m.inertia() + m.mass() * (dx * dx + dy * dy);
+    }
+    return new MassData((float) mass, (float) centerX, (float) centerY, (float) inertia);
+  }
+
+  @Override
+  public Compound moved(float dx, float dy) {
+    List<Convex> moved = new ArrayList<>(parts.size());
+    for (Convex part : parts) {
+      moved.add(part.moved(dx, dy));
+    }
+    return new Compound(List.copyOf(moved));
+  }
+
+  @Override
+  public boolean containsPoint(float x, float y) {
+    for (int i = 0; i < parts.size(); i++) {
+      if (parts.get(i).containsPoint(x, y)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  @Override
+  public float reach() {
+    float reach = 0;
+    for (int i = 0; i < parts.size(); i++) {
+      reach = Math.max(reach, parts.get(i).reach());
+    }
+    return reach;
+  }
+
+  @Override
+  public String toString() {
+    return "Compound" + parts;
+  }
+}

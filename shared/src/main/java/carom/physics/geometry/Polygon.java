@@ -1,0 +1,284 @@
+package carom.physics.geometry;
+
+import carom.physics.math.Trig;
+import carom.physics.math.Vec2;
+import java.util.Arrays;
+
+/**
+ * A convex polygon: the convex hull of the given points, with 3 to {@value Convex#MAX_VERTICES}
+ * vertices, counter-clockwise.
+ *
+ * <p>The points may come in any order and winding; those inside the hull are dropped. So are points
+ * that would make contacts ill-conditioned: near-duplicates (closer than 1e-4 of the size of the
+ * bounding box) and points nearly on the line through their neighbours (nearer than 1e-5 of it).
+ * Vertex 0 is the leftmost one (of these the lowest).
+ */
+public final class Polygon extends Convex {
+  private static final double DUPLICATE = 1e-4;
+  private static final double COLLINEAR = 1e-5;
+  private static final int MAX_POINTS = 4096;
+
+  private Polygon(float[] vx, float[] vy, float[] nx, float[] ny) {
+    super(vx, vy, nx, ny);
+  }
+
+  /** Makes the hull of 3 or more points, see {@link #of(float...)}. */
+  public static Polygon of(Vec2... points) {
+    float[] xy = new float[2 * points.length];
+    for (int i = 0; i < points.length; i++) {
+      xy[2 * i] = points[i].x();
+      xy[2 * i + 1] = points[i].y();
+    }
+    return of(xy);
+  }
+
+  /**
+   * Makes the hull of 3 or more points, by Andrew's monotone chain (1979).
+   *
+   * @param xy x0, y0, x1, y1, ... in metres
+   * @throws IllegalArgumentException when a coordinate is not a number within {@link
+   *     Shape#MAX_SIZE}, when the hull is thinner than {@link Shape#MIN_SIZE} or has more than
+   *     {@value Convex#MAX_VERTICES} vertices
+   */
+  public static Polygon of(float... xy) {
+    if (xy.length % 2 != 0) {
+      throw new IllegalArgumentException(
+          "polygon coordinates=" + xy.length + " must be even: x and y of each vertex");
+    }
+    int given = xy.length / 2;
+    if (given < 3 || given > MAX_POINTS) {
+      throw new IllegalArgumentException(
+          "polygon vertices=" + given + " must be in 3.." + MAX_POINTS);
+    }
+    Vec2[] points = new Vec2[given];
+    for (int i = 0; i < given; i++) {
+      // Adding 0 turns -0 into 0, which the sort below would tell apart.
+      points[i] =
+          new Vec2(
+              checkCoordinate("polygon x" + i, xy[2 * i]) + 0f,
+              checkCoordinate("polygon y" + i, xy[2 * i + 1]) + 0f);
+    }
+    Vec2[] hull = cleaned(hull(points));
+    if (hull.length > MAX_VERTICES) {
+      throw new IllegalArgumentException(
+          "polygon hull vertices=" + hull.length + " must be <= " + MAX_VERTICES);
+    }
+    return build(hull, given);
+  }
+
+  /**
+   * Makes a regular polygon around the frame's origin with one vertex on the positive x axis.
+   *
+   * @param count vertices, 3 to {@value Convex#MAX_VERTICES}
+   * @param radius distance of the vertices from the origin, metres
+   */
+  public static Polygon regular(int count, float radius) {
+    if (count < 3 || count > MAX_VERTICES) {
+      throw new IllegalArgumentException(
+          "polygon vertices=" + count + " must be in 3.." + MAX_VERTICES);
+    }
+    checkSize("polygon radius", radius);
+    float[] xy = new float[2 * count];
+    for (int i = 0; i < count; i++) {
+      float angleRad = 2 * Trig.PI * i / count;
+      xy[2 * i] = radius * Trig.cos(angleRad);
+      xy[2 * i + 1] = radius * Trig.sin(angleRad);
+    }
+    return of(xy);
+  }
+
+  private static Polygon build(Vec2[] hull, int given) {
+    int n = hull.length;
+    if (n < 3) {
+      throw new IllegalArgumentException(
+          "polygon area=0 must be > 0: the "
+              + given
+              + " vertices are (nearly) on one line or in one point");
+    }
+    float[] vx = new float[n];
+    float[] vy = new float[n];
+    float[] nx = new float[n];
+    float[] ny = new float[n];
+    double width = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < n; i++) {
+      Vec2 p = hull[i];
+      Vec2 q = hull[(i + 1) % n];
+      double ex = (double) q.x() - p.x();
+      double ey = (double) q.y() - p.y();
+      double length = Math.sqrt(ex * ex + ey * ey);
+      double farthest = 0;
+      for (Vec2 v : hull) {
+        double d = (ex * ((double) v.y() - p.y()) - ey * ((double) v.x() - p.x())) / length;
+        farthest = Math.max(farthest, d);
+      }
+      width = Math.min(width, farthest);
+      vx[i] = p.x();
+      vy[i] = p.y();
+      nx[i] = (float) (ey / length);
+      ny[i] = (float) (-ex / length);
+    }
+    checkSize("polygon width", (float) width);
+    return new Polygon(vx, vy, nx, ny);
+  }
+
+  /** The strict convex hull, counter-clockwise, from the leftmost lowest point. */
+  private static Vec2[] hull(Vec2[] points) {
+    Vec2[] sorted = points.clone();
+    Arrays.sort(
+        sorted,
+        (p, q) -> p.x() != q.x() ? Float.compare(p.x(), q.x()) : Float.compare(p.y(), q.y()));
+    int n = sorted.length;
+    Vec2[] chain = new Vec2[2 * n];
+    int k = 0;
+    for (int i = 0; i < n; i++) {
+      while (k >= 2 && turn(chain[k - 2], chain[k - 1], sorted[i]) <= 0) {
+        k--;
+      }
+      chain[k++] = sorted[i];
+    }
+    int lower = k + 1;
+    for (int i = n - 2; i >= 0; i--) {
+      while (k >= lower && turn(chain[k - 2], chain[k - 1], sorted[i]) <= 0) {
+        k--;
+      }
+      chain[k++] = sorted[i];
+    }
+    return Arrays.copyOf(chain, Math.max(1, k - 1));
+  }
+
+  /** Drops near-duplicates and nearly straight corners until none is left. */
+  private static Vec2[] cleaned(Vec2[] hull) {
+    Vec2[] kept = hull.clone();
+    double size = size(kept);
+    int n = kept.length;
+    boolean changed = true;
+    while (changed && n >= 3) {
+      changed = false;
+      for (int i = 0; i < n && n >= 3; i++) {
+        Vec2 before = kept[(i + n - 1) % n];
+        Vec2 p = kept[i];
+        Vec2 after = kept[(i + 1) % n];
+        double chord = distance(before, after);
+        boolean straight = Math.abs(turn(before, p, after)) <= COLLINEAR * size * chord;
+        if (straight || distance(before, p) <= DUPLICATE * size) {
+          System.arraycopy(kept, i + 1, kept, i, n - i - 1);
+          n--;
+          i--;
+          changed = true;
+        }
+      }
+    }
+    return Arrays.copyOf(kept, n);
+  }
+
+  private static double size(Vec2[] points) {
+    double minX = Double.POSITIVE_INFINITY;
+    double minY = Double.POSITIVE_INFINITY;
+    double maxX = Double.NEGATIVE_INFINITY;
+    double maxY = Double.NEGATIVE_INFINITY;
+    for (Vec2 p : points) {
+      minX = Math.min(minX, p.x());
+      minY = Math.min(minY, p.y());
+      maxX = Math.max(maxX, p.x());
+      maxY = Math.max(maxY, p.y());
+    }
+    return Math.max(maxX - minX, maxY - minY);
+  }
+
+  private static double distance(Vec2 p, Vec2 q) {
+    double dx = (double) q.x() - p.x();
+    double dy = (double) q.y() - p.y();
+    return Math.sqrt(dx * dx + dy * dy);
+  }
+
+  /**
+   * Twice the signed area of the triangle, positive for a left turn at q. Differences of floats, so
+   * nearly exact in double.
+   */
+  private static double turn(Vec2 p, Vec2 q, Vec2 r) {
+    double qx = (double) q.x() - p.x();
+    double qy = (double) q.y() - p.y();
+    double rx = (double) r.x() - p.x();
+    double ry = (double) r.y() - p.y();
+    return qx * ry - qy * rx;
+  }
+
+  @Override
+  public float radius() {
+    return 0;
+  }
+
+  @Override
+  public float area() {
+    double twice = 0;
+    for (int i = 1; i < vx.length - 1; i++) {
+      twice += cross(i);
+    }
+    return (float) (0.5 * twice);
+  }
+
+  /**
+   * The shoelace formula and its moments, over the fan of triangles at vertex 0 with edge vectors a
+   * and b: area a x b / 2, centroid (a + b) / 3, second moment about vertex 0 (a x b)(a.a + a.b +
+   * b.b) / 12 (Green's theorem; e.g. Bourke, "Calculating the area and centroid of a polygon", and
+   * its second-moment counterpart). The parallel axis theorem then moves the sum to the centroid.
+   * Coordinates relative to vertex 0 keep far-away polygons accurate.
+   */
+  @Override
+  public MassData mass(float density) {
+    checkDensity(density);
+    double twice = 0;
+    double momentX = 0;
+    double momentY = 0;
+    double second = 0;
+    for (int i = 1; i < vx.length - 1; i++) {
+      double ax = (double) vx[i] - vx[0];
+      double ay = (double) vy[i] - vy[0];
+      double bx = (double) vx[i + 1] - vx[0];
+      double by = (double) vy[i + 1] - vy[0];
+      double cross = cross(i);
+      twice += cross;
+      momentX += cross * (ax + bx);
+      momentY += cross * (ay + by);
+      second += cross * (ax * ax + ay * ay + ax * bx + ay * by + bx * bx + by * by);
+    }
+    double centerX = momentX / (3 * twice);
+    double centerY = momentY / (3 * twice);
+    double area = 0.5 * twice;
+    double inertia = second / 12 - area * (centerX * centerX + centerY * centerY);
+    return new MassData(
+        (float) (density * area),
+        (float) (vx[0] + centerX),
+        (float) (vy[0] + centerY),
+        (float) (density * inertia));
+  }
+
+  /** Twice the area of the triangle of vertex 0 and edge i. */
+  private double cross(int i) {
+    double ax = (double) vx[i] - vx[0];
+    double ay = (double) vy[i] - vy[0];
+    double bx = (double) vx[i + 1] - vx[0];
+    double by = (double) vy[i + 1] - vy[0];
+    return ax * by - ay * bx;
+  }
+
+  @Override
+  public Polygon moved(float dx, float dy) {
+    float[] xs = vx.clone();
+    float[] ys = vy.clone();
+    for (int i = 0; i < xs.length; i++) {
+      xs[i] = checkCoordinate("polygon x" + i, xs[i] + dx);
+      ys[i] = checkCoordinate("polygon y" + i, ys[i] + dy);
+    }
+    return new Polygon(xs, ys, nx, ny);
+  }
+
+  @Override
+  public String toString() {
+    StringBuilder text = new StringBuilder("Polygon(");
+    for (int i = 0; i < vx.length; i++) {
+      text.append(i == 0 ? "" : ", ").append(vx[i]).append(' ').append(vy[i]);
+    }
+    return text.append(')').toString();
+  }
+}

@@ -1,0 +1,109 @@
+package carom.physics.geometry;
+
+import carom.physics.math.Aabb;
+import carom.physics.math.Transform;
+import java.util.List;
+
+/**
+ * A solid region of the plane in its body's frame: one {@link Convex} shape or a {@link Compound}
+ * of several.
+ *
+ * <p>Lengths are metres. Shapes are immutable and validated when made: coordinates are finite and
+ * at most {@link #MAX_SIZE} from the frame's origin, nothing is thinner than {@link #MIN_SIZE};
+ * anything else is refused with an {@link IllegalArgumentException} that names value and limit.
+ * Float arithmetic is good between these bounds, with the usual advice: things of 0.1 to 100 m
+ * behave best.
+ */
+public abstract sealed class Shape permits Convex, Compound {
+  /**
+   * Smallest radius, half extent, or width of a polygon, metres. Below it, contact tolerances would
+   * be larger than shapes.
+   */
+  public static final float MIN_SIZE = 1e-3f;
+
+  /**
+   * Largest radius, half extent, or coordinate, metres. Above it, neighbouring floats are more than
+   * 8 mm apart.
+   */
+  public static final float MAX_SIZE = 1e5f;
+
+  Shape() {}
+
+  /**
+   * The convex pieces this shape consists of, in a fixed order; a convex shape is its own only
+   * part. Unmodifiable; no allocation.
+   */
+  public abstract List<Convex> parts();
+
+  /**
+   * Computes the tight bounding box of this shape in a pose.
+   *
+   * @param t from the shape's frame to the world, read only
+   * @param out receives the box
+   */
+  public abstract void aabb(Transform t, Aabb out);
+
+  /**
+   * The area in m&sup2;, positive. Parts of a compound that overlap count as often as they overlap.
+   */
+  public abstract float area();
+
+  /**
+   * Mass, centre of mass and moment of inertia (about the centre of mass) for a uniform density.
+   * Computed in double precision from exact formulas; allocates the result.
+   *
+   * @param density kg/m&sup2;, finite and not negative; 0 gives mass 0 and the centroid of the area
+   */
+  public abstract MassData mass(float density);
+
+  /**
+   * This shape, translated in its frame. Vertex order, edge order and normals stay as they are, so
+   * feature ids stay too.
+   *
+   * @param dx metres
+   * @param dy metres
+   */
+  public abstract Shape moved(float dx, float dy);
+
+  /** True when the point (x, y) of the shape's own frame is inside or on the border. */
+  public abstract boolean containsPoint(float x, float y);
+
+  /**
+   * True when the world point (x, y) is inside or on the border of this shape in pose {@code t}.
+   */
+  public final boolean containsPoint(Transform t, float x, float y) {
+    return containsPoint(t.localX(x, y), t.localY(x, y));
+  }
+
+  /**
+   * Distance from the frame's origin to the farthest point of the shape, metres: no rotation
+   * reaches beyond.
+   */
+  public abstract float reach();
+
+  static float checkSize(String what, float value) {
+    if (!(value >= MIN_SIZE && value <= MAX_SIZE)) {
+      throw new IllegalArgumentException(
+          what + "=" + value + " must be in " + MIN_SIZE + ".." + MAX_SIZE + " m");
+    }
+    return value;
+  }
+
+  static float checkCoordinate(String what, float value) {
+    if (!(Math.abs(value) <= MAX_SIZE)) {
+      throw new IllegalArgumentException(
+          what + "=" + value + " must be a number in -" + MAX_SIZE + ".." + MAX_SIZE + " m");
+    }
+    return value;
+  }
+
+  static float checkDensity(float density) {
+    if (!(density >= 0 && density <= Float.MAX_VALUE)) {
+      throw new IllegalArgumentException(
+          "density="
+              + density
+              + " must be finite and >= 0 kg/m^2; make the body static for no mass");
+    }
+    return density;
+  }
+}

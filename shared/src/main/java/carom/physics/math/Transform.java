@@ -1,0 +1,123 @@
+package carom.physics.math;
+
+/**
+ * A pose in the plane: where a body's origin is and how the body is turned. Takes points from the
+ * body frame to the world:
+ *
+ * <pre>
+ * worldX = x + cos * px - sin * py
+ * worldY = y + sin * px + cos * py
+ * </pre>
+ *
+ * <p>The rotation is a unit complex number (cos, sin), so turning a point needs no trigonometry.
+ * Whoever writes the fields keeps cos&sup2; + sin&sup2; = 1; {@link #normalize()} repairs the drift
+ * of repeated products. Mutable and reused; not safe for use by several threads.
+ */
+public final class Transform {
+  /** World position of the body origin, metres. */
+  public float x;
+
+  /** World position of the body origin, metres. */
+  public float y;
+
+  /** Cosine of the body's angle. */
+  public float cos = 1;
+
+  /** Sine of the body's angle; exactly 0 (with cos 1) means unrotated. */
+  public float sin;
+
+  /** Makes the identity: at the origin, unrotated. */
+  public Transform() {}
+
+  /** Makes a pose from a position in metres and an angle in radians, see {@link Trig}. */
+  public Transform(float x, float y, float angleRad) {
+    set(x, y, angleRad);
+  }
+
+  /** Sets position (metres) and angle (radians, counter-clockwise). Returns this. */
+  public Transform set(float x, float y, float angleRad) {
+    return set(x, y, Trig.cos(angleRad), Trig.sin(angleRad));
+  }
+
+  /**
+   * Sets position (metres) and rotation as a unit complex number, which is not checked. Returns
+   * this.
+   */
+  public Transform set(float x, float y, float cos, float sin) {
+    this.x = x;
+    this.y = y;
+    this.cos = cos;
+    this.sin = sin;
+    return this;
+  }
+
+  /** Copies {@code t}. Returns this. */
+  public Transform set(Transform t) {
+    return set(t.x, t.y, t.cos, t.sin);
+  }
+
+  /** Becomes the identity. Returns this. */
+  public Transform setIdentity() {
+    return set(0, 0, 1, 0);
+  }
+
+  /**
+   * Scales (cos, sin) back to length one; a rotation of length zero or NaN becomes the identity
+   * rotation.
+   */
+  public void normalize() {
+    double length = Math.sqrt((double) cos * cos + (double) sin * sin);
+    if (length > 0) {
+      cos = (float) (cos / length);
+      sin = (float) (sin / length);
+    } else {
+      cos = 1;
+      sin = 0;
+    }
+  }
+
+  /** The angle in radians, in (-pi, pi]. */
+  public float angle() {
+    return Trig.atan2(sin, cos);
+  }
+
+  /** True when the body axes are the world axes: sin is exactly 0 and cos positive. */
+  public boolean isUnrotated() {
+    return sin == 0 && cos > 0;
+  }
+
+  /** World x of the body-frame point (px, py). */
+  public float worldX(float px, float py) {
+    return x + (cos * px - sin * py);
+  }
+
+  /** World y of the body-frame point (px, py). */
+  public float worldY(float px, float py) {
+    return y + (sin * px + cos * py);
+  }
+
+  /** Body-frame x of the world point (wx, wy). */
+  public float localX(float wx, float wy) {
+    return cos * (wx - x) + sin * (wy - y);
+  }
+
+  /** Body-frame y of the world point (wx, wy). */
+  public float localY(float wx, float wy) {
+    return cos * (wy - y) - sin * (wx - x);
+  }
+
+  /** World x component of the body-frame vector (vx, vy); the position plays no part. */
+  public float rotateX(float vx, float vy) {
+    return cos * vx - sin * vy;
+  }
+
+  /** World y component of the body-frame vector (vx, vy); the position plays no part. */
+  public float rotateY(float vx, float vy) {
+    return sin * vx + cos * vy;
+  }
+
+  @Override
+  public String toString() {
+    return "Transform(x=" + x + ", y=" + y + ", cos=" + cos + ", sin=" + sin + ")";
+  }
+}
