@@ -1,2 +1,13 @@
-/** Placeholder. */
+/**
+ * The dedicated server: one lobby where links become players, one room where they play.
+ *
+ * <p>{@link carom.server.Server} is the server as an object, for tests and for programs that embed
+ * it; {@link carom.server.ServerMain} is the program an operator starts.
+ *
+ * <p>Allowed imports: {@code carom.sim}, {@code carom.game}, {@code carom.net} without codecs, its
+ * own sub-packages, slf4j, the JDK; picocli and logback in {@code ServerMain} only, {@code
+ * carom.net.kryo} in {@code ServerMain} only.
+ *
+ * <p>Read first: {@link carom.server.Server}, {@code Lobby}, {@link carom.server.room.Room}.
+ */
 package carom.server;

@@ -1,0 +1,488 @@
+package carom.server.config;
+
+import java.util.Objects;
+
+/**
+ * Every setting of a server. Immutable; a value outside its range is refused when the record is
+ * built, with a message that names the setting, the value, the limits and where to set it.
+ *
+ * <p>Start from {@link #defaults()} and change single settings with the {@code with...} methods.
+ *
+ * @param gameName name of the game to run; the names are those of {@code carom.game.Games}
+ * @param serverName what players and log lines call this server, 1..40 characters
+ * @param tickRateHz simulation steps per second, 10..240. 60 fits most games; each session costs
+ *     one datagram per tick in both directions
+ * @param seed start of the simulation's random numbers; the same seed and the same inputs give the
+ *     same game
+ * @param maxPlayers seats, 1..256 (the protocol numbers players in 8 bits); one more is refused
+ *     politely
+ * @param handshakeTimeoutMs how long a link may take from its opening to a valid Hello, and how
+ *     long a refused one may linger until its refusal is delivered, 100..60,000
+ * @param loadTimeoutMs how long a player may take from Welcome to Ready, 100..600,000: a slow
+ *     machine on a slow line pulls the level in this time
+ * @param silenceTimeoutMs how long a playing session may stay silent (no datagram, no message)
+ *     until its link counts as lost, 500..60,000
+ * @param graceMs how long the body of a lost player waits for its owner, 0..600,000; 0 removes it
+ *     at once
+ * @param catchUpTicks ticks that may be made good in one burst after a pause, 1..60; what lies
+ *     further behind is dropped and counted, so that a long pause can't snowball
+ * @param inputWindowTicks how far ahead of the newest consumed tick an input may lie, 4..64; inputs
+ *     beyond are refused and counted
+ * @param inputHoldTicks how long the last input is repeated when none arrives, 0..240, until the
+ *     player counts as neutral (half a second at 60 Hz)
+ * @param snapshotRateHz snapshots per second and session while something moves, 1..240, at most one
+ *     per tick
+ * @param keepAliveRateHz datagrams per second and session while nothing is new, 1..60: acks, clock
+ *     and RTT live on them
+ * @param snapshotBytesPerSecond budget of one session's snapshots, 2,000..10,000,000; what does not
+ *     fit waits, oldest first
+ * @param rosterIntervalMs shortest time between two rosters (names and scores), 0..10,000
+ * @param statusIntervalS seconds between two status lines in the log, 0..86,400; 0 = none
+ */
+public record ServerConfig(
+    String gameName,
+    String serverName,
+    int tickRateHz,
+    long seed,
+    int maxPlayers,
+    int handshakeTimeoutMs,
+    int loadTimeoutMs,
+    int silenceTimeoutMs,
+    int graceMs,
+    int catchUpTicks,
+    int inputWindowTicks,
+    int inputHoldTicks,
+    int snapshotRateHz,
+    int keepAliveRateHz,
+    int snapshotBytesPerSecond,
+    int rosterIntervalMs,
+    int statusIntervalS) {
+
+  private static final int MAX_SERVER_NAME = 40;
+
+  /** Checks every setting; throws {@link IllegalArgumentException} for the first bad one. */
+  public ServerConfig {
+    Objects.requireNonNull(gameName, "gameName");
+    Objects.requireNonNull(serverName, "serverName");
+    if (gameName.isBlank()) {
+      throw new IllegalArgumentException("gameName is blank; set the name of a game with --game");
+    }
+    if (serverName.isBlank() || serverName.length() > MAX_SERVER_NAME) {
+      throw new IllegalArgumentException(
+          "serverName=\"%s\" has %d characters, allowed are 1..%d; set it with --name"
+              .formatted(serverName, serverName.strip().length(), MAX_SERVER_NAME));
+    }
+    check("tickRateHz", tickRateHz, 10, 240, "--tick-rate");
+    check("maxPlayers", maxPlayers, 1, 256, "--max-players");
+    check("handshakeTimeoutMs", handshakeTimeoutMs, 100, 60_000, "withHandshakeTimeoutMs");
+    check("loadTimeoutMs", loadTimeoutMs, 100, 600_000, "withLoadTimeoutMs");
+    check("silenceTimeoutMs", silenceTimeoutMs, 500, 60_000, "withSilenceTimeoutMs");
+    check("graceMs", graceMs, 0, 600_000, "--grace");
+    check("catchUpTicks", catchUpTicks, 1, 60, "withCatchUpTicks");
+    check("inputWindowTicks", inputWindowTicks, 4, 64, "withInputWindowTicks");
+    check("inputHoldTicks", inputHoldTicks, 0, 240, "withInputHoldTicks");
+    check("snapshotRateHz", snapshotRateHz, 1, 240, "withSnapshotRateHz");
+    check("keepAliveRateHz", keepAliveRateHz, 1, 60, "withKeepAliveRateHz");
+    check(
+        "snapshotBytesPerSecond",
+        snapshotBytesPerSecond,
+        2_000,
+        10_000_000,
+        "withSnapshotBytesPerSecond");
+    check("rosterIntervalMs", rosterIntervalMs, 0, 10_000, "withRosterIntervalMs");
+    check("statusIntervalS", statusIntervalS, 0, 86_400, "--status-interval");
+  }
+
+  private static void check(String name, int value, int min, int max, String where) {
+    if (value < min || value > max) {
+      throw new IllegalArgumentException(
+          "%s=%d is outside %d..%d; set it with %s".formatted(name, value, min, max, where));
+    }
+  }
+
+  /** The settings of a server that is started without any flag. */
+  public static ServerConfig defaults() {
+    return new ServerConfig(
+        "arena", "Carom", 60, 1, 64, 5_000, 20_000, 5_000, 30_000, 8, 32, 30, 60, 10, 64_000, 250,
+        60);
+  }
+
+  /** Nanoseconds of one tick, rounded down; use a tick loop for exact deadlines. */
+  public long tickNs() {
+    return 1_000_000_000L / tickRateHz;
+  }
+
+  /** A copy that runs the game of this name. */
+  public ServerConfig withGameName(String value) {
+    return new ServerConfig(
+        value,
+        serverName,
+        tickRateHz,
+        seed,
+        maxPlayers,
+        handshakeTimeoutMs,
+        loadTimeoutMs,
+        silenceTimeoutMs,
+        graceMs,
+        catchUpTicks,
+        inputWindowTicks,
+        inputHoldTicks,
+        snapshotRateHz,
+        keepAliveRateHz,
+        snapshotBytesPerSecond,
+        rosterIntervalMs,
+        statusIntervalS);
+  }
+
+  /** A copy with this server name. */
+  public ServerConfig withServerName(String value) {
+    return new ServerConfig(
+        gameName,
+        value,
+        tickRateHz,
+        seed,
+        maxPlayers,
+        handshakeTimeoutMs,
+        loadTimeoutMs,
+        silenceTimeoutMs,
+        graceMs,
+        catchUpTicks,
+        inputWindowTicks,
+        inputHoldTicks,
+        snapshotRateHz,
+        keepAliveRateHz,
+        snapshotBytesPerSecond,
+        rosterIntervalMs,
+        statusIntervalS);
+  }
+
+  /** A copy with this many ticks per second. */
+  public ServerConfig withTickRateHz(int value) {
+    return new ServerConfig(
+        gameName,
+        serverName,
+        value,
+        seed,
+        maxPlayers,
+        handshakeTimeoutMs,
+        loadTimeoutMs,
+        silenceTimeoutMs,
+        graceMs,
+        catchUpTicks,
+        inputWindowTicks,
+        inputHoldTicks,
+        snapshotRateHz,
+        keepAliveRateHz,
+        snapshotBytesPerSecond,
+        rosterIntervalMs,
+        statusIntervalS);
+  }
+
+  /** A copy with this seed. */
+  public ServerConfig withSeed(long value) {
+    return new ServerConfig(
+        gameName,
+        serverName,
+        tickRateHz,
+        value,
+        maxPlayers,
+        handshakeTimeoutMs,
+        loadTimeoutMs,
+        silenceTimeoutMs,
+        graceMs,
+        catchUpTicks,
+        inputWindowTicks,
+        inputHoldTicks,
+        snapshotRateHz,
+        keepAliveRateHz,
+        snapshotBytesPerSecond,
+        rosterIntervalMs,
+        statusIntervalS);
+  }
+
+  /** A copy with this many seats. */
+  public ServerConfig withMaxPlayers(int value) {
+    return new ServerConfig(
+        gameName,
+        serverName,
+        tickRateHz,
+        seed,
+        value,
+        handshakeTimeoutMs,
+        loadTimeoutMs,
+        silenceTimeoutMs,
+        graceMs,
+        catchUpTicks,
+        inputWindowTicks,
+        inputHoldTicks,
+        snapshotRateHz,
+        keepAliveRateHz,
+        snapshotBytesPerSecond,
+        rosterIntervalMs,
+        statusIntervalS);
+  }
+
+  /** A copy with this handshake deadline. */
+  public ServerConfig withHandshakeTimeoutMs(int value) {
+    return new ServerConfig(
+        gameName,
+        serverName,
+        tickRateHz,
+        seed,
+        maxPlayers,
+        value,
+        loadTimeoutMs,
+        silenceTimeoutMs,
+        graceMs,
+        catchUpTicks,
+        inputWindowTicks,
+        inputHoldTicks,
+        snapshotRateHz,
+        keepAliveRateHz,
+        snapshotBytesPerSecond,
+        rosterIntervalMs,
+        statusIntervalS);
+  }
+
+  /** A copy with this loading deadline. */
+  public ServerConfig withLoadTimeoutMs(int value) {
+    return new ServerConfig(
+        gameName,
+        serverName,
+        tickRateHz,
+        seed,
+        maxPlayers,
+        handshakeTimeoutMs,
+        value,
+        silenceTimeoutMs,
+        graceMs,
+        catchUpTicks,
+        inputWindowTicks,
+        inputHoldTicks,
+        snapshotRateHz,
+        keepAliveRateHz,
+        snapshotBytesPerSecond,
+        rosterIntervalMs,
+        statusIntervalS);
+  }
+
+  /** A copy with this silence timeout. */
+  public ServerConfig withSilenceTimeoutMs(int value) {
+    return new ServerConfig(
+        gameName,
+        serverName,
+        tickRateHz,
+        seed,
+        maxPlayers,
+        handshakeTimeoutMs,
+        loadTimeoutMs,
+        value,
+        graceMs,
+        catchUpTicks,
+        inputWindowTicks,
+        inputHoldTicks,
+        snapshotRateHz,
+        keepAliveRateHz,
+        snapshotBytesPerSecond,
+        rosterIntervalMs,
+        statusIntervalS);
+  }
+
+  /** A copy with this grace period. */
+  public ServerConfig withGraceMs(int value) {
+    return new ServerConfig(
+        gameName,
+        serverName,
+        tickRateHz,
+        seed,
+        maxPlayers,
+        handshakeTimeoutMs,
+        loadTimeoutMs,
+        silenceTimeoutMs,
+        value,
+        catchUpTicks,
+        inputWindowTicks,
+        inputHoldTicks,
+        snapshotRateHz,
+        keepAliveRateHz,
+        snapshotBytesPerSecond,
+        rosterIntervalMs,
+        statusIntervalS);
+  }
+
+  /** A copy with this catch-up bound. */
+  public ServerConfig withCatchUpTicks(int value) {
+    return new ServerConfig(
+        gameName,
+        serverName,
+        tickRateHz,
+        seed,
+        maxPlayers,
+        handshakeTimeoutMs,
+        loadTimeoutMs,
+        silenceTimeoutMs,
+        graceMs,
+        value,
+        inputWindowTicks,
+        inputHoldTicks,
+        snapshotRateHz,
+        keepAliveRateHz,
+        snapshotBytesPerSecond,
+        rosterIntervalMs,
+        statusIntervalS);
+  }
+
+  /** A copy with this input window. */
+  public ServerConfig withInputWindowTicks(int value) {
+    return new ServerConfig(
+        gameName,
+        serverName,
+        tickRateHz,
+        seed,
+        maxPlayers,
+        handshakeTimeoutMs,
+        loadTimeoutMs,
+        silenceTimeoutMs,
+        graceMs,
+        catchUpTicks,
+        value,
+        inputHoldTicks,
+        snapshotRateHz,
+        keepAliveRateHz,
+        snapshotBytesPerSecond,
+        rosterIntervalMs,
+        statusIntervalS);
+  }
+
+  /** A copy with this input hold. */
+  public ServerConfig withInputHoldTicks(int value) {
+    return new ServerConfig(
+        gameName,
+        serverName,
+        tickRateHz,
+        seed,
+        maxPlayers,
+        handshakeTimeoutMs,
+        loadTimeoutMs,
+        silenceTimeoutMs,
+        graceMs,
+        catchUpTicks,
+        inputWindowTicks,
+        value,
+        snapshotRateHz,
+        keepAliveRateHz,
+        snapshotBytesPerSecond,
+        rosterIntervalMs,
+        statusIntervalS);
+  }
+
+  /** A copy with this snapshot rate. */
+  public ServerConfig withSnapshotRateHz(int value) {
+    return new ServerConfig(
+        gameName,
+        serverName,
+        tickRateHz,
+        seed,
+        maxPlayers,
+        handshakeTimeoutMs,
+        loadTimeoutMs,
+        silenceTimeoutMs,
+        graceMs,
+        catchUpTicks,
+        inputWindowTicks,
+        inputHoldTicks,
+        value,
+        keepAliveRateHz,
+        snapshotBytesPerSecond,
+        rosterIntervalMs,
+        statusIntervalS);
+  }
+
+  /** A copy with this keep-alive rate. */
+  public ServerConfig withKeepAliveRateHz(int value) {
+    return new ServerConfig(
+        gameName,
+        serverName,
+        tickRateHz,
+        seed,
+        maxPlayers,
+        handshakeTimeoutMs,
+        loadTimeoutMs,
+        silenceTimeoutMs,
+        graceMs,
+        catchUpTicks,
+        inputWindowTicks,
+        inputHoldTicks,
+        snapshotRateHz,
+        value,
+        snapshotBytesPerSecond,
+        rosterIntervalMs,
+        statusIntervalS);
+  }
+
+  /** A copy with this snapshot budget. */
+  public ServerConfig withSnapshotBytesPerSecond(int value) {
+    return new ServerConfig(
+        gameName,
+        serverName,
+        tickRateHz,
+        seed,
+        maxPlayers,
+        handshakeTimeoutMs,
+        loadTimeoutMs,
+        silenceTimeoutMs,
+        graceMs,
+        catchUpTicks,
+        inputWindowTicks,
+        inputHoldTicks,
+        snapshotRateHz,
+        keepAliveRateHz,
+        value,
+        rosterIntervalMs,
+        statusIntervalS);
+  }
+
+  /** A copy with this roster interval. */
+  public ServerConfig withRosterIntervalMs(int value) {
+    return new ServerConfig(
+        gameName,
+        serverName,
+        tickRateHz,
+        seed,
+        maxPlayers,
+        handshakeTimeoutMs,
+        loadTimeoutMs,
+        silenceTimeoutMs,
+        graceMs,
+        catchUpTicks,
+        inputWindowTicks,
+        inputHoldTicks,
+        snapshotRateHz,
+        keepAliveRateHz,
+        snapshotBytesPerSecond,
+        value,
+        statusIntervalS);
+  }
+
+  /** A copy with this status interval. */
+  public ServerConfig withStatusIntervalS(int value) {
+    return new ServerConfig(
+        gameName,
+        serverName,
+        tickRateHz,
+        seed,
+        maxPlayers,
+        handshakeTimeoutMs,
+        loadTimeoutMs,
+        silenceTimeoutMs,
+        graceMs,
+        catchUpTicks,
+        inputWindowTicks,
+        inputHoldTicks,
+        snapshotRateHz,
+        keepAliveRateHz,
+        snapshotBytesPerSecond,
+        rosterIntervalMs,
+        value);
+  }
+}

@@ -1,0 +1,7 @@
+/**
+ * What a server counts: written by the thread that does the work, read by whoever asks.
+ *
+ * <p>Allowed imports: HdrHistogram, the JDK. Read first: {@link carom.server.metrics.Counter},
+ * {@link carom.server.metrics.Counters}.
+ */
+package carom.server.metrics;

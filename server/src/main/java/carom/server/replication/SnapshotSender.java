@@ -1,0 +1,100 @@
+package carom.server.replication;
+
+import carom.net.snapshot.FrameRing;
+import carom.net.snapshot.InputFeedback;
+import carom.net.snapshot.OwnState;
+import carom.net.snapshot.SnapshotEncoder;
+import carom.net.transport.Link;
+import carom.server.config.ServerConfig;
+import carom.server.metrics.Counter;
+import carom.server.metrics.Counters;
+
+/**
+ * Sends one session's snapshots over one link: when (the snapshot rate, or the slower keep-alive
+ * rate while the client has everything) and how much (a token bucket of bytes).
+ *
+ * <p>The room's thread; no allocation after construction.
+ */
+public final class SnapshotSender {
+  /** The bucket's depth: so many full datagrams may leave in one tick after a quiet time. */
+  private static final int BURST_DATAGRAMS = 4;
+
+  private final SnapshotEncoder encoder;
+  private final Counters counters;
+  private final byte[] buffer = new byte[SnapshotEncoder.MAX_DATAGRAM_BYTES];
+  private final int tickRateHz;
+  private final int snapshotRateHz;
+  private final int keepAliveTicks;
+  private final int bytesPerSecond;
+  private final long bucketDepth; // in byte-ticks: bytes times tickRateHz, so that no rest is lost
+  private long bucket;
+  private int rateAccumulator;
+  private int ticksSinceSent;
+
+  /**
+   * Creates the sender for a client that knows nothing.
+   *
+   * @param ring the room's frames
+   * @param datagramKey the key in the session's Welcome
+   */
+  public SnapshotSender(FrameRing ring, int datagramKey, ServerConfig config, Counters counters) {
+    this.encoder = new SnapshotEncoder(ring, datagramKey, config.tickRateHz());
+    this.counters = counters;
+    this.tickRateHz = config.tickRateHz();
+    this.snapshotRateHz = Math.min(config.snapshotRateHz(), tickRateHz);
+    this.keepAliveTicks = Math.max(1, tickRateHz / config.keepAliveRateHz());
+    this.bytesPerSecond = config.snapshotBytesPerSecond();
+    this.bucketDepth = (long) BURST_DATAGRAMS * SnapshotEncoder.MAX_DATAGRAM_BYTES * tickRateHz;
+    this.bucket = bucketDepth;
+    this.rateAccumulator = tickRateHz; // the first tick sends
+    this.ticksSinceSent = keepAliveTicks;
+  }
+
+  /** Takes a client's acks as they are; see {@link SnapshotEncoder#receiveAck}. */
+  public void receiveAck(int ackSequence, long ackBits) {
+    encoder.receiveAck(ackSequence, ackBits);
+  }
+
+  /** Whether {@link #send} may send at this tick; call once per tick, before it. */
+  public boolean isDue(OwnState own) {
+    bucket = Math.min(bucketDepth, bucket + bytesPerSecond);
+    rateAccumulator = Math.min(tickRateHz, rateAccumulator + snapshotRateHz);
+    ticksSinceSent++;
+    if (rateAccumulator < tickRateHz) {
+      return false;
+    }
+    if (ticksSinceSent >= keepAliveTicks) {
+      return true;
+    }
+    return bucket > 0 && !encoder.nothingNew(own); // over budget: fewer datagrams, never none
+  }
+
+  /**
+   * Sends the newest frame, in as many datagrams as the budget allows, at least one.
+   *
+   * @param feedback about the client's inputs
+   * @param own the player's exact state
+   * @return datagrams sent
+   */
+  public int send(Link link, InputFeedback feedback, OwnState own) {
+    rateAccumulator -= tickRateHz;
+    ticksSinceSent = 0;
+    encoder.begin(feedback, own, (int) Math.max(0, bucket / tickRateHz));
+    int datagrams = 0;
+    for (int length; (length = encoder.next(buffer)) > 0; ) {
+      if (!link.sendDatagram(buffer, 0, length)) {
+        counters.add(Counter.DATAGRAMS_UNSENT, 1);
+      }
+      bucket = Math.max(-bucketDepth, bucket - (long) length * tickRateHz);
+      counters.add(Counter.DATAGRAMS_OUT, 1);
+      counters.add(Counter.SNAPSHOT_BYTES, length);
+      datagrams++;
+    }
+    return datagrams;
+  }
+
+  /** The encoder, for inspection. */
+  public SnapshotEncoder encoder() {
+    return encoder;
+  }
+}

@@ -1,0 +1,116 @@
+package carom.server.room;
+
+/**
+ * Says how many ticks are due, at a fixed rate, for a clock that is handed in.
+ *
+ * <p>Deadlines are computed from the start and the count, never from the previous deadline, so that
+ * rounding can't make the rate drift: tick {@code n} is due at {@code start + n / rate}. After a
+ * pause the missing ticks are made good in one burst, but never more than {@code catchUpTicks}; the
+ * rest is dropped: the simulation then simply is that much younger than the wall clock, and clients
+ * follow by their clock sync. Without the bound, a server that is too slow for its rate would fall
+ * behind without end.
+ *
+ * <p>One thread; no allocation.
+ */
+public final class TickLoop {
+  private static final long NS_PER_S = 1_000_000_000L;
+
+  private final int rateHz;
+  private final int catchUpTicks;
+  private final long periodNs;
+  private boolean started;
+  private long startNs;
+  private long scheduled; // ticks handed out or dropped since startNs
+  private long lateTicks;
+  private long droppedTicks;
+  private int droppedNow;
+  private boolean inBurst;
+  private boolean burstBegan;
+
+  /**
+   * @param rateHz ticks per second, at least 1
+   * @param catchUpTicks the most ticks that one call of {@link #due} hands out, at least 1
+   */
+  public TickLoop(int rateHz, int catchUpTicks) {
+    if (rateHz < 1 || catchUpTicks < 1) {
+      throw new IllegalArgumentException(
+          "rateHz=%d and catchUpTicks=%d must be at least 1".formatted(rateHz, catchUpTicks));
+    }
+    this.rateHz = rateHz;
+    this.catchUpTicks = catchUpTicks;
+    this.periodNs = NS_PER_S / rateHz;
+  }
+
+  /**
+   * The number of ticks to run now, 0..catchUpTicks. The first call starts the clock and hands out
+   * nothing; the first tick is due one period later.
+   *
+   * @param nowNs monotonic time in nanoseconds; a value before the previous one hands out nothing
+   */
+  public int due(long nowNs) {
+    droppedNow = 0;
+    burstBegan = false;
+    if (!started) {
+      started = true;
+      startNs = nowNs;
+      return 0;
+    }
+    long elapsedNs = nowNs - startNs;
+    if (elapsedNs < 0) {
+      return 0;
+    }
+    // In two steps: elapsedNs * rateHz would overflow after some months of uptime.
+    long reached =
+        elapsedNs / NS_PER_S * rateHz + (elapsedNs % NS_PER_S * rateHz) / NS_PER_S - scheduled;
+    if (reached <= 0) {
+      return 0;
+    }
+    if (reached > catchUpTicks) {
+      droppedNow = (int) Math.min(Integer.MAX_VALUE, reached - catchUpTicks);
+      droppedTicks += reached - catchUpTicks;
+      burstBegan = !inBurst;
+      inBurst = true;
+    } else if (reached == 1) {
+      inBurst = false;
+    }
+    scheduled += reached;
+    int run = (int) Math.min(reached, catchUpTicks);
+    lateTicks += run - 1;
+    return run;
+  }
+
+  /** When the next tick is due, in the time of {@link #due}; valid after its first call. */
+  public long nextDeadlineNs() {
+    long next = scheduled + 1;
+    // Rounded up, so that a wait until this moment is never a nanosecond short.
+    return startNs + next / rateHz * NS_PER_S + (next % rateHz * NS_PER_S + rateHz - 1) / rateHz;
+  }
+
+  /** Nominal length of a tick in nanoseconds, rounded down. */
+  public long periodNs() {
+    return periodNs;
+  }
+
+  /** Ticks that ran at least one period after their deadline since the start. */
+  public long lateTicks() {
+    return lateTicks;
+  }
+
+  /** Ticks that never ran because the loop was too far behind. */
+  public long droppedTicks() {
+    return droppedTicks;
+  }
+
+  /** Ticks dropped by the latest call of {@link #due}. */
+  public int droppedNow() {
+    return droppedNow;
+  }
+
+  /**
+   * Whether the latest call of {@link #due} dropped the first ticks of a burst: the moment to log
+   * one line. A burst ends with the first call that finds the loop on time again.
+   */
+  public boolean burstBegan() {
+    return burstBegan;
+  }
+}

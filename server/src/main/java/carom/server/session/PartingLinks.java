@@ -1,0 +1,78 @@
+package carom.server.session;
+
+import carom.net.transport.Link;
+import carom.net.transport.LinkHandler;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Links whose last message was sent: they stay open for a moment, so that the message arrives, and
+ * are then closed. Closing at once would be faster and ruder: a TCP connection that closes with
+ * unread input is reset, and a reset may overtake the goodbye.
+ *
+ * <p>One thread.
+ */
+public final class PartingLinks {
+  private static final int MAX_POLL = 64;
+  private static final LinkHandler DEAF =
+      new LinkHandler() {
+        @Override
+        public void message(Link link, Object message) {}
+
+        @Override
+        public void datagram(Link link, byte[] bytes, int length) {}
+
+        @Override
+        public void closed(Link link, String reason) {}
+      };
+
+  private final List<Parting> partings = new ArrayList<>();
+  private final int capacity;
+
+  private record Parting(Link link, String reason, long deadlineNs) {}
+
+  /**
+   * @param capacity how many links may linger; one more closes the oldest at once
+   */
+  public PartingLinks(int capacity) {
+    this.capacity = capacity;
+  }
+
+  /** Takes over a link; closes it at the deadline, or earlier when the peer does. */
+  public void add(Link link, String reason, long deadlineNs) {
+    if (partings.size() >= capacity) {
+      close(partings.remove(0));
+    }
+    partings.add(new Parting(link, reason, deadlineNs));
+  }
+
+  /** Closes what is due. Returns how many links were closed. */
+  public int doWork(long nowNs) {
+    int closed = 0;
+    for (int i = partings.size() - 1; i >= 0; i--) {
+      Parting parting = partings.get(i);
+      parting.link.poll(DEAF, MAX_POLL);
+      if (parting.link.state() == Link.State.CLOSED || nowNs - parting.deadlineNs >= 0) {
+        close(parting);
+        partings.remove(i);
+        closed++;
+      }
+    }
+    return closed;
+  }
+
+  /** Whether no link lingers. */
+  public boolean isEmpty() {
+    return partings.isEmpty();
+  }
+
+  /** Closes all at once. */
+  public void closeAll() {
+    partings.forEach(PartingLinks::close);
+    partings.clear();
+  }
+
+  private static void close(Parting parting) {
+    parting.link.close(parting.reason);
+  }
+}

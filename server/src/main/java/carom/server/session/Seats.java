@@ -1,0 +1,176 @@
+package carom.server.session;
+
+import carom.net.protocol.Limits;
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import java.util.function.LongSupplier;
+
+/**
+ * Who has which place in a room: player ids, names and session secrets. The one object that the
+ * lobby (hands seats out) and the room (frees them) share; every method may be called from any
+ * thread and holds a lock for a few comparisons.
+ *
+ * <p>A seat is taken while a link on its way claims it or a session in the room occupies it; a
+ * returning player claims a seat that is still occupied.
+ */
+public final class Seats {
+  private final Seat[] taken;
+  private final LongSupplier secrets;
+
+  /**
+   * @param count number of seats, 1..256
+   * @param secrets unpredictable numbers, for session secrets
+   */
+  public Seats(int count, LongSupplier secrets) {
+    this.taken = new Seat[count];
+    this.secrets = secrets;
+  }
+
+  /**
+   * Takes the free seat with the lowest id and claims it, under the wanted name or, when somebody
+   * sits there under it, with a number behind it: {@code Ann (2)}. Names are compared without
+   * regard to case.
+   *
+   * @param wantedName a legal name
+   * @return the seat, or null when all are taken
+   */
+  public synchronized Seat take(String wantedName) {
+    for (int id = 0; id < taken.length; id++) {
+      if (taken[id] == null) {
+        taken[id] = new Seat(id, freeName(wantedName), freshSecret());
+        taken[id].claims = 1;
+        return taken[id];
+      }
+    }
+    return null;
+  }
+
+  /**
+   * Claims the seat that belongs to a secret, for a link that wants to resume it.
+   *
+   * @return null when no seat has this secret
+   */
+  public synchronized Seat claim(long secret) {
+    if (secret == 0) {
+      return null;
+    }
+    for (Seat seat : taken) {
+      if (seat != null && seat.secret == secret) {
+        seat.claims++;
+        return seat;
+      }
+    }
+    return null;
+  }
+
+  /** Ends one claim: the link will never arrive in the room. An empty seat becomes free. */
+  public synchronized void unclaim(Seat seat) {
+    seat.claims--;
+    freeIfUnused(seat);
+  }
+
+  /** Turns one claim into possession: the link has arrived in the room. */
+  public synchronized void occupy(Seat seat) {
+    seat.claims--;
+    seat.occupied = true;
+  }
+
+  /** The player is gone. The seat becomes free unless a link claims it. */
+  public synchronized void vacate(Seat seat) {
+    seat.occupied = false;
+    freeIfUnused(seat);
+  }
+
+  /** Whether a link is on its way to this seat. */
+  public synchronized boolean isClaimed(Seat seat) {
+    return seat.claims > 0;
+  }
+
+  private void freeIfUnused(Seat seat) {
+    if (seat.claims == 0 && !seat.occupied && taken[seat.id] == seat) {
+      taken[seat.id] = null;
+    }
+  }
+
+  /** Number of seats, free ones included. */
+  public int count() {
+    return taken.length;
+  }
+
+  /** Number of seats that are taken. */
+  public synchronized int takenCount() {
+    int count = 0;
+    for (Seat seat : taken) {
+      if (seat != null) {
+        count++;
+      }
+    }
+    return count;
+  }
+
+  private long freshSecret() {
+    long secret;
+    do {
+      secret = secrets.getAsLong();
+    } while (secret == 0); // 0 means "no secret" on the wire
+    return secret;
+  }
+
+  private String freeName(String wanted) {
+    String name = wanted;
+    for (int number = 2; isTaken(name); number++) {
+      String suffix = " (" + number + ")";
+      name = shortened(wanted, Limits.MAX_NAME_BYTES - suffix.length()) + suffix;
+    }
+    return name;
+  }
+
+  private boolean isTaken(String name) {
+    String folded = name.toLowerCase(Locale.ROOT);
+    for (Seat seat : taken) {
+      if (seat != null && seat.name().toLowerCase(Locale.ROOT).equals(folded)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** The longest beginning of a name that fits in some UTF-8 bytes and doesn't end in a space. */
+  private static String shortened(String name, int maxBytes) {
+    String text = name;
+    while (text.getBytes(StandardCharsets.UTF_8).length > maxBytes) {
+      text = text.substring(0, text.offsetByCodePoints(text.length(), -1));
+    }
+    return text.stripTrailing();
+  }
+
+  /** One place in a room. */
+  public static final class Seat {
+    private final int id;
+    private final String name;
+    private final long secret;
+    private int claims; // guarded by the seats' lock, like occupied
+    private boolean occupied;
+
+    Seat(int id, String name, long secret) {
+      this.id = id;
+      this.name = name;
+      this.secret = secret;
+    }
+
+    /** The player's id, 0..255. */
+    public int id() {
+      return id;
+    }
+
+    /** The player's name, unique in the room. */
+    public String name() {
+      return name;
+    }
+
+    /** Proves who a returning client is; never 0. */
+    public long secret() {
+      return secret;
+    }
+  }
+}

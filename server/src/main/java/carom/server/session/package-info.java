@@ -1,0 +1,11 @@
+/**
+ * One player's connection: seat, input buffer, state, what arrives and what is sent.
+ *
+ * <p>Allowed imports: {@code carom.net.protocol}, {@code carom.net.transport}, {@code
+ * carom.net.snapshot}, {@code carom.net.codec}, {@code carom.sim}, {@code
+ * carom.server.replication}, {@code carom.server.config}, {@code carom.server.metrics}, the JDK.
+ *
+ * <p>Read first: {@link carom.server.session.Session}, {@link carom.server.session.InputBuffer},
+ * {@link carom.server.session.Seats}.
+ */
+package carom.server.session;

@@ -1,0 +1,77 @@
+package carom.server.session;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.net.protocol.PlayerName;
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.Test;
+
+class SeatsTest {
+  private final AtomicLong secrets = new AtomicLong();
+  private final Seats seats = new Seats(3, secrets::getAndIncrement);
+
+  @Test
+  void idsAreTheLowestFreeOnes() {
+    Seats.Seat a = seats.take("a");
+    Seats.Seat b = seats.take("b");
+    assertEquals(0, a.id());
+    assertEquals(1, b.id());
+    seats.unclaim(a);
+    assertEquals(0, seats.take("c").id());
+    assertEquals(2, seats.take("d").id());
+    assertNull(seats.take("e"));
+    assertEquals(3, seats.takenCount());
+  }
+
+  @Test
+  void secretsAreNeverZero() {
+    assertNotEquals(0, seats.take("a").secret());
+    assertNull(seats.claim(0));
+  }
+
+  @Test
+  void sameNameGetsANumberWhateverItsCase() {
+    assertEquals("Ann", seats.take("Ann").name());
+    assertEquals("ann (2)", seats.take("ann").name());
+    assertEquals("Ann (3)", seats.take("Ann").name());
+  }
+
+  @Test
+  void numberedNameStaysWithinTheLimit() {
+    String longest = "\u00e9".repeat(16);
+    seats.take(longest);
+    String second = seats.take(longest).name();
+    assertNull(PlayerName.problem(second), second);
+    assertTrue(second.endsWith(" (2)"), second);
+  }
+
+  @Test
+  void occupiedSeatOutlivesItsClaims() {
+    Seats.Seat seat = seats.take("a");
+    seats.occupy(seat);
+    assertSame(seat, seats.claim(seat.secret()));
+    assertTrue(seats.isClaimed(seat));
+    seats.unclaim(seat);
+    assertEquals(1, seats.takenCount());
+    seats.vacate(seat);
+    assertEquals(0, seats.takenCount());
+    assertNull(seats.claim(seat.secret()));
+  }
+
+  @Test
+  void claimedSeatOutlivesItsPlayer() {
+    Seats.Seat seat = seats.take("a");
+    seats.occupy(seat);
+    assertNotNull(seats.claim(seat.secret()));
+    seats.vacate(seat);
+    assertEquals(1, seats.takenCount());
+    seats.occupy(seat);
+    seats.vacate(seat);
+    assertEquals(0, seats.takenCount());
+  }
+}
