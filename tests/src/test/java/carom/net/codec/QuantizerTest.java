@@ -1,0 +1,65 @@
+package carom.net.codec;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+
+class QuantizerTest {
+
+  @Test
+  void everyStepComesBackToItself() {
+    for (int steps = -Quantizer.MAX_POSITION; steps <= Quantizer.MAX_POSITION; steps += 4_097) {
+      if (Math.abs(steps) <= 1 << 24) {
+        assertEquals(steps, Quantizer.position(Quantizer.positionOf(steps)));
+      }
+    }
+    for (int steps = 0; steps < Quantizer.ANGLE_STEPS; steps++) {
+      assertEquals(steps, Quantizer.angle(Quantizer.angleOf(steps)));
+    }
+    for (int steps = -Quantizer.MAX_VELOCITY; steps <= Quantizer.MAX_VELOCITY; steps++) {
+      assertEquals(steps, Quantizer.velocity(Quantizer.velocityOf(steps)));
+    }
+    for (int steps = -Quantizer.MAX_OMEGA; steps <= Quantizer.MAX_OMEGA; steps++) {
+      assertEquals(steps, Quantizer.omega(Quantizer.omegaOf(steps)));
+    }
+  }
+
+  @Test
+  void theErrorIsHalfAStep() {
+    long seed = 99;
+    Random random = new Random(seed);
+    for (int i = 0; i < 10_000; i++) {
+      float x = (random.nextFloat() - 0.5f) * 2_000;
+      assertTrue(
+          Math.abs(Quantizer.positionOf(Quantizer.position(x)) - x) <= 0.5 / 512 + 1e-4,
+          "seed=" + seed + " x=" + x);
+      float angle = (random.nextFloat() - 0.5f) * 100;
+      double error =
+          Math.IEEEremainder(Quantizer.angleOf(Quantizer.angle(angle)) - angle, 2 * Math.PI);
+      assertTrue(Math.abs(error) <= Math.PI / 1024 + 1e-4, "seed=" + seed + " angle=" + angle);
+    }
+  }
+
+  @Test
+  void whatIsOutsideIsClampedAndNanIsZero() {
+    assertEquals(Quantizer.MAX_POSITION, Quantizer.position(Float.POSITIVE_INFINITY));
+    assertEquals(-Quantizer.MAX_POSITION, Quantizer.position(-1e30f));
+    assertEquals(0, Quantizer.position(Float.NaN));
+    assertEquals(Quantizer.MAX_VELOCITY, Quantizer.velocity(1e9f));
+    assertEquals(-Quantizer.MAX_OMEGA, Quantizer.omega(-1e9f));
+    assertEquals(0, Quantizer.angle(Float.NaN));
+    assertEquals(0, Quantizer.angle(Float.NEGATIVE_INFINITY));
+  }
+
+  @Test
+  void anglesWrapTheShortestWay() {
+    assertEquals(-1, Quantizer.wrapAngle(1023));
+    assertEquals(1, Quantizer.wrapAngle(-1023));
+    assertEquals(-512, Quantizer.wrapAngle(512));
+    assertEquals(511, Quantizer.wrapAngle(511));
+    assertEquals((float) Math.PI, Quantizer.angleOf(512));
+    assertEquals(1023, Quantizer.angle(-0.006f));
+  }
+}
