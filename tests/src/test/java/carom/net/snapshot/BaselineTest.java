@@ -1,0 +1,160 @@
+package carom.net.snapshot;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import org.junit.jupiter.api.Test;
+
+/** The one place that decides a baseline, reason by reason. */
+class BaselineTest {
+
+  private final FrameRing ring = new FrameRing(16);
+  private final SnapshotEncoder encoder = new SnapshotEncoder(ring, 1, 60);
+  private final InputFeedback feedback = new InputFeedback();
+  private final byte[] buffer = new byte[SnapshotEncoder.MAX_DATAGRAM_BYTES];
+  private int tick;
+
+  /** The next frame holds the slot 3 like this; a generation of -1 = free. */
+  private void frame(int generation, int owner, int x) {
+    FrameState frame = ring.begin(++tick);
+    if (generation >= 0) {
+      frame.putQuantized(3, generation, 7, owner, x, 0, 0, 0, 0, 0);
+    }
+    ring.end();
+  }
+
+  private int send() {
+    encoder.begin(feedback, null, 10_000);
+    int length = encoder.next(buffer);
+    assertEquals(0, encoder.next(buffer));
+    return length;
+  }
+
+  private void ackNewest() {
+    encoder.receiveAck(encoder.sequence(), 0);
+  }
+
+  @Test
+  void firstSeenIsNewUntilAcked() {
+    frame(1, -1, 0);
+    assertEquals(Baseline.NEW, encoder.baseline(3));
+    send();
+    assertEquals(Baseline.NEW, encoder.baseline(3), "sent is not received");
+    ackNewest();
+    assertEquals(Baseline.QUIESCENT, encoder.baseline(3));
+    assertEquals(tick, encoder.ackedTick(3));
+    frame(1, -1, 5);
+    assertEquals(Baseline.ACKED, encoder.baseline(3));
+  }
+
+  @Test
+  void aNeverUsedSlotAndOneNeverSentCostNothing() {
+    frame(-1, -1, 0);
+    assertEquals(Baseline.QUIESCENT, encoder.baseline(3));
+    frame(1, -1, 0);
+    frame(-1, -1, 0);
+    assertEquals(Baseline.QUIESCENT, encoder.baseline(3), "born and dead between two sends");
+    int empty = send();
+    assertEquals(empty, send());
+  }
+
+  @Test
+  void deathIsToldUntilAcked() {
+    frame(1, -1, 0);
+    send();
+    frame(-1, -1, 0);
+    assertEquals(Baseline.GONE, encoder.baseline(3), "the client may have it, acked or not");
+    send();
+    assertEquals(Baseline.GONE, encoder.baseline(3));
+    ackNewest();
+    assertEquals(Baseline.QUIESCENT, encoder.baseline(3));
+  }
+
+  @Test
+  void anotherEntityOrOwnerIsAbsolute() {
+    frame(1, -1, 0);
+    send();
+    ackNewest();
+    frame(1, 9, 0);
+    assertEquals(Baseline.IDENTITY, encoder.baseline(3));
+    send();
+    ackNewest();
+    frame(2, 9, 0);
+    assertEquals(Baseline.IDENTITY, encoder.baseline(3), "the slot was used again");
+  }
+
+  @Test
+  void aRestOfAnyLengthIsNoReason() {
+    frame(1, -1, 0);
+    send();
+    ackNewest();
+    for (int i = 0; i < 500; i++) {
+      frame(1, -1, 0);
+    }
+    assertEquals(Baseline.QUIESCENT, encoder.baseline(3));
+    frame(1, -1, 1);
+    assertEquals(Baseline.ACKED, encoder.baseline(3), "coded against the end of its rest");
+    for (int i = 0; i < FrameRing.SIZE - 2; i++) {
+      frame(1, -1, 2 + i);
+      assertEquals(Baseline.ACKED, encoder.baseline(3), "moving since ticks=" + (i + 2));
+    }
+    frame(1, -1, 1_000);
+    assertEquals(Baseline.TOO_OLD, encoder.baseline(3));
+  }
+
+  @Test
+  void gapsBetweenFramesAreNoReason() {
+    frame(1, -1, 0);
+    send();
+    ackNewest();
+    tick += 20;
+    frame(1, -1, 4);
+    assertEquals(Baseline.ACKED, encoder.baseline(3));
+    tick += FrameRing.SIZE;
+    frame(1, -1, 5);
+    assertEquals(Baseline.TOO_OLD, encoder.baseline(3));
+  }
+
+  @Test
+  void forcedIsAbsoluteOnce() {
+    frame(1, -1, 0);
+    send();
+    ackNewest();
+    int quiet = send();
+    encoder.force(3);
+    assertEquals(Baseline.FORCED, encoder.baseline(3));
+    assertEquals(true, send() > quiet);
+    assertEquals(Baseline.QUIESCENT, encoder.baseline(3));
+    encoder.force(15);
+    assertEquals(Baseline.QUIESCENT, encoder.baseline(15), "nobody there");
+    assertThrows(IndexOutOfBoundsException.class, () -> encoder.force(16));
+  }
+
+  @Test
+  void resetForgetsAcksOnTheirWay() {
+    frame(1, -1, 0);
+    send();
+    encoder.reset();
+    ackNewest();
+    assertEquals(Baseline.NEW, encoder.baseline(3));
+    assertEquals(-1, encoder.sentTick(3));
+    assertThrows(
+        IllegalStateException.class,
+        () -> new SnapshotEncoder(new FrameRing(1), 1, 60).begin(feedback, null, 100));
+  }
+
+  @Test
+  void ownStateCountsAsNews() {
+    frame(-1, -1, 0);
+    OwnState own = new OwnState();
+    own.setMemory(2, 5);
+    assertEquals(false, encoder.nothingNew(own));
+    encoder.begin(feedback, own, 0);
+    encoder.next(buffer);
+    ackNewest();
+    assertEquals(true, encoder.nothingNew(own));
+    own.setMemory(2, 6);
+    assertEquals(false, encoder.nothingNew(own));
+    assertThrows(IndexOutOfBoundsException.class, () -> own.setMemory(4, 0));
+  }
+}

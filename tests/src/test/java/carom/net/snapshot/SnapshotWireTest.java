@@ -1,0 +1,269 @@
+package carom.net.snapshot;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.net.codec.Crc16;
+import java.util.Arrays;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Goal: a decoder stands any bytes. Method: cuts, damage, and damage under a right check; then good
+ * datagrams must still count.
+ */
+class SnapshotWireTest {
+
+  private static final int KEY = 99;
+
+  private final Scene scene = new Scene(60, 0, 7);
+  private final SnapshotEncoder encoder = new SnapshotEncoder(scene.ring, KEY, Scene.TICK_RATE);
+  private SnapshotDecoder decoder = newDecoder();
+  private final InputFeedback feedback = new InputFeedback();
+  private final OwnState own = new OwnState();
+  private final byte[] buffer = new byte[SnapshotEncoder.MAX_DATAGRAM_BYTES];
+
+  private static SnapshotDecoder newDecoder() {
+    return new SnapshotDecoder(60, KEY, 0, Scene.TICK_RATE);
+  }
+
+  private byte[] datagram() {
+    feedback.present = true;
+    Scene.own(scene.tick, own);
+    encoder.begin(feedback, own, Integer.MAX_VALUE);
+    return Arrays.copyOf(buffer, encoder.next(buffer));
+  }
+
+  private byte[] nextDatagram() {
+    scene.step();
+    return datagram();
+  }
+
+  private static byte[] rightCheck(byte[] bytes) {
+    int check = Crc16.of(KEY, bytes, 2, bytes.length - 2);
+    bytes[0] = (byte) check;
+    bytes[1] = (byte) (check >> 8);
+    return bytes;
+  }
+
+  private void decodeAndAck(byte[] bytes) {
+    assertEquals(DecodeStatus.OK, decoder.decode(bytes, 0, bytes.length));
+    encoder.receiveAck(decoder.ackSequence(), decoder.ackBits());
+  }
+
+  @Test
+  void cutsAreDamageAtEveryByteWithAnyCheck() {
+    for (int round = 0; round < 40; round++) {
+      byte[] bytes = nextDatagram();
+      for (int length = 0; length < bytes.length; length++) {
+        byte[] cut = Arrays.copyOf(bytes, length);
+        assertEquals(DecodeStatus.DAMAGED, decoder.decode(cut, 0, length), "length=" + length);
+        if (length >= 6) {
+          rightCheck(cut);
+          assertEquals(DecodeStatus.DAMAGED, decoder.decode(cut, 0, length), "length=" + length);
+        }
+      }
+      byte[] longer = rightCheck(Arrays.copyOf(bytes, bytes.length + 1));
+      assertEquals(DecodeStatus.DAMAGED, decoder.decode(longer, 0, longer.length));
+      decodeAndAck(bytes);
+    }
+    assertEquals(DecodeStatus.DAMAGED, decoder.decode(new byte[1_300], 0, 1_300));
+  }
+
+  @Test
+  void everySingleFlippedBitIsFound() {
+    for (int round = 0; round < 10; round++) {
+      byte[] bytes = nextDatagram();
+      for (int bit = 0; bit < 8 * bytes.length; bit++) {
+        bytes[bit >> 3] ^= (byte) (1 << (bit & 7));
+        assertEquals(DecodeStatus.DAMAGED, decoder.decode(bytes, 0, bytes.length), "bit=" + bit);
+        bytes[bit >> 3] ^= (byte) (1 << (bit & 7));
+      }
+      decodeAndAck(bytes);
+    }
+  }
+
+  @Test
+  void hostileContentUnderARightCheckNeverThrows() {
+    Dice dice = new Dice(5);
+    int[] statuses = new int[DecodeStatus.values().length];
+    SnapshotDecoder victim = decoder;
+    for (int round = 0; round < 300; round++) {
+      if (round % 20 == 0) {
+        encoder.reset();
+        decoder = newDecoder();
+        victim = newDecoder();
+      }
+      byte[] good = nextDatagram();
+      if (round % 3 == 0) {
+        decodeAndAck(good);
+      }
+      for (int i = 0; i < 200; i++) {
+        byte[] bad = dice.percent(50) ? good.clone() : new byte[6 + dice.below(200)];
+        int damages = bad.length == good.length ? 1 + dice.below(4) : bad.length;
+        for (int d = 0; d < damages; d++) {
+          bad[2 + dice.below(bad.length - 2)] = (byte) dice.next();
+        }
+        if (dice.percent(60)) {
+          bad[2] = (byte) (victim.ackSequence() + 1);
+          bad[3] = (byte) ((victim.ackSequence() + 1) >> 8);
+        }
+        rightCheck(bad);
+        statuses[victim.decode(bad, 0, bad.length).ordinal()]++;
+      }
+      statuses[victim.decode(good, 0, good.length).ordinal()]++;
+      assertTrue(victim.slotLimit() <= 60, "no history beyond the capacity");
+    }
+    for (DecodeStatus status : DecodeStatus.values()) {
+      assertTrue(statuses[status.ordinal()] > 0, "never seen: " + status);
+    }
+  }
+
+  @Test
+  void aRefusedDatagramChangesNothing() {
+    decodeAndAck(nextDatagram());
+    byte[] good = nextDatagram();
+    byte[] bad = good.clone();
+    bad[bad.length - 1] ^= (byte) 0x80;
+    rightCheck(bad);
+    int sequence = decoder.ackSequence();
+    int tick = decoder.newestTick();
+    int touched = decoder.touchedCount();
+    assertEquals(DecodeStatus.DAMAGED, decoder.decode(bad, 0, bad.length));
+    assertEquals(sequence, decoder.ackSequence());
+    assertEquals(tick, decoder.newestTick());
+    assertEquals(touched, decoder.touchedCount());
+    decodeAndAck(good);
+    assertEquals(scene.tick, decoder.newestTick());
+  }
+
+  @Test
+  void duplicatesAndStaleDatagramsAreNamed() {
+    byte[] first = nextDatagram();
+    byte[] second = nextDatagram();
+    assertEquals(DecodeStatus.OK, decoder.decode(second, 0, second.length));
+    assertEquals(DecodeStatus.OK, decoder.decode(first, 0, first.length), "late, not stale");
+    assertEquals(DecodeStatus.DUPLICATE, decoder.decode(first, 0, first.length));
+    assertEquals(DecodeStatus.DUPLICATE, decoder.decode(second, 0, second.length));
+    assertEquals(1, decoder.ackSequence());
+    assertEquals(1, decoder.ackBits());
+    byte[] skipped = nextDatagram();
+    for (int i = 0; i < 64; i++) {
+      decodeAndAck(nextDatagram());
+    }
+    assertEquals(-1L, decoder.ackBits() | 1L << 63);
+    byte[] last = nextDatagram();
+    decodeAndAck(last);
+    assertEquals(DecodeStatus.STALE, decoder.decode(skipped, 0, skipped.length));
+  }
+
+  @Test
+  void anotherSessionsKeyIsDamage() {
+    byte[] bytes = nextDatagram();
+    SnapshotDecoder other = new SnapshotDecoder(60, KEY + 1, 0, Scene.TICK_RATE);
+    assertEquals(DecodeStatus.DAMAGED, other.decode(bytes, 0, bytes.length));
+    assertFalse(other.hasAck());
+  }
+
+  @Test
+  void aDeltaWithoutItsBaselineCountsAsLost() {
+    decodeAndAck(nextDatagram());
+    decodeAndAck(nextDatagram());
+    byte[] delta = nextDatagram();
+    SnapshotDecoder empty = newDecoder();
+    assertEquals(DecodeStatus.NO_BASELINE, empty.decode(delta, 0, delta.length));
+    assertFalse(empty.hasAck());
+    assertNull(empty.history(0));
+  }
+
+  @Test
+  void slotsBeyondTheCapacityAreDamage() {
+    byte[] bytes = nextDatagram();
+    SnapshotDecoder small = new SnapshotDecoder(1, KEY, 0, Scene.TICK_RATE);
+    assertEquals(DecodeStatus.DAMAGED, small.decode(bytes, 0, bytes.length));
+  }
+
+  @Test
+  void acksOfAnythingAreHarmless() {
+    Dice dice = new Dice(8);
+    encoder.receiveAck(0, -1);
+    for (int i = 0; i < 500; i++) {
+      nextDatagram();
+      for (int j = 0; j < 5; j++) {
+        encoder.receiveAck(dice.below(65_536), dice.next() & dice.next());
+      }
+      encoder.receiveAck(encoder.sequence() + 1, -1);
+    }
+    for (int slot = 0; slot < 60; slot++) {
+      assertTrue(encoder.ackedTick(slot) <= scene.tick);
+    }
+  }
+
+  @Test
+  void theRingRefusesWrongOrder() {
+    FrameRing ring = new FrameRing(4);
+    assertThrows(IllegalStateException.class, ring::end);
+    assertNull(ring.newest());
+    FrameState frame = ring.begin(5);
+    frame.put(0, 1, 2, -1, 1, 2, 3, 4, 5, 6);
+    assertThrows(
+        IllegalStateException.class, () -> frame.put(0, 1, 2, -1, 1, 2, 3, 4, 5, 6), "twice");
+    assertThrows(
+        IllegalArgumentException.class, () -> frame.put(4, 1, 2, -1, 1, 2, 3, 4, 5, 6), "slot");
+    assertThrows(
+        IllegalArgumentException.class,
+        () -> frame.putQuantized(1, 1, 2, -1, 0, 0, 1024, 0, 0, 0),
+        "angle");
+    assertThrows(
+        IllegalArgumentException.class, () -> frame.put(1, 256, 2, -1, 1, 2, 3, 4, 5, 6), "gen");
+    ring.end();
+    assertThrows(IllegalStateException.class, () -> frame.put(1, 1, 2, -1, 1, 2, 3, 4, 5, 6));
+    assertThrows(IllegalArgumentException.class, () -> ring.begin(5));
+    assertThrows(IllegalArgumentException.class, () -> new FrameRing(0));
+  }
+
+  @Test
+  void theRingFindsTicksAcrossGaps() {
+    FrameRing ring = new FrameRing(2);
+    int tick = 0;
+    Dice dice = new Dice(3);
+    for (int i = 0; i < 300; i++) {
+      tick += 1 + (dice.percent(20) ? dice.below(70) : 0);
+      ring.begin(tick).putQuantized(0, 1, 1, -1, i, 0, 0, 0, 0, 0);
+      ring.end();
+      assertEquals(i, ring.newest().x(0));
+      int found = 0;
+      for (int t = tick - 5_000; t <= tick + 1; t++) {
+        FrameState frame = ring.at(t);
+        if (frame != null) {
+          assertEquals(t, frame.tick());
+          found++;
+        }
+      }
+      assertEquals(Math.min(i + 1, FrameRing.SIZE), found);
+    }
+  }
+
+  @Test
+  void hashesFollowTheStateAlone() {
+    FrameRing ring = new FrameRing(8);
+    ring.begin(1).putQuantized(3, 1, 1, -1, 5, 6, 7, 8, 9, 10);
+    ring.end();
+    long first = ring.newest().hash();
+    ring.begin(2).putQuantized(3, 1, 1, -1, 5, 6, 7, 8, 9, 10);
+    ring.end();
+    assertEquals(first, ring.newest().hash());
+    assertEquals(1, ring.newest().changedTick(3));
+    ring.begin(3).putQuantized(3, 1, 1, 0, 5, 6, 7, 8, 9, 10);
+    ring.end();
+    assertTrue(first != ring.newest().hash(), "the owner counts");
+    assertEquals(3, ring.newest().changedTick(3));
+    ring.begin(4);
+    ring.end();
+    assertEquals(4, ring.newest().changedTick(3), "so does death");
+    assertEquals(-1, ring.newest().changedTick(7));
+    assertEquals(0, ring.newest().count());
+  }
+}
