@@ -1,0 +1,536 @@
+package carom.physics;
+
+import carom.physics.dynamics.BodyStore;
+import carom.physics.dynamics.Checks;
+import carom.physics.geometry.Shape;
+import carom.physics.math.Aabb;
+import carom.physics.math.Trig;
+
+/**
+ * A body: a light handle (index and generation) on the world's arrays. There is one handle per body,
+ * so handles may be compared with ==.
+ *
+ * <p>All methods except {@link #isValid}, {@link #index}, {@link #generation}, {@link #type}, {@link
+ * #user} and the shape accessors throw IllegalStateException once the body was destroyed. Numbers that
+ * are not finite or absurd (beyond 1e7 m, 1e5 m/s) throw IllegalArgumentException with the value.
+ * Nothing allocates.
+ *
+ * <p>Forces and impulses add up, act in the next step, and are then forgotten; on static and kinematic
+ * bodies they do nothing.
+ *
+ * @param <T> the user's type
+ */
+public final class Body<T> {
+  private final World<T> world;
+  private final BodyStore store;
+  private final int index;
+  private final int generation;
+  private final BodyType type;
+  private final Shape[] shapes;
+  private final Material[] materials;
+  private final T user;
+
+  Body(
+      World<T> world,
+      BodyStore store,
+      int index,
+      int generation,
+      BodyType type,
+      Shape[] shapes,
+      Material[] materials,
+      T user) {
+    this.world = world;
+    this.store = store;
+    this.index = index;
+    this.generation = generation;
+    this.type = type;
+    this.shapes = shapes;
+    this.materials = materials;
+    this.user = user;
+  }
+
+  void check() {
+    if (!store.alive(index, generation)) {
+      throw new IllegalStateException(
+          "body=" + index + " generation=" + generation + " was destroyed; see isValid()");
+    }
+  }
+
+  World<T> world() {
+    return world;
+  }
+
+  /**
+   * The body's slot, used again after it is destroyed.
+   *
+   * @return 0 or more
+   */
+  public int index() {
+    return index;
+  }
+
+  /**
+   * Tells the bodies apart that used the same slot.
+   *
+   * @return 0 or more
+   */
+  public int generation() {
+    return generation;
+  }
+
+  /**
+   * Whether the body still exists.
+   *
+   * @return false once it was destroyed
+   */
+  public boolean isValid() {
+    return store.alive(index, generation);
+  }
+
+  /**
+   * What the body stands for.
+   *
+   * @return as given to {@link World#createBody}
+   */
+  public T user() {
+    return user;
+  }
+
+  /**
+   * What may move the body.
+   *
+   * @return never changes
+   */
+  public BodyType type() {
+    return type;
+  }
+
+  /**
+   * The body's origin.
+   *
+   * @return x, m
+   */
+  public float x() {
+    check();
+    return store.originX(index);
+  }
+
+  /**
+   * The body's origin.
+   *
+   * @return y, m
+   */
+  public float y() {
+    check();
+    return store.originY(index);
+  }
+
+  /**
+   * The centre of mass; equals the origin for static and kinematic bodies.
+   *
+   * @return x, m
+   */
+  public float centerX() {
+    check();
+    return store.x[index];
+  }
+
+  /**
+   * The centre of mass; equals the origin for static and kinematic bodies.
+   *
+   * @return y, m
+   */
+  public float centerY() {
+    check();
+    return store.y[index];
+  }
+
+  /**
+   * Cosine of the rotation.
+   *
+   * @return -1 to 1
+   */
+  public float cos() {
+    check();
+    return store.cos[index];
+  }
+
+  /**
+   * Sine of the rotation.
+   *
+   * @return -1 to 1
+   */
+  public float sin() {
+    check();
+    return store.sin[index];
+  }
+
+  /**
+   * The rotation as an angle.
+   *
+   * @return rad, -pi to pi, counter-clockwise
+   */
+  public float angle() {
+    check();
+    return Trig.atan2(store.sin[index], store.cos[index]);
+  }
+
+  /**
+   * Velocity of the centre of mass.
+   *
+   * @return x, m/s
+   */
+  public float velocityX() {
+    check();
+    return store.vx[index];
+  }
+
+  /**
+   * Velocity of the centre of mass.
+   *
+   * @return y, m/s
+   */
+  public float velocityY() {
+    check();
+    return store.vy[index];
+  }
+
+  /**
+   * Angular velocity.
+   *
+   * @return rad/s, counter-clockwise
+   */
+  public float angularVelocity() {
+    check();
+    return store.w[index];
+  }
+
+  /**
+   * Teleports the body.
+   *
+   * @param x origin, m
+   * @param y origin, m
+   * @param angleRad rad
+   */
+  public void setPose(float x, float y, float angleRad) {
+    Checks.range("angle", angleRad, -1e5f, 1e5f);
+    setPose(x, y, Trig.cos(angleRad), Trig.sin(angleRad));
+  }
+
+  /**
+   * Teleports the body.
+   *
+   * @param x origin, m
+   * @param y origin, m
+   * @param cos cosine of the rotation
+   * @param sin sine; (cos, sin) is taken bit for bit if its length is 1 up to rounding, else
+   *     normalised
+   */
+  public void setPose(float x, float y, float cos, float sin) {
+    check();
+    store.setOriginPose(index, x, y, cos, sin);
+    world.moved(index);
+  }
+
+  /**
+   * Teleports the body by its centre of mass, which is what the world stores: what {@link #centerX},
+   * {@link #centerY}, {@link #cos} and {@link #sin} returned is set again bit for bit.
+   *
+   * @param x centre of mass, m
+   * @param y centre of mass, m
+   * @param cos cosine of the rotation
+   * @param sin sine
+   */
+  public void setCenterPose(float x, float y, float cos, float sin) {
+    check();
+    store.setCenterPose(index, x, y, cos, sin);
+    world.moved(index);
+  }
+
+  /**
+   * Sets the velocity of the centre of mass; nothing on a static body.
+   *
+   * @param vx m/s
+   * @param vy m/s
+   */
+  public void setVelocity(float vx, float vy) {
+    check();
+    Checks.velocity("velocityX", vx);
+    Checks.velocity("velocityY", vy);
+    if (type != BodyType.STATIC) {
+      store.vx[index] = vx;
+      store.vy[index] = vy;
+    }
+  }
+
+  /**
+   * Sets the angular velocity; nothing on a static body.
+   *
+   * @param radPerSecond rad/s, counter-clockwise
+   */
+  public void setAngularVelocity(float radPerSecond) {
+    check();
+    Checks.velocity("angularVelocity", radPerSecond);
+    if (type != BodyType.STATIC) {
+      store.w[index] = radPerSecond;
+    }
+  }
+
+  /**
+   * Pulls at the centre of mass during the next step.
+   *
+   * @param fx N
+   * @param fy N
+   */
+  public void applyForce(float fx, float fy) {
+    check();
+    Checks.force("forceX", fx);
+    Checks.force("forceY", fy);
+    if (type == BodyType.DYNAMIC) {
+      store.forceX[index] += fx;
+      store.forceY[index] += fy;
+    }
+  }
+
+  /**
+   * Pulls at a point during the next step: the force at the centre, and its torque.
+   *
+   * @param fx N
+   * @param fy N
+   * @param px point of application, m, world
+   * @param py point of application, m, world
+   */
+  public void applyForce(float fx, float fy, float px, float py) {
+    applyForce(fx, fy);
+    Checks.coordinate("px", px);
+    Checks.coordinate("py", py);
+    if (type == BodyType.DYNAMIC) {
+      store.torque[index] += (px - store.x[index]) * fy - (py - store.y[index]) * fx;
+    }
+  }
+
+  /**
+   * Kicks the centre of mass: at the start of the next step the velocity changes by J / m.
+   *
+   * @param jx N s
+   * @param jy N s
+   */
+  public void applyImpulse(float jx, float jy) {
+    check();
+    Checks.force("impulseX", jx);
+    Checks.force("impulseY", jy);
+    if (type == BodyType.DYNAMIC) {
+      store.impulseX[index] += jx;
+      store.impulseY[index] += jy;
+    }
+  }
+
+  /**
+   * Kicks a point: as at the centre, and the angular velocity changes by r x J / I.
+   *
+   * @param jx N s
+   * @param jy N s
+   * @param px point of application, m, world
+   * @param py point of application, m, world
+   */
+  public void applyImpulse(float jx, float jy, float px, float py) {
+    applyImpulse(jx, jy);
+    Checks.coordinate("px", px);
+    Checks.coordinate("py", py);
+    if (type == BodyType.DYNAMIC) {
+      store.impulseW[index] += (px - store.x[index]) * jy - (py - store.y[index]) * jx;
+    }
+  }
+
+  /**
+   * Turns the body during the next step.
+   *
+   * @param torque N m, counter-clockwise
+   */
+  public void applyTorque(float torque) {
+    check();
+    Checks.force("torque", torque);
+    if (type == BodyType.DYNAMIC) {
+      store.torque[index] += torque;
+    }
+  }
+
+  /**
+   * Kicks the rotation: at the start of the next step the angular velocity changes by j / I.
+   *
+   * @param j N m s, counter-clockwise
+   */
+  public void applyAngularImpulse(float j) {
+    check();
+    Checks.force("angularImpulse", j);
+    if (type == BodyType.DYNAMIC) {
+      store.impulseW[index] += j;
+    }
+  }
+
+  /**
+   * Steers towards a velocity: applies the force F = k (goal - v) for the next step.
+   *
+   * <p>Called before every step of dt, the difference shrinks by the factor {@code 1 - k dt / m}; k
+   * above {@code m / dt} would overshoot and is cut to it, which reaches the goal in one step.
+   *
+   * @param goalX m/s
+   * @param goalY m/s
+   * @param k strength, kg/s, not negative
+   * @param dtSeconds the length of the next step, s
+   */
+  public void seekVelocity(float goalX, float goalY, float k, float dtSeconds) {
+    Checks.timeStep(dtSeconds);
+    seekVelocity(goalX, goalY, Math.min(k, mass() / dtSeconds));
+  }
+
+  /**
+   * Steers towards a velocity: applies the force F = k (goal - v) for the next step, as it is. Keep k
+   * below {@code m / dt}, or the body overshoots.
+   *
+   * @param goalX m/s
+   * @param goalY m/s
+   * @param k strength, kg/s, not negative
+   */
+  public void seekVelocity(float goalX, float goalY, float k) {
+    check();
+    Checks.velocity("goalX", goalX);
+    Checks.velocity("goalY", goalY);
+    Checks.range("k", k, 0, 1e12f);
+    applyForce(k * (goalX - store.vx[index]), k * (goalY - store.vy[index]));
+  }
+
+  /**
+   * Mass.
+   *
+   * @return kg; 0 if not dynamic
+   */
+  public float mass() {
+    check();
+    return store.mass[index];
+  }
+
+  /**
+   * Moment of inertia about the centre of mass.
+   *
+   * @return kg m^2; 0 if not dynamic or rotation is fixed
+   */
+  public float inertia() {
+    check();
+    return store.inertia[index];
+  }
+
+  /**
+   * The number of shapes.
+   *
+   * @return as many as were given
+   */
+  public int shapeCount() {
+    return shapes.length;
+  }
+
+  /**
+   * A shape.
+   *
+   * @param i below {@link #shapeCount}
+   * @return in the body frame, as it was given
+   */
+  public Shape shape(int i) {
+    return shapes[i];
+  }
+
+  /**
+   * What a shape is made of.
+   *
+   * @param i below {@link #shapeCount}
+   * @return its material
+   */
+  public Material material(int i) {
+    return materials[i];
+  }
+
+  /**
+   * The tight bounding box of all shapes.
+   *
+   * @param out receives the box; empty without shapes
+   */
+  public void aabb(Aabb out) {
+    check();
+    world.aabb(index, out);
+  }
+
+  /**
+   * Factor on the world's gravity.
+   *
+   * @return 1 by default
+   */
+  public float gravityScale() {
+    check();
+    return store.gravityScale[index];
+  }
+
+  /**
+   * Sets the factor on the world's gravity.
+   *
+   * @param factor 0 floats; within 1e3
+   */
+  public void setGravityScale(float factor) {
+    check();
+    store.gravityScale[index] = Checks.range("gravityScale", factor, -1e3f, 1e3f);
+  }
+
+  /**
+   * Rate at which velocity decays.
+   *
+   * @return 1/s
+   */
+  public float linearDamping() {
+    check();
+    return store.linearDamping[index];
+  }
+
+  /**
+   * Sets the rate at which velocity decays.
+   *
+   * @param perSecond 1/s, 0 to 1e4
+   */
+  public void setLinearDamping(float perSecond) {
+    check();
+    store.linearDamping[index] = Checks.range("linearDamping", perSecond, 0, 1e4f);
+  }
+
+  /**
+   * Rate at which angular velocity decays.
+   *
+   * @return 1/s
+   */
+  public float angularDamping() {
+    check();
+    return store.angularDamping[index];
+  }
+
+  /**
+   * Sets the rate at which angular velocity decays.
+   *
+   * @param perSecond 1/s, 0 to 1e4
+   */
+  public void setAngularDamping(float perSecond) {
+    check();
+    store.angularDamping[index] = Checks.range("angularDamping", perSecond, 0, 1e4f);
+  }
+
+  /**
+   * Visits what touched this body in the last step, in canonical order; part of the saved state.
+   *
+   * @param visitor receives the other bodies; it must not destroy bodies
+   */
+  public void forEachContact(BodyContactVisitor<T> visitor) {
+    check();
+    world.forEachContact(index, visitor);
+  }
+
+  @Override
+  public String toString() {
+    return "Body(" + type + " " + index + ":" + generation + " " + user + ")";
+  }
+}

@@ -1,0 +1,173 @@
+package carom.physics;
+
+import carom.physics.dynamics.Checks;
+import carom.physics.geometry.Shape;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What a body is made from; mutable, fluent, reusable. The world copies what it needs.
+ *
+ * <pre>
+ *   new BodyDef(BodyType.DYNAMIC).position(0, 5).shape(new Circle(0.5f), Material.DEFAULT)
+ * </pre>
+ */
+public final class BodyDef {
+  BodyType type;
+  float x;
+  float y;
+  float angle;
+  float vx;
+  float vy;
+  float angularVelocity;
+  float linearDamping;
+  float angularDamping;
+  float gravityScale = 1;
+  boolean fixedRotation;
+  final List<Shape> shapes = new ArrayList<>();
+  final List<Material> materials = new ArrayList<>();
+
+  /** A static body at the origin, without shapes. */
+  public BodyDef() {
+    this(BodyType.STATIC);
+  }
+
+  /**
+   * A body at the origin, without shapes.
+   *
+   * @param type what may move it
+   */
+  public BodyDef(BodyType type) {
+    this.type = type;
+  }
+
+  /**
+   * Sets the type; default static.
+   *
+   * @param newType what may move it
+   * @return this
+   */
+  public BodyDef type(BodyType newType) {
+    type = newType;
+    return this;
+  }
+
+  /**
+   * Sets where the body's origin is; default (0, 0).
+   *
+   * @param newX m, within 1e7 of the world's origin
+   * @param newY m
+   * @return this
+   */
+  public BodyDef position(float newX, float newY) {
+    x = Checks.coordinate("x", newX);
+    y = Checks.coordinate("y", newY);
+    return this;
+  }
+
+  /**
+   * Sets the rotation about the body's origin; default 0.
+   *
+   * @param angleRad rad, counter-clockwise
+   * @return this
+   */
+  public BodyDef angle(float angleRad) {
+    angle = Checks.range("angle", angleRad, -1e5f, 1e5f);
+    return this;
+  }
+
+  /**
+   * Sets the velocity of the centre of mass; default (0, 0).
+   *
+   * @param newVx m/s, within 1e5
+   * @param newVy m/s
+   * @return this
+   */
+  public BodyDef velocity(float newVx, float newVy) {
+    vx = Checks.velocity("velocityX", newVx);
+    vy = Checks.velocity("velocityY", newVy);
+    return this;
+  }
+
+  /**
+   * Sets the angular velocity; default 0.
+   *
+   * @param radPerSecond rad/s, counter-clockwise, within 1e5
+   * @return this
+   */
+  public BodyDef angularVelocity(float radPerSecond) {
+    angularVelocity = Checks.velocity("angularVelocity", radPerSecond);
+    return this;
+  }
+
+  /**
+   * Sets whether no force turns the body; default false.
+   *
+   * @param fixed true for players that stay upright
+   * @return this
+   */
+  public BodyDef fixedRotation(boolean fixed) {
+    fixedRotation = fixed;
+    return this;
+  }
+
+  /**
+   * Sets the rate at which velocity decays; default 0.
+   *
+   * @param perSecond 1/s, 0 to 1e4; v falls to v / (1 + h c) in a substep h
+   * @return this
+   */
+  public BodyDef linearDamping(float perSecond) {
+    linearDamping = Checks.range("linearDamping", perSecond, 0, 1e4f);
+    return this;
+  }
+
+  /**
+   * Sets the rate at which angular velocity decays; default 0.
+   *
+   * @param perSecond 1/s, 0 to 1e4
+   * @return this
+   */
+  public BodyDef angularDamping(float perSecond) {
+    angularDamping = Checks.range("angularDamping", perSecond, 0, 1e4f);
+    return this;
+  }
+
+  /**
+   * Sets the factor on the world's gravity; default 1.
+   *
+   * @param factor 0 floats, negative rises; within 1e3
+   * @return this
+   */
+  public BodyDef gravityScale(float factor) {
+    gravityScale = Checks.range("gravityScale", factor, -1e3f, 1e3f);
+    return this;
+  }
+
+  /**
+   * Adds a shape; several make a compound body.
+   *
+   * @param shape in the body frame
+   * @param material what it is made of
+   * @return this
+   */
+  public BodyDef shape(Shape shape, Material material) {
+    if (shape == null || material == null) {
+      throw new IllegalArgumentException(
+          "shape=" + shape + " material=" + material + " must not be null");
+    }
+    shapes.add(shape);
+    materials.add(material);
+    return this;
+  }
+
+  /**
+   * Adds a shape of {@link Material#DEFAULT}.
+   *
+   * @param shape in the body frame
+   * @return this
+   */
+  public BodyDef shape(Shape shape) {
+    return shape(shape, Material.DEFAULT);
+  }
+}

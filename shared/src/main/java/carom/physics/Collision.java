@@ -1,0 +1,239 @@
+package carom.physics;
+
+import carom.physics.dynamics.ContactTable;
+import carom.physics.geometry.Shape;
+
+/**
+ * Two touching shapes, as a {@link CollisionListener} sees them. One object per world that is used
+ * again for each call: don't keep it.
+ *
+ * <p>Self is the body with the smaller {@link Body#index()}; {@link #isSelf} and {@link #other} help
+ * those who look for one of the two. Directions are seen from self.
+ *
+ * @param <T> the user's type of {@link Body#user()}
+ */
+public final class Collision<T> {
+  private final World<T> world;
+  private final ContactTable table;
+  private int row;
+
+  Collision(World<T> world, ContactTable table) {
+    this.world = world;
+    this.table = table;
+  }
+
+  Collision<T> at(int newRow) {
+    row = newRow;
+    return this;
+  }
+
+  /**
+   * The body with the smaller index.
+   *
+   * @return self
+   */
+  public Body<T> self() {
+    return world.body(table.bodyA(row));
+  }
+
+  /**
+   * The body with the larger index.
+   *
+   * @return the other one
+   */
+  public Body<T> other() {
+    return world.body(table.bodyB(row));
+  }
+
+  /**
+   * The partner of one of the two bodies.
+   *
+   * @param body self or other
+   * @return the one that it isn't
+   */
+  public Body<T> other(Body<T> body) {
+    return isSelf(body) ? other() : self();
+  }
+
+  /**
+   * Whether directions are seen from this body.
+   *
+   * @param body one of the two
+   * @return true if it is {@link #self}; if false, turn the normal and the MTV around
+   */
+  public boolean isSelf(Body<T> body) {
+    return self() == body;
+  }
+
+  /**
+   * The touching shape of self, as it was given to {@link BodyDef#shape}.
+   *
+   * @return in the body frame
+   */
+  public Shape selfShape() {
+    return self().shape(world.dynamics().shapeOf(table.partA(row)));
+  }
+
+  /**
+   * The touching shape of the other, as it was given to {@link BodyDef#shape}.
+   *
+   * @return in the body frame
+   */
+  public Shape otherShape() {
+    return other().shape(world.dynamics().shapeOf(table.partB(row)));
+  }
+
+  /**
+   * Unit normal from self to other, x.
+   *
+   * @return -1 to 1
+   */
+  public float normalX() {
+    return table.normalX(row);
+  }
+
+  /**
+   * Unit normal from self to other, y.
+   *
+   * @return -1 to 1
+   */
+  public float normalY() {
+    return table.normalY(row);
+  }
+
+  /**
+   * How deep the shapes overlap along the normal.
+   *
+   * @return m; 0 if they are merely close
+   */
+  public float depth() {
+    float least = 0;
+    for (int i = 0; i < pointCount(); i++) {
+      least = Math.min(least, table.separation(row, i));
+    }
+    return 0 - least;
+  }
+
+  /**
+   * Minimum translation vector: moves self out of other.
+   *
+   * @return x, m; zero if the shapes are merely close, see {@link #normalX} for the direction
+   */
+  public float mtvX() {
+    return -depth() * normalX();
+  }
+
+  /**
+   * Minimum translation vector: moves self out of other.
+   *
+   * @return y, m
+   */
+  public float mtvY() {
+    return -depth() * normalY();
+  }
+
+  /**
+   * The number of contact points.
+   *
+   * @return 1 or 2; 0 when a collision ended
+   */
+  public int pointCount() {
+    return table.points(row);
+  }
+
+  /**
+   * A contact point, midway between the surfaces.
+   *
+   * @param i below {@link #pointCount}
+   * @return x, m, world
+   */
+  public float pointX(int i) {
+    return self().centerX() + table.pointX(row, check(i));
+  }
+
+  /**
+   * A contact point, midway between the surfaces.
+   *
+   * @param i below {@link #pointCount}
+   * @return y, m, world
+   */
+  public float pointY(int i) {
+    return self().centerY() + table.pointY(row, check(i));
+  }
+
+  /**
+   * Gap between the surfaces at a point.
+   *
+   * @param i below {@link #pointCount}
+   * @return m, negative when they overlap
+   */
+  public float separation(int i) {
+    return table.separation(row, check(i));
+  }
+
+  /**
+   * Impulse of the step along the normal, on the other body; self receives the opposite.
+   *
+   * @param i below {@link #pointCount}
+   * @return N s, not negative; 0 in begin and pre-solve
+   */
+  public float normalImpulse(int i) {
+    return table.impulse(row, check(i));
+  }
+
+  /**
+   * Impulse of the step by friction, along the normal turned left, on the other body.
+   *
+   * @param i below {@link #pointCount}
+   * @return N s
+   */
+  public float tangentImpulse(int i) {
+    return table.slide(row, check(i));
+  }
+
+  /**
+   * Mixed friction of the two shapes.
+   *
+   * @return Coulomb coefficient
+   */
+  public float friction() {
+    return table.friction(row);
+  }
+
+  /**
+   * Mixed restitution of the two shapes.
+   *
+   * @return speed after by speed before
+   */
+  public float restitution() {
+    return table.restitution(row);
+  }
+
+  /**
+   * Speed at which the two bodies part at a point, along the normal, now.
+   *
+   * @param i below {@link #pointCount}
+   * @return m/s, negative when they approach
+   */
+  public float normalSpeed(int i) {
+    Body<T> a = self();
+    Body<T> b = other();
+    float ax = table.pointX(row, check(i));
+    float ay = table.pointY(row, i);
+    float bx = ax - (b.centerX() - a.centerX());
+    float by = ay - (b.centerY() - a.centerY());
+    float dx =
+        b.velocityX() - b.angularVelocity() * by - (a.velocityX() - a.angularVelocity() * ay);
+    float dy =
+        b.velocityY() + b.angularVelocity() * bx - (a.velocityY() + a.angularVelocity() * ax);
+    return dx * normalX() + dy * normalY();
+  }
+
+  private int check(int i) {
+    if (i < 0 || i >= pointCount()) {
+      throw new IndexOutOfBoundsException(
+          "point=" + i + " is outside 0.." + (pointCount() - 1) + "; see pointCount()");
+    }
+    return i;
+  }
+}

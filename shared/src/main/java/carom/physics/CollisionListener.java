@@ -1,0 +1,50 @@
+package carom.physics;
+
+/**
+ * Hears about touching shapes during {@link World#step}.
+ *
+ * <p>"Touching" means that two shapes are closer than {@link WorldDef#speculativeDistance}. Within
+ * a step the calls come in this order, each kind in the canonical order of contacts (by the indices
+ * of the two bodies, then of their shapes): {@code end} and {@code begin} and {@code preSolve}
+ * before anything is solved, {@code postSolve} when the bodies have moved.
+ *
+ * <p>A callback may set velocities, apply forces and impulses, teleport bodies and create bodies
+ * (these collide from the next step on). {@link World#destroyBody} takes effect at the end of the
+ * step; until then the body stays valid. Stepping, saving or restoring the world throws
+ * IllegalStateException. Results must depend on the world's state alone, or runs will differ.
+ *
+ * @param <T> the user's type of {@link Body#user()}
+ */
+public interface CollisionListener<T> {
+  /**
+   * Two shapes began to touch. Called before {@link #preSolve} of the same contact.
+   *
+   * @param collision valid during the call only; no impulses yet
+   */
+  default void begin(Collision<T> collision) {}
+
+  /**
+   * Two shapes no longer touch, or one of their bodies is being destroyed.
+   *
+   * @param collision valid during the call only; no points
+   */
+  default void end(Collision<T> collision) {}
+
+  /**
+   * Two shapes touch and are about to be pushed apart.
+   *
+   * @param collision valid during the call only; the impulses are those of the step before
+   * @return false to let them pass through each other in this step
+   */
+  default boolean preSolve(Collision<T> collision) {
+    return true;
+  }
+
+  /**
+   * Two shapes touched in this step and were not vetoed.
+   *
+   * @param collision valid during the call only; with the impulses of this step. Points and normal
+   *     are those the step began with, the bodies have moved already
+   */
+  default void postSolve(Collision<T> collision) {}
+}

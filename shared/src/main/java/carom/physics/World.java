@@ -1,0 +1,606 @@
+package carom.physics;
+
+import carom.physics.broadphase.CellVisitor;
+import carom.physics.broadphase.IntVisitor;
+import carom.physics.collision.Mtv;
+import carom.physics.collision.Sat;
+import carom.physics.dynamics.BodyStore;
+import carom.physics.dynamics.Checks;
+import carom.physics.dynamics.ContactEvents;
+import carom.physics.dynamics.ContactTable;
+import carom.physics.dynamics.Dynamics;
+import carom.physics.dynamics.Settings;
+import carom.physics.geometry.Circle;
+import carom.physics.geometry.Shape;
+import carom.physics.math.Aabb;
+import carom.physics.math.Transform;
+import carom.physics.math.Trig;
+import java.util.Arrays;
+import java.util.function.Consumer;
+
+/**
+ * A rigid-body world: create bodies, step, look.
+ *
+ * <p>A pure function of its {@link WorldDef} and the calls made: equal calls in equal order give equal
+ * bits on every JVM, and {@link #stateHash} proves it. One thread at a time. A steady {@link #step}
+ * allocates nothing.
+ *
+ * @param <T> what bodies stand for in the user's program, see {@link Body#user()}
+ */
+public final class World<T> {
+  private final WorldDef def;
+  private final Dynamics dynamics;
+  private final BodyStore store;
+  private final Collision<T> collision;
+  private final Events events = new Events();
+
+  /** Handles by slot; those of free slots are null. */
+  private Object[] handles = new Object[64];
+
+  /** Changes whenever a body comes or goes, and is never used again. */
+  private long structure;
+
+  private long nextStructure = 1;
+
+  private CollisionListener<T> listener;
+
+  private boolean stepping;
+  private boolean querying;
+  private int[] doomed = new int[8];
+  private int[] doomedGeneration = new int[8];
+  private int doomedCount;
+
+  private final Aabb box = new Aabb();
+  private final Aabb queryBox = new Aabb();
+  private final Transform pose = new Transform();
+  private int[] found = new int[16];
+  private int foundCount;
+  private final IntVisitor collect = this::collect;
+
+  private int[] contactStart = new int[0];
+  private int[] contactRows = new int[0];
+  private boolean contactsIndexed;
+
+  /**
+   * Makes an empty world.
+   *
+   * @param def its constants
+   */
+  public World(WorldDef def) {
+    this.def = def;
+    dynamics =
+        new Dynamics(
+            new Settings(
+                def.gravityX(),
+                def.gravityY(),
+                def.substeps(),
+                def.contactHertz(),
+                def.contactDampingRatio(),
+                def.restitutionThreshold(),
+                def.maxPushSpeed(),
+                def.slop(),
+                def.speculativeDistance(),
+                def.aabbMargin(),
+                def.maxSpeed(),
+                def.maxAngularSpeed()));
+    store = dynamics.bodies();
+    collision = new Collision<>(this, dynamics.contacts());
+  }
+
+  /**
+   * The constants this world was made with.
+   *
+   * @return the definition
+   */
+  public WorldDef def() {
+    return def;
+  }
+
+  /**
+   * Gravity.
+   *
+   * @return x, m/s^2
+   */
+  public float gravityX() {
+    return def.gravityX();
+  }
+
+  /**
+   * Gravity.
+   *
+   * @return y, m/s^2
+   */
+  public float gravityY() {
+    return def.gravityY();
+  }
+
+  /**
+   * Makes a body. In a callback, too: it then collides from the next step on.
+   *
+   * @param bodyDef what it is made from; copied
+   * @param user what it stands for, may be null
+   * @return its handle
+   * @throws IllegalArgumentException if the shapes of a dynamic body have no mass
+   * @throws IllegalStateException during a query
+   */
+  public Body<T> createBody(BodyDef bodyDef, T user) {
+    refuseDuringQuery("createBody");
+    int n = bodyDef.shapes.size();
+    Shape[] shapes = bodyDef.shapes.toArray(new Shape[0]);
+    Material[] materials = bodyDef.materials.toArray(new Material[0]);
+    float[] density = new float[n];
+    float[] friction = new float[n];
+    float[] restitution = new float[n];
+    for (int i = 0; i < n; i++) {
+      density[i] = materials[i].density();
+      friction[i] = materials[i].friction();
+      restitution[i] = materials[i].restitution();
+    }
+    int slot =
+        dynamics.create(
+            code(bodyDef.type), shapes, density, friction, restitution, bodyDef.fixedRotation);
+    store.setOriginPose(
+        slot, bodyDef.x, bodyDef.y, Trig.cos(bodyDef.angle), Trig.sin(bodyDef.angle));
+    if (bodyDef.type != BodyType.STATIC) {
+      store.vx[slot] = bodyDef.vx;
+      store.vy[slot] = bodyDef.vy;
+      store.w[slot] = bodyDef.angularVelocity;
+    }
+    store.linearDamping[slot] = bodyDef.linearDamping;
+    store.angularDamping[slot] = bodyDef.angularDamping;
+    store.gravityScale[slot] = bodyDef.gravityScale;
+    dynamics.moved(slot);
+    if (slot >= handles.length) {
+      handles = Arrays.copyOf(handles, Math.max(slot + 1, handles.length * 2));
+    }
+    Body<T> body =
+        new Body<>(this, store, slot, store.generation[slot], bodyDef.type, shapes, materials, user);
+    handles[slot] = body;
+    structure = nextStructure++;
+    return body;
+  }
+
+  private static byte code(BodyType type) {
+    return switch (type) {
+      case STATIC -> BodyStore.STATIC;
+      case KINEMATIC -> BodyStore.KINEMATIC;
+      case DYNAMIC -> BodyStore.DYNAMIC;
+    };
+  }
+
+  /**
+   * Removes a body; touching contacts end first. In a callback this takes effect at the end of the
+   * step, and until then the body stays as it is.
+   *
+   * @param body of this world
+   * @throws IllegalStateException if it was destroyed before, or during a query
+   */
+  public void destroyBody(Body<T> body) {
+    refuseDuringQuery("destroyBody");
+    body.check();
+    if (body.world() != this) {
+      throw new IllegalArgumentException("body=" + body + " belongs to another world");
+    }
+    if (doomedCount == doomed.length) {
+      doomed = Arrays.copyOf(doomed, doomedCount * 2);
+      doomedGeneration = Arrays.copyOf(doomedGeneration, doomedCount * 2);
+    }
+    doomed[doomedCount] = body.index();
+    doomedGeneration[doomedCount++] = body.generation();
+    if (!stepping) {
+      stepping = true;
+      try {
+        bury();
+      } finally {
+        stepping = false;
+      }
+    }
+  }
+
+  /** Destroys what was asked for; end callbacks may ask for more. */
+  private void bury() {
+    try {
+      for (int i = 0; i < doomedCount; i++) {
+        int slot = doomed[i];
+        if (store.alive(slot, doomedGeneration[i])) {
+          dynamics.destroy(slot, listener == null ? null : events);
+          handles[slot] = null;
+          structure = nextStructure++;
+          contactsIndexed = false;
+        }
+      }
+    } finally {
+      doomedCount = 0;
+    }
+  }
+
+  /**
+   * Advances the world by one tick; see {@link CollisionListener} for what is called when.
+   *
+   * <p>If a callback throws, the exception leaves this method and the world is in the middle of a
+   * step: restore a saved state or give the world up.
+   *
+   * @param dtSeconds s, more than 0, at most 0.1; use the same in every step
+   */
+  public void step(float dtSeconds) {
+    Checks.timeStep(dtSeconds);
+    refuseDuringStep("step");
+    refuseDuringQuery("step");
+    stepping = true;
+    contactsIndexed = false;
+    try {
+      dynamics.step(dtSeconds, listener == null ? null : events);
+      bury();
+    } finally {
+      stepping = false;
+      doomedCount = 0;
+    }
+  }
+
+  /**
+   * Sets who hears about collisions; not part of the state.
+   *
+   * @param newListener null for nobody
+   */
+  public void listener(CollisionListener<T> newListener) {
+    listener = newListener;
+  }
+
+  /** Hands the rows of the contact table to the listener. */
+  private final class Events implements ContactEvents {
+    @Override
+    public void begin(int row) {
+      listener.begin(collision.at(row));
+    }
+
+    @Override
+    public void end(int row) {
+      listener.end(collision.at(row));
+    }
+
+    @Override
+    public boolean preSolve(int row) {
+      return listener.preSolve(collision.at(row));
+    }
+
+    @Override
+    public void postSolve(int row) {
+      listener.postSolve(collision.at(row));
+    }
+  }
+
+  /**
+   * 64 bits that are equal if two worlds made with equal definitions will behave equally: poses,
+   * velocities, pending forces, masses, shapes, contacts with their impulses, and the order in which
+   * slots will be given out. Users, listeners and the broadphase are not in it.
+   *
+   * @return the hash
+   */
+  public long stateHash() {
+    return dynamics.hash();
+  }
+
+  /**
+   * Copies the state out.
+   *
+   * @param reuseOrNull a state of this world to overwrite, or null for a new one
+   * @return the state
+   */
+  public WorldState save(WorldState reuseOrNull) {
+    refuseDuringStep("save");
+    WorldState s = reuseOrNull == null ? new WorldState(this) : reuseOrNull;
+    checkOwner(s);
+    dynamics.save(s.dynamics, s.structure == structure);
+    if (s.structure != structure) {
+      int slots = store.slots();
+      if (s.handles.length < slots) {
+        s.handles = new Object[handles.length];
+      } else if (s.slots > slots) {
+        Arrays.fill(s.handles, slots, s.slots, null);
+      }
+      System.arraycopy(handles, 0, s.handles, 0, slots);
+      s.slots = slots;
+      s.structure = structure;
+    }
+    return s;
+  }
+
+  /**
+   * Takes a saved state over, bit for bit. Bodies made since are gone, bodies destroyed since are back
+   * with their handles and users. No callback is called.
+   *
+   * <p>A handle from a future that was undone may be valid again, when that future comes once more: it
+   * then means the body that was created in the same way.
+   *
+   * @param s made by {@link #save} of this world; stays as it is
+   */
+  public void restore(WorldState s) {
+    refuseDuringStep("restore");
+    refuseDuringQuery("restore");
+    checkOwner(s);
+    dynamics.restore(s.dynamics, s.structure == structure);
+    if (s.structure != structure) {
+      int slots = store.slots();
+      System.arraycopy(s.handles, 0, handles, 0, slots);
+      Arrays.fill(handles, slots, handles.length, null);
+      structure = s.structure;
+    }
+    contactsIndexed = false;
+  }
+
+  private void checkOwner(WorldState s) {
+    if (s.owner != this) {
+      throw new IllegalArgumentException("state=" + s + " was saved by another world");
+    }
+  }
+
+  /**
+   * The number of bodies.
+   *
+   * @return all types together
+   */
+  public int bodyCount() {
+    return store.count();
+  }
+
+  /**
+   * One more than the largest index any body ever had.
+   *
+   * @return bound for arrays indexed by {@link Body#index()}
+   */
+  public int slotCount() {
+    return store.slots();
+  }
+
+  /**
+   * The body in a slot.
+   *
+   * @param index see {@link Body#index()}
+   * @return null if there is none
+   */
+  @SuppressWarnings("unchecked")
+  public Body<T> body(int index) {
+    return index >= 0 && index < handles.length ? (Body<T>) handles[index] : null;
+  }
+
+  /**
+   * Visits all bodies by ascending index.
+   *
+   * @param visitor receives them
+   */
+  public void forEachBody(Consumer<Body<T>> visitor) {
+    for (int i = 0; i < store.slots(); i++) {
+      Body<T> body = body(i);
+      if (body != null) {
+        visitor.accept(body);
+      }
+    }
+  }
+
+  /**
+   * Visits the bodies with a shape whose AABB overlaps a box, by ascending index.
+   *
+   * @param minX left edge, m
+   * @param minY lower edge, m
+   * @param maxX right edge, m
+   * @param maxY upper edge, m
+   * @param visitor receives each body once; must not create, destroy, or query again
+   */
+  public void queryAabb(float minX, float minY, float maxX, float maxY, BodyVisitor<T> visitor) {
+    int n = find(minX, minY, maxX, maxY);
+    querying = true;
+    try {
+      int last = -1;
+      for (int i = 0; i < n; i++) {
+        int slot = dynamics.bodyOf(found[i]);
+        if (slot != last && !visitor.visit(body(slot))) {
+          return;
+        }
+        last = slot;
+      }
+    } finally {
+      querying = false;
+    }
+  }
+
+  /**
+   * The body at a point.
+   *
+   * @param x m
+   * @param y m
+   * @return the one with the smallest index whose shape contains the point, null if none does
+   */
+  public Body<T> bodyAt(float x, float y) {
+    int n = find(x, y, x, y);
+    for (int i = 0; i < n; i++) {
+      int slot = dynamics.bodyOf(found[i]);
+      pose.set(store.x[slot], store.y[slot], store.cos[slot], store.sin[slot]);
+      if (dynamics.convexOf(found[i]).containsPoint(pose, x, y)) {
+        return body(slot);
+      }
+    }
+    return null;
+  }
+
+  /** Collects the parts in a box, sorted by body; answers how many. */
+  private int find(float minX, float minY, float maxX, float maxY) {
+    refuseDuringQuery("query");
+    queryBox.set(
+        Checks.coordinate("minX", minX),
+        Checks.coordinate("minY", minY),
+        Checks.coordinate("maxX", maxX),
+        Checks.coordinate("maxY", maxY));
+    foundCount = 0;
+    dynamics.query(minX, minY, maxX, maxY, collect);
+    for (int i = 1; i < foundCount; i++) {
+      int part = found[i];
+      int slot = dynamics.bodyOf(part);
+      int j = i - 1;
+      while (j >= 0 && later(found[j], part, slot)) {
+        found[j + 1] = found[j];
+        j--;
+      }
+      found[j + 1] = part;
+    }
+    return foundCount;
+  }
+
+  private boolean later(int part, int than, int slot) {
+    int own = dynamics.bodyOf(part);
+    return own > slot || (own == slot && part > than);
+  }
+
+  private boolean collect(int part) {
+    dynamics.boxOf(part, false, box);
+    if (box.overlaps(queryBox)) {
+      if (foundCount == found.length) {
+        found = Arrays.copyOf(found, foundCount * 2);
+      }
+      found[foundCount++] = part;
+    }
+    return true;
+  }
+
+  /**
+   * Visits all contact points of the last step, for debug drawing.
+   *
+   * @param visitor receives them in canonical order
+   */
+  public void forEachContact(ContactVisitor visitor) {
+    ContactTable t = dynamics.contacts();
+    for (int row = 0; row < t.count(); row++) {
+      int a = t.bodyA(row);
+      for (int i = 0; i < t.points(row); i++) {
+        visitor.contact(
+            store.x[a] + t.pointX(row, i),
+            store.y[a] + t.pointY(row, i),
+            t.normalX(row),
+            t.normalY(row),
+            t.separation(row, i),
+            t.impulse(row, i));
+      }
+    }
+  }
+
+  /**
+   * Visits the nodes of the broadphase's trees, for debug drawing.
+   *
+   * @param visitor receives boxes and depths
+   */
+  public void forEachTreeCell(CellVisitor visitor) {
+    dynamics.cells(visitor);
+  }
+
+  /**
+   * Visits the box of each convex part of each body, for debug drawing.
+   *
+   * @param fat whether with the broadphase's margin
+   * @param visitor receives the boxes
+   */
+  public void forEachAabb(boolean fat, AabbVisitor visitor) {
+    for (int slot = 0; slot < store.slots(); slot++) {
+      if (store.type[slot] == BodyStore.FREE) {
+        continue;
+      }
+      int first = store.firstPart[slot];
+      for (int part = first; part < first + store.partCount[slot]; part++) {
+        dynamics.boxOf(part, fat, box);
+        visitor.aabb(box.minX, box.minY, box.maxX, box.maxY);
+      }
+    }
+  }
+
+  /**
+   * What the last step had to do. Allocates one small object.
+   *
+   * @return counters
+   */
+  public StepProfile profile() {
+    return new StepProfile(
+        store.count(),
+        dynamics.activeCount(),
+        dynamics.contacts().count(),
+        dynamics.touchingCount());
+  }
+
+  /** Visits the touching contacts of one body in canonical order. */
+  void forEachContact(int slot, BodyContactVisitor<T> visitor) {
+    if (!contactsIndexed) {
+      indexContacts();
+    }
+    if (slot + 1 >= contactStart.length) {
+      return;
+    }
+    ContactTable t = dynamics.contacts();
+    int end = contactStart[slot + 1];
+    for (int i = contactStart[slot]; i < end; i++) {
+      int row = contactRows[i];
+      float impulse = t.impulse(row, 0) + (t.points(row) > 1 ? t.impulse(row, 1) : 0);
+      if (t.bodyA(row) == slot) {
+        visitor.contact(body(t.bodyB(row)), t.normalX(row), t.normalY(row), impulse);
+      } else {
+        visitor.contact(body(t.bodyA(row)), -t.normalX(row), -t.normalY(row), impulse);
+      }
+    }
+  }
+
+  /** Sorts the touching rows by body, each row under both; two passes of counting. */
+  private void indexContacts() {
+    ContactTable t = dynamics.contacts();
+    int slots = store.slots();
+    if (contactStart.length < slots + 2) {
+      contactStart = new int[Math.max(slots + 2, contactStart.length * 2)];
+    }
+    if (contactRows.length < 2 * t.count()) {
+      contactRows = new int[Math.max(2 * t.count(), contactRows.length * 2)];
+    }
+    Arrays.fill(contactStart, 0);
+    for (int row = 0; row < t.count(); row++) {
+      if (dynamics.touches(row)) {
+        contactStart[t.bodyA(row) + 2]++;
+        contactStart[t.bodyB(row) + 2]++;
+      }
+    }
+    for (int i = 2; i < contactStart.length; i++) {
+      contactStart[i] += contactStart[i - 1];
+    }
+    for (int row = 0; row < t.count(); row++) {
+      if (dynamics.touches(row)) {
+        contactRows[contactStart[t.bodyA(row) + 1]++] = row;
+        contactRows[contactStart[t.bodyB(row) + 1]++] = row;
+      }
+    }
+    contactsIndexed = true;
+  }
+
+  /** Bounding box of a body's shapes. */
+  void aabb(int slot, Aabb out) {
+    out.setEmpty();
+    int first = store.firstPart[slot];
+    for (int part = first; part < first + store.partCount[slot]; part++) {
+      dynamics.boxOf(part, false, box);
+      out.add(box);
+    }
+  }
+
+  void moved(int slot) {
+    refuseDuringQuery("setPose");
+    dynamics.moved(slot);
+  }
+
+  Dynamics dynamics() {
+    return dynamics;
+  }
+
+  private void refuseDuringStep(String what) {
+    if (stepping) {
+      throw new IllegalStateException(what + " is not possible in a collision callback");
+    }
+  }
+
+  private void refuseDuringQuery(String what) {
+    if (querying) {
+      throw new IllegalStateException(what + " is not possible while a query visits bodies");
+    }
+  }
+}

@@ -1,0 +1,180 @@
+package carom.physics;
+
+import carom.physics.dynamics.Checks;
+
+/**
+ * The constants of a world; immutable. Two worlds behave alike only if theirs are equal, so server
+ * and client share one.
+ *
+ * @param gravityX acceleration of every dynamic body along x, m/s^2; default 0
+ * @param gravityY along y, m/s^2; default -10, close to the earth's and easy to calculate with
+ * @param substeps solver slices per step, 1 to 32; default 4. More make stacks stiffer and mass
+ *     ratios safer, and cost proportionally
+ * @param contactHertz stiffness of contacts as the frequency of a spring, 1/s; default 30. It is
+ *     capped at a quarter of the substep rate, above which the spring can't be resolved. Softer
+ *     contacts sink in visibly, stiffer ones make piles jitter
+ * @param contactDampingRatio how overdamped that spring is, 1 = critically; default 10, so that
+ *     overlap is removed slowly and without a bounce
+ * @param restitutionThreshold approach speed below which nothing bounces, m/s; default 1. Lower
+ *     values let resting things hop
+ * @param maxPushSpeed how fast overlap is pushed apart, m/s; default 3. Higher values make deep
+ *     overlaps explode
+ * @param slop overlap that is left alone, m; default 0.002. It keeps resting contacts closed
+ * @param speculativeDistance gap below which a contact is already solved, m; default 0.02. It lets
+ *     the solver stop bodies at the surface instead of behind it
+ * @param aabbMargin how much larger the boxes in the broadphase are, m; default 0.05. Larger boxes
+ *     are updated less often, but find more pairs; never changes a result
+ * @param maxSpeed no body moves faster, m/s; default 400. A safety net: at 60 ticks a second this
+ *     is 6.7 m per tick
+ * @param maxAngularSpeed no body spins faster, rad/s; default 250, one radian per substep at 60
+ *     ticks a second
+ */
+public record WorldDef(
+    float gravityX,
+    float gravityY,
+    int substeps,
+    float contactHertz,
+    float contactDampingRatio,
+    float restitutionThreshold,
+    float maxPushSpeed,
+    float slop,
+    float speculativeDistance,
+    float aabbMargin,
+    float maxSpeed,
+    float maxAngularSpeed) {
+
+  /** Gravity (0, -10) and the defaults. */
+  public WorldDef() {
+    this(0, -10, 4, 30, 10, 1, 3, 0.002f, 0.02f, 0.05f, 400, 250);
+  }
+
+  /**
+   * Checks the ranges.
+   *
+   * @throws IllegalArgumentException naming the value that is not finite or out of range
+   */
+  public WorldDef {
+    Checks.range("gravityX", gravityX, -1e4f, 1e4f);
+    Checks.range("gravityY", gravityY, -1e4f, 1e4f);
+    Checks.range("substeps", substeps, 1, 32);
+    Checks.range("contactHertz", contactHertz, 1, 1000);
+    Checks.range("contactDampingRatio", contactDampingRatio, 0.1f, 100);
+    Checks.range("restitutionThreshold", restitutionThreshold, 0, 1e5f);
+    Checks.range("maxPushSpeed", maxPushSpeed, 0, 1e3f);
+    Checks.range("slop", slop, 0, 1);
+    Checks.range("speculativeDistance", speculativeDistance, 0, 1);
+    Checks.range("aabbMargin", aabbMargin, 0, 10);
+    Checks.range("maxSpeed", maxSpeed, 1, 1e5f);
+    Checks.range("maxAngularSpeed", maxAngularSpeed, 1, 1e5f);
+  }
+  /**
+   * The same with another gravity.
+   *
+   * @param x m/s^2
+   * @param y m/s^2, negative is down
+   * @return a changed copy
+   */
+  public WorldDef withGravity(float x, float y) {
+    return new WorldDef(x, y, substeps, contactHertz, contactDampingRatio, restitutionThreshold, maxPushSpeed, slop, speculativeDistance, aabbMargin, maxSpeed, maxAngularSpeed);
+  }
+
+  /**
+   * The same with another {@link #substeps}.
+   *
+   * @param value slices per step
+   * @return a changed copy
+   */
+  public WorldDef withSubsteps(int value) {
+    return new WorldDef(gravityX, gravityY, value, contactHertz, contactDampingRatio, restitutionThreshold, maxPushSpeed, slop, speculativeDistance, aabbMargin, maxSpeed, maxAngularSpeed);
+  }
+
+  /**
+   * The same with another {@link #contactHertz}.
+   *
+   * @param value 1/s
+   * @return a changed copy
+   */
+  public WorldDef withContactHertz(float value) {
+    return new WorldDef(gravityX, gravityY, substeps, value, contactDampingRatio, restitutionThreshold, maxPushSpeed, slop, speculativeDistance, aabbMargin, maxSpeed, maxAngularSpeed);
+  }
+
+  /**
+   * The same with another {@link #contactDampingRatio}.
+   *
+   * @param value 1 = critical
+   * @return a changed copy
+   */
+  public WorldDef withContactDampingRatio(float value) {
+    return new WorldDef(gravityX, gravityY, substeps, contactHertz, value, restitutionThreshold, maxPushSpeed, slop, speculativeDistance, aabbMargin, maxSpeed, maxAngularSpeed);
+  }
+
+  /**
+   * The same with another {@link #restitutionThreshold}.
+   *
+   * @param value m/s
+   * @return a changed copy
+   */
+  public WorldDef withRestitutionThreshold(float value) {
+    return new WorldDef(gravityX, gravityY, substeps, contactHertz, contactDampingRatio, value, maxPushSpeed, slop, speculativeDistance, aabbMargin, maxSpeed, maxAngularSpeed);
+  }
+
+  /**
+   * The same with another {@link #maxPushSpeed}.
+   *
+   * @param value m/s
+   * @return a changed copy
+   */
+  public WorldDef withMaxPushSpeed(float value) {
+    return new WorldDef(gravityX, gravityY, substeps, contactHertz, contactDampingRatio, restitutionThreshold, value, slop, speculativeDistance, aabbMargin, maxSpeed, maxAngularSpeed);
+  }
+
+  /**
+   * The same with another {@link #slop}.
+   *
+   * @param value m
+   * @return a changed copy
+   */
+  public WorldDef withSlop(float value) {
+    return new WorldDef(gravityX, gravityY, substeps, contactHertz, contactDampingRatio, restitutionThreshold, maxPushSpeed, value, speculativeDistance, aabbMargin, maxSpeed, maxAngularSpeed);
+  }
+
+  /**
+   * The same with another {@link #speculativeDistance}.
+   *
+   * @param value m
+   * @return a changed copy
+   */
+  public WorldDef withSpeculativeDistance(float value) {
+    return new WorldDef(gravityX, gravityY, substeps, contactHertz, contactDampingRatio, restitutionThreshold, maxPushSpeed, slop, value, aabbMargin, maxSpeed, maxAngularSpeed);
+  }
+
+  /**
+   * The same with another {@link #aabbMargin}.
+   *
+   * @param value m
+   * @return a changed copy
+   */
+  public WorldDef withAabbMargin(float value) {
+    return new WorldDef(gravityX, gravityY, substeps, contactHertz, contactDampingRatio, restitutionThreshold, maxPushSpeed, slop, speculativeDistance, value, maxSpeed, maxAngularSpeed);
+  }
+
+  /**
+   * The same with another {@link #maxSpeed}.
+   *
+   * @param value m/s
+   * @return a changed copy
+   */
+  public WorldDef withMaxSpeed(float value) {
+    return new WorldDef(gravityX, gravityY, substeps, contactHertz, contactDampingRatio, restitutionThreshold, maxPushSpeed, slop, speculativeDistance, aabbMargin, value, maxAngularSpeed);
+  }
+
+  /**
+   * The same with another {@link #maxAngularSpeed}.
+   *
+   * @param value rad/s
+   * @return a changed copy
+   */
+  public WorldDef withMaxAngularSpeed(float value) {
+    return new WorldDef(gravityX, gravityY, substeps, contactHertz, contactDampingRatio, restitutionThreshold, maxPushSpeed, slop, speculativeDistance, aabbMargin, maxSpeed, value);
+  }
+}

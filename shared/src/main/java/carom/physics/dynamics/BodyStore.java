@@ -1,0 +1,365 @@
+package carom.physics.dynamics;
+
+import java.util.Arrays;
+
+/**
+ * All bodies of a world as a structure of arrays; the index is the body's slot.
+ *
+ * <p>A slot's pose is that of its centre of mass: {@code (x, y)} in world axes, rotation as the unit
+ * complex {@code (cos, sin)}. A body's shapes are stored relative to that centre, so that lever arms
+ * are small and exact however far from the origin the body is. The body's origin, which users see,
+ * is {@code centre - rotation * local centre}.
+ *
+ * <p>Slots are reused last in, first out; each reuse has another generation. The free list is part
+ * of the state, so that a restored world gives out the same slots again.
+ *
+ * <p>The arrays are public to the solver and the API; they are replaced when the store grows.
+ */
+public final class BodyStore {
+  /** Type of a free slot. */
+  public static final byte FREE = -1;
+
+  /** Never moves. */
+  public static final byte STATIC = 0;
+
+  /** Moves with its velocity, pushed by nothing. */
+  public static final byte KINEMATIC = 1;
+
+  /** Moves by forces and contacts. */
+  public static final byte DYNAMIC = 2;
+
+  /** The most bodies a world can hold; bounded by the bits of a contact's key. */
+  public static final int MAX_BODIES = 1 << ContactKey.BODY_BITS;
+
+  private static final int FIRST_CAPACITY = 64;
+
+  /** {@link #FREE}, {@link #STATIC}, {@link #KINEMATIC} or {@link #DYNAMIC}. */
+  public byte[] type = new byte[FIRST_CAPACITY];
+
+  /** Counts the lives of a slot. */
+  public int[] generation = new int[FIRST_CAPACITY];
+
+  /** First of the body's shape parts in {@link ShapeTable}; the others follow it. */
+  public int[] firstPart = new int[FIRST_CAPACITY];
+
+  /** Number of shape parts. */
+  public int[] partCount = new int[FIRST_CAPACITY];
+
+  /** Hash of the body's shapes and materials; goes into the state hash in their place. */
+  public long[] shapeHash = new long[FIRST_CAPACITY];
+
+  /** Centre of mass, m. */
+  public float[] x = new float[FIRST_CAPACITY];
+
+  /** Centre of mass, m. */
+  public float[] y = new float[FIRST_CAPACITY];
+
+  /** Rotation, real part. */
+  public float[] cos = new float[FIRST_CAPACITY];
+
+  /** Rotation, imaginary part. */
+  public float[] sin = new float[FIRST_CAPACITY];
+
+  /** Velocity of the centre of mass, m/s. */
+  public float[] vx = new float[FIRST_CAPACITY];
+
+  /** Velocity of the centre of mass, m/s. */
+  public float[] vy = new float[FIRST_CAPACITY];
+
+  /** Angular velocity, rad/s. */
+  public float[] w = new float[FIRST_CAPACITY];
+
+  /** Force that acts during the next step, N. */
+  public float[] forceX = new float[FIRST_CAPACITY];
+
+  /** Force that acts during the next step, N. */
+  public float[] forceY = new float[FIRST_CAPACITY];
+
+  /** Torque that acts during the next step, N m. */
+  public float[] torque = new float[FIRST_CAPACITY];
+
+  /** Impulse that acts at the start of the next step, N s. */
+  public float[] impulseX = new float[FIRST_CAPACITY];
+
+  /** Impulse that acts at the start of the next step, N s. */
+  public float[] impulseY = new float[FIRST_CAPACITY];
+
+  /** Angular impulse that acts at the start of the next step, N m s. */
+  public float[] impulseW = new float[FIRST_CAPACITY];
+
+  /** One over the mass, 1/kg; 0 if not dynamic. */
+  public float[] invMass = new float[FIRST_CAPACITY];
+
+  /** One over the moment of inertia about the centre, 1/(kg m^2); 0 if rotation is fixed. */
+  public float[] invInertia = new float[FIRST_CAPACITY];
+
+  /** Mass, kg; 0 if not dynamic. */
+  public float[] mass = new float[FIRST_CAPACITY];
+
+  /** Moment of inertia about the centre, kg m^2; 0 if not dynamic or rotation is fixed. */
+  public float[] inertia = new float[FIRST_CAPACITY];
+
+  /** Centre of mass in the body frame, m. */
+  public float[] localX = new float[FIRST_CAPACITY];
+
+  /** Centre of mass in the body frame, m. */
+  public float[] localY = new float[FIRST_CAPACITY];
+
+  /** Rate at which velocity decays, 1/s. */
+  public float[] linearDamping = new float[FIRST_CAPACITY];
+
+  /** Rate at which angular velocity decays, 1/s. */
+  public float[] angularDamping = new float[FIRST_CAPACITY];
+
+  /** Factor on the world's gravity. */
+  public float[] gravityScale = new float[FIRST_CAPACITY];
+
+  /** Radius of the largest disc about the centre inside the body, roughly; gates fast motion. */
+  public float[] innerRadius = new float[FIRST_CAPACITY];
+
+  private float[][] floats = gather();
+
+  private int[] freeSlots = new int[FIRST_CAPACITY];
+  private int freeCount;
+  private int slots;
+  private int count;
+
+  /** Makes an empty store. */
+  public BodyStore() {}
+
+  /**
+   * The number of bodies.
+   *
+   * @return slots in use
+   */
+  public int count() {
+    return count;
+  }
+
+  /**
+   * One more than the largest slot ever used.
+   *
+   * @return the bound of loops over all slots, free ones included
+   */
+  public int slots() {
+    return slots;
+  }
+
+  /**
+   * Takes a slot; all numbers are zero, rotation is none, gravity scale is one.
+   *
+   * @param newType {@link #STATIC}, {@link #KINEMATIC} or {@link #DYNAMIC}
+   * @return the slot
+   * @throws IllegalStateException if the world is full
+   */
+  public int allocate(byte newType) {
+    int slot;
+    if (freeCount > 0) {
+      slot = freeSlots[--freeCount];
+    } else {
+      if (slots == MAX_BODIES) {
+        throw new IllegalStateException(
+            "bodies=" + slots + " is the most a world can hold; destroy some or use more worlds");
+      }
+      slot = slots++;
+      if (slot == type.length) {
+        grow();
+      }
+    }
+    for (float[] field : floats) {
+      field[slot] = 0;
+    }
+    cos[slot] = 1;
+    gravityScale[slot] = 1;
+    type[slot] = newType;
+    firstPart[slot] = 0;
+    partCount[slot] = 0;
+    shapeHash[slot] = 0;
+    count++;
+    return slot;
+  }
+
+  /**
+   * Gives a slot back; handles of its generation become invalid.
+   *
+   * @param slot a slot in use
+   */
+  public void release(int slot) {
+    type[slot] = FREE;
+    generation[slot]++;
+    freeSlots[freeCount++] = slot;
+    count--;
+  }
+
+  /**
+   * Whether this is the body of that handle, still alive.
+   *
+   * @param slot any slot a handle holds
+   * @param expected the handle's generation
+   * @return false if the body was destroyed
+   */
+  public boolean alive(int slot, int expected) {
+    return slot < slots && generation[slot] == expected && type[slot] != FREE;
+  }
+
+  /**
+   * Sets pose by the centre of mass, bit for bit.
+   *
+   * @param slot which
+   * @param newX centre, m
+   * @param newY centre, m
+   * @param c cosine; (c, s) is normalised unless its length is 1 up to rounding
+   * @param s sine
+   */
+  public void setCenterPose(int slot, float newX, float newY, float c, float s) {
+    Checks.coordinate("x", newX);
+    Checks.coordinate("y", newY);
+    setRotation(slot, c, s);
+    x[slot] = newX;
+    y[slot] = newY;
+  }
+
+  /**
+   * Sets pose by the body's origin.
+   *
+   * @param slot which
+   * @param originX body origin, m
+   * @param originY body origin, m
+   * @param c cosine; (c, s) is normalised unless its length is 1 up to rounding
+   * @param s sine
+   */
+  public void setOriginPose(int slot, float originX, float originY, float c, float s) {
+    Checks.coordinate("x", originX);
+    Checks.coordinate("y", originY);
+    setRotation(slot, c, s);
+    x[slot] = originX + (cos[slot] * localX[slot] - sin[slot] * localY[slot]);
+    y[slot] = originY + (sin[slot] * localX[slot] + cos[slot] * localY[slot]);
+  }
+
+  /**
+   * The body's origin.
+   *
+   * @param slot which
+   * @return x, m
+   */
+  public float originX(int slot) {
+    return x[slot] - (cos[slot] * localX[slot] - sin[slot] * localY[slot]);
+  }
+
+  /**
+   * The body's origin.
+   *
+   * @param slot which
+   * @return y, m
+   */
+  public float originY(int slot) {
+    return y[slot] - (sin[slot] * localX[slot] + cos[slot] * localY[slot]);
+  }
+
+  private void setRotation(int slot, float c, float s) {
+    float lengthSquared = c * c + s * s;
+    if (!(lengthSquared >= 1e-6f && lengthSquared <= 1e6f)) {
+      throw new IllegalArgumentException(
+          "cos=" + c + " sin=" + s + " is not a rotation; their squares should add up to 1");
+    }
+    if (Math.abs(lengthSquared - 1) > 1e-6f) {
+      float length = (float) Math.sqrt(lengthSquared);
+      c /= length;
+      s /= length;
+    }
+    cos[slot] = c;
+    sin[slot] = s;
+  }
+
+  /** Velocity changes by pending impulses, which are then gone. */
+  void applyImpulses(int slot) {
+    vx[slot] += invMass[slot] * impulseX[slot];
+    vy[slot] += invMass[slot] * impulseY[slot];
+    w[slot] += invInertia[slot] * impulseW[slot];
+    impulseX[slot] = 0;
+    impulseY[slot] = 0;
+    impulseW[slot] = 0;
+  }
+
+  /** Bits of everything that influences the future. */
+  long hash(long h) {
+    h = StateHash.mix(h, slots);
+    h = StateHash.mix(h, freeCount);
+    for (int i = 0; i < freeCount; i++) {
+      h = StateHash.mix(h, freeSlots[i]);
+    }
+    for (int i = 0; i < slots; i++) {
+      h = StateHash.mix(h, ((long) generation[i] << 8) | (type[i] & 0xff));
+      if (type[i] == FREE) {
+        continue;
+      }
+      h = StateHash.mix(h, shapeHash[i]);
+      for (int f = 0; f < floats.length; f += 2) {
+        h = StateHash.mix(h, floats[f][i], floats[f + 1][i]);
+      }
+    }
+    return h;
+  }
+
+  /** Copies everything into another store, which grows as needed; allocates only then. */
+  void copyTo(BodyStore to) {
+    while (to.type.length < slots) {
+      to.grow();
+    }
+    System.arraycopy(type, 0, to.type, 0, slots);
+    System.arraycopy(generation, 0, to.generation, 0, slots);
+    System.arraycopy(firstPart, 0, to.firstPart, 0, slots);
+    System.arraycopy(partCount, 0, to.partCount, 0, slots);
+    System.arraycopy(shapeHash, 0, to.shapeHash, 0, slots);
+    System.arraycopy(freeSlots, 0, to.freeSlots, 0, freeCount);
+    for (int f = 0; f < floats.length; f++) {
+      System.arraycopy(floats[f], 0, to.floats[f], 0, slots);
+    }
+    to.freeCount = freeCount;
+    to.slots = slots;
+    to.count = count;
+  }
+
+  private void grow() {
+    int capacity = type.length * 2;
+    type = Arrays.copyOf(type, capacity);
+    generation = Arrays.copyOf(generation, capacity);
+    firstPart = Arrays.copyOf(firstPart, capacity);
+    partCount = Arrays.copyOf(partCount, capacity);
+    shapeHash = Arrays.copyOf(shapeHash, capacity);
+    freeSlots = Arrays.copyOf(freeSlots, capacity);
+    x = Arrays.copyOf(x, capacity);
+    y = Arrays.copyOf(y, capacity);
+    cos = Arrays.copyOf(cos, capacity);
+    sin = Arrays.copyOf(sin, capacity);
+    vx = Arrays.copyOf(vx, capacity);
+    vy = Arrays.copyOf(vy, capacity);
+    w = Arrays.copyOf(w, capacity);
+    forceX = Arrays.copyOf(forceX, capacity);
+    forceY = Arrays.copyOf(forceY, capacity);
+    torque = Arrays.copyOf(torque, capacity);
+    impulseX = Arrays.copyOf(impulseX, capacity);
+    impulseY = Arrays.copyOf(impulseY, capacity);
+    impulseW = Arrays.copyOf(impulseW, capacity);
+    invMass = Arrays.copyOf(invMass, capacity);
+    invInertia = Arrays.copyOf(invInertia, capacity);
+    mass = Arrays.copyOf(mass, capacity);
+    inertia = Arrays.copyOf(inertia, capacity);
+    localX = Arrays.copyOf(localX, capacity);
+    localY = Arrays.copyOf(localY, capacity);
+    linearDamping = Arrays.copyOf(linearDamping, capacity);
+    angularDamping = Arrays.copyOf(angularDamping, capacity);
+    gravityScale = Arrays.copyOf(gravityScale, capacity);
+    innerRadius = Arrays.copyOf(innerRadius, capacity);
+    floats = gather();
+  }
+
+  /** All float arrays, for copying, clearing and hashing; an even number. */
+  private float[][] gather() {
+    return new float[][] {
+      x, y, cos, sin, vx, vy, w, forceX, forceY, torque, impulseX, impulseY, impulseW, invMass,
+      invInertia, mass, inertia, localX, localY, linearDamping, angularDamping, gravityScale,
+      innerRadius, innerRadius
+    };
+  }
+}

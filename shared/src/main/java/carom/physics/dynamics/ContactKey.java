@@ -1,0 +1,44 @@
+package carom.physics.dynamics;
+
+/**
+ * The name of a pair of shape parts: the smaller body index, the larger one, then the parts' numbers
+ * within their bodies, as one positive long.
+ *
+ * <p>Contacts are kept in the order of their keys. A key depends on the bodies alone, never on when
+ * the broadphase found the pair, so neither does any result.
+ */
+public final class ContactKey {
+  static final int BODY_BITS = 21;
+  static final int PART_BITS = 10;
+
+  /** The most convex parts one body can have. */
+  public static final int MAX_PARTS = 1 << PART_BITS;
+
+  private static final int BODY_MASK = (1 << BODY_BITS) - 1;
+  private static final int PART_MASK = MAX_PARTS - 1;
+
+  private ContactKey() {}
+
+  static long of(int bodyA, int partA, int bodyB, int partB) {
+    return ((long) bodyA << (BODY_BITS + 2 * PART_BITS))
+        | ((long) bodyB << (2 * PART_BITS))
+        | ((long) partA << PART_BITS)
+        | partB;
+  }
+
+  static int bodyA(long key) {
+    return (int) (key >>> (BODY_BITS + 2 * PART_BITS));
+  }
+
+  static int bodyB(long key) {
+    return (int) (key >>> (2 * PART_BITS)) & BODY_MASK;
+  }
+
+  static int partA(long key) {
+    return (int) (key >>> PART_BITS) & PART_MASK;
+  }
+
+  static int partB(long key) {
+    return (int) key & PART_MASK;
+  }
+}

@@ -1,0 +1,457 @@
+package carom.physics.dynamics;
+
+import carom.physics.collision.Manifold;
+import java.util.Arrays;
+
+/**
+ * Pairs of shape parts that are close, from tick to tick, in the order of their {@link ContactKey}.
+ *
+ * <p>A row lives while the fat boxes of its parts overlap. It carries what the solver learns (the
+ * impulses, matched from tick to tick by the feature ids of the points), so the rows of touching
+ * parts belong to the state. Whether a row of parts that don't touch exists changes nothing.
+ *
+ * <p>Rows are dense and sorted, so every pass streams through memory in the canonical order, and
+ * saving is a copy. New pairs are merged in from the back; no second buffer is needed.
+ */
+public final class ContactTable {
+  /** Flag: the manifold has points. */
+  static final byte TOUCHING = 1;
+
+  /** Flag: a callback refused the response in this step. */
+  static final byte VETOED = 2;
+
+  /** Flag: was touching in the step before. */
+  static final byte WAS_TOUCHING = 4;
+
+  private static final int FIRST_CAPACITY = 128;
+
+  long[] key = new long[FIRST_CAPACITY];
+  int[] partA = new int[FIRST_CAPACITY];
+  int[] partB = new int[FIRST_CAPACITY];
+  byte[] flags = new byte[FIRST_CAPACITY];
+
+  /** Number of points: 0, 1 or 2. */
+  byte[] points = new byte[FIRST_CAPACITY];
+
+  /** Feature ids of the points. */
+  int[] id0 = new int[FIRST_CAPACITY];
+
+  int[] id1 = new int[FIRST_CAPACITY];
+
+  /** Impulses to start the next step with, N s per substep: normal and tangential of each point. */
+  float[] normal0 = new float[FIRST_CAPACITY];
+
+  float[] normal1 = new float[FIRST_CAPACITY];
+  float[] tangent0 = new float[FIRST_CAPACITY];
+  float[] tangent1 = new float[FIRST_CAPACITY];
+
+  /** Mixed materials. */
+  float[] friction = new float[FIRST_CAPACITY];
+
+  float[] restitution = new float[FIRST_CAPACITY];
+
+  /** Unit normal from A to B. */
+  float[] nx = new float[FIRST_CAPACITY];
+
+  float[] ny = new float[FIRST_CAPACITY];
+
+  /** Points relative to A's centre of mass, world axes, m; and their gaps. */
+  float[] x0 = new float[FIRST_CAPACITY];
+
+  float[] y0 = new float[FIRST_CAPACITY];
+  float[] separation0 = new float[FIRST_CAPACITY];
+  float[] x1 = new float[FIRST_CAPACITY];
+  float[] y1 = new float[FIRST_CAPACITY];
+  float[] separation1 = new float[FIRST_CAPACITY];
+
+  /** Impulses of the whole step, N s. */
+  float[] total0 = new float[FIRST_CAPACITY];
+
+  float[] total1 = new float[FIRST_CAPACITY];
+  float[] slide0 = new float[FIRST_CAPACITY];
+  float[] slide1 = new float[FIRST_CAPACITY];
+
+  private float[][] floats = gather();
+  private int count;
+
+  ContactTable() {}
+
+  /**
+   * The number of rows.
+   *
+   * @return rows in use
+   */
+  public int count() {
+    return count;
+  }
+
+  /**
+   * The body with the smaller index.
+   *
+   * @param row which
+   * @return its slot
+   */
+  public int bodyA(int row) {
+    return ContactKey.bodyA(key[row]);
+  }
+
+  /**
+   * The body with the larger index.
+   *
+   * @param row which
+   * @return its slot
+   */
+  public int bodyB(int row) {
+    return ContactKey.bodyB(key[row]);
+  }
+
+  /**
+   * The part of body A.
+   *
+   * @param row which
+   * @return its number in the shape table
+   */
+  public int partA(int row) {
+    return partA[row];
+  }
+
+  /**
+   * The part of body B.
+   *
+   * @param row which
+   * @return its number in the shape table
+   */
+  public int partB(int row) {
+    return partB[row];
+  }
+
+  /**
+   * The number of contact points.
+   *
+   * @param row which
+   * @return 0, 1 or 2
+   */
+  public int points(int row) {
+    return points[row];
+  }
+
+  /**
+   * Unit normal from A to B.
+   *
+   * @param row which
+   * @return x
+   */
+  public float normalX(int row) {
+    return nx[row];
+  }
+
+  /**
+   * Unit normal from A to B.
+   *
+   * @param row which
+   * @return y
+   */
+  public float normalY(int row) {
+    return ny[row];
+  }
+
+  /**
+   * Mixed friction.
+   *
+   * @param row which
+   * @return Coulomb coefficient
+   */
+  public float friction(int row) {
+    return friction[row];
+  }
+
+  /**
+   * Mixed restitution.
+   *
+   * @param row which
+   * @return speed after by speed before
+   */
+  public float restitution(int row) {
+    return restitution[row];
+  }
+
+  /**
+   * A contact point, relative to A's centre of mass when the step began.
+   *
+   * @param row which
+   * @param point 0 or 1
+   * @return x, m
+   */
+  public float pointX(int row, int point) {
+    return point == 0 ? x0[row] : x1[row];
+  }
+
+  /**
+   * A contact point, relative to A's centre of mass when the step began.
+   *
+   * @param row which
+   * @param point 0 or 1
+   * @return y, m
+   */
+  public float pointY(int row, int point) {
+    return point == 0 ? y0[row] : y1[row];
+  }
+
+  /**
+   * Gap at a point when the step began.
+   *
+   * @param row which
+   * @param point 0 or 1
+   * @return m, negative when overlapping
+   */
+  public float separation(int row, int point) {
+    return point == 0 ? separation0[row] : separation1[row];
+  }
+
+  /**
+   * Impulse along the normal in the last step.
+   *
+   * @param row which
+   * @param point 0 or 1
+   * @return N s
+   */
+  public float impulse(int row, int point) {
+    return point == 0 ? total0[row] : total1[row];
+  }
+
+  /**
+   * Impulse by friction in the last step.
+   *
+   * @param row which
+   * @param point 0 or 1
+   * @return N s
+   */
+  public float slide(int row, int point) {
+    return point == 0 ? slide0[row] : slide1[row];
+  }
+
+  /** Takes the manifold of this step, handing each point the impulses of its predecessor. */
+  void update(int row, Manifold m) {
+    float oldNormal0 = normal0[row];
+    float oldTangent0 = tangent0[row];
+    float oldNormal1 = normal1[row];
+    float oldTangent1 = tangent1[row];
+    int oldPoints = points[row];
+    int oldId0 = id0[row];
+    int oldId1 = id1[row];
+    int n = m.count;
+    points[row] = (byte) n;
+    boolean touched = (flags[row] & TOUCHING) != 0;
+    flags[row] = (byte) ((n > 0 ? TOUCHING : 0) | (touched ? WAS_TOUCHING : 0));
+    normal0[row] = 0;
+    tangent0[row] = 0;
+    normal1[row] = 0;
+    tangent1[row] = 0;
+    total0[row] = 0;
+    total1[row] = 0;
+    slide0[row] = 0;
+    slide1[row] = 0;
+    if (n == 0) {
+      return;
+    }
+    nx[row] = m.normalX;
+    ny[row] = m.normalY;
+    id0[row] = m.id0;
+    x0[row] = m.x0;
+    y0[row] = m.y0;
+    separation0[row] = m.separation0;
+    if (oldPoints > 0 && oldId0 == m.id0) {
+      normal0[row] = oldNormal0;
+      tangent0[row] = oldTangent0;
+    } else if (oldPoints > 1 && oldId1 == m.id0) {
+      normal0[row] = oldNormal1;
+      tangent0[row] = oldTangent1;
+    }
+    if (n > 1) {
+      id1[row] = m.id1;
+      x1[row] = m.x1;
+      y1[row] = m.y1;
+      separation1[row] = m.separation1;
+      if (oldPoints > 1 && oldId1 == m.id1) {
+        normal1[row] = oldNormal1;
+        tangent1[row] = oldTangent1;
+      } else if (oldPoints > 0 && oldId0 == m.id1) {
+        normal1[row] = oldNormal0;
+        tangent1[row] = oldTangent0;
+      }
+    }
+  }
+
+  /** Starts cold: the contact was not solved. */
+  void forget(int row) {
+    normal0[row] = 0;
+    normal1[row] = 0;
+    tangent0[row] = 0;
+    tangent1[row] = 0;
+  }
+
+  /**
+   * Drops the rows that neither touch nor have overlapping fat boxes, then merges new pairs in.
+   *
+   * @param candidates keys in ascending order; those already present and repetitions are skipped
+   * @param candidateCount number of keys
+   */
+  void merge(long[] candidates, int candidateCount, BodyStore bodies, ShapeTable parts) {
+    int kept = 0;
+    for (int row = 0; row < count; row++) {
+      if ((flags[row] & TOUCHING) != 0 || parts.fat.overlaps(partA[row], partB[row])) {
+        move(row, kept++);
+      }
+    }
+    count = kept;
+    int fresh = 0;
+    int row = 0;
+    for (int i = 0; i < candidateCount; i++) {
+      long k = candidates[i];
+      if (fresh > 0 && candidates[fresh - 1] == k) {
+        continue;
+      }
+      while (row < count && key[row] < k) {
+        row++;
+      }
+      if (row == count || key[row] != k) {
+        candidates[fresh++] = k;
+      }
+    }
+    if (fresh == 0) {
+      return;
+    }
+    ensure(count + fresh);
+    int to = count + fresh - 1;
+    int from = count - 1;
+    int next = fresh - 1;
+    count += fresh;
+    while (next >= 0) {
+      if (from >= 0 && key[from] > candidates[next]) {
+        move(from--, to--);
+      } else {
+        start(to--, candidates[next--], bodies, parts);
+      }
+    }
+  }
+
+  /** Drops all rows of a body. */
+  void removeBody(int body) {
+    int kept = 0;
+    for (int row = 0; row < count; row++) {
+      if (ContactKey.bodyA(key[row]) != body && ContactKey.bodyB(key[row]) != body) {
+        move(row, kept++);
+      }
+    }
+    count = kept;
+  }
+
+  private void start(int row, long k, BodyStore bodies, ShapeTable parts) {
+    int a = bodies.firstPart[ContactKey.bodyA(k)] + ContactKey.partA(k);
+    int b = bodies.firstPart[ContactKey.bodyB(k)] + ContactKey.partB(k);
+    for (float[] field : floats) {
+      field[row] = 0;
+    }
+    key[row] = k;
+    partA[row] = a;
+    partB[row] = b;
+    flags[row] = 0;
+    points[row] = 0;
+    id0[row] = 0;
+    id1[row] = 0;
+    friction[row] = (float) Math.sqrt(parts.friction[a] * parts.friction[b]);
+    restitution[row] = Math.max(parts.restitution[a], parts.restitution[b]);
+  }
+
+  private void move(int from, int to) {
+    if (from == to) {
+      return;
+    }
+    key[to] = key[from];
+    partA[to] = partA[from];
+    partB[to] = partB[from];
+    flags[to] = flags[from];
+    points[to] = points[from];
+    id0[to] = id0[from];
+    id1[to] = id1[from];
+    for (float[] field : floats) {
+      field[to] = field[from];
+    }
+  }
+
+  /** Bits of the rows that touch, which are all that influences the future. */
+  long hash(long h) {
+    for (int row = 0; row < count; row++) {
+      if ((flags[row] & TOUCHING) == 0) {
+        continue;
+      }
+      int n = points[row];
+      h = StateHash.mix(h, key[row]);
+      h = StateHash.mix(h, ((long) n << 40) | ((long) flags[row] << 32) | (id0[row] & 0xffffffffL));
+      h = StateHash.mix(h, normal0[row], tangent0[row]);
+      h = StateHash.mix(h, nx[row], ny[row]);
+      h = StateHash.mix(h, total0[row], slide0[row]);
+      if (n > 1) {
+        h = StateHash.mix(h, id1[row]);
+        h = StateHash.mix(h, normal1[row], tangent1[row]);
+        h = StateHash.mix(h, total1[row], slide1[row]);
+      }
+    }
+    return h;
+  }
+
+  void copyTo(ContactTable to) {
+    to.ensure(count);
+    System.arraycopy(key, 0, to.key, 0, count);
+    System.arraycopy(partA, 0, to.partA, 0, count);
+    System.arraycopy(partB, 0, to.partB, 0, count);
+    System.arraycopy(flags, 0, to.flags, 0, count);
+    System.arraycopy(points, 0, to.points, 0, count);
+    System.arraycopy(id0, 0, to.id0, 0, count);
+    System.arraycopy(id1, 0, to.id1, 0, count);
+    for (int f = 0; f < floats.length; f++) {
+      System.arraycopy(floats[f], 0, to.floats[f], 0, count);
+    }
+    to.count = count;
+  }
+
+  private void ensure(int capacity) {
+    if (capacity <= key.length) {
+      return;
+    }
+    int grown = Math.max(capacity, key.length * 2);
+    key = Arrays.copyOf(key, grown);
+    partA = Arrays.copyOf(partA, grown);
+    partB = Arrays.copyOf(partB, grown);
+    flags = Arrays.copyOf(flags, grown);
+    points = Arrays.copyOf(points, grown);
+    id0 = Arrays.copyOf(id0, grown);
+    id1 = Arrays.copyOf(id1, grown);
+    normal0 = Arrays.copyOf(normal0, grown);
+    normal1 = Arrays.copyOf(normal1, grown);
+    tangent0 = Arrays.copyOf(tangent0, grown);
+    tangent1 = Arrays.copyOf(tangent1, grown);
+    friction = Arrays.copyOf(friction, grown);
+    restitution = Arrays.copyOf(restitution, grown);
+    nx = Arrays.copyOf(nx, grown);
+    ny = Arrays.copyOf(ny, grown);
+    x0 = Arrays.copyOf(x0, grown);
+    y0 = Arrays.copyOf(y0, grown);
+    separation0 = Arrays.copyOf(separation0, grown);
+    x1 = Arrays.copyOf(x1, grown);
+    y1 = Arrays.copyOf(y1, grown);
+    separation1 = Arrays.copyOf(separation1, grown);
+    total0 = Arrays.copyOf(total0, grown);
+    total1 = Arrays.copyOf(total1, grown);
+    slide0 = Arrays.copyOf(slide0, grown);
+    slide1 = Arrays.copyOf(slide1, grown);
+    floats = gather();
+  }
+
+  private float[][] gather() {
+    return new float[][] {
+      normal0, normal1, tangent0, tangent1, friction, restitution, nx, ny, x0, y0, separation0, x1,
+      y1, separation1, total0, total1, slide0, slide1
+    };
+  }
+}

@@ -1,0 +1,668 @@
+package carom.physics.dynamics;
+
+import carom.physics.broadphase.CellVisitor;
+import carom.physics.broadphase.IntVisitor;
+import carom.physics.broadphase.KdTree;
+import carom.physics.broadphase.PairVisitor;
+import carom.physics.collision.Collider;
+import carom.physics.collision.Manifold;
+import carom.physics.geometry.Convex;
+import carom.physics.geometry.MassData;
+import carom.physics.geometry.Shape;
+import carom.physics.math.Aabb;
+import carom.physics.math.Transform;
+import java.util.Arrays;
+
+/**
+ * Bodies, their shapes and contacts, and the step that moves them; the engine behind {@code
+ * carom.physics.World}.
+ *
+ * <p><b>A step</b>: refresh fat boxes; search pairs if a box changed; one manifold per pair; tell the
+ * owner (end, begin, pre-solve); then {@code substeps} times: integrate velocities, warm start, solve
+ * with bias, integrate positions, relax; bounce; write back; tell the owner (post-solve); carry out
+ * what was deferred.
+ *
+ * <p><b>Order.</b> Contacts are always visited by ascending {@link ContactKey}. Everything else in a
+ * step is independent per body. So the result depends on the state alone, never on the shape of a
+ * tree or on when a pair was found.
+ *
+ * <p>One thread at a time. A steady step allocates nothing.
+ */
+public final class Dynamics {
+  private static final int FIRST_CAPACITY = 64;
+
+  private final Settings settings;
+  private final BodyStore bodies = new BodyStore();
+  private final ShapeTable parts = new ShapeTable();
+  private final ContactTable contacts = new ContactTable();
+  private final SolverBodies solverBodies = new SolverBodies();
+  private final ContactSolver solver = new ContactSolver();
+  private final Collider collider = new Collider();
+  private final Manifold manifold = new Manifold();
+  private final Transform poseA = new Transform();
+  private final Transform poseB = new Transform();
+  private final Aabb box = new Aabb();
+
+  private final KdTree moving = new KdTree(parts.fat);
+  private final KdTree fixed = new KdTree(parts.fat);
+  private boolean movingStale;
+  private boolean fixedStale;
+
+  /** Whether a static body was ever moved by hand. */
+  private boolean fixedMoved;
+
+  /** Whether all pairs must be searched, for instance because a static body is new. */
+  private boolean searchAll;
+
+  /** Whether poses changed since fat boxes were refreshed. */
+  private boolean boxesStale;
+
+  private float lastStep = 1 / 60f;
+
+  /** Moving bodies in no particular order, and where each is (-1 if static or free). */
+  private int[] active = new int[FIRST_CAPACITY];
+
+  private int[] activeIndex = new int[FIRST_CAPACITY];
+  private int activeCount;
+
+  private int[] movedParts = new int[FIRST_CAPACITY];
+  private int movedCount;
+
+  private final KeySorter sorter = new KeySorter();
+  private long[] candidates = new long[FIRST_CAPACITY];
+  private int candidateCount;
+  private int searchPart;
+
+  private final PairVisitor onPair = this::candidate;
+  private final IntVisitor onFound =
+      found -> {
+        candidate(searchPart, found);
+        return true;
+      };
+
+  private int touching;
+
+  /**
+   * Makes an empty world.
+   *
+   * @param settings its constants
+   */
+  public Dynamics(Settings settings) {
+    this.settings = settings;
+  }
+
+  /**
+   * The bodies; poses may be read, and numbers that don't move shapes written, between steps.
+   *
+   * @return the live store
+   */
+  public BodyStore bodies() {
+    return bodies;
+  }
+
+  /**
+   * Makes a body at the origin.
+   *
+   * @param type one of {@link BodyStore}'s types
+   * @param shapes in the body frame
+   * @param density per shape, kg/m^2
+   * @param friction per shape
+   * @param restitution per shape
+   * @param fixedRotation whether only {@code setAngularVelocity} turns it
+   * @return the slot
+   */
+  public int create(
+      byte type,
+      Shape[] shapes,
+      float[] density,
+      float[] friction,
+      float[] restitution,
+      boolean fixedRotation) {
+    int count = 0;
+    for (Shape shape : shapes) {
+      count += shape.parts().size();
+    }
+    if (count > ContactKey.MAX_PARTS) {
+      throw new IllegalArgumentException(
+          "parts="
+              + count
+              + " is more than the "
+              + ContactKey.MAX_PARTS
+              + " convex parts one body can have; split it into several bodies");
+    }
+    MassData total =
+        type == BodyStore.DYNAMIC ? massOf(shapes, density) : new MassData(0, 0, 0, 0);
+    int body = bodies.allocate(type);
+    if (type == BodyStore.DYNAMIC) {
+      bodies.mass[body] = total.mass();
+      bodies.invMass[body] = 1 / total.mass();
+      if (!fixedRotation && total.inertia() > 0) {
+        bodies.inertia[body] = total.inertia();
+        bodies.invInertia[body] = 1 / total.inertia();
+      }
+      bodies.localX[body] = total.centerX();
+      bodies.localY[body] = total.centerY();
+    }
+    int first = parts.allocate(body, count);
+    bodies.firstPart[body] = first;
+    bodies.partCount[body] = count;
+    int part = first;
+    long hash = StateHash.SEED;
+    float inner = Float.MAX_VALUE;
+    poseA.setIdentity();
+    for (int i = 0; i < shapes.length; i++) {
+      for (Convex convex : shapes[i].parts()) {
+        Convex local = (Convex) convex.moved(-bodies.localX[body], -bodies.localY[body]);
+        parts.convex[part] = local;
+        parts.shapeIndex[part] = i;
+        parts.friction[part] = friction[i];
+        parts.restitution[part] = restitution[i];
+        hash = StateHash.mix(hash, friction[i], restitution[i]);
+        hash = ShapeHash.mix(hash, local);
+        local.aabb(poseA, box);
+        inner = Math.min(inner, 0.5f * Math.min(box.width(), box.height()));
+        part++;
+      }
+    }
+    bodies.shapeHash[body] = hash;
+    bodies.innerRadius[body] = inner;
+    enter(body);
+    return body;
+  }
+
+  private static MassData massOf(Shape[] shapes, float[] density) {
+    if (shapes.length == 0) {
+      return new MassData(1, 0, 0, 0);
+    }
+    double mass = 0;
+    double mx = 0;
+    double my = 0;
+    for (int i = 0; i < shapes.length; i++) {
+      MassData m = shapes[i].mass(density[i]);
+      mass += m.mass();
+      mx += (double) m.mass() * m.centerX();
+      my += (double) m.mass() * m.centerY();
+    }
+    Checks.range("mass", (float) mass, 1e-9f, 1e15f);
+    float x = (float) (mx / mass);
+    float y = (float) (my / mass);
+    double inertia = 0;
+    for (int i = 0; i < shapes.length; i++) {
+      MassData m = shapes[i].mass(density[i]);
+      double dx = m.centerX() - x;
+      double dy = m.centerY() - y;
+      inertia += m.inertia() + m.mass() * (dx * dx + dy * dy);
+    }
+    return new MassData((float) mass, x, y, (float) inertia);
+  }
+
+  /** Makes the broadphase and the solver know a body. */
+  private void enter(int body) {
+    int first = bodies.firstPart[body];
+    if (activeIndex.length <= body) {
+      activeIndex = Arrays.copyOf(activeIndex, Math.max(body + 1, activeIndex.length * 2));
+    }
+    activeIndex[body] = -1;
+    boolean isFixed = bodies.type[body] == BodyStore.STATIC;
+    if (!isFixed) {
+      if (activeCount == active.length) {
+        active = Arrays.copyOf(active, activeCount * 2);
+      }
+      active[activeCount] = body;
+      activeIndex[body] = activeCount++;
+    }
+    for (int part = first; part < first + bodies.partCount[body]; part++) {
+      if (isFixed) {
+        fixedBox(body, part);
+        fixed.add(part);
+      } else {
+        parts.fat.set(part, bodies.x[body], bodies.y[body], bodies.x[body], bodies.y[body]);
+        moving.add(part);
+      }
+    }
+    searchAll |= isFixed;
+    boxesStale = true;
+  }
+
+  /** Takes a body out again; its contacts must be gone. */
+  private void leave(int body) {
+    int at = activeIndex[body];
+    if (at >= 0) {
+      int last = active[--activeCount];
+      active[at] = last;
+      activeIndex[last] = at;
+      activeIndex[body] = -1;
+    }
+    int first = bodies.firstPart[body];
+    KdTree tree = bodies.type[body] == BodyStore.STATIC ? fixed : moving;
+    for (int part = first; part < first + bodies.partCount[body]; part++) {
+      tree.remove(part);
+    }
+  }
+
+  /**
+   * Removes a body; its touching contacts end first.
+   *
+   * @param body the slot
+   * @param events is told, null for nobody
+   */
+  public void destroy(int body, ContactEvents events) {
+    if (events != null) {
+      for (int row = 0; row < contacts.count(); row++) {
+        if (touches(row)
+            && (ContactKey.bodyA(contacts.key[row]) == body
+                || ContactKey.bodyB(contacts.key[row]) == body)) {
+          events.end(row);
+        }
+      }
+    }
+    contacts.removeBody(body);
+    leave(body);
+    parts.release(bodies.firstPart[body], bodies.partCount[body]);
+    bodies.release(body);
+  }
+
+  /**
+   * Must be called after a pose was changed by hand.
+   *
+   * @param body the slot
+   */
+  public void moved(int body) {
+    if (bodies.type[body] == BodyStore.STATIC) {
+      int first = bodies.firstPart[body];
+      for (int part = first; part < first + bodies.partCount[body]; part++) {
+        fixedBox(body, part);
+      }
+      fixedStale = true;
+      fixedMoved = true;
+      searchAll = true;
+    } else {
+      boxesStale = true;
+    }
+  }
+
+  private void fixedBox(int body, int part) {
+    place(body, poseA);
+    parts.convex[part].aabb(poseA, box);
+    float margin = 0.5f * settings.speculativeDistance();
+    parts.fat.set(
+        part, box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin);
+  }
+
+  private void place(int body, Transform pose) {
+    pose.set(bodies.x[body], bodies.y[body], bodies.cos[body], bodies.sin[body]);
+  }
+
+  /**
+   * Advances the world.
+   *
+   * @param dt s, checked by the caller
+   * @param events is told what happens, null for nobody
+   */
+  public void step(float dt, ContactEvents events) {
+    lastStep = dt;
+    for (int i = 0; i < activeCount; i++) {
+      if (bodies.type[active[i]] == BodyStore.DYNAMIC) {
+        bodies.applyImpulses(active[i]);
+      }
+    }
+    boxesStale = true;
+    refreshBoxes();
+    findPairs();
+    collide(dt);
+    if (events != null) {
+      announce(events);
+    }
+    solve(dt);
+    boxesStale = true;
+    if (events != null) {
+      for (int row = 0; row < contacts.count(); row++) {
+        if (touches(row) && (contacts.flags[row] & ContactTable.VETOED) == 0) {
+          events.postSolve(row);
+        }
+      }
+    }
+  }
+
+  /** Gives every moving part whose fat box no longer contains it a new one. */
+  private void refreshBoxes() {
+    if (!boxesStale) {
+      return;
+    }
+    boxesStale = false;
+    float reach = 0.5f * settings.speculativeDistance();
+    float margin = settings.aabbMargin();
+    for (int i = 0; i < activeCount; i++) {
+      int body = active[i];
+      place(body, poseA);
+      int first = bodies.firstPart[body];
+      int end = first + bodies.partCount[body];
+      for (int part = first; part < end; part++) {
+        parts.convex[part].aabb(poseA, box);
+        float minX = box.minX - reach;
+        float minY = box.minY - reach;
+        float maxX = box.maxX + reach;
+        float maxY = box.maxY + reach;
+        if (parts.fat.contains(part, minX, minY, maxX, maxY)) {
+          continue;
+        }
+        float aheadX = 2 * lastStep * bodies.vx[body];
+        float aheadY = 2 * lastStep * bodies.vy[body];
+        parts.fat.set(
+            part,
+            minX - margin + Math.min(aheadX, 0),
+            minY - margin + Math.min(aheadY, 0),
+            maxX + margin + Math.max(aheadX, 0),
+            maxY + margin + Math.max(aheadY, 0));
+        movingStale = true;
+        if (!parts.moved[part]) {
+          parts.moved[part] = true;
+          if (movedCount == movedParts.length) {
+            movedParts = Arrays.copyOf(movedParts, movedCount * 2);
+          }
+          movedParts[movedCount++] = part;
+        }
+      }
+    }
+  }
+
+  private void refreshTrees() {
+    if (movingStale) {
+      moving.refit();
+      movingStale = false;
+    }
+    if (fixedStale) {
+      fixed.refit();
+      fixedStale = false;
+    }
+  }
+
+  private void findPairs() {
+    if (movedCount == 0 && !searchAll) {
+      return;
+    }
+    refreshTrees();
+    candidateCount = 0;
+    if (searchAll || movedCount * 4 > moving.size()) {
+      moving.pairs(onPair);
+      moving.join(fixed, onPair);
+    } else {
+      for (int i = 0; i < movedCount; i++) {
+        int part = movedParts[i];
+        if (parts.body[part] < 0) {
+          continue;
+        }
+        searchPart = part;
+        float minX = parts.fat.minX[part];
+        float minY = parts.fat.minY[part];
+        float maxX = parts.fat.maxX[part];
+        float maxY = parts.fat.maxY[part];
+        moving.query(minX, minY, maxX, maxY, onFound);
+        fixed.query(minX, minY, maxX, maxY, onFound);
+      }
+    }
+    for (int i = 0; i < movedCount; i++) {
+      parts.moved[movedParts[i]] = false;
+    }
+    movedCount = 0;
+    searchAll = false;
+    candidates = sorter.sort(candidates, candidateCount);
+    contacts.merge(candidates, candidateCount, bodies, parts);
+  }
+
+  private void candidate(int p, int q) {
+    int a = parts.body[p];
+    int b = parts.body[q];
+    if (a == b || (bodies.invMass[a] == 0 && bodies.invMass[b] == 0)) {
+      return;
+    }
+    if (a > b) {
+      candidate(q, p);
+      return;
+    }
+    if (candidateCount == candidates.length) {
+      candidates = Arrays.copyOf(candidates, candidateCount * 2);
+    }
+    candidates[candidateCount++] =
+        ContactKey.of(a, p - bodies.firstPart[a], b, q - bodies.firstPart[b]);
+  }
+
+  private void collide(float dt) {
+    touching = 0;
+    float distance = settings.speculativeDistance();
+    for (int row = 0; row < contacts.count(); row++) {
+      int partA = contacts.partA[row];
+      int partB = contacts.partB[row];
+      place(parts.body[partA], poseA);
+      place(parts.body[partB], poseB);
+      collider.collide(parts.convex[partA], poseA, parts.convex[partB], poseB, distance, manifold);
+      contacts.update(row, manifold);
+      if (manifold.count > 0) {
+        touching++;
+      }
+    }
+  }
+
+  private void announce(ContactEvents events) {
+    for (int row = 0; row < contacts.count(); row++) {
+      byte flags = contacts.flags[row];
+      boolean now = (flags & ContactTable.TOUCHING) != 0;
+      boolean before = (flags & ContactTable.WAS_TOUCHING) != 0;
+      if (before && !now) {
+        events.end(row);
+      } else if (now) {
+        if (!before) {
+          events.begin(row);
+        }
+        if (!events.preSolve(row)) {
+          contacts.flags[row] |= ContactTable.VETOED;
+        }
+      }
+    }
+  }
+
+  private void solve(float dt) {
+    int substeps = settings.substeps();
+    float h = dt / substeps;
+    solverBodies.load(bodies, active, activeCount, settings, h);
+    solver.prepare(contacts, bodies, solverBodies, activeIndex, settings, h);
+    float[] state = solverBodies.state;
+    int n = solver.count();
+    for (int i = 0; i < substeps; i++) {
+      solverBodies.integrateVelocities(h, settings.maxSpeed(), settings.maxAngularSpeed());
+      solver.warmStart(state, 0, n);
+      solver.solve(state, 0, n, h, true, settings);
+      solverBodies.integratePositions(h);
+      solver.solve(state, 0, n, h, false, settings);
+    }
+    solver.restitution(state);
+    solver.store(contacts);
+    solverBodies.store(bodies, active);
+  }
+
+  /**
+   * Calls back with every part whose tight box overlaps the given one.
+   *
+   * @param minX left edge, m
+   * @param minY lower edge, m
+   * @param maxX right edge, m
+   * @param maxY upper edge, m
+   * @param visitor receives parts in no particular order
+   */
+  public void query(float minX, float minY, float maxX, float maxY, IntVisitor visitor) {
+    refreshBoxes();
+    refreshTrees();
+    moving.query(minX, minY, maxX, maxY, visitor);
+    fixed.query(minX, minY, maxX, maxY, visitor);
+  }
+
+  /**
+   * The box of one part.
+   *
+   * @param part which
+   * @param fat whether with its margin, as the broadphase sees it
+   * @param out receives the box
+   */
+  public void boxOf(int part, boolean fat, Aabb out) {
+    if (fat) {
+      refreshBoxes();
+      out.set(
+          parts.fat.minX[part], parts.fat.minY[part], parts.fat.maxX[part], parts.fat.maxY[part]);
+    } else {
+      place(parts.body[part], poseA);
+      parts.convex[part].aabb(poseA, out);
+    }
+  }
+
+  /**
+   * Visits the nodes of both trees.
+   *
+   * @param visitor receives boxes and depths
+   */
+  public void cells(CellVisitor visitor) {
+    refreshBoxes();
+    refreshTrees();
+    moving.cells(visitor);
+    fixed.cells(visitor);
+  }
+
+  /**
+   * The body a part belongs to.
+   *
+   * @param part which
+   * @return its slot
+   */
+  public int bodyOf(int part) {
+    return parts.body[part];
+  }
+
+  /**
+   * The geometry of a part.
+   *
+   * @param part which
+   * @return relative to its body's centre of mass
+   */
+  public Convex convexOf(int part) {
+    return parts.convex[part];
+  }
+
+  /**
+   * Which of its body's shapes a part belongs to.
+   *
+   * @param part which
+   * @return the shape's number
+   */
+  public int shapeOf(int part) {
+    return parts.shapeIndex[part];
+  }
+
+  /**
+   * The contacts.
+   *
+   * @return the live table
+   */
+  public ContactTable contacts() {
+    return contacts;
+  }
+
+  /**
+   * Whether a row of the contact table has points.
+   *
+   * @param row which
+   * @return false if the parts are merely near
+   */
+  public boolean touches(int row) {
+    return (contacts.flags[row] & ContactTable.TOUCHING) != 0;
+  }
+
+  /**
+   * The number of touching contacts in the last step.
+   *
+   * @return contacts with points
+   */
+  public int touchingCount() {
+    return touching;
+  }
+
+  /**
+   * The number of bodies that aren't static.
+   *
+   * @return moving bodies
+   */
+  public int activeCount() {
+    return activeCount;
+  }
+
+  /**
+   * Hash of everything that influences the future.
+   *
+   * @return 64 bits
+   */
+  public long hash() {
+    return StateHash.finish(contacts.hash(bodies.hash(StateHash.SEED)));
+  }
+
+  /** The state of a world at one moment. */
+  public static final class State {
+    private final BodyStore bodies = new BodyStore();
+    private final ShapeTable parts = new ShapeTable();
+    private final ContactTable contacts = new ContactTable();
+
+    /** Makes an empty state to save into. */
+    public State() {}
+  }
+
+  /**
+   * Copies the state out.
+   *
+   * @param to is overwritten
+   * @param sameStructure whether no body came or went since {@code to} was saved
+   */
+  public void save(State to, boolean sameStructure) {
+    bodies.copyTo(to.bodies);
+    if (!sameStructure) {
+      parts.copyTo(to.parts);
+    }
+    contacts.copyTo(to.contacts);
+  }
+
+  /**
+   * Takes a saved state over. The fat boxes stay as they are until a part leaves its own: they don't
+   * influence results.
+   *
+   * @param from stays as it is
+   * @param sameStructure whether no body came or went since {@code from} was saved
+   */
+  public void restore(State from, boolean sameStructure) {
+    from.bodies.copyTo(bodies);
+    from.contacts.copyTo(contacts);
+    if (sameStructure) {
+      restoreFixedBoxes();
+    } else {
+      from.parts.copyTo(parts);
+      movedCount = 0;
+      activeCount = 0;
+      moving.clear();
+      fixed.clear();
+      for (int body = 0; body < bodies.slots(); body++) {
+        if (bodies.type[body] != BodyStore.FREE) {
+          enter(body);
+        }
+      }
+    }
+    searchAll = true;
+    boxesStale = true;
+  }
+
+  /** Static bodies may have been teleported since. */
+  private void restoreFixedBoxes() {
+    if (!fixedMoved) {
+      return;
+    }
+    for (int body = 0; body < bodies.slots(); body++) {
+      if (bodies.type[body] == BodyStore.STATIC) {
+        moved(body);
+      }
+    }
+  }
+}

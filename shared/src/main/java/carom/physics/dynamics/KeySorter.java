@@ -1,0 +1,69 @@
+package carom.physics.dynamics;
+
+import java.util.Arrays;
+
+/**
+ * Sorts contact keys without garbage: insertion sort for few, a radix sort by bytes for many, which
+ * skips the bytes that all keys share.
+ */
+final class KeySorter {
+  private static final int FEW = 32;
+
+  private long[] other = new long[64];
+  private final int[] counts = new int[256];
+
+  /** Sorts the first n keys; answers the array that holds them now, the other one becomes scratch. */
+  long[] sort(long[] keys, int n) {
+    if (n <= FEW) {
+      insertion(keys, n);
+      return keys;
+    }
+    if (other.length < keys.length) {
+      other = new long[keys.length];
+    }
+    long[] from = keys;
+    long[] to = other;
+    long all = -1;
+    long any = 0;
+    for (int i = 0; i < n; i++) {
+      all &= keys[i];
+      any |= keys[i];
+    }
+    long differs = all ^ any;
+    for (int shift = 0; shift < 64; shift += 8) {
+      if ((differs >>> shift & 0xff) == 0) {
+        continue;
+      }
+      Arrays.fill(counts, 0);
+      for (int i = 0; i < n; i++) {
+        counts[(int) (from[i] >>> shift) & 0xff]++;
+      }
+      int sum = 0;
+      for (int d = 0; d < 256; d++) {
+        int c = counts[d];
+        counts[d] = sum;
+        sum += c;
+      }
+      for (int i = 0; i < n; i++) {
+        to[counts[(int) (from[i] >>> shift) & 0xff]++] = from[i];
+      }
+      long[] swap = from;
+      from = to;
+      to = swap;
+    }
+    other = to;
+    return from;
+  }
+
+  private static void insertion(long[] keys, int n) {
+    for (int i = 1; i < n; i++) {
+      long k = keys[i];
+      int j = i - 1;
+      while (j >= 0 && keys[j] > k) {
+        keys[j + 1] = keys[j];
+        j--;
+      }
+      keys[j + 1] = k;
+    }
+  }
+}

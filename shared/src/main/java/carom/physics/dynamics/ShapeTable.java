@@ -1,0 +1,116 @@
+package carom.physics.dynamics;
+
+import carom.physics.broadphase.AabbArray;
+import carom.physics.geometry.Convex;
+import java.util.Arrays;
+
+/**
+ * The convex parts of all bodies' shapes, with their materials and their boxes in the broadphase.
+ *
+ * <p>The parts of one body are neighbours; freed blocks wait in a list per size until a body with as
+ * many parts comes. Part numbers and boxes never influence a result, so they are no part of the
+ * state hash.
+ *
+ * <p>A <b>fat box</b> contains the part's tight box with a margin, so that it stays valid for some
+ * ticks and the broadphase has nothing to do for quiet bodies.
+ */
+public final class ShapeTable {
+  private static final int FIRST_CAPACITY = 64;
+
+  /** The part, relative to its body's centre of mass. */
+  Convex[] convex = new Convex[FIRST_CAPACITY];
+
+  /** The body that owns it, -1 if free. */
+  int[] body = new int[FIRST_CAPACITY];
+
+  /** Which of the body's shapes, as the user gave them, it belongs to. */
+  int[] shapeIndex = new int[FIRST_CAPACITY];
+
+  float[] friction = new float[FIRST_CAPACITY];
+  float[] restitution = new float[FIRST_CAPACITY];
+
+  /** Whether the box changed since pairs were last searched. */
+  boolean[] moved = new boolean[FIRST_CAPACITY];
+
+  /** The boxes in the broadphase; never restored, only widened when they no longer contain. */
+  final AabbArray fat = new AabbArray(FIRST_CAPACITY);
+
+  /** Per block size: the first free block's part, -1 if none; the next one is in {@link #body}. */
+  private final int[] freeBlocks = new int[ContactKey.MAX_PARTS + 1];
+
+  private int[] nextFree = new int[FIRST_CAPACITY];
+  private int used;
+
+  ShapeTable() {
+    Arrays.fill(freeBlocks, -1);
+  }
+
+  /** One more than the largest part ever used. */
+  int used() {
+    return used;
+  }
+
+  /** Takes a block of parts for a body; answers the first. */
+  int allocate(int owner, int parts) {
+    if (parts == 0) {
+      return 0;
+    }
+    int first = freeBlocks[parts];
+    if (first >= 0) {
+      freeBlocks[parts] = nextFree[first];
+    } else {
+      first = used;
+      used += parts;
+      ensure(used);
+    }
+    for (int p = first; p < first + parts; p++) {
+      body[p] = owner;
+      moved[p] = false;
+    }
+    return first;
+  }
+
+  void release(int first, int parts) {
+    if (parts == 0) {
+      return;
+    }
+    for (int p = first; p < first + parts; p++) {
+      body[p] = -1;
+      convex[p] = null;
+      moved[p] = false;
+    }
+    nextFree[first] = freeBlocks[parts];
+    freeBlocks[parts] = first;
+  }
+
+  void copyTo(ShapeTable to) {
+    to.ensure(used);
+    System.arraycopy(convex, 0, to.convex, 0, used);
+    if (to.used > used) {
+      Arrays.fill(to.convex, used, to.used, null);
+      Arrays.fill(to.body, used, to.used, -1);
+    }
+    System.arraycopy(body, 0, to.body, 0, used);
+    System.arraycopy(shapeIndex, 0, to.shapeIndex, 0, used);
+    System.arraycopy(friction, 0, to.friction, 0, used);
+    System.arraycopy(restitution, 0, to.restitution, 0, used);
+    System.arraycopy(nextFree, 0, to.nextFree, 0, used);
+    System.arraycopy(freeBlocks, 0, to.freeBlocks, 0, freeBlocks.length);
+    Arrays.fill(to.moved, false);
+    to.used = used;
+  }
+
+  private void ensure(int capacity) {
+    if (capacity > body.length) {
+      int grown = Math.max(capacity, body.length * 2);
+      convex = Arrays.copyOf(convex, grown);
+      body = Arrays.copyOf(body, grown);
+      shapeIndex = Arrays.copyOf(shapeIndex, grown);
+      friction = Arrays.copyOf(friction, grown);
+      restitution = Arrays.copyOf(restitution, grown);
+      moved = Arrays.copyOf(moved, grown);
+      nextFree = Arrays.copyOf(nextFree, grown);
+    }
+    fat.ensureCapacity(body.length);
+  }
+}

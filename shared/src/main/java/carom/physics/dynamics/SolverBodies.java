@@ -1,0 +1,176 @@
+package carom.physics.dynamics;
+
+import java.util.Arrays;
+
+/**
+ * What the solver touches of each moving body, packed to 32 bytes: velocity, and how far the body has
+ * moved and turned since the step began.
+ *
+ * <p>Slot 0 is the one static body of all constraints: without mass and at rest, it absorbs whatever
+ * is added to it (which is zero). Moving bodies follow from slot 1. Positions are differences, so the
+ * solver works with small numbers wherever in the world it is.
+ */
+final class SolverBodies {
+  /** Floats per slot, and their order. */
+  static final int STRIDE = 8;
+
+  static final int VX = 0;
+  static final int VY = 1;
+  static final int W = 2;
+  static final int DX = 3;
+  static final int DY = 4;
+  static final int COS = 5;
+  static final int SIN = 6;
+
+  float[] state = new float[0];
+
+  /** Acceleration by gravity and forces, and the factor that damping leaves, per slot. */
+  private float[] ax = new float[0];
+
+  private float[] ay = new float[0];
+  private float[] aw = new float[0];
+  private float[] keep = new float[0];
+  private float[] keepW = new float[0];
+  private int count;
+
+  float ax(int slot) {
+    return ax[slot];
+  }
+
+  float ay(int slot) {
+    return ay[slot];
+  }
+
+  /** Loads the moving bodies; their forces are used up. */
+  void load(BodyStore b, int[] active, int activeCount, Settings s, float h) {
+    count = activeCount + 1;
+    if (ax.length < count) {
+      int capacity = Math.max(count, ax.length * 2);
+      state = new float[capacity * STRIDE];
+      ax = new float[capacity];
+      ay = new float[capacity];
+      aw = new float[capacity];
+      keep = new float[capacity];
+      keepW = new float[capacity];
+    }
+    Arrays.fill(state, 0, STRIDE, 0);
+    state[COS] = 1;
+    for (int i = 1; i < count; i++) {
+      int body = active[i - 1];
+      int at = i * STRIDE;
+      boolean dynamic = b.type[body] == BodyStore.DYNAMIC;
+      if (dynamic) {
+        b.applyImpulses(body);
+      }
+      state[at + VX] = b.vx[body];
+      state[at + VY] = b.vy[body];
+      state[at + W] = b.w[body];
+      state[at + DX] = 0;
+      state[at + DY] = 0;
+      state[at + COS] = 1;
+      state[at + SIN] = 0;
+      if (dynamic) {
+        ax[i] = b.gravityScale[body] * s.gravityX() + b.invMass[body] * b.forceX[body];
+        ay[i] = b.gravityScale[body] * s.gravityY() + b.invMass[body] * b.forceY[body];
+        aw[i] = b.invInertia[body] * b.torque[body];
+        keep[i] = 1 / (1 + h * b.linearDamping[body]);
+        keepW[i] = 1 / (1 + h * b.angularDamping[body]);
+        b.forceX[body] = 0;
+        b.forceY[body] = 0;
+        b.torque[body] = 0;
+      } else {
+        ax[i] = 0;
+        ay[i] = 0;
+        aw[i] = 0;
+        keep[i] = 1;
+        keepW[i] = 1;
+      }
+    }
+  }
+
+  /**
+   * First half of symplectic Euler: v += h a. Damping is implicit, v / (1 + h c), hence stable for
+   * any rate. Speeds above the limits are cut; what isn't a number becomes zero, so that one broken
+   * body stays one.
+   */
+  void integrateVelocities(float h, float maxSpeed, float maxSpin) {
+    float[] s = state;
+    float limit = maxSpeed * maxSpeed;
+    for (int i = 1; i < count; i++) {
+      int at = i * STRIDE;
+      float vx = (s[at + VX] + h * ax[i]) * keep[i];
+      float vy = (s[at + VY] + h * ay[i]) * keep[i];
+      float w = (s[at + W] + h * aw[i]) * keepW[i];
+      float square = vx * vx + vy * vy;
+      if (!(square <= limit)) {
+        float cut = square <= Float.MAX_VALUE ? maxSpeed / (float) Math.sqrt(square) : 0;
+        vx = cut > 0 ? vx * cut : 0;
+        vy = cut > 0 ? vy * cut : 0;
+      }
+      if (!(Math.abs(w) <= maxSpin)) {
+        w = w > 0 ? maxSpin : w < 0 ? -maxSpin : 0;
+      }
+      s[at + VX] = vx;
+      s[at + VY] = vy;
+      s[at + W] = w;
+    }
+  }
+
+  /**
+   * Second half: x += h v, and the rotation by the angle a = h w: (cos, sin) to the fourth order,
+   * then normalised; the error of the angle is below a^5 / 120, and no trigonometry is needed.
+   */
+  void integratePositions(float h) {
+    float[] s = state;
+    for (int i = 1; i < count; i++) {
+      int at = i * STRIDE;
+      s[at + DX] += h * s[at + VX];
+      s[at + DY] += h * s[at + VY];
+      float a = h * s[at + W];
+      if (a != 0) {
+        float aa = a * a;
+        float dc = 1 - aa * (0.5f - aa * (1 / 24f));
+        float ds = a * (1 - aa * (1 / 6f));
+        float c = s[at + COS];
+        float n = s[at + SIN];
+        float newCos = c * dc - n * ds;
+        float newSin = n * dc + c * ds;
+        float inverse = 1 / (float) Math.sqrt(newCos * newCos + newSin * newSin);
+        s[at + COS] = newCos * inverse;
+        s[at + SIN] = newSin * inverse;
+      }
+    }
+  }
+
+  /** Writes velocities and poses back. A body at the edge of the world stops there. */
+  void store(BodyStore b, int[] active) {
+    float[] s = state;
+    for (int i = 1; i < count; i++) {
+      int body = active[i - 1];
+      int at = i * STRIDE;
+      b.vx[body] = s[at + VX];
+      b.vy[body] = s[at + VY];
+      b.w[body] = s[at + W];
+      b.x[body] = inside(b, body, b.x[body] + s[at + DX]);
+      b.y[body] = inside(b, body, b.y[body] + s[at + DY]);
+      if (s[at + SIN] != 0) {
+        float dc = s[at + COS];
+        float ds = s[at + SIN];
+        float c = b.cos[body] * dc - b.sin[body] * ds;
+        float n = b.sin[body] * dc + b.cos[body] * ds;
+        float inverse = 1 / (float) Math.sqrt(c * c + n * n);
+        b.cos[body] = c * inverse;
+        b.sin[body] = n * inverse;
+      }
+    }
+  }
+
+  private static float inside(BodyStore b, int body, float coordinate) {
+    if (Math.abs(coordinate) <= Checks.MAX_COORDINATE) {
+      return coordinate;
+    }
+    b.vx[body] = 0;
+    b.vy[body] = 0;
+    return coordinate > 0 ? Checks.MAX_COORDINATE : -Checks.MAX_COORDINATE;
+  }
+}

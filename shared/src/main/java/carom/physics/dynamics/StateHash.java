@@ -1,0 +1,55 @@
+package carom.physics.dynamics;
+
+/**
+ * A 64-bit hash of numbers, bit by bit: equal states give equal hashes, and one flipped bit flips
+ * about half of the hash.
+ *
+ * <p>Each word is multiplied by an odd constant, rotated and multiplied again, which is the scheme
+ * of Austin Appleby's MurmurHash3 (public domain); zero and minus zero differ.
+ */
+public final class StateHash {
+  /** Where a hash starts. */
+  public static final long SEED = 0x43_61_72_6f_6dL;
+
+  private static final long FIRST = 0x87c37b91114253d5L;
+  private static final long SECOND = 0x4cf5ad432745937fL;
+
+  private StateHash() {}
+
+  /**
+   * Adds a word.
+   *
+   * @param hash the hash so far
+   * @param word 64 bits
+   * @return the new hash
+   */
+  public static long mix(long hash, long word) {
+    long k = Long.rotateLeft(word * FIRST, 31) * SECOND;
+    return Long.rotateLeft(hash ^ k, 27) * 5 + 0x52dce729L;
+  }
+
+  /**
+   * Adds two floats by their raw bits.
+   *
+   * @param hash the hash so far
+   * @param a a number
+   * @param b a number
+   * @return the new hash
+   */
+  public static long mix(long hash, float a, float b) {
+    long high = (long) Float.floatToRawIntBits(a) << 32;
+    return mix(hash, high | (Float.floatToRawIntBits(b) & 0xffffffffL));
+  }
+
+  /**
+   * Spreads the last words over all bits.
+   *
+   * @param hash the hash so far
+   * @return the finished hash
+   */
+  public static long finish(long hash) {
+    long h = (hash ^ (hash >>> 33)) * 0xff51afd7ed558ccdL;
+    h = (h ^ (h >>> 33)) * 0xc4ceb9fe1a85ec53L;
+    return h ^ (h >>> 33);
+  }
+}
