@@ -7,16 +7,16 @@ import carom.physics.math.Aabb;
 import carom.physics.math.Trig;
 
 /**
- * A body: a light handle (index and generation) on the world's arrays. There is one handle per body,
- * so handles may be compared with ==.
+ * A body: a light handle (index and generation) on the world's arrays. There is one handle per
+ * body, so handles may be compared with ==.
  *
- * <p>All methods except {@link #isValid}, {@link #index}, {@link #generation}, {@link #type}, {@link
- * #user} and the shape accessors throw IllegalStateException once the body was destroyed. Numbers that
- * are not finite or absurd (beyond 1e7 m, 1e5 m/s) throw IllegalArgumentException with the value.
- * Nothing allocates.
+ * <p>All methods except {@link #isValid}, {@link #index}, {@link #generation}, {@link #type},
+ * {@link #user} and the shape accessors throw IllegalStateException once the body was destroyed.
+ * Numbers that are not finite or absurd (beyond 1e7 m, 1e5 m/s) throw IllegalArgumentException with
+ * the value. Nothing allocates.
  *
- * <p>Forces and impulses add up, act in the next step, and are then forgotten; on static and kinematic
- * bodies they do nothing.
+ * <p>Forces and impulses add up, act in the next step, and are then forgotten; on static and
+ * kinematic bodies they do nothing.
  *
  * @param <T> the user's type
  */
@@ -233,8 +233,8 @@ public final class Body<T> {
   }
 
   /**
-   * Teleports the body by its centre of mass, which is what the world stores: what {@link #centerX},
-   * {@link #centerY}, {@link #cos} and {@link #sin} returned is set again bit for bit.
+   * Teleports the body by its centre of mass, which is what the world stores: what {@link
+   * #centerX}, {@link #centerY}, {@link #cos} and {@link #sin} returned is set again bit for bit.
    *
    * @param x centre of mass, m
    * @param y centre of mass, m
@@ -385,8 +385,8 @@ public final class Body<T> {
   }
 
   /**
-   * Steers towards a velocity: applies the force F = k (goal - v) for the next step, as it is. Keep k
-   * below {@code m / dt}, or the body overshoots.
+   * Steers towards a velocity: applies the force F = k (goal - v) for the next step, as it is. Keep
+   * k below {@code m / dt}, or the body overshoots.
    *
    * @param goalX m/s
    * @param goalY m/s

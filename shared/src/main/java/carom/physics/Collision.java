@@ -7,8 +7,8 @@ import carom.physics.geometry.Shape;
  * Two touching shapes, as a {@link CollisionListener} sees them. One object per world that is used
  * again for each call: don't keep it.
  *
- * <p>Self is the body with the smaller {@link Body#index()}; {@link #isSelf} and {@link #other} help
- * those who look for one of the two. Directions are seen from self.
+ * <p>Self is the body with the smaller {@link Body#index()}; {@link #isSelf} and {@link #other}
+ * help those who look for one of the two. Directions are seen from self.
  *
  * @param <T> the user's type of {@link Body#user()}
  */

@@ -13,6 +13,5 @@ public interface ContactVisitor {
    * @param separation gap when the step began, m; negative when overlapping
    * @param impulse impulse along the normal in the last step, N s
    */
-  void contact(
-      float x, float y, float normalX, float normalY, float separation, float impulse);
+  void contact(float x, float y, float normalX, float normalY, float separation, float impulse);
 }

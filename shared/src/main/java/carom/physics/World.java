@@ -2,15 +2,12 @@ package carom.physics;
 
 import carom.physics.broadphase.CellVisitor;
 import carom.physics.broadphase.IntVisitor;
-import carom.physics.collision.Mtv;
-import carom.physics.collision.Sat;
 import carom.physics.dynamics.BodyStore;
 import carom.physics.dynamics.Checks;
 import carom.physics.dynamics.ContactEvents;
 import carom.physics.dynamics.ContactTable;
 import carom.physics.dynamics.Dynamics;
 import carom.physics.dynamics.Settings;
-import carom.physics.geometry.Circle;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
@@ -21,9 +18,9 @@ import java.util.function.Consumer;
 /**
  * A rigid-body world: create bodies, step, look.
  *
- * <p>A pure function of its {@link WorldDef} and the calls made: equal calls in equal order give equal
- * bits on every JVM, and {@link #stateHash} proves it. One thread at a time. A steady {@link #step}
- * allocates nothing.
+ * <p>A pure function of its {@link WorldDef} and the calls made: equal calls in equal order give
+ * equal bits on every JVM, and {@link #stateHash} proves it. One thread at a time. A steady {@link
+ * #step} allocates nothing.
  *
  * @param <T> what bodies stand for in the user's program, see {@link Body#user()}
  */
@@ -154,7 +151,8 @@ public final class World<T> {
       handles = Arrays.copyOf(handles, Math.max(slot + 1, handles.length * 2));
     }
     Body<T> body =
-        new Body<>(this, store, slot, store.generation[slot], bodyDef.type, shapes, materials, user);
+        new Body<>(
+            this, store, slot, store.generation[slot], bodyDef.type, shapes, materials, user);
     handles[slot] = body;
     structure = nextStructure++;
     return body;
@@ -271,8 +269,8 @@ public final class World<T> {
 
   /**
    * 64 bits that are equal if two worlds made with equal definitions will behave equally: poses,
-   * velocities, pending forces, masses, shapes, contacts with their impulses, and the order in which
-   * slots will be given out. Users, listeners and the broadphase are not in it.
+   * velocities, pending forces, masses, shapes, contacts with their impulses, and the order in
+   * which slots will be given out. Users, listeners and the broadphase are not in it.
    *
    * @return the hash
    */
@@ -306,11 +304,11 @@ public final class World<T> {
   }
 
   /**
-   * Takes a saved state over, bit for bit. Bodies made since are gone, bodies destroyed since are back
-   * with their handles and users. No callback is called.
+   * Takes a saved state over, bit for bit. Bodies made since are gone, bodies destroyed since are
+   * back with their handles and users. No callback is called.
    *
-   * <p>A handle from a future that was undone may be valid again, when that future comes once more: it
-   * then means the body that was created in the same way.
+   * <p>A handle from a future that was undone may be valid again, when that future comes once more:
+   * it then means the body that was created in the same way.
    *
    * @param s made by {@link #save} of this world; stays as it is
    */

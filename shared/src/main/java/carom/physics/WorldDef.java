@@ -67,6 +67,7 @@ public record WorldDef(
     Checks.range("maxSpeed", maxSpeed, 1, 1e5f);
     Checks.range("maxAngularSpeed", maxAngularSpeed, 1, 1e5f);
   }
+
   /**
    * The same with another gravity.
    *
@@ -75,7 +76,19 @@ public record WorldDef(
    * @return a changed copy
    */
   public WorldDef withGravity(float x, float y) {
-    return new WorldDef(x, y, substeps, contactHertz, contactDampingRatio, restitutionThreshold, maxPushSpeed, slop, speculativeDistance, aabbMargin, maxSpeed, maxAngularSpeed);
+    return new WorldDef(
+        x,
+        y,
+        substeps,
+        contactHertz,
+        contactDampingRatio,
+        restitutionThreshold,
+        maxPushSpeed,
+        slop,
+        speculativeDistance,
+        aabbMargin,
+        maxSpeed,
+        maxAngularSpeed);
   }
 
   /**
@@ -85,7 +98,19 @@ public record WorldDef(
    * @return a changed copy
    */
   public WorldDef withSubsteps(int value) {
-    return new WorldDef(gravityX, gravityY, value, contactHertz, contactDampingRatio, restitutionThreshold, maxPushSpeed, slop, speculativeDistance, aabbMargin, maxSpeed, maxAngularSpeed);
+    return new WorldDef(
+        gravityX,
+        gravityY,
+        value,
+        contactHertz,
+        contactDampingRatio,
+        restitutionThreshold,
+        maxPushSpeed,
+        slop,
+        speculativeDistance,
+        aabbMargin,
+        maxSpeed,
+        maxAngularSpeed);
   }
 
   /**
@@ -95,7 +120,19 @@ public record WorldDef(
    * @return a changed copy
    */
   public WorldDef withContactHertz(float value) {
-    return new WorldDef(gravityX, gravityY, substeps, value, contactDampingRatio, restitutionThreshold, maxPushSpeed, slop, speculativeDistance, aabbMargin, maxSpeed, maxAngularSpeed);
+    return new WorldDef(
+        gravityX,
+        gravityY,
+        substeps,
+        value,
+        contactDampingRatio,
+        restitutionThreshold,
+        maxPushSpeed,
+        slop,
+        speculativeDistance,
+        aabbMargin,
+        maxSpeed,
+        maxAngularSpeed);
   }
 
   /**
@@ -105,7 +142,19 @@ public record WorldDef(
    * @return a changed copy
    */
   public WorldDef withContactDampingRatio(float value) {
-    return new WorldDef(gravityX, gravityY, substeps, contactHertz, value, restitutionThreshold, maxPushSpeed, slop, speculativeDistance, aabbMargin, maxSpeed, maxAngularSpeed);
+    return new WorldDef(
+        gravityX,
+        gravityY,
+        substeps,
+        contactHertz,
+        value,
+        restitutionThreshold,
+        maxPushSpeed,
+        slop,
+        speculativeDistance,
+        aabbMargin,
+        maxSpeed,
+        maxAngularSpeed);
   }
 
   /**
@@ -115,7 +164,19 @@ public record WorldDef(
    * @return a changed copy
    */
   public WorldDef withRestitutionThreshold(float value) {
-    return new WorldDef(gravityX, gravityY, substeps, contactHertz, contactDampingRatio, value, maxPushSpeed, slop, speculativeDistance, aabbMargin, maxSpeed, maxAngularSpeed);
+    return new WorldDef(
+        gravityX,
+        gravityY,
+        substeps,
+        contactHertz,
+        contactDampingRatio,
+        value,
+        maxPushSpeed,
+        slop,
+        speculativeDistance,
+        aabbMargin,
+        maxSpeed,
+        maxAngularSpeed);
   }
 
   /**
@@ -125,7 +186,19 @@ public record WorldDef(
    * @return a changed copy
    */
   public WorldDef withMaxPushSpeed(float value) {
-    return new WorldDef(gravityX, gravityY, substeps, contactHertz, contactDampingRatio, restitutionThreshold, value, slop, speculativeDistance, aabbMargin, maxSpeed, maxAngularSpeed);
+    return new WorldDef(
+        gravityX,
+        gravityY,
+        substeps,
+        contactHertz,
+        contactDampingRatio,
+        restitutionThreshold,
+        value,
+        slop,
+        speculativeDistance,
+        aabbMargin,
+        maxSpeed,
+        maxAngularSpeed);
   }
 
   /**
@@ -135,7 +208,19 @@ public record WorldDef(
    * @return a changed copy
    */
   public WorldDef withSlop(float value) {
-    return new WorldDef(gravityX, gravityY, substeps, contactHertz, contactDampingRatio, restitutionThreshold, maxPushSpeed, value, speculativeDistance, aabbMargin, maxSpeed, maxAngularSpeed);
+    return new WorldDef(
+        gravityX,
+        gravityY,
+        substeps,
+        contactHertz,
+        contactDampingRatio,
+        restitutionThreshold,
+        maxPushSpeed,
+        value,
+        speculativeDistance,
+        aabbMargin,
+        maxSpeed,
+        maxAngularSpeed);
   }
 
   /**
@@ -145,7 +230,19 @@ public record WorldDef(
    * @return a changed copy
    */
   public WorldDef withSpeculativeDistance(float value) {
-    return new WorldDef(gravityX, gravityY, substeps, contactHertz, contactDampingRatio, restitutionThreshold, maxPushSpeed, slop, value, aabbMargin, maxSpeed, maxAngularSpeed);
+    return new WorldDef(
+        gravityX,
+        gravityY,
+        substeps,
+        contactHertz,
+        contactDampingRatio,
+        restitutionThreshold,
+        maxPushSpeed,
+        slop,
+        value,
+        aabbMargin,
+        maxSpeed,
+        maxAngularSpeed);
   }
 
   /**
@@ -155,7 +252,19 @@ public record WorldDef(
    * @return a changed copy
    */
   public WorldDef withAabbMargin(float value) {
-    return new WorldDef(gravityX, gravityY, substeps, contactHertz, contactDampingRatio, restitutionThreshold, maxPushSpeed, slop, speculativeDistance, value, maxSpeed, maxAngularSpeed);
+    return new WorldDef(
+        gravityX,
+        gravityY,
+        substeps,
+        contactHertz,
+        contactDampingRatio,
+        restitutionThreshold,
+        maxPushSpeed,
+        slop,
+        speculativeDistance,
+        value,
+        maxSpeed,
+        maxAngularSpeed);
   }
 
   /**
@@ -165,7 +274,19 @@ public record WorldDef(
    * @return a changed copy
    */
   public WorldDef withMaxSpeed(float value) {
-    return new WorldDef(gravityX, gravityY, substeps, contactHertz, contactDampingRatio, restitutionThreshold, maxPushSpeed, slop, speculativeDistance, aabbMargin, value, maxAngularSpeed);
+    return new WorldDef(
+        gravityX,
+        gravityY,
+        substeps,
+        contactHertz,
+        contactDampingRatio,
+        restitutionThreshold,
+        maxPushSpeed,
+        slop,
+        speculativeDistance,
+        aabbMargin,
+        value,
+        maxAngularSpeed);
   }
 
   /**
@@ -175,6 +296,18 @@ public record WorldDef(
    * @return a changed copy
    */
   public WorldDef withMaxAngularSpeed(float value) {
-    return new WorldDef(gravityX, gravityY, substeps, contactHertz, contactDampingRatio, restitutionThreshold, maxPushSpeed, slop, speculativeDistance, aabbMargin, maxSpeed, value);
+    return new WorldDef(
+        gravityX,
+        gravityY,
+        substeps,
+        contactHertz,
+        contactDampingRatio,
+        restitutionThreshold,
+        maxPushSpeed,
+        slop,
+        speculativeDistance,
+        aabbMargin,
+        maxSpeed,
+        value);
   }
 }

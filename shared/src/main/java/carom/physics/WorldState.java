@@ -6,8 +6,8 @@ import carom.physics.dynamics.Dynamics;
  * A world at one moment: a handful of arrays, made by {@link World#save} and taken over by {@link
  * World#restore}.
  *
- * <p>Belongs to the world that made it. Saving into the same object again costs no allocation unless
- * the world grew.
+ * <p>Belongs to the world that made it. Saving into the same object again costs no allocation
+ * unless the world grew.
  */
 public final class WorldState {
   final Object owner;

@@ -5,10 +5,10 @@ import java.util.Arrays;
 /**
  * All bodies of a world as a structure of arrays; the index is the body's slot.
  *
- * <p>A slot's pose is that of its centre of mass: {@code (x, y)} in world axes, rotation as the unit
- * complex {@code (cos, sin)}. A body's shapes are stored relative to that centre, so that lever arms
- * are small and exact however far from the origin the body is. The body's origin, which users see,
- * is {@code centre - rotation * local centre}.
+ * <p>A slot's pose is that of its centre of mass: {@code (x, y)} in world axes, rotation as the
+ * unit complex {@code (cos, sin)}. A body's shapes are stored relative to that centre, so that
+ * lever arms are small and exact however far from the origin the body is. The body's origin, which
+ * users see, is {@code centre - rotation * local centre}.
  *
  * <p>Slots are reused last in, first out; each reuse has another generation. The free list is part
  * of the state, so that a restored world gives out the same slots again.
@@ -357,9 +357,30 @@ public final class BodyStore {
   /** All float arrays, for copying, clearing and hashing; an even number. */
   private float[][] gather() {
     return new float[][] {
-      x, y, cos, sin, vx, vy, w, forceX, forceY, torque, impulseX, impulseY, impulseW, invMass,
-      invInertia, mass, inertia, localX, localY, linearDamping, angularDamping, gravityScale,
-      innerRadius, innerRadius
+      x,
+      y,
+      cos,
+      sin,
+      vx,
+      vy,
+      w,
+      forceX,
+      forceY,
+      torque,
+      impulseX,
+      impulseY,
+      impulseW,
+      invMass,
+      invInertia,
+      mass,
+      inertia,
+      localX,
+      localY,
+      linearDamping,
+      angularDamping,
+      gravityScale,
+      innerRadius,
+      innerRadius
     };
   }
 }

@@ -1,8 +1,8 @@
 package carom.physics.dynamics;
 
 /**
- * The name of a pair of shape parts: the smaller body index, the larger one, then the parts' numbers
- * within their bodies, as one positive long.
+ * The name of a pair of shape parts: the smaller body index, the larger one, then the parts'
+ * numbers within their bodies, as one positive long.
  *
  * <p>Contacts are kept in the order of their keys. A key depends on the bodies alone, never on when
  * the broadphase found the pair, so neither does any result.

@@ -16,21 +16,23 @@ import java.util.Arrays;
  *
  * <p><b>One contact point.</b> With the unit normal n from A to B and the lever arms rA, rB, the
  * points part at the speed {@code vn = n . (vB + wB x rB - vA - wA x rA)}. An impulse p along n
- * changes it by {@code p / m}, where {@code 1 / m = 1/mA + 1/mB + (rA x n)^2 / IA + (rB x n)^2 / IB}.
- * A rigid contact asks for vn >= 0 with p >= 0: {@code p = -m vn}, the sum over all visits clamped,
- * not the single impulse, so that a visit can take back what an earlier one gave too much.
+ * changes it by {@code p / m}, where {@code 1 / m = 1/mA + 1/mB + (rA x n)^2 / IA + (rB x n)^2 /
+ * IB}. A rigid contact asks for vn >= 0 with p >= 0: {@code p = -m vn}, the sum over all visits
+ * clamped, not the single impulse, so that a visit can take back what an earlier one gave too much.
  *
  * <p><b>Soft.</b> Overlap must also go away, without the bounce that pushing it out by velocity
  * (Baumgarte) leaves behind. So the point is a damped spring of mass m on the separation s, stepped
  * by implicit Euler, which is stable for any stiffness. With the angular frequency o = 2 pi hertz,
- * stiffness k = m o^2, damping c = 2 m z o (z the damping ratio), substep h and the new velocity v':
+ * stiffness k = m o^2, damping c = 2 m z o (z the damping ratio), substep h and the new velocity
+ * v':
  *
  * <pre>
  *   m (v' - v) = -h (k (s + h v') + c v')      spring and damper at the end of the substep
  *   v' = v + p / m                             and what the impulse p does
  * </pre>
  *
- * The impulse of the spring, over the whole substep, is thus {@code P = -h k s - h (h k + c) v'}, or
+ * The impulse of the spring, over the whole substep, is thus {@code P = -h k s - h (h k + c) v'},
+ * or
  *
  * <pre>
  *   v' + b s + g P = 0      with  g = 1 / (h (h k + c))  and  b = k / (h k + c) = o / (2 z + h o)
@@ -38,31 +40,31 @@ import java.util.Arrays;
  *
  * the bias rate b being the share of s that goes away per second.
  *
- * and one visit, which knows v and the sum so far, solves for its part p:
+ * <p>and one visit, which knows v and the sum so far, solves for its part p:
  *
  * <pre>
  *   p = -m M (v + b s) - I P     a = h o (2 z + h o),  M = a / (1 + a),  I = 1 / (1 + a)
  * </pre>
  *
- * Limits: for o to infinity M = 1, I = 0 and b = 1 / h, a rigid contact that removes s in a substep;
- * for o to 0 M = 0, I = 1: no spring, and the visit takes back what was there. The constants don't
- * contain the mass: a light and a heavy contact relax alike.
+ * Limits: for o to infinity M = 1, I = 0 and b = 1 / h, a rigid contact that removes s in a
+ * substep; for o to 0 M = 0, I = 1: no spring, and the visit takes back what was there. The
+ * constants don't contain the mass: a light and a heavy contact relax alike.
  *
  * <p><b>Relax.</b> The spring leaves a velocity behind that is only there to remove overlap. After
- * positions moved, the same constraints are solved again rigidly and without bias, so that it is gone
- * and no energy enters. Restitution comes last, once per step.
+ * positions moved, the same constraints are solved again rigidly and without bias, so that it is
+ * gone and no energy enters. Restitution comes last, once per step.
  *
  * <p><b>Speculative.</b> A point with a gap s > 0 may approach with s / h, just closing it.
  *
  * <p><b>Friction</b> is the same without softness along the tangent, clamped to the Coulomb cone
  * {@code |pt| <= mu pn}.
  *
- * <p>The scheme is Erin Catto's "soft step" (articles and the Solver2D study on box2d.org, 2023-24);
- * soft constraints are from his GDC 2011 talk. Written from the algebra above.
+ * <p>The scheme is Erin Catto's "soft step" (articles and the Solver2D study on box2d.org,
+ * 2023-24); soft constraints are from his GDC 2011 talk. Written from the algebra above.
  *
- * <p><b>Layout.</b> One array per quantity, one entry per contact, in the order of the contact keys;
- * kernels take a range, so that ranges without a common body (colours) can later be solved side by
- * side or in lanes.
+ * <p><b>Layout.</b> One array per quantity, one entry per contact, in the order of the contact
+ * keys; kernels take a range, so that ranges without a common body (colours) can later be solved
+ * side by side or in lanes.
  */
 final class ContactSolver {
   private static final float TWO_PI = 6.2831855f;
@@ -406,17 +408,7 @@ final class ContactSolver {
     p.total[k] += impulse;
     float n = nx[k];
     float m = ny[k];
-    apply(
-        v,
-        bodyA[k],
-        bodyB[k],
-        k,
-        impulse * n,
-        impulse * m,
-        p.ax[k],
-        p.ay[k],
-        p.bx[k],
-        p.by[k]);
+    apply(v, bodyA[k], bodyB[k], k, impulse * n, impulse * m, p.ax[k], p.ay[k], p.bx[k], p.by[k]);
   }
 
   /** Hands the impulses back to the table. */

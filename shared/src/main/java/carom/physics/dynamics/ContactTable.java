@@ -450,8 +450,24 @@ public final class ContactTable {
 
   private float[][] gather() {
     return new float[][] {
-      normal0, normal1, tangent0, tangent1, friction, restitution, nx, ny, x0, y0, separation0, x1,
-      y1, separation1, total0, total1, slide0, slide1
+      normal0,
+      normal1,
+      tangent0,
+      tangent1,
+      friction,
+      restitution,
+      nx,
+      ny,
+      x0,
+      y0,
+      separation0,
+      x1,
+      y1,
+      separation1,
+      total0,
+      total1,
+      slide0,
+      slide1
     };
   }
 }

@@ -17,13 +17,13 @@ import java.util.Arrays;
  * Bodies, their shapes and contacts, and the step that moves them; the engine behind {@code
  * carom.physics.World}.
  *
- * <p><b>A step</b>: refresh fat boxes; search pairs if a box changed; one manifold per pair; tell the
- * owner (end, begin, pre-solve); then {@code substeps} times: integrate velocities, warm start, solve
- * with bias, integrate positions, relax; bounce; write back; tell the owner (post-solve); carry out
- * what was deferred.
+ * <p><b>A step</b>: refresh fat boxes; search pairs if a box changed; one manifold per pair; tell
+ * the owner (end, begin, pre-solve); then {@code substeps} times: integrate velocities, warm start,
+ * solve with bias, integrate positions, relax; bounce; write back; tell the owner (post-solve);
+ * carry out what was deferred.
  *
- * <p><b>Order.</b> Contacts are always visited by ascending {@link ContactKey}. Everything else in a
- * step is independent per body. So the result depends on the state alone, never on the shape of a
+ * <p><b>Order.</b> Contacts are always visited by ascending {@link ContactKey}. Everything else in
+ * a step is independent per body. So the result depends on the state alone, never on the shape of a
  * tree or on when a pair was found.
  *
  * <p>One thread at a time. A steady step allocates nothing.
@@ -130,8 +130,7 @@ public final class Dynamics {
               + ContactKey.MAX_PARTS
               + " convex parts one body can have; split it into several bodies");
     }
-    MassData total =
-        type == BodyStore.DYNAMIC ? massOf(shapes, density) : new MassData(0, 0, 0, 0);
+    MassData total = type == BodyStore.DYNAMIC ? massOf(shapes, density) : new MassData(0, 0, 0, 0);
     int body = bodies.allocate(type);
     if (type == BodyStore.DYNAMIC) {
       bodies.mass[body] = total.mass();
@@ -152,7 +151,7 @@ public final class Dynamics {
     poseA.setIdentity();
     for (int i = 0; i < shapes.length; i++) {
       for (Convex convex : shapes[i].parts()) {
-        Convex local = (Convex) convex.moved(-bodies.localX[body], -bodies.localY[body]);
+        Convex local = convex.moved(-bodies.localX[body], -bodies.localY[body]);
         parts.convex[part] = local;
         parts.shapeIndex[part] = i;
         parts.friction[part] = friction[i];
@@ -285,8 +284,7 @@ public final class Dynamics {
     place(body, poseA);
     parts.convex[part].aabb(poseA, box);
     float margin = 0.5f * settings.speculativeDistance();
-    parts.fat.set(
-        part, box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin);
+    parts.fat.set(part, box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin);
   }
 
   private void place(int body, Transform pose) {
@@ -627,8 +625,8 @@ public final class Dynamics {
   }
 
   /**
-   * Takes a saved state over. The fat boxes stay as they are until a part leaves its own: they don't
-   * influence results.
+   * Takes a saved state over. The fat boxes stay as they are until a part leaves its own: they
+   * don't influence results.
    *
    * @param from stays as it is
    * @param sameStructure whether no body came or went since {@code from} was saved

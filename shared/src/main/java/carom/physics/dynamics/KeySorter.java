@@ -12,7 +12,9 @@ final class KeySorter {
   private long[] other = new long[64];
   private final int[] counts = new int[256];
 
-  /** Sorts the first n keys; answers the array that holds them now, the other one becomes scratch. */
+  /**
+   * Sorts the first n keys; answers the array that holds them now, the other one becomes scratch.
+   */
   long[] sort(long[] keys, int n) {
     if (n <= FEW) {
       insertion(keys, n);

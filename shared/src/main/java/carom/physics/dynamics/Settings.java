@@ -1,8 +1,8 @@
 package carom.physics.dynamics;
 
 /**
- * The constants of a world as the solver sees them; see {@code carom.physics.WorldDef} for what each
- * one does.
+ * The constants of a world as the solver sees them; see {@code carom.physics.WorldDef} for what
+ * each one does.
  *
  * @param gravityX m/s^2
  * @param gravityY m/s^2

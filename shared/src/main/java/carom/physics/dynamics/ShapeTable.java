@@ -7,8 +7,8 @@ import java.util.Arrays;
 /**
  * The convex parts of all bodies' shapes, with their materials and their boxes in the broadphase.
  *
- * <p>The parts of one body are neighbours; freed blocks wait in a list per size until a body with as
- * many parts comes. Part numbers and boxes never influence a result, so they are no part of the
+ * <p>The parts of one body are neighbours; freed blocks wait in a list per size until a body with
+ * as many parts comes. Part numbers and boxes never influence a result, so they are no part of the
  * state hash.
  *
  * <p>A <b>fat box</b> contains the part's tight box with a margin, so that it stays valid for some

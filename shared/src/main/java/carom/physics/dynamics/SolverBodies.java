@@ -3,12 +3,12 @@ package carom.physics.dynamics;
 import java.util.Arrays;
 
 /**
- * What the solver touches of each moving body, packed to 32 bytes: velocity, and how far the body has
- * moved and turned since the step began.
+ * What the solver touches of each moving body, packed to 32 bytes: velocity, and how far the body
+ * has moved and turned since the step began.
  *
- * <p>Slot 0 is the one static body of all constraints: without mass and at rest, it absorbs whatever
- * is added to it (which is zero). Moving bodies follow from slot 1. Positions are differences, so the
- * solver works with small numbers wherever in the world it is.
+ * <p>Slot 0 is the one static body of all constraints: without mass and at rest, it absorbs
+ * whatever is added to it (which is zero). Moving bodies follow from slot 1. Positions are
+ * differences, so the solver works with small numbers wherever in the world it is.
  */
 final class SolverBodies {
   /** Floats per slot, and their order. */
