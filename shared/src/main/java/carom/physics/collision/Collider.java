@@ -1,25 +1,535 @@
 package carom.physics.collision;
 
+import carom.physics.geometry.Box;
+import carom.physics.geometry.Circle;
 import carom.physics.geometry.Convex;
 import carom.physics.math.Transform;
 
-/** Computes contact manifolds. Holds scratch memory: one per thread, then no call allocates. */
+/**
+ * Computes contact manifolds. Holds scratch memory: one per thread, then no call allocates.
+ *
+ * <h2>Polygons</h2>
+ *
+ * <p>All work happens in A's frame, so precision depends on the distance of the two bodies and not
+ * on where in the world they are. The separating axis theorem picks the face of least overlap (or
+ * widest gap) of either shape as reference; the opposite edge of the other shape is clipped to the
+ * reference face's side planes, and the two ends are the contact points.
+ *
+ * <pre>
+ *        w1 +--------------+ w2          incident edge of the other shape, runs against the reference edge
+ *           |              |
+ *   v2 +----|--------------|----+ v1     reference edge, normal n up; the points are (v2 with w1) and (v1 with w2)
+ * </pre>
+ *
+ * <p>Each point is named by one vertex of either shape, which stays the same when a body slides or
+ * when the other shape lends the reference face. In overlap A's face is preferred unless B's is
+ * better by a clear margin (hysteresis without memory), so resting boxes do not flip between nearly
+ * equal faces.
+ *
+ * <p>With a gap the closest points may be two vertices. Then there is one point, the normal is the
+ * direction between them, and the separation is their distance: a face normal there would stop
+ * bodies that are about to pass each other.
+ *
+ * <h2>Degenerate cases</h2>
+ *
+ * Centres of two circles coincide: the normal is (0, 1), world axes. Centre of a circle on an edge,
+ * on a vertex, or inside a polygon: the normal of the edge of least overlap, of equal ones the one
+ * with the lowest index. Polygons with equally good faces: A's face of lowest index.
+ */
 public final class Collider {
+  /**
+   * Gap, metres, below which the direction between two vertices is not trusted and a face normal
+   * serves.
+   */
+  private static final float TOUCHING = 1e-5f;
+
+  /**
+   * B's face must be better by this much, metres, to be preferred to A's while shapes overlap...
+   */
+  private static final float FACE_BIAS = 5e-4f;
+
+  /**
+   * ...or by this part of the smaller shape's first edge, whichever is less: shapes may be tiny.
+   */
+  private static final float RELATIVE_FACE_BIAS = 0.01f;
+
+  private final float[] ax = new float[Convex.MAX_VERTICES];
+  private final float[] ay = new float[Convex.MAX_VERTICES];
+  private final float[] anx = new float[Convex.MAX_VERTICES];
+  private final float[] any = new float[Convex.MAX_VERTICES];
+  private final float[] bx = new float[Convex.MAX_VERTICES];
+  private final float[] by = new float[Convex.MAX_VERTICES];
+  private final float[] bnx = new float[Convex.MAX_VERTICES];
+  private final float[] bny = new float[Convex.MAX_VERTICES];
+
+  // Results of the last call of bestFace.
+  private float faceSeparation;
+  private int faceEdge;
+  private int faceSupport;
+
   /** Makes a collider with its own scratch memory. */
   public Collider() {}
 
   /**
-   * Finds where two convex shapes touch, or nearly do.
+   * Finds where two convex shapes touch, or nearly do. Swapping A and B gives the same contact with
+   * reversed normal, points relative to the other body and {@link Manifold#swappedId swapped ids},
+   * up to rounding and, in overlap, to the preference for A's face.
    *
    * @param a shape A in its body's frame
-   * @param ta pose of A, read only
+   * @param ta pose of A, read only, finite
    * @param b shape B in its body's frame
-   * @param tb pose of B, read only
+   * @param tb pose of B, read only, finite
    * @param speculativeDistance points up to this far apart are reported too, metres, not negative
    * @param out receives the manifold; count 0 when the shapes are farther apart
    */
   public void collide(
       Convex a, Transform ta, Convex b, Transform tb, float speculativeDistance, Manifold out) {
-    throw new UnsupportedOperationException("soon");
+    if (a instanceof Circle circleA) {
+      if (b instanceof Circle circleB) {
+        circles(circleA, ta, circleB, tb, speculativeDistance, out);
+      } else {
+        polygonCircle(b, tb, circleA, ta, speculativeDistance, out);
+        flip(ta, tb, out);
+      }
+    } else if (b instanceof Circle circleB) {
+      polygonCircle(a, ta, circleB, tb, speculativeDistance, out);
+    } else if (a instanceof Box boxA
+        && b instanceof Box boxB
+        && ta.isUnrotated()
+        && tb.isUnrotated()) {
+      boxes(boxA, ta, boxB, tb, speculativeDistance, out);
+    } else {
+      polygons(a, ta, b, tb, speculativeDistance, out);
+    }
+  }
+
+  private static void circles(
+      Circle a, Transform ta, Circle b, Transform tb, float speculative, Manifold out) {
+    float fromX = ta.rotateX(a.centerX(), a.centerY());
+    float fromY = ta.rotateY(a.centerX(), a.centerY());
+    float dx = (tb.x - ta.x) + tb.rotateX(b.centerX(), b.centerY()) - fromX;
+    float dy = (tb.y - ta.y) + tb.rotateY(b.centerX(), b.centerY()) - fromY;
+    float distance = length(dx, dy);
+    float separation = distance - a.radius() - b.radius();
+    if (!(separation <= speculative)) {
+      out.clear();
+      return;
+    }
+    float nx = 0;
+    float ny = 1;
+    if (distance > 0) {
+      nx = dx / distance;
+      ny = dy / distance;
+    }
+    float middle = a.radius() + 0.5f * separation;
+    out.set(nx, ny, 1);
+    out.setPoint0(fromX + middle * nx, fromY + middle * ny, separation, 0);
+  }
+
+  /** A is the polygon here; the result is in the order polygon, circle. */
+  private void polygonCircle(
+      Convex a, Transform ta, Circle b, Transform tb, float speculative, Manifold out) {
+    float worldX = (tb.x - ta.x) + tb.rotateX(b.centerX(), b.centerY());
+    float worldY = (tb.y - ta.y) + tb.rotateY(b.centerX(), b.centerY());
+    float cx = ta.cos * worldX + ta.sin * worldY;
+    float cy = ta.cos * worldY - ta.sin * worldX;
+    float radius = b.radius();
+    int count = a.vertexCount();
+    int edge = 0;
+    float best = Float.NEGATIVE_INFINITY;
+    for (int i = 0; i < count; i++) {
+      float s = a.normalX(i) * (cx - a.vertexX(i)) + a.normalY(i) * (cy - a.vertexY(i));
+      if (s > best) {
+        best = s;
+        edge = i;
+      }
+    }
+    if (!(best - radius <= speculative)) {
+      out.clear();
+      return;
+    }
+    float nx = a.normalX(edge);
+    float ny = a.normalY(edge);
+    float distance = best;
+    if (best > 0) {
+      int next = edge + 1 == count ? 0 : edge + 1;
+      int corner = -1;
+      // Along the edge, counter-clockwise, is (-ny, nx).
+      if (nx * (cy - a.vertexY(edge)) - ny * (cx - a.vertexX(edge)) < 0) {
+        corner = edge;
+      } else if (nx * (cy - a.vertexY(next)) - ny * (cx - a.vertexX(next)) > 0) {
+        corner = next;
+      }
+      if (corner >= 0) {
+        float dx = cx - a.vertexX(corner);
+        float dy = cy - a.vertexY(corner);
+        distance = length(dx, dy);
+        nx = dx / distance;
+        ny = dy / distance;
+      }
+    }
+    float separation = distance - radius;
+    if (!(separation <= speculative)) {
+      out.clear();
+      return;
+    }
+    float back = 0.5f * (distance + radius);
+    float px = cx - back * nx;
+    float py = cy - back * ny;
+    out.set(ta.rotateX(nx, ny), ta.rotateY(nx, ny), 1);
+    out.setPoint0(ta.rotateX(px, py), ta.rotateY(px, py), separation, 0);
+  }
+
+  /** Turns a manifold of (B, A) into that of (A, B). */
+  private static void flip(Transform ta, Transform tb, Manifold out) {
+    if (out.count > 0) {
+      out.normalX = -out.normalX;
+      out.normalY = -out.normalY;
+      out.x0 += tb.x - ta.x;
+      out.y0 += tb.y - ta.y;
+    }
+  }
+
+  /**
+   * Two unrotated boxes: the same decisions as {@link #polygons} with most of the arithmetic gone.
+   */
+  private static void boxes(
+      Box a, Transform ta, Box b, Transform tb, float speculative, Manifold out) {
+    float shiftX = tb.x - ta.x;
+    float shiftY = tb.y - ta.y;
+    float aMinX = a.vertexX(0);
+    float aMinY = a.vertexY(0);
+    float aMaxX = a.vertexX(2);
+    float aMaxY = a.vertexY(2);
+    float bMinX = b.vertexX(0) + shiftX;
+    float bMinY = b.vertexY(0) + shiftY;
+    float bMaxX = b.vertexX(2) + shiftX;
+    float bMaxY = b.vertexY(2) + shiftY;
+    float best = aMinY - bMaxY;
+    int edge = 0;
+    if (bMinX - aMaxX > best) {
+      best = bMinX - aMaxX;
+      edge = 1;
+    }
+    if (bMinY - aMaxY > best) {
+      best = bMinY - aMaxY;
+      edge = 2;
+    }
+    if (aMinX - bMaxX > best) {
+      best = aMinX - bMaxX;
+      edge = 3;
+    }
+    if (!(best <= speculative)) {
+      out.clear();
+      return;
+    }
+    boolean horizontal = (edge & 1) == 1;
+    float low = horizontal ? Math.max(aMinY, bMinY) : Math.max(aMinX, bMinX);
+    float high = horizontal ? Math.min(aMaxY, bMaxY) : Math.min(aMaxX, bMaxX);
+    float sign = edge == 1 || edge == 2 ? 1 : -1;
+    float nx = horizontal ? sign : 0;
+    float ny = horizontal ? 0 : sign;
+    // Along the reference edge, counter-clockwise, v1 comes first: at the low end of edges 0 and 1,
+    // at the high end of 2 and 3.
+    boolean rising = edge < 2;
+    if (low >= high) {
+      boolean above = horizontal ? bMinY >= aMaxY : bMinX >= aMaxX;
+      int vertexA = above == rising ? (edge + 1) & 3 : edge;
+      int vertexB = above == rising ? (edge + 2) & 3 : (edge + 3) & 3;
+      cornerPoint(
+          a.vertexX(vertexA),
+          a.vertexY(vertexA),
+          b.vertexX(vertexB) + shiftX,
+          b.vertexY(vertexB) + shiftY,
+          best,
+          nx,
+          ny,
+          vertexA << 8 | vertexB,
+          speculative,
+          out);
+      return;
+    }
+    float face = horizontal ? (sign > 0 ? aMaxX : aMinX) : (sign > 0 ? aMaxY : aMinY);
+    float middle = face + 0.5f * best * sign;
+    float first = rising ? low : high;
+    float second = rising ? high : low;
+    int idFirst = edge << 8 | ((edge + 3) & 3);
+    int idSecond = ((edge + 1) & 3) << 8 | ((edge + 2) & 3);
+    out.set(nx, ny, 2);
+    if (horizontal) {
+      out.setPoint0(middle, first, best, idFirst);
+      out.setPoint1(middle, second, best, idSecond);
+    } else {
+      out.setPoint0(first, middle, best, idFirst);
+      out.setPoint1(second, middle, best, idSecond);
+    }
+  }
+
+  /**
+   * One point for two vertices, p of A and q of B, that face each other: with a gap their direction
+   * and distance, else the given face normal (from A to B) and its separation.
+   */
+  private static void cornerPoint(
+      float px,
+      float py,
+      float qx,
+      float qy,
+      float faceSeparation,
+      float nx,
+      float ny,
+      int id,
+      float speculative,
+      Manifold out) {
+    float separation = faceSeparation;
+    float x = nx;
+    float y = ny;
+    if (faceSeparation > TOUCHING) {
+      float dx = qx - px;
+      float dy = qy - py;
+      separation = length(dx, dy);
+      x = dx / separation;
+      y = dy / separation;
+    }
+    if (!(separation <= speculative)) {
+      out.clear();
+      return;
+    }
+    out.set(x, y, 1);
+    out.setPoint0(0.5f * (px + qx), 0.5f * (py + qy), separation, id);
+  }
+
+  private void polygons(
+      Convex a, Transform ta, Convex b, Transform tb, float speculative, Manifold out) {
+    int countA = a.copyTo(ax, ay, anx, any);
+    int countB = b.copyTo(bx, by, bnx, bny);
+    float worldX = tb.x - ta.x;
+    float worldY = tb.y - ta.y;
+    float x = ta.cos * worldX + ta.sin * worldY;
+    float y = ta.cos * worldY - ta.sin * worldX;
+    float cos = ta.cos * tb.cos + ta.sin * tb.sin;
+    float sin = ta.cos * tb.sin - ta.sin * tb.cos;
+    for (int i = 0; i < countB; i++) {
+      float vx = bx[i];
+      float vy = by[i];
+      bx[i] = cos * vx - sin * vy + x;
+      by[i] = sin * vx + cos * vy + y;
+      float nx = bnx[i];
+      float ny = bny[i];
+      bnx[i] = cos * nx - sin * ny;
+      bny[i] = sin * nx + cos * ny;
+    }
+    bestFace(ax, ay, anx, any, countA, bx, by, countB);
+    float separationA = faceSeparation;
+    int edgeA = faceEdge;
+    int supportB = faceSupport;
+    if (!(separationA <= speculative)) {
+      out.clear();
+      return;
+    }
+    bestFace(bx, by, bnx, bny, countB, ax, ay, countA);
+    if (!(faceSeparation <= speculative)) {
+      out.clear();
+      return;
+    }
+    float bias = 0;
+    if (faceSeparation <= TOUCHING) {
+      float edge = Math.min(firstEdge(ax, ay), firstEdge(bx, by));
+      bias = Math.min(FACE_BIAS, RELATIVE_FACE_BIAS * edge);
+    }
+    if (faceSeparation > separationA + bias) {
+      clip(
+          bx,
+          by,
+          bnx,
+          bny,
+          countB,
+          faceEdge,
+          ax,
+          ay,
+          anx,
+          any,
+          countA,
+          faceSupport,
+          faceSeparation,
+          true,
+          speculative,
+          out);
+    } else {
+      clip(
+          ax,
+          ay,
+          anx,
+          any,
+          countA,
+          edgeA,
+          bx,
+          by,
+          bnx,
+          bny,
+          countB,
+          supportB,
+          separationA,
+          false,
+          speculative,
+          out);
+    }
+    if (out.count > 0) {
+      toWorldAxes(ta, out);
+    }
+  }
+
+  private static float firstEdge(float[] xs, float[] ys) {
+    return Math.abs(xs[1] - xs[0]) + Math.abs(ys[1] - ys[0]);
+  }
+
+  /**
+   * The face of the first polygon with the largest separation from the second: over all faces, the
+   * smallest distance of a vertex of the second above the face is taken, and the largest of these
+   * wins; equal ones go to the lowest index.
+   */
+  private void bestFace(
+      float[] xs,
+      float[] ys,
+      float[] nxs,
+      float[] nys,
+      int count,
+      float[] otherXs,
+      float[] otherYs,
+      int otherCount) {
+    float best = Float.NEGATIVE_INFINITY;
+    int edge = 0;
+    int support = 0;
+    for (int i = 0; i < count; i++) {
+      float nx = nxs[i];
+      float ny = nys[i];
+      float vx = xs[i];
+      float vy = ys[i];
+      float low = Float.POSITIVE_INFINITY;
+      int lowest = 0;
+      for (int j = 0; j < otherCount; j++) {
+        float s = nx * (otherXs[j] - vx) + ny * (otherYs[j] - vy);
+        if (s < low) {
+          low = s;
+          lowest = j;
+        }
+      }
+      if (low > best) {
+        best = low;
+        edge = i;
+        support = lowest;
+      }
+    }
+    faceSeparation = best;
+    faceEdge = edge;
+    faceSupport = support;
+  }
+
+  /**
+   * Builds the manifold from reference edge v1 v2 of polygon R and the edge w1 w2 of polygon I that
+   * faces it. Everything is in A's frame; when {@code flipped}, R is B and I is A.
+   */
+  private static void clip(
+      float[] rx,
+      float[] ry,
+      float[] rnx,
+      float[] rny,
+      int rCount,
+      int v1,
+      float[] ix,
+      float[] iy,
+      float[] inx,
+      float[] iny,
+      int iCount,
+      int support,
+      float faceSeparation,
+      boolean flipped,
+      float speculative,
+      Manifold out) {
+    int v2 = v1 + 1 == rCount ? 0 : v1 + 1;
+    float nx = rnx[v1];
+    float ny = rny[v1];
+    // The facing edge is one of the two at the support vertex: that with the normal more against n.
+    int before = support == 0 ? iCount - 1 : support - 1;
+    boolean useBefore = inx[before] * nx + iny[before] * ny < inx[support] * nx + iny[support] * ny;
+    int w1 = useBefore ? before : support;
+    int w2 = w1 + 1 == iCount ? 0 : w1 + 1;
+    float facing = flipped ? -1 : 1;
+
+    // Positions along the reference edge, from v1 at 0 to v2 at span. The facing edge runs from w2
+    // (low) to w1 (high).
+    float tx = -ny;
+    float ty = nx;
+    float span = tx * (rx[v2] - rx[v1]) + ty * (ry[v2] - ry[v1]);
+    float low = tx * (ix[w2] - rx[v1]) + ty * (iy[w2] - ry[v1]);
+    float high = tx * (ix[w1] - rx[v1]) + ty * (iy[w1] - ry[v1]);
+    int id1 = flipped ? w2 << 8 | v1 : v1 << 8 | w2;
+    int id2 = flipped ? w1 << 8 | v2 : v2 << 8 | w1;
+    if (low >= span || high <= 0) {
+      boolean atEnd = low >= span;
+      int r = atEnd ? v2 : v1;
+      int i = atEnd ? w2 : w1;
+      int id = flipped ? i << 8 | r : r << 8 | i;
+      float px = flipped ? ix[i] : rx[r];
+      float py = flipped ? iy[i] : ry[r];
+      float qx = flipped ? rx[r] : ix[i];
+      float qy = flipped ? ry[r] : iy[i];
+      cornerPoint(px, py, qx, qy, faceSeparation, facing * nx, facing * ny, id, speculative, out);
+      return;
+    }
+    float height1 = nx * (ix[w2] - rx[v1]) + ny * (iy[w2] - ry[v1]);
+    float height2 = nx * (ix[w1] - rx[v1]) + ny * (iy[w1] - ry[v1]);
+    float position1 = low;
+    float position2 = high;
+    float separation1 = height1;
+    float separation2 = height2;
+    float run = high - low;
+    if (run > 0) {
+      float slope = (height2 - height1) / run;
+      if (low < 0) {
+        position1 = 0;
+        separation1 = height1 - slope * low;
+      }
+      if (high > span) {
+        position2 = span;
+        separation2 = height2 + slope * (span - high);
+      }
+    }
+    boolean keep1 = separation1 <= speculative;
+    boolean keep2 = separation2 <= speculative;
+    if (!keep1 && !keep2) {
+      out.clear();
+      return;
+    }
+    float x1 = rx[v1] + tx * position1 + nx * (0.5f * separation1);
+    float y1 = ry[v1] + ty * position1 + ny * (0.5f * separation1);
+    float x2 = rx[v1] + tx * position2 + nx * (0.5f * separation2);
+    float y2 = ry[v1] + ty * position2 + ny * (0.5f * separation2);
+    out.set(facing * nx, facing * ny, keep1 && keep2 ? 2 : 1);
+    if (keep1) {
+      out.setPoint0(x1, y1, separation1, id1);
+      out.setPoint1(x2, y2, separation2, id2);
+    } else {
+      out.setPoint0(x2, y2, separation2, id2);
+    }
+  }
+
+  private static void toWorldAxes(Transform ta, Manifold out) {
+    float nx = out.normalX;
+    float ny = out.normalY;
+    out.normalX = ta.rotateX(nx, ny);
+    out.normalY = ta.rotateY(nx, ny);
+    float x = out.x0;
+    float y = out.y0;
+    out.x0 = ta.rotateX(x, y);
+    out.y0 = ta.rotateY(x, y);
+    x = out.x1;
+    y = out.y1;
+    out.x1 = ta.rotateX(x, y);
+    out.y1 = ta.rotateY(x, y);
+  }
+
+  /** In double precision inside, so that neither tiny nor huge components are lost. */
+  private static float length(float x, float y) {
+    return (float) Math.sqrt((double) x * x + (double) y * y);
   }
 }
