@@ -1,23 +1,319 @@
 package carom.net.kryo;
 
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.ClientMessageCodec;
+import carom.net.protocol.GoodbyeReason;
+import carom.net.protocol.Limits;
+import carom.net.protocol.RefusalReason;
+import carom.net.protocol.ServerMessage;
+import carom.net.protocol.ServerMessage.Goodbye;
+import carom.net.protocol.ServerMessage.LevelChunk;
+import carom.net.protocol.ServerMessage.Notice;
+import carom.net.protocol.ServerMessage.Refused;
+import carom.net.protocol.ServerMessage.Roster;
+import carom.net.protocol.ServerMessage.RosterEntry;
+import carom.net.protocol.ServerMessage.Welcome;
 import carom.net.transport.MessageCodec;
+import com.esotericsoftware.kryo.Kryo;
+import com.esotericsoftware.kryo.KryoException;
+import com.esotericsoftware.kryo.Serializer;
+import com.esotericsoftware.kryo.io.Input;
+import com.esotericsoftware.kryo.io.KryoBufferUnderflowException;
+import com.esotericsoftware.kryo.io.Output;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
- * The protocol's messages as bytes: Kryo from the server, a fixed layout from the client. Any
- * thread.
+ * The protocol's messages as bytes: Kryo from the server, {@link ClientMessageCodec}'s fixed layout
+ * from the client. The first byte tells them apart: Kryo's class ids start at {@code 0x40}, client
+ * tags are below. Any thread; one Kryo behind one lock, because messages are rare.
+ *
+ * <p>Each message has its own serializer, so that the wire format is what is written here and not
+ * what reflection finds, and so that each length is checked against its limit before anything is
+ * allocated. Numbers are Kryo's: little-endian, lengths as variable-length integers; strings are a
+ * length in bytes and UTF-8.
  */
 public final class KryoMessageCodec implements MessageCodec {
+  private static final int FIRST_SERVER_BYTE = 0x40;
+  private static final RefusalReason[] REFUSALS = RefusalReason.values();
+  private static final GoodbyeReason[] GOODBYES = GoodbyeReason.values();
+
+  static {
+    Setup.ensure();
+  }
+
+  private final Kryo kryo = new Kryo();
+  private final Output output = new Output(512, Limits.MAX_SERVER_MESSAGE_BYTES);
+  private final FrameInput input = new FrameInput();
+  private final int classes;
 
   /** Creates a codec; one per transport is enough. */
-  public KryoMessageCodec() {}
+  public KryoMessageCodec() {
+    kryo.setRegistrationRequired(true);
+    kryo.setReferences(false);
+    kryo.setMaxDepth(2);
+    int id = FIRST_SERVER_BYTE - 2; // Kryo writes id + 2
+    kryo.register(Welcome.class, new WelcomeSerializer(), id++);
+    kryo.register(LevelChunk.class, new LevelChunkSerializer(), id++);
+    kryo.register(Refused.class, new RefusedSerializer(), id++);
+    kryo.register(Roster.class, new RosterSerializer(), id++);
+    kryo.register(Notice.class, new NoticeSerializer(), id++);
+    kryo.register(Goodbye.class, new GoodbyeSerializer(), id++);
+    classes = id + 2 - FIRST_SERVER_BYTE;
+  }
 
   @Override
   public byte[] encode(Object message) {
-    throw new UnsupportedOperationException("soon");
+    if (message instanceof ClientMessage client) {
+      return ClientMessageCodec.encode(client);
+    }
+    if (!(message instanceof ServerMessage)) {
+      throw new IllegalArgumentException(
+          "message="
+              + (message == null ? "null" : message.getClass().getName())
+              + " must be a ClientMessage or a ServerMessage");
+    }
+    synchronized (kryo) {
+      output.reset();
+      try {
+        kryo.writeClassAndObject(output, message);
+      } catch (KryoException x) {
+        throw new IllegalArgumentException(
+            message.getClass().getSimpleName()
+                + " can't be encoded within "
+                + Limits.MAX_SERVER_MESSAGE_BYTES
+                + " bytes: "
+                + x.getMessage(),
+            x);
+      }
+      return output.toBytes();
+    }
   }
 
   @Override
   public Object decode(byte[] bytes, int offset, int length) {
-    throw new UnsupportedOperationException("soon");
+    if (length < 1) {
+      return null;
+    }
+    return bytes[offset] < FIRST_SERVER_BYTE
+        ? decodeFromClient(bytes, offset, length)
+        : decodeFromServer(bytes, offset, length);
+  }
+
+  /** As {@link #decode}, for a server: nothing but a client's message, and no Kryo. */
+  ClientMessage decodeFromClient(byte[] bytes, int offset, int length) {
+    return ClientMessageCodec.decode(bytes, offset, length);
+  }
+
+  /** As {@link #decode}, for a client: nothing but a server's message. */
+  ServerMessage decodeFromServer(byte[] bytes, int offset, int length) {
+    // Only our own classes get as far as Kryo: its built-in ones read unbounded lengths, and id 1
+    // names a class.
+    if (length < 1
+        || length > Limits.MAX_SERVER_MESSAGE_BYTES
+        || bytes[offset] < FIRST_SERVER_BYTE
+        || bytes[offset] >= FIRST_SERVER_BYTE + classes) {
+      return null;
+    }
+    synchronized (kryo) {
+      try {
+        input.wrap(bytes, offset, length);
+        Object message = kryo.readClassAndObject(input);
+        return input.position() == input.limit() ? (ServerMessage) message : null;
+      } catch (RuntimeException x) { // truncated, or outside a limit
+        return null;
+      } finally {
+        input.release();
+      }
+    }
+  }
+
+  /**
+   * Reads one frame in place: never past its end, and without moving the bytes around, as Input
+   * would at the end.
+   */
+  private static final class FrameInput extends Input {
+    private static final byte[] NOTHING = {};
+
+    void wrap(byte[] bytes, int offset, int length) {
+      setBuffer(bytes, offset, length);
+    }
+
+    void release() {
+      setBuffer(NOTHING, 0, 0);
+    }
+
+    @Override
+    protected int require(int required) {
+      int remaining = limit - position;
+      if (remaining < required) {
+        throw new KryoBufferUnderflowException("required=" + required + " remaining=" + remaining);
+      }
+      return remaining;
+    }
+  }
+
+  /** Null is no message, and messages don't change. */
+  private abstract static class MessageSerializer<T> extends Serializer<T> {
+    MessageSerializer() {
+      super(false, true);
+    }
+
+    @Override
+    public final T read(Kryo kryo, Input in, Class<? extends T> type) {
+      return read(in);
+    }
+
+    @Override
+    public final void write(Kryo kryo, Output out, T message) {
+      write(out, message);
+    }
+
+    abstract void write(Output out, T message);
+
+    abstract T read(Input in);
+  }
+
+  private static final class WelcomeSerializer extends MessageSerializer<Welcome> {
+    @Override
+    void write(Output out, Welcome m) {
+      out.writeLong(m.sessionSecret());
+      out.writeInt(m.datagramKey());
+      out.writeByte(inRange("playerId", m.playerId(), 0, Limits.MAX_PLAYERS - 1));
+      out.writeByte(inRange("tickRate", m.tickRate(), Limits.MIN_TICK_RATE, Limits.MAX_TICK_RATE));
+      out.writeInt(m.tick());
+      out.writeLong(m.seed());
+      writeText(out, "game", m.game(), Limits.MAX_GAME_NAME_BYTES);
+      writeText(out, "levelName", m.levelName(), Limits.MAX_LEVEL_NAME_BYTES);
+      out.writeLong(m.levelHash());
+      out.writeVarInt(inRange("levelSize", m.levelSize(), 0, Limits.MAX_LEVEL_BYTES), true);
+    }
+
+    @Override
+    Welcome read(Input in) {
+      return new Welcome(
+          in.readLong(),
+          in.readInt(),
+          in.readByteUnsigned(),
+          inRange("tickRate", in.readByteUnsigned(), Limits.MIN_TICK_RATE, Limits.MAX_TICK_RATE),
+          in.readInt(),
+          in.readLong(),
+          readText(in, "game", Limits.MAX_GAME_NAME_BYTES),
+          readText(in, "levelName", Limits.MAX_LEVEL_NAME_BYTES),
+          in.readLong(),
+          inRange("levelSize", in.readVarInt(true), 0, Limits.MAX_LEVEL_BYTES));
+    }
+  }
+
+  private static final class LevelChunkSerializer extends MessageSerializer<LevelChunk> {
+    @Override
+    void write(Output out, LevelChunk m) {
+      out.writeVarInt(inRange("offset", m.offset(), 0, Limits.MAX_LEVEL_BYTES - 1), true);
+      out.writeVarInt(inRange("bytes", m.bytes().length, 1, Limits.MAX_LEVEL_CHUNK_BYTES), true);
+      out.writeBytes(m.bytes());
+    }
+
+    @Override
+    LevelChunk read(Input in) {
+      int offset = inRange("offset", in.readVarInt(true), 0, Limits.MAX_LEVEL_BYTES - 1);
+      int length = inRange("bytes", in.readVarInt(true), 1, Limits.MAX_LEVEL_CHUNK_BYTES);
+      return new LevelChunk(offset, readBytes(in, length));
+    }
+  }
+
+  private static final class RefusedSerializer extends MessageSerializer<Refused> {
+    @Override
+    void write(Output out, Refused m) {
+      out.writeByte(m.reason().ordinal());
+      writeText(out, "text", m.text(), Limits.MAX_TEXT_BYTES);
+    }
+
+    @Override
+    Refused read(Input in) {
+      int reason = inRange("reason", in.readByteUnsigned(), 0, REFUSALS.length - 1);
+      return new Refused(REFUSALS[reason], readText(in, "text", Limits.MAX_TEXT_BYTES));
+    }
+  }
+
+  private static final class RosterSerializer extends MessageSerializer<Roster> {
+    private static final int MIN_ENTRY_BYTES = 1 + 1 + 1;
+
+    @Override
+    void write(Output out, Roster m) {
+      out.writeVarInt(inRange("entries", m.entries().size(), 0, Limits.MAX_PLAYERS), true);
+      for (RosterEntry entry : m.entries()) {
+        out.writeByte(inRange("playerId", entry.playerId(), 0, Limits.MAX_PLAYERS - 1));
+        writeText(out, "name", entry.name(), Limits.MAX_NAME_BYTES);
+        out.writeVarInt(entry.score(), false);
+      }
+    }
+
+    @Override
+    Roster read(Input in) {
+      int most = Math.min(Limits.MAX_PLAYERS, (in.limit() - in.position()) / MIN_ENTRY_BYTES);
+      int count = inRange("entries", in.readVarInt(true), 0, most);
+      List<RosterEntry> entries = new ArrayList<>(count);
+      for (int i = 0; i < count; i++) {
+        entries.add(
+            new RosterEntry(
+                in.readByteUnsigned(),
+                readText(in, "name", Limits.MAX_NAME_BYTES),
+                in.readVarInt(false)));
+      }
+      return new Roster(List.copyOf(entries));
+    }
+  }
+
+  private static final class NoticeSerializer extends MessageSerializer<Notice> {
+    @Override
+    void write(Output out, Notice m) {
+      writeText(out, "text", m.text(), Limits.MAX_TEXT_BYTES);
+    }
+
+    @Override
+    Notice read(Input in) {
+      return new Notice(readText(in, "text", Limits.MAX_TEXT_BYTES));
+    }
+  }
+
+  private static final class GoodbyeSerializer extends MessageSerializer<Goodbye> {
+    @Override
+    void write(Output out, Goodbye m) {
+      out.writeByte(m.reason().ordinal());
+      writeText(out, "text", m.text(), Limits.MAX_TEXT_BYTES);
+    }
+
+    @Override
+    Goodbye read(Input in) {
+      int reason = inRange("reason", in.readByteUnsigned(), 0, GOODBYES.length - 1);
+      return new Goodbye(GOODBYES[reason], readText(in, "text", Limits.MAX_TEXT_BYTES));
+    }
+  }
+
+  private static int inRange(String name, int value, int min, int max) {
+    if (value < min || value > max) {
+      throw new IllegalArgumentException(
+          name + "=" + value + " must be from " + min + " to " + max);
+    }
+    return value;
+  }
+
+  private static void writeText(Output out, String name, String text, int maxBytes) {
+    byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+    out.writeVarInt(inRange(name + ".bytes", bytes.length, 0, maxBytes), true);
+    out.writeBytes(bytes);
+  }
+
+  private static String readText(Input in, String name, int maxBytes) {
+    int length = inRange(name + ".bytes", in.readVarInt(true), 0, maxBytes);
+    return new String(readBytes(in, length), StandardCharsets.UTF_8);
+  }
+
+  private static byte[] readBytes(Input in, int length) {
+    if (length > in.limit() - in.position()) {
+      throw new KryoBufferUnderflowException("length=" + length);
+    }
+    return in.readBytes(length);
   }
 }

@@ -2,9 +2,23 @@ package carom.net.kryo;
 
 import carom.net.transport.Link;
 import carom.net.transport.ServerTransport;
+import java.io.IOException;
+import java.net.BindException;
+import java.net.DatagramSocket;
+import java.net.ServerSocket;
 
-/** Listens on a TCP and a UDP port. */
+/**
+ * Listens on a TCP and a UDP port. Everything of the network happens on one daemon thread; {@link
+ * #accept}, and the links' {@code poll}, belong to the owner's thread, sending to any. A link opens
+ * when datagrams have passed in both directions.
+ */
 public final class KryoServerTransport implements ServerTransport {
+  private static final int EPHEMERAL_ATTEMPTS = 20;
+  private static final int MAX_PORT = 65_535;
+
+  private final ServerNetwork network;
+  private final int tcpPort;
+  private final int udpPort;
 
   /** As {@link #KryoServerTransport(int, int, KryoLimits)} with {@link KryoLimits#DEFAULT}. */
   public KryoServerTransport(int tcpPort, int udpPort) {
@@ -20,26 +34,99 @@ public final class KryoServerTransport implements ServerTransport {
    * @throws IllegalArgumentException when a port is outside its range
    */
   public KryoServerTransport(int tcpPort, int udpPort, KryoLimits limits) {
-    throw new UnsupportedOperationException("soon");
+    checkPort("tcpPort", tcpPort);
+    checkPort("udpPort", udpPort);
+    network = new ServerNetwork(limits);
+    int tcp = tcpPort;
+    int udp = udpPort;
+    for (int attempt = 1; ; attempt++) {
+      try {
+        // KryoNet doesn't tell which port the system gave it, so a free one is looked up here and
+        // asked for by number.
+        // Somebody may take it in between: then another one.
+        tcp = tcpPort != 0 ? tcpPort : freeTcpPort();
+        udp = udpPort != 0 ? udpPort : freeUdpPort();
+        network.bind(tcp, udp);
+        break;
+      } catch (IOException x) {
+        PortUnavailableException explained = explain(x, tcp, udp);
+        boolean chosenHere = explained.port() != tcpPort && explained.port() != udpPort;
+        if (!chosenHere || attempt == EPHEMERAL_ATTEMPTS || !(x instanceof BindException)) {
+          network.dispose();
+          throw explained;
+        }
+      }
+    }
+    this.tcpPort = tcp;
+    this.udpPort = udp;
+    network.start();
+  }
+
+  private static void checkPort(String name, int port) {
+    if (port < 0 || port > MAX_PORT) {
+      throw new IllegalArgumentException(
+          name + "=" + port + " must be from 0 (any free one) to " + MAX_PORT);
+    }
+  }
+
+  private static int freeTcpPort() throws IOException {
+    try (ServerSocket probe = new ServerSocket(0)) {
+      return probe.getLocalPort();
+    }
+  }
+
+  private static int freeUdpPort() throws IOException {
+    try (DatagramSocket probe = new DatagramSocket(0)) {
+      return probe.getLocalPort();
+    }
+  }
+
+  /** KryoNet's exception doesn't say which of the two ports it was; asking for TCP again does. */
+  private static PortUnavailableException explain(IOException failure, int tcp, int udp) {
+    try {
+      new ServerSocket(tcp).close();
+    } catch (IOException x) {
+      return explain("TCP", tcp, "--tcp-port", failure);
+    }
+    return explain("UDP", udp, "--udp-port", failure);
+  }
+
+  private static PortUnavailableException explain(
+      String protocol, int port, String flag, IOException failure) {
+    String name = protocol + " port " + port;
+    String text =
+        failure instanceof BindException
+            ? name + " is busy: another server is probably running; stop it, or choose another port"
+            : name + " can't be opened (" + failure.getMessage() + "); choose another port";
+    return new PortUnavailableException(protocol, port, text + " with " + flag, failure);
   }
 
   @Override
   public Link accept() {
-    throw new UnsupportedOperationException("soon");
+    return network.accept();
   }
 
   @Override
   public int tcpPort() {
-    throw new UnsupportedOperationException("soon");
+    return tcpPort;
   }
 
   @Override
   public int udpPort() {
-    throw new UnsupportedOperationException("soon");
+    return udpPort;
   }
 
+  /** Live counters of the whole transport; those of a link are at the link. */
+  public KryoServerCounters counters() {
+    return network.counters;
+  }
+
+  /**
+   * Tells all clients, closes all links and both ports, and waits for the network thread to end:
+   * half a second when a client doesn't answer. Closing twice does nothing.
+   */
   @Override
   public void close() {
-    throw new UnsupportedOperationException("soon");
+    network.stop();
   }
 }

@@ -1,0 +1,152 @@
+package carom.net.kryo;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.GoodbyeReason;
+import carom.net.protocol.Limits;
+import carom.net.protocol.RefusalReason;
+import carom.net.protocol.ServerMessage;
+import carom.net.protocol.ServerMessage.RosterEntry;
+import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+final class KryoMessageCodecTest {
+  private final KryoMessageCodec codec = new KryoMessageCodec();
+
+  static List<Object> everyMessage() {
+    List<RosterEntry> full = new ArrayList<>();
+    for (int i = 0; i < Limits.MAX_PLAYERS; i++) {
+      full.add(new RosterEntry(i, "x".repeat(Limits.MAX_NAME_BYTES), Integer.MIN_VALUE + i));
+    }
+    byte[] chunk = new byte[Limits.MAX_LEVEL_CHUNK_BYTES];
+    Arrays.fill(chunk, (byte) 0xa5);
+    return List.of(
+        new ServerMessage.Welcome(
+            -2, 0x01020304, 255, 240, 77, Long.MIN_VALUE, "arena", "arena.json", 42, 12_345),
+        new ServerMessage.LevelChunk(4_096, chunk),
+        new ServerMessage.Refused(RefusalReason.NAME_TAKEN, "Ünal is taken"),
+        new ServerMessage.Roster(List.of()),
+        new ServerMessage.Roster(full),
+        new ServerMessage.Notice("x".repeat(Limits.MAX_TEXT_BYTES)),
+        new ServerMessage.Goodbye(GoodbyeReason.SERVER_STOPPING, ""),
+        new ClientMessage.Hello(1, -5, "Ünal", 99),
+        new ClientMessage.LevelRequest(1_000),
+        new ClientMessage.Ready(),
+        new ClientMessage.Leave());
+  }
+
+  @Test
+  void everyMessageSurvivesTheRoundTripAnywhereInAnArray() {
+    for (Object message : everyMessage()) {
+      byte[] bytes = codec.encode(message);
+      byte[] around = new byte[bytes.length + 20];
+      System.arraycopy(bytes, 0, around, 7, bytes.length);
+      assertEquals(message, codec.decode(around, 7, bytes.length));
+    }
+  }
+
+  @Test
+  void truncatedOrPaddedMessagesAreNoMessagesAndTheBytesStayAsTheyAre() {
+    for (Object message : everyMessage()) {
+      byte[] bytes = codec.encode(message);
+      byte[] padded = Arrays.copyOf(bytes, bytes.length + 1);
+      byte[] before = padded.clone();
+      int step = Math.max(1, bytes.length / 500);
+      for (int length = 0; length < bytes.length; length += step) {
+        assertNull(codec.decode(padded, 0, length), message + " cut to length=" + length);
+      }
+      assertNull(codec.decode(padded, 0, padded.length), () -> message + " with a byte more");
+      assertArrayEquals(before, padded);
+    }
+  }
+
+  @Test
+  void theBytesOnTheWireAreTheseAndNoOthers() {
+    HexFormat hex = HexFormat.of();
+    assertEquals(
+        "40" // class
+            + "feffffffffffffff" // sessionSecret
+            + "04030201" // datagramKey
+            + "ff" // playerId
+            + "f0" // tickRate
+            + "4d000000" // tick
+            + "0000000000000080" // seed
+            + "056172656e61" // game
+            + "0a6172656e612e6a736f6e" // levelName
+            + "2a00000000000000" // levelHash
+            + "b960", // levelSize
+        hex.formatHex(codec.encode(everyMessage().get(0))));
+    assertEquals(
+        "4180200201ff",
+        hex.formatHex(codec.encode(new ServerMessage.LevelChunk(4_096, new byte[] {1, -1}))));
+    assertEquals(
+        "4203026f6b",
+        hex.formatHex(codec.encode(new ServerMessage.Refused(RefusalReason.NAME_INVALID, "ok"))));
+    assertEquals(
+        "4301050241620d",
+        hex.formatHex(
+            codec.encode(new ServerMessage.Roster(List.of(new RosterEntry(5, "Ab", -7))))));
+    assertEquals("440148", hex.formatHex(codec.encode(new ServerMessage.Notice("H"))));
+    assertEquals(
+        "450000", hex.formatHex(codec.encode(new ServerMessage.Goodbye(GoodbyeReason.LEFT, ""))));
+  }
+
+  @Test
+  void writingAssertsTheLimitsByName() {
+    List<Object> wrong =
+        List.of(
+            new ServerMessage.Notice("x".repeat(Limits.MAX_TEXT_BYTES + 1)),
+            new ServerMessage.LevelChunk(0, new byte[0]),
+            new ServerMessage.LevelChunk(-1, new byte[1]),
+            new ServerMessage.Welcome(1, 1, 256, 60, 0, 0, "g", "l", 0, 0),
+            new ServerMessage.Welcome(1, 1, 1, 0, 0, 0, "g", "l", 0, 0),
+            "no message");
+    for (Object message : wrong) {
+      IllegalArgumentException x =
+          assertThrows(IllegalArgumentException.class, () -> codec.encode(message));
+      assertTrue(x.getMessage().contains("="), x.getMessage());
+    }
+    Object right = everyMessage().get(0); // works as before after that
+    byte[] bytes = codec.encode(right);
+    assertEquals(right, codec.decode(bytes, 0, bytes.length));
+  }
+
+  @Test
+  void hostileBytesNeverThrowAndNeverAllocateMuch() {
+    long seed = Long.getLong("carom.seed", System.nanoTime());
+    SplittableRandom random = new SplittableRandom(seed);
+    List<byte[]> samples = new ArrayList<>();
+    for (Object message : everyMessage()) {
+      samples.add(codec.encode(message));
+    }
+    com.sun.management.ThreadMXBean threads =
+        (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
+    long most = 0;
+    for (int i = 0; i < 20_000; i++) {
+      byte[] bytes = samples.get(random.nextInt(samples.size())).clone();
+      int length = Math.min(bytes.length, 1 + random.nextInt(200));
+      int changes = 1 + random.nextInt(6);
+      for (int c = 0; c < changes; c++) {
+        bytes[random.nextInt(length)] = (byte) random.nextInt(256);
+      }
+      long before = threads.getCurrentThreadAllocatedBytes();
+      try {
+        codec.decode(bytes, 0, length);
+      } catch (RuntimeException x) {
+        throw new AssertionError("seed=" + seed + " i=" + i, x);
+      }
+      most = Math.max(most, threads.getCurrentThreadAllocatedBytes() - before);
+    }
+    assertTrue(most < 200_000, "allocated=" + most + " seed=" + seed);
+  }
+}
