@@ -1,0 +1,81 @@
+package carom.sim;
+
+import carom.physics.Body;
+
+/**
+ * One thing in the world: a body with an identity, a kind and perhaps an owner. The static geometry
+ * of the level consists of entities too, with the id {@link #LEVEL}.
+ *
+ * <p>A handle, valid until despawned; its id is then given to another entity with another
+ * generation.
+ */
+public final class Entity {
+  /** The id of static level geometry, which never appears in snapshots. */
+  public static final int LEVEL = -1;
+
+  /** The owner id of an entity that belongs to no player. */
+  public static final int NO_OWNER = -1;
+
+  private final int id;
+  private final int generation;
+  private final Archetype archetype;
+  private final int ownerId;
+  private int tag;
+  Body<Entity> body;
+
+  Entity(int id, int generation, Archetype archetype, int ownerId) {
+    this.id = id;
+    this.generation = generation;
+    this.archetype = archetype;
+    this.ownerId = ownerId;
+    tag = archetype.tag();
+  }
+
+  /** The slot, 0..65534, or {@link #LEVEL}. */
+  public int id() {
+    return id;
+  }
+
+  /** How often the slot has been used before, modulo 256: tells two users of one slot apart. */
+  public int generation() {
+    return generation;
+  }
+
+  /** Its kind. */
+  public Archetype archetype() {
+    return archetype;
+  }
+
+  /** The player it belongs to, or {@link #NO_OWNER}. */
+  public int ownerId() {
+    return ownerId;
+  }
+
+  /** Its body; invalid once the entity is despawned. */
+  public Body<Entity> body() {
+    return body;
+  }
+
+  /** Whether this is static level geometry. */
+  public boolean isLevel() {
+    return id == LEVEL;
+  }
+
+  /** A number with a meaning of the game's own; starts as the archetype's tag. */
+  public int tag() {
+    return tag;
+  }
+
+  /**
+   * Changes the tag. It is hashed and saved, but not sent: what must look different on the clients
+   * needs another archetype.
+   */
+  public void tag(int value) {
+    tag = value;
+  }
+
+  @Override
+  public String toString() {
+    return archetype.name() + "(id=" + id + " generation=" + generation + ")";
+  }
+}

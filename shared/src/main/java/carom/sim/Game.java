@@ -1,0 +1,74 @@
+package carom.sim;
+
+import carom.physics.Collision;
+import carom.physics.WorldDef;
+
+/**
+ * The rules of a game. Write one, name it in a level file, list it as a service, and it is a
+ * multiplayer game; {@code docs/GAMES.md} is the tutorial.
+ *
+ * <p>One instance serves one simulation. Fields may hold what {@link #setUp} found (archetypes,
+ * zones, scratch objects); everything that changes while playing belongs into {@link
+ * Player#memory}, {@link Simulation#memory} or the world, where it is hashed, saved and restored.
+ *
+ * <p>All methods run on the simulation's thread. {@code setUp}, {@code input} and {@code collision}
+ * run on server and client and must do the same there; the rest runs on {@link Role#AUTHORITY}
+ * only.
+ */
+public interface Game {
+  /** The name under which it is found, lower case. */
+  String name();
+
+  /** The resource name of the level it starts with, such as {@code arena}. */
+  String defaultLevel();
+
+  /** One line for people who choose a game. */
+  default String description() {
+    return name();
+  }
+
+  /** Settings of the world; the default takes the level's gravity. */
+  default WorldDef world(Level level) {
+    return new WorldDef().withGravity(level.gravityX(), level.gravityY());
+  }
+
+  /** Ints of {@link Simulation#memory} the game wants in that level, 0..65536. */
+  default int memorySize(Level level) {
+    return 16;
+  }
+
+  /**
+   * Both roles, once: registers archetypes and remembers zones. The level's statics exist. On
+   * {@link Role#AUTHORITY} it may spawn entities after registering; the level's own bodies exist
+   * already.
+   */
+  void setUp(Simulation s);
+
+  /** A player has joined and may get a body. */
+  void join(Simulation s, Player p);
+
+  /** A player is about to leave. Afterwards the simulation despawns everything the player owns. */
+  void leave(Simulation s, Player p);
+
+  /**
+   * Both roles, each tick before the world steps, for each player with a body in order of their
+   * ids: turns commands into forces. May touch only the player, its memory, its body, and read
+   * contacts.
+   */
+  void input(Simulation s, Player p, Input in);
+
+  /** Each tick before the players' inputs. */
+  void beforeStep(Simulation s);
+
+  /** Each tick after the world has stepped: goals, scores, respawns. */
+  void afterStep(Simulation s);
+
+  /**
+   * Both roles, during the step, for each touching pair: false refuses the response this tick. May
+   * read entities and the memory of their owners; must change nothing. The default lets one-way
+   * platforms pass what comes from below.
+   */
+  default boolean collision(Simulation s, Collision<Entity> c) {
+    return OneWay.responds(s, c);
+  }
+}

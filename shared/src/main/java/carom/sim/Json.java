@@ -1,0 +1,151 @@
+package carom.sim;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonLocation;
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.JsonToken;
+import com.fasterxml.jackson.core.StreamReadConstraints;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * A JSON document as a tree that remembers where everything stood, so that an error can name the
+ * line. Strict: no comments, no NaN, no key twice, nothing after the end.
+ */
+final class Json {
+  /** What a node is. */
+  enum Kind {
+    OBJECT("an object"),
+    ARRAY("a list"),
+    STRING("a text"),
+    NUMBER("a number"),
+    BOOLEAN("true or false"),
+    NULL("null");
+
+    final String words;
+
+    Kind(String words) {
+      this.words = words;
+    }
+  }
+
+  private static final JsonFactory FACTORY =
+      JsonFactory.builder()
+          .streamReadConstraints(
+              StreamReadConstraints.builder()
+                  .maxNestingDepth(32)
+                  .maxNumberLength(64)
+                  .maxStringLength(4096)
+                  .maxNameLength(256)
+                  .build())
+          .build();
+
+  final Kind kind;
+  final String path;
+  final int line;
+  final int column;
+
+  /** The text of a string or of a number as written. */
+  final String text;
+
+  final double number;
+  final boolean truth;
+  final List<Json> items = new ArrayList<>();
+
+  /** In file order. */
+  final Map<String, Json> fields = new LinkedHashMap<>();
+
+  private Json(Kind kind, String path, JsonParser p) throws IOException {
+    this.kind = kind;
+    this.path = path;
+    JsonLocation at = p.currentTokenLocation();
+    line = at.getLineNr();
+    column = at.getColumnNr();
+    text = kind == Kind.STRING || kind == Kind.NUMBER ? p.getText() : "";
+    number = kind == Kind.NUMBER ? p.getDoubleValue() : 0;
+    truth = p.currentToken() == JsonToken.VALUE_TRUE;
+  }
+
+  /** Reads a whole document. */
+  static Json parse(String file, byte[] bytes) throws LevelException {
+    try (JsonParser p = FACTORY.createParser(bytes)) {
+      if (p.nextToken() == null) {
+        throw new LevelException(file, 1, 1, "", "the file is empty; it must be a JSON object");
+      }
+      Json root = read(file, p, "");
+      if (p.nextToken() != null) {
+        JsonLocation at = p.currentTokenLocation();
+        throw new LevelException(
+            file, at.getLineNr(), at.getColumnNr(), "", "nothing may follow the closing brace");
+      }
+      return root;
+    } catch (JsonProcessingException e) {
+      JsonLocation at = e.getLocation();
+      int line = at == null ? 0 : at.getLineNr();
+      int column = at == null ? 0 : at.getColumnNr();
+      throw new LevelException(file, line, column, "", "not JSON: " + e.getOriginalMessage());
+    } catch (IOException e) {
+      throw new LevelException(file, 0, 0, "", "not JSON: " + e.getMessage());
+    }
+  }
+
+  private static Json read(String file, JsonParser p, String path)
+      throws IOException, LevelException {
+    switch (p.currentToken()) {
+      case START_OBJECT:
+        return readObject(file, p, path);
+      case START_ARRAY:
+        Json array = new Json(Kind.ARRAY, path, p);
+        while (p.nextToken() != JsonToken.END_ARRAY) {
+          array.items.add(read(file, p, path + "[" + array.items.size() + "]"));
+        }
+        return array;
+      case VALUE_STRING:
+        return new Json(Kind.STRING, path, p);
+      case VALUE_NUMBER_INT:
+      case VALUE_NUMBER_FLOAT:
+        return new Json(Kind.NUMBER, path, p);
+      case VALUE_TRUE:
+      case VALUE_FALSE:
+        return new Json(Kind.BOOLEAN, path, p);
+      default:
+        return new Json(Kind.NULL, path, p);
+    }
+  }
+
+  private static Json readObject(String file, JsonParser p, String path)
+      throws IOException, LevelException {
+    Json object = new Json(Kind.OBJECT, path, p);
+    while (p.nextToken() != JsonToken.END_OBJECT) {
+      JsonLocation at = p.currentTokenLocation();
+      String name = p.currentName();
+      String fieldPath = path.isEmpty() ? name : path + "." + name;
+      p.nextToken();
+      if (object.fields.put(name, read(file, p, fieldPath)) != null) {
+        throw new LevelException(
+            file, at.getLineNr(), at.getColumnNr(), fieldPath, " stands here a second time");
+      }
+    }
+    return object;
+  }
+
+  /** The value as an error message shows it, shortened. */
+  String shown() {
+    switch (kind) {
+      case STRING:
+        return '"' + (text.length() > 40 ? text.substring(0, 40) + "..." : text) + '"';
+      case NUMBER:
+        return text.length() > 40 ? text.substring(0, 40) + "..." : text;
+      case BOOLEAN:
+        return String.valueOf(truth);
+      case NULL:
+        return "null";
+      default:
+        return kind.words;
+    }
+  }
+}

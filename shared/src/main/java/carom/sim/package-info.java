@@ -1,0 +1,14 @@
+/**
+ * The simulation: one physics world, its entities and players, and the game that gives them rules.
+ *
+ * <p>A {@link carom.sim.Simulation} is a pure function of (state, inputs, tick). The server runs
+ * one with {@link carom.sim.Role#AUTHORITY}; each client runs one with {@link
+ * carom.sim.Role#PREDICTION} to feel its own input without waiting for the network. Nothing here
+ * knows a clock, a thread, a socket or a file format other than the level's.
+ *
+ * <p>Allowed imports: {@code carom.physics..}, the JDK without threads, clocks and randomness;
+ * Jackson's streaming parser in the level loader only.
+ *
+ * <p>Read first: {@link carom.sim.Simulation}, {@link carom.sim.Game}, {@link carom.sim.Level}.
+ */
+package carom.sim;
