@@ -1,0 +1,247 @@
+package carom.net;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.ClientMessageCodec;
+import carom.net.protocol.GoodbyeReason;
+import carom.net.protocol.InputDatagram;
+import carom.net.protocol.Limits;
+import carom.net.protocol.Protocol;
+import carom.net.protocol.RefusalReason;
+import carom.net.protocol.SessionState;
+import carom.net.snapshot.Baseline;
+import carom.net.snapshot.DecodeStatus;
+import carom.net.snapshot.FrameRing;
+import carom.net.snapshot.FrameState;
+import carom.net.snapshot.InputFeedback;
+import carom.net.snapshot.OwnState;
+import carom.net.snapshot.SnapshotDecoder;
+import carom.net.snapshot.SnapshotEncoder;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.lang.reflect.Field;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Goal: {@code docs/PROTOCOL.md} and the code say the same. Method: the page is parsed and
+ * compared.
+ */
+class ProtocolDocTest {
+
+  private static final Pattern GOLDEN = Pattern.compile("(?ms)^```golden (\\S+)$(.*?)^```$");
+
+  private final String page = read();
+
+  private static String read() {
+    Path directory = Path.of("").toAbsolutePath();
+    while (directory != null && !Files.exists(directory.resolve("docs/PROTOCOL.md"))) {
+      directory = directory.getParent();
+    }
+    assertNotNull(directory, "docs/PROTOCOL.md not found above the working directory");
+    try {
+      return Files.readString(directory.resolve("docs/PROTOCOL.md"));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private Map<String, byte[]> goldenOfThePage() {
+    Map<String, byte[]> golden = new TreeMap<>();
+    Matcher matcher = GOLDEN.matcher(page);
+    while (matcher.find()) {
+      String[] hex = matcher.group(2).trim().split("\\s+");
+      byte[] bytes = new byte[hex.length];
+      for (int i = 0; i < hex.length; i++) {
+        bytes[i] = (byte) Integer.parseInt(hex[i], 16);
+      }
+      golden.put(matcher.group(1), bytes);
+    }
+    return golden;
+  }
+
+  /** The rows of the table whose head begins like this, as cells. */
+  private List<List<String>> table(String head) {
+    int at = page.indexOf("\n" + head);
+    assertTrue(at >= 0, "no table " + head);
+    List<List<String>> rows = new ArrayList<>();
+    for (String line : page.substring(at + 1).split("\n", -1)) {
+      if (!line.startsWith("|")) {
+        break;
+      }
+      rows.add(Arrays.stream(line.substring(1).split("\\|")).map(String::trim).toList());
+    }
+    return rows.subList(2, rows.size());
+  }
+
+  private static Map<String, byte[]> goldenOfTheCode() {
+    Map<String, byte[]> golden = new TreeMap<>();
+    golden.put(
+        "hello",
+        ClientMessageCodec.encode(new ClientMessage.Hello(1, 0x0102030405060708L, "Zoë", 0)));
+    golden.put("level-request", ClientMessageCodec.encode(new ClientMessage.LevelRequest(4096)));
+    golden.put("ready", ClientMessageCodec.encode(new ClientMessage.Ready()));
+    golden.put("leave", ClientMessageCodec.encode(new ClientMessage.Leave()));
+    inputs(golden);
+    snapshots(golden);
+    return golden;
+  }
+
+  private static void inputs(Map<String, byte[]> golden) {
+    byte[] buffer = new byte[InputDatagram.MAX_BYTES];
+    InputDatagram d = new InputDatagram();
+    d.key = 0x11223344;
+    d.sequence = 5;
+    d.hasAck = true;
+    d.ackSequence = 0x0102;
+    d.ackBits = 0x8000000000000001L;
+    d.count = 3;
+    d.newestTick = 1000;
+    d.inputs[0] = 0x0000_aabb_ccdd_eeffL;
+    d.inputs[1] = d.inputs[0];
+    d.inputs[2] = 1;
+    golden.put("input", Arrays.copyOf(buffer, d.encode(buffer, 0)));
+    d.sequence = 6;
+    d.hasAck = false;
+    d.count = 0;
+    golden.put("input-keep-alive", Arrays.copyOf(buffer, d.encode(buffer, 0)));
+  }
+
+  private static void snapshots(Map<String, byte[]> golden) {
+    FrameRing ring = new FrameRing(10);
+    SnapshotEncoder encoder = new SnapshotEncoder(ring, 7, 60);
+    SnapshotDecoder decoder = new SnapshotDecoder(10, 7, 90, 60);
+    InputFeedback feedback = new InputFeedback();
+
+    ring.begin(100);
+    ring.end();
+    golden.put("snapshot-empty", send(encoder, decoder, feedback, null));
+
+    FrameState frame = ring.begin(101);
+    frame.putQuantized(0, 1, 2, -1, 512, -1024, 256, 0, 0, 0);
+    frame.putQuantized(5, 255, 300, 9, 0, 0, 0, 64, -64, 32);
+    ring.end();
+    feedback.present = true;
+    feedback.sequence = 500;
+    feedback.holdMs = 12;
+    feedback.consumedTick = 101;
+    feedback.margin = -3;
+    golden.put("snapshot-new", send(encoder, decoder, feedback, null));
+    encoder.receiveAck(decoder.ackSequence(), decoder.ackBits());
+
+    feedback.present = false;
+    for (int tick = 102; tick <= 104; tick++) {
+      frame = ring.begin(tick);
+      frame.putQuantized(0, 1, 2, -1, 512, -1024, 256, 0, 0, 0);
+      frame.putQuantized(5, 255, 300, 9, 25, -31, 8, 64, -96, 32);
+      ring.end();
+    }
+    golden.put("snapshot-delta", send(encoder, decoder, feedback, null));
+
+    ring.begin(105).putQuantized(5, 255, 300, 9, 25, -31, 8, 64, -96, 32);
+    ring.end();
+    OwnState own = new OwnState();
+    own.setBody(5, 255, 1.5f, -2, 1, 0, 0, -0f, 0);
+    own.setMemory(1, 1);
+    own.setMemory(2, -1);
+    golden.put("snapshot-own", send(encoder, decoder, feedback, own));
+    assertTrue(decoder.own().sameAs(own));
+  }
+
+  private static byte[] send(
+      SnapshotEncoder encoder, SnapshotDecoder decoder, InputFeedback feedback, OwnState own) {
+    byte[] buffer = new byte[SnapshotEncoder.MAX_DATAGRAM_BYTES];
+    encoder.begin(feedback, own, 10_000);
+    byte[] bytes = Arrays.copyOf(buffer, encoder.next(buffer));
+    assertEquals(DecodeStatus.OK, decoder.decode(bytes, 0, bytes.length));
+    return bytes;
+  }
+
+  private static String hex(byte[] bytes) {
+    StringBuilder text = new StringBuilder();
+    for (int i = 0; i < bytes.length; i++) {
+      text.append(i == 0 ? "" : i % 24 == 0 ? "\n" : " ").append(String.format("%02x", bytes[i]));
+    }
+    return text.toString();
+  }
+
+  @Test
+  void goldenBytesAreThoseOfThePage() {
+    Map<String, byte[]> ofPage = goldenOfThePage();
+    Map<String, byte[]> ofCode = goldenOfTheCode();
+    assertEquals(ofCode.keySet(), ofPage.keySet());
+    StringBuilder moved = new StringBuilder();
+    for (Map.Entry<String, byte[]> entry : ofCode.entrySet()) {
+      if (!Arrays.equals(ofPage.get(entry.getKey()), entry.getValue())) {
+        moved.append("\n```golden ").append(entry.getKey()).append('\n');
+        moved.append(hex(entry.getValue())).append("\n```\n");
+      }
+    }
+    assertEquals("", moved.toString(), "the code writes these; raise Protocol.VERSION with them");
+  }
+
+  @Test
+  void transitionsAreThoseOfThePage() {
+    Set<String> legal = new HashSet<>();
+    for (List<String> row : table("| from | to |")) {
+      assertTrue(legal.add(row.get(0) + " -> " + row.get(1)), "twice: " + row);
+    }
+    for (SessionState from : SessionState.values()) {
+      for (SessionState to : SessionState.values()) {
+        String transition = from + " -> " + to;
+        assertEquals(legal.remove(transition), from.canBecome(to), transition);
+      }
+    }
+    assertEquals(Set.of(), legal, "on the page, but no such states");
+  }
+
+  @Test
+  void limitsAreThoseOfThePage() throws IllegalAccessException {
+    Map<String, String> ofCode = new TreeMap<>();
+    for (Field field : Limits.class.getFields()) {
+      ofCode.put(field.getName(), String.valueOf(field.getInt(null)));
+    }
+    Map<String, String> ofPage = new TreeMap<>();
+    for (List<String> row : table("| limit |")) {
+      ofPage.put(row.get(0), row.get(1));
+    }
+    assertEquals(ofCode, ofPage);
+  }
+
+  @Test
+  void reasonsAreThoseOfThePageInOrder() {
+    List<List<String>> rows = table("| Refused | Goodbye |");
+    assertEquals(
+        Arrays.stream(RefusalReason.values()).map(Enum::name).toList(),
+        rows.stream().map(row -> row.get(0)).toList());
+    assertEquals(
+        Arrays.stream(GoodbyeReason.values()).map(Enum::name).toList(),
+        rows.stream().map(row -> row.get(1)).toList());
+  }
+
+  @Test
+  void baselineReasonsAreThoseOfThePage() {
+    assertEquals(
+        Arrays.stream(Baseline.values()).map(Enum::name).toList(),
+        table("| reason |").stream().map(row -> row.get(0)).toList());
+  }
+
+  @Test
+  void theVersionIsThatOfThePage() {
+    assertTrue(page.startsWith("# Protocol, version " + Protocol.VERSION + "\n"));
+    assertTrue(Protocol.physicsDigest() != 0);
+  }
+}
