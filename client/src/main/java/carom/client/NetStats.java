@@ -1,6 +1,7 @@
 package carom.client;
 
-import java.util.Arrays;
+import carom.client.clock.RenderClock;
+import carom.client.clock.TickClock;
 import org.HdrHistogram.IntCountsHistogram;
 
 /**
@@ -11,7 +12,7 @@ import org.HdrHistogram.IntCountsHistogram;
  */
 public final class NetStats {
   private static final int LOSS_WINDOW = 256;
-  private static final int REORDER_ALLOWANCE = 8;
+  private static final int SETTLED = 16;
   private static final long SECOND = 1_000_000_000L;
 
   final Series rtt = new Series();
@@ -25,7 +26,7 @@ public final class NetStats {
   private final IntCountsHistogram rttUs = new IntCountsHistogram(60_000_000L, 2);
 
   private boolean sequenced;
-  private int highest;
+  private int settled;
   private final boolean[] received = new boolean[LOSS_WINDOW];
   private int window;
 
@@ -50,10 +51,10 @@ public final class NetStats {
   private long corrections;
   private double correctionMetres;
   private double largestCorrection;
-  double interpolationDelayMs;
-  double jitterMs;
-  double targetMargin;
-  double clockSpeed = 1;
+  private double interpolationDelayMs;
+  private double jitterMs;
+  private double targetMargin;
+  private double clockSpeed = 1;
   int malformed;
   int reconnects;
 
@@ -84,31 +85,25 @@ public final class NetStats {
     playing = now;
   }
 
-  void datagram(int sequence, int bytes) {
+  void datagram(int bytes) {
     snapshotBytes.add(bytes);
+  }
+
+  /**
+   * Takes in the acks as they are sent: what is {@link #SETTLED} behind is lost or never will be.
+   */
+  void acks(int sequence, long bits) {
     if (!sequenced) {
       sequenced = true;
-      highest = sequence;
-      window = 1;
-      Arrays.fill(received, false);
-      received[sequence & (LOSS_WINDOW - 1)] = true;
+      settled = sequence - 1;
       return;
     }
-    int ahead = (short) (sequence - highest);
-    if (ahead > LOSS_WINDOW) {
-      sequenced = false;
-      datagram(sequence, 0);
-      return;
-    }
-    for (int i = 1; i <= ahead; i++) {
-      received[(highest + i) & (LOSS_WINDOW - 1)] = false;
-    }
-    if (ahead > 0) {
-      highest = sequence;
-      window = Math.min(LOSS_WINDOW, window + ahead);
-    }
-    if (ahead > -LOSS_WINDOW) {
-      received[sequence & (LOSS_WINDOW - 1)] = true;
+    int ahead = (short) (sequence - SETTLED - settled);
+    for (int i = 0; i < ahead; i++) {
+      settled++;
+      int age = (short) (sequence - settled) - 1;
+      received[window & (LOSS_WINDOW - 1)] = age < 64 && (bits >>> age & 1) != 0;
+      window++;
     }
   }
 
@@ -139,6 +134,13 @@ public final class NetStats {
     corrections++;
     correctionMetres += metres;
     largestCorrection = Math.max(largestCorrection, metres);
+  }
+
+  void clocks(TickClock clock, RenderClock renderClock, int tickRate) {
+    targetMargin = clock.targetMargin();
+    clockSpeed = clock.speed();
+    jitterMs = renderClock.jitterMs();
+    interpolationDelayMs = renderClock.delayTicks() * 1_000 / tickRate;
   }
 
   void roll(long nowNs) {
@@ -177,13 +179,13 @@ public final class NetStats {
 
   /** Snapshot datagrams lost, percent of the last {@value #LOSS_WINDOW}. */
   public double lossPercent() {
-    int considered = window - REORDER_ALLOWANCE;
-    if (considered <= 0) {
+    int considered = Math.min(window, LOSS_WINDOW);
+    if (considered == 0) {
       return 0;
     }
     int lost = 0;
     for (int i = 0; i < considered; i++) {
-      if (!received[(highest - REORDER_ALLOWANCE - i) & (LOSS_WINDOW - 1)]) {
+      if (!received[i]) {
         lost++;
       }
     }

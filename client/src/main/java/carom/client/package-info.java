@@ -4,6 +4,6 @@
  *
  * <p>May use {@code carom.physics}, {@code carom.sim}, {@code carom.game} and {@code carom.net};
  * the window is {@code carom.client.desktop}, found as a service. Read first: {@link
- * carom.client.ClientConfig}, {@link carom.client.NetStats}, {@link carom.client.Window}.
+ * carom.client.GameClient}, {@link carom.client.ClientView}, {@link carom.client.ClientConfig}.
  */
 package carom.client;

@@ -1,0 +1,193 @@
+package carom.client;
+
+import carom.net.kryo.KryoClientTransport;
+import carom.net.protocol.PlayerName;
+import carom.net.transport.ClientTransport;
+import java.util.Locale;
+import java.util.ServiceLoader;
+import java.util.concurrent.Callable;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** {@code carom-client}: plays on a server, in a window or without one. */
+@Command(
+    name = "carom-client",
+    mixinStandardHelpOptions = true,
+    version = "carom 0.1.0",
+    sortOptions = false,
+    description = "Plays on a Carom server.")
+public final class ClientMain implements Callable<Integer> {
+  private static final long SECOND = 1_000_000_000L;
+  private static final long FRAME_NS = SECOND / 120;
+
+  @Mixin private final NetworkOptions network = new NetworkOptions();
+
+  @Option(
+      names = "--name",
+      paramLabel = "NAME",
+      description = "player's name (default: ${DEFAULT-VALUE})",
+      defaultValue = "player")
+  private String name = "player";
+
+  @Option(
+      names = "--headless",
+      description = "no window: a status line each second, a JSON line at the end")
+  private boolean headless;
+
+  @Option(
+      names = "--seconds",
+      paramLabel = "S",
+      description = "leave after this time; 0 = stay (default: ${DEFAULT-VALUE})",
+      defaultValue = "0")
+  private double seconds;
+
+  @Option(
+      names = "--prediction",
+      paramLabel = "MODE",
+      description = "none or own (default: ${DEFAULT-VALUE})",
+      defaultValue = "own")
+  private PredictionMode prediction = PredictionMode.OWN;
+
+  @Option(names = "--net-graph", description = "start with the net graph shown")
+  private boolean netGraph;
+
+  @Option(names = "--debug", description = "start with debug drawing")
+  private boolean debug;
+
+  @Option(
+      names = "--screenshot",
+      paramLabel = "FILE",
+      description = "write the window's last picture there when --seconds are over",
+      defaultValue = "")
+  private String screenshot = "";
+
+  @CommandLine.Spec private CommandLine.Model.CommandSpec spec;
+
+  private ClientMain() {}
+
+  /**
+   * Entry point; exits with 0 after a normal end, 1 when playing was not possible, 2 on bad flags.
+   */
+  public static void main(String[] args) {
+    System.exit(run(args));
+  }
+
+  /** As {@link #main}, but returns the exit code. */
+  public static int run(String... args) {
+    return new CommandLine(new ClientMain())
+        .setCaseInsensitiveEnumValuesAllowed(true)
+        .execute(args);
+  }
+
+  @Override
+  public Integer call() {
+    String problem = network.problem();
+    if (problem == null && PlayerName.problem(name) != null) {
+      problem = "--name: " + PlayerName.problem(name);
+    }
+    if (problem != null) {
+      throw new CommandLine.ParameterException(spec.commandLine(), problem);
+    }
+    network.startLogging();
+    ClientConfig config = network.config(name).withPrediction(prediction);
+    if (headless) {
+      try (ClientTransport transport = network.impair(new KryoClientTransport())) {
+        return playHeadless(new GameClient(config, transport, InputSource.IDLE));
+      }
+    }
+    boolean named =
+        spec.commandLine().getParseResult().hasMatchedOption("--host")
+            || spec.commandLine().getParseResult().hasMatchedOption("--tcp-port");
+    ClientOptions options =
+        new ClientOptions(
+            config, network.impairment(), named, seconds, netGraph, debug, screenshot);
+    for (Window window : ServiceLoader.load(Window.class)) {
+      return window.launch(options);
+    }
+    System.err.println("This build has no window; start with --headless.");
+    return 1;
+  }
+
+  private int playHeadless(GameClient client) {
+    long start = System.nanoTime();
+    long nextLine = start + SECOND;
+    long now = start;
+    boolean played = false;
+    ClientView view = client.view();
+    while ((seconds == 0 || now - start < seconds * SECOND)
+        && view.phase() != ConnectionPhase.ENDED) {
+      client.update(now);
+      played |= view.phase() == ConnectionPhase.PLAYING;
+      if (now >= nextLine) {
+        nextLine += SECOND;
+        System.out.println(line(view));
+      }
+      if (!sleepUntil(now + FRAME_NS)) {
+        break;
+      }
+      now = System.nanoTime();
+    }
+    boolean stayed = view.phase() == ConnectionPhase.PLAYING;
+    if (!stayed) {
+      System.err.println(view.message());
+    }
+    client.close();
+    System.out.println(summary(client.stats(), played, now));
+    return played && stayed ? 0 : 1;
+  }
+
+  private static String line(ClientView view) {
+    NetStats s = view.stats();
+    return String.format(
+        Locale.ROOT,
+        "%s tick=%d entities=%d players=%d rtt=%.1fms loss=%.1f%% snapshots=%.0f/s in=%.0fkbit/s"
+            + " margin=%.0f/%.1f delay=%.0fms corrections=%d exact=%.2f%%%s",
+        view.phase().name().toLowerCase(Locale.ROOT),
+        view.tick(),
+        view.entityCount(),
+        view.players().size(),
+        s.rttMs(),
+        s.lossPercent(),
+        s.snapshotsPerSecond(),
+        s.kbitInPerSecond(),
+        s.inputMargin(),
+        s.targetMargin(),
+        s.interpolationDelayMs(),
+        s.corrections(),
+        100 * s.exactRate(),
+        view.message().isEmpty() ? "" : " " + view.message());
+  }
+
+  private static String summary(NetStats s, boolean joined, long nowNs) {
+    double played = s.playedSeconds(nowNs);
+    return String.format(
+        Locale.ROOT,
+        "{\"joined\":%b,\"reconnects\":%d,\"snapshotsPerSecond\":%.2f,\"gapP99Ms\":%.2f,"
+            + "\"rttP50Ms\":%.2f,\"kbitPerSecond\":%.2f,\"corrections\":%d,"
+            + "\"correctionMeanMetres\":%.4f,\"exactRate\":%.5f}",
+        joined,
+        s.reconnects(),
+        played > 0 ? s.snapshots() / played : 0,
+        s.gapP99Ms(),
+        s.rttP50Ms(),
+        played > 0 ? s.playingBytesIn() * 8 / 1_000.0 / played : 0,
+        s.corrections(),
+        s.correctionMeanMetres(),
+        s.exactRate());
+  }
+
+  private static boolean sleepUntil(long deadlineNs) {
+    long waitNs = deadlineNs - System.nanoTime();
+    try {
+      if (waitNs > 0) {
+        Thread.sleep(waitNs / 1_000_000, (int) (waitNs % 1_000_000));
+      }
+      return true;
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return false;
+    }
+  }
+}

@@ -1,0 +1,416 @@
+package carom.client;
+
+import carom.client.clock.RenderClock;
+import carom.client.clock.TickClock;
+import carom.client.interpolation.HistoryStates;
+import carom.client.interpolation.Interpolator;
+import carom.client.interpolation.Pose;
+import carom.client.prediction.Prediction;
+import carom.game.Games;
+import carom.net.protocol.InputDatagram;
+import carom.net.protocol.Limits;
+import carom.net.protocol.ServerMessage;
+import carom.net.snapshot.DecodeStatus;
+import carom.net.snapshot.EntityHistory;
+import carom.net.snapshot.InputFeedback;
+import carom.net.snapshot.OwnState;
+import carom.net.snapshot.SnapshotDecoder;
+import carom.net.transport.ClientTransport;
+import carom.sim.Archetype;
+import carom.sim.Input;
+import carom.sim.Level;
+import carom.sim.Role;
+import carom.sim.Simulation;
+import java.util.Arrays;
+
+/**
+ * A player's side of the game, without a window. Whoever owns it calls {@link #update} once per
+ * frame with the present time and then reads {@link #view}; nothing here sleeps, waits or starts a
+ * thread. One thread.
+ *
+ * <p>One update is one client frame: take in what arrived; steer the clock that runs ahead of the
+ * server; for each tick due sample, send and predict; correct the prediction from the newest server
+ * state. The picture is made when it is looked at.
+ */
+public final class GameClient implements AutoCloseable {
+  private static final int RING = 256;
+  private static final int RING_MASK = RING - 1;
+  private static final float FADE_IN_NS = 150e6f;
+
+  /** What is there when a player joins doesn't fade in, all at once would. */
+  private static final long JOIN_GRACE_NS = 1_000_000_000L;
+
+  private final ClientConfig config;
+  private final InputSource source;
+  private final NetStats stats = new NetStats();
+  private final ClientView view = new ClientView(stats);
+  private final Connection connection;
+  private final Input input = new Input();
+  private final InputDatagram datagram = new InputDatagram();
+  private final byte[] buffer = new byte[InputDatagram.MAX_BYTES];
+  private final long[] inputs = new long[RING];
+  private final long[] sentNs = new long[RING];
+  private final int[] sentTick = new int[RING];
+  private final int[] sentSequence = new int[RING];
+  private final HistoryStates states = new HistoryStates();
+  private final Pose pose = new Pose();
+  private final OwnState own = new OwnState();
+
+  private long nowNs;
+  private long lastUpdateNs;
+  private Simulation simulation;
+  private Prediction prediction;
+  private SnapshotDecoder decoder;
+  private TickClock clock;
+  private RenderClock renderClock;
+  private Interpolator interpolator;
+  private int snapshotTick;
+  private int ownTick;
+  private long firstSnapshotNs;
+  private int key;
+  private int sequence;
+  private int firstTick;
+  private int ackedTick;
+  private int feedbackSequence;
+  private long[] seenSinceNs = {};
+  private int[] seenGeneration = {};
+  private boolean[] foreseen = {};
+
+  /**
+   * Creates a client that connects at the first {@link #update}.
+   *
+   * @param config where to and how
+   * @param transport opens links; stays the caller's, close it after this client
+   * @param input plays
+   */
+  public GameClient(ClientConfig config, ClientTransport transport, InputSource input) {
+    this.config = config;
+    this.source = input;
+    connection = new Connection(config, transport, new Ears(), stats);
+    view.painter(this::paint);
+  }
+
+  /**
+   * Does everything that is due: takes in what arrived, runs the ticks that are due, sends inputs,
+   * corrects predictions, and invites the {@link #view} to show this moment.
+   *
+   * @param nowNs the present, nanoseconds of any clock that never goes back
+   */
+  public void update(long nowNs) {
+    float seconds = lastUpdateNs == 0 ? 0 : Math.max(0, (nowNs - lastUpdateNs) * 1e-9f);
+    lastUpdateNs = nowNs;
+    this.nowNs = nowNs;
+    connection.update(nowNs);
+    stats.roll(nowNs);
+    if (decoder != null && clock.started()) {
+      renderClock.loss(stats.lossPercent() / 100);
+      renderClock.advance(nowNs);
+      clock.advance(nowNs);
+      if (connection.playing()) {
+        while (clock.due() > 0) {
+          runTick(clock.next());
+        }
+        correct();
+      }
+      if (prediction != null) {
+        prediction.advance(seconds);
+      }
+      stats.clocks(clock, renderClock, view.tickRate);
+    }
+    describe();
+  }
+
+  private void runTick(int tick) {
+    input.clear();
+    source.sample(view, tick, input);
+    view.input.set(input);
+    long packed = input.pack();
+    if (firstTick < 0) {
+      firstTick = tick;
+      ackedTick = tick - 1;
+    }
+    inputs[tick & RING_MASK] = packed;
+    for (int missed = Math.max(view.tick + 1, tick - RING + 1); missed < tick; missed++) {
+      inputs[missed & RING_MASK] = packed; // the clock jumped over it
+      firstTick = Math.min(firstTick, missed);
+    }
+    view.tick = tick;
+    if (tick % config.ticksPerInputDatagram() == 0) {
+      send(tick);
+    }
+    if (prediction != null) {
+      prediction.step(tick, packed);
+    }
+  }
+
+  private void send(int tick) {
+    datagram.key = key;
+    datagram.sequence = sequence;
+    datagram.hasAck = decoder.hasAck();
+    datagram.ackSequence = decoder.hasAck() ? decoder.ackSequence() : 0;
+    datagram.ackBits = decoder.hasAck() ? decoder.ackBits() : 0;
+    datagram.newestTick = tick;
+    int pending = Math.min(tick - ackedTick, tick - firstTick + 1);
+    int least = Math.min(config.ticksPerInputDatagram(), tick - firstTick + 1);
+    datagram.count = Math.max(least, Math.min(Limits.MAX_INPUTS, pending));
+    for (int i = 0; i < datagram.count; i++) {
+      datagram.inputs[i] = inputs[(tick - i) & RING_MASK];
+    }
+    int length = datagram.encode(buffer, 0);
+    int slot = sequence & RING_MASK;
+    sentNs[slot] = nowNs;
+    sentTick[slot] = tick;
+    sentSequence[slot] = sequence;
+    sequence = (sequence + 1) & 0xffff;
+    connection.sendDatagram(buffer, length);
+  }
+
+  private void correct() {
+    if (prediction == null || ownTick < 0) {
+      return;
+    }
+    int compare = ownTick;
+    ownTick = -1;
+    prediction.reconcile(own, compare, decoder);
+    if (prediction.compared()) {
+      stats.compared(prediction.exact());
+    }
+    if (prediction.corrected()) {
+      stats.corrected(prediction.correctionMetres());
+    }
+    stats.correction.add(prediction.correctionMetres());
+  }
+
+  private final class Ears implements Connection.Listener {
+    @Override
+    public String joined(ServerMessage.Welcome welcome, Level level) {
+      try {
+        simulation =
+            new Simulation(
+                Games.create(welcome.game()),
+                level,
+                welcome.seed(),
+                welcome.tickRate(),
+                Role.PREDICTION);
+      } catch (IllegalArgumentException | IllegalStateException e) {
+        return "This client can't play " + welcome.game() + ": " + e.getMessage();
+      }
+      start(welcome, level);
+      return null;
+    }
+
+    @Override
+    public void datagram(byte[] bytes, int length) {
+      take(bytes, length);
+    }
+
+    @Override
+    public void roster(ServerMessage.Roster roster) {
+      view.roster(roster.entries());
+    }
+
+    @Override
+    public void notice(String text) {
+      view.notice(text, nowNs);
+    }
+
+    @Override
+    public void stopped() {
+      view.freeze();
+    }
+  }
+
+  private void start(ServerMessage.Welcome welcome, Level level) {
+    int rate = welcome.tickRate();
+    key = welcome.datagramKey();
+    decoder = new SnapshotDecoder(Limits.MAX_ENTITIES, key, welcome.tick(), rate);
+    clock = new TickClock(rate);
+    renderClock = new RenderClock(rate);
+    interpolator = new Interpolator(rate);
+    prediction =
+        config.prediction() == PredictionMode.NONE
+            ? null
+            : new Prediction(
+                simulation,
+                welcome.playerId(),
+                config.name(),
+                config.nearMetres(),
+                config.maxNearBodies(),
+                config.maxRollbackTicks());
+    snapshotTick = -1;
+    ownTick = -1;
+    firstSnapshotNs = 0;
+    firstTick = -1;
+    feedbackSequence = -1;
+    sequence = 0;
+    own.clearBody();
+    Arrays.fill(sentSequence, -1);
+    Arrays.fill(seenSinceNs, 0);
+    Arrays.fill(foreseen, false);
+    view.level = level;
+    view.game = welcome.game();
+    view.playerId = welcome.playerId();
+    view.tickRate = rate;
+    view.tick = welcome.tick();
+    view.predictedWorld = prediction == null ? null : simulation;
+  }
+
+  private void take(byte[] bytes, int length) {
+    DecodeStatus status = decoder.decode(bytes, 0, length);
+    if (status != DecodeStatus.OK) {
+      if (status == DecodeStatus.DAMAGED) {
+        stats.malformed++;
+      }
+      return;
+    }
+    stats.datagram(length);
+    stats.acks(decoder.ackSequence(), decoder.ackBits());
+    int tick = decoder.tick();
+    if (tick > snapshotTick) {
+      snapshotTick = tick;
+      stats.snapshot(nowNs);
+      renderClock.snapshot(tick, nowNs);
+      if (!clock.started()) {
+        clock.start(nowNs, tick, connection.roundTripNs());
+        view.tick = clock.tick();
+        firstSnapshotNs = nowNs;
+      }
+    }
+    if (decoder.feedback().present) {
+      feedback(decoder.feedback(), tick);
+    }
+    if (decoder.hasOwn() && tick > ownTick) {
+      own.set(decoder.own());
+      ownTick = tick;
+      if (prediction == null) {
+        for (int i = 0; i < OwnState.MEMORY; i++) {
+          view.memory[i] = own.memory(i);
+        }
+      }
+    }
+  }
+
+  private void feedback(InputFeedback feedback, int tick) {
+    int slot = feedback.sequence & RING_MASK;
+    if (sentSequence[slot] != feedback.sequence) {
+      return;
+    }
+    if (feedback.sequence != feedbackSequence) {
+      boolean newer = feedbackSequence < 0 || (short) (feedback.sequence - feedbackSequence) > 0;
+      if (newer) {
+        feedbackSequence = feedback.sequence;
+        ackedTick = Math.max(ackedTick, sentTick[slot]);
+        if (feedback.holdMs < 255) {
+          stats.roundTrip(Math.max(0, (nowNs - sentNs[slot]) / 1e6 - feedback.holdMs));
+        }
+      }
+    }
+    boolean clamped = feedback.margin <= -32 || feedback.margin >= 31;
+    int margin = clamped ? sentTick[slot] - tick : feedback.margin;
+    stats.margin.add(margin);
+    clock.report(tick, margin);
+  }
+
+  private void describe() {
+    view.phase = connection.phase();
+    view.message = connection.message();
+    view.progress = connection.levelProgress();
+    if (prediction != null) {
+      for (int i = 0; i < OwnState.MEMORY; i++) {
+        view.memory[i] = prediction.memory(i);
+      }
+    }
+    if (connection.playing()) {
+      view.renderTick = renderClock.tick();
+      view.invite();
+    }
+  }
+
+  /** Fills in the visible entities; called when somebody looks. */
+  private void paint() {
+    view.clear();
+    if (decoder == null || !renderClock.started()) {
+      return;
+    }
+    int limit = decoder.slotLimit();
+    grow(limit);
+    double renderTick = renderClock.tick();
+    for (int slot = 0; slot < limit; slot++) {
+      EntityHistory history = decoder.history(slot);
+      if (history != null && history.size() > 0) {
+        paint(slot, history, renderTick);
+      }
+    }
+  }
+
+  private void paint(int slot, EntityHistory history, double renderTick) {
+    int index = interpolator.sample(states.of(history), renderTick, pose);
+    ClientView.Drawn drawn = view.add();
+    int generation = history.generation(0);
+    float share =
+        prediction == null || !history.alive()
+            ? 0
+            : prediction.drawn(slot, generation, clock.fraction(), drawn.pose);
+    boolean ghost =
+        foreseen[slot] && !history.alive(); // gone in the present: not drawn in the past
+    if ((index < 0 && share == 0) || ghost) {
+      seenSinceNs[slot] = 0;
+      foreseen[slot] = ghost;
+      view.dropLast();
+      return;
+    }
+    int identity = share > 0 || index < 0 ? 0 : index;
+    Archetype archetype = simulation.archetypes().get(history.archetype(identity));
+    if (archetype == null) {
+      view.dropLast();
+      return;
+    }
+    if (share == 0) {
+      drawn.pose.set(pose);
+    } else if (share < 1 && index >= 0 && history.generation(index) == generation) {
+      pose.blend(drawn.pose, share);
+      drawn.pose.set(pose);
+    }
+    foreseen[slot] = share > 0.5f;
+    drawn.id = slot;
+    drawn.generation = history.generation(identity);
+    drawn.archetype = archetype;
+    drawn.ownerId = history.owner(identity);
+    drawn.predicted = share;
+    if (seenSinceNs[slot] == 0 || seenGeneration[slot] != drawn.generation) {
+      boolean joining = nowNs - firstSnapshotNs < JOIN_GRACE_NS;
+      seenSinceNs[slot] = joining ? nowNs - JOIN_GRACE_NS : nowNs;
+      seenGeneration[slot] = drawn.generation;
+    }
+    drawn.alpha = Math.min(1, (nowNs - seenSinceNs[slot]) / FADE_IN_NS);
+    if (slot == own.slot() && drawn.generation == own.generation()) {
+      view.own(view.lastIndex());
+    }
+  }
+
+  private void grow(int limit) {
+    if (limit > seenSinceNs.length) {
+      int size = Math.max(64, Math.max(limit, seenSinceNs.length * 2));
+      seenSinceNs = Arrays.copyOf(seenSinceNs, size);
+      seenGeneration = Arrays.copyOf(seenGeneration, size);
+      foreseen = Arrays.copyOf(foreseen, size);
+    }
+  }
+
+  /** What the player sees; the same object for ever. */
+  public ClientView view() {
+    return view;
+  }
+
+  /** Numbers about the connection. */
+  public NetStats stats() {
+    return stats;
+  }
+
+  /** Leaves the game: tells the server, closes the link. Does nothing the second time. */
+  @Override
+  public void close() {
+    connection.leave();
+    describe();
+  }
+}

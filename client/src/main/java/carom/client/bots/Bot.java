@@ -1,0 +1,159 @@
+package carom.client.bots;
+
+import carom.client.ClientView;
+import carom.client.InputSource;
+import carom.sim.Appearance.Look;
+import carom.sim.Input;
+import carom.sim.Level;
+import carom.sim.SimRandom;
+import java.util.List;
+
+/**
+ * Plays like a distracted child, from what is on the screen. Seen from above it runs behind the
+ * nearest ball and pushes it to a goal, or bumps into others when there is no ball; with gravity it
+ * runs, jumps, and collects what shines. Thinks several times a second, each bot at its own ticks,
+ * and holds the same keys in between.
+ */
+public final class Bot implements InputSource {
+  private static final int THINK_TICKS = 7;
+
+  private final SimRandom random;
+  private final Input held = new Input();
+  private int thinkAt;
+  private int changeMindAt;
+  private float wanderX;
+  private float wanderY;
+  private boolean bold;
+  private float lastX;
+  private int stuck;
+
+  /**
+   * Creates a bot.
+   *
+   * @param seed equal seeds that see equal pictures play the same
+   */
+  public Bot(long seed) {
+    random = new SimRandom(seed * 0x9e3779b97f4a7c15L + 1);
+    thinkAt = random.nextInt(THINK_TICKS);
+  }
+
+  @Override
+  public void sample(ClientView view, int tick, Input out) {
+    if (tick >= thinkAt) {
+      thinkAt = tick + THINK_TICKS;
+      held.clear();
+      if (tick >= changeMindAt) {
+        changeMindAt = tick + 40 + random.nextInt(120);
+        wanderX = 2 * random.nextFloat() - 1;
+        wanderY = 2 * random.nextFloat() - 1;
+        bold = random.nextInt(3) > 0;
+      }
+      ClientView.Drawn own = view.own();
+      if (own != null && view.level() != null) {
+        if (view.level().gravityY() == 0) {
+          pushBalls(view, own);
+        } else {
+          runAndJump(view, own);
+        }
+      }
+    }
+    out.set(held);
+  }
+
+  private void pushBalls(ClientView view, ClientView.Drawn own) {
+    ClientView.Drawn ball = nearest(view, own, Look.BALL);
+    float goalX = 0;
+    float goalY = 0;
+    if (ball == null || !bold && random.nextInt(4) == 0) {
+      ClientView.Drawn rival = nearest(view, own, Look.PLAYER);
+      if (rival == null) {
+        held.move(wanderX, wanderY);
+        return;
+      }
+      steer(own, rival.x(), rival.y(), false);
+      return;
+    }
+    Level.Zone goal = goal(view, own);
+    if (goal != null) {
+      goalX = (goal.minX() + goal.maxX()) / 2;
+      goalY = (goal.minY() + goal.maxY()) / 2;
+    }
+    float toGoalX = goalX - ball.x();
+    float toGoalY = goalY - ball.y();
+    float way = Math.max(0.01f, length(toGoalX, toGoalY));
+    toGoalX /= way;
+    toGoalY /= way;
+    float fromBallX = own.x() - ball.x();
+    float fromBallY = own.y() - ball.y();
+    float along = fromBallX * toGoalX + fromBallY * toGoalY;
+    if (along < -0.3f) {
+      steer(own, ball.x() + toGoalX * 0.5f, ball.y() + toGoalY * 0.5f, true);
+    } else {
+      // On the wrong side: around the ball, on the side where we are already.
+      float side = fromBallX * -toGoalY + fromBallY * toGoalX >= 0 ? 1.4f : -1.4f;
+      steer(
+          own,
+          ball.x() - toGoalX * 1.2f - toGoalY * side,
+          ball.y() - toGoalY * 1.2f + toGoalX * side,
+          false);
+    }
+  }
+
+  /** The goal to shoot at: one that another side defends. A disc's tag is its side. */
+  private static Level.Zone goal(ClientView view, ClientView.Drawn own) {
+    List<Level.Zone> zones = view.level().zones();
+    for (int i = 0; i < zones.size(); i++) {
+      Level.Zone zone = zones.get(i);
+      if (zone.name().equals("goal") && zone.team() != own.archetype().tag()) {
+        return zone;
+      }
+    }
+    return null;
+  }
+
+  private void steer(ClientView.Drawn own, float x, float y, boolean charge) {
+    float dx = x - own.x() + 0.3f * wanderX;
+    float dy = y - own.y() + 0.3f * wanderY;
+    float distance = Math.max(0.01f, length(dx, dy));
+    held.move(dx / distance, dy / distance);
+    held.aim((float) Math.atan2(dy, dx));
+    held.hold(Input.ACTION, charge && distance < 3 && random.nextInt(5) == 0);
+  }
+
+  private void runAndJump(ClientView view, ClientView.Drawn own) {
+    ClientView.Drawn coin = bold ? nearest(view, own, Look.COIN) : null;
+    float direction = coin != null ? coin.x() - own.x() : wanderX;
+    stuck = Math.abs(own.x() - lastX) < 0.05f ? stuck + 1 : 0;
+    lastX = own.x();
+    if (stuck > 10) {
+      wanderX = -wanderX;
+      bold = false;
+      stuck = 0;
+    }
+    held.move(Math.signum(direction), 0);
+    boolean above = coin != null && coin.y() > own.y() + 0.5f;
+    held.hold(Input.JUMP, random.nextInt(above || stuck > 2 ? 2 : 8) == 0);
+    held.hold(Input.DOWN, coin != null && coin.y() < own.y() - 2 && random.nextInt(6) == 0);
+    held.hold(Input.ACTION, random.nextInt(25) == 0);
+  }
+
+  private static ClientView.Drawn nearest(ClientView view, ClientView.Drawn own, Look look) {
+    ClientView.Drawn best = null;
+    float bestDistance = Float.MAX_VALUE;
+    for (int i = 0; i < view.entityCount(); i++) {
+      ClientView.Drawn drawn = view.entity(i);
+      if (drawn != own && drawn.archetype().appearance().look() == look) {
+        float distance = length(drawn.x() - own.x(), drawn.y() - own.y());
+        if (distance < bestDistance) {
+          bestDistance = distance;
+          best = drawn;
+        }
+      }
+    }
+    return best;
+  }
+
+  private static float length(float x, float y) {
+    return (float) Math.sqrt(x * x + y * y);
+  }
+}

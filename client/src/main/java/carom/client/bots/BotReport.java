@@ -1,0 +1,39 @@
+package carom.client.bots;
+
+import java.util.Locale;
+
+/**
+ * What a crowd of bots measured. The last four are means over the bots that played.
+ *
+ * @param joined bots that got into the game
+ * @param disconnects how often a bot that played stopped playing without wanting to
+ * @param errors exceptions in bots, and datagrams that could not be decoded
+ * @param snapshotsPerSecond server ticks seen per bot and second of play
+ * @param gapP99Ms time between two snapshots that 99 % stay below, milliseconds
+ * @param rttP50Ms median round trip, milliseconds; what the server held inputs back is not counted
+ * @param kbitPerSecond payload received per bot and second of play, snapshots and messages, 1 kbit
+ *     = 1,000 bits
+ */
+public record BotReport(
+    int joined,
+    int disconnects,
+    int errors,
+    double snapshotsPerSecond,
+    double gapP99Ms,
+    double rttP50Ms,
+    double kbitPerSecond) {
+  /** One line of JSON, keys in the order above. */
+  public String toJson() {
+    return String.format(
+        Locale.ROOT,
+        "{\"joined\":%d,\"disconnects\":%d,\"errors\":%d,\"snapshotsPerSecond\":%.2f,"
+            + "\"gapP99Ms\":%.2f,\"rttP50Ms\":%.2f,\"kbitPerSecond\":%.2f}",
+        joined,
+        disconnects,
+        errors,
+        snapshotsPerSecond,
+        gapP99Ms,
+        rttP50Ms,
+        kbitPerSecond);
+  }
+}

@@ -1,0 +1,159 @@
+package carom.client.bots;
+
+import carom.client.ClientConfig;
+import carom.client.NetworkOptions;
+import carom.client.PredictionMode;
+import carom.net.kryo.KryoClientTransport;
+import carom.net.transport.ClientTransport;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/**
+ * {@code carom-bots}: connects headless clients that play. Progress goes to standard error; the
+ * last line of standard output is one JSON object, see {@link BotReport}.
+ */
+@Command(
+    name = "carom-bots",
+    mixinStandardHelpOptions = true,
+    version = "carom 0.1.0",
+    sortOptions = false,
+    description = "Connects headless clients that play.",
+    footer = "Exit code 0 only if all bots joined and stayed.")
+public final class BotsMain implements Callable<Integer> {
+  private static final long SECOND = 1_000_000_000L;
+  private static final long FRAME_NS = SECOND / 60;
+  private static final long JOIN_DEADLINE_NS = 20 * SECOND;
+
+  @Mixin private final NetworkOptions network = new NetworkOptions();
+
+  @Option(
+      names = "--count",
+      paramLabel = "N",
+      description = "how many bots (default: ${DEFAULT-VALUE})",
+      defaultValue = "10")
+  private int count = 10;
+
+  @Option(
+      names = "--seconds",
+      paramLabel = "S",
+      description = "how long to play once they have joined (default: ${DEFAULT-VALUE})",
+      defaultValue = "30")
+  private double seconds = 30;
+
+  @Option(
+      names = "--name",
+      paramLabel = "NAME",
+      description = "first part of their names (default: ${DEFAULT-VALUE})",
+      defaultValue = "bot")
+  private String name = "bot";
+
+  @Option(
+      names = "--prediction",
+      paramLabel = "MODE",
+      description = "none or own; own costs a simulation per bot (default: ${DEFAULT-VALUE})",
+      defaultValue = "none")
+  private PredictionMode prediction = PredictionMode.NONE;
+
+  @Option(
+      names = "--input-every",
+      paramLabel = "TICKS",
+      description = "ticks of input in each datagram, 1..8 (default: ${DEFAULT-VALUE})",
+      defaultValue = "1")
+  private int ticksPerInputDatagram = 1;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      description = "seed of what they do (default: ${DEFAULT-VALUE})",
+      defaultValue = "1")
+  private long seed = 1;
+
+  @CommandLine.Spec private CommandLine.Model.CommandSpec spec;
+
+  private BotsMain() {}
+
+  /** Entry point; exits with 0 if all joined and stayed, 1 if not, 2 on bad flags. */
+  public static void main(String[] args) {
+    System.exit(run(args));
+  }
+
+  /** As {@link #main}, but returns the exit code. */
+  public static int run(String... args) {
+    return new CommandLine(new BotsMain()).setCaseInsensitiveEnumValuesAllowed(true).execute(args);
+  }
+
+  @Override
+  public Integer call() throws InterruptedException {
+    String problem = network.problem();
+    if (count < 1 || count > 1_000) {
+      problem = "--count=" + count + " is outside 1..1000";
+    } else if (!(seconds >= 0 && seconds <= 1e6)) {
+      problem = "--seconds=" + seconds + " is outside 0..1000000";
+    } else if (ticksPerInputDatagram < 1 || ticksPerInputDatagram > 8) {
+      problem = "--input-every=" + ticksPerInputDatagram + " is outside 1..8";
+    } else if (name.isEmpty() || name.length() > 24) {
+      problem = "--name=" + name + " must have 1 to 24 characters";
+    }
+    if (problem != null) {
+      throw new CommandLine.ParameterException(spec.commandLine(), problem);
+    }
+    network.startLogging();
+    ClientConfig config =
+        network
+            .config(name)
+            .withPrediction(prediction)
+            .withTicksPerInputDatagram(ticksPerInputDatagram);
+    try (ClientTransport transport = network.impair(new KryoClientTransport());
+        BotFarm farm = new BotFarm(config, transport, count, seed)) {
+      return play(farm);
+    }
+  }
+
+  private int play(BotFarm farm) throws InterruptedException {
+    long start = System.nanoTime();
+    long now = start;
+    long end = Long.MAX_VALUE;
+    long nextLine = start + SECOND;
+    while (now < end && !farm.over()) {
+      farm.update(now);
+      if (end == Long.MAX_VALUE
+          && (farm.settled() == count || now - start > JOIN_DEADLINE_NS + count * (SECOND / 20))) {
+        end = now + (long) (seconds * SECOND);
+      }
+      if (now >= nextLine) {
+        nextLine = now + SECOND;
+        progress(farm, now, start);
+      }
+      long waitNs = Math.max(0, now + FRAME_NS - System.nanoTime());
+      Thread.sleep(waitNs / 1_000_000, (int) (waitNs % 1_000_000));
+      now = System.nanoTime();
+    }
+    BotReport report = farm.report(now);
+    boolean good = report.joined() == count && report.disconnects() == 0 && farm.playing() == count;
+    if (!good) {
+      System.err.println(report.joined() + " of " + count + " bots joined. " + farm.problem());
+    }
+    System.out.println(report.toJson());
+    return good ? 0 : 1;
+  }
+
+  private static void progress(BotFarm farm, long now, long start) {
+    BotReport r = farm.report(now);
+    System.err.printf(
+        Locale.ROOT,
+        "%4.0f s: %d of %d play, disconnects=%d errors=%d snapshots=%.1f/s rtt=%.1f ms"
+            + " in=%.0f kbit/s each%n",
+        (now - start) / 1e9,
+        farm.playing(),
+        farm.count(),
+        r.disconnects(),
+        r.errors(),
+        r.snapshotsPerSecond(),
+        r.rttP50Ms(),
+        r.kbitPerSecond());
+  }
+}
