@@ -235,7 +235,7 @@ public final class Collider {
     if (low >= high) {
       boolean above = horizontal ? bMinY >= aMaxY : bMinX >= aMaxX;
       int vertexA = above == rising ? (edge + 1) & 3 : edge;
-      int vertexB = above == rising ? (edge + 2) & 3 : (edge + 3) & 3;
+      int vertexB = above == rising ? (edge + 3) & 3 : (edge + 2) & 3;
       cornerPoint(
           a.vertexX(vertexA),
           a.vertexY(vertexA),
@@ -464,10 +464,28 @@ public final class Collider {
     float high = tx * (ix[w1] - rx[v1]) + ty * (iy[w1] - ry[v1]);
     int id1 = flipped ? w2 << 8 | v1 : v1 << 8 | w2;
     int id2 = flipped ? w1 << 8 | v2 : v2 << 8 | w1;
-    if (low >= span || high <= 0) {
-      boolean atEnd = low >= span;
-      int r = atEnd ? v2 : v1;
-      int i = atEnd ? w2 : w1;
+    float height1 = nx * (ix[w2] - rx[v1]) + ny * (iy[w2] - ry[v1]);
+    float height2 = nx * (ix[w1] - rx[v1]) + ny * (iy[w1] - ry[v1]);
+    int r = low >= span ? v2 : high <= 0 ? v1 : -1;
+    int i = low >= span ? w2 : w1;
+    if (faceSeparation > TOUCHING) {
+      // With a gap, the facing vertex that is nearest to the face may lie beyond its end while the
+      // facing edge does not. Then two
+      // vertices are the closest points, unless the end of the face sees the inner part of the
+      // facing edge (parallel edges).
+      float nearest = height1 <= height2 ? low : high;
+      if (nearest < 0 || nearest > span) {
+        int end = nearest < 0 ? v1 : v2;
+        float ex = ix[w2] - ix[w1];
+        float ey = iy[w2] - iy[w1];
+        float along = ex * (rx[end] - ix[w1]) + ey * (ry[end] - iy[w1]);
+        if (along <= 0 || along >= ex * ex + ey * ey) {
+          r = end;
+          i = along <= 0 ? w1 : w2;
+        }
+      }
+    }
+    if (r >= 0) {
       int id = flipped ? i << 8 | r : r << 8 | i;
       float px = flipped ? ix[i] : rx[r];
       float py = flipped ? iy[i] : ry[r];
@@ -476,8 +494,6 @@ public final class Collider {
       cornerPoint(px, py, qx, qy, faceSeparation, facing * nx, facing * ny, id, speculative, out);
       return;
     }
-    float height1 = nx * (ix[w2] - rx[v1]) + ny * (iy[w2] - ry[v1]);
-    float height2 = nx * (ix[w1] - rx[v1]) + ny * (iy[w1] - ry[v1]);
     float position1 = low;
     float position2 = high;
     float separation1 = height1;

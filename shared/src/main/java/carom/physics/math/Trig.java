@@ -40,7 +40,7 @@ public final class Trig {
   /**
    * Sine of an angle.
    *
-   * @param rad radians, any float; NaN and infinities give NaN, -0 gives -0
+   * @param rad radians, any float; NaN and infinities give NaN, both zeros give 0
    * @return in [-1, 1]
    */
   public static float sin(float rad) {

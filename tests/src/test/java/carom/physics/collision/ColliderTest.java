@@ -1,0 +1,212 @@
+package carom.physics.collision;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.physics.geometry.Box;
+import carom.physics.geometry.Circle;
+import carom.physics.geometry.Convex;
+import carom.physics.geometry.Polygon;
+import carom.physics.math.Transform;
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+final class ColliderTest {
+  private static final float SPECULATIVE = 0.3f;
+
+  private final Collider collider = new Collider();
+  private final Manifold m = new Manifold();
+  private final Manifold swapped = new Manifold();
+
+  /**
+   * Goal: exact depth and distance, points between the surfaces. Method: gaps over many directions,
+   * distances to all edges.
+   */
+  @Test
+  void agreesWithBruteForceForEveryOrderedPairOfShapes() {
+    for (int kinds = 0; kinds < 9; kinds++) {
+      for (long seed = 1; seed <= 250; seed++) {
+        SplittableRandom random = new SplittableRandom(seed);
+        Convex a = Oracle.shape(kinds / 3, random);
+        Convex b = Oracle.shape(kinds % 3, random);
+        Transform ta = Oracle.pose(random, 0.9);
+        Transform tb = Oracle.pose(random, 0.9);
+        String message = "kinds=" + kinds + " seed=" + seed;
+        double separation = Oracle.separation(a, ta, b, tb);
+        collider.collide(a, ta, b, tb, SPECULATIVE, m);
+        assertEquals(separation <= SPECULATIVE, m.count > 0, message + " " + separation);
+        collider.collide(b, tb, a, ta, SPECULATIVE, swapped);
+        assertEquals(m.count > 0, swapped.count > 0, message);
+        if (m.count > 0) {
+          // In overlap A's face may be preferred to one that is better by 0.5 mm.
+          double tolerance = separation > 0 ? 2e-5 : 6e-4;
+          assertEquals(separation, m.minSeparation(), tolerance, message);
+          assertEquals(1, Math.hypot(m.normalX, m.normalY), 1e-5, message);
+          assertEquals(m.minSeparation(), swapped.minSeparation(), tolerance, message);
+          checkPoint(a, ta, b, tb, m.x0, m.y0, m.separation0, message);
+          if (m.count == 2) {
+            checkPoint(a, ta, b, tb, m.x1, m.y1, m.separation1, message);
+            assertNotEquals(m.id0, m.id1, message);
+          }
+          if (m.normalX * swapped.normalX + m.normalY * swapped.normalY < -0.99999) {
+            checkSwapped(ta, tb, message);
+          }
+        }
+      }
+    }
+  }
+
+  private static void checkPoint(
+      Convex a, Transform ta, Convex b, Transform tb, float x, float y, float s, String message) {
+    double limit = Math.abs(s) / 2 + 1e-4;
+    double fromA = Oracle.distance(a, ta, (double) ta.x + x, (double) ta.y + y);
+    double fromB = Oracle.distance(b, tb, (double) ta.x + x, (double) ta.y + y);
+    assertTrue(fromA <= limit && fromB <= limit, message + " " + fromA + " " + fromB + " " + s);
+  }
+
+  private void checkSwapped(Transform ta, Transform tb, String message) {
+    assertEquals(m.count, swapped.count, message);
+    boolean sameOrder = Manifold.swappedId(swapped.id0) == m.id0;
+    assertTrue(sameOrder || Manifold.swappedId(swapped.id1) == m.id0, message + m + swapped);
+    float x = (sameOrder ? swapped.x0 : swapped.x1) + tb.x;
+    float y = (sameOrder ? swapped.y0 : swapped.y1) + tb.y;
+    float s = sameOrder ? swapped.separation0 : swapped.separation1;
+    double tolerance = 1e-2 * (1 + Math.abs(s));
+    assertEquals(m.x0 + ta.x, x, tolerance, message);
+    assertEquals(m.y0 + ta.y, y, tolerance, message);
+    assertEquals(m.separation0, s, tolerance, message);
+  }
+
+  @Test
+  void unrotatedBoxesGetTheSameAnswerFromTheFastPath() {
+    for (long seed = 1; seed <= 5000; seed++) {
+      SplittableRandom random = new SplittableRandom(seed);
+      Box a = (Box) Oracle.shape(1, random);
+      Box b = (Box) Oracle.shape(1, random);
+      Transform ta = new Transform().set((float) random.nextDouble(-1.5, 1.5), 0.25f, 1, 0);
+      Transform tb = new Transform().set(0, (float) random.nextDouble(-1.5, 1.5), 1, 0);
+      collider.collide(a, ta, b, tb, SPECULATIVE, m);
+      // Too little to change a float position, enough to leave the fast path.
+      tb.sin = 1e-20f;
+      collider.collide(a, ta, b, tb, SPECULATIVE, swapped);
+      String message = "seed=" + seed + " " + m + " " + swapped;
+      assertEquals(swapped.count, m.count, message);
+      assertEquals(swapped.normalX, m.normalX, 1e-6, message);
+      assertEquals(swapped.normalY, m.normalY, 1e-6, message);
+      if (m.count > 0) {
+        assertEquals(swapped.id0, m.id0, message);
+        assertEquals(swapped.x0, m.x0, 1e-6, message);
+        assertEquals(swapped.y0, m.y0, 1e-6, message);
+        assertEquals(swapped.separation0, m.separation0, 1e-6, message);
+      }
+      if (m.count > 1) {
+        assertEquals(swapped.id1, m.id1, message);
+        assertEquals(swapped.x1, m.x1, 1e-6, message);
+        assertEquals(swapped.y1, m.y1, 1e-6, message);
+        assertEquals(swapped.separation1, m.separation1, 1e-6, message);
+      }
+    }
+  }
+
+  @Test
+  void aRestingBoxKeepsFaceAndIdsWhileItJitters() {
+    Box ground = new Box(10, 1);
+    Box box = new Box(0.5f, 0.5f);
+    SplittableRandom random = new SplittableRandom(7);
+    collider.collide(
+        ground, new Transform(), box, new Transform(0.2f, 1.495f, 0), SPECULATIVE, swapped);
+    assertEquals(2, swapped.count);
+    for (int i = 0; i < 2000; i++) {
+      float tilt = (float) random.nextDouble(-4e-4, 4e-4);
+      Transform tb =
+          new Transform(
+              (float) random.nextDouble(-5, 5),
+              1.495f + (float) random.nextDouble(-1e-3, 1e-3),
+              tilt);
+      collider.collide(ground, new Transform(), box, tb, SPECULATIVE, m);
+      assertEquals(2, m.count, "i=" + i);
+      assertEquals(1f, m.normalY, "i=" + i);
+      assertEquals(swapped.id0, m.id0, "i=" + i);
+      assertEquals(swapped.id1, m.id1, "i=" + i);
+    }
+  }
+
+  @Test
+  void theGapBetweenTwoCornersIsMeasuredAlongTheirLine() {
+    Box box = new Box(1, 1);
+    collider.collide(box, new Transform(), box, new Transform(2.03f, 2.04f, 0), 0.1f, m);
+    assertEquals(1, m.count);
+    assertEquals(0.05f, m.separation0, 1e-5f);
+    assertEquals(0.6f, m.normalX, 1e-4f);
+    assertEquals(0.8f, m.normalY, 1e-4f);
+    collider.collide(box, new Transform(), box, new Transform(2.09f, 2.09f, 0), 0.1f, m);
+    assertEquals(0, m.count);
+    collider.collide(box, new Transform(), new Circle(1), new Transform(2.03f, 2.04f, 0), 1, m);
+    assertEquals((float) Math.hypot(1.03, 1.04) - 1, m.separation0, 1e-5f);
+  }
+
+  @Test
+  void coincidentCentresHaveTheirDocumentedNormal() {
+    collider.collide(new Circle(1), new Transform(), new Circle(2), new Transform(), 0, m);
+    assertEquals(1f, m.normalY);
+    assertEquals(-3f, m.separation0);
+    collider.collide(
+        new Box(1, 1), new Transform(), new Circle(0.5f), new Transform(0, 1, 0), 0, m);
+    assertEquals(1f, m.normalY);
+    assertEquals(-0.5f, m.separation0);
+  }
+
+  @Test
+  void staysExactFarFromTheOrigin() {
+    Convex p = Polygon.regular(6, 0.5f);
+    Convex q = new Box(0.5f, 0.25f);
+    for (float far : new float[] {4096, 65536, -65536}) {
+      collider.collide(p, new Transform(0, 0, 0.4f), q, new Transform(0.5f, 0.5f, 1), 1, m);
+      collider.collide(
+          p,
+          new Transform(far, far, 0.4f),
+          q,
+          new Transform(far + 0.5f, far + 0.5f, 1),
+          1,
+          swapped);
+      assertEquals(m.toString(), swapped.toString());
+    }
+  }
+
+  @Test
+  void pointOfCollisionIsWeightedByDepth() {
+    m.set(0, 1, 2);
+    m.setPoint0(0, 0, -0.1f, 1);
+    m.setPoint1(4, 0, -0.3f, 2);
+    assertEquals(3f, m.pointX(), 1e-6f);
+    m.setPoint0(0, 0, 0.1f, 1);
+    assertEquals(4f, m.pointX());
+    m.clear();
+    assertEquals(0f, m.pointX());
+  }
+
+  @Test
+  void allocatesNothing() {
+    Convex[] shapes = {new Circle(0.5f), new Box(0.5f, 0.5f), Polygon.regular(8, 0.5f)};
+    Transform ta = new Transform(0, 0, 0.1f);
+    Transform tb = new Transform(0.7f, 0.3f, 0.5f);
+    Sat sat = new Sat();
+    Mtv mtv = new Mtv();
+    ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    long least = Long.MAX_VALUE;
+    for (int round = 0; round < 5; round++) {
+      long before = threads.getCurrentThreadAllocatedBytes();
+      for (int i = 0; i < 90_000; i++) {
+        Convex a = shapes[i % 3];
+        Convex b = shapes[i / 3 % 3];
+        collider.collide(a, ta, b, tb, 0.1f, m);
+        sat.mtv(a, ta, b, tb, mtv);
+      }
+      least = Math.min(least, threads.getCurrentThreadAllocatedBytes() - before);
+    }
+    assertTrue(least < 1024, "bytes=" + least);
+  }
+}

@@ -1,0 +1,115 @@
+package carom.physics.collision;
+
+import carom.physics.geometry.Box;
+import carom.physics.geometry.Circle;
+import carom.physics.geometry.Convex;
+import carom.physics.geometry.Polygon;
+import carom.physics.math.Transform;
+import java.util.SplittableRandom;
+
+/** Slow and obvious answers, and random questions. */
+final class Oracle {
+  private Oracle() {}
+
+  static Convex shape(int kind, SplittableRandom random) {
+    float cx = (float) random.nextDouble(-0.3, 0.3);
+    float cy = (float) random.nextDouble(-0.3, 0.3);
+    float w = (float) random.nextDouble(0.2, 1);
+    float h = (float) random.nextDouble(0.2, 1);
+    if (kind == 0) {
+      return new Circle(w, cx, cy);
+    }
+    if (kind == 1) {
+      return new Box(w, h, cx, cy);
+    }
+    float[] xy = new float[2 * random.nextInt(5, 12)];
+    for (int i = 0; i < xy.length; i++) {
+      xy[i] = (float) random.nextDouble(-1, 1);
+    }
+    return Polygon.of(xy);
+  }
+
+  static Transform pose(SplittableRandom random, double spread) {
+    return new Transform(
+        (float) random.nextDouble(-spread, spread),
+        (float) random.nextDouble(-spread, spread),
+        (float) random.nextDouble(-4, 4));
+  }
+
+  static double x(Convex s, Transform t, int i) {
+    return t.x + (double) t.cos * s.vertexX(i) - (double) t.sin * s.vertexY(i);
+  }
+
+  static double y(Convex s, Transform t, int i) {
+    return t.y + (double) t.sin * s.vertexX(i) + (double) t.cos * s.vertexY(i);
+  }
+
+  /** Farthest extent of a shape along (cos a, sin a). */
+  private static double support(Convex s, Transform t, double ux, double uy) {
+    double best = Double.NEGATIVE_INFINITY;
+    for (int i = 0; i < s.vertexCount(); i++) {
+      best = Math.max(best, ux * x(s, t, i) + uy * y(s, t, i));
+    }
+    return best + s.radius();
+  }
+
+  private static double gap(Convex a, Transform ta, Convex b, Transform tb, double angle) {
+    double ux = Math.cos(angle);
+    double uy = Math.sin(angle);
+    return -support(b, tb, -ux, -uy) - support(a, ta, ux, uy);
+  }
+
+  /** Largest gap over all directions from A to B: the distance, or minus the least overlap. */
+  static double separation(Convex a, Transform ta, Convex b, Transform tb) {
+    int steps = 1440;
+    double step = 2 * Math.PI / steps;
+    double[] gaps = new double[steps];
+    double best = Double.NEGATIVE_INFINITY;
+    for (int i = 0; i < steps; i++) {
+      gaps[i] = gap(a, ta, b, tb, i * step);
+      best = Math.max(best, gaps[i]);
+    }
+    double coarse = best;
+    for (int i = 0; i < steps; i++) {
+      if (gaps[i] > coarse - 0.03) {
+        double low = (i - 1) * step;
+        double high = (i + 1) * step;
+        for (int k = 0; k < 40; k++) {
+          double p = low + (high - low) / 3;
+          double q = high - (high - low) / 3;
+          if (gap(a, ta, b, tb, p) < gap(a, ta, b, tb, q)) {
+            low = p;
+          } else {
+            high = q;
+          }
+        }
+        best = Math.max(best, gap(a, ta, b, tb, (low + high) / 2));
+      }
+    }
+    return best;
+  }
+
+  /**
+   * Signed distance of a point from a shape's border, exact outside; inside minus the distance to
+   * the nearest face.
+   */
+  static double distance(Convex s, Transform t, double px, double py) {
+    int n = s.vertexCount();
+    double inside = n == 1 ? 1 : Double.NEGATIVE_INFINITY;
+    double nearest = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < n; i++) {
+      int k = (i + 1) % n;
+      double ex = x(s, t, k) - x(s, t, i);
+      double ey = y(s, t, k) - y(s, t, i);
+      double dx = px - x(s, t, i);
+      double dy = py - y(s, t, i);
+      double length = Math.hypot(ex, ey);
+      double u = n == 1 ? 0 : Math.max(0, Math.min(1, (dx * ex + dy * ey) / (length * length)));
+      nearest = Math.min(nearest, Math.hypot(dx - u * ex, dy - u * ey));
+      if (n > 1) {
+        inside = Math.max(inside, (ey * dx - ex * dy) / length);
+      }
+    }
+    return (inside > 0 ? nearest : inside) - s.radius();
+  }
+}
