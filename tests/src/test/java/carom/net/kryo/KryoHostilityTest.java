@@ -1,0 +1,509 @@
+package carom.net.kryo;
+
+import static carom.net.kryo.Network.eventually;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.ClientMessageCodec;
+import carom.net.protocol.ServerMessage;
+import carom.net.transport.Link;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.net.SocketException;
+import java.net.SocketTimeoutException;
+import java.nio.ByteBuffer;
+import java.nio.channels.DatagramChannel;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/**
+ * What strangers may try on the open ports. After each attempt a canary, a link that was there
+ * before, still exchanges messages and datagrams, and a newcomer gets in.
+ */
+@Timeout(30)
+final class KryoHostilityTest {
+  private static final KryoLimits LIMITS =
+      KryoLimits.DEFAULT.withTimes(500, 2_500).withConnections(60, 50);
+
+  private Network network;
+  private Network.Pair canary;
+
+  @BeforeEach
+  void startWithCanary() {
+    network = new Network(LIMITS);
+    canary = network.pair();
+  }
+
+  @AfterEach
+  void canaryLivesAndNewcomersGetIn() {
+    try (Network closing = network) {
+      assertCanarySings();
+      Network.Pair newcomer = closing.pair();
+      assertTrue(newcomer.client.sendDatagram(new byte[1], 0, 1));
+      assertEquals(null, closing.server.counters().lastError());
+    }
+  }
+
+  private void assertCanarySings() {
+    int messages = canary.atClient.messages.size();
+    int datagrams = canary.atServer.datagrams.size();
+    assertTrue(canary.server.send(new ServerMessage.Notice("sing")), canary.server::closeReason);
+    eventually(
+        () -> {
+          canary.client.sendDatagram(new byte[] {1, 2, 3}, 0, 3);
+          canary.poll();
+          return canary.atClient.messages.size() > messages
+              && canary.atServer.datagrams.size() > datagrams;
+        },
+        () -> canary.client + " " + canary.client.closeReason() + canary.server.closeReason());
+    assertArrayEquals(
+        new byte[] {1, 2, 3}, canary.atServer.datagrams.get(canary.atServer.datagrams.size() - 1));
+  }
+
+  /** Somebody who speaks bytes, not KryoNet. */
+  private final class Stranger implements AutoCloseable {
+    final Socket tcp = new Socket();
+    final DatagramChannel udp = DatagramChannel.open();
+    int id;
+    long token;
+
+    Stranger() throws IOException {
+      tcp.connect(new InetSocketAddress(Network.HOST, network.server.tcpPort()), 2_000);
+      tcp.setSoTimeout(3_000);
+      udp.connect(new InetSocketAddress(Network.HOST, network.server.udpPort()));
+      ByteBuffer frame = ByteBuffer.wrap(readFrame());
+      assertEquals(Frame.REGISTER_TCP, frame.get());
+      id = frame.getInt();
+      token = frame.getLong();
+    }
+
+    byte[] readFrame() throws IOException {
+      ByteBuffer length = ByteBuffer.wrap(tcp.getInputStream().readNBytes(4));
+      if (length.remaining() < 4) {
+        throw new SocketException("closed");
+      }
+      return tcp.getInputStream().readNBytes(length.getInt());
+    }
+
+    void datagram(int... bytes) throws IOException {
+      byte[] copy = new byte[bytes.length];
+      for (int i = 0; i < bytes.length; i++) {
+        copy[i] = (byte) bytes[i];
+      }
+      udp.write(ByteBuffer.wrap(copy));
+    }
+
+    void register(int asId, long withToken) throws IOException {
+      ByteBuffer bytes = ByteBuffer.allocate(Frame.REGISTRATION_BYTES);
+      bytes.put(Frame.REGISTER_UDP).putInt(asId).putLong(withToken).flip();
+      udp.write(bytes);
+    }
+
+    /** The whole handshake, up to an open link at the server. */
+    Link join() throws IOException {
+      register(id, token);
+      assertEquals(Frame.REGISTER_UDP, readFrame()[0]);
+      ByteBuffer challenge = ByteBuffer.allocate(100);
+      udp.read(challenge);
+      challenge.flip();
+      assertEquals(Frame.CHALLENGE, challenge.get());
+      udp.write(
+          ByteBuffer.allocate(Frame.NONCE_BYTES)
+              .put(Frame.ANSWER)
+              .putLong(challenge.getLong())
+              .flip());
+      Link[] link = new Link[1];
+      eventually(() -> (link[0] = network.server.accept()) != null, () -> "not accepted");
+      return link[0];
+    }
+
+    void write(byte[] bytes) throws IOException {
+      tcp.getOutputStream().write(bytes);
+      tcp.getOutputStream().flush();
+    }
+
+    void frame(byte[] content) throws IOException {
+      write(ByteBuffer.allocate(4 + content.length).putInt(content.length).put(content).array());
+    }
+
+    /** Whether the server closes this connection, its last words read away. */
+    boolean closedByServer() throws IOException {
+      try {
+        while (tcp.getInputStream().read() >= 0) {
+          continue;
+        }
+        return true;
+      } catch (SocketTimeoutException x) {
+        return false;
+      } catch (SocketException x) {
+        return true;
+      }
+    }
+
+    @Override
+    public void close() throws IOException {
+      tcp.close();
+      udp.close();
+    }
+  }
+
+  @Test
+  void zeroBytesAndGarbageDatagramsFromNobody() throws IOException {
+    long seed = Long.getLong("carom.seed", System.nanoTime());
+    SplittableRandom random = new SplittableRandom(seed);
+    try (DatagramChannel udp = DatagramChannel.open()) {
+      udp.connect(new InetSocketAddress(Network.HOST, network.server.udpPort()));
+      udp.write(ByteBuffer.allocate(0));
+      udp.write(ByteBuffer.allocate(1));
+      for (int i = 0; i < 2_000; i++) {
+        byte[] bytes = new byte[random.nextInt(i % 10 == 0 ? 9_000 : 40)];
+        random.nextBytes(bytes);
+        if (bytes.length > 0 && i % 2 == 0) {
+          bytes[0] = (byte) random.nextInt(10);
+        }
+        udp.write(ByteBuffer.wrap(bytes));
+      }
+    }
+    assertCanarySings();
+    assertTrue(network.server.counters().strangeDatagrams.get() > 0, "seed=" + seed);
+  }
+
+  @Test
+  void garbageDatagramsFromALinkAreDroppedAndTheLinkStays() throws IOException {
+    long seed = Long.getLong("carom.seed", System.nanoTime());
+    SplittableRandom random = new SplittableRandom(seed);
+    try (Stranger stranger = new Stranger()) {
+      Link link = stranger.join();
+      stranger.datagram();
+      stranger.datagram(0);
+      stranger.datagram(Frame.DATAGRAM); // no payload
+      stranger.udp.write(ByteBuffer.allocate(1_202).put(0, Frame.DATAGRAM)); // a byte too long
+      stranger.udp.write(ByteBuffer.allocate(20_000).put(0, Frame.DATAGRAM));
+      stranger.register(stranger.id, stranger.token); // again
+      stranger.register(stranger.id + 1, 5);
+      stranger.datagram(Frame.ANSWER, 0, 0, 0, 0, 0, 0, 0, 0);
+      for (int i = 0; i < 100; i++) {
+        byte[] bytes = new byte[random.nextInt(60)];
+        random.nextBytes(bytes);
+        if (bytes.length > 0 && bytes[0] == Frame.DATAGRAM) {
+          bytes[0] = 0;
+        }
+        stranger.udp.write(ByteBuffer.wrap(bytes));
+      }
+      stranger.datagram(Frame.DATAGRAM, 77);
+      Network.Inbox inbox = new Network.Inbox();
+      eventually(
+          () -> {
+            link.poll(inbox, 100);
+            return !inbox.datagrams.isEmpty();
+          },
+          () -> "seed=" + seed);
+      assertEquals(1, inbox.datagrams.size());
+      assertArrayEquals(new byte[] {77}, inbox.datagrams.get(0));
+      assertEquals(Link.State.OPEN, link.state());
+    }
+  }
+
+  @Test
+  void badLengthsAndBadFramesCloseTheirSenderOnly() throws IOException {
+    byte[] hello = ClientMessageCodec.encode(new ClientMessage.Hello(1, 2, "Eve", 0));
+    byte[] message = new byte[1 + hello.length];
+    message[0] = Frame.MESSAGE;
+    System.arraycopy(hello, 0, message, 1, hello.length);
+    List<byte[]> attacks = new ArrayList<>();
+    for (int length : new int[] {-1, 0, Integer.MAX_VALUE, Integer.MIN_VALUE, 5_000}) {
+      attacks.add(ByteBuffer.allocate(8).putInt(length).putInt(0).array());
+    }
+    attacks.add("GET / HTTP/1.1\r\nHost: x\r\n\r\n".getBytes("US-ASCII"));
+    attacks.add(new byte[] {0, 0, 0, 1, 99}); // unknown tag
+    attacks.add(new byte[] {0, 0, 0, 1, Frame.MESSAGE}); // no message
+    attacks.add(new byte[] {0, 0, 0, 2, Frame.MESSAGE, 0x43}); // a server's message
+    attacks.add( // string with a huge length, in Kryo's own encoding
+        new byte[] {0, 0, 0, 7, Frame.MESSAGE, 3, -1, -1, -1, -1, 7});
+    byte[] longName = message.clone();
+    longName[1 + 1 + 4 + 8 + 8] = 127; // the name's length
+    attacks.add(
+        ByteBuffer.allocate(4 + message.length).putInt(message.length).put(longName).array());
+    for (byte[] attack : attacks) {
+      try (Stranger stranger = new Stranger()) {
+        Link link = stranger.join();
+        stranger.write(attack);
+        assertTrue(stranger.closedByServer(), Arrays.toString(attack));
+        eventually(() -> link.state() == Link.State.CLOSED, link::toString);
+      }
+      assertCanarySings();
+    }
+  }
+
+  @Test
+  void fuzzedFramesNeverHurtAnybodyElse() throws IOException {
+    long seed = Long.getLong("carom.seed", System.nanoTime());
+    SplittableRandom random = new SplittableRandom(seed);
+    for (int i = 0; i < 30; i++) {
+      try (Stranger stranger = new Stranger()) {
+        Link link = stranger.join();
+        for (int n = 0; n < 20 && link.state() == Link.State.OPEN; n++) {
+          byte[] content = new byte[1 + random.nextInt(300)];
+          random.nextBytes(content);
+          content[0] = (byte) random.nextInt(9);
+          stranger.frame(content);
+          stranger.udp.write(ByteBuffer.wrap(content));
+        }
+      } catch (SocketException x) {
+        continue; // closed in the middle of it, as it should be
+      }
+    }
+    assertCanarySings();
+    assertEquals(0, network.server.counters().errors.get(), "seed=" + seed);
+  }
+
+  @Test
+  void talkingBeforeTheHandshakeClosesTheTalker() throws IOException {
+    try (Stranger stranger = new Stranger()) {
+      stranger.frame(new byte[] {Frame.KEEP_ALIVE});
+      assertTrue(stranger.closedByServer());
+    }
+  }
+
+  @Test
+  void aSlowFrameIsNoLifeSign() throws IOException {
+    try (Network patient = new Network(LIMITS.withTimes(500, 400))) {
+      Network before = network;
+      network = patient;
+      try (Stranger stranger = new Stranger()) {
+        Link link = stranger.join();
+        OutputStream out = stranger.tcp.getOutputStream();
+        out.write(new byte[] {0, 0, 4, 0});
+        long start = System.nanoTime();
+        eventually(
+            () -> {
+              try {
+                out.write(0);
+              } catch (IOException x) {
+                assertTrue(System.nanoTime() - start > 300_000_000L);
+              }
+              return link.state() == Link.State.CLOSED;
+            },
+            link::toString);
+        assertEquals("nothing heard for 400 ms", link.closeReason());
+      } finally {
+        network = before;
+      }
+    }
+  }
+
+  @Test
+  void connectionsThatNeverRegisterUdpAreDroppedInTime() throws IOException {
+    List<Stranger> strangers = new ArrayList<>();
+    for (int i = 0; i < 40; i++) {
+      strangers.add(new Stranger());
+    }
+    assertCanarySings();
+    for (Stranger stranger : strangers) {
+      assertTrue(stranger.closedByServer());
+      stranger.close();
+    }
+    assertEquals(40, network.server.counters().expired.get());
+  }
+
+  @Test
+  void aCapOnConnectionsHoldsAgainstAFlood() throws IOException {
+    KryoLimits few = LIMITS.withTimes(2_000, 2_500).withConnections(60, 10);
+    try (Network strict = new Network(few)) {
+      List<Socket> sockets = new ArrayList<>();
+      for (int i = 0; i < 40; i++) {
+        sockets.add(new Socket(Network.HOST, strict.server.tcpPort()));
+      }
+      eventually(
+          () -> strict.server.counters().accepted.get() == 40,
+          () -> "accepted=" + strict.server.counters().accepted.get());
+      assertEquals(30, strict.server.counters().refused.get());
+      for (Socket socket : sockets) {
+        socket.close();
+      }
+      strict.pair(); // closed ones make room at once
+    }
+  }
+
+  @Test
+  void anAddressIsNotHijackedWithoutTheToken() throws IOException {
+    try (Stranger victim = new Stranger();
+        Stranger thief = new Stranger()) {
+      for (int i = -2; i < 4; i++) {
+        thief.register(victim.id + i, thief.token + 1);
+        thief.register(victim.id, i);
+      }
+      Network.pause(50);
+      Link link = victim.join();
+      assertTrue(link.sendDatagram(new byte[] {42}, 0, 1));
+      ByteBuffer received = ByteBuffer.allocate(100);
+      do {
+        received.clear();
+        victim.udp.read(received);
+      } while (received.get(0) != Frame.DATAGRAM);
+      assertEquals(42, received.get(1));
+      thief.udp.configureBlocking(false);
+      assertEquals(0, thief.udp.read(ByteBuffer.allocate(100)), "the thief received something");
+    }
+  }
+
+  @Test
+  void nobodyReceivesAStreamThatHeDidNotAskFor() throws IOException {
+    try (Stranger stranger = new Stranger()) {
+      stranger.register(stranger.id, stranger.token);
+      assertEquals(Frame.REGISTER_UDP, stranger.readFrame()[0]);
+      assertTrue(stranger.closedByServer(), "no answer to the challenge");
+      assertEquals(null, network.server.accept());
+      stranger.udp.configureBlocking(false);
+      int bytes = 0;
+      for (ByteBuffer b = ByteBuffer.allocate(2_000); stranger.udp.read(b) > 0; b.clear()) {
+        bytes += b.position();
+      }
+      assertTrue(bytes <= 10 * Frame.NONCE_BYTES, "bytes=" + bytes);
+    }
+  }
+
+  @Test
+  void aClientThatNeverReadsIsClosedAndSendingNeverThrows() throws IOException {
+    try (Stranger stranger = new Stranger()) {
+      Link link = stranger.join();
+      Object chunk = new ServerMessage.LevelChunk(0, new byte[4_096]);
+      int sent = 0;
+      while (link.send(chunk)) {
+        sent++;
+        assertTrue(sent < 10_000, "sent=" + sent);
+      }
+      assertEquals(Link.State.CLOSED, link.state());
+      assertEquals("the client doesn't read what it is sent", link.closeReason());
+    }
+  }
+
+  @Test
+  void aFloodOfMessagesClosesItsSender() throws IOException {
+    try (Network strict = new Network(LIMITS.withRates(20, 100))) {
+      Network before = network;
+      network = strict;
+      try (Stranger stranger = new Stranger()) {
+        Link link = stranger.join();
+        try {
+          for (int i = 0; i < 100; i++) {
+            stranger.frame(new byte[] {Frame.KEEP_ALIVE});
+          }
+        } catch (SocketException x) {
+          assertTrue(stranger.closedByServer());
+        }
+        eventually(() -> link.state() == Link.State.CLOSED, link::toString);
+        assertEquals("more than 20 messages per second", link.closeReason());
+      } finally {
+        network = before;
+      }
+    }
+  }
+
+  @Test
+  void unreadMessagesHaveAnEnd() throws IOException {
+    try (Stranger stranger = new Stranger()) {
+      Link link = stranger.join();
+      byte[] ready = {Frame.MESSAGE, ClientMessageCodec.encode(new ClientMessage.Ready())[0]};
+      try {
+        for (int i = 0; i < 1_500; i++) {
+          stranger.frame(ready);
+        }
+      } catch (SocketException x) {
+        assertTrue(stranger.closedByServer());
+      }
+      eventually(() -> link.state() == Link.State.CLOSED, link::toString);
+      assertEquals("more than 256 unread messages", link.closeReason());
+    }
+  }
+
+  @Test
+  void aFloodOfDatagramsIsCutAndTheLinkStays() throws IOException {
+    try (Network strict = new Network(LIMITS.withRates(2_000, 50))) {
+      Network before = network;
+      network = strict;
+      try (Stranger stranger = new Stranger()) {
+        Link link = stranger.join();
+        Network.Inbox inbox = new Network.Inbox();
+        for (int i = 0; i < 2_000; i++) {
+          stranger.datagram(Frame.DATAGRAM, 1, 2, 3);
+          link.poll(inbox, 100);
+        }
+        eventually(
+            () -> {
+              link.poll(inbox, 100);
+              return strict.server.counters().excessDatagrams.get() > 100;
+            },
+            link::toString);
+        assertTrue(inbox.datagrams.size() < 500, "datagrams=" + inbox.datagrams.size());
+        assertEquals(Link.State.OPEN, link.state());
+      } finally {
+        network = before;
+      }
+    }
+  }
+
+  @Test
+  void datagramsThatNobodyPollsAreDroppedAndTheNextOnesArrive() throws IOException {
+    try (Stranger stranger = new Stranger()) {
+      Link link = stranger.join();
+      for (int i = 0; i < 200; i++) {
+        stranger.datagram(Frame.DATAGRAM, i);
+      }
+      eventually(() -> link.counters().datagramsDropped.get() > 0, link::toString);
+      Network.Inbox inbox = new Network.Inbox();
+      while (link.poll(inbox, 7) > 0) {
+        continue;
+      }
+      assertTrue(inbox.datagrams.size() >= 128, "datagrams=" + inbox.datagrams.size());
+      for (int i = 0; i < 128; i++) {
+        assertEquals((byte) i, inbox.datagrams.get(i)[0]);
+      }
+      int before = inbox.datagrams.size();
+      stranger.datagram(Frame.DATAGRAM, 99);
+      eventually(
+          () -> {
+            link.poll(inbox, 1_000);
+            return inbox.datagrams.size() > before;
+          },
+          link::toString);
+    }
+  }
+
+  @Test
+  void aHalfOpenConnectionEndsAndItsReplacementGetsTheSameAddress() throws IOException {
+    try (Stranger stranger = new Stranger()) {
+      Link old = stranger.join();
+      Socket tcp = new Socket(Network.HOST, network.server.tcpPort()); // its client came back
+      ByteBuffer frame = ByteBuffer.wrap(tcp.getInputStream().readNBytes(4 + 13));
+      stranger.register(frame.getInt(5), frame.getLong(9));
+      eventually(() -> old.state() == Link.State.CLOSED, old::toString);
+      assertEquals("a new connection has the same address", old.closeReason());
+      ByteBuffer reply = ByteBuffer.wrap(tcp.getInputStream().readNBytes(5));
+      assertEquals(Frame.REGISTER_UDP, reply.get(4));
+      tcp.close();
+    }
+  }
+
+  @Test
+  void silenceEndsALink() throws IOException {
+    try (Stranger stranger = new Stranger()) {
+      Link link = stranger.join();
+      eventually(() -> link.state() == Link.State.CLOSED, link::toString);
+      assertEquals("nothing heard for 2500 ms", link.closeReason());
+      assertFalse(link.send(new ServerMessage.Notice("anybody?")));
+    }
+    assertEquals(Link.State.OPEN, canary.server.state(), "keep-alives hold the others");
+  }
+}
