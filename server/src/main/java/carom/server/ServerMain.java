@@ -1,11 +1,378 @@
 package carom.server;
 
-/** Starts the dedicated server. */
-public final class ServerMain {
+import carom.game.Games;
+import carom.net.kryo.KryoLimits;
+import carom.net.kryo.KryoServerTransport;
+import carom.net.kryo.PortUnavailableException;
+import carom.net.protocol.Protocol;
+import carom.net.transport.ServerTransport;
+import carom.server.config.ServerConfig;
+import carom.sim.Game;
+import carom.sim.Level;
+import carom.sim.LevelException;
+import ch.qos.logback.classic.LoggerContext;
+import java.io.Console;
+import java.io.PrintStream;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.security.SecureRandom;
+import java.util.Iterator;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/**
+ * Starts the dedicated server.
+ *
+ * <p>Standard output carries exactly one line for programs, {@code ready tcp=54555 udp=54777}, once
+ * players can join, and a few hints when a person reads it. The log goes to standard error. Exit
+ * codes: 0 after {@code --help} and {@code --version}, 1 when a port is not available or the server
+ * failed, 2 for flags or a level file that can't be used; a signal ends it with the shell's usual
+ * number (143 for SIGTERM, 130 for Ctrl-C). Standard input is never read.
+ */
+@Command(
+    name = "carom-server",
+    sortOptions = false,
+    usageHelpAutoWidth = true,
+    versionProvider = ServerMain.Version.class,
+    description = {"Runs a Carom game server: one physics world that players join.", ""},
+    footer = {
+      "",
+      "Prints one line on standard output when players can join: ready tcp=54555 udp=54777",
+      "Logs to standard error. Stop it with Ctrl-C or SIGTERM; players are told.",
+      "Exit codes: 1 port not available or server failed, 2 bad flag or level file."
+    })
+public final class ServerMain implements Callable<Integer> {
+  private static final String LOG_CONFIG_PROPERTY = "logback.configurationFile";
+  private static final String LOG_CONFIG = "carom-server-logback.xml";
+  private static final String DEFAULT_GAME = "arena";
+  private static final int DEFAULT_TCP_PORT = 54_555;
+  private static final int DEFAULT_UDP_PORT = 54_777;
+  private static final int MAX_PORT = 65_535;
+  private static final int MAX_GRACE_S = 600;
+  private static final int BAD_FLAG = 2;
+  private static final int FAILED = 1;
+
+  @Spec private CommandSpec spec;
+
+  @Option(
+      names = "--tcp-port",
+      paramLabel = "N",
+      defaultValue = "54555",
+      description = "Port for reliable messages, 0..65535, 0 = any free one (${DEFAULT-VALUE}).")
+  private int tcpPort;
+
+  @Option(
+      names = "--udp-port",
+      paramLabel = "N",
+      defaultValue = "54777",
+      description = "Port for datagrams, 0..65535, 0 = any free one (${DEFAULT-VALUE}).")
+  private int udpPort;
+
+  @Option(
+      names = "--game",
+      paramLabel = "NAME",
+      description = "Game to run: ${COMPLETION-CANDIDATES} (that of the level, or arena).",
+      completionCandidates = GameNames.class)
+  private String game;
+
+  @Option(
+      names = "--level",
+      paramLabel = "FILE",
+      description = "Level file, or the name of one that comes with the program (the game's own).")
+  private String level;
+
+  @Option(
+      names = "--tick-rate",
+      paramLabel = "HZ",
+      defaultValue = "60",
+      description = "Simulation steps per second, 10..240 (${DEFAULT-VALUE}).")
+  private int tickRate;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      description = "Start of the random numbers; the same seed starts the same game (random).")
+  private Long seed;
+
+  @Option(
+      names = "--name",
+      paramLabel = "TEXT",
+      defaultValue = "Carom",
+      description = "What the log calls this server, 1..40 characters (${DEFAULT-VALUE}).")
+  private String name;
+
+  @Option(
+      names = "--max-players",
+      paramLabel = "N",
+      defaultValue = "64",
+      description = "Places in the game, 1..256 (${DEFAULT-VALUE}).")
+  private int maxPlayers;
+
+  @Option(
+      names = "--grace",
+      paramLabel = "S",
+      defaultValue = "30",
+      description =
+          "Seconds the body of a player who lost the connection waits, 0..600 (${DEFAULT-VALUE}).")
+  private int graceS;
+
+  @Option(
+      names = "--status-interval",
+      paramLabel = "S",
+      defaultValue = "60",
+      description = "Seconds between status lines in the log, 0 = none (${DEFAULT-VALUE}).")
+  private int statusIntervalS;
+
+  @Option(
+      names = "--log-level",
+      paramLabel = "L",
+      defaultValue = "info",
+      description = "How much is logged: ${COMPLETION-CANDIDATES} (${DEFAULT-VALUE}).")
+  private LogLevel logLevel;
+
+  @Option(
+      names = {"-h", "--help"},
+      usageHelp = true,
+      description = "Shows this text.")
+  private boolean help;
+
+  @Option(
+      names = {"-V", "--version"},
+      versionHelp = true,
+      description = "Shows the version.")
+  private boolean version;
+
+  /** Values of {@code --log-level}. */
+  enum LogLevel {
+    OFF,
+    ERROR,
+    WARN,
+    INFO,
+    DEBUG,
+    TRACE;
+
+    @Override
+    public String toString() {
+      return name().toLowerCase(Locale.ROOT);
+    }
+  }
+
+  /** The games, for the help text. */
+  static final class GameNames implements Iterable<String> {
+    @Override
+    public Iterator<String> iterator() {
+      return Games.names().iterator();
+    }
+  }
+
+  /** The version, for {@code --version}. */
+  static final class Version implements CommandLine.IVersionProvider {
+    @Override
+    public String[] getVersion() {
+      return new String[] {
+        "Carom server " + version(),
+        "protocol " + Protocol.VERSION + ", " + Protocol.PHYSICS_VERSION,
+        "Java " + Runtime.version()
+      };
+    }
+  }
+
   private ServerMain() {}
 
-  /** Entry point. */
+  /** Runs the server until it is stopped; see {@code --help}. */
   public static void main(String[] args) {
-    System.out.println("ready tcp=54555 udp=54777");
+    if (System.getProperty(LOG_CONFIG_PROPERTY) == null) {
+      System.setProperty(LOG_CONFIG_PROPERTY, LOG_CONFIG); // before the first logger
+    }
+    CommandLine commandLine = new CommandLine(new ServerMain());
+    commandLine.setCaseInsensitiveEnumValuesAllowed(true);
+    commandLine.setParameterExceptionHandler(ServerMain::explain);
+    // After a signal this waits for the end of the shutdown hook, and the signal's exit code wins.
+    System.exit(commandLine.execute(args));
+  }
+
+  private static int explain(ParameterException e, String[] args) {
+    PrintWriter err = e.getCommandLine().getErr();
+    err.println("carom-server: " + e.getMessage());
+    CommandLine.UnmatchedArgumentException.printSuggestions(e, err);
+    err.println("Try 'carom-server --help'.");
+    err.flush();
+    return BAD_FLAG;
+  }
+
+  @Override
+  public Integer call() throws InterruptedException {
+    Level chosenLevel = chooseLevel();
+    Game chosenGame = chooseGame(chosenLevel);
+    requireRange("--tcp-port", tcpPort, MAX_PORT);
+    requireRange("--udp-port", udpPort, MAX_PORT);
+    requireRange("--grace", graceS, MAX_GRACE_S);
+    ServerConfig config = config(chosenGame.name());
+    LoggerContext logging = (LoggerContext) LoggerFactory.getILoggerFactory();
+    logging
+        .getLogger(Logger.ROOT_LOGGER_NAME)
+        .setLevel(ch.qos.logback.classic.Level.toLevel(logLevel.name()));
+    Logger log = LoggerFactory.getLogger(ServerMain.class);
+    log.info(
+        "start: {} {}, game {}, level {} ({}), {} Hz, seed {}, {} places, Java {}",
+        config.serverName(),
+        version(),
+        config.gameName(),
+        chosenLevel.name(),
+        level == null ? "its default" : level,
+        config.tickRateHz(),
+        config.seed(),
+        config.maxPlayers(),
+        Runtime.version().feature());
+    ServerTransport transport;
+    try {
+      transport = new KryoServerTransport(tcpPort, udpPort, limits());
+    } catch (PortUnavailableException e) {
+      logging.stop();
+      return refuse(e.getMessage(), FAILED);
+    }
+    return run(new Server(config, chosenGame, chosenLevel, transport, System::nanoTime), logging);
+  }
+
+  private int run(Server server, LoggerContext logging) throws InterruptedException {
+    Logger log = LoggerFactory.getLogger(ServerMain.class);
+    Thread hook =
+        new Thread(
+            () -> {
+              log.info("stop: asked to");
+              server.close();
+              log.info("stopped: {}", server.status());
+              logging.stop(); // writes what still waits in the queue
+            },
+            "carom-stop");
+    Runtime.getRuntime().addShutdownHook(hook);
+    server.start();
+    PrintStream out = System.out;
+    out.println("ready tcp=" + server.tcpPort() + " udp=" + server.udpPort());
+    if (onTerminal()) {
+      hints(out, server.tcpPort(), server.udpPort());
+    }
+    out.flush();
+    log.info("ready: tcp {} udp {}", server.tcpPort(), server.udpPort());
+    server.awaitStop();
+    if (server.hasFailed()) {
+      log.error("the server ended because of the errors above");
+    }
+    return FAILED; // reached without a signal only when something failed
+  }
+
+  private void hints(PrintStream out, int tcp, int udp) {
+    boolean defaults = tcp == DEFAULT_TCP_PORT && udp == DEFAULT_UDP_PORT;
+    String ports = defaults ? "" : " --tcp-port " + tcp + " --udp-port " + udp;
+    String args = defaults ? "" : " -Pargs='--host localhost" + ports + "'";
+    String botArgs = defaults ? "" : " -Pargs='" + ports.strip() + "'";
+    out.println();
+    out.println("  join      ./gradlew play" + args + "    or  carom-client" + ports);
+    out.println(
+        "  add bots  ./gradlew bots -Pn=20" + botArgs + "    or  carom-bots --count 20" + ports);
+    out.println("  stop      Ctrl-C");
+    out.println();
+  }
+
+  /** From Java 22 on there is a console object without a terminal, which says so itself. */
+  private static boolean onTerminal() {
+    Console console = System.console();
+    if (console == null) {
+      return false;
+    }
+    try {
+      return (Boolean) Console.class.getMethod("isTerminal").invoke(console);
+    } catch (NoSuchMethodException e) {
+      return true;
+    } catch (ReflectiveOperationException e) {
+      return false;
+    }
+  }
+
+  private Level chooseLevel() {
+    try {
+      if (level == null) {
+        return Level.builtIn(createGame(game == null ? DEFAULT_GAME : game).defaultLevel());
+      }
+      Path file = Path.of(level);
+      if (!Files.exists(file) && level.matches("[a-z0-9_-]+")) {
+        return Level.builtIn(level);
+      }
+      return Level.load(file);
+    } catch (LevelException | InvalidPathException e) {
+      throw bad("--level: " + e.getMessage());
+    }
+  }
+
+  private Game chooseGame(Level chosenLevel) {
+    Game chosen = createGame(game == null ? chosenLevel.gameName() : game);
+    if (!chosen.name().equals(chosenLevel.gameName())) {
+      throw bad(
+          "--game=%s doesn't fit level %s, which is made for game %s; leave --game out or choose another level"
+              .formatted(chosen.name(), chosenLevel.name(), chosenLevel.gameName()));
+    }
+    return chosen;
+  }
+
+  private Game createGame(String wanted) {
+    try {
+      return Games.create(wanted);
+    } catch (IllegalArgumentException e) {
+      throw bad("--game: " + e.getMessage());
+    }
+  }
+
+  private ServerConfig config(String gameName) {
+    try {
+      return ServerConfig.defaults()
+          .withGameName(gameName)
+          .withServerName(name)
+          .withTickRateHz(tickRate)
+          .withSeed(seed == null ? new SecureRandom().nextLong() : seed)
+          .withMaxPlayers(maxPlayers)
+          .withGraceMs(graceS * 1_000)
+          .withInputHoldTicks(tickRate / 2)
+          .withSnapshotRateHz(tickRate)
+          .withStatusIntervalS(statusIntervalS);
+    } catch (IllegalArgumentException e) {
+      throw bad(e.getMessage());
+    }
+  }
+
+  /** Half-open links count too; one address may hold all places, as behind a school's router. */
+  private KryoLimits limits() {
+    return KryoLimits.DEFAULT.withConnections(2 * maxPlayers + 64, maxPlayers + 32);
+  }
+
+  private void requireRange(String flag, int value, int max) {
+    if (value < 0 || value > max) {
+      throw bad(flag + "=" + value + " is outside 0.." + max);
+    }
+  }
+
+  private ParameterException bad(String message) {
+    return new ParameterException(spec.commandLine(), message);
+  }
+
+  private int refuse(String message, int exitCode) {
+    PrintWriter err = spec.commandLine().getErr();
+    err.println("carom-server: " + message);
+    err.flush();
+    return exitCode;
+  }
+
+  private static String version() {
+    String version = ServerMain.class.getPackage().getImplementationVersion();
+    return version == null ? "(development build)" : version;
   }
 }

@@ -307,13 +307,27 @@ public final class Simulation {
    *     play
    */
   public Player join(String name) {
-    requireAuthority("join");
     int id = 0;
     while (id < playerLimit && players[id] != null) {
       id++;
     }
     if (id == MAX_PLAYERS) {
       throw new IllegalStateException("players=" + id + " is the limit; " + name + " can't join");
+    }
+    return join(id, name);
+  }
+
+  /**
+   * Lets a player in under an id that was promised to it; the game gives it a body.
+   *
+   * @param id 0..255
+   * @throws IllegalStateException on {@link Role#PREDICTION}, or when the id is taken or out of
+   *     range
+   */
+  public Player join(int id, String name) {
+    requireAuthority("join");
+    if (id < 0 || id >= MAX_PLAYERS || players[id] != null) {
+      throw new IllegalStateException("player id=" + id + " is taken or outside 0..255");
     }
     Player player = newPlayer(id, name);
     game.join(this, player);

@@ -1,0 +1,305 @@
+package carom.server;
+
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.GoodbyeReason;
+import carom.net.protocol.Limits;
+import carom.net.protocol.PlayerName;
+import carom.net.protocol.Protocol;
+import carom.net.protocol.RefusalReason;
+import carom.net.protocol.ServerMessage;
+import carom.net.protocol.SessionState;
+import carom.net.transport.Link;
+import carom.net.transport.LinkHandler;
+import carom.net.transport.ServerTransport;
+import carom.server.config.ServerConfig;
+import carom.server.room.Admission;
+import carom.server.room.Room;
+import carom.server.session.PartingLinks;
+import carom.server.session.Seats;
+import carom.sim.Level;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.LongSupplier;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Where links wait until they play: the handshake, the level, and the refusals. Each phase has a
+ * deadline, so that a half-open connection or a client that stalls costs a slot for seconds only.
+ *
+ * <p>One thread calls {@link #doWork}; it may be another one than the room's.
+ */
+final class Lobby {
+  private static final Logger LOG = LoggerFactory.getLogger(Lobby.class);
+  private static final long NS_PER_MS = 1_000_000;
+  private static final long PARTING_MS = 1_000;
+  private static final int MAX_POLL = 32;
+  private static final int MAX_ACCEPT = 32;
+
+  private final ServerConfig config;
+  private final ServerTransport transport;
+  private final Room room;
+  private final Seats seats;
+  private final Level level;
+  private final String gameName;
+  private final String levelName;
+  private final byte[] levelBytes;
+  private final LongSupplier secrets;
+  private final int maxVisitors;
+  private final List<Visitor> visitors = new ArrayList<>();
+  private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
+  private long nowNs;
+
+  /**
+   * @param secrets unpredictable numbers, for datagram keys
+   */
+  Lobby(
+      ServerConfig config,
+      ServerTransport transport,
+      Room room,
+      Level level,
+      LongSupplier secrets) {
+    this.config = config;
+    this.transport = transport;
+    this.room = room;
+    this.seats = room.seats();
+    this.level = level;
+    this.gameName = room.simulation().game().name();
+    this.levelName = level.name();
+    this.levelBytes = level.source();
+    this.secrets = secrets;
+    this.maxVisitors = 2 * seats.count() + 32;
+  }
+
+  /** One turn: new links, what the visitors sent, deadlines. Returns how much was done. */
+  int doWork(long timeNs) {
+    nowNs = timeNs;
+    int work = partings.doWork(timeNs);
+    for (int i = 0; i < MAX_ACCEPT; i++) {
+      Link link = transport.accept();
+      if (link == null) {
+        break;
+      }
+      work++;
+      if (visitors.size() >= maxVisitors) {
+        refuse(link, RefusalReason.TOO_MANY_CONNECTIONS, "Too many connections are waiting.");
+      } else {
+        visitors.add(new Visitor(link));
+      }
+    }
+    for (int i = visitors.size() - 1; i >= 0; i--) {
+      Visitor visitor = visitors.get(i);
+      try {
+        work += visitor.poll();
+        visitor.checkDeadline();
+      } catch (RuntimeException e) {
+        LOG.error("handshake with {} failed; only this link is closed", visitor.link.remote(), e);
+        visitor.link.close("server error");
+        visitor.giveUpSeat();
+        visitor.done = true;
+      }
+      if (visitor.done) {
+        visitors.remove(i);
+      }
+    }
+    return work;
+  }
+
+  /** Refuses everybody who waits and whoever still comes. */
+  void close(long timeNs) {
+    nowNs = timeNs;
+    for (Visitor visitor : visitors) {
+      if (visitor.state == SessionState.LOADING) {
+        // After Welcome a client expects a Goodbye; it is the same to the player.
+        visitor.link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_STOPPING, ""));
+        part(visitor.link, "server stops");
+      } else {
+        refuse(visitor.link, RefusalReason.SHUTTING_DOWN, "");
+      }
+      visitor.giveUpSeat();
+    }
+    visitors.clear();
+    for (Link link; (link = transport.accept()) != null; ) {
+      refuse(link, RefusalReason.SHUTTING_DOWN, "");
+    }
+  }
+
+  /** Whether no refused link lingers. */
+  boolean isDeserted() {
+    return visitors.isEmpty() && partings.isEmpty();
+  }
+
+  /** Closes the links that linger after {@link #close}. */
+  void closeLinks() {
+    partings.closeAll();
+  }
+
+  /** Links that wait here. */
+  int visitorCount() {
+    return visitors.size();
+  }
+
+  private void refuse(Link link, RefusalReason reason, String text) {
+    LOG.info("refused: {}, {}{}", link.remote(), reason, text.isEmpty() ? "" : ", " + text);
+    link.send(new ServerMessage.Refused(reason, text));
+    part(link, "refused: " + reason);
+  }
+
+  private void part(Link link, String why) {
+    partings.add(link, why, nowNs + PARTING_MS * NS_PER_MS);
+  }
+
+  /** One link on its way in. */
+  private final class Visitor implements LinkHandler {
+    private final Link link;
+    private SessionState state = SessionState.CONNECTED;
+    private long deadlineNs;
+    private Seats.Seat seat;
+    private int datagramKey;
+    private boolean done;
+
+    Visitor(Link link) {
+      this.link = link;
+      this.deadlineNs = nowNs + config.handshakeTimeoutMs() * NS_PER_MS;
+    }
+
+    /** One by one: what comes behind Ready is the room's. */
+    int poll() {
+      int work = 0;
+      while (!done && work < MAX_POLL && link.poll(this, 1) > 0) {
+        work++;
+      }
+      return work;
+    }
+
+    @Override
+    public void message(Link from, Object message) {
+      if (state == SessionState.CONNECTED && message instanceof ClientMessage.Hello hello) {
+        hello(hello);
+      } else if (state == SessionState.LOADING
+          && message instanceof ClientMessage.LevelRequest request) {
+        sendLevel(request.offset());
+      } else if (state == SessionState.LOADING && message instanceof ClientMessage.Ready) {
+        enterRoom();
+      } else if (message instanceof ClientMessage.Leave) {
+        end("left before playing");
+      } else {
+        String name = message == null ? "nothing" : message.getClass().getSimpleName();
+        refused(RefusalReason.BAD_REQUEST, name + " came while " + state + ".");
+      }
+    }
+
+    @Override
+    public void datagram(Link from, byte[] bytes, int length) {
+      // Nothing in a datagram means anything before the player has a body.
+    }
+
+    @Override
+    public void closed(Link from, String reason) {
+      if (!done) {
+        end(reason);
+      }
+    }
+
+    private void hello(ClientMessage.Hello hello) {
+      if (hello.protocolVersion() != Protocol.VERSION) {
+        refused(
+            RefusalReason.PROTOCOL_VERSION,
+            "This server speaks protocol %d, your game %d."
+                .formatted(Protocol.VERSION, hello.protocolVersion()));
+        return;
+      }
+      if (hello.physicsDigest() != Protocol.physicsDigest()) {
+        refused(
+            RefusalReason.PHYSICS_VERSION,
+            "This server computes with %s.".formatted(Protocol.PHYSICS_VERSION));
+        return;
+      }
+      String name = hello.name().strip();
+      String problem = PlayerName.problem(name);
+      if (problem != null) {
+        refused(RefusalReason.NAME_INVALID, "Sorry, " + problem + ".");
+        return;
+      }
+      seat = seats.claim(hello.resumeSecret());
+      if (seat == null) {
+        seat = seats.take(name);
+      }
+      if (seat == null) {
+        refused(RefusalReason.SERVER_FULL, "All %d places are taken.".formatted(seats.count()));
+        return;
+      }
+      welcome();
+    }
+
+    private void welcome() {
+      datagramKey = (int) secrets.getAsLong();
+      deadlineNs = nowNs + config.loadTimeoutMs() * NS_PER_MS;
+      state = state.become(SessionState.LOADING);
+      link.send(
+          new ServerMessage.Welcome(
+              seat.secret(),
+              datagramKey,
+              seat.id(),
+              config.tickRateHz(),
+              room.tick(),
+              config.seed(),
+              gameName,
+              levelName,
+              level.contentHash(),
+              levelBytes.length));
+    }
+
+    private void sendLevel(int offset) {
+      if (offset < 0 || offset >= levelBytes.length) {
+        refused(
+            RefusalReason.BAD_REQUEST,
+            "LevelRequest.offset=%d is outside 0..%d.".formatted(offset, levelBytes.length - 1));
+        return;
+      }
+      int end = Math.min(levelBytes.length, offset + Limits.MAX_LEVEL_CHUNK_BYTES);
+      link.send(new ServerMessage.LevelChunk(offset, Arrays.copyOfRange(levelBytes, offset, end)));
+    }
+
+    private void enterRoom() {
+      done = true;
+      if (!room.admit(new Admission(seat, link, datagramKey))) {
+        LOG.warn("{} could not enter: too many enter at once", seat);
+        link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_ERROR, "Try again in a moment."));
+        part(link, "room takes nobody");
+        giveUpSeat();
+      }
+    }
+
+    private void checkDeadline() {
+      if (!done && nowNs - deadlineNs >= 0) {
+        refused(
+            RefusalReason.TOO_SLOW,
+            state == SessionState.CONNECTED
+                ? "No greeting came within %d ms.".formatted(config.handshakeTimeoutMs())
+                : "The level was not loaded within %d ms.".formatted(config.loadTimeoutMs()));
+      }
+    }
+
+    private void refused(RefusalReason reason, String text) {
+      done = true;
+      refuse(link, reason, text);
+      giveUpSeat();
+    }
+
+    private void end(String why) {
+      done = true;
+      LOG.debug("visitor {} gone: {}", link.remote(), why);
+      link.close(why);
+      giveUpSeat();
+    }
+
+    private void giveUpSeat() {
+      if (seat != null) {
+        seats.unclaim(seat);
+        seat = null;
+      }
+    }
+  }
+}

@@ -1,0 +1,459 @@
+package carom.server.room;
+
+import carom.net.protocol.GoodbyeReason;
+import carom.net.protocol.Limits;
+import carom.net.protocol.ServerMessage;
+import carom.net.protocol.SessionState;
+import carom.net.snapshot.FrameRing;
+import carom.net.transport.Link;
+import carom.server.config.ServerConfig;
+import carom.server.metrics.Counter;
+import carom.server.metrics.Counters;
+import carom.server.replication.FrameCapture;
+import carom.server.session.PartingLinks;
+import carom.server.session.Seats;
+import carom.server.session.Session;
+import carom.sim.Game;
+import carom.sim.Level;
+import carom.sim.Player;
+import carom.sim.Role;
+import carom.sim.Simulation;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.function.Consumer;
+import java.util.function.LongSupplier;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * One world, its players, one writer: a simulation at a fixed rate and the sessions that steer and
+ * see it.
+ *
+ * <p>{@link #doWork} is one turn of the duty cycle: take what has arrived, and run the ticks that
+ * are due. A tick is, in this order: arrivals from the lobby; what the inboxes hold (acks, inputs,
+ * wishes); who leaves, is lost, or is too late to come back; one input per player; the simulation's
+ * step; the frame state, once for all; each session's snapshot; roster and notices; counters.
+ *
+ * <p>Everything but {@link #admit}, {@link #tick}, {@link #seats}, {@link #counters} and {@link
+ * #hasFailed} belongs to the thread that calls {@link #doWork}. A tick in the steady state
+ * allocates next to nothing. A client can hurt only its own session, a game only its own room.
+ */
+public final class Room {
+  private static final Logger LOG = LoggerFactory.getLogger(Room.class);
+  private static final long NS_PER_MS = 1_000_000;
+  private static final long PARTING_MS = 1_000;
+
+  private final ServerConfig config;
+  private final LongSupplier clock;
+  private final Counters counters = new Counters();
+  private final Seats seats;
+  private final GuardedGame game;
+  private final Simulation simulation;
+  private final FrameCapture capture;
+  private final TickLoop loop;
+  private final ArrayBlockingQueue<Admission> arrivals;
+  private final List<Session> sessions = new ArrayList<>();
+  private final Session[] bySeat;
+  private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
+  private final Consumer<String> broadcastNotice = this::broadcast;
+  private final int[] rosterScores;
+  private boolean rosterIsOld;
+  private long rosterSentNs;
+  private volatile int tick;
+  private volatile boolean failed;
+  private boolean closed;
+
+  /**
+   * Builds the level and sets up the game.
+   *
+   * @param gameRules an instance of this room's own
+   * @param clock nanoseconds, to measure how long ticks take
+   * @param seats this room's seats, shared with the lobby
+   */
+  public Room(ServerConfig config, Game gameRules, Level level, LongSupplier clock, Seats seats) {
+    this.config = config;
+    this.clock = clock;
+    this.seats = seats;
+    this.game = new GuardedGame(gameRules, counters);
+    this.simulation =
+        new Simulation(game, level, config.seed(), config.tickRateHz(), Role.AUTHORITY);
+    this.capture = new FrameCapture(simulation);
+    this.loop = new TickLoop(config.tickRateHz(), config.catchUpTicks());
+    this.arrivals = new ArrayBlockingQueue<>(2 * seats.count());
+    this.bySeat = new Session[seats.count()];
+    this.rosterScores = new int[seats.count()];
+    capture.capture();
+  }
+
+  /**
+   * Hands over a player whose level is loaded; from any thread.
+   *
+   * @return false when too many are on their way; the link and the claim stay the caller's
+   */
+  public boolean admit(Admission admission) {
+    return !failed && arrivals.offer(admission);
+  }
+
+  /**
+   * One turn: takes what has arrived and runs the ticks that are due, at most {@code catchUpTicks}.
+   *
+   * @param nowNs monotonic time
+   * @return how much was done; 0 when the caller may wait until {@link #nextDeadlineNs}
+   */
+  public int doWork(long nowNs) {
+    if (closed) {
+      return partings.doWork(nowNs);
+    }
+    int work = pollAll(nowNs) + partings.doWork(nowNs);
+    int due = loop.due(nowNs);
+    if (loop.droppedNow() > 0) {
+      counters.add(Counter.TICKS_DROPPED, loop.droppedNow());
+      if (loop.burstBegan()) {
+        LOG.warn(
+            "can't keep up: {} ticks ({} ms) dropped at tick {}; {}",
+            loop.droppedNow(),
+            loop.droppedNow() * 1_000L / config.tickRateHz(),
+            tick,
+            "if this repeats, lower --tick-rate or --max-players, or find a faster machine");
+      }
+    }
+    counters.add(Counter.TICKS_LATE, Math.max(0, due - 1));
+    for (int i = 0; i < due && !closed; i++) {
+      tick(nowNs);
+    }
+    return work + due;
+  }
+
+  /** When the next tick is due; valid after the first {@link #doWork}. */
+  public long nextDeadlineNs() {
+    return loop.nextDeadlineNs();
+  }
+
+  private void tick(long nowNs) {
+    long beginNs = clock.getAsLong();
+    admitArrivals(nowNs);
+    serveWishes(nowNs);
+    int next = simulation.tick() + 1;
+    for (int i = sessions.size() - 1; i >= 0; i--) {
+      sessions.get(i).consumeInput(next);
+    }
+    boolean stepped = step();
+    if (stepped) {
+      capture.capture();
+      replicate(clock.getAsLong() - beginNs + nowNs);
+      simulation.drainNotices(broadcastNotice);
+      sendRosterIfDue(nowNs);
+    }
+    tick = simulation.tick();
+    counters.add(Counter.TICKS, 1);
+    long tookNs = clock.getAsLong() - beginNs;
+    counters.tickTook(tookNs);
+    if (tookNs > loop.periodNs()) {
+      counters.add(Counter.TICKS_OVERRUN, 1);
+    }
+    if (game.endTick() >= config.tickRateHz()) {
+      fail();
+    }
+  }
+
+  private int pollAll(long nowNs) {
+    int work = 0;
+    for (int i = sessions.size() - 1; i >= 0; i--) {
+      Session session = sessions.get(i);
+      if (session.state() == SessionState.PLAYING) {
+        try {
+          work += session.poll(nowNs);
+        } catch (RuntimeException e) {
+          failSession(session, e, nowNs);
+        }
+      }
+    }
+    return work;
+  }
+
+  private void admitArrivals(long nowNs) {
+    for (Admission a; (a = arrivals.poll()) != null; ) {
+      seats.occupy(a.seat());
+      try {
+        admitOne(a, nowNs);
+      } catch (RuntimeException e) {
+        counters.add(Counter.SESSIONS_FAILED, 1);
+        LOG.error("player {} could not be admitted", a.seat(), e);
+        a.link().close("server error");
+        if (bySeat[a.seat().id()] == null) {
+          seats.vacate(a.seat());
+        }
+      }
+    }
+  }
+
+  private void admitOne(Admission a, long nowNs) {
+    int id = a.seat().id();
+    Session session = bySeat[id];
+    boolean resumed = session != null;
+    if (session == null) {
+      Player player = simulation.join(id, a.seat().name());
+      session = new Session(a.seat(), player, config, capture.frames(), counters);
+      sessions.add(session);
+      bySeat[id] = session;
+    } else if (session.state() == SessionState.PLAYING) {
+      // The client is back before we noticed that its old link is dead, or it plays twice.
+      session.sayGoodbye(GoodbyeReason.RESUMED_ELSEWHERE, "");
+      part(session.detach(nowNs), "resumed by another link", nowNs);
+    }
+    session.attach(a.link(), a.datagramKey(), simulation.tick(), nowNs);
+    rosterIsOld = true;
+    counters.add(Counter.JOINS, 1);
+    if (resumed) {
+      counters.add(Counter.RESUMES, 1);
+    }
+    LOG.info(
+        "{}: {} as player {} from {}, {} of {} players",
+        resumed ? "back" : "join",
+        a.seat().name(),
+        id,
+        a.link().remote(),
+        sessions.size(),
+        seats.count());
+    announce(session, a.seat().name() + (resumed ? " is back" : " joined"));
+    updateGauges();
+  }
+
+  private void serveWishes(long nowNs) {
+    for (int i = sessions.size() - 1; i >= 0; i--) {
+      Session session = sessions.get(i);
+      if (session.state() == SessionState.GRACE) {
+        if (session.graceIsOver(nowNs) && !seats.isClaimed(session.seat())) {
+          remove(session, "did not come back", " is gone", nowNs);
+        }
+      } else if (session.wish() == Session.Wish.LEAVE) {
+        counters.add(Counter.LEAVES, 1);
+        session.sayGoodbye(GoodbyeReason.LEFT, "");
+        remove(session, "left", " left", nowNs);
+      } else if (session.wish() == Session.Wish.EXPEL) {
+        counters.add(Counter.SESSIONS_EXPELLED, 1);
+        session.sayGoodbye(GoodbyeReason.PROTOCOL_ERROR, "Received " + session.offence() + ".");
+        remove(session, "expelled for " + session.offence(), " was removed", nowNs);
+      } else if (session.linkLost()) {
+        lose(session, "link lost: " + session.linkLostReason(), nowNs);
+      } else if (session.isSilent(nowNs)) {
+        lose(session, "silent for " + config.silenceTimeoutMs() + " ms", nowNs);
+      }
+    }
+  }
+
+  /** The body stays for the grace period, or goes at once when there is none. */
+  private void lose(Session session, String why, long nowNs) {
+    counters.add(Counter.LINKS_LOST, 1);
+    session.sayGoodbye(GoodbyeReason.TIMEOUT, "");
+    if (config.graceMs() == 0) {
+      remove(session, why, " is gone", nowNs);
+      return;
+    }
+    LOG.info(
+        "lost: {}, player {}, {}; the body waits {} s",
+        session.seat().name(),
+        session.seat().id(),
+        why,
+        config.graceMs() / 1_000);
+    part(session.detach(nowNs), why, nowNs);
+    announce(session, session.seat().name() + " lost the connection");
+    updateGauges();
+  }
+
+  private void remove(Session session, String why, String notice, long nowNs) {
+    sessions.remove(session);
+    bySeat[session.seat().id()] = null;
+    part(session.end(), why, nowNs);
+    simulation.leave(session.player());
+    seats.vacate(session.seat());
+    rosterIsOld = true;
+    LOG.info(
+        "leave: {}, player {}, {}, {} of {} players",
+        session.seat().name(),
+        session.seat().id(),
+        why,
+        sessions.size(),
+        seats.count());
+    announce(session, session.seat().name() + notice);
+    updateGauges();
+  }
+
+  /** An exception of ours while serving one session ends that session, and only that. */
+  private void failSession(Session session, RuntimeException e, long nowNs) {
+    counters.add(Counter.SESSIONS_FAILED, 1);
+    LOG.error("session failed, {}; it is closed, the others go on", session, e);
+    try {
+      session.sayGoodbye(GoodbyeReason.SERVER_ERROR, "");
+    } catch (RuntimeException again) {
+      LOG.debug("goodbye failed too", again);
+    }
+    remove(session, "server error", " was removed", nowNs);
+  }
+
+  private void part(Link link, String why, long nowNs) {
+    if (link != null) {
+      partings.add(link, why, nowNs + PARTING_MS * NS_PER_MS);
+    }
+  }
+
+  /** Returns false when the step itself threw; the callbacks of the game can't. */
+  private boolean step() {
+    try {
+      simulation.step();
+      return true;
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      game.failed("the simulation's step", simulation, e);
+      return false;
+    }
+  }
+
+  private void replicate(long nowNs) {
+    for (int i = sessions.size() - 1; i >= 0; i--) {
+      Session session = sessions.get(i);
+      if (session.state() == SessionState.PLAYING) {
+        try {
+          session.replicate(nowNs);
+        } catch (RuntimeException e) {
+          failSession(session, e, nowNs);
+        }
+      }
+    }
+  }
+
+  private void sendRosterIfDue(long nowNs) {
+    for (int i = sessions.size() - 1; i >= 0 && !rosterIsOld; i--) {
+      Session session = sessions.get(i);
+      rosterIsOld = rosterScores[session.seat().id()] != session.player().score();
+    }
+    if (!rosterIsOld || nowNs - rosterSentNs < config.rosterIntervalMs() * NS_PER_MS) {
+      return;
+    }
+    rosterIsOld = false;
+    rosterSentNs = nowNs;
+    List<ServerMessage.RosterEntry> entries = new ArrayList<>(sessions.size());
+    for (Session session : bySeat) {
+      if (session != null) {
+        int score = session.player().score();
+        rosterScores[session.seat().id()] = score;
+        entries.add(
+            new ServerMessage.RosterEntry(session.seat().id(), session.seat().name(), score));
+      }
+    }
+    sendToAll(new ServerMessage.Roster(List.copyOf(entries)), null);
+  }
+
+  private void broadcast(String text) {
+    sendToAll(new ServerMessage.Notice(text), null);
+  }
+
+  private void announce(Session about, String text) {
+    sendToAll(new ServerMessage.Notice(text), about);
+  }
+
+  private void sendToAll(ServerMessage message, Session except) {
+    for (int i = 0; i < sessions.size(); i++) {
+      Session session = sessions.get(i);
+      if (session != except && session.state() == SessionState.PLAYING) {
+        try {
+          session.send(message); // a link that refuses closes, and is found closed at its next poll
+        } catch (RuntimeException e) {
+          counters.add(Counter.SESSIONS_FAILED, 1);
+          LOG.error("message {} could not be sent, {}", message, session, e);
+        }
+      }
+    }
+  }
+
+  private void updateGauges() {
+    int playing = 0;
+    for (int i = 0; i < sessions.size(); i++) {
+      if (sessions.get(i).state() == SessionState.PLAYING) {
+        playing++;
+      }
+    }
+    counters.set(Counter.PLAYERS, playing);
+    counters.set(Counter.PLAYERS_IN_GRACE, sessions.size() - playing);
+  }
+
+  private void fail() {
+    LOG.error(
+        "room closed at tick {}: game {} failed in each of the last {} ticks",
+        tick,
+        game.name(),
+        config.tickRateHz());
+    failed = true;
+    close(GoodbyeReason.SERVER_ERROR, "", clock.getAsLong());
+  }
+
+  /**
+   * Tells everybody why the game ends and runs no further tick. The links stay open for a moment,
+   * while {@link #doWork} is called, so that the goodbye arrives; {@link #closeLinks} ends that.
+   */
+  public void close(GoodbyeReason reason, String text, long nowNs) {
+    if (closed) {
+      return;
+    }
+    closed = true;
+    for (Session session : sessions) {
+      try {
+        session.sayGoodbye(reason, text);
+      } catch (RuntimeException e) {
+        LOG.debug("goodbye failed, {}", session, e);
+      }
+      part(session.end(), reason.name(), nowNs);
+    }
+    for (Admission a; (a = arrivals.poll()) != null; ) {
+      a.link().send(new ServerMessage.Goodbye(reason, text));
+      part(a.link(), reason.name(), nowNs);
+    }
+    sessions.clear();
+    updateGauges();
+  }
+
+  /** Whether all links have said goodbye. */
+  public boolean isDeserted() {
+    return sessions.isEmpty() && partings.isEmpty();
+  }
+
+  /** Closes the links that linger after {@link #close}. */
+  public void closeLinks() {
+    partings.closeAll();
+  }
+
+  /** The last tick that was computed; from any thread. */
+  public int tick() {
+    return tick;
+  }
+
+  /** Whether the room closed itself because its game failed over and over; from any thread. */
+  public boolean hasFailed() {
+    return failed;
+  }
+
+  /** The seats, shared with the lobby. */
+  public Seats seats() {
+    return seats;
+  }
+
+  /** What the room counts; from any thread. */
+  public Counters counters() {
+    return counters;
+  }
+
+  /** The world and its players, for reading. */
+  public Simulation simulation() {
+    return simulation;
+  }
+
+  /** The frame states of the last ticks, for reading. */
+  public FrameRing frames() {
+    return capture.frames();
+  }
+
+  /** The session on a seat, or null. */
+  public Session session(int playerId) {
+    return playerId >= 0 && playerId < bySeat.length ? bySeat[playerId] : null;
+  }
+}

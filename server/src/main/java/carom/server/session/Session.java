@@ -1,0 +1,330 @@
+package carom.server.session;
+
+import carom.net.codec.Sequence;
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.GoodbyeReason;
+import carom.net.protocol.InputDatagram;
+import carom.net.protocol.ServerMessage;
+import carom.net.protocol.SessionState;
+import carom.net.snapshot.FrameRing;
+import carom.net.snapshot.InputFeedback;
+import carom.net.snapshot.OwnState;
+import carom.net.transport.Link;
+import carom.net.transport.LinkHandler;
+import carom.physics.Body;
+import carom.server.config.ServerConfig;
+import carom.server.metrics.Counter;
+import carom.server.metrics.Counters;
+import carom.server.replication.SnapshotSender;
+import carom.sim.Entity;
+import carom.sim.Player;
+
+/**
+ * One player in a room: the state of the session, its link while there is one, its input buffer and
+ * its snapshots. Lives from Ready until the player leaves or the grace period ends; a resumed
+ * session keeps this object and gets a new link.
+ *
+ * <p>What a client sends can change this object only: a wrong message asks the room to expel the
+ * session, a wrong datagram is counted and forgotten, because anybody can forge a datagram.
+ *
+ * <p>Owned by the room's thread. Polling and sending in the steady state allocate nothing.
+ */
+public final class Session implements LinkHandler {
+  /** Most messages and datagrams taken from one link per poll; the rest waits for the next. */
+  public static final int MAX_POLL = 64;
+
+  private static final long NS_PER_MS = 1_000_000;
+  private static final int MAX_HOLD_MS = 255;
+  private static final int MIN_MARGIN = -32;
+  private static final int MAX_MARGIN = 31;
+
+  /** What the client asked for, for the room to do at the next tick. */
+  public enum Wish {
+    /** Nothing special. */
+    STAY,
+    /** The player goes. */
+    LEAVE,
+    /** The client broke the protocol. */
+    EXPEL
+  }
+
+  private final Seats.Seat seat;
+  private final Player player;
+  private final ServerConfig config;
+  private final Counters counters;
+  private final FrameRing frames;
+  private final InputBuffer inputs;
+  private final InputDatagram datagram = new InputDatagram();
+  private final InputFeedback feedback = new InputFeedback();
+  private final OwnState own = new OwnState();
+  private SessionState state = SessionState.LOADING;
+  private Link link;
+  private int datagramKey;
+  private SnapshotSender sender;
+  private long nowNs;
+  private long lastHeardNs;
+  private long sequenceArrivalNs;
+  private long graceEndNs;
+  private boolean linkLost;
+  private String linkLostReason = "";
+  private Wish wish = Wish.STAY;
+  private String offence = "";
+  private long missingSeen;
+  private long lateSeen;
+  private long earlySeen;
+
+  /**
+   * Creates a session without a link, in {@link SessionState#LOADING}; {@link #attach} makes it
+   * play.
+   *
+   * @param player the player in the room's simulation
+   * @param frames the room's frames
+   */
+  public Session(
+      Seats.Seat seat, Player player, ServerConfig config, FrameRing frames, Counters counters) {
+    this.seat = seat;
+    this.player = player;
+    this.config = config;
+    this.frames = frames;
+    this.counters = counters;
+    this.inputs = new InputBuffer(config.inputWindowTicks(), config.inputHoldTicks());
+  }
+
+  /**
+   * Gives the session a link and lets it play; allowed while loading and in grace.
+   *
+   * @param newLink its inbox belongs to this session from now on
+   * @param key first 32 bits of each input datagram of this link
+   * @param tick the room's last tick: inputs for later ones are welcome
+   */
+  public void attach(Link newLink, int key, int tick, long timeNs) {
+    state = state.become(SessionState.PLAYING);
+    link = newLink;
+    datagramKey = key;
+    sender = new SnapshotSender(frames, key, config, counters);
+    inputs.reset(tick);
+    feedback.present = false;
+    feedback.consumedTick = tick;
+    lastHeardNs = timeNs;
+    linkLost = false;
+    linkLostReason = "";
+    wish = Wish.STAY;
+  }
+
+  /**
+   * Takes the link away and begins the grace period; the player's input turns neutral.
+   *
+   * @return the link, now the caller's
+   */
+  public Link detach(long timeNs) {
+    state = state.become(SessionState.GRACE);
+    graceEndNs = timeNs + config.graceMs() * NS_PER_MS;
+    Link old = link;
+    link = null;
+    sender = null;
+    player.input().clear();
+    return old;
+  }
+
+  /** Ends the session; returns its link, or null when it had none. */
+  public Link end() {
+    state = state.become(SessionState.CLOSED);
+    Link old = link;
+    link = null;
+    sender = null;
+    return old;
+  }
+
+  /** Takes what has arrived, at most {@link #MAX_POLL} messages and datagrams. */
+  public int poll(long timeNs) {
+    nowNs = timeNs;
+    return link.poll(this, MAX_POLL);
+  }
+
+  @Override
+  public void message(Link from, Object message) {
+    if (from != link) {
+      return;
+    }
+    lastHeardNs = nowNs;
+    if (message instanceof ClientMessage.Leave) {
+      wish = Wish.LEAVE;
+    } else if (!(message instanceof ClientMessage.Ready) && wish == Wish.STAY) {
+      wish = Wish.EXPEL;
+      offence =
+          message == null
+              ? "an undecodable message"
+              : message.getClass().getSimpleName() + " while playing";
+    }
+  }
+
+  @Override
+  public void datagram(Link from, byte[] bytes, int length) {
+    if (from != link) {
+      return;
+    }
+    counters.add(Counter.BYTES_IN, length);
+    if (!datagram.decode(bytes, 0, length) || datagram.key != datagramKey) {
+      counters.add(Counter.DATAGRAMS_REFUSED, 1);
+      return;
+    }
+    counters.add(Counter.DATAGRAMS_IN, 1);
+    lastHeardNs = nowNs;
+    if (!feedback.present || Sequence.isNewer(datagram.sequence, feedback.sequence)) {
+      feedback.present = true;
+      feedback.sequence = datagram.sequence;
+      sequenceArrivalNs = nowNs;
+    }
+    if (datagram.hasAck) {
+      sender.receiveAck(datagram.ackSequence, datagram.ackBits);
+    }
+    for (int i = datagram.count - 1; i >= 0; i--) { // oldest first
+      inputs.offer(datagram.newestTick - i, datagram.inputs[i]);
+    }
+  }
+
+  @Override
+  public void closed(Link from, String reason) {
+    if (from == link) {
+      linkLost = true;
+      linkLostReason = reason;
+    }
+  }
+
+  /** Sets the player's input for a tick, which must be the one after the last consumed. */
+  public void consumeInput(int tick) {
+    if (state != SessionState.PLAYING) {
+      player.input().clear();
+      return;
+    }
+    player.input().unpack(inputs.consume(tick));
+    if (!inputs.lastWasMissing()) {
+      feedback.consumedTick = tick;
+    }
+    feedback.margin = Math.max(MIN_MARGIN, Math.min(MAX_MARGIN, inputs.marginTicks()));
+    countInputs();
+  }
+
+  private void countInputs() {
+    if (inputs.missing() != missingSeen) {
+      counters.add(Counter.INPUTS_MISSING, inputs.missing() - missingSeen);
+      missingSeen = inputs.missing();
+    }
+    if (inputs.tooLate() != lateSeen) {
+      counters.add(Counter.INPUTS_LATE, inputs.tooLate() - lateSeen);
+      lateSeen = inputs.tooLate();
+    }
+    if (inputs.tooEarly() != earlySeen) {
+      counters.add(Counter.INPUTS_EARLY, inputs.tooEarly() - earlySeen);
+      earlySeen = inputs.tooEarly();
+    }
+  }
+
+  /** Sends the newest frame if it is time to; call once per tick while playing. */
+  public void replicate(long timeNs) {
+    fillOwn();
+    if (!sender.isDue(own)) {
+      return;
+    }
+    long holdMs = (timeNs - sequenceArrivalNs) / NS_PER_MS;
+    feedback.holdMs = (int) Math.max(0, Math.min(MAX_HOLD_MS, holdMs));
+    sender.send(link, feedback, own);
+  }
+
+  private void fillOwn() {
+    Entity entity = player.body();
+    if (entity == null) {
+      own.clearBody();
+    } else {
+      Body<Entity> body = entity.body();
+      own.setBody(
+          entity.id(),
+          entity.generation(),
+          body.centerX(),
+          body.centerY(),
+          body.cos(),
+          body.sin(),
+          body.velocityX(),
+          body.velocityY(),
+          body.angularVelocity());
+    }
+    int[] memory = player.memory();
+    for (int i = 0; i < OwnState.MEMORY; i++) {
+      own.setMemory(i, memory[i]);
+    }
+  }
+
+  /**
+   * Sends a message when there is a link.
+   *
+   * @return false when there is none or it doesn't take the message
+   */
+  public boolean send(ServerMessage message) {
+    return link != null && link.send(message);
+  }
+
+  /** Sends the last message and gives the link away for its parting, unless there is none. */
+  public void sayGoodbye(GoodbyeReason reason, String text) {
+    send(new ServerMessage.Goodbye(reason, text));
+  }
+
+  /** The place in the room: id, name, secret. */
+  public Seats.Seat seat() {
+    return seat;
+  }
+
+  /** The player in the room's simulation. */
+  public Player player() {
+    return player;
+  }
+
+  /** The present state: playing, in grace or closed. */
+  public SessionState state() {
+    return state;
+  }
+
+  /** What the client asked for since it was attached. */
+  public Wish wish() {
+    return wish;
+  }
+
+  /** What the client did when {@link #wish} is {@link Wish#EXPEL}. */
+  public String offence() {
+    return offence;
+  }
+
+  /** Whether the link has closed. */
+  public boolean linkLost() {
+    return linkLost;
+  }
+
+  /** Why the link has closed. */
+  public String linkLostReason() {
+    return linkLostReason;
+  }
+
+  /** Whether nothing was heard for longer than the configured silence. */
+  public boolean isSilent(long timeNs) {
+    return timeNs - lastHeardNs > config.silenceTimeoutMs() * NS_PER_MS;
+  }
+
+  /** Whether the grace period is over; meaningful in grace. */
+  public boolean graceIsOver(long timeNs) {
+    return timeNs - graceEndNs >= 0;
+  }
+
+  /** The peer for log lines. */
+  public String remote() {
+    return link == null ? "no link" : link.remote();
+  }
+
+  /** The input buffer, for inspection. */
+  public InputBuffer inputs() {
+    return inputs;
+  }
+
+  @Override
+  public String toString() {
+    return "player=" + seat.id() + " name=\"" + seat.name() + "\" state=" + state;
+  }
+}

@@ -1,0 +1,148 @@
+package carom.server;
+
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.InputDatagram;
+import carom.net.protocol.Limits;
+import carom.net.protocol.Protocol;
+import carom.net.protocol.ServerMessage;
+import carom.net.snapshot.DecodeStatus;
+import carom.net.snapshot.OwnState;
+import carom.net.snapshot.SnapshotDecoder;
+import carom.net.transport.Link;
+import carom.net.transport.LinkHandler;
+import carom.sim.Input;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+
+/** The least client that can play: joins, loads, acks, sends inputs, keeps what it was told. */
+final class FakeClient implements LinkHandler {
+  private static final int REDUNDANCY = 4;
+
+  final Link link;
+  final List<ServerMessage> messages = new ArrayList<>();
+  final OwnState own = new OwnState();
+  final Input input = new Input();
+  ServerMessage.Welcome welcome;
+  ServerMessage.Refused refused;
+  ServerMessage.Goodbye goodbye;
+  ServerMessage.Roster roster;
+  byte[] level;
+  SnapshotDecoder decoder;
+  boolean ready;
+  boolean closed;
+  boolean loads = true;
+  boolean sends = true;
+  int leadTicks = 2;
+  int sequence;
+  int inputTick;
+  long datagrams;
+  long bytes;
+  long undecodable;
+
+  private final InputDatagram datagram = new InputDatagram();
+  private final byte[] buffer = new byte[InputDatagram.MAX_BYTES];
+  private final Deque<Long> sent = new ArrayDeque<>();
+  private int loaded;
+
+  FakeClient(Link link) {
+    this.link = link;
+  }
+
+  FakeClient hello(String name) {
+    return hello(name, 0);
+  }
+
+  FakeClient hello(String name, long resumeSecret) {
+    link.send(
+        new ClientMessage.Hello(Protocol.VERSION, Protocol.physicsDigest(), name, resumeSecret));
+    return this;
+  }
+
+  /** Polls, and sends one input datagram for the tick {@code leadTicks} after the server's. */
+  void step(int serverTick) {
+    while (link.poll(this, 1_000) > 0) {}
+    if (ready && sends && !closed) {
+      sendInput(serverTick + leadTicks);
+    }
+  }
+
+  void sendInput(int tick) {
+    datagram.key = welcome.datagramKey();
+    datagram.sequence = sequence = sequence + 1 & 0xffff;
+    datagram.hasAck = decoder.hasAck();
+    datagram.ackSequence = decoder.hasAck() ? decoder.ackSequence() : 0;
+    datagram.ackBits = decoder.hasAck() ? decoder.ackBits() : 0;
+    if (tick != inputTick) {
+      sent.addFirst(input.pack());
+      inputTick = tick;
+    }
+    while (sent.size() > REDUNDANCY) {
+      sent.removeLast();
+    }
+    datagram.newestTick = tick;
+    datagram.count = 0;
+    for (long packed : sent) {
+      datagram.inputs[datagram.count++] = packed;
+    }
+    link.sendDatagram(buffer, 0, datagram.encode(buffer, 0));
+  }
+
+  @Override
+  public void message(Link from, Object message) {
+    messages.add((ServerMessage) message);
+    if (message instanceof ServerMessage.Welcome w) {
+      welcome = w;
+      level = new byte[w.levelSize()];
+      loaded = 0;
+      decoder = new SnapshotDecoder(Limits.MAX_ENTITIES, w.datagramKey(), w.tick(), w.tickRate());
+      if (loads) {
+        link.send(new ClientMessage.LevelRequest(0));
+      }
+    } else if (message instanceof ServerMessage.LevelChunk chunk) {
+      System.arraycopy(chunk.bytes(), 0, level, chunk.offset(), chunk.bytes().length);
+      loaded = chunk.offset() + chunk.bytes().length;
+      if (loaded < level.length) {
+        link.send(new ClientMessage.LevelRequest(loaded));
+      } else {
+        link.send(new ClientMessage.Ready());
+        ready = true;
+      }
+    } else if (message instanceof ServerMessage.Refused r) {
+      refused = r;
+    } else if (message instanceof ServerMessage.Goodbye g) {
+      goodbye = g;
+    } else if (message instanceof ServerMessage.Roster r) {
+      roster = r;
+    }
+  }
+
+  @Override
+  public void datagram(Link from, byte[] content, int length) {
+    datagrams++;
+    bytes += length;
+    if (decoder.decode(content, 0, length) == DecodeStatus.OK) {
+      if (decoder.hasOwn()) {
+        own.set(decoder.own());
+      }
+    } else {
+      undecodable++;
+    }
+  }
+
+  @Override
+  public void closed(Link from, String reason) {
+    closed = true;
+  }
+
+  List<String> notices() {
+    List<String> texts = new ArrayList<>();
+    for (ServerMessage message : messages) {
+      if (message instanceof ServerMessage.Notice notice) {
+        texts.add(notice.text());
+      }
+    }
+    return texts;
+  }
+}

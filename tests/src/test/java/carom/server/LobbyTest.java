@@ -1,0 +1,180 @@
+package carom.server;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.Protocol;
+import carom.net.protocol.RefusalReason;
+import carom.server.config.ServerConfig;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+class LobbyTest {
+  private Rig rig = new Rig(ServerConfig.defaults().withMaxPlayers(2), new TestGame(3));
+
+  @AfterEach
+  void close() {
+    rig.close();
+  }
+
+  @Test
+  void welcomeTellsEverythingAndTheLevelArrivesWhole() {
+    FakeClient client = rig.join("Ann");
+    assertEquals(0, client.welcome.playerId());
+    assertEquals(60, client.welcome.tickRate());
+    assertEquals("test", client.welcome.game());
+    assertEquals("test", client.welcome.levelName());
+    assertEquals(TestGame.level().contentHash(), client.welcome.levelHash());
+    assertNotEquals(0, client.welcome.sessionSecret());
+    assertArrayEquals(TestGame.level().source(), client.level);
+    assertTrue(client.level.length > 2 * 4_096, "loads in several chunks");
+    assertEquals("Ann", client.roster.entries().get(0).name());
+  }
+
+  @Test
+  void clientThatHasTheLevelMaySkipIt() {
+    FakeClient client = rig.connect().hello("Ann");
+    client.loads = false;
+    rig.steps(2);
+    client.link.send(new ClientMessage.Ready());
+    rig.steps(3);
+    assertTrue(client.decoder.hasAck());
+  }
+
+  @Test
+  void otherProtocolVersionIsRefusedWithBothNumbers() {
+    FakeClient client = rig.connect();
+    client.link.send(new ClientMessage.Hello(9_999, Protocol.physicsDigest(), "Ann", 0));
+    rig.steps(3);
+    assertEquals(RefusalReason.PROTOCOL_VERSION, client.refused.reason());
+    assertTrue(client.refused.text().contains("9999"), client.refused.text());
+    assertTrue(client.refused.text().contains("" + Protocol.VERSION), client.refused.text());
+  }
+
+  @Test
+  void otherPhysicsIsRefused() {
+    FakeClient client = rig.connect();
+    client.link.send(new ClientMessage.Hello(Protocol.VERSION, 1, "Ann", 0));
+    rig.steps(3);
+    assertEquals(RefusalReason.PHYSICS_VERSION, client.refused.reason());
+  }
+
+  @Test
+  void blankNameIsRefusedAndSurroundingSpaceIsCut() {
+    FakeClient blank = rig.connect().hello("  ");
+    FakeClient spaced = rig.connect().hello("  Ann ");
+    rig.steps(10);
+    assertEquals(RefusalReason.NAME_INVALID, blank.refused.reason());
+    assertEquals("Ann", spaced.roster.entries().get(0).name());
+  }
+
+  @Test
+  void fullServerSaysHowManyPlacesThereAreAndLetsTheNextInWhenOneLeaves() {
+    FakeClient first = rig.join("a");
+    rig.join("b");
+    FakeClient third = rig.connect().hello("c");
+    rig.steps(3);
+    assertEquals(RefusalReason.SERVER_FULL, third.refused.reason());
+    assertTrue(third.refused.text().contains("2"), third.refused.text());
+    first.link.send(new ClientMessage.Leave());
+    rig.steps(3);
+    assertEquals(0, rig.join("d").welcome.playerId());
+  }
+
+  @Test
+  void secondPlayerOfThatNameGetsANumber() {
+    rig.join("Ann");
+    FakeClient second = rig.join("Ann");
+    rig.seconds(1);
+    assertEquals("Ann (2)", second.roster.entries().get(1).name());
+  }
+
+  @Test
+  void silentLinkIsRefusedAtTheDeadlineAndThenClosed() {
+    FakeClient client = rig.connect();
+    rig.seconds(4.9);
+    assertNull(client.refused);
+    rig.seconds(0.3);
+    assertEquals(RefusalReason.TOO_SLOW, client.refused.reason());
+    rig.seconds(1.1);
+    assertTrue(client.closed);
+    assertEquals(0, rig.server.visitorCount());
+  }
+
+  @Test
+  void playerWhoNeverLoadsLosesTheSeat() {
+    FakeClient client = rig.connect().hello("Ann");
+    client.loads = false;
+    rig.seconds(1);
+    assertEquals(1, rig.room.seats().takenCount());
+    rig.seconds(20);
+    assertEquals(RefusalReason.TOO_SLOW, client.refused.reason());
+    assertEquals(0, rig.room.seats().takenCount());
+  }
+
+  @Test
+  void linkThatClosesWhileLoadingFreesItsSeat() {
+    FakeClient client = rig.connect().hello("Ann");
+    client.loads = false;
+    rig.steps(2);
+    client.link.close("gone");
+    rig.steps(2);
+    assertEquals(0, rig.room.seats().takenCount());
+    assertEquals(0, rig.server.visitorCount());
+  }
+
+  @Test
+  void wrongMessageInWrongStateIsRefused() {
+    FakeClient early = rig.connect();
+    early.link.send(new ClientMessage.Ready());
+    FakeClient twice = rig.connect().hello("Ann");
+    twice.loads = false;
+    twice.hello("Ann");
+    FakeClient outside = rig.connect().hello("Ben");
+    outside.loads = false;
+    rig.steps(2);
+    outside.link.send(new ClientMessage.LevelRequest(1_000_000));
+    rig.steps(3);
+    assertEquals(RefusalReason.BAD_REQUEST, early.refused.reason());
+    assertEquals(RefusalReason.BAD_REQUEST, twice.refused.reason());
+    assertEquals(RefusalReason.BAD_REQUEST, outside.refused.reason());
+    assertEquals(0, rig.room.seats().takenCount());
+  }
+
+  @Test
+  void unknownSecretJoinsAsANewPlayer() {
+    FakeClient client = rig.join("Ann", 123_456_789L);
+    assertNotEquals(123_456_789L, client.welcome.sessionSecret());
+  }
+
+  @Test
+  void visitorsAreToldWhenTheServerStops() {
+    FakeClient silent = rig.connect();
+    FakeClient loading = rig.connect().hello("Ann");
+    loading.loads = false;
+    rig.steps(2);
+    rig.server.close();
+    silent.step(0);
+    loading.step(0);
+    assertEquals(RefusalReason.SHUTTING_DOWN, silent.refused.reason());
+    assertNotNull(loading.goodbye);
+    assertFalse(loading.ready);
+    assertTrue(silent.closed && loading.closed);
+  }
+
+  @Test
+  void crowdOfSilentLinksDoesNotKeepAPlayerOut() {
+    for (int i = 0; i < 200; i++) {
+      rig.connect();
+    }
+    rig.seconds(8);
+    assertEquals(0, rig.server.visitorCount());
+    rig.join("Ann");
+  }
+}

@@ -1,0 +1,118 @@
+package carom.server;
+
+import carom.physics.Material;
+import carom.physics.geometry.Circle;
+import carom.sim.Archetype;
+import carom.sim.ArchetypeDef;
+import carom.sim.Game;
+import carom.sim.Input;
+import carom.sim.Level;
+import carom.sim.LevelException;
+import carom.sim.Player;
+import carom.sim.Role;
+import carom.sim.Simulation;
+import java.nio.charset.StandardCharsets;
+
+/** Balls without gravity; players steer one each; breaks on demand. */
+final class TestGame implements Game {
+  static final float SPEED = 6;
+
+  private static final String LEVEL =
+      """
+      {
+        "name": "test",
+        "game": "test",
+        "gravity": [0, 0],
+        "bounds": { "min": [-1000, -1000], "max": [1000, 1000] },
+        "spawns": [ { "name": "player", "at": [0, 0] } ]
+      }
+      """;
+
+  final int balls;
+  boolean ballsMove = true;
+  int failEvery;
+  boolean failInJoin;
+  int joins;
+  int leaves;
+  private Archetype ball;
+
+  TestGame(int balls) {
+    this.balls = balls;
+  }
+
+  static Level level() {
+    try {
+      // Longer than one chunk, so that loading takes several.
+      return Level.parse("test.json", (LEVEL + " ".repeat(9_000)).getBytes(StandardCharsets.UTF_8));
+    } catch (LevelException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  @Override
+  public String name() {
+    return "test";
+  }
+
+  @Override
+  public String defaultLevel() {
+    return "test";
+  }
+
+  @Override
+  public void setUp(Simulation s) {
+    ball =
+        s.archetypes().add(new ArchetypeDef("ball").shape(new Circle(0.4f), new Material(1, 0, 1)));
+    if (s.role() == Role.AUTHORITY) {
+      for (int i = 0; i < balls; i++) {
+        s.spawn(ball, -500 + 2 * (i % 64), 10 + 2 * (i / 64), 0, null);
+      }
+    }
+  }
+
+  @Override
+  public void join(Simulation s, Player p) {
+    joins++;
+    if (failInJoin) {
+      throw new IllegalStateException("join fails on purpose");
+    }
+    s.spawn(ball, 3 * p.id(), -20, 0, p);
+    p.memory()[0] = 77;
+  }
+
+  @Override
+  public void leave(Simulation s, Player p) {
+    leaves++;
+  }
+
+  @Override
+  public void input(Simulation s, Player p, Input in) {
+    p.body().body().setVelocity(SPEED * in.moveX(), SPEED * in.moveY());
+    if (in.held(Input.ACTION)) {
+      p.memory()[1]++;
+    }
+  }
+
+  @Override
+  public void beforeStep(Simulation s) {
+    if (ballsMove) {
+      for (int i = 0; i < balls; i++) {
+        float way = (s.tick() / 60 + i) % 2 == 0 ? 1 : -1;
+        s.entity(i).body().setVelocity(0, way * (1 + i % 7));
+      }
+    }
+  }
+
+  @Override
+  public void afterStep(Simulation s) {
+    for (int i = 0; i < s.playerCapacity(); i++) {
+      Player p = s.player(i);
+      if (p != null && s.role() == Role.AUTHORITY && p.memory()[1] != p.score()) {
+        p.score(p.memory()[1]);
+      }
+    }
+    if (failEvery > 0 && s.tick() % failEvery == 0) {
+      throw new IllegalStateException("fails on purpose");
+    }
+  }
+}
