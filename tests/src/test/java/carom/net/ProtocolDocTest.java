@@ -63,7 +63,7 @@ class ProtocolDocTest {
     Map<String, byte[]> golden = new TreeMap<>();
     Matcher matcher = GOLDEN.matcher(page);
     while (matcher.find()) {
-      String[] hex = matcher.group(2).trim().split("\\s+");
+      String[] hex = matcher.group(2).trim().split("\\s+", -1);
       byte[] bytes = new byte[hex.length];
       for (int i = 0; i < hex.length; i++) {
         bytes[i] = (byte) Integer.parseInt(hex[i], 16);

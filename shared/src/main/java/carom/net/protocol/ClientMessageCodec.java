@@ -79,22 +79,21 @@ public final class ClientMessageCodec {
       return null;
     }
     ByteBuffer buffer = ByteBuffer.wrap(bytes, offset, length);
-    switch (buffer.get()) {
-      case HELLO:
-        return decodeHello(buffer);
-      case LEVEL_REQUEST:
-        if (buffer.remaining() != 4) {
-          return null;
-        }
-        int from = buffer.getInt();
-        return validOffset(from) ? new ClientMessage.LevelRequest(from) : null;
-      case READY:
-        return buffer.hasRemaining() ? null : new ClientMessage.Ready();
-      case LEAVE:
-        return buffer.hasRemaining() ? null : new ClientMessage.Leave();
-      default:
-        return null;
+    return switch (buffer.get()) {
+      case HELLO -> decodeHello(buffer);
+      case LEVEL_REQUEST -> decodeLevelRequest(buffer);
+      case READY -> buffer.hasRemaining() ? null : new ClientMessage.Ready();
+      case LEAVE -> buffer.hasRemaining() ? null : new ClientMessage.Leave();
+      default -> null;
+    };
+  }
+
+  private static ClientMessage decodeLevelRequest(ByteBuffer buffer) {
+    if (buffer.remaining() != 4) {
+      return null;
     }
+    int offset = buffer.getInt();
+    return validOffset(offset) ? new ClientMessage.LevelRequest(offset) : null;
   }
 
   private static ClientMessage decodeHello(ByteBuffer buffer) {

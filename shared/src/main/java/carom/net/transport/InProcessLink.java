@@ -31,21 +31,22 @@ final class InProcessLink implements Link {
   private final ArrayDeque<Item> spareDatagrams = new ArrayDeque<>();
   private int inboxDatagrams;
   private int inboxMessageBytes;
-  private Object lock = new Object();
+  private final Object lock;
   private InProcessLink peer = this;
   private volatile State state = State.OPEN;
   private volatile String closeReason = "";
   private boolean closeReported;
 
-  InProcessLink(MessageCodec codec, String remote) {
+  InProcessLink(MessageCodec codec, String remote, Object lock) {
+    this.lock = lock;
     this.codec = codec;
     this.remote = remote;
   }
 
+  /** Makes two links the ends of one connection; both were created with the same lock. */
   static void join(InProcessLink a, InProcessLink b) {
     a.peer = b;
     b.peer = a;
-    b.lock = a.lock;
   }
 
   @Override

@@ -86,8 +86,9 @@ public final class InProcessNetwork {
     synchronized (lock) {
       links.removeIf(link -> link.state() == Link.State.CLOSED);
       int number = ++connections;
-      InProcessLink serverEnd = new InProcessLink(codec, "in-process client " + number);
-      InProcessLink clientEnd = new InProcessLink(codec, "in-process server");
+      Object pair = new Object();
+      InProcessLink serverEnd = new InProcessLink(codec, "in-process client " + number, pair);
+      InProcessLink clientEnd = new InProcessLink(codec, "in-process server", pair);
       InProcessLink.join(serverEnd, clientEnd);
       if (serverClosed) {
         clientEnd.close("the server is not running");

@@ -5,7 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 
 /**
  * An encoder and a decoder with a bad network between them, tick by tick. Every decoded datagram is
@@ -16,6 +19,7 @@ final class Channel {
 
   static final int KEY = 0x5eed1234;
 
+  @SuppressWarnings("ArrayRecordComponent") // never compared
   private record Delayed(int atTick, byte[] bytes, int ackSequence, long ackBits) {}
 
   final Scene scene;
@@ -33,7 +37,7 @@ final class Channel {
   boolean withOwn = true;
   boolean alwaysConsumed;
 
-  final int[] statuses = new int[DecodeStatus.values().length];
+  final Map<DecodeStatus, Integer> statuses = new EnumMap<>(DecodeStatus.class);
   long datagrams;
   long bytes;
   long records;
@@ -74,7 +78,7 @@ final class Channel {
       sum += n;
       assertTrue(n <= SnapshotEncoder.MAX_DATAGRAM_BYTES, name);
       datagrams++;
-      byte[] copy = java.util.Arrays.copyOf(buffer, n);
+      byte[] copy = Arrays.copyOf(buffer, n);
       if (dice.percent(lossPercent)) {
         continue;
       }
@@ -102,7 +106,7 @@ final class Channel {
       if (down.get(i).atTick <= scene.tick) {
         byte[] datagram = down.remove(i--).bytes;
         DecodeStatus status = decoder.decode(datagram, 0, datagram.length);
-        statuses[status.ordinal()]++;
+        statuses.merge(status, 1, Integer::sum);
         if (status == DecodeStatus.OK) {
           check();
         }
@@ -197,6 +201,6 @@ final class Channel {
   }
 
   int count(DecodeStatus status) {
-    return statuses[status.ordinal()];
+    return statuses.getOrDefault(status, 0);
   }
 }
