@@ -48,6 +48,7 @@ public final class Box extends Convex {
     this.halfHeight = checkSize("box halfHeight", halfHeight);
     this.centerX = checkCoordinate("box centerX", centerX);
     this.centerY = checkCoordinate("box centerY", centerY);
+    checkEdges("box");
   }
 
   /** Half of the horizontal size, metres. */

@@ -43,15 +43,20 @@ public final class Compound extends Shape {
     return parts;
   }
 
-  /** Bounds of all parts. Allocates one small box: ask the parts themselves where that matters. */
   @Override
   public void aabb(Transform t, Aabb out) {
-    Aabb box = new Aabb();
-    out.setEmpty();
+    float minX = Float.POSITIVE_INFINITY;
+    float minY = Float.POSITIVE_INFINITY;
+    float maxX = Float.NEGATIVE_INFINITY;
+    float maxY = Float.NEGATIVE_INFINITY;
     for (int i = 0; i < parts.size(); i++) {
-      parts.get(i).aabb(t, box);
-      out.add(box);
+      parts.get(i).aabb(t, out);
+      minX = Math.min(minX, out.minX);
+      minY = Math.min(minY, out.minY);
+      maxX = Math.max(maxX, out.maxX);
+      maxY = Math.max(maxY, out.maxY);
     }
+    out.set(minX, minY, maxX, maxY);
   }
 
   @Override

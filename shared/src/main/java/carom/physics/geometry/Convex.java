@@ -83,6 +83,26 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon {
     return count;
   }
 
+  /** Refuses shapes so small and so far from the origin that rounding has merged vertices. */
+  final void checkEdges(String what) {
+    for (int i = 0; i < vx.length; i++) {
+      int next = i + 1 == vx.length ? 0 : i + 1;
+      if (vx[i] == vx[next] && vy[i] == vy[next]) {
+        throw new IllegalArgumentException(
+            what
+                + " edge"
+                + i
+                + "=0.0 m at "
+                + vx[i]
+                + ", "
+                + vy[i]
+                + ": too small for a place where floats are "
+                + Math.ulp(Math.max(Math.abs(vx[i]), Math.abs(vy[i])))
+                + " m apart; place the body there, and the shape near the body's origin");
+      }
+    }
+  }
+
   @Override
   public abstract Convex moved(float dx, float dy);
 

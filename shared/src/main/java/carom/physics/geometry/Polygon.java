@@ -270,7 +270,9 @@ public final class Polygon extends Convex {
       xs[i] = checkCoordinate("polygon x" + i, xs[i] + dx);
       ys[i] = checkCoordinate("polygon y" + i, ys[i] + dy);
     }
-    return new Polygon(xs, ys, nx, ny);
+    Polygon moved = new Polygon(xs, ys, nx, ny);
+    moved.checkEdges("polygon");
+    return moved;
   }
 
   @Override

@@ -132,6 +132,13 @@ final class ShapeTest {
   }
 
   @Test
+  void boundsOfACompoundHoldAllParts() {
+    Aabb box = new Aabb();
+    Compound.of(new Box(1, 1), new Circle(0.5f, 3, 0)).aabb(new Transform(10, 0, 0), box);
+    assertEquals("Aabb(9.0, -1.0 .. 13.5, 1.0)", box.toString());
+  }
+
+  @Test
   void movingKeepsTheFormAndTheFeatureOrder() {
     Polygon p = Polygon.regular(7, 1);
     Polygon q = p.moved(3, 4);
@@ -155,6 +162,8 @@ final class ShapeTest {
     refuses("circle centerX=Infinity", () -> new Circle(1, Float.POSITIVE_INFINITY, 0));
     refuses("box halfHeight=1.0E-5", () -> new Box(1, 1e-5f));
     refuses("box halfWidth=1000000.0", () -> new Box(1e6f, 1));
+    refuses("box edge0=0.0 m at 90000.0, ", () -> new Box(0.002f, 1, 90000, 0));
+    refuses("too small for a place", () -> Polygon.regular(8, 0.01f).moved(90000, 0));
     refuses("polygon vertices=2 must be in 3..", () -> Polygon.of(0, 0, 1, 1));
     refuses("polygon coordinates=5 must be even", () -> Polygon.of(0, 0, 1, 1, 2));
     refuses("polygon y1=NaN", () -> Polygon.of(0, 0, 1, Float.NaN, 2, 3));
