@@ -232,8 +232,8 @@ final class Connection implements LinkHandler {
       link = null;
       lost(
           stage == Stage.PLAYING
-              ? "The connection to " + address() + " was lost: " + reason
-              : "Can't reach the server at " + address() + ": " + reason);
+              ? sentence("The connection to " + address() + " was lost: " + reason)
+              : sentence("Can't reach the server at " + address() + ": " + reason));
     }
   }
 
@@ -469,6 +469,10 @@ final class Connection implements LinkHandler {
 
   private static String join(String sentence, String details) {
     return details.isEmpty() || details.equals(sentence) ? sentence : sentence + " " + details;
+  }
+
+  private static String sentence(String text) {
+    return text.endsWith(".") || text.endsWith("?") || text.endsWith("!") ? text : text + ".";
   }
 
   private static String nameOf(Object received) {

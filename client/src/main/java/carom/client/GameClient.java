@@ -402,6 +402,11 @@ public final class GameClient implements AutoCloseable {
     return view;
   }
 
+  /** Offset of the own body's picture that is left of corrections, metres. */
+  public double visualErrorMetres() {
+    return prediction == null ? 0 : prediction.visualErrorMetres();
+  }
+
   /** Numbers about the connection. */
   public NetStats stats() {
     return stats;

@@ -1,0 +1,168 @@
+package carom.client;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.net.kryo.KryoMessageCodec;
+import carom.net.transport.ClientTransport;
+import carom.net.transport.Impairment;
+import carom.net.transport.InProcessNetwork;
+import carom.physics.Body;
+import carom.sim.Entity;
+import carom.sim.Input;
+import carom.sim.Level;
+import carom.sim.SimRandom;
+import java.nio.charset.StandardCharsets;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Goal: the own body is foreseen to the bit when it is alone, and corrections are soft when it is
+ * not. Method: a client and a scripted authority in virtual time, with and without a bad network.
+ */
+final class PredictionScenarioTest {
+  private static final long MS = 1_000_000L;
+  private static final String ARENA =
+      """
+      {"name": "empty", "game": "arena", "gravity": [0, 0],
+       "bounds": {"min": [-20, -12], "max": [20, 12]},
+       "materials": {"wall": {"friction": 0.2, "restitution": 0.5}},
+       "spawns": [{"name": "ball", "at": [19, 11]}],
+       "zones": [
+         {"name": "goal", "team": 1, "min": [-19.5, -1], "max": [-19, 1]},
+         {"name": "goal", "team": 2, "min": [19, -1], "max": [19.5, 1]},
+         {"name": "home", "team": 1, "min": [-6, -2], "max": [-4, 2]},
+         {"name": "home", "team": 2, "min": [4, -2], "max": [6, 2]}],
+       "statics": [
+         {"name": "wall", "at": [-9, 0], "material": "wall",
+          "shape": {"type": "box", "width": 1, "height": 12}},
+         {"name": "wall", "at": [9, 0], "material": "wall",
+          "shape": {"type": "box", "width": 1, "height": 12}},
+         {"name": "wall", "at": [0, 6], "material": "wall",
+          "shape": {"type": "box", "width": 18, "height": 1}},
+         {"name": "wall", "at": [0, -6], "material": "wall",
+          "shape": {"type": "box", "width": 18, "height": 1}},
+         {"name": "post", "at": [0, 2], "material": "wall",
+          "shape": {"type": "polygon", "points": [[-1, -1], [1, -1], [0, 1]]}}]}
+      """;
+
+  private final InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
+  private long now = MS;
+  private ScriptedServer server;
+  private GameClient client;
+
+  private void start(Level level, Impairment impairment, InputSource input) {
+    server = new ScriptedServer(network.server(), level);
+    ClientTransport transport = new ImpairedTransport(network.client(), impairment, () -> now);
+    client = new GameClient(config(), transport, input);
+  }
+
+  private static ClientConfig config() {
+    return ClientConfig.of("tester").withServer("memory", 0, 0);
+  }
+
+  private void run(double seconds) {
+    long end = now + (long) (seconds * 1e9);
+    while (now < end) {
+      now += ScriptedServer.TICK_NS / 2;
+      client.update(now);
+      now += ScriptedServer.TICK_NS / 2;
+      server.tick(now);
+    }
+  }
+
+  private static InputSource wanderer(long seed) {
+    SimRandom random = new SimRandom(seed);
+    Input held = new Input();
+    return (view, tick, out) -> {
+      if (random.nextInt(12) == 0) {
+        held.move(2 * random.nextFloat() - 1, 2 * random.nextFloat() - 1);
+        held.hold(Input.ACTION, random.nextInt(3) == 0);
+        held.hold(Input.JUMP, random.nextInt(3) == 0);
+      }
+      out.set(held);
+    };
+  }
+
+  @Test
+  void aloneAmongWallsNothingIsEverCorrected() throws Exception {
+    for (Impairment bad :
+        new Impairment[] {
+          Impairment.NONE.withLatency(75, 0),
+          Impairment.NONE.withSeed(5).withLatency(50, 10).withLoss(2)
+        }) {
+      start(arena(), bad, wanderer(3));
+      run(3);
+      long before = client.stats().corrections();
+      long compared = client.stats().compared();
+      int missing = server.guests.get(server.guests.size() - 1).missing;
+      run(20);
+      assertTrue(client.stats().compared() - compared > 800, "compared " + bad);
+      missing = server.guests.get(server.guests.size() - 1).missing - missing;
+      assertTrue(
+          client.stats().corrections() - before <= missing,
+          "corrections=" + (client.stats().corrections() - before) + " missing=" + missing);
+      assertTrue(missing < 20, "inputs that came too late: " + missing + " with " + bad);
+      client.close();
+    }
+  }
+
+  @Test
+  void standingAndJumpingAmongPlatformsIsExactToo() throws Exception {
+    start(Level.builtIn("platformer"), Impairment.NONE.withLatency(60, 0), wanderer(11));
+    run(5);
+    long compared = client.stats().compared();
+    long corrected = client.stats().corrections();
+    run(20);
+    double exact =
+        1
+            - (client.stats().corrections() - corrected)
+                / (double) (client.stats().compared() - compared);
+    assertTrue(exact > 0.9, "exact rate " + exact);
+  }
+
+  @Test
+  void aPushIsShownSoftlyAndGoneAfterAQuarterOfASecond() throws Exception {
+    start(arena(), Impairment.NONE.withLatency(60, 0), InputSource.IDLE);
+    run(2);
+    Entity body = server.simulation.player(0).body();
+    Body<Entity> b = body.body();
+    b.setVelocity(6, 1);
+    double largestStep = 0;
+    ClientView.Drawn own = client.view().own();
+    assertNotNull(own);
+    float x = own.x();
+    float y = own.y();
+    for (int i = 0; i < 15 + 8; i++) {
+      run(1 / 60.0);
+      own = client.view().own();
+      largestStep = Math.max(largestStep, Math.hypot(own.x() - x, own.y() - y));
+      x = own.x();
+      y = own.y();
+    }
+    assertTrue(client.stats().corrections() > 0, "it was a surprise");
+    assertTrue(client.stats().correctionMaxMetres() > 0.1, "and a big one");
+    assertTrue(largestStep < 0.35, "largest step in a frame: " + largestStep + " m");
+    run(0.25);
+    assertEquals(0, client.visualErrorMetres(), 0.01);
+  }
+
+  @Test
+  void aDeadlineMissedByASlowFrameIsMadeUp() throws Exception {
+    start(arena(), Impairment.NONE.withLatency(40, 0), wanderer(9));
+    run(3);
+    for (int i = 0; i < 60; i++) { // one second without a frame
+      now += ScriptedServer.TICK_NS;
+      server.tick(now);
+    }
+    run(2);
+    long corrections = client.stats().corrections();
+    run(5);
+    assertEquals(corrections, client.stats().corrections());
+    assertEquals(ConnectionPhase.PLAYING, client.view().phase());
+  }
+
+  static Level arena() throws Exception {
+    return Level.parse("empty.json", ARENA.getBytes(StandardCharsets.UTF_8));
+  }
+}

@@ -1,0 +1,240 @@
+package carom.client;
+
+import carom.game.Games;
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.InputDatagram;
+import carom.net.protocol.Limits;
+import carom.net.protocol.ServerMessage;
+import carom.net.snapshot.FrameRing;
+import carom.net.snapshot.FrameState;
+import carom.net.snapshot.InputFeedback;
+import carom.net.snapshot.OwnState;
+import carom.net.snapshot.SnapshotEncoder;
+import carom.net.transport.Link;
+import carom.net.transport.LinkHandler;
+import carom.net.transport.ServerTransport;
+import carom.physics.Body;
+import carom.sim.Entity;
+import carom.sim.Level;
+import carom.sim.Player;
+import carom.sim.Role;
+import carom.sim.Simulation;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * The smallest authority a client can play on, driven tick by tick. Tests read its state and make
+ * it misbehave. The real server has its own scenarios; this one shows that the client needs nothing
+ * but the protocol.
+ */
+final class ScriptedServer {
+  static final long TICK_NS = 1_000_000_000L / 60;
+
+  final class Guest implements LinkHandler {
+    final Link link;
+    Player player;
+    SnapshotEncoder encoder;
+    boolean ready;
+    boolean closed;
+    ClientMessage.Hello hello;
+    int levelRequests;
+    final InputDatagram datagram = new InputDatagram();
+    final InputFeedback feedback = new InputFeedback();
+    final long[] inputs = new long[256];
+    final int[] inputTick = new int[256];
+    int newestInput = -1;
+    long newestNs;
+    long last;
+    int missing;
+
+    Guest(Link link) {
+      this.link = link;
+      Arrays.fill(inputTick, -1);
+    }
+
+    @Override
+    public void message(Link from, Object message) {
+      if (message instanceof ClientMessage.Hello h) {
+        hello = h;
+        if (script.hello(this)) {
+          welcome();
+        }
+      } else if (message instanceof ClientMessage.LevelRequest request) {
+        levelRequests++;
+        script.level(this, request.offset());
+      } else if (message instanceof ClientMessage.Ready) {
+        ready = true;
+        player = simulation.join(hello.name());
+        encoder = new SnapshotEncoder(ring, KEY, 60);
+      } else if (message instanceof ClientMessage.Leave) {
+        closed = true;
+      }
+    }
+
+    ScriptedServer server() {
+      return ScriptedServer.this;
+    }
+
+    void welcome() {
+      byte[] bytes = level.source();
+      link.send(
+          new ServerMessage.Welcome(
+              77,
+              KEY,
+              guests.indexOf(this),
+              60,
+              simulation.tick(),
+              1,
+              level.gameName(),
+              "test.json",
+              level.contentHash(),
+              bytes.length));
+    }
+
+    void sendLevel(int offset) {
+      byte[] bytes = level.source();
+      int to = Math.min(bytes.length, offset + Limits.MAX_LEVEL_CHUNK_BYTES);
+      link.send(new ServerMessage.LevelChunk(offset, Arrays.copyOfRange(bytes, offset, to)));
+    }
+
+    @Override
+    public void datagram(Link from, byte[] bytes, int length) {
+      if (!datagram.decode(bytes, 0, length) || datagram.key != KEY || !ready) {
+        return;
+      }
+      if (datagram.hasAck) {
+        encoder.receiveAck(datagram.ackSequence, datagram.ackBits);
+      }
+      feedback.present = true;
+      feedback.sequence = datagram.sequence;
+      newestNs = nowNs;
+      for (int i = 0; i < datagram.count; i++) {
+        int tick = datagram.newestTick - i;
+        if (tick > simulation.tick() && tick < simulation.tick() + 200) {
+          inputs[tick & 255] = datagram.inputs[i];
+          inputTick[tick & 255] = tick;
+        }
+      }
+      newestInput = Math.max(newestInput, datagram.newestTick);
+    }
+
+    @Override
+    public void closed(Link from, String reason) {
+      closed = true;
+    }
+
+    void applyInput(int tick) {
+      if (inputTick[tick & 255] == tick) {
+        last = inputs[tick & 255];
+        feedback.consumedTick = tick;
+      } else if (newestInput >= 0) {
+        missing++;
+      }
+      player.input().unpack(last);
+    }
+
+    void snapshot() {
+      OwnState own = new OwnState();
+      if (player.body() != null) {
+        Entity e = player.body();
+        Body<Entity> b = e.body();
+        own.setBody(
+            e.id(),
+            e.generation(),
+            b.centerX(),
+            b.centerY(),
+            b.cos(),
+            b.sin(),
+            b.velocityX(),
+            b.velocityY(),
+            b.angularVelocity());
+      }
+      for (int i = 0; i < OwnState.MEMORY; i++) {
+        own.setMemory(i, player.memory()[i]);
+      }
+      feedback.margin = Math.max(-32, Math.min(31, newestInput - simulation.tick()));
+      feedback.holdMs = (int) Math.min(255, (nowNs - newestNs) / 1_000_000);
+      encoder.begin(feedback, own, 4_000);
+      for (int n; (n = encoder.next(buffer)) > 0; ) {
+        link.sendDatagram(buffer, 0, n);
+      }
+    }
+  }
+
+  /** What a test may do differently. */
+  static class Script {
+    /** Says hello back; true = welcome. */
+    boolean hello(Guest guest) {
+      return true;
+    }
+
+    void level(Guest guest, int offset) {
+      guest.sendLevel(offset);
+    }
+  }
+
+  static final int KEY = 0x1234567;
+
+  private final ServerTransport transport;
+  private final FrameRing ring = new FrameRing(512);
+  private final byte[] buffer = new byte[SnapshotEncoder.MAX_DATAGRAM_BYTES];
+  final Level level;
+  final Simulation simulation;
+  final List<Guest> guests = new ArrayList<>();
+  Script script = new Script();
+  long nowNs;
+  boolean silent;
+
+  ScriptedServer(ServerTransport transport, Level level) {
+    this.transport = transport;
+    this.level = level;
+    simulation = new Simulation(Games.create(level.gameName()), level, 1, 60, Role.AUTHORITY);
+  }
+
+  /** Takes in what arrived. */
+  void poll(long nowNs) {
+    this.nowNs = nowNs;
+    for (Link link; (link = transport.accept()) != null; ) {
+      guests.add(new Guest(link));
+    }
+    for (Guest g : guests) {
+      g.link.poll(g, 10_000);
+    }
+  }
+
+  void tick(long nowNs) {
+    poll(nowNs);
+    int next = simulation.tick() + 1;
+    for (Guest g : guests) {
+      if (g.ready && !g.closed) {
+        g.applyInput(next);
+      }
+    }
+    simulation.step();
+    FrameState frame = ring.begin(simulation.tick());
+    for (int id = 0; id < simulation.entityCapacity(); id++) {
+      Entity e = simulation.entity(id);
+      if (e != null) {
+        Body<Entity> b = e.body();
+        frame.put(
+            id,
+            e.generation(),
+            e.archetype().index(),
+            e.ownerId(),
+            b.x(),
+            b.y(),
+            b.angle(),
+            b.velocityX(),
+            b.velocityY(),
+            b.angularVelocity());
+      }
+    }
+    ring.end();
+    for (Guest g : guests) {
+      if (g.ready && !g.closed && !silent) {
+        g.snapshot();
+      }
+    }
+  }
+}

@@ -1,0 +1,79 @@
+package carom.client.bots;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import org.junit.jupiter.api.Test;
+
+final class BotReportTest {
+  private static final String SHAPE =
+      "\\{\"joined\":\\d+,\"disconnects\":\\d+,\"errors\":\\d+,\"snapshotsPerSecond\":[0-9.]+,"
+          + "\"gapP99Ms\":[0-9.]+,\"rttP50Ms\":[0-9.]+,\"kbitPerSecond\":[0-9.]+\\}";
+
+  @Test
+  void isOneLineOfJsonInEveryCountry() {
+    Locale before = Locale.getDefault();
+    try {
+      Locale.setDefault(Locale.GERMANY);
+      assertEquals(
+          "{\"joined\":3,\"disconnects\":1,\"errors\":0,\"snapshotsPerSecond\":59.90,"
+              + "\"gapP99Ms\":21.30,\"rttP50Ms\":1.50,\"kbitPerSecond\":42.00}",
+          new BotReport(3, 1, 0, 59.9, 21.3, 1.5, 42).toJson());
+    } finally {
+      Locale.setDefault(before);
+    }
+  }
+
+  @Test
+  void withoutAServerBotsSaySoPrintTheJsonAndFail() {
+    PrintStream out = System.out;
+    PrintStream err = System.err;
+    ByteArrayOutputStream printed = new ByteArrayOutputStream();
+    ByteArrayOutputStream complained = new ByteArrayOutputStream();
+    int code;
+    try {
+      System.setOut(new PrintStream(printed, true, StandardCharsets.UTF_8));
+      System.setErr(new PrintStream(complained, true, StandardCharsets.UTF_8));
+      code =
+          BotsMain.run(
+              "--tcp-port",
+              "1",
+              "--udp-port",
+              "1",
+              "--count",
+              "2",
+              "--seconds",
+              "1",
+              "--log-level",
+              "error");
+    } finally {
+      System.setOut(out);
+      System.setErr(err);
+    }
+    String[] lines = printed.toString(StandardCharsets.UTF_8).strip().split("\n");
+    assertTrue(lines[lines.length - 1].matches(SHAPE), lines[lines.length - 1]);
+    assertEquals(1, code);
+    String complaint = complained.toString(StandardCharsets.UTF_8);
+    assertTrue(complaint.contains("0 of 2 bots joined. Can't reach the server"), complaint);
+  }
+
+  @Test
+  void refusesFlagsThatMakeNoSense() {
+    PrintStream err = System.err;
+    ByteArrayOutputStream complained = new ByteArrayOutputStream();
+    try {
+      System.setErr(new PrintStream(complained, true, StandardCharsets.UTF_8));
+      assertEquals(2, BotsMain.run("--count", "0"));
+      assertEquals(2, BotsMain.run("--tcp-port", "70000"));
+      assertEquals(2, BotsMain.run("--colour", "red"));
+    } finally {
+      System.setErr(err);
+    }
+    assertTrue(
+        complained.toString(StandardCharsets.UTF_8).contains("--count=0 is outside 1..1000"));
+  }
+}
