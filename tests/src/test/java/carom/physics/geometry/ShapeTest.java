@@ -163,7 +163,7 @@ final class ShapeTest {
     refuses("box halfHeight=1.0E-5", () -> new Box(1, 1e-5f));
     refuses("box halfWidth=1000000.0", () -> new Box(1e6f, 1));
     refuses("box edge0=0.0 m at 90000.0, ", () -> new Box(0.002f, 1, 90000, 0));
-    refuses("too small for a place", () -> Polygon.regular(8, 0.01f).moved(90000, 0));
+    refuses("too small for a place", () -> Polygon.regular(8, 0.002f).moved(90000, 90000));
     refuses("polygon vertices=2 must be in 3..", () -> Polygon.of(0, 0, 1, 1));
     refuses("polygon coordinates=5 must be even", () -> Polygon.of(0, 0, 1, 1, 2));
     refuses("polygon y1=NaN", () -> Polygon.of(0, 0, 1, Float.NaN, 2, 3));
