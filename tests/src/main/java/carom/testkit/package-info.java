@@ -1,7 +1,7 @@
 /**
- * What several tests need: scenes, measurements, fakes. Not part of the product.
+ * What tests are made of: a server and clients in virtual time, bad networks, a screen nobody sees.
  *
- * <p>Allowed imports: everything. Read first: {@link carom.testkit.BroadphaseScene}, {@link
- * carom.testkit.BroadphaseBench}.
+ * <p>May use everything. Read first: {@link carom.testkit.Stepper}, {@link
+ * carom.testkit.VirtualDisplay}.
  */
 package carom.testkit;

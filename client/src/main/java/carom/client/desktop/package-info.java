@@ -1,8 +1,11 @@
 /**
- * The window: rendering, keyboard, mouse, controllers. The only home of the window toolkit.
+ * The window: drawing, devices, screens. The only home of the window toolkit (libGDX).
  *
- * <p>May use {@code carom.client}, {@code carom.sim}, {@code carom.physics} and libGDX. Read first:
- * {@link carom.client.desktop.DesktopLauncher}, {@link carom.client.Window}, {@link
- * carom.client.ClientOptions}.
+ * <p>It reads a {@code ClientView} once per frame and hands the player's input back; it never
+ * touches the simulation, the link or the decoder. May use {@code carom.client}, {@code carom.sim}
+ * and {@code carom.physics} for what it draws.
+ *
+ * <p>Read first: {@link carom.client.desktop.DesktopLauncher}, {@link
+ * carom.client.desktop.GameScreen}, {@link carom.client.desktop.WorldPainter}.
  */
 package carom.client.desktop;

@@ -1,0 +1,124 @@
+package carom.client.desktop;
+
+import carom.client.ClientConfig;
+import carom.client.ClientOptions;
+import carom.client.GameClient;
+import carom.net.transport.ClientTransport;
+import com.badlogic.gdx.ApplicationAdapter;
+import com.badlogic.gdx.Gdx;
+import com.badlogic.gdx.Input.Keys;
+import com.badlogic.gdx.Screen;
+import com.badlogic.gdx.graphics.Pixmap;
+import com.badlogic.gdx.graphics.PixmapIO;
+import java.nio.file.Path;
+
+/** The application: shows the connect screen or a game, one at a time. Render thread only. */
+final class CaromWindow extends ApplicationAdapter {
+  private final ClientOptions options;
+  private final ClientTransport transport;
+  private ClientConfig config;
+  private Fonts fonts;
+  private Canvas canvas;
+  private Screen screen;
+  private float seconds;
+
+  CaromWindow(ClientOptions options, ClientTransport transport) {
+    this.options = options;
+    this.transport = transport;
+    config = options.config();
+  }
+
+  @Override
+  public void create() {
+    fonts = new Fonts();
+    canvas = new Canvas();
+    if (options.connectAtOnce()) {
+      play();
+    } else {
+      ask("");
+    }
+  }
+
+  private void ask(String message) {
+    ConnectScreen ask =
+        new ConnectScreen(
+            fonts,
+            (host, tcpPort, udpPort, name) -> {
+              config = config.withServer(host, tcpPort, udpPort).withName(name);
+              Gdx.app.postRunnable(this::play);
+            },
+            config.host(),
+            config.tcpPort(),
+            config.udpPort(),
+            config.name());
+    ask.message(message);
+    show(ask);
+  }
+
+  private void play() {
+    GameScreen game =
+        new GameScreen(canvas, fonts, reason -> Gdx.app.postRunnable(() -> left(reason)));
+    game.client(new GameClient(config, transport, game.devices()));
+    game.netGraph(options.netGraph());
+    game.debug(options.debug());
+    show(game);
+  }
+
+  private void left(String reason) {
+    if (screen instanceof GameScreen) {
+      ask(reason);
+    }
+  }
+
+  private void show(Screen next) {
+    if (screen != null) {
+      screen.hide();
+      screen.dispose();
+    }
+    screen = next;
+    screen.show();
+    screen.resize(Gdx.graphics.getWidth(), Gdx.graphics.getHeight());
+  }
+
+  @Override
+  public void render() {
+    float delta = Gdx.graphics.getDeltaTime();
+    seconds += delta;
+    screen.render(delta);
+    boolean over = options.seconds() > 0 && seconds >= options.seconds();
+    if (Gdx.input.isKeyJustPressed(Keys.F12)) {
+      save("carom-" + System.currentTimeMillis() + ".png");
+    }
+    if (over) {
+      if (!options.screenshot().isEmpty()) {
+        save(options.screenshot());
+      }
+      Gdx.app.exit();
+    }
+  }
+
+  /** Writes what the window shows to a PNG file. */
+  private static void save(String file) {
+    Pixmap picture =
+        Pixmap.createFromFrameBuffer(
+            0, 0, Gdx.graphics.getBackBufferWidth(), Gdx.graphics.getBackBufferHeight());
+    PixmapIO.writePNG(
+        Gdx.files.absolute(Path.of(file).toAbsolutePath().toString()), picture, 6, true);
+    picture.dispose();
+    System.err.println("screenshot saved: " + file);
+  }
+
+  @Override
+  public void resize(int width, int height) {
+    screen.resize(width, height);
+  }
+
+  @Override
+  public void dispose() {
+    if (screen != null) {
+      screen.dispose();
+    }
+    canvas.dispose();
+    fonts.dispose();
+  }
+}

@@ -1,0 +1,208 @@
+package carom.client.desktop;
+
+import com.badlogic.gdx.Gdx;
+import com.badlogic.gdx.Input;
+import com.badlogic.gdx.ScreenAdapter;
+import com.badlogic.gdx.graphics.Color;
+import com.badlogic.gdx.graphics.Pixmap;
+import com.badlogic.gdx.graphics.Texture;
+import com.badlogic.gdx.graphics.g2d.NinePatch;
+import com.badlogic.gdx.scenes.scene2d.Actor;
+import com.badlogic.gdx.scenes.scene2d.InputEvent;
+import com.badlogic.gdx.scenes.scene2d.InputListener;
+import com.badlogic.gdx.scenes.scene2d.Stage;
+import com.badlogic.gdx.scenes.scene2d.ui.Label;
+import com.badlogic.gdx.scenes.scene2d.ui.Table;
+import com.badlogic.gdx.scenes.scene2d.ui.TextButton;
+import com.badlogic.gdx.scenes.scene2d.ui.TextField;
+import com.badlogic.gdx.scenes.scene2d.utils.ChangeListener;
+import com.badlogic.gdx.scenes.scene2d.utils.Drawable;
+import com.badlogic.gdx.scenes.scene2d.utils.NinePatchDrawable;
+import com.badlogic.gdx.utils.Align;
+import com.badlogic.gdx.utils.Array;
+import com.badlogic.gdx.utils.Disposable;
+import com.badlogic.gdx.utils.ScreenUtils;
+import com.badlogic.gdx.utils.viewport.ScreenViewport;
+
+/** Asks where to play and as whom, and shows why the last attempt failed. Render thread only. */
+final class ConnectScreen extends ScreenAdapter {
+  /** Receives what the player entered, checked for form only. */
+  interface Target {
+    void connect(String host, int tcpPort, int udpPort, String name);
+  }
+
+  private static final int MAX_NAME_LENGTH = 16;
+
+  private final Stage stage = new Stage(new ScreenViewport());
+  private final Array<Disposable> owned = new Array<>();
+  private final Fonts fonts;
+  private final Target target;
+  private final TextField name;
+  private final TextField host;
+  private final TextField tcpPort;
+  private final TextField udpPort;
+  private final Label message;
+
+  ConnectScreen(Fonts fonts, Target target, String host, int tcpPort, int udpPort, String name) {
+    this.fonts = fonts;
+    this.target = target;
+    this.name = field(name, MAX_NAME_LENGTH);
+    this.host = field(host, 255);
+    this.tcpPort = field(Integer.toString(tcpPort), 5);
+    this.udpPort = field(Integer.toString(udpPort), 5);
+    this.message = new Label("", new Label.LabelStyle(fonts.text, Theme.BAD));
+    message.setWrap(true);
+    message.setAlignment(Align.center);
+    lay();
+  }
+
+  /** Shows why the player is here again, in words for a player; an empty text shows nothing. */
+  void message(String text) {
+    message.setText(text);
+  }
+
+  private void lay() {
+    Label.LabelStyle muted = new Label.LabelStyle(fonts.text, Theme.MUTED);
+    TextButton.TextButtonStyle style = new TextButton.TextButtonStyle();
+    style.font = fonts.large;
+    style.fontColor = Theme.BACKDROP;
+    style.up = panel(Theme.ACCENT, Theme.ACCENT);
+    style.over = panel(Theme.rgb(0xffc56b), Theme.rgb(0xffc56b));
+    style.down = panel(Theme.rgb(0xd9942c), Theme.rgb(0xd9942c));
+    TextButton join = new TextButton("Join", style);
+    join.addListener(
+        new ChangeListener() {
+          @Override
+          public void changed(ChangeEvent event, Actor actor) {
+            submit();
+          }
+        });
+
+    Table form = new Table();
+    form.setBackground(panel(Theme.PANEL, Theme.PANEL_LINE));
+    form.pad(28).defaults().space(12);
+    form.add(new Label("Your name", muted)).left();
+    form.add(name).width(300).height(40).colspan(3).row();
+    form.add(new Label("Server", muted)).left();
+    form.add(host).width(300).height(40).colspan(3).row();
+    form.add(new Label("Ports", muted)).left();
+    Table ports = new Table();
+    ports.add(new Label("TCP", muted)).padRight(8);
+    ports.add(tcpPort).width(96).height(40).padRight(16);
+    ports.add(new Label("UDP", muted)).padRight(8);
+    ports.add(udpPort).width(96).height(40);
+    form.add(ports).left().colspan(3).row();
+    form.add(join).colspan(4).height(52).fillX().padTop(10).row();
+    form.add(message).colspan(4).width(420).minHeight(44);
+
+    Table root = new Table();
+    root.setFillParent(true);
+    root.add(new Label("CAROM", new Label.LabelStyle(fonts.title, Theme.TEXT))).row();
+    root.add(new Label("multiplayer physics", muted)).padBottom(26).row();
+    root.add(form).row();
+    root.add(
+            new Label(
+                "Enter joins    Tab next field    Esc quits",
+                new Label.LabelStyle(fonts.small, Theme.MUTED)))
+        .padTop(18);
+    stage.addActor(root);
+    stage.addListener(
+        new InputListener() {
+          @Override
+          public boolean keyDown(InputEvent event, int key) {
+            if (key == Input.Keys.ENTER || key == Input.Keys.NUMPAD_ENTER) {
+              submit();
+            } else if (key == Input.Keys.ESCAPE) {
+              Gdx.app.exit();
+            }
+            return false;
+          }
+        });
+  }
+
+  private void submit() {
+    String player = name.getText().strip();
+    String server = host.getText().strip();
+    int tcp = port(tcpPort.getText());
+    int udp = port(udpPort.getText());
+    if (player.isEmpty()) {
+      message("Enter a name of 1 to " + MAX_NAME_LENGTH + " letters.");
+    } else if (server.isEmpty()) {
+      message("Enter the server's name or address, for instance localhost.");
+    } else if (tcp == 0 || udp == 0) {
+      message(
+          "A port is a number from 1 to 65535. The usual ones are 54555 (TCP) and 54777 (UDP).");
+    } else {
+      message("");
+      target.connect(server, tcp, udp, player);
+    }
+  }
+
+  /** The port a text names, or 0. */
+  private static int port(String text) {
+    try {
+      int port = Integer.parseInt(text.strip());
+      return port >= 1 && port <= 65_535 ? port : 0;
+    } catch (NumberFormatException notANumber) {
+      return 0;
+    }
+  }
+
+  private TextField field(String text, int maxLength) {
+    TextField.TextFieldStyle style = new TextField.TextFieldStyle();
+    style.font = fonts.text;
+    style.fontColor = Theme.TEXT;
+    style.background = panel(Theme.rgb(0x141b27), Theme.PANEL_LINE);
+    style.focusedBackground = panel(Theme.rgb(0x182234), Theme.ACCENT);
+    style.cursor = panel(Theme.ACCENT, Theme.ACCENT);
+    style.cursor.setMinWidth(2);
+    style.selection = panel(Theme.rgb(0x2f4d78), Theme.rgb(0x2f4d78));
+    TextField field = new TextField(text, style);
+    field.setMaxLength(maxLength);
+    return field;
+  }
+
+  private Drawable panel(Color fill, Color line) {
+    Pixmap pixels = new Pixmap(9, 9, Pixmap.Format.RGBA8888);
+    pixels.setBlending(Pixmap.Blending.None);
+    pixels.setColor(line);
+    pixels.fill();
+    pixels.setColor(fill);
+    pixels.fillRectangle(1, 1, 7, 7);
+    for (int corner = 0; corner < 4; corner++) {
+      pixels.drawPixel(corner % 2 * 8, corner / 2 * 8, 0);
+    }
+    Texture texture = new Texture(pixels);
+    pixels.dispose();
+    owned.add(texture);
+    NinePatchDrawable drawable = new NinePatchDrawable(new NinePatch(texture, 3, 3, 3, 3));
+    drawable.setLeftWidth(10);
+    drawable.setRightWidth(10);
+    return drawable;
+  }
+
+  @Override
+  public void show() {
+    Gdx.input.setInputProcessor(stage);
+    stage.setKeyboardFocus(name);
+    name.setCursorPosition(name.getText().length());
+  }
+
+  @Override
+  public void render(float deltaSeconds) {
+    ScreenUtils.clear(Theme.BACKDROP);
+    stage.act(deltaSeconds);
+    stage.draw();
+  }
+
+  @Override
+  public void resize(int width, int height) {
+    stage.getViewport().update(width, height, true);
+  }
+
+  @Override
+  public void dispose() {
+    stage.dispose();
+    owned.forEach(Disposable::dispose);
+  }
+}

@@ -1,0 +1,81 @@
+package carom.client.desktop;
+
+import carom.sim.Level;
+import com.badlogic.gdx.graphics.OrthographicCamera;
+import com.badlogic.gdx.math.MathUtils;
+import com.badlogic.gdx.math.Vector3;
+
+/**
+ * Which part of the level the window shows: all of it when it fits at a readable size, else a part
+ * that follows the player and stops at the level's edges. World units are metres, y up. Render
+ * thread only.
+ */
+final class ViewCamera {
+  /** Smallest height shown, in metres, when following. */
+  private static final float FOLLOW_HEIGHT_M = 16;
+
+  /** A level up to this height is always shown whole in height. */
+  private static final float WHOLE_HEIGHT_M = 30;
+
+  /** Space around a level that is shown whole, in metres. */
+  private static final float MARGIN_M = 0.6f;
+
+  /** How fast the camera closes in on the player: share of the distance per second, as a rate. */
+  private static final float FOLLOW_PER_SECOND = 6;
+
+  private final OrthographicCamera camera = new OrthographicCamera();
+  private final Vector3 scratch = new Vector3();
+  private boolean placed;
+
+  OrthographicCamera gdx() {
+    return camera;
+  }
+
+  /** Pixels per metre. */
+  float pixelsPerMetre(int screenHeight) {
+    return screenHeight / camera.viewportHeight;
+  }
+
+  /**
+   * Fits the view to the window and moves it towards the player; {@code followed} false = centre of
+   * the level.
+   */
+  void update(
+      Level.Bounds bounds,
+      boolean followed,
+      float x,
+      float y,
+      int width,
+      int height,
+      float seconds) {
+    float levelWidth = bounds.maxX() - bounds.minX() + 2 * MARGIN_M;
+    float levelHeight = bounds.maxY() - bounds.minY() + 2 * MARGIN_M;
+    float aspect = width / (float) height;
+    float whole = Math.max(levelHeight, levelWidth / aspect);
+    float shown = whole <= WHOLE_HEIGHT_M ? whole : Math.min(levelHeight, FOLLOW_HEIGHT_M);
+    camera.viewportHeight = shown;
+    camera.viewportWidth = shown * aspect;
+
+    float centerX = (bounds.minX() + bounds.maxX()) / 2;
+    float centerY = (bounds.minY() + bounds.maxY()) / 2;
+    float slackX = Math.max(0, (levelWidth - camera.viewportWidth) / 2);
+    float slackY = Math.max(0, (levelHeight - camera.viewportHeight) / 2);
+    float goalX = followed ? MathUtils.clamp(x, centerX - slackX, centerX + slackX) : centerX;
+    float goalY = followed ? MathUtils.clamp(y, centerY - slackY, centerY + slackY) : centerY;
+    float step = placed ? 1 - (float) Math.exp(-FOLLOW_PER_SECOND * seconds) : 1;
+    camera.position.x = MathUtils.lerp(camera.position.x, goalX, step);
+    camera.position.y = MathUtils.lerp(camera.position.y, goalY, step);
+    placed |= followed;
+    camera.update();
+  }
+
+  /** World position under a pixel (origin top left, as devices report it). The result is reused. */
+  Vector3 toWorld(float screenX, float screenY) {
+    return camera.unproject(scratch.set(screenX, screenY, 0));
+  }
+
+  /** Pixel (origin bottom left, as the HUD draws) of a world position. The result is reused. */
+  Vector3 toScreen(float x, float y) {
+    return camera.project(scratch.set(x, y, 0));
+  }
+}

@@ -1,0 +1,241 @@
+package carom.client.desktop;
+
+import carom.client.ClientView;
+import carom.client.ClientView.Drawn;
+import carom.game.Games;
+import carom.physics.Body;
+import carom.physics.geometry.Box;
+import carom.physics.geometry.Circle;
+import carom.physics.geometry.Convex;
+import carom.physics.geometry.Shape;
+import carom.sim.Appearance;
+import carom.sim.Archetype;
+import carom.sim.Entity;
+import carom.sim.Level;
+import carom.sim.Role;
+import carom.sim.Simulation;
+import com.badlogic.gdx.graphics.Color;
+import com.badlogic.gdx.graphics.OrthographicCamera;
+import com.badlogic.gdx.math.MathUtils;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Draws a level and everything that moves in it, in metres. Render thread only. */
+final class WorldPainter {
+  private static final float GRID_M = 2;
+  private static final float SHADOW_X_M = 0.10f;
+  private static final float SHADOW_Y_M = -0.14f;
+  private static final float EDGE_M = 0.07f;
+
+  /** Something static: it stands where the level put it. */
+  private record Scenery(Archetype archetype, float x, float y, float cos, float sin) {}
+
+  private final Canvas canvas;
+  private final ShapePainter shapes;
+  private final Color fill = new Color();
+  private final Color edge = new Color();
+  private final Color detail = new Color();
+  private final List<Scenery> scenery = new ArrayList<>();
+  private Level sceneryOf;
+
+  WorldPainter(Canvas canvas) {
+    this.canvas = canvas;
+    shapes = new ShapePainter(canvas);
+  }
+
+  /** Draws the picture of this moment. {@code seconds} runs on steadily, for what pulses. */
+  void draw(ClientView view, OrthographicCamera camera, float pixelsPerMetre, float seconds) {
+    Level level = view.level();
+    gather(level);
+    canvas.begin(camera.combined, pixelsPerMetre);
+    backdrop(level, camera);
+    for (Scenery s : scenery) {
+      shapes.pose(s.x + SHADOW_X_M, s.y + SHADOW_Y_M, s.cos, s.sin);
+      shadow(s.archetype, 1);
+    }
+    for (int i = 0; i < view.entityCount(); i++) {
+      Drawn drawn = view.entity(i);
+      pose(drawn, SHADOW_X_M, SHADOW_Y_M);
+      shadow(drawn.archetype(), drawn.alpha());
+    }
+    for (Scenery s : scenery) {
+      shapes.pose(s.x, s.y, s.cos, s.sin);
+      paint(s.archetype, 1, seconds);
+    }
+    Drawn own = view.own();
+    for (int i = 0; i < view.entityCount(); i++) {
+      Drawn drawn = view.entity(i);
+      pose(drawn, 0, 0);
+      paint(drawn.archetype(), drawn.alpha(), seconds);
+      if (drawn.archetype().appearance().look() == Appearance.Look.PLAYER) {
+        face(drawn, drawn == own, view, seconds);
+      }
+    }
+    canvas.end();
+  }
+
+  /** The statics are what the simulation makes of the level, whoever predicts or not. */
+  private void gather(Level level) {
+    if (level == sceneryOf) {
+      return;
+    }
+    sceneryOf = level;
+    scenery.clear();
+    Simulation still =
+        new Simulation(Games.create(level.gameName()), level, 0, 60, Role.PREDICTION);
+    still.world().forEachBody(this::gather);
+  }
+
+  private void gather(Body<Entity> body) {
+    if (body.user().isLevel()) {
+      scenery.add(new Scenery(body.user().archetype(), body.x(), body.y(), body.cos(), body.sin()));
+    }
+  }
+
+  private void backdrop(Level level, OrthographicCamera camera) {
+    float left = camera.position.x - camera.viewportWidth / 2;
+    float bottom = camera.position.y - camera.viewportHeight / 2;
+    canvas.gradient(
+        left,
+        bottom,
+        camera.viewportWidth,
+        camera.viewportHeight,
+        Theme.shade(level.theme().background(), 1, 1, fill),
+        Theme.shade(level.theme().sky(), 1, 1, edge));
+    Level.Bounds b = level.bounds();
+    Color grid = Theme.shade(level.theme().grid(), 1, 0.55f, fill);
+    float width = Math.max(0.02f, camera.viewportHeight / 900);
+    for (float x = MathUtils.ceil(b.minX() / GRID_M) * GRID_M; x <= b.maxX(); x += GRID_M) {
+      canvas.line(x, b.minY(), x, b.maxY(), width, grid);
+    }
+    for (float y = MathUtils.ceil(b.minY() / GRID_M) * GRID_M; y <= b.maxY(); y += GRID_M) {
+      canvas.line(b.minX(), y, b.maxX(), y, width, grid);
+    }
+    for (Level.Zone zone : level.zones()) {
+      if (zone.rgb() >= 0) {
+        zone(zone);
+      }
+    }
+  }
+
+  private void zone(Level.Zone zone) {
+    float width = zone.maxX() - zone.minX();
+    float height = zone.maxY() - zone.minY();
+    canvas.rect(zone.minX(), zone.minY(), width, height, Theme.shade(zone.rgb(), 1, 0.22f, fill));
+    Color line = Theme.shade(zone.rgb(), 1, 0.7f, fill);
+    canvas.line(zone.minX(), zone.minY(), zone.maxX(), zone.minY(), EDGE_M, line);
+    canvas.line(zone.minX(), zone.maxY(), zone.maxX(), zone.maxY(), EDGE_M, line);
+    canvas.line(zone.minX(), zone.minY(), zone.minX(), zone.maxY(), EDGE_M, line);
+    canvas.line(zone.maxX(), zone.minY(), zone.maxX(), zone.maxY(), EDGE_M, line);
+  }
+
+  private void pose(Drawn drawn, float dx, float dy) {
+    shapes.pose(
+        drawn.x() + dx, drawn.y() + dy, MathUtils.cos(drawn.angle()), MathUtils.sin(drawn.angle()));
+  }
+
+  private void shadow(Archetype archetype, float alpha) {
+    fill.set(Theme.SHADOW).a *= alpha;
+    for (Shape shape : archetype.shapes()) {
+      shapes.fill(shape, fill);
+    }
+  }
+
+  private void paint(Archetype archetype, float alpha, float seconds) {
+    Appearance look = archetype.appearance();
+    Theme.shade(look.rgb(), 1, alpha, fill);
+    Theme.shade(look.outlineRgb(), 1, alpha, edge);
+    for (Shape shape : archetype.shapes()) {
+      shapes.fill(shape, fill);
+      shapes.outline(shape, EDGE_M, edge);
+    }
+    for (Shape shape : archetype.shapes()) {
+      for (Convex part : shape.parts()) {
+        detail(look, part, alpha, seconds);
+      }
+    }
+  }
+
+  private void detail(Appearance look, Convex part, float alpha, float seconds) {
+    float radius = extent(part);
+    Theme.shade(look.rgb(), 1.35f, alpha, detail);
+    float x = shapes.worldX(0, 0);
+    float y = shapes.worldY(0, 0);
+    switch (look.look()) {
+      case BALL -> {
+        // Three spots that turn with it, so that rolling shows.
+        for (int i = 0; i < 3; i++) {
+          float angle = i * MathUtils.PI2 / 3;
+          float px = MathUtils.cos(angle) * radius * 0.55f;
+          float py = MathUtils.sin(angle) * radius * 0.55f;
+          canvas.disc(shapes.worldX(px, py), shapes.worldY(px, py), radius * 0.2f, edge);
+        }
+      }
+      case CRATE -> {
+        float h = radius * 0.62f;
+        canvas.line(
+            shapes.worldX(-h, -h),
+            shapes.worldY(-h, -h),
+            shapes.worldX(h, h),
+            shapes.worldY(h, h),
+            EDGE_M * 1.4f,
+            edge);
+        canvas.line(
+            shapes.worldX(-h, h),
+            shapes.worldY(-h, h),
+            shapes.worldX(h, -h),
+            shapes.worldY(h, -h),
+            EDGE_M * 1.4f,
+            edge);
+      }
+      case BUMPER -> {
+        float pulse = 0.55f + 0.06f * MathUtils.sin(seconds * 3 + x);
+        canvas.ring(x, y, radius * pulse, EDGE_M * 1.6f, detail);
+        canvas.disc(x, y, radius * 0.22f, detail);
+      }
+      case COIN -> canvas.ring(x, y, radius * 0.72f, EDGE_M, detail);
+      case LAMP -> canvas.disc(x, y, radius * 0.5f, detail);
+      default -> {
+        if (part instanceof Circle && look.look() == Appearance.Look.PLAIN) {
+          canvas.line(x, y, shapes.worldX(radius, 0), shapes.worldY(radius, 0), EDGE_M, edge);
+        }
+      }
+    }
+  }
+
+  /** Two eyes that look where the player goes or aims, and a halo around one's own body. */
+  private void face(Drawn drawn, boolean own, ClientView view, float seconds) {
+    float radius = extent(drawn.archetype().shapes().get(0).parts().get(0));
+    float angle = own ? view.input().aim() : drawn.angle();
+    if (!own
+        && drawn.velocityX() * drawn.velocityX() + drawn.velocityY() * drawn.velocityY() > 0.3f) {
+      angle = MathUtils.atan2(drawn.velocityY(), drawn.velocityX());
+    }
+    float cos = MathUtils.cos(angle);
+    float sin = MathUtils.sin(angle);
+    for (int side = -1; side <= 1; side += 2) {
+      float px = drawn.x() + radius * (0.42f * cos - 0.3f * side * sin);
+      float py = drawn.y() + radius * (0.42f * sin + 0.3f * side * cos);
+      canvas.disc(px, py, radius * 0.24f, Theme.shade(0xffffff, 1, drawn.alpha(), detail));
+      canvas.disc(
+          px + radius * 0.09f * cos,
+          py + radius * 0.09f * sin,
+          radius * 0.12f,
+          Theme.shade(0x10141c, 1, drawn.alpha(), detail));
+    }
+    if (own) {
+      float halo = radius * (1.28f + 0.05f * MathUtils.sin(seconds * 4));
+      canvas.ring(drawn.x(), drawn.y(), halo, EDGE_M, Theme.shade(0xffffff, 1, 0.85f, detail));
+    }
+  }
+
+  private static float extent(Convex part) {
+    if (part instanceof Circle circle) {
+      return circle.radius();
+    }
+    if (part instanceof Box box) {
+      return Math.min(box.halfWidth(), box.halfHeight());
+    }
+    return 0.4f;
+  }
+}
