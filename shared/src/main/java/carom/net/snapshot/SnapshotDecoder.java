@@ -10,12 +10,14 @@ import java.util.Arrays;
  *
  * <p>Total: any bytes give a {@link DecodeStatus}, never an exception, and a datagram counts as a
  * whole or not at all. Memory is bounded: about 2.3 KiB for each slot ever seen. One thread;
- * allocates only when a slot is seen for the first time.
+ * allocates only when a slot is seen for the first time, or when a datagram has more records than
+ * any before.
  */
 public final class SnapshotDecoder {
 
   private static final int MAX_RECORDS =
       8 * SnapshotEncoder.MAX_DATAGRAM_BYTES / RecordCodec.MIN_RECORD_BITS;
+  private static final int MIN_RECORDS = 64;
   private static final int HISTORY = FrameRing.SIZE;
   private static final int ACK_BITS = 64;
 
@@ -42,16 +44,16 @@ public final class SnapshotDecoder {
   // A datagram is read into these first and counts only when all of it was good.
   private final OwnState readOwn = new OwnState();
   private final InputFeedback readFeedback = new InputFeedback();
-  private final int[] slots = new int[MAX_RECORDS];
-  private final byte[] kinds = new byte[MAX_RECORDS];
-  private final int[] ages = new int[MAX_RECORDS];
-  private final int[] generations = new int[MAX_RECORDS];
-  private final int[] archetypes = new int[MAX_RECORDS];
-  private final int[] owners = new int[MAX_RECORDS];
-  private final Motion[] motions = new Motion[MAX_RECORDS];
+  private int[] slots = {};
+  private byte[] kinds = {};
+  private int[] ages = {};
+  private int[] generations = {};
+  private int[] archetypes = {};
+  private int[] owners = {};
+  private Motion[] motions = {};
   private final Motion scratch = new Motion();
   private int count;
-  private final int[] touchedSlots = new int[MAX_RECORDS];
+  private int[] touchedSlots = {};
   private int touched;
 
   /**
@@ -72,9 +74,7 @@ public final class SnapshotDecoder {
     for (int i = 0; i < HISTORY; i++) {
       owns[i] = new OwnState();
     }
-    for (int i = 0; i < MAX_RECORDS; i++) {
-      motions[i] = new Motion();
-    }
+    growRecords(MIN_RECORDS);
   }
 
   /**
@@ -143,6 +143,9 @@ public final class SnapshotDecoder {
       if (slot >= capacity || count == MAX_RECORDS || r.failed()) {
         return DecodeStatus.DAMAGED;
       }
+      if (count == slots.length) {
+        growRecords(2 * count);
+      }
       int kind = RecordCodec.readKind(r);
       Motion motion = motions[count];
       if (kind == RecordCodec.DELTA) {
@@ -183,6 +186,21 @@ public final class SnapshotDecoder {
     archetypes[count] = history.archetype(index);
     owners[count] = history.owner(index);
     return true;
+  }
+
+  private void growRecords(int length) {
+    int old = slots.length;
+    slots = Arrays.copyOf(slots, length);
+    kinds = Arrays.copyOf(kinds, length);
+    ages = Arrays.copyOf(ages, length);
+    generations = Arrays.copyOf(generations, length);
+    archetypes = Arrays.copyOf(archetypes, length);
+    owners = Arrays.copyOf(owners, length);
+    touchedSlots = Arrays.copyOf(touchedSlots, length);
+    motions = Arrays.copyOf(motions, length);
+    for (int i = old; i < length; i++) {
+      motions[i] = new Motion();
+    }
   }
 
   private void acknowledge(int sequence, int ahead) {

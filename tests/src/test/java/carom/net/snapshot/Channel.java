@@ -31,6 +31,7 @@ final class Channel {
   double duplicatePercent;
   double reorderPercent;
   double damagePercent;
+  int sendEvery = 1;
   int latencyTicks = 3;
   int jitterTicks;
   int budget = Integer.MAX_VALUE;
@@ -52,15 +53,21 @@ final class Channel {
   private final OwnState expectedOwn = new OwnState();
 
   Channel(Scene scene, long seed) {
+    this(scene, seed, Scene.TICK_RATE);
+  }
+
+  Channel(Scene scene, long seed, int tickRate) {
     this.scene = scene;
     dice = new Dice(seed);
     name = "seed=" + seed;
-    encoder = new SnapshotEncoder(scene.ring, KEY, Scene.TICK_RATE);
-    decoder = new SnapshotDecoder(scene.slots, KEY, scene.firstTick, Scene.TICK_RATE);
+    encoder = new SnapshotEncoder(scene.ring, KEY, tickRate);
+    decoder = new SnapshotDecoder(scene.slots, KEY, scene.firstTick, tickRate);
   }
 
   void tick() {
-    send();
+    if (scene.tick % sendEvery == 0) {
+      send();
+    }
     deliver();
     acknowledge();
   }

@@ -87,6 +87,8 @@ class SnapshotChannelTest {
     Channel channel = new Channel(new Scene(40, 0, 41), 42);
     channel.latencyTicks = 50;
     channel.jitterTicks = 20;
+    // NO_BASELINE is allowed here: what is overtaken by 20 ticks may name a state that the client
+    // has dropped.
     runAndSettle(channel, 1_500);
   }
 
@@ -141,6 +143,43 @@ class SnapshotChannelTest {
     assertTrue(channel.datagrams > 120 * 5, channel.name + " datagrams=" + channel.datagrams);
     settle(channel, 60);
     channel.checkConverged();
+  }
+
+  @Test
+  void agreesAtLowerSendRates() {
+    for (int every = 2; every <= 4; every++) {
+      Channel channel = new Channel(new Scene(100, 7, 200 + every), 300 + every);
+      channel.sendEvery = every;
+      channel.lossPercent = 10;
+      channel.jitterTicks = 5;
+      runAndSettle(channel, 1_500);
+      assertEquals(0, channel.count(DecodeStatus.NO_BASELINE), channel.name);
+    }
+  }
+
+  @Test
+  void agreesAtTheSlowestAndFastestTickRate() {
+    for (int rate : new int[] {10, 240}) {
+      Channel channel = new Channel(new Scene(50, 0, rate), rate + 1, rate);
+      channel.lossPercent = 5;
+      channel.latencyTicks = 10;
+      runAndSettle(channel, 1_000);
+      assertEquals(0, channel.count(DecodeStatus.DAMAGED), channel.name);
+    }
+  }
+
+  @Test
+  void slotsFarApartAndTheHighestAgree() {
+    Scene scene = new Scene(65_535, 0, 401);
+    scene.spawnPercent = 0;
+    for (int slot : new int[] {0, 1, 17, 18, 35, 300, 600, 5_000, 65_533, 65_534}) {
+      scene.spawn(slot);
+    }
+    Channel channel = new Channel(scene, 402);
+    run(channel, 40);
+    settle(channel, 20);
+    channel.checkConverged();
+    assertEquals(65_535, channel.decoder.slotLimit());
   }
 
   @Test

@@ -75,6 +75,26 @@ class SnapshotWireTest {
   }
 
   @Test
+  void cutsAreDamageAtEveryBit() {
+    for (int round = 0; round < 10; round++) {
+      byte[] bytes = nextDatagram();
+      int lastBit = 8 * bytes.length - 1;
+      while ((bytes[lastBit >> 3] >> (lastBit & 7) & 1) == 0) {
+        lastBit--; // the last bit of "end" is a one
+      }
+      for (int bits = 48; bits <= lastBit; bits++) {
+        byte[] cut = Arrays.copyOf(bytes, (bits + 7) >> 3);
+        if ((bits & 7) != 0) {
+          cut[cut.length - 1] &= (byte) ((1 << (bits & 7)) - 1);
+        }
+        rightCheck(cut);
+        assertEquals(DecodeStatus.DAMAGED, decoder.decode(cut, 0, cut.length), "bits=" + bits);
+      }
+      decodeAndAck(bytes);
+    }
+  }
+
+  @Test
   void everySingleFlippedBitIsFound() {
     for (int round = 0; round < 10; round++) {
       byte[] bytes = nextDatagram();
