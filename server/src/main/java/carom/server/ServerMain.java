@@ -18,7 +18,9 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.security.SecureRandom;
+import java.util.Arrays;
 import java.util.Iterator;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.slf4j.Logger;
@@ -29,6 +31,8 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
+import picocli.CommandLine.TypeConversionException;
+import picocli.CommandLine.UnmatchedArgumentException;
 
 /**
  * Starts the dedicated server.
@@ -47,8 +51,9 @@ import picocli.CommandLine.Spec;
     description = {"Runs a Carom game server: one physics world that players join.", ""},
     footer = {
       "",
-      "Prints one line on standard output when players can join: ready tcp=54555 udp=54777",
-      "Logs to standard error. Stop it with Ctrl-C or SIGTERM; players are told.",
+      "When players can join, standard output says so in one line:",
+      "    ready tcp=54555 udp=54777",
+      "The log goes to standard error. Stop with Ctrl-C or SIGTERM; players are told.",
       "Exit codes: 1 port not available or server failed, 2 bad flag or level file."
     })
 public final class ServerMain implements Callable<Integer> {
@@ -161,9 +166,27 @@ public final class ServerMain implements Callable<Integer> {
     DEBUG,
     TRACE;
 
+    static LogLevel of(String text) {
+      for (LogLevel level : values()) {
+        if (level.toString().equals(text.toLowerCase(Locale.ROOT))) {
+          return level;
+        }
+      }
+      throw new TypeConversionException("'" + text + "' is none of " + Arrays.toString(values()));
+    }
+
     @Override
     public String toString() {
       return name().toLowerCase(Locale.ROOT);
+    }
+  }
+
+  /** A setting that is understood but can't be used; the message says it all. */
+  private static final class BadSetting extends ParameterException {
+    private static final long serialVersionUID = 1;
+
+    BadSetting(CommandLine commandLine, String message) {
+      super(commandLine, message);
     }
   }
 
@@ -195,7 +218,9 @@ public final class ServerMain implements Callable<Integer> {
       System.setProperty(LOG_CONFIG_PROPERTY, LOG_CONFIG); // before the first logger
     }
     CommandLine commandLine = new CommandLine(new ServerMain());
-    commandLine.setCaseInsensitiveEnumValuesAllowed(true);
+    commandLine.registerConverter(int.class, ServerMain::wholeNumber);
+    commandLine.registerConverter(Long.class, ServerMain::longNumber);
+    commandLine.registerConverter(LogLevel.class, LogLevel::of);
     commandLine.setParameterExceptionHandler(ServerMain::explain);
     // After a signal this waits for the end of the shutdown hook, and the signal's exit code wins.
     System.exit(commandLine.execute(args));
@@ -204,10 +229,28 @@ public final class ServerMain implements Callable<Integer> {
   private static int explain(ParameterException e, String[] args) {
     PrintWriter err = e.getCommandLine().getErr();
     err.println("carom-server: " + e.getMessage());
-    CommandLine.UnmatchedArgumentException.printSuggestions(e, err);
-    err.println("Try 'carom-server --help'.");
+    if (!(e instanceof BadSetting)) {
+      UnmatchedArgumentException.printSuggestions(e, err);
+      err.println("Try 'carom-server --help'.");
+    }
     err.flush();
     return BAD_FLAG;
+  }
+
+  private static int wholeNumber(String text) {
+    long number = longNumber(text);
+    if (number != (int) number) {
+      throw new TypeConversionException("'" + text + "' is too large");
+    }
+    return (int) number;
+  }
+
+  private static long longNumber(String text) {
+    try {
+      return Long.parseLong(text);
+    } catch (NumberFormatException e) {
+      throw new TypeConversionException("'" + text + "' is not a whole number");
+    }
   }
 
   @Override
@@ -229,7 +272,7 @@ public final class ServerMain implements Callable<Integer> {
         version(),
         config.gameName(),
         chosenLevel.name(),
-        level == null ? "its default" : level,
+        level == null ? "default" : level,
         config.tickRateHz(),
         config.seed(),
         config.maxPlayers(),
@@ -305,13 +348,22 @@ public final class ServerMain implements Callable<Integer> {
         return Level.builtIn(createGame(game == null ? DEFAULT_GAME : game).defaultLevel());
       }
       Path file = Path.of(level);
-      if (!Files.exists(file) && level.matches("[a-z0-9_-]+")) {
+      if (Files.exists(file)) {
+        return Level.load(file);
+      }
+      if (builtInLevels().contains(level)) {
         return Level.builtIn(level);
       }
-      return Level.load(file);
     } catch (LevelException | InvalidPathException e) {
       throw bad("--level: " + e.getMessage());
     }
+    throw bad(
+        "--level=%s: there is no such file, and the levels that come with the program are %s"
+            .formatted(level, String.join(", ", builtInLevels())));
+  }
+
+  private static List<String> builtInLevels() {
+    return Games.names().stream().map(name -> Games.create(name).defaultLevel()).toList();
   }
 
   private Game chooseGame(Level chosenLevel) {
@@ -361,7 +413,7 @@ public final class ServerMain implements Callable<Integer> {
   }
 
   private ParameterException bad(String message) {
-    return new ParameterException(spec.commandLine(), message);
+    return new BadSetting(spec.commandLine(), message);
   }
 
   private int refuse(String message, int exitCode) {

@@ -20,6 +20,8 @@ final class StatusLine {
   private record Reading(
       long timeNs,
       long ticks,
+      long late,
+      long dropped,
       long bytesIn,
       long bytesOut,
       long datagramsIn,
@@ -29,6 +31,8 @@ final class StatusLine {
       return new Reading(
           timeNs,
           c.get(Counter.TICKS),
+          c.get(Counter.TICKS_LATE),
+          c.get(Counter.TICKS_DROPPED),
           c.get(Counter.BYTES_IN),
           c.get(Counter.SNAPSHOT_BYTES),
           c.get(Counter.DATAGRAMS_IN),
@@ -37,7 +41,7 @@ final class StatusLine {
     }
 
     static Reading zero(long timeNs) {
-      return new Reading(timeNs, 0, 0, 0, 0, 0, 0);
+      return new Reading(timeNs, 0, 0, 0, 0, 0, 0, 0, 0);
     }
   }
 
@@ -75,8 +79,8 @@ final class StatusLine {
         room.tick(),
         (to.ticks - from.ticks) / seconds,
         times,
-        counters.get(Counter.TICKS_LATE),
-        counters.get(Counter.TICKS_DROPPED),
+        to.late - from.late,
+        to.dropped - from.dropped,
         (to.bytesIn - from.bytesIn) * 8 / 1e3 / seconds,
         (to.bytesOut - from.bytesOut) * 8 / 1e3 / seconds,
         (to.datagramsOut - from.datagramsOut) / seconds,

@@ -1,0 +1,145 @@
+package carom.server;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.net.kryo.KryoClientTransport;
+import carom.net.protocol.GoodbyeReason;
+import carom.net.transport.Link;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The program as an operator starts it: a process of its own, real ports, signals, exit codes. */
+@Timeout(60)
+class ServerMainTest {
+  private static final Pattern READY = Pattern.compile("ready tcp=(\\d+) udp=(\\d+)");
+
+  @TempDir Path folder;
+  private final List<Process> started = new ArrayList<>();
+
+  @AfterEach
+  void endProcesses() {
+    started.forEach(Process::destroyForcibly);
+  }
+
+  private Process start(String... args) throws IOException {
+    List<String> command = new ArrayList<>();
+    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.addAll(List.of("-XX:TieredStopAtLevel=1", "-Dkryo.unsafe=false", "-cp"));
+    command.add(System.getProperty("java.class.path"));
+    command.add(ServerMain.class.getName());
+    command.addAll(List.of(args));
+    Process process =
+        new ProcessBuilder(command).redirectError(folder.resolve("err").toFile()).start();
+    process.getOutputStream().close(); // closed standard input must not matter
+    started.add(process);
+    return process;
+  }
+
+  private String err() throws IOException {
+    return Files.readString(folder.resolve("err"));
+  }
+
+  private static String rest(InputStream in) throws IOException {
+    return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+  }
+
+  /** Runs until the end, which must come soon; standard output must stay empty. */
+  private String fails(int exitCode, String... args) throws Exception {
+    Process process = start(args);
+    assertTrue(process.waitFor(30, TimeUnit.SECONDS), "still runs: " + List.of(args));
+    assertEquals(exitCode, process.exitValue(), err());
+    assertEquals("", rest(process.getInputStream()));
+    assertFalse(err().contains("\tat "), err());
+    return err();
+  }
+
+  @Test
+  void badFlagsGiveOneClearSentenceAndExitCode2() throws Exception {
+    assertTrue(fails(2, "--tcp-prot", "1").contains("Possible solutions: --tcp-port"), err());
+    assertTrue(fails(2, "--tcp-port", "x").contains("'x' is not a whole number"), err());
+    assertTrue(fails(2, "--udp-port", "65536").contains("--udp-port=65536 is outside"), err());
+    assertTrue(fails(2, "--game", "arean").contains("arena"), err());
+    assertTrue(fails(2, "--log-level", "loud").contains("none of [off, error"), err());
+  }
+
+  @Test
+  void brokenLevelNamesFileAndPlaceAndMissingLevelNamesThePath() throws Exception {
+    Path level = folder.resolve("broken.json");
+    Files.writeString(level, "{\n  \"name\": \"x\",\n  \"gravity\": \"down\"\n}\n");
+    String error = fails(2, "--level", level.toString());
+    assertTrue(error.contains("broken.json"), error);
+    assertTrue(fails(2, "--level", "missing.json").contains("missing.json"), err());
+  }
+
+  @Test
+  void saysReadyOnceServesPlayersAndSigtermTellsThem() throws Exception {
+    Process process = start("--tcp-port", "0", "--udp-port", "0", "--seed", "7");
+    BufferedReader out = process.inputReader(StandardCharsets.UTF_8);
+    Matcher ready = READY.matcher(String.valueOf(out.readLine()));
+    assertTrue(ready.matches(), err());
+    try (KryoClientTransport transport = new KryoClientTransport()) {
+      int tcp = Integer.parseInt(ready.group(1));
+      int udp = Integer.parseInt(ready.group(2));
+      FakeClient client = new FakeClient(transport.connect("localhost", tcp, udp));
+      boolean greeted = false;
+      for (int i = 0; i < 1_000 && (client.decoder == null || !client.decoder.hasAck()); i++) {
+        if (!greeted && client.link.state() == Link.State.OPEN) {
+          client.hello("Ann");
+          greeted = true;
+        }
+        client.step(0);
+        Thread.sleep(5);
+      }
+      assertTrue(client.ready, () -> "not in: " + client.messages);
+      assertTrue(client.decoder.hasAck());
+
+      long begin = System.nanoTime();
+      process.toHandle().destroy(); // SIGTERM; Process.destroy would close the streams as well
+      assertTrue(process.waitFor(2, TimeUnit.SECONDS), "takes longer than 2 s to stop");
+      long tookMs = (System.nanoTime() - begin) / 1_000_000;
+      for (int i = 0; i < 400 && client.goodbye == null; i++) {
+        client.step(0);
+        Thread.sleep(5);
+      }
+      assertNotNull(client.goodbye, "after " + tookMs + " ms");
+      assertEquals(GoodbyeReason.SERVER_STOPPING, client.goodbye.reason());
+    }
+    assertNull(out.readLine(), "one line on standard output");
+    assertTrue(process.exitValue() == 143 || process.exitValue() == 0, "" + process.exitValue());
+    String log = err();
+    assertTrue(log.contains("seed 7"), log);
+    assertTrue(log.contains("join: Ann as player 0"), log);
+    assertTrue(log.contains("stopped: "), log);
+    assertFalse(log.contains("WARN") || log.contains("ERROR"), log);
+  }
+
+  @Test
+  void busyPortGivesOneClearSentenceAndExitCode1() throws Exception {
+    Process first = start("--tcp-port", "0", "--udp-port", "0", "--log-level", "off");
+    Matcher ready =
+        READY.matcher(String.valueOf(first.inputReader(StandardCharsets.UTF_8).readLine()));
+    assertTrue(ready.matches(), err());
+    String tcp = ready.group(1);
+    String error = fails(1, "--tcp-port", tcp, "--udp-port", "0", "--log-level", "off");
+    assertTrue(error.contains(tcp), error);
+    assertTrue(error.contains("--tcp-port"), error);
+    assertTrue(first.isAlive());
+  }
+}
