@@ -144,7 +144,7 @@ final class ClientLink extends KryoLink {
         step(client);
       }
     } catch (Throwable x) { // such as: no file descriptors left for a selector
-      finish("can't open a connection: " + x);
+      finish("can't go on with the connection to " + remote() + ": " + x);
     } finally {
       disconnected = true;
       finish("connection lost");
@@ -239,7 +239,11 @@ final class ClientLink extends KryoLink {
     String failure = "no server answers at " + remote();
     try {
       InetAddress[] addresses = InetAddress.getAllByName(host);
+      long start = System.nanoTime();
       for (int i = 0; i < Math.min(MAX_ADDRESSES, addresses.length) && !disconnected; i++) {
+        if (i > 0 && System.nanoTime() - start > connectMillis * 1_000_000L) {
+          break;
+        }
         try {
           endpoint.connect(connectMillis, addresses[i], tcpPort, udpPort);
           return null;

@@ -6,12 +6,13 @@ import carom.net.transport.LinkCounters;
 import carom.net.transport.LinkHandler;
 import carom.net.transport.MessageCodec;
 import java.nio.ByteBuffer;
-import org.jctools.queues.SpscArrayQueue;
+import org.jctools.queues.atomic.SpscAtomicArrayQueue;
 
 /**
  * What both sides' links share: the state, and the bounded inbox between the network thread that
  * fills it and the owner's thread that polls. Datagrams travel in buffers that go back and forth,
- * so that a steady stream allocates nothing.
+ * so that a steady stream allocates nothing. JCTools' atomic queues are the ones that do without
+ * {@code sun.misc.Unsafe}.
  */
 abstract class KryoLink implements Link {
 
@@ -23,8 +24,8 @@ abstract class KryoLink implements Link {
 
   private final MessageCodec codec;
   private final LinkCounters counters = new LinkCounters();
-  private final SpscArrayQueue<Object> inbox;
-  private final SpscArrayQueue<Datagram> spare;
+  private final SpscAtomicArrayQueue<Object> inbox;
+  private final SpscAtomicArrayQueue<Datagram> spare;
   private final int maxDatagrams;
   private volatile State state = State.CONNECTING;
   private volatile String closeReason = "";
@@ -39,8 +40,8 @@ abstract class KryoLink implements Link {
   KryoLink(MessageCodec codec, int maxMessages, int maxDatagrams) {
     this.codec = codec;
     this.maxDatagrams = maxDatagrams;
-    inbox = new SpscArrayQueue<>(maxMessages + maxDatagrams);
-    spare = new SpscArrayQueue<>(maxDatagrams);
+    inbox = new SpscAtomicArrayQueue<>(maxMessages + maxDatagrams);
+    spare = new SpscAtomicArrayQueue<>(maxDatagrams);
   }
 
   /** Puts a frame on the TCP stream; false when the link can't take it, which closes the link. */

@@ -95,7 +95,7 @@ public final class KryoServerTransport implements ServerTransport {
       String protocol, int port, String flag, IOException failure) {
     String name = protocol + " port " + port;
     String text =
-        failure instanceof BindException
+        String.valueOf(failure.getMessage()).contains("in use")
             ? name + " is busy: another server is probably running; stop it, or choose another port"
             : name + " can't be opened (" + failure.getMessage() + "); choose another port";
     return new PortUnavailableException(protocol, port, text + " with " + flag, failure);

@@ -253,6 +253,7 @@ final class ServerConnection extends Connection {
       return;
     }
     registered = true;
+    network.registered(this);
     enter(Phase.CHALLENGED, now);
     challenge(now);
   }

@@ -20,7 +20,7 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
-import org.jctools.queues.SpscArrayQueue;
+import org.jctools.queues.atomic.SpscAtomicArrayQueue;
 
 /**
  * The server's network thread: drives KryoNet's server, which is never started by its own means,
@@ -42,7 +42,7 @@ final class ServerNetwork implements Runnable {
   int udpPort;
   private final Server server;
   private final SecureRandom random = new SecureRandom();
-  private final SpscArrayQueue<Link> opened;
+  private final SpscAtomicArrayQueue<Link> opened;
   private final ConcurrentLinkedQueue<ServerConnection> closing = new ConcurrentLinkedQueue<>();
   private volatile Thread thread;
   private volatile boolean stopping;
@@ -54,7 +54,7 @@ final class ServerNetwork implements Runnable {
 
   ServerNetwork(KryoLimits limits) {
     this.limits = limits;
-    opened = new SpscArrayQueue<>(Math.max(4, limits.maxConnections()));
+    opened = new SpscAtomicArrayQueue<>(Math.max(4, limits.maxConnections()));
     server =
         new Server(limits.unsentBytes(), Frame.SERVER_BUFFER_BYTES, new ServerFrames()) {
           @Override
@@ -199,7 +199,7 @@ final class ServerNetwork implements Runnable {
       connection.closeNow("connection lost");
       return false;
     }
-    connection.remote(remote.getAddress().getHostAddress() + ":" + remote.getPort());
+    connection.remote(text(remote));
     connection.addressKey = addressKey(remote.getAddress());
     int before = connections.size();
     connections.add(connection);
@@ -221,6 +221,11 @@ final class ServerNetwork implements Runnable {
     return true;
   }
 
+  private static String text(InetSocketAddress remote) {
+    String address = remote.getAddress().getHostAddress();
+    return (address.indexOf(':') < 0 ? address : "[" + address + "]") + ":" + remote.getPort();
+  }
+
   /** One household: an IPv4 address, or an IPv6 /64 network. */
   private static Object addressKey(InetAddress address) {
     if (address instanceof Inet6Address) {
@@ -237,8 +242,15 @@ final class ServerNetwork implements Runnable {
     return connection != null && connection.token == token ? connection : null;
   }
 
-  void opened(ServerConnection connection, Link link) {
+  /**
+   * The connection's UDP address is known: a second registration, such as a repeated one, means
+   * nothing.
+   */
+  void registered(ServerConnection connection) {
     pending.remove(connection.getID());
+  }
+
+  void opened(ServerConnection connection, Link link) {
     if (!connection.openLink()) {
       return;
     }

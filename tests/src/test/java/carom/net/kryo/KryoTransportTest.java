@@ -11,11 +11,18 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
+import carom.net.transport.LinkHandler;
 import java.io.IOException;
 import java.net.DatagramSocket;
 import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
@@ -137,7 +144,10 @@ final class KryoTransportTest {
               return accepted.size() == links.size()
                   && links.stream().allMatch(link -> link.state() == Link.State.OPEN);
             },
-            () -> "accepted=" + accepted.size());
+            () ->
+                "accepted="
+                    + accepted.size()
+                    + links.stream().map(link -> link.state() + link.closeReason()).toList());
         for (Link link : accepted) {
           assertTrue(link.sendDatagram(new byte[600], 0, 600));
         }
@@ -314,6 +324,72 @@ final class KryoTransportTest {
     link.poll(inbox, 10);
     assertEquals(1, inbox.closed);
     assertEquals(link.closeReason(), inbox.reason);
+  }
+
+  @Test
+  void aServerThatIsNoneOrGoesMadOnlyEndsTheLink() throws IOException {
+    byte[] registration = {0, 0, 0, 13, Frame.REGISTER_TCP, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+    List<byte[]> greetings =
+        List.of(
+            "SSH-2.0-x\r\n".getBytes(StandardCharsets.UTF_8),
+            new byte[16],
+            new byte[] {0, 0, 0, 1, 99},
+            new byte[] {0, 0, 0, 2, Frame.REGISTER_TCP, 0},
+            join(registration, new byte[] {-1, -1, -1, -1}),
+            join(registration, new byte[] {0, 0, 0, 2, Frame.MESSAGE, 0x43}),
+            join(registration, new byte[] {0, 0, 0, 3, Frame.BYE, 'n', 'o'}));
+    for (byte[] greeting : greetings) {
+      try (ServerSocket server = new ServerSocket(0);
+          KryoClientTransport clients = new KryoClientTransport(1_000)) {
+        Link link = clients.connect(Network.HOST, server.getLocalPort(), 9);
+        try (Socket socket = server.accept()) {
+          socket.getOutputStream().write(greeting);
+          eventually(() -> link.state() == Link.State.CLOSED, link::toString);
+        }
+        assertFalse(link.closeReason().isBlank());
+      }
+    }
+    eventually(() -> caromThreads() == 0, () -> "threads=" + caromThreads());
+  }
+
+  private static byte[] join(byte[] a, byte[] b) {
+    return ByteBuffer.allocate(a.length + b.length).put(a).put(b).array();
+  }
+
+  @Test
+  void aSteadyStreamOfDatagramsReusesItsBuffers() {
+    try (Network network = new Network()) {
+      Network.Pair pair = network.pair();
+      Set<byte[]> buffers = Collections.newSetFromMap(new IdentityHashMap<>());
+      int[] arrived = new int[1];
+      LinkHandler handler =
+          new LinkHandler() {
+            @Override
+            public void message(Link link, Object message) {
+              throw new AssertionError(message);
+            }
+
+            @Override
+            public void datagram(Link link, byte[] bytes, int length) {
+              buffers.add(bytes);
+              arrived[0]++;
+            }
+
+            @Override
+            public void closed(Link link, String reason) {
+              throw new AssertionError(reason);
+            }
+          };
+      byte[] payload = new byte[100];
+      for (int i = 0; i < 200; i++) {
+        int before = arrived[0];
+        pair.client.sendDatagram(payload, 0, 100);
+        eventually(
+            () -> pair.server.poll(handler, 10) > 0 || arrived[0] > before, pair.server::toString);
+      }
+      assertEquals(200, arrived[0]);
+      assertTrue(buffers.size() <= 2, "buffers=" + buffers.size());
+    }
   }
 
   @Test
