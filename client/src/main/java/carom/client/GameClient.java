@@ -402,6 +402,11 @@ public final class GameClient implements AutoCloseable {
     return view;
   }
 
+  /** What has arrived, for tests that compare it with the server's truth; null before joining. */
+  SnapshotDecoder decoder() {
+    return decoder;
+  }
+
   /** Offset of the own body's picture that is left of corrections, metres. */
   public double visualErrorMetres() {
     return prediction == null ? 0 : prediction.visualErrorMetres();
