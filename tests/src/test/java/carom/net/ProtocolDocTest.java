@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.net.kryo.KryoMessageCodec;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.ClientMessageCodec;
 import carom.net.protocol.GoodbyeReason;
@@ -11,6 +12,7 @@ import carom.net.protocol.InputDatagram;
 import carom.net.protocol.Limits;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.RefusalReason;
+import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.snapshot.Baseline;
 import carom.net.snapshot.DecodeStatus;
@@ -95,9 +97,31 @@ class ProtocolDocTest {
     golden.put("level-request", ClientMessageCodec.encode(new ClientMessage.LevelRequest(4096)));
     golden.put("ready", ClientMessageCodec.encode(new ClientMessage.Ready()));
     golden.put("leave", ClientMessageCodec.encode(new ClientMessage.Leave()));
+    serverMessages(golden);
     inputs(golden);
     snapshots(golden);
     return golden;
+  }
+
+  private static void serverMessages(Map<String, byte[]> golden) {
+    KryoMessageCodec codec = new KryoMessageCodec();
+    golden.put(
+        "welcome",
+        codec.encode(
+            new ServerMessage.Welcome(
+                0x0102030405060708L, 0x11223344, 3, 60, 1000, 42, "arena", "arena.json", -1, 300)));
+    golden.put(
+        "level-chunk", codec.encode(new ServerMessage.LevelChunk(4096, new byte[] {0x7b, 0x7d})));
+    golden.put("refused", codec.encode(new ServerMessage.Refused(RefusalReason.SERVER_FULL, "")));
+    golden.put(
+        "roster",
+        codec.encode(
+            new ServerMessage.Roster(
+                List.of(
+                    new ServerMessage.RosterEntry(0, "Zoë", -3),
+                    new ServerMessage.RosterEntry(255, "x", 300)))));
+    golden.put("notice", codec.encode(new ServerMessage.Notice("hi")));
+    golden.put("goodbye", codec.encode(new ServerMessage.Goodbye(GoodbyeReason.KICKED, "spam")));
   }
 
   private static void inputs(Map<String, byte[]> golden) {
