@@ -94,10 +94,10 @@ final class Lobby {
         work += visitor.poll();
         visitor.checkDeadline();
       } catch (RuntimeException e) {
-        LOG.error("handshake with {} failed; only this link is closed", visitor.link.remote(), e);
-        visitor.link.close("server error");
+        LOG.error("a handshake failed; only this link is closed", e);
         visitor.giveUpSeat();
         visitor.done = true;
+        partings.add(visitor.link, "server error", timeNs);
       }
       if (visitor.done) {
         visitors.remove(i);
@@ -265,7 +265,7 @@ final class Lobby {
     private void enterRoom() {
       done = true;
       if (!room.admit(new Admission(seat, link, datagramKey))) {
-        LOG.warn("{} could not enter: too many enter at once", seat);
+        LOG.warn("player {} could not enter: too many enter at once", seat.id());
         link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_ERROR, "Try again in a moment."));
         part(link, "room takes nobody");
         giveUpSeat();

@@ -40,6 +40,8 @@ final class FakeClient implements LinkHandler {
   long datagrams;
   long bytes;
   long undecodable;
+  final long[] statuses = new long[DecodeStatus.values().length];
+  Runnable onDecoded = () -> {};
 
   private final InputDatagram datagram = new InputDatagram();
   private final byte[] buffer = new byte[InputDatagram.MAX_BYTES];
@@ -122,10 +124,13 @@ final class FakeClient implements LinkHandler {
   public void datagram(Link from, byte[] content, int length) {
     datagrams++;
     bytes += length;
-    if (decoder.decode(content, 0, length) == DecodeStatus.OK) {
+    DecodeStatus status = decoder.decode(content, 0, length);
+    statuses[status.ordinal()]++;
+    if (status == DecodeStatus.OK) {
       if (decoder.hasOwn()) {
         own.set(decoder.own());
       }
+      onDecoded.run();
     } else {
       undecodable++;
     }

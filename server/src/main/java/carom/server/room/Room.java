@@ -179,8 +179,8 @@ public final class Room {
         admitOne(a, nowNs);
       } catch (RuntimeException e) {
         counters.add(Counter.SESSIONS_FAILED, 1);
-        LOG.error("player {} could not be admitted", a.seat(), e);
-        a.link().close("server error");
+        LOG.error("player {} could not be admitted", a.seat().id(), e);
+        part(a.link(), "server error", nowNs);
         if (bySeat[a.seat().id()] == null) {
           seats.vacate(a.seat());
         }
@@ -284,11 +284,7 @@ public final class Room {
   private void failSession(Session session, RuntimeException e, long nowNs) {
     counters.add(Counter.SESSIONS_FAILED, 1);
     LOG.error("session failed, {}; it is closed, the others go on", session, e);
-    try {
-      session.sayGoodbye(GoodbyeReason.SERVER_ERROR, "");
-    } catch (RuntimeException again) {
-      LOG.debug("goodbye failed too", again);
-    }
+    session.sayGoodbye(GoodbyeReason.SERVER_ERROR, "");
     remove(session, "server error", " was removed", nowNs);
   }
 
@@ -397,11 +393,7 @@ public final class Room {
     }
     closed = true;
     for (Session session : sessions) {
-      try {
-        session.sayGoodbye(reason, text);
-      } catch (RuntimeException e) {
-        LOG.debug("goodbye failed, {}", session, e);
-      }
+      session.sayGoodbye(reason, text);
       part(session.end(), reason.name(), nowNs);
     }
     for (Admission a; (a = arrivals.poll()) != null; ) {

@@ -4,6 +4,8 @@ import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import java.util.ArrayList;
 import java.util.List;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * Links whose last message was sent: they stay open for a moment, so that the message arrives, and
@@ -13,6 +15,7 @@ import java.util.List;
  * <p>One thread.
  */
 public final class PartingLinks {
+  private static final Logger LOG = LoggerFactory.getLogger(PartingLinks.class);
   private static final int MAX_POLL = 64;
   private static final LinkHandler DEAF =
       new LinkHandler() {
@@ -51,14 +54,23 @@ public final class PartingLinks {
     int closed = 0;
     for (int i = partings.size() - 1; i >= 0; i--) {
       Parting parting = partings.get(i);
-      parting.link.poll(DEAF, MAX_POLL);
-      if (parting.link.state() == Link.State.CLOSED || nowNs - parting.deadlineNs >= 0) {
+      if (nowNs - parting.deadlineNs >= 0 || isOver(parting.link)) {
         close(parting);
         partings.remove(i);
         closed++;
       }
     }
     return closed;
+  }
+
+  private static boolean isOver(Link link) {
+    try {
+      link.poll(DEAF, MAX_POLL);
+      return link.state() == Link.State.CLOSED;
+    } catch (RuntimeException e) {
+      LOG.debug("a parting link failed", e);
+      return true;
+    }
   }
 
   /** Whether no link lingers. */
@@ -73,6 +85,10 @@ public final class PartingLinks {
   }
 
   private static void close(Parting parting) {
-    parting.link.close(parting.reason);
+    try {
+      parting.link.close(parting.reason);
+    } catch (RuntimeException e) {
+      LOG.debug("a parting link could not be closed", e);
+    }
   }
 }

@@ -18,6 +18,8 @@ import carom.server.metrics.Counters;
 import carom.server.replication.SnapshotSender;
 import carom.sim.Entity;
 import carom.sim.Player;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * One player in a room: the state of the session, its link while there is one, its input buffer and
@@ -33,6 +35,7 @@ public final class Session implements LinkHandler {
   /** Most messages and datagrams taken from one link per poll; the rest waits for the next. */
   public static final int MAX_POLL = 64;
 
+  private static final Logger LOG = LoggerFactory.getLogger(Session.class);
   private static final long NS_PER_MS = 1_000_000;
   private static final int MAX_HOLD_MS = 255;
   private static final int MIN_MARGIN = -32;
@@ -263,9 +266,13 @@ public final class Session implements LinkHandler {
     return link != null && link.send(message);
   }
 
-  /** Sends the last message and gives the link away for its parting, unless there is none. */
+  /** Sends the last message if the link still takes one; the session ends either way. */
   public void sayGoodbye(GoodbyeReason reason, String text) {
-    send(new ServerMessage.Goodbye(reason, text));
+    try {
+      send(new ServerMessage.Goodbye(reason, text));
+    } catch (RuntimeException e) {
+      LOG.debug("no goodbye for {}", this, e);
+    }
   }
 
   /** The place in the room: id, name, secret. */
