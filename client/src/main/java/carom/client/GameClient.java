@@ -269,7 +269,7 @@ public final class GameClient implements AutoCloseable {
     if (tick > snapshotTick) {
       snapshotTick = tick;
       stats.snapshot(nowNs);
-      renderClock.snapshot(tick, nowNs);
+      renderClock.snapshot(tick, nowNs, decoder.touchedCount() == 0);
       if (!clock.started()) {
         clock.start(nowNs, tick, connection.roundTripNs());
         view.tick = clock.tick();

@@ -46,6 +46,28 @@ final class PredictionScenarioTest {
           "shape": {"type": "polygon", "points": [[-1, -1], [1, -1], [0, 1]]}}]}
       """;
 
+  private static final String STAIRS =
+      """
+      {"name": "stairs", "game": "platformer", "gravity": [0, -26],
+       "bounds": {"min": [-20, -6], "max": [20, 14]},
+       "materials": {"ground": {"friction": 0.7}},
+       "spawns": [{"name": "player", "at": [0, 1.5]}, {"name": "flag", "at": [-19, 13]}],
+       "zones": [],
+       "statics": [
+         {"name": "ground", "at": [0, -0.5], "material": "ground",
+          "shape": {"type": "box", "width": 30, "height": 1}},
+         {"name": "wall", "at": [-14, 4], "material": "ground",
+          "shape": {"type": "box", "width": 1, "height": 10}},
+         {"name": "wall", "at": [14, 4], "material": "ground",
+          "shape": {"type": "box", "width": 1, "height": 10}},
+         {"name": "step", "at": [5, 0.4], "material": "ground",
+          "shape": {"type": "box", "width": 4, "height": 0.8}},
+         {"name": "shelf", "at": [-5, 2.5], "material": "ground", "oneWay": true,
+          "shape": {"type": "box", "width": 5, "height": 0.3}},
+         {"name": "ramp", "at": [9, 0], "material": "ground",
+          "shape": {"type": "polygon", "points": [[-1, 0], [3, 0], [3, 1.5]]}}]}
+      """;
+
   private final InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
   private long now = MS;
   private ScriptedServer server;
@@ -103,6 +125,27 @@ final class PredictionScenarioTest {
           client.stats().corrections() - before <= missing,
           "corrections=" + (client.stats().corrections() - before) + " missing=" + missing);
       assertTrue(missing < 20, "inputs that came too late: " + missing + " with " + bad);
+      client.close();
+    }
+  }
+
+  @Test
+  void runningAndJumpingOnStaticGroundIsExactToTheBit() throws Exception {
+    Level stairs = Level.parse("stairs.json", STAIRS.getBytes(StandardCharsets.UTF_8));
+    for (int seed = 0; seed < 4; seed++) {
+      Impairment bad = Impairment.NONE.withSeed(seed).withLatency(60, 8).withLoss(seed);
+      start(stairs, bad, wanderer(seed));
+      double highest = 0;
+      for (int i = 0; i < 200; i++) {
+        run(0.1);
+        highest = Math.max(highest, client.view().own() == null ? 0 : client.view().own().y());
+      }
+      String what = "seed " + seed;
+      assertTrue(highest > 2, what + ": it jumped, highest=" + highest);
+      assertTrue(client.stats().compared() > 800, what);
+      assertTrue(server.guests.get(server.guests.size() - 1).missing <= 10, what);
+      assertEquals(0, client.stats().corrections(), what);
+      assertEquals(1, client.stats().exactRate(), what);
       client.close();
     }
   }

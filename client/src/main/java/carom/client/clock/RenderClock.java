@@ -37,6 +37,7 @@ public final class RenderClock {
   private long originNs;
   private long nowNs;
   private int newest;
+  private boolean lastQuiet;
   private int samples;
   private double mean;
   private double lateness;
@@ -72,8 +73,10 @@ public final class RenderClock {
    *
    * @param tick server tick of the snapshot
    * @param arrivalNs when it came
+   * @param quiet whether nothing moved in it: a server that has nothing to tell sends less often,
+   *     and that says nothing about how often it sends when something moves
    */
-  public void snapshot(int tick, long arrivalNs) {
+  public void snapshot(int tick, long arrivalNs, boolean quiet) {
     if (!started) {
       started = true;
       originNs = arrivalNs;
@@ -100,8 +103,11 @@ public final class RenderClock {
       lateness = Math.max(0, mean - sorted[(int) (count * 0.05)]);
     }
     if (tick > newest) {
-      noteInterval(tick - newest);
+      if (!quiet && !lastQuiet) {
+        noteInterval(tick - newest);
+      }
       newest = tick;
+      lastQuiet = quiet;
     }
   }
 

@@ -14,7 +14,7 @@ final class RenderClockTest {
     RenderClock clock = new RenderClock(60);
     for (int tick = 0; tick < 600; tick++) {
       long now = (long) (tick * 1e9 / 60);
-      clock.snapshot(tick, now);
+      clock.snapshot(tick, now, false);
       clock.advance(now);
     }
     assertEquals(2, clock.delayTicks(), 0.05);
@@ -25,10 +25,20 @@ final class RenderClockTest {
   void learnsTheSendInterval() {
     RenderClock clock = new RenderClock(60);
     for (int tick = 0; tick < 600; tick += 3) {
-      clock.snapshot(tick, (long) (tick * 1e9 / 60));
+      clock.snapshot(tick, (long) (tick * 1e9 / 60), false);
     }
     assertEquals(3, clock.intervalTicks());
     assertEquals(6, clock.delayTicks(), 0.1);
+  }
+
+  @Test
+  void aQuietServerIsNotASlowOne() {
+    RenderClock clock = new RenderClock(60);
+    for (int tick = 0; tick < 1_200; tick += 12) {
+      clock.snapshot(tick, (long) (tick * 1e9 / 60), true);
+    }
+    assertEquals(1, clock.intervalTicks());
+    assertEquals(2, clock.delayTicks(), 0.1);
   }
 
   @Test
@@ -51,7 +61,7 @@ final class RenderClockTest {
           taken[tick] = true;
           if (tick > newest) {
             newest = tick;
-            clock.snapshot(tick, now);
+            clock.snapshot(tick, now, false);
           }
         }
       }
@@ -71,13 +81,13 @@ final class RenderClockTest {
   void startsAnewAfterABlackout() {
     RenderClock clock = new RenderClock(60);
     for (int tick = 0; tick < 120; tick++) {
-      clock.snapshot(tick, (long) (tick * 1e9 / 60));
+      clock.snapshot(tick, (long) (tick * 1e9 / 60), false);
       clock.advance((long) (tick * 1e9 / 60));
     }
     long gap = 30_000L * MS; // the server stood still meanwhile
     for (int tick = 120; tick < 240; tick++) {
       long now = gap + (long) (tick * 1e9 / 60);
-      clock.snapshot(tick, now);
+      clock.snapshot(tick, now, false);
       clock.advance(now);
     }
     assertEquals(239 - clock.delayTicks(), clock.tick(), 1);

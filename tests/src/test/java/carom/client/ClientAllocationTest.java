@@ -1,0 +1,50 @@
+package carom.client;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.client.bots.Bot;
+import carom.net.kryo.KryoMessageCodec;
+import carom.net.transport.InProcessNetwork;
+import carom.sim.Level;
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import org.junit.jupiter.api.Test;
+
+/** A hundred bots in a process are cheap only if a frame makes no garbage. */
+final class ClientAllocationTest {
+  private static final int WARM_UP_FRAMES = 3_000;
+  private static final int FRAMES = 3_000;
+
+  @Test
+  void aSteadyFrameAllocatesNextToNothing() throws Exception {
+    for (PredictionMode mode : PredictionMode.values()) {
+      InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
+      ScriptedServer server = new ScriptedServer(network.server(), Level.builtIn("arena"));
+      GameClient client =
+          new GameClient(
+              ClientConfig.of("a").withServer("memory", 0, 0).withPrediction(mode),
+              network.client(),
+              new Bot(1));
+      ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+      long id = Thread.currentThread().getId();
+      long now = 1_000_000;
+      long allocated = 0;
+      for (int frame = 0; frame < WARM_UP_FRAMES + FRAMES; frame++) {
+        now += ScriptedServer.TICK_NS;
+        server.tick(now);
+        long before = threads.getThreadAllocatedBytes(id);
+        client.update(now);
+        int drawn = client.view().entityCount();
+        if (frame >= WARM_UP_FRAMES) {
+          allocated += threads.getThreadAllocatedBytes(id) - before;
+          assertTrue(drawn > 20, "drawn=" + drawn);
+        }
+      }
+      // A body that comes near gets a mirror with a history of its own: about 4 KiB, now and then.
+      long limit = mode == PredictionMode.NONE ? 16 : 1_024;
+      assertTrue(
+          allocated / FRAMES <= limit,
+          "bytes per frame=" + allocated / FRAMES + " limit=" + limit + " prediction=" + mode);
+    }
+  }
+}
