@@ -4,6 +4,7 @@ import carom.physics.Body;
 import carom.physics.BodyContactVisitor;
 import carom.physics.BodyType;
 import carom.physics.Material;
+import carom.physics.WorldDef;
 import carom.physics.geometry.Circle;
 import carom.physics.math.Trig;
 import carom.sim.Appearance;
@@ -54,7 +55,8 @@ public final class ArenaGame implements Game {
   private static final float BALL_MAX_SPEED = 32;
   private static final float KICK_OFF_SECONDS = 2;
   private static final float INTERMISSION_SECONDS = 6;
-  private static final float STUCK_SECONDS = 12;
+  private static final float STUCK_SECONDS = 6;
+  private static final float STUCK_RADIUS = 1.5f;
   private static final int MAX_BALLS = 4;
   private static final int TEAMS = 2;
   private static final String[] TEAM_NAMES = {"", "Red", "Blue"};
@@ -71,12 +73,14 @@ public final class ArenaGame implements Game {
   private static final int GOALS = 0; // + team
   private static final int PAUSE = 3; // ticks until the next match
   private static final int BALLS = 4; // + ball * BALL_INTS
-  private static final int BALL_INTS = 5;
+  private static final int BALL_INTS = 7;
   private static final int BALL_ENTITY = 0; // id + 1, 0 = not in play
   private static final int BALL_WAIT = 1; // ticks until it is in play again
   private static final int BALL_TOUCHED = 2; // player id + 1
   private static final int BALL_TOUCHED_BEFORE = 3;
-  private static final int BALL_IDLE = 4; // ticks without moving
+  private static final int BALL_IDLE = 4; // ticks spent around one place
+  private static final int BALL_PLACE_X = 5; // float bits
+  private static final int BALL_PLACE_Y = 6;
   private static final int LAMPS = BALLS + MAX_BALLS * BALL_INTS; // entity id + 1
 
   private final Archetype[] discs = new Archetype[TEAMS + 1];
@@ -109,6 +113,12 @@ public final class ArenaGame implements Game {
   @Override
   public int memorySize(Level level) {
     return LAMPS + TEAMS * GOALS_TO_WIN;
+  }
+
+  @Override
+  public WorldDef world(Level level) {
+    // Seen half a tick ahead, a hard shot ends at the wall and not inside it.
+    return Game.super.world(level).withSpeculativeDistance(BALL_MAX_SPEED / 120);
   }
 
   @Override
@@ -283,15 +293,28 @@ public final class ArenaGame implements Game {
         return;
       }
     }
-    Level.Spawn spot = kickOffs.get(i % kickOffs.size());
-    float dx = body.x() - spot.x();
-    float dy = body.y() - spot.y();
-    int idle = speed2 < 0.25f && dx * dx + dy * dy > 9 ? ball(s, i, BALL_IDLE) + 1 : 0;
-    ball(s, i, BALL_IDLE, idle);
+    int idle = idle(s, i, body);
     if (idle > s.ticks(STUCK_SECONDS) || !s.level().bounds().contains(body.x(), body.y())) {
       removeBall(s, i, e);
       s.notice("The ball is back in the middle");
     }
+  }
+
+  /** For how many ticks players have failed to get the ball away from one place. */
+  private int idle(Simulation s, int i, Body<Entity> body) {
+    Level.Spawn spot = kickOffs.get(i % kickOffs.size());
+    float dx = body.x() - Float.intBitsToFloat(ball(s, i, BALL_PLACE_X));
+    float dy = body.y() - Float.intBitsToFloat(ball(s, i, BALL_PLACE_Y));
+    boolean moved = dx * dx + dy * dy > STUCK_RADIUS * STUCK_RADIUS;
+    boolean waits = body.x() == spot.x() && body.y() == spot.y();
+    if (moved || waits) {
+      ball(s, i, BALL_PLACE_X, Float.floatToIntBits(body.x()));
+      ball(s, i, BALL_PLACE_Y, Float.floatToIntBits(body.y()));
+      ball(s, i, BALL_IDLE, 0);
+    } else {
+      ball(s, i, BALL_IDLE, ball(s, i, BALL_IDLE) + 1);
+    }
+    return ball(s, i, BALL_IDLE);
   }
 
   private void touched(Body<Entity> other, float normalX, float normalY, float impulse) {

@@ -182,6 +182,17 @@ public final class Collision<T> {
   }
 
   /**
+   * Impulse along the normal that the point carries over from the step before, with which this step
+   * starts: above 0 in pre-solve when the contact has been holding something.
+   *
+   * @param i below {@link #pointCount}
+   * @return N s per substep, not negative; 0 for a new point and after a veto
+   */
+  public float warmImpulse(int i) {
+    return table.warmImpulse(row, check(i));
+  }
+
+  /**
    * Impulse of the step by friction, along the normal turned left, on the other body.
    *
    * @param i below {@link #pointCount}

@@ -1,6 +1,5 @@
 package carom.sim;
 
-import carom.physics.Body;
 import carom.physics.Collision;
 
 /**
@@ -30,35 +29,27 @@ public final class OneWay {
    */
   public static boolean responds(Simulation s, Collision<Entity> c) {
     if (c.other().user().archetype().oneWay()) {
-      return holds(s, c, c.other(), c.self(), -c.normalX(), -c.normalY());
+      return holds(s, c, -c.normalY());
     }
     if (c.self().user().archetype().oneWay()) {
-      return holds(s, c, c.self(), c.other(), c.normalX(), c.normalY());
+      return holds(s, c, c.normalY());
     }
     return true;
   }
 
-  /** The normal points from the platform to the rider. */
-  private static boolean holds(
-      Simulation s,
-      Collision<Entity> c,
-      Body<Entity> platform,
-      Body<Entity> rider,
-      float nx,
-      float ny) {
-    if (ny < MIN_UP) {
+  /** Up is the upward part of the normal from the platform to the rider. */
+  private static boolean holds(Simulation s, Collision<Entity> c, float up) {
+    if (up < MIN_UP) {
       return false;
     }
-    float depth = 0;
+    boolean shallow = true;
     for (int i = 0; i < c.pointCount(); i++) {
-      if (c.normalImpulse(i) > 0) {
+      if (c.warmImpulse(i) > 0) {
         return true;
       }
-      depth = Math.max(depth, -c.separation(i));
+      float fallen = Math.max(0, -c.normalSpeed(i)) * s.tickSeconds();
+      shallow &= -c.separation(i) <= TOLERANCE + fallen;
     }
-    float closing =
-        (platform.velocityX() - rider.velocityX()) * nx
-            + (platform.velocityY() - rider.velocityY()) * ny;
-    return depth <= TOLERANCE + Math.max(0, closing) * s.tickSeconds();
+    return shallow;
   }
 }

@@ -230,6 +230,17 @@ public final class ContactTable {
     return point == 0 ? slide0[row] : slide1[row];
   }
 
+  /**
+   * Impulse along the normal with which the next substep starts.
+   *
+   * @param row which
+   * @param point 0 or 1
+   * @return N s
+   */
+  public float warmImpulse(int row, int point) {
+    return point == 0 ? normal0[row] : normal1[row];
+  }
+
   /** Takes the manifold of this step, handing each point the impulses of its predecessor. */
   void update(int row, Manifold m) {
     float oldNormal0 = normal0[row];

@@ -1,0 +1,229 @@
+package carom.game;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNotSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.physics.Body;
+import carom.sim.Entity;
+import carom.sim.Level;
+import carom.sim.LevelException;
+import carom.sim.Player;
+import carom.sim.Role;
+import carom.sim.SimState;
+import carom.sim.Simulation;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What every game that ships must do. */
+class GamesTest {
+  static Simulation start(String game, long seed, Role role) {
+    try {
+      Level level = Level.builtIn(Games.create(game).defaultLevel());
+      return new Simulation(Games.create(game), level, seed, 60, role);
+    } catch (LevelException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  @Test
+  void findsGamesByName() {
+    assertTrue(Games.names().containsAll(List.of("arena", "platformer")));
+    assertEquals("arena", Games.create(Games.DEFAULT).name());
+    assertNotSame(Games.create("arena"), Games.create("arena"));
+    IllegalArgumentException e =
+        assertThrows(IllegalArgumentException.class, () -> Games.create("areno"));
+    assertTrue(e.getMessage().contains("did you mean \"arena\"?"), e.getMessage());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"arena", "platformer"})
+  void equalInputsGiveEqualHashes(String game) {
+    List<Long> first = hashes(game, 11);
+    assertEquals(first, hashes(game, 11));
+    assertNotEquals(first, hashes(game, 12));
+  }
+
+  private static List<Long> hashes(String game, long seed) {
+    Simulation s = start(game, seed, Role.AUTHORITY);
+    List<Long> hashes = new ArrayList<>();
+    for (int i = 0; i < 12; i++) {
+      s.join("bot " + i);
+    }
+    for (int tick = 0; tick < 600; tick++) {
+      if (tick == 200) {
+        s.leave(s.player(3));
+      }
+      if (tick == 260) {
+        s.join("late");
+      }
+      Bots.wander(s, seed);
+      s.step();
+      hashes.add(s.stateHash());
+    }
+    return hashes;
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"arena", "platformer"})
+  void continuesBitByBitAfterRestore(String game) {
+    Simulation s = start(game, 5, Role.AUTHORITY);
+    for (int i = 0; i < 8; i++) {
+      s.join("bot " + i);
+    }
+    run(s, 5, 200);
+    SimState saved = s.save(null);
+    long then = s.stateHash();
+    run(s, 5, 40);
+    s.leave(s.player(2));
+    s.join("somebody else");
+    run(s, 5, 160);
+    long later = s.stateHash();
+
+    for (int again = 0; again < 2; again++) {
+      s.restore(saved);
+      assertEquals(then, s.stateHash());
+      run(s, 5, 40);
+      s.leave(s.player(2));
+      s.join("somebody else");
+      run(s, 5, 160);
+      assertEquals(later, s.stateHash());
+    }
+    assertEquals(200, saved.tick());
+  }
+
+  private static void run(Simulation s, long seed, int ticks) {
+    for (int i = 0; i < ticks; i++) {
+      Bots.wander(s, seed);
+      s.step();
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"arena", "platformer"})
+  void fiftyPlayersAtOnceStayInTheField(String game) {
+    Simulation s = start(game, 9, Role.AUTHORITY);
+    for (int i = 0; i < 50; i++) {
+      s.join("bot " + i);
+    }
+    Level.Bounds b = s.level().bounds();
+    for (int tick = 0; tick < 900; tick++) {
+      Bots.wander(s, 9);
+      s.step();
+      for (int id = 0; id < s.entityCapacity(); id++) {
+        Entity e = s.entity(id);
+        if (e == null) {
+          continue;
+        }
+        Body<Entity> body = e.body();
+        float all = body.x() + body.y() + body.velocityX() + body.velocityY() + body.cos();
+        assertTrue(Float.isFinite(all), "seed 9 tick " + tick + " " + e);
+        boolean inside =
+            body.x() > b.minX() - 2
+                && body.x() < b.maxX() + 2
+                && body.y() > b.minY() - 2
+                && body.y() < b.maxY() + 30;
+        assertTrue(inside, "seed 9 tick " + tick + " " + e + " " + body.x() + "," + body.y());
+      }
+    }
+    int alive = 0;
+    for (int i = 0; i < 50; i++) {
+      alive += s.player(i).body() == null ? 0 : 1;
+    }
+    assertTrue(alive > 25, "alive=" + alive);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"arena", "platformer"})
+  void joiningAndLeavingLeavesNothingBehind(String game) {
+    Simulation s = start(game, 3, Role.AUTHORITY);
+    run(s, 3, 10);
+    int before = s.entityCount();
+    for (int round = 0; round < 3; round++) {
+      for (int i = 0; i < 30; i++) {
+        Player p = s.join("guest " + i);
+        assertEquals(i, p.id());
+        assertEquals(p.body(), s.entity(p.body().id()));
+      }
+      run(s, 3, 5);
+      for (int i = 29; i >= 0; i--) {
+        Entity body = s.player(i).body();
+        s.leave(s.player(i));
+        assertFalse(body.body().isValid());
+      }
+      assertEquals(0, s.playerCapacity());
+    }
+    int extra = s.entityCount() - before;
+    assertTrue(extra >= -8 && extra <= 4, "balls may come, coins may go, but extra=" + extra);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"arena", "platformer"})
+  void predictionMovesALonePlayerLikeTheServer(String game) {
+    Simulation server = start(game, 1, Role.AUTHORITY);
+    Simulation client = start(game, 1, Role.PREDICTION);
+    run(server, 1, 3); // the arena's ball has come
+    Player p = server.join("alone");
+    Player mirror = client.joinAs(p.id(), "alone");
+    mirror(server, client, mirror);
+    for (int tick = 1; tick <= 120; tick++) {
+      Bots.wander(server, 4);
+      p.input().move(p.input().moveX() * 0.3f, p.input().moveY() * 0.3f);
+      mirror.input().set(p.input());
+      server.step();
+      client.step();
+      if (server.entityCount() != client.entityCount()) {
+        break; // a coin was collected: only the server knows
+      }
+      assertSamePose(p.body().body(), mirror.body().body(), "tick " + tick);
+      for (int i = 0; i < Player.MEMORY_SIZE; i++) {
+        assertEquals(p.memory()[i], mirror.memory()[i]);
+      }
+    }
+    assertTrue(client.tick() > 20);
+  }
+
+  private static void mirror(Simulation server, Simulation client, Player player) {
+    client.tick(server.tick());
+    for (int id = 0; id < server.entityCapacity(); id++) {
+      Entity e = server.entity(id);
+      if (e != null) {
+        Body<Entity> from = e.body();
+        Body<Entity> to =
+            client
+                .spawnAs(
+                    id,
+                    e.generation(),
+                    client.archetypes().get(e.archetype().index()),
+                    from.x(),
+                    from.y(),
+                    from.angle(),
+                    e.ownerId())
+                .body();
+        to.setCenterPose(from.centerX(), from.centerY(), from.cos(), from.sin());
+      }
+    }
+    assertEquals(server.statics().size(), client.statics().size());
+    assertEquals(server.player(player.id()).body().id(), player.body().id());
+  }
+
+  private static void assertSamePose(Body<Entity> a, Body<Entity> b, String when) {
+    assertEquals(bits(a.centerX()), bits(b.centerX()), when);
+    assertEquals(bits(a.centerY()), bits(b.centerY()), when);
+    assertEquals(bits(a.cos()), bits(b.cos()), when);
+    assertEquals(bits(a.sin()), bits(b.sin()), when);
+    assertEquals(bits(a.velocityX()), bits(b.velocityX()), when);
+    assertEquals(bits(a.velocityY()), bits(b.velocityY()), when);
+    assertEquals(bits(a.angularVelocity()), bits(b.angularVelocity()), when);
+  }
+
+  private static int bits(float value) {
+    return Float.floatToIntBits(value);
+  }
+}

@@ -1,0 +1,131 @@
+package carom.sim;
+
+import java.io.InputStream;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+
+/** As much of JSON Schema as {@code level.schema.json} uses; an unknown keyword is an error. */
+final class SchemaChecker {
+  private final Json root;
+
+  private SchemaChecker(Json root) {
+    this.root = root;
+  }
+
+  static SchemaChecker levels() throws Exception {
+    try (InputStream in = Level.class.getResourceAsStream("/levels/level.schema.json")) {
+      return new SchemaChecker(Json.parse("level.schema.json", in.readAllBytes()));
+    }
+  }
+
+  /** The fields of a definition in order; null for the file itself. */
+  List<String> fields(String definition) {
+    Json node = definition == null ? root : root.fields.get("$defs").fields.get(definition);
+    return new ArrayList<>(node.fields.get("properties").fields.keySet());
+  }
+
+  List<String> words(String definition) {
+    List<String> words = new ArrayList<>();
+    for (Json word : root.fields.get("$defs").fields.get(definition).fields.get("enum").items) {
+      words.add(word.text);
+    }
+    return words;
+  }
+
+  /** Empty when the value agrees, else the first disagreement. */
+  String check(Json value) {
+    return check(root, value);
+  }
+
+  private String check(Json schema, Json value) {
+    for (Map.Entry<String, Json> keyword : schema.fields.entrySet()) {
+      String problem = check(keyword.getKey(), keyword.getValue(), schema, value);
+      if (!problem.isEmpty()) {
+        return problem;
+      }
+    }
+    return "";
+  }
+
+  private String check(String keyword, Json rule, Json schema, Json value) {
+    boolean number = value.kind == Json.Kind.NUMBER;
+    boolean text = value.kind == Json.Kind.STRING;
+    switch (keyword) {
+      case "$schema":
+      case "$defs":
+      case "title":
+      case "description":
+        return "";
+      case "$ref":
+        return check(root.fields.get("$defs").fields.get(rule.text.substring(8)), value);
+      case "type":
+        return when(isType(rule.text, value), value, "type " + rule.text);
+      case "minimum":
+        return when(!number || value.number >= rule.number, value, keyword);
+      case "maximum":
+        return when(!number || value.number <= rule.number, value, keyword);
+      case "minLength":
+        return when(!text || value.text.length() >= rule.number, value, keyword);
+      case "maxLength":
+        return when(!text || value.text.length() <= rule.number, value, keyword);
+      case "pattern":
+        return when(!text || value.text.matches(rule.text), value, keyword);
+      case "minItems":
+        return when(value.items.size() >= rule.number, value, keyword);
+      case "maxItems":
+        return when(value.items.size() <= rule.number, value, keyword);
+      case "enum":
+        return when(rule.items.stream().anyMatch(w -> w.text.equals(value.text)), value, keyword);
+      case "anyOf":
+        return when(rule.items.stream().anyMatch(s -> check(s, value).isEmpty()), value, keyword);
+      case "required":
+        return when(
+            rule.items.stream().allMatch(f -> value.fields.containsKey(f.text)), value, keyword);
+      case "items":
+        return first(value.items, rule);
+      case "properties":
+        for (Map.Entry<String, Json> field : rule.fields.entrySet()) {
+          Json present = value.fields.get(field.getKey());
+          String problem = present == null ? "" : check(field.getValue(), present);
+          if (!problem.isEmpty()) {
+            return problem;
+          }
+        }
+        return "";
+      case "additionalProperties":
+        if (rule.kind == Json.Kind.OBJECT) {
+          return first(new ArrayList<>(value.fields.values()), rule);
+        }
+        return when(
+            schema.fields.get("properties").fields.keySet().containsAll(value.fields.keySet()),
+            value,
+            keyword);
+      default:
+        throw new AssertionError("the schema uses " + keyword + "; teach it to this class");
+    }
+  }
+
+  private String first(List<Json> values, Json schema) {
+    for (Json value : values) {
+      String problem = check(schema, value);
+      if (!problem.isEmpty()) {
+        return problem;
+      }
+    }
+    return "";
+  }
+
+  private static boolean isType(String type, Json value) {
+    switch (type) {
+      case "integer":
+        return value.kind == Json.Kind.NUMBER && value.number == Math.rint(value.number);
+      default:
+        return value.kind.name().equalsIgnoreCase(type);
+    }
+  }
+
+  private static String when(boolean agrees, Json value, String keyword) {
+    return agrees ? "" : value.path + " at line " + value.line + ": " + keyword;
+  }
+}
