@@ -170,9 +170,8 @@ final class ServerNetwork implements Runnable {
   }
 
   private void each(Consumer<ServerConnection> action) {
-    for (int i = connections.size() - 1;
-        i >= 0;
-        i--) { // backwards: an action may remove its connection
+    // Backwards, because an action may remove its connection.
+    for (int i = connections.size() - 1; i >= 0; i--) {
       try {
         action.accept(connections.get(i));
       } catch (RuntimeException x) {

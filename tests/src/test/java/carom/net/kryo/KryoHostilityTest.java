@@ -160,6 +160,35 @@ final class KryoHostilityTest {
   }
 
   @Test
+  void theWayInIsByteForByteAsDocumented() throws IOException {
+    try (Socket tcp = new Socket(Network.HOST, network.server.tcpPort());
+        DatagramChannel udp = DatagramChannel.open()) {
+      udp.connect(new InetSocketAddress(Network.HOST, network.server.udpPort()));
+      byte[] registration = tcp.getInputStream().readNBytes(17);
+      assertArrayEquals(new byte[] {0, 0, 0, 13, 1}, Arrays.copyOf(registration, 5));
+      ByteBuffer register = ByteBuffer.allocate(13).put((byte) 2).put(registration, 5, 12).flip();
+      udp.write(register);
+      assertArrayEquals(new byte[] {0, 0, 0, 1, 2}, tcp.getInputStream().readNBytes(5));
+      ByteBuffer challenge = ByteBuffer.allocate(100);
+      assertEquals(9, udp.read(challenge));
+      assertEquals(7, challenge.get(0));
+      udp.write(challenge.put(0, (byte) 8).flip());
+      Link[] link = new Link[1];
+      eventually(() -> (link[0] = network.server.accept()) != null, () -> "not accepted");
+      tcp.getOutputStream().write(new byte[] {0, 0, 0, 1, 3, 0, 0, 0, 2, 4, 3, 0, 0, 0, 1, 5});
+      Network.Inbox inbox = new Network.Inbox();
+      eventually(
+          () -> {
+            link[0].poll(inbox, 10);
+            return inbox.closed == 1;
+          },
+          link[0]::toString);
+      assertEquals(List.of(new ClientMessage.Ready()), inbox.messages);
+      assertEquals("the client left", inbox.reason);
+    }
+  }
+
+  @Test
   void zeroBytesAndGarbageDatagramsFromNobody() throws IOException {
     long seed = Long.getLong("carom.seed", System.nanoTime());
     SplittableRandom random = new SplittableRandom(seed);
