@@ -363,6 +363,7 @@ final class ClientLink extends KryoLink {
     }
 
     @Override
+    @SuppressWarnings("ReferenceEquality") // it is the buffer's identity that tells UDP from TCP
     public Object read(Connection connection, ByteBuffer buffer) {
       if (tcpBuffer == null) {
         tcpBuffer = buffer; // UDP doesn't start before TCP's first frame

@@ -281,6 +281,7 @@ final class ServerNetwork implements Runnable {
     }
 
     @Override
+    @SuppressWarnings("ReferenceEquality") // it is the buffer's identity that tells UDP from TCP
     public Object read(Connection connection, ByteBuffer buffer) {
       try {
         if (connection == null) {
