@@ -1,0 +1,62 @@
+package carom.game;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.sim.Level;
+import carom.sim.Player;
+import carom.sim.Role;
+import carom.sim.Simulation;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** Goal: what {@code docs/GAMES.md} shows compiles and plays. */
+class TutorialTest {
+  private static final String SOURCE = "tests/src/test/java/carom/game/TagGame.java";
+
+  private static Path root() {
+    Path here = Path.of("").toAbsolutePath();
+    while (!Files.exists(here.resolve("docs/GAMES.md"))) {
+      here = here.getParent();
+    }
+    return here;
+  }
+
+  private static String block(String language) throws IOException {
+    String manual = Files.readString(root().resolve("docs/GAMES.md"));
+    int start = manual.indexOf("```" + language + "\n") + language.length() + 4;
+    return manual.substring(start, manual.indexOf("```", start));
+  }
+
+  @Test
+  void theManualShowsTheCodeThatCompiles() throws IOException {
+    assertEquals(Files.readString(root().resolve(SOURCE)), block("java"));
+  }
+
+  @Test
+  void theGameOfTheManualPlays() throws Exception {
+    Level level = Level.parse("yard.json", block("json").getBytes(StandardCharsets.UTF_8));
+    Simulation s = new Simulation(new TagGame(), level, 1, 60, Role.AUTHORITY);
+    for (int i = 0; i < 6; i++) {
+      s.join("bot " + i);
+    }
+    List<String> notices = new ArrayList<>();
+    for (int tick = 0; tick < 1800; tick++) {
+      Bots.wander(s, 2);
+      s.step();
+      s.drainNotices(notices::add);
+    }
+    assertTrue(notices.size() > 2, notices.toString());
+    int points = 0;
+    for (int id = 0; id < 6; id++) {
+      Player p = s.player(id);
+      points += p.score();
+    }
+    assertEquals(150, points, 8);
+  }
+}

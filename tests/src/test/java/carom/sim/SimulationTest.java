@@ -1,0 +1,240 @@
+package carom.sim;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.physics.Material;
+import carom.physics.geometry.Circle;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class SimulationTest {
+  /** Does nothing but register one kind. */
+  private static final class Quiet implements Game {
+    Archetype disc;
+
+    @Override
+    public String name() {
+      return "quiet";
+    }
+
+    @Override
+    public String defaultLevel() {
+      return "quiet";
+    }
+
+    @Override
+    public void setUp(Simulation s) {
+      disc =
+          s.archetypes()
+              .add(new ArchetypeDef("disc").shape(new Circle(0.5f), new Material(1, 0, 0)));
+    }
+
+    @Override
+    public void join(Simulation s, Player p) {
+      s.spawn(disc, p.id(), 0, 0, p);
+    }
+
+    @Override
+    public void leave(Simulation s, Player p) {}
+
+    @Override
+    public void input(Simulation s, Player p, Input in) {
+      p.memory()[0]++;
+    }
+
+    @Override
+    public void beforeStep(Simulation s) {}
+
+    @Override
+    public void afterStep(Simulation s) {}
+  }
+
+  private final Quiet game = new Quiet();
+
+  private Simulation start(Role role, String bodies) {
+    String json =
+        "{\"name\":\"t\",\"game\":\"quiet\",\"gravity\":[0,0],"
+            + "\"bounds\":{\"min\":[-9,-9],\"max\":[9,9]},\"statics\":[{\"at\":[0,-8],"
+            + "\"shape\":{\"type\":\"box\",\"width\":9,\"height\":1}}],\"bodies\":["
+            + bodies
+            + "]}";
+    try {
+      return new Simulation(game, Level.parse("t", json.getBytes(UTF_8)), 7, 60, role);
+    } catch (LevelException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  @Test
+  void givesTheSmallestFreeIdWithAnotherGeneration() {
+    Simulation s = start(Role.AUTHORITY, "");
+    Entity a = s.spawn(game.disc, 0, 0, 0, null);
+    Entity b = s.spawn(game.disc, 2, 0, 0, null);
+    s.spawn(game.disc, 4, 0, 0, null);
+    assertEquals(1, b.id());
+    s.despawn(b);
+    s.despawn(a);
+    assertNull(s.entity(0));
+    Entity again = s.spawn(game.disc, 0, 0, 0, null);
+    assertEquals(0, again.id());
+    assertEquals(1, again.generation());
+    s.despawn(a); // the old handle harms nobody
+    assertSame(again, s.entity(0));
+    assertEquals(1, s.spawn(game.disc, 2, 0, 0, null).id());
+    assertEquals(3, s.entityCount());
+  }
+
+  @Test
+  void generationsWrapAtTwoHundredAndFiftySix() {
+    Simulation s = start(Role.AUTHORITY, "");
+    for (int i = 0; i < 300; i++) {
+      Entity e = s.spawn(game.disc, 0, 0, 0, null);
+      assertEquals(0, e.id());
+      assertEquals(i & 0xff, e.generation());
+      s.despawn(e);
+    }
+  }
+
+  @Test
+  void staticsComeFirstOnBothRolesAndHaveNoId() {
+    Simulation server = start(Role.AUTHORITY, "");
+    Simulation client = start(Role.PREDICTION, "");
+    assertEquals(1, client.statics().size());
+    assertTrue(client.statics().get(0).isLevel());
+    assertEquals(server.statics().get(0).body().index(), client.statics().get(0).body().index());
+    assertNull(client.entity(Entity.LEVEL));
+  }
+
+  @Test
+  void aPredictionOnlyMirrors() {
+    Simulation s = start(Role.PREDICTION, "");
+    assertThrows(IllegalStateException.class, () -> s.spawn(game.disc, 0, 0, 0, null));
+    assertThrows(IllegalStateException.class, () -> s.join("ann"));
+    Player p = s.joinAs(200, "ann");
+    assertThrows(IllegalStateException.class, () -> p.score(1));
+    assertNull(p.body());
+    Entity e = s.spawnAs(500, 9, game.disc, 1, 2, 0, 200);
+    assertSame(e, p.body());
+    assertSame(p, s.owner(e));
+    assertEquals(501, s.entityCapacity());
+    assertThrows(IllegalStateException.class, () -> s.spawnAs(500, 10, game.disc, 0, 0, 0, 200));
+    s.despawn(e);
+    assertNull(p.body());
+    s.notice("nobody hears this");
+    s.drainNotices(text -> assertNull(text));
+  }
+
+  @Test
+  void thePredictionRefusesWhatTheServerAlone() {
+    Simulation s = start(Role.AUTHORITY, "");
+    assertThrows(IllegalStateException.class, () -> s.tick(5));
+    assertThrows(IllegalStateException.class, () -> s.joinAs(0, "ann"));
+    assertThrows(IllegalStateException.class, () -> s.spawnAs(0, 0, game.disc, 0, 0, 0, -1));
+  }
+
+  @Test
+  void everythingThatDecidesTheFutureIsInTheHash() {
+    List<Runnable> changes = new ArrayList<>();
+    Simulation s = start(Role.AUTHORITY, "");
+    Player p = s.join("ann");
+    changes.add(() -> p.score(1));
+    changes.add(() -> p.team(2));
+    changes.add(() -> p.memory()[3] = 7);
+    changes.add(() -> p.input().hold(Input.JUMP, true));
+    changes.add(() -> s.memory()[15] = 1);
+    changes.add(() -> s.random().nextLong());
+    changes.add(() -> p.body().tag(4));
+    changes.add(() -> p.body().body().setVelocity(1, 0));
+    changes.add(() -> s.spawn(game.disc, 5, 5, 0, null));
+    changes.add(() -> s.despawn(s.entity(1)));
+    changes.add(s::step);
+    SimState start = s.save(null);
+    long hash = s.stateHash();
+    for (Runnable change : changes) {
+      long before = s.stateHash();
+      change.run();
+      assertNotEquals(before, s.stateHash());
+    }
+    s.restore(start);
+    assertEquals(hash, s.stateHash());
+    assertEquals(0, p.score());
+    assertEquals(0, p.body().tag());
+  }
+
+  @Test
+  void restoreBringsBackWhoHasGoneAndRemovesWhoCame() {
+    Simulation s = start(Role.AUTHORITY, "");
+    Player ann = s.join("ann");
+    Entity body = ann.body();
+    SimState saved = s.save(null);
+    s.leave(ann);
+    Player bob = s.join("bob");
+    s.join("cy");
+    assertEquals(0, bob.id());
+    s.restore(saved);
+    assertSame(ann, s.player(0));
+    assertSame(body, ann.body());
+    assertTrue(body.body().isValid());
+    assertSame(body, body.body().user());
+    assertEquals(1, s.playerCapacity());
+    assertEquals(1, s.entityCount());
+    assertFalse(s.entityCapacity() > 1);
+    s.step();
+    assertThrows(IllegalArgumentException.class, () -> start(Role.AUTHORITY, "").restore(saved));
+  }
+
+  @Test
+  void pathsAreAFunctionOfTheTick() {
+    String path =
+        "{\"type\":\"kinematic\",\"at\":[-3,1],\"shape\":{\"type\":\"circle\",\"radius\":1},"
+            + "\"motion\":{\"to\":[3,4],\"period\":4}}";
+    Simulation s = start(Role.AUTHORITY, path);
+    Motion m = s.entity(0).archetype().motion();
+    for (int tick = 1; tick <= 600; tick++) {
+      s.step();
+      assertEquals(m.x(tick, 60), s.entity(0).body().x(), 1e-4f);
+      assertEquals(m.y(tick, 60), s.entity(0).body().y(), 1e-4f);
+    }
+    assertEquals(-3, m.x(240, 60));
+    assertEquals(3, m.x(120, 60));
+    assertEquals(4, m.y(360, 60));
+  }
+
+  @Test
+  void noticesAreBounded() {
+    Simulation s = start(Role.AUTHORITY, "");
+    for (int i = 0; i < 20; i++) {
+      s.notice("n" + i + "x".repeat(200));
+    }
+    List<String> heard = new ArrayList<>();
+    s.drainNotices(heard::add);
+    assertEquals(Simulation.MAX_NOTICES, heard.size());
+    assertEquals(Simulation.MAX_NOTICE_LENGTH, heard.get(0).length());
+    assertEquals(4, s.droppedNotices());
+  }
+
+  @Test
+  void twoHundredAndFiftySixPlayersAreEnough() {
+    Simulation s = start(Role.AUTHORITY, "");
+    for (int i = 0; i < Simulation.MAX_PLAYERS; i++) {
+      s.join("p" + i);
+    }
+    IllegalStateException e = assertThrows(IllegalStateException.class, () -> s.join("late"));
+    assertTrue(e.getMessage().contains("256"), e.getMessage());
+  }
+
+  @Test
+  void suggestsWhatWasMeant() {
+    assertEquals("friction", Suggestion.nearest("frction", List.of("density", "friction")));
+    assertEquals("at", Suggestion.nearest("ta", List.of("at", "zones")));
+    assertNull(Suggestion.nearest("xyzzy", List.of("density", "friction")));
+  }
+}
