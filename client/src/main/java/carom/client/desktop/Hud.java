@@ -32,6 +32,7 @@ final class Hud {
   private final Fonts fonts;
   private final GlyphLayout layout = new GlyphLayout();
   private final Color color = new Color();
+  private final Color shadow = new Color();
   private final List<RosterEntry> ranking = new ArrayList<>();
 
   Hud(Canvas canvas, SpriteBatch batch, Fonts fonts) {
@@ -182,8 +183,11 @@ final class Hud {
     font.draw(batch, text, MathUtils.round(x), MathUtils.round(y));
   }
 
+  /** Text around x, with a shadow that keeps it legible on any ground. */
   private void centred(BitmapFont font, String text, float x, float y, Color tint) {
     layout.setText(font, text);
+    shadow.set(0, 0, 0, 0.6f * tint.a);
+    left(font, text, x - layout.width / 2 + 1, y - 1, shadow);
     left(font, text, x - layout.width / 2, y, tint);
   }
 }

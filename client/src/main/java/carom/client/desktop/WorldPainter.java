@@ -103,7 +103,7 @@ final class WorldPainter {
         Theme.shade(level.theme().background(), 1, 1, fill),
         Theme.shade(level.theme().sky(), 1, 1, edge));
     Level.Bounds b = level.bounds();
-    Color grid = Theme.shade(level.theme().grid(), 1, 0.55f, fill);
+    Color grid = Theme.shade(level.theme().grid(), 1, 0.4f, fill);
     float width = Math.max(0.02f, camera.viewportHeight / 900);
     for (float x = MathUtils.ceil(b.minX() / GRID_M) * GRID_M; x <= b.maxX(); x += GRID_M) {
       canvas.line(x, b.minY(), x, b.maxY(), width, grid);
@@ -224,8 +224,18 @@ final class WorldPainter {
           Theme.shade(0x10141c, 1, drawn.alpha(), detail));
     }
     if (own) {
-      float halo = radius * (1.28f + 0.05f * MathUtils.sin(seconds * 4));
-      canvas.ring(drawn.x(), drawn.y(), halo, EDGE_M, Theme.shade(0xffffff, 1, 0.85f, detail));
+      halo(drawn, radius, seconds);
+    }
+  }
+
+  private void halo(Drawn drawn, float radius, float seconds) {
+    Theme.shade(0xffffff, 1, 0.7f + 0.25f * MathUtils.sin(seconds * 4), detail);
+    for (Shape shape : drawn.archetype().shapes()) {
+      if (shape instanceof Circle) {
+        canvas.ring(drawn.x(), drawn.y(), radius * 1.3f, EDGE_M, detail);
+      } else {
+        shapes.outline(shape, EDGE_M, detail);
+      }
     }
   }
 
