@@ -224,6 +224,7 @@ public final class KryoMessageCodec implements MessageCodec {
 
   private static final class RefusedSerializer extends MessageSerializer<Refused> {
     @Override
+    @SuppressWarnings("EnumOrdinal") // the order is part of the protocol
     void write(Output out, Refused m) {
       out.writeByte(m.reason().ordinal());
       writeText(out, "text", m.text(), Limits.MAX_TEXT_BYTES);
@@ -279,6 +280,7 @@ public final class KryoMessageCodec implements MessageCodec {
 
   private static final class GoodbyeSerializer extends MessageSerializer<Goodbye> {
     @Override
+    @SuppressWarnings("EnumOrdinal") // the order is part of the protocol
     void write(Output out, Goodbye m) {
       out.writeByte(m.reason().ordinal());
       writeText(out, "text", m.text(), Limits.MAX_TEXT_BYTES);
