@@ -48,7 +48,7 @@ public interface Game {
   void join(Simulation s, Player p);
 
   /** A player is about to leave. Afterwards the simulation despawns everything the player owns. */
-  void leave(Simulation s, Player p);
+  default void leave(Simulation s, Player p) {}
 
   /**
    * Both roles, each tick before the world steps, for each player with a body in order of their
@@ -58,10 +58,10 @@ public interface Game {
   void input(Simulation s, Player p, Input in);
 
   /** Each tick before the players' inputs. */
-  void beforeStep(Simulation s);
+  default void beforeStep(Simulation s) {}
 
   /** Each tick after the world has stepped: goals, scores, respawns. */
-  void afterStep(Simulation s);
+  default void afterStep(Simulation s) {}
 
   /**
    * Both roles, during the step, for each touching pair: false refuses the response this tick. May

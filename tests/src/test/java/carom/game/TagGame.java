@@ -16,7 +16,7 @@ import carom.sim.Simulation;
 /** Whoever is "it" touches somebody, who is "it" then. All others gain a point a second. */
 public final class TagGame implements Game {
   private static final int IT = 0; // simulation memory: player id + 1, 0 = nobody
-  private static final int GRACE = 1; // ticks until the next touch counts
+  private static final int GRACE = 1; // the tick from which a touch counts
 
   private Archetype runner;
   private Archetype chaser;
@@ -67,11 +67,6 @@ public final class TagGame implements Game {
   }
 
   @Override
-  public void beforeStep(Simulation s) {
-    s.memory()[GRACE] = Math.max(0, s.memory()[GRACE] - 1);
-  }
-
-  @Override
   public void afterStep(Simulation s) {
     Player it = s.player(s.memory()[IT] - 1);
     for (int id = 0; id < s.playerCapacity(); id++) {
@@ -79,7 +74,7 @@ public final class TagGame implements Game {
       if (p == null || p == it) {
         continue;
       }
-      if (it == null || s.memory()[GRACE] == 0 && touches(it, p)) {
+      if (it == null || s.tick() >= s.memory()[GRACE] && touches(it, p)) {
         makeIt(s, p);
         it = p;
       } else if (s.tick() % s.tickRate() == 0) {
@@ -102,14 +97,13 @@ public final class TagGame implements Game {
     }
     replaceBody(s, p, chaser);
     s.memory()[IT] = p.id() + 1;
-    s.memory()[GRACE] = s.ticks(1.5f);
+    s.memory()[GRACE] = s.tick() + s.ticks(1.5f);
     s.notice(p.name() + " is it!");
   }
 
   private static void replaceBody(Simulation s, Player p, Archetype kind) {
-    Body<Entity> old = p.body().body();
-    float x = old.x();
-    float y = old.y();
+    float x = p.body().body().x();
+    float y = p.body().body().y();
     s.despawn(p.body());
     s.spawn(kind, x, y, 0, p);
   }

@@ -43,18 +43,9 @@ class SimulationTest {
     }
 
     @Override
-    public void leave(Simulation s, Player p) {}
-
-    @Override
     public void input(Simulation s, Player p, Input in) {
       p.memory()[0]++;
     }
-
-    @Override
-    public void beforeStep(Simulation s) {}
-
-    @Override
-    public void afterStep(Simulation s) {}
   }
 
   private final Quiet game = new Quiet();
