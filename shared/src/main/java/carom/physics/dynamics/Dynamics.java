@@ -473,7 +473,7 @@ public final class Dynamics {
       solverBodies.integratePositions(h);
       solver.solve(state, 0, n, h, false, settings);
     }
-    solver.restitution(state);
+    solver.restitution(state, h);
     solver.store(contacts);
     solverBodies.store(bodies, active);
   }
