@@ -17,7 +17,11 @@ final class Scenes {
 
   /** A floor whose surface is y = 0. */
   static World<String> floor(Material material) {
-    World<String> w = new World<>(new WorldDef());
+    return floor(material, new WorldDef());
+  }
+
+  static World<String> floor(Material material, WorldDef def) {
+    World<String> w = new World<>(def);
     w.createBody(new BodyDef().shape(new Box(100, 1), material).position(0, -1), "floor");
     return w;
   }
@@ -57,7 +61,11 @@ final class Scenes {
 
   /** Rows of boxes on a floor. */
   static World<String> pyramid(int rows) {
-    World<String> w = floor(Material.DEFAULT);
+    return pyramid(rows, new WorldDef());
+  }
+
+  static World<String> pyramid(int rows, WorldDef def) {
+    World<String> w = floor(Material.DEFAULT, def);
     for (int i = 0; i < rows; i++) {
       for (int j = i; j < rows; j++) {
         box(w, (i + 1) * .5f + (j - i) - .5f * rows, (2 * i + 1) * .5f, .5f, .5f, Material.DEFAULT);
@@ -76,7 +84,11 @@ final class Scenes {
 
   /** Shapes of all kinds fall into a bin. */
   static World<String> pile(int bodies, long seed) {
-    World<String> w = floor(Material.DEFAULT);
+    return pile(bodies, seed, new WorldDef());
+  }
+
+  static World<String> pile(int bodies, long seed, WorldDef def) {
+    World<String> w = floor(Material.DEFAULT, def);
     w.createBody(new BodyDef().shape(new Box(1, 20)).position(-6, 20), "left");
     w.createBody(new BodyDef().shape(new Box(1, 20)).position(6, 20), "right");
     Rng r = new Rng(seed);
@@ -100,8 +112,9 @@ final class Scenes {
   }
 
   /** Frictionless elastic discs in a closed square. */
-  static World<String> gas(int perSide, long seed) {
-    World<String> w = space();
+  static World<String> gas(int perSide, long seed, float threshold) {
+    World<String> w =
+        new World<>(new WorldDef().withGravity(0, 0).withRestitutionThreshold(threshold));
     Material m = new Material(1, 0, 1);
     float half = perSide * 0.9f;
     w.createBody(new BodyDef().shape(new Box(5, half + 10), m).position(-half - 5, 0), "wall");
