@@ -120,6 +120,7 @@ public final class Server implements AutoCloseable {
 
   private void runRoom() {
     LongConsumer work = room::doWork;
+    boolean orderly = false;
     try {
       int failures = 0;
       while (!stopping && !room.hasFailed()) {
@@ -136,7 +137,11 @@ public final class Server implements AutoCloseable {
         LockSupport.parkNanos(this, ROOM_NAP_NS);
       }
       room.closeLinks();
+      orderly = true;
     } finally {
+      if (!orderly) {
+        crashed = true;
+      }
       stopping = true;
       ended.countDown();
     }
@@ -144,6 +149,7 @@ public final class Server implements AutoCloseable {
 
   private void runLobby() {
     LongConsumer work = this::lobbyTurn;
+    boolean orderly = false;
     try {
       int failures = 0;
       while (!stopping) {
@@ -157,7 +163,11 @@ public final class Server implements AutoCloseable {
         LockSupport.parkNanos(this, LOBBY_NAP_NS);
       }
       lobby.closeLinks();
+      orderly = true;
     } finally {
+      if (!orderly) {
+        crashed = true;
+      }
       stopping = true;
       ended.countDown();
     }

@@ -14,6 +14,8 @@ import ch.qos.logback.classic.LoggerContext;
 import java.io.Console;
 import java.io.PrintStream;
 import java.io.PrintWriter;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -59,6 +61,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
 public final class ServerMain implements Callable<Integer> {
   private static final String LOG_CONFIG_PROPERTY = "logback.configurationFile";
   private static final String LOG_CONFIG = "carom-server-logback.xml";
+  private static final String TERMINAL_PROPERTY = "carom.terminal";
   private static final String DEFAULT_GAME = "arena";
   private static final int DEFAULT_TCP_PORT = 54_555;
   private static final int DEFAULT_UDP_PORT = 54_777;
@@ -314,21 +317,38 @@ public final class ServerMain implements Callable<Integer> {
     return FAILED; // reached without a signal only when something failed
   }
 
-  private void hints(PrintStream out, int tcp, int udp) {
+  private static void hints(PrintStream out, int tcp, int udp) {
     boolean defaults = tcp == DEFAULT_TCP_PORT && udp == DEFAULT_UDP_PORT;
     String ports = defaults ? "" : " --tcp-port " + tcp + " --udp-port " + udp;
-    String args = defaults ? "" : " -Pargs='--host localhost" + ports + "'";
+    String playArgs = defaults ? "" : " -Pargs='--host localhost" + ports + "'";
     String botArgs = defaults ? "" : " -Pargs='" + ports.strip() + "'";
     out.println();
-    out.println("  join      ./gradlew play" + args + "    or  carom-client" + ports);
-    out.println(
-        "  add bots  ./gradlew bots -Pn=20" + botArgs + "    or  carom-bots --count 20" + ports);
+    out.println("  join      ./gradlew play" + playArgs);
+    out.println("  add bots  ./gradlew bots -Pn=20" + botArgs);
     out.println("  stop      Ctrl-C");
+    out.println();
+    out.println("  On another machine, with Carom installed:");
+    out.println("  join      carom-client --host " + hostName() + ports);
     out.println();
   }
 
-  /** From Java 22 on there is a console object without a terminal, which says so itself. */
+  private static String hostName() {
+    try {
+      return InetAddress.getLocalHost().getHostName();
+    } catch (UnknownHostException e) {
+      return "HOST";
+    }
+  }
+
+  /**
+   * Whether a person reads standard output. Behind Gradle the terminal can't be seen from here;
+   * gradlew says so by a property. From Java 22 on there is a console object without a terminal,
+   * which says so itself.
+   */
   private static boolean onTerminal() {
+    if (Boolean.getBoolean(TERMINAL_PROPERTY)) {
+      return true;
+    }
     Console console = System.console();
     if (console == null) {
       return Boolean.getBoolean("carom.terminal"); // behind Gradle, which can't pass its own on

@@ -353,7 +353,7 @@ class RoomTest {
 
   @Test
   void longPauseDropsTicksOnceAndTheGameGoesOn() {
-    try (Rig rig = new Rig()) {
+    try (Rig rig = new Rig(CONFIG.withCatchUpTicks(8), new TestGame(3))) {
       FakeClient client = rig.join("Ann");
       int before = rig.room.tick();
       rig.nowNs += 1_000_000_000L;

@@ -24,8 +24,9 @@ import java.util.Objects;
  *     until its link counts as lost, 500..60,000
  * @param graceMs how long the body of a lost player waits for its owner, 0..600,000; 0 removes it
  *     at once
- * @param catchUpTicks ticks that may be made good in one burst after a pause, 1..60; what lies
- *     further behind is dropped and counted, so that a long pause can't snowball
+ * @param catchUpTicks ticks that may be made good in one burst after a pause, 1..60; a quarter of a
+ *     second at 60 Hz bridges a collector's pause or a busy machine's hiccup. What lies further
+ *     behind is dropped and counted, so that a long pause can't snowball
  * @param inputWindowTicks how far ahead of the newest consumed tick an input may lie, 4..64; inputs
  *     beyond are refused and counted
  * @param inputHoldTicks how long the last input is repeated when none arrives, 0..240, until the
@@ -103,7 +104,7 @@ public record ServerConfig(
   /** The settings of a server that is started without any flag. */
   public static ServerConfig defaults() {
     return new ServerConfig(
-        "arena", "Carom", 60, 1, 64, 5_000, 20_000, 5_000, 30_000, 8, 32, 30, 60, 10, 64_000, 250,
+        "arena", "Carom", 60, 1, 64, 5_000, 20_000, 5_000, 30_000, 15, 32, 30, 60, 10, 64_000, 250,
         60);
   }
 

@@ -44,6 +44,9 @@ public final class Room {
   private static final long NS_PER_MS = 1_000_000;
   private static final long PARTING_MS = 1_000;
 
+  /** Of ticks that are made good in one burst, only so many of the last are worth a snapshot. */
+  private static final int MAX_SENDS_PER_BURST = 2;
+
   private final ServerConfig config;
   private final LongSupplier clock;
   private final Counters counters = new Counters();
@@ -119,8 +122,8 @@ public final class Room {
       }
     }
     counters.add(Counter.TICKS_LATE, Math.max(0, due - 1));
-    for (int i = 0; i < due && !closed; i++) {
-      tick(nowNs);
+    for (int left = due; left > 0 && !closed; left--) {
+      tick(nowNs, left <= MAX_SENDS_PER_BURST);
     }
     return work + due;
   }
@@ -130,7 +133,7 @@ public final class Room {
     return loop.nextDeadlineNs();
   }
 
-  private void tick(long nowNs) {
+  private void tick(long nowNs, boolean sends) {
     long beginNs = clock.getAsLong();
     admitArrivals(nowNs);
     serveWishes(nowNs);
@@ -141,7 +144,9 @@ public final class Room {
     boolean stepped = step();
     if (stepped) {
       capture.capture();
-      replicate(clock.getAsLong() - beginNs + nowNs);
+      if (sends) {
+        replicate(clock.getAsLong() - beginNs + nowNs);
+      }
       simulation.drainNotices(broadcastNotice);
       sendRosterIfDue(nowNs);
     }

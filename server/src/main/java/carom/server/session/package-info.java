@@ -2,7 +2,7 @@
  * One player's connection: seat, input buffer, state, what arrives and what is sent.
  *
  * <p>Allowed imports: {@code carom.net.protocol}, {@code carom.net.transport}, {@code
- * carom.net.snapshot}, {@code carom.net.codec}, {@code carom.sim}, {@code
+ * carom.net.snapshot}, {@code carom.net.codec}, {@code carom.sim}, {@code carom.physics}, {@code
  * carom.server.replication}, {@code carom.server.config}, {@code carom.server.metrics}, slf4j, the
  * JDK.
  *
