@@ -385,27 +385,25 @@ final class ClientLink extends KryoLink {
       int length = buffer.remaining() - 1;
       byte tag = buffer.get();
       switch (tag) {
-        case Frame.REGISTER_TCP:
+        case Frame.REGISTER_TCP -> {
           RegisterTCP registered = new RegisterTCP();
           registered.connectionID = buffer.getInt();
           token = buffer.getLong();
           tcpRegistered = true;
           return registered;
-        case Frame.REGISTER_UDP:
+        }
+        case Frame.REGISTER_UDP -> {
           return new RegisterUDP();
-        case Frame.KEEP_ALIVE:
-          break;
-        case Frame.MESSAGE:
-          readMessage(buffer, length);
-          break;
-        case Frame.BYE:
+        }
+        case Frame.KEEP_ALIVE -> {}
+        case Frame.MESSAGE -> readMessage(buffer, length);
+        case Frame.BYE -> {
           tcpRegistered = true; // a Carom server, whatever comes next
           String text = Frame.byeText(buffer);
           lose(text.isEmpty() ? "the server closed the connection" : text);
-          break;
-        default:
-          lose(tcpRegistered ? "the server sent an unknown frame (tag=" + tag + ")" : notCarom());
-          break;
+        }
+        default ->
+            lose(tcpRegistered ? "the server sent an unknown frame (tag=" + tag + ")" : notCarom());
       }
       return Frame.HANDLED;
     }

@@ -269,7 +269,7 @@ final class ServerConnection extends Connection {
     long inPhase = now - phaseSince;
     long handshakeNanos = limits.handshakeMillis() * 1_000_000L;
     switch (phase) {
-      case PENDING:
+      case PENDING -> {
         if (inPhase > handshakeNanos) {
           network.counters.expired.incrementAndGet();
           dismiss(
@@ -277,8 +277,8 @@ final class ServerConnection extends Connection {
                   + network.udpPort
                   + " is blocked (by a firewall or router)");
         }
-        break;
-      case CHALLENGED:
+      }
+      case CHALLENGED -> {
         if (inPhase > handshakeNanos) {
           network.counters.expired.incrementAndGet();
           dismiss(
@@ -288,19 +288,18 @@ final class ServerConnection extends Connection {
         } else if (now - lastChallenge >= CHALLENGE_NANOS) {
           challenge(now);
         }
-        break;
-      case OPEN:
+      }
+      case OPEN -> {
         if (now - lastFrame > limits.idleMillis() * 1_000_000L) {
           expel("nothing heard for " + limits.idleMillis() + " ms");
         }
-        break;
-      case CLOSING:
+      }
+      case CLOSING -> {
         if (inPhase > Frame.LINGER_NANOS) {
           closeNow("closed");
         }
-        break;
-      case CLOSED:
-        break;
+      }
+      case CLOSED -> {}
     }
   }
 
