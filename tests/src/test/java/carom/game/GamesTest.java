@@ -15,6 +15,7 @@ import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.SimState;
 import carom.sim.Simulation;
+import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -187,6 +188,39 @@ class GamesTest {
       }
     }
     assertTrue(client.tick() > 20);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"arena", "platformer"})
+  void savingAndRestoringAllocatesNothingAndATickNextToNothing(String game) {
+    Simulation s = start(game, 6, Role.AUTHORITY);
+    for (int i = 0; i < 20; i++) {
+      s.join("bot " + i);
+    }
+    run(s, 6, 600);
+    SimState state = s.save(null);
+    long saving = Long.MAX_VALUE;
+    long stepping = Long.MAX_VALUE;
+    for (int round = 0; round < 5; round++) {
+      long before = allocated();
+      for (int i = 0; i < 50; i++) {
+        s.save(state);
+        s.restore(state);
+      }
+      saving = Math.min(saving, allocated() - before);
+      before = allocated();
+      for (int i = 0; i < 50; i++) {
+        s.step();
+      }
+      stepping = Math.min(stepping, allocated() - before);
+    }
+    assertTrue(saving < 512, "bytes=" + saving + " in 50 saves and restores");
+    assertTrue(stepping < 4096, "bytes=" + stepping + " in 50 ticks"); // a coin may come back
+  }
+
+  private static long allocated() {
+    return ((com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean())
+        .getCurrentThreadAllocatedBytes();
   }
 
   private static void mirror(Simulation server, Simulation client, Player player) {

@@ -323,6 +323,23 @@ class PlatformerGameTest {
     }
   }
 
+  /** Whoever keeps running right and jumping gets through the shipped level and finds coins. */
+  @Test
+  void aSimpleRunnerCrossesTheLevel() {
+    Simulation s = GamesTest.start("platformer", 1, Role.AUTHORITY);
+    Player p = s.join("ann");
+    float farthest = -40;
+    while (s.tick() < 60 * 60 && farthest < 36) {
+      p.input().move(1, 0).hold(Input.JUMP, s.tick() % 40 < 25);
+      s.step();
+      if (p.body() != null) {
+        farthest = Math.max(farthest, body(s).x());
+      }
+    }
+    assertTrue(farthest >= 36, "farthest=" + farthest);
+    assertTrue(p.score() >= 5, "score=" + p.score());
+  }
+
   private static Entity flag(Simulation s) {
     for (int id = 0; id < s.entityCapacity(); id++) {
       if (s.entity(id) != null && s.entity(id).archetype().name().equals("flag")) {
