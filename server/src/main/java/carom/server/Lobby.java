@@ -37,6 +37,9 @@ final class Lobby {
   private static final int MAX_POLL = 32;
   private static final int MAX_ACCEPT = 32;
 
+  /** How often one link may pull the whole level; more would make the server a hose. */
+  private static final int MAX_LEVEL_PULLS = 3;
+
   private final ServerConfig config;
   private final ServerTransport transport;
   private final Room room;
@@ -157,6 +160,7 @@ final class Lobby {
     private long deadlineNs;
     private Seats.Seat seat;
     private int datagramKey;
+    private long pulledBytes;
     private boolean done;
 
     Visitor(Link link) {
@@ -259,6 +263,11 @@ final class Lobby {
         return;
       }
       int end = Math.min(levelBytes.length, offset + Limits.MAX_LEVEL_CHUNK_BYTES);
+      pulledBytes += end - offset;
+      if (pulledBytes > (long) MAX_LEVEL_PULLS * levelBytes.length) {
+        refused(RefusalReason.BAD_REQUEST, "The level was requested again and again.");
+        return;
+      }
       link.send(new ServerMessage.LevelChunk(offset, Arrays.copyOfRange(levelBytes, offset, end)));
     }
 

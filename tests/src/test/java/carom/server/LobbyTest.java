@@ -148,6 +148,19 @@ class LobbyTest {
   }
 
   @Test
+  void levelCannotBePulledForEver() {
+    FakeClient client = rig.connect().hello("Ann");
+    client.loads = false;
+    rig.steps(2);
+    for (int i = 0; i < 20; i++) {
+      client.link.send(new ClientMessage.LevelRequest(1));
+    }
+    rig.steps(3);
+    assertEquals(RefusalReason.BAD_REQUEST, client.refused.reason());
+    assertTrue(client.messages.size() < 12, "messages=" + client.messages.size());
+  }
+
+  @Test
   void unknownSecretJoinsAsANewPlayer() {
     FakeClient client = rig.join("Ann", 123_456_789L);
     assertNotEquals(123_456_789L, client.welcome.sessionSecret());
