@@ -15,6 +15,7 @@ import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.SimState;
 import carom.sim.Simulation;
+import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
@@ -24,6 +25,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** What every game that ships must do. */
 class GamesTest {
+  private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+
   static Simulation start(String game, long seed, Role role) {
     try {
       Level level = Level.builtIn(Games.create(game).defaultLevel());
@@ -214,13 +217,12 @@ class GamesTest {
       }
       stepping = Math.min(stepping, allocated() - before);
     }
-    assertTrue(saving < 512, "bytes=" + saving + " in 50 saves and restores");
+    assertTrue(saving < 64, "bytes=" + saving + " in 50 saves and restores");
     assertTrue(stepping < 4096, "bytes=" + stepping + " in 50 ticks"); // a coin may come back
   }
 
   private static long allocated() {
-    return ((com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean())
-        .getCurrentThreadAllocatedBytes();
+    return THREADS.getCurrentThreadAllocatedBytes();
   }
 
   private static void mirror(Simulation server, Simulation client, Player player) {
