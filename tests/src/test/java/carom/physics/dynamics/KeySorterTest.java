@@ -1,0 +1,38 @@
+package carom.physics.dynamics;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+final class KeySorterTest {
+  @Test
+  void sortsAsTheLibraryDoes() {
+    KeySorter sorter = new KeySorter();
+    long seed = 42;
+    SplittableRandom r = new SplittableRandom(seed);
+    long[] keys = new long[3000];
+    for (int n : new int[] {0, 1, 2, 31, 32, 33, 500, 3000, 40}) {
+      for (int i = 0; i < n; i++) {
+        keys[i] = ContactKey.of(r.nextInt(5000), r.nextInt(3), 5000 + r.nextInt(900), r.nextInt(9));
+      }
+      long[] expected = Arrays.copyOf(keys, n);
+      Arrays.sort(expected);
+      keys = sorter.sort(keys, n);
+      assertArrayEquals(expected, Arrays.copyOf(keys, n), "seed=" + seed + " n=" + n);
+    }
+  }
+
+  @Test
+  void keysCarryFourNumbers() {
+    int body = BodyStore.MAX_BODIES - 1;
+    int part = ContactKey.MAX_PARTS - 1;
+    long key = ContactKey.of(body - 1, part, body, part - 1);
+    assertEquals(body - 1, ContactKey.bodyA(key));
+    assertEquals(body, ContactKey.bodyB(key));
+    assertEquals(part, ContactKey.partA(key));
+    assertEquals(part - 1, ContactKey.partB(key));
+  }
+}
