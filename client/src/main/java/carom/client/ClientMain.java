@@ -27,9 +27,9 @@ public final class ClientMain implements Callable<Integer> {
   @Option(
       names = "--name",
       paramLabel = "NAME",
-      description = "player's name (default: ${DEFAULT-VALUE})",
-      defaultValue = "player")
-  private String name = "player";
+      description = "player's name (default: player and a number of this process)",
+      defaultValue = "")
+  private String name = "";
 
   @Option(
       names = "--headless",
@@ -84,14 +84,17 @@ public final class ClientMain implements Callable<Integer> {
   @Override
   public Integer call() {
     String problem = network.problem();
-    if (problem == null && PlayerName.problem(name) != null) {
-      problem = "--name: " + PlayerName.problem(name);
+    String player = name.isEmpty() ? "player" + ProcessHandle.current().pid() % 1_000 : name;
+    if (problem == null && PlayerName.problem(player) != null) {
+      problem = "--name: " + PlayerName.problem(player);
+    } else if (!(seconds >= 0 && seconds <= 1e6)) {
+      problem = "--seconds=" + seconds + " is outside 0..1000000";
     }
     if (problem != null) {
       throw new CommandLine.ParameterException(spec.commandLine(), problem);
     }
     network.startLogging();
-    ClientConfig config = network.config(name).withPrediction(prediction);
+    ClientConfig config = network.config(player).withPrediction(prediction);
     if (headless) {
       try (ClientTransport transport = network.impair(new KryoClientTransport())) {
         return playHeadless(new GameClient(config, transport, InputSource.IDLE));

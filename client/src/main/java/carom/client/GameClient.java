@@ -65,6 +65,7 @@ public final class GameClient implements AutoCloseable {
   private RenderClock renderClock;
   private Interpolator interpolator;
   private int snapshotTick;
+  private final int[] seenTick = new int[RING];
   private int ownTick;
   private long firstSnapshotNs;
   private int key;
@@ -238,6 +239,7 @@ public final class GameClient implements AutoCloseable {
                 config.maxNearBodies(),
                 config.maxRollbackTicks());
     snapshotTick = -1;
+    Arrays.fill(seenTick, -1);
     ownTick = -1;
     firstSnapshotNs = 0;
     firstTick = -1;
@@ -266,9 +268,12 @@ public final class GameClient implements AutoCloseable {
     stats.datagram(length);
     stats.acks(decoder.ackSequence(), decoder.ackBits());
     int tick = decoder.tick();
+    if (seenTick[tick & RING_MASK] != tick) {
+      seenTick[tick & RING_MASK] = tick;
+      stats.snapshot(nowNs);
+    }
     if (tick > snapshotTick) {
       snapshotTick = tick;
-      stats.snapshot(nowNs);
       renderClock.snapshot(tick, nowNs, decoder.touchedCount() == 0);
       if (!clock.started()) {
         clock.start(nowNs, tick, connection.roundTripNs());

@@ -4,6 +4,7 @@ import carom.client.ClientConfig;
 import carom.client.NetworkOptions;
 import carom.client.PredictionMode;
 import carom.net.kryo.KryoClientTransport;
+import carom.net.protocol.PlayerName;
 import carom.net.transport.ClientTransport;
 import java.util.Locale;
 import java.util.concurrent.Callable;
@@ -50,9 +51,9 @@ public final class BotsMain implements Callable<Integer> {
   @Option(
       names = "--name",
       paramLabel = "NAME",
-      description = "first part of their names (default: ${DEFAULT-VALUE})",
-      defaultValue = "bot")
-  private String name = "bot";
+      description = "first part of their names (default: bot and a number of this process)",
+      defaultValue = "")
+  private String name = "";
 
   @Option(
       names = "--prediction",
@@ -98,8 +99,10 @@ public final class BotsMain implements Callable<Integer> {
       problem = "--seconds=" + seconds + " is outside 0..1000000";
     } else if (ticksPerInputDatagram < 1 || ticksPerInputDatagram > 8) {
       problem = "--input-every=" + ticksPerInputDatagram + " is outside 1..8";
-    } else if (name.isEmpty() || name.length() > 24) {
-      problem = "--name=" + name + " must have 1 to 24 characters";
+    }
+    String first = name.isEmpty() ? "bot" + ProcessHandle.current().pid() % 1_000 + "-" : name;
+    if (PlayerName.problem(first + count) != null) {
+      problem = "--name=" + name + ": " + PlayerName.problem(first + count);
     }
     if (problem != null) {
       throw new CommandLine.ParameterException(spec.commandLine(), problem);
@@ -107,7 +110,7 @@ public final class BotsMain implements Callable<Integer> {
     network.startLogging();
     ClientConfig config =
         network
-            .config(name)
+            .config(first)
             .withPrediction(prediction)
             .withTicksPerInputDatagram(ticksPerInputDatagram);
     try (ClientTransport transport = network.impair(new KryoClientTransport());
