@@ -205,7 +205,7 @@ final class ClientServerScenarioTest {
       }
     }
     assertTrue(
-        jumps * 5_000L < frames, jumps + " jumps in " + frames + " drawn poses, seed " + SEED);
+        jumps * 1_000L < frames, jumps + " jumps in " + frames + " drawn poses, seed " + SEED);
   }
 
   @Test
