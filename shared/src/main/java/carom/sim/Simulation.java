@@ -437,8 +437,8 @@ public final class Simulation {
     for (int i = 0; i < playerLimit; i++) {
       Player p = players[i];
       if (p != null) {
-        h = mix(h, (long) i << 32 | (p.body == null ? -1 : p.body.id()) & 0xffffffffL);
-        h = mix(h, (long) p.score() << 32 | p.team() & 0xffffffffL);
+        h = mix(h, ((long) i << 32) | ((p.body == null ? -1 : p.body.id()) & 0xffffffffL));
+        h = mix(h, ((long) p.score() << 32) | (p.team() & 0xffffffffL));
         h = mix(h, p.input().pack());
         for (int value : p.memory()) {
           h = mix(h, value);
@@ -450,7 +450,7 @@ public final class Simulation {
       long identity = generations[i] & 0xff;
       if (e != null) {
         identity |= (long) (e.archetype().index() + 1) << 8 | (long) (e.ownerId() + 1) << 32;
-        h = mix(h, (long) e.tag() << 32 | e.body.index() & 0xffffffffL);
+        h = mix(h, ((long) e.tag() << 32) | (e.body.index() & 0xffffffffL));
       }
       h = mix(h, identity);
     }
