@@ -2,6 +2,7 @@ package carom.server;
 
 import carom.game.Games;
 import carom.net.kryo.KryoLimits;
+import carom.net.kryo.KryoMessageCodec;
 import carom.net.kryo.KryoServerTransport;
 import carom.net.kryo.PortUnavailableException;
 import carom.net.protocol.Protocol;
@@ -265,9 +266,10 @@ public final class ServerMain implements Callable<Integer> {
     requireRange("--grace", graceS, MAX_GRACE_S);
     ServerConfig config = config(chosenGame.name());
     LoggerContext logging = (LoggerContext) LoggerFactory.getILoggerFactory();
-    logging
-        .getLogger(Logger.ROOT_LOGGER_NAME)
-        .setLevel(ch.qos.logback.classic.Level.toLevel(logLevel.name()));
+    ch.qos.logback.classic.Logger root = logging.getLogger(Logger.ROOT_LOGGER_NAME);
+    root.setLevel(ch.qos.logback.classic.Level.ERROR);
+    Rehearsal.play(config, createGame(config.gameName()), chosenLevel, new KryoMessageCodec());
+    root.setLevel(ch.qos.logback.classic.Level.toLevel(logLevel.name()));
     Logger log = LoggerFactory.getLogger(ServerMain.class);
     log.info(
         "start: {} {}, game {}, level {} ({}), {} Hz, seed {}, {} places, Java {}",

@@ -34,16 +34,26 @@ final class TestGame implements Game {
   boolean failInJoin;
   int joins;
   int leaves;
+  int inputs;
   private Archetype ball;
 
   TestGame(int balls) {
     this.balls = balls;
   }
 
+  /** Longer than one chunk, so that loading takes several. */
   static Level level() {
+    return parse(LEVEL + " ".repeat(9_000));
+  }
+
+  /** Fits one chunk. */
+  static Level shortLevel() {
+    return parse(LEVEL);
+  }
+
+  private static Level parse(String json) {
     try {
-      // Longer than one chunk, so that loading takes several.
-      return Level.parse("test.json", (LEVEL + " ".repeat(9_000)).getBytes(StandardCharsets.UTF_8));
+      return Level.parse("test.json", json.getBytes(StandardCharsets.UTF_8));
     } catch (LevelException e) {
       throw new AssertionError(e);
     }
@@ -87,6 +97,7 @@ final class TestGame implements Game {
 
   @Override
   public void input(Simulation s, Player p, Input in) {
+    inputs++;
     p.body().body().setVelocity(SPEED * in.moveX(), SPEED * in.moveY());
     if (in.held(Input.ACTION)) {
       p.memory()[1]++;
