@@ -32,6 +32,8 @@ final class ConnectScreen extends ScreenAdapter {
   }
 
   private static final int MAX_NAME_LENGTH = 16;
+  private static final float FIELD_WIDTH = 320;
+  private static final float FIELD_HEIGHT = 40;
 
   private final Stage stage = new Stage(new ScreenViewport());
   private final Array<Disposable> owned = new Array<>();
@@ -78,22 +80,22 @@ final class ConnectScreen extends ScreenAdapter {
           }
         });
 
+    Table ports = new Table();
+    ports.add(tcpPort).growX().height(FIELD_HEIGHT);
+    ports.add(new Label("UDP port", muted)).padLeft(16).padRight(12);
+    ports.add(udpPort).growX().height(FIELD_HEIGHT);
+
     Table form = new Table();
     form.setBackground(panel(Theme.PANEL, Theme.PANEL_LINE));
     form.pad(28).defaults().space(12);
     form.add(new Label("Your name", muted)).left();
-    form.add(name).width(300).height(40).colspan(3).row();
+    form.add(name).width(FIELD_WIDTH).height(FIELD_HEIGHT).row();
     form.add(new Label("Server", muted)).left();
-    form.add(host).width(300).height(40).colspan(3).row();
-    form.add(new Label("Ports", muted)).left();
-    Table ports = new Table();
-    ports.add(new Label("TCP", muted)).padRight(8);
-    ports.add(tcpPort).width(96).height(40).padRight(16);
-    ports.add(new Label("UDP", muted)).padRight(8);
-    ports.add(udpPort).width(96).height(40);
-    form.add(ports).left().colspan(3).row();
-    form.add(join).colspan(4).height(52).fillX().padTop(10).row();
-    form.add(message).colspan(4).width(420).minHeight(44);
+    form.add(host).width(FIELD_WIDTH).height(FIELD_HEIGHT).row();
+    form.add(new Label("TCP port", muted)).left();
+    form.add(ports).width(FIELD_WIDTH).row();
+    form.add(join).colspan(2).height(52).fillX().padTop(10).row();
+    form.add(message).colspan(2).width(FIELD_WIDTH + 90).minHeight(44);
 
     Table root = new Table();
     root.setFillParent(true);

@@ -7,6 +7,7 @@ import carom.net.kryo.KryoClientTransport;
 import carom.net.transport.ClientTransport;
 import com.badlogic.gdx.backends.lwjgl3.Lwjgl3Application;
 import com.badlogic.gdx.backends.lwjgl3.Lwjgl3ApplicationConfiguration;
+import com.badlogic.gdx.utils.GdxRuntimeException;
 
 /** Opens the client's window; found by {@code ServiceLoader} as {@link Window}. */
 public final class DesktopLauncher implements Window {
@@ -20,6 +21,9 @@ public final class DesktopLauncher implements Window {
 
   @Override
   public int launch(ClientOptions options) {
+    if (!hasDisplay()) {
+      return refuse("neither DISPLAY nor WAYLAND_DISPLAY is set");
+    }
     Lwjgl3ApplicationConfiguration window = new Lwjgl3ApplicationConfiguration();
     window.setTitle("Carom");
     window.setWindowedMode(WIDTH, HEIGHT);
@@ -32,15 +36,24 @@ public final class DesktopLauncher implements Window {
         new ImpairedTransport(new KryoClientTransport(), options.impairment(), System::nanoTime)) {
       new Lwjgl3Application(new CaromWindow(options, transport), window);
       return 0;
-    } catch (RuntimeException | UnsatisfiedLinkError e) {
-      System.err.println(
-          "carom-client: can't open a window: "
-              + e.getMessage()
-              + "\nA window needs a display (DISPLAY="
-              + System.getenv("DISPLAY")
-              + ") and OpenGL. Without one, play headless with --headless, or on Linux start it"
-              + " under xvfb-run.");
-      return 1;
+    } catch (GdxRuntimeException | UnsatisfiedLinkError e) {
+      return refuse(e.getMessage());
     }
+  }
+
+  /** Asked first, because the toolkit answers a missing display with a page of stack trace. */
+  private static boolean hasDisplay() {
+    return !System.getProperty("os.name").startsWith("Linux")
+        || System.getenv("DISPLAY") != null
+        || System.getenv("WAYLAND_DISPLAY") != null;
+  }
+
+  private static int refuse(String why) {
+    System.err.println(
+        "carom-client: can't open a window: "
+            + why
+            + ".\nA window needs a display and OpenGL. Without them: carom-client --headless, or on"
+            + " Linux xvfb-run carom-client.");
+    return 1;
   }
 }

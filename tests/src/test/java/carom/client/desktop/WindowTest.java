@@ -98,6 +98,19 @@ final class WindowTest {
     assertTrue(colours(image) > 200, "the picture has " + colours(image) + " colours");
   }
 
+  @Test
+  void saysWhatToDoWhereThereIsNoDisplay() throws Exception {
+    assumeTrue(System.getProperty("os.name").startsWith("Linux"), "elsewhere there always is one");
+    ProcessBuilder builder = client("--host", "localhost", "--seconds", "1");
+    builder.environment().remove("DISPLAY");
+    builder.environment().remove("WAYLAND_DISPLAY");
+    Process process = builder.start();
+    assertTrue(process.waitFor(30, TimeUnit.SECONDS));
+    assertEquals(1, process.exitValue());
+    assertTrue(output(folder).contains("--headless"), () -> output(folder));
+    assertEquals(2, output(folder).lines().count(), () -> output(folder));
+  }
+
   private volatile float lastX;
   private volatile float lastY;
   private volatile int lastColour;
@@ -121,12 +134,7 @@ final class WindowTest {
 
   private Process openWindow(VirtualDisplay display, Server server, Path picture) throws Exception {
     ProcessBuilder builder =
-        new ProcessBuilder(
-            new File(System.getProperty("java.home"), "bin/java").getPath(),
-            "-Dkryo.unsafe=false",
-            "-cp",
-            System.getProperty("java.class.path"),
-            ClientMain.class.getName(),
+        client(
             "--host",
             "localhost",
             "--tcp-port",
@@ -141,10 +149,20 @@ final class WindowTest {
             picture.toString());
     builder.environment().put("DISPLAY", display.name());
     builder.environment().put("LIBGL_ALWAYS_SOFTWARE", "1");
-    return builder
+    return builder.start();
+  }
+
+  private ProcessBuilder client(String... flags) {
+    List<String> command = new ArrayList<>();
+    command.add(new File(System.getProperty("java.home"), "bin/java").getPath());
+    command.add("-Dkryo.unsafe=false");
+    command.add("-cp");
+    command.add(System.getProperty("java.class.path"));
+    command.add(ClientMain.class.getName());
+    command.addAll(List.of(flags));
+    return new ProcessBuilder(command)
         .redirectErrorStream(true)
-        .redirectOutput(folder.resolve("window.txt").toFile())
-        .start();
+        .redirectOutput(folder.resolve("window.txt").toFile());
   }
 
   private static String output(Path folder) {
