@@ -125,7 +125,7 @@ public final class Input {
 
   @Override
   public boolean equals(Object other) {
-    return other instanceof Input && ((Input) other).pack() == pack();
+    return other instanceof Input in && in.pack() == pack();
   }
 
   @Override
