@@ -233,7 +233,7 @@ final class Connection implements LinkHandler {
       lost(
           stage == Stage.PLAYING
               ? sentence("The connection to " + address() + " was lost: " + reason)
-              : sentence("Can't reach the server at " + address() + ": " + reason));
+              : sentence("Can't reach the server: " + reason));
     }
   }
 

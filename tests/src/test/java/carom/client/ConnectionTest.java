@@ -132,7 +132,7 @@ final class ConnectionTest {
     network.server().close();
     run(0.1);
     assertEquals(ConnectionPhase.ENDED, phase());
-    assertTrue(client.view().message().startsWith("Can't reach the server at memory"));
+    assertTrue(client.view().message().startsWith("Can't reach the server: "));
   }
 
   @Test
