@@ -392,7 +392,8 @@ public final class ServerMain implements Callable<Integer> {
     Game chosen = createGame(game == null ? chosenLevel.gameName() : game);
     if (!chosen.name().equals(chosenLevel.gameName())) {
       throw bad(
-          "--game=%s doesn't fit level %s, which is made for game %s; leave --game out or choose another level"
+          ("--game=%s doesn't fit level %s, which is made for game %s; "
+                  + "leave --game out or choose another level")
               .formatted(chosen.name(), chosenLevel.name(), chosenLevel.gameName()));
     }
     return chosen;
