@@ -395,7 +395,7 @@ public final class ArenaGame implements Game {
     for (int id = s.playerCapacity() - 1; id >= 0; id--) {
       int more = size(s, 1) - size(s, 2);
       Player p = s.player(id);
-      if (p != null && (more > 1 && p.team() == 1 || more < -1 && p.team() == 2)) {
+      if (p != null && ((more > 1 && p.team() == 1) || (more < -1 && p.team() == 2))) {
         p.team(TEAMS + 1 - p.team());
         embody(s, p);
         s.notice(p.name() + " now plays for " + TEAM_NAMES[p.team()]);
@@ -452,8 +452,9 @@ public final class ArenaGame implements Game {
     float y = 0;
     for (int i = 0; i < columns * rows; i++) {
       int place = (start + i) % (columns * rows);
+      int row = place / columns;
       x = home.minX() + (place % columns + 0.5f) * cell;
-      y = home.minY() + (place / columns + 0.5f) * cell;
+      y = home.minY() + (row + 0.5f) * cell;
       if (isFree(s, x, y)) {
         break;
       }

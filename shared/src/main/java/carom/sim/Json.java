@@ -95,26 +95,23 @@ final class Json {
 
   private static Json read(String file, JsonParser p, String path)
       throws IOException, LevelException {
-    switch (p.currentToken()) {
-      case START_OBJECT:
-        return readObject(file, p, path);
-      case START_ARRAY:
-        Json array = new Json(Kind.ARRAY, path, p);
-        while (p.nextToken() != JsonToken.END_ARRAY) {
-          array.items.add(read(file, p, path + "[" + array.items.size() + "]"));
-        }
-        return array;
-      case VALUE_STRING:
-        return new Json(Kind.STRING, path, p);
-      case VALUE_NUMBER_INT:
-      case VALUE_NUMBER_FLOAT:
-        return new Json(Kind.NUMBER, path, p);
-      case VALUE_TRUE:
-      case VALUE_FALSE:
-        return new Json(Kind.BOOLEAN, path, p);
-      default:
-        return new Json(Kind.NULL, path, p);
+    return switch (p.currentToken()) {
+      case START_OBJECT -> readObject(file, p, path);
+      case START_ARRAY -> readArray(file, p, path);
+      case VALUE_STRING -> new Json(Kind.STRING, path, p);
+      case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT -> new Json(Kind.NUMBER, path, p);
+      case VALUE_TRUE, VALUE_FALSE -> new Json(Kind.BOOLEAN, path, p);
+      default -> new Json(Kind.NULL, path, p);
+    };
+  }
+
+  private static Json readArray(String file, JsonParser p, String path)
+      throws IOException, LevelException {
+    Json array = new Json(Kind.ARRAY, path, p);
+    while (p.nextToken() != JsonToken.END_ARRAY) {
+      array.items.add(read(file, p, path + "[" + array.items.size() + "]"));
     }
+    return array;
   }
 
   private static Json readObject(String file, JsonParser p, String path)
@@ -135,17 +132,16 @@ final class Json {
 
   /** The value as an error message shows it, shortened. */
   String shown() {
-    switch (kind) {
-      case STRING:
-        return '"' + (text.length() > 40 ? text.substring(0, 40) + "..." : text) + '"';
-      case NUMBER:
-        return text.length() > 40 ? text.substring(0, 40) + "..." : text;
-      case BOOLEAN:
-        return String.valueOf(truth);
-      case NULL:
-        return "null";
-      default:
-        return kind.words;
-    }
+    return switch (kind) {
+      case STRING -> '"' + shortened() + '"';
+      case NUMBER -> shortened();
+      case BOOLEAN -> String.valueOf(truth);
+      case NULL -> "null";
+      default -> kind.words;
+    };
+  }
+
+  private String shortened() {
+    return text.length() > 40 ? text.substring(0, 40) + "..." : text;
   }
 }

@@ -336,28 +336,31 @@ final class LevelReader {
       throw wrong(node.fields.get("type"), "=\"compound\" can't be part of a compound");
     }
     try {
-      switch (type) {
-        case "circle":
-          knownFields(node, CIRCLE);
-          float[] c = offset(node);
-          return new Circle(size(node, "radius"), c[0], c[1]);
-        case "box":
-          knownFields(node, BOX);
-          float[] b = offset(node);
-          return new Box(size(node, "width") / 2, size(node, "height") / 2, b[0], b[1]);
-        case "polygon":
-          knownFields(node, POLYGON);
-          return polygon(node);
-        default:
-          knownFields(node, COMPOUND);
-          return compound(node);
-      }
+      return switch (type) {
+        case "circle" -> circle(node);
+        case "box" -> box(node);
+        case "polygon" -> polygon(node);
+        default -> compound(node);
+      };
     } catch (IllegalArgumentException e) {
       throw wrong(node, ": " + e.getMessage());
     }
   }
 
+  private Circle circle(Json node) throws LevelException {
+    knownFields(node, CIRCLE);
+    float[] at = offset(node);
+    return new Circle(size(node, "radius"), at[0], at[1]);
+  }
+
+  private Box box(Json node) throws LevelException {
+    knownFields(node, BOX);
+    float[] at = offset(node);
+    return new Box(size(node, "width") / 2, size(node, "height") / 2, at[0], at[1]);
+  }
+
   private Polygon polygon(Json node) throws LevelException {
+    knownFields(node, POLYGON);
     required(node, "points");
     List<Json> points = list(node, "points", MAX_POINTS);
     if (points.size() < 3) {
@@ -373,6 +376,7 @@ final class LevelReader {
   }
 
   private Compound compound(Json node) throws LevelException {
+    knownFields(node, COMPOUND);
     required(node, "parts");
     List<Json> parts = list(node, "parts", MAX_PARTS);
     if (parts.isEmpty()) {

@@ -42,7 +42,7 @@ public final class SimRandom {
     if (bound <= 0) {
       throw new IllegalArgumentException("bound=" + bound + " must be > 0");
     }
-    return (int) ((nextLong() >>> 32) * bound >>> 32);
+    return (int) (((nextLong() >>> 32) * bound) >>> 32);
   }
 
   /** A number in [0, 1) in steps of 2^-24. */

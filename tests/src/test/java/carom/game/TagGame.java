@@ -74,7 +74,7 @@ public final class TagGame implements Game {
       if (p == null || p == it) {
         continue;
       }
-      if (it == null || s.tick() >= s.memory()[GRACE] && touches(it, p)) {
+      if (it == null || (s.tick() >= s.memory()[GRACE] && touches(it, p))) {
         makeIt(s, p);
         it = p;
       } else if (s.tick() % s.tickRate() == 0) {

@@ -26,8 +26,11 @@ class LevelTest {
   private record Case(String name, String json, String message, boolean schema) {}
 
   private static final String HEAD =
-      "{\n\"name\": \"t\", \"game\": \"arena\", \"gravity\": [0, -10],\n"
-          + "\"bounds\": {\"min\": [-10, -10], \"max\": [10, 10]},\n";
+      """
+      {
+      "name": "t", "game": "arena", "gravity": [0, -10],
+      "bounds": {"min": [-10, -10], "max": [10, 10]},
+      """;
   private static final String BOX = "\"shape\": {\"type\": \"box\", \"width\": 1, \"height\": 1}";
 
   private static Case field(String name, String rest, String message) {

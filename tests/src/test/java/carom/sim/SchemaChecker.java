@@ -51,59 +51,51 @@ final class SchemaChecker {
   private String check(String keyword, Json rule, Json schema, Json value) {
     boolean number = value.kind == Json.Kind.NUMBER;
     boolean text = value.kind == Json.Kind.STRING;
-    switch (keyword) {
-      case "$schema":
-      case "$defs":
-      case "title":
-      case "description":
-        return "";
-      case "$ref":
-        return check(root.fields.get("$defs").fields.get(rule.text.substring(8)), value);
-      case "type":
-        return when(isType(rule.text, value), value, "type " + rule.text);
-      case "minimum":
-        return when(!number || value.number >= rule.number, value, keyword);
-      case "maximum":
-        return when(!number || value.number <= rule.number, value, keyword);
-      case "minLength":
-        return when(!text || value.text.length() >= rule.number, value, keyword);
-      case "maxLength":
-        return when(!text || value.text.length() <= rule.number, value, keyword);
-      case "pattern":
-        return when(!text || value.text.matches(rule.text), value, keyword);
-      case "minItems":
-        return when(value.items.size() >= rule.number, value, keyword);
-      case "maxItems":
-        return when(value.items.size() <= rule.number, value, keyword);
-      case "enum":
-        return when(rule.items.stream().anyMatch(w -> w.text.equals(value.text)), value, keyword);
-      case "anyOf":
-        return when(rule.items.stream().anyMatch(s -> check(s, value).isEmpty()), value, keyword);
-      case "required":
-        return when(
-            rule.items.stream().allMatch(f -> value.fields.containsKey(f.text)), value, keyword);
-      case "items":
-        return first(value.items, rule);
-      case "properties":
-        for (Map.Entry<String, Json> field : rule.fields.entrySet()) {
-          Json present = value.fields.get(field.getKey());
-          String problem = present == null ? "" : check(field.getValue(), present);
-          if (!problem.isEmpty()) {
-            return problem;
-          }
-        }
-        return "";
-      case "additionalProperties":
-        if (rule.kind == Json.Kind.OBJECT) {
-          return first(new ArrayList<>(value.fields.values()), rule);
-        }
-        return when(
-            schema.fields.get("properties").fields.keySet().containsAll(value.fields.keySet()),
-            value,
-            keyword);
-      default:
-        throw new AssertionError("the schema uses " + keyword + "; teach it to this class");
+    return switch (keyword) {
+      case "$schema", "$defs", "title", "description" -> "";
+      case "$ref" -> check(root.fields.get("$defs").fields.get(rule.text.substring(8)), value);
+      case "type" -> when(isType(rule.text, value), value, "type " + rule.text);
+      case "minimum" -> when(!number || value.number >= rule.number, value, keyword);
+      case "maximum" -> when(!number || value.number <= rule.number, value, keyword);
+      case "minLength" -> when(!text || value.text.length() >= rule.number, value, keyword);
+      case "maxLength" -> when(!text || value.text.length() <= rule.number, value, keyword);
+      case "pattern" -> when(!text || value.text.matches(rule.text), value, keyword);
+      case "minItems" -> when(value.items.size() >= rule.number, value, keyword);
+      case "maxItems" -> when(value.items.size() <= rule.number, value, keyword);
+      case "enum" ->
+          when(rule.items.stream().anyMatch(w -> w.text.equals(value.text)), value, keyword);
+      case "anyOf" ->
+          when(rule.items.stream().anyMatch(s -> check(s, value).isEmpty()), value, keyword);
+      case "required" ->
+          when(rule.items.stream().allMatch(f -> value.fields.containsKey(f.text)), value, keyword);
+      case "items" -> first(value.items, rule);
+      case "properties" -> properties(rule, value);
+      case "additionalProperties" ->
+          rule.kind == Json.Kind.OBJECT
+              ? first(new ArrayList<>(value.fields.values()), rule)
+              : when(
+                  schema
+                      .fields
+                      .get("properties")
+                      .fields
+                      .keySet()
+                      .containsAll(value.fields.keySet()),
+                  value,
+                  keyword);
+      default ->
+          throw new AssertionError("the schema uses " + keyword + "; teach it to this class");
+    };
+  }
+
+  private String properties(Json rule, Json value) {
+    for (Map.Entry<String, Json> field : rule.fields.entrySet()) {
+      Json present = value.fields.get(field.getKey());
+      String problem = present == null ? "" : check(field.getValue(), present);
+      if (!problem.isEmpty()) {
+        return problem;
+      }
     }
+    return "";
   }
 
   private String first(List<Json> values, Json schema) {
@@ -117,12 +109,10 @@ final class SchemaChecker {
   }
 
   private static boolean isType(String type, Json value) {
-    switch (type) {
-      case "integer":
-        return value.kind == Json.Kind.NUMBER && value.number == Math.rint(value.number);
-      default:
-        return value.kind.name().equalsIgnoreCase(type);
+    if (type.equals("integer")) {
+      return value.kind == Json.Kind.NUMBER && value.number == Math.rint(value.number);
     }
+    return value.kind.name().equalsIgnoreCase(type);
   }
 
   private static String when(boolean agrees, Json value, String keyword) {
