@@ -153,12 +153,14 @@ public final class ServerMain implements Callable<Integer> {
       names = {"-h", "--help"},
       usageHelp = true,
       description = "Shows this text.")
+  @SuppressWarnings("unused") // picocli shows the help
   private boolean help;
 
   @Option(
       names = {"-V", "--version"},
       versionHelp = true,
       description = "Shows the version.")
+  @SuppressWarnings("unused") // picocli shows the version
   private boolean version;
 
   /** Values of {@code --log-level}. */

@@ -328,7 +328,7 @@ public final class World<T> {
 
   private void checkOwner(WorldState s) {
     if (s.owner != this) {
-      throw new IllegalArgumentException("state=" + s + " was saved by another world");
+      throw new IllegalArgumentException("the state was saved by another world; restore it there");
     }
   }
 

@@ -217,8 +217,9 @@ final class ContactResponseTest {
     Scenes.Rng r = new Scenes.Rng(11);
     Material m = new Material(1, 0, 1);
     for (int i = 0; i < 100; i++) {
+      int row = i / 10;
       float x = (i % 10 - 4.5f) * .7f;
-      float y = (i / 10 - 4.5f) * .7f;
+      float y = (row - 4.5f) * .7f;
       disc(w, x, y, .25f, m).setVelocity(r.in(-3, 3), r.in(-3, 3));
     }
     double energy = Scenes.kineticEnergy(w);

@@ -123,8 +123,9 @@ final class Scenes {
     w.createBody(new BodyDef().shape(new Box(half + 10, 5), m).position(0, half + 5), "wall");
     Rng r = new Rng(seed);
     for (int i = 0; i < perSide * perSide; i++) {
+      int row = i / perSide;
       float x = (i % perSide - (perSide - 1) * 0.5f) * 1.8f + r.in(-.5f, .5f);
-      float y = (i / perSide - (perSide - 1) * 0.5f) * 1.8f + r.in(-.5f, .5f);
+      float y = (row - (perSide - 1) * 0.5f) * 1.8f + r.in(-.5f, .5f);
       disc(w, x, y, .25f, m).setVelocity(r.in(-5, 5), r.in(-5, 5));
     }
     return w;

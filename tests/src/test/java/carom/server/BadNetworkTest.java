@@ -57,8 +57,8 @@ class BadNetworkTest {
             new FakeClient(
                 new ImpairedLink(
                     network.client().connect("", 0, 0),
-                    bad.withSeed(seed + 2 * i),
-                    bad.withSeed(seed + 2 * i + 1),
+                    bad.withSeed(seed + 2L * i),
+                    bad.withSeed(seed + 2L * i + 1),
                     () -> nowNs[0]));
         client.leadTicks = 20;
         client.onDecoded = () -> compared[0] += assertExact(server, client, "seed=" + seed);

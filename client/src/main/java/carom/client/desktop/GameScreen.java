@@ -29,7 +29,6 @@ final class GameScreen extends ScreenAdapter {
     void leave(String reason);
   }
 
-  private final Canvas canvas;
   private final SpriteBatch batch = new SpriteBatch();
   private final Matrix4 pixels = new Matrix4();
   private final ViewCamera camera = new ViewCamera();
@@ -46,7 +45,6 @@ final class GameScreen extends ScreenAdapter {
   private float secondsPlayed;
 
   GameScreen(Canvas canvas, Fonts fonts, Exit exit) {
-    this.canvas = canvas;
     this.exit = exit;
     world = new WorldPainter(canvas);
     debug = new DebugPainter(canvas);

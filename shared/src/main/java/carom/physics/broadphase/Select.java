@@ -29,7 +29,7 @@ final class Select {
     while (right - left >= SORTED) {
       int n = right - left + 1;
       if (n > SAMPLED) {
-        int sample = (int) Math.sqrt(n) * 2;
+        int sample = 2 * (int) Math.sqrt(n);
         int from = Math.max(left, Math.min(k - sample / 2, right - sample + 1));
         for (int i = from; i < from + sample; i++) {
           random ^= random << 13;

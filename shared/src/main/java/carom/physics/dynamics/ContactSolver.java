@@ -202,14 +202,14 @@ final class ContactSolver {
               + (bodies.ay(slotA) - bodies.ay(slotB)) * ny[k];
       float threshold = t.restitution[r] > 0 ? s.restitutionThreshold() : Float.MAX_VALUE;
       float e = t.restitution[r];
-      preparePoint(first, k, t.x0[r], t.y0[r], gapX, gapY, bodies.state);
+      preparePoint(first, k, t.x0[r], t.y0[r], gapX, gapY);
       first.separation[k] = t.separation0[r];
       first.normal[k] = t.normal0[r];
       first.tangent[k] = t.tangent0[r];
       first.bounce[k] = bounce(first, k, bodies.state, threshold, e, h);
       two[k] = points > 1;
       if (points > 1) {
-        preparePoint(second, k, t.x1[r], t.y1[r], gapX, gapY, bodies.state);
+        preparePoint(second, k, t.x1[r], t.y1[r], gapX, gapY);
         second.separation[k] = t.separation1[r];
         second.normal[k] = t.normal1[r];
         second.tangent[k] = t.tangent1[r];
@@ -218,8 +218,7 @@ final class ContactSolver {
     }
   }
 
-  private void preparePoint(
-      Point p, int k, float x, float y, float gapX, float gapY, float[] state) {
+  private void preparePoint(Point p, int k, float x, float y, float gapX, float gapY) {
     float bx = x - gapX;
     float by = y - gapY;
     p.ax[k] = x;

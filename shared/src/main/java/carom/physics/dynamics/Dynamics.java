@@ -307,7 +307,7 @@ public final class Dynamics {
     boxesStale = true;
     refreshBoxes();
     findPairs();
-    collide(dt);
+    collide();
     if (events != null) {
       announce(events);
     }
@@ -425,7 +425,7 @@ public final class Dynamics {
         ContactKey.of(a, p - bodies.firstPart[a], b, q - bodies.firstPart[b]);
   }
 
-  private void collide(float dt) {
+  private void collide() {
     touching = 0;
     float distance = settings.speculativeDistance();
     for (int row = 0; row < contacts.count(); row++) {

@@ -18,6 +18,7 @@ import java.net.SocketException;
 import java.net.SocketTimeoutException;
 import java.nio.ByteBuffer;
 import java.nio.channels.DatagramChannel;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -141,9 +142,7 @@ final class KryoHostilityTest {
     /** Whether the server closes this connection, its last words read away. */
     boolean closedByServer() throws IOException {
       try {
-        while (tcp.getInputStream().read() >= 0) {
-          continue;
-        }
+        tcp.getInputStream().transferTo(OutputStream.nullOutputStream());
         return true;
       } catch (SocketTimeoutException x) {
         return false;
@@ -255,7 +254,7 @@ final class KryoHostilityTest {
     for (int length : new int[] {-1, 0, Integer.MAX_VALUE, Integer.MIN_VALUE, 5_000}) {
       attacks.add(ByteBuffer.allocate(8).putInt(length).putInt(0).array());
     }
-    attacks.add("GET / HTTP/1.1\r\nHost: x\r\n\r\n".getBytes("US-ASCII"));
+    attacks.add("GET / HTTP/1.1\r\nHost: x\r\n\r\n".getBytes(StandardCharsets.US_ASCII));
     attacks.add(new byte[] {0, 0, 0, 1, 99}); // unknown tag
     attacks.add(new byte[] {0, 0, 0, 1, Frame.MESSAGE}); // no message
     attacks.add(new byte[] {0, 0, 0, 2, Frame.MESSAGE, 0x43}); // a server's message
@@ -291,7 +290,7 @@ final class KryoHostilityTest {
           stranger.udp.write(ByteBuffer.wrap(content));
         }
       } catch (SocketException x) {
-        continue; // closed in the middle of it, as it should be
+        // closed in the middle of it, as it should be
       }
     }
     assertCanarySings();
@@ -493,9 +492,10 @@ final class KryoHostilityTest {
       }
       eventually(() -> link.counters().datagramsDropped.get() > 0, link::toString);
       Network.Inbox inbox = new Network.Inbox();
-      while (link.poll(inbox, 7) > 0) {
-        continue;
-      }
+      int polled;
+      do {
+        polled = link.poll(inbox, 7);
+      } while (polled > 0);
       assertTrue(inbox.datagrams.size() >= 128, "datagrams=" + inbox.datagrams.size());
       for (int i = 0; i < 128; i++) {
         assertEquals((byte) i, inbox.datagrams.get(i)[0]);
