@@ -407,8 +407,11 @@ public final class GameClient implements AutoCloseable {
     return view;
   }
 
-  /** What has arrived, for tests that compare it with the server's truth; null before joining. */
-  SnapshotDecoder decoder() {
+  /**
+   * What has arrived, exactly as the server sent it; null before joining. For reading only: tests
+   * and tools compare it with the server's truth.
+   */
+  public SnapshotDecoder decoder() {
     return decoder;
   }
 

@@ -1,0 +1,233 @@
+package carom.testkit;
+
+import carom.client.ClientConfig;
+import carom.client.ClientView;
+import carom.client.GameClient;
+import carom.client.ImpairedTransport;
+import carom.client.InputSource;
+import carom.client.NetStats;
+import carom.net.snapshot.EntityHistory;
+import carom.net.snapshot.FrameRing;
+import carom.net.snapshot.FrameState;
+import carom.net.snapshot.SnapshotDecoder;
+import carom.net.transport.ClientTransport;
+import carom.net.transport.ImpairedLink;
+import carom.net.transport.Impairment;
+import carom.net.transport.Link;
+import java.util.function.LongSupplier;
+
+/**
+ * One player of a {@link Stepper}: a real {@link GameClient} behind a network of its own, played by
+ * a script. After each update everything it has newly decoded is compared with the server's frame
+ * states, to the last quantum.
+ */
+public final class SimulatedClient {
+  /** States may be inserted behind the newest when datagrams overtake each other. */
+  private static final int RECHECKED_TICKS = 32;
+
+  private final String name;
+  private final GameClient client;
+  private final Impairment impairment;
+  private InputSource script;
+  private ImpairedLink link;
+  private boolean frozen;
+  private boolean dead;
+  private long blackoutEndNs = Long.MIN_VALUE;
+
+  private SnapshotDecoder checkedDecoder;
+  private int checkedTick;
+  private int checkedSequence;
+  private long checkedBits;
+  private long compared;
+  private long unverified;
+
+  SimulatedClient(
+      ClientConfig config,
+      ClientTransport transport,
+      Impairment impairment,
+      InputSource script,
+      LongSupplier clock) {
+    this.name = config.name();
+    this.impairment = impairment;
+    this.script = script;
+    ImpairedTransport impaired = new ImpairedTransport(transport, impairment, clock);
+    ClientTransport remembering =
+        new ClientTransport() {
+          @Override
+          public Link connect(String host, int tcpPort, int udpPort) {
+            link = (ImpairedLink) impaired.connect(host, tcpPort, udpPort);
+            return link;
+          }
+
+          @Override
+          public void close() {}
+        };
+    client =
+        new GameClient(
+            config, remembering, (view, tick, out) -> this.script.sample(view, tick, out));
+  }
+
+  // ---- driven by the stepper
+
+  void update(long nowNs, FrameRing truth) {
+    if (frozen || dead) {
+      return;
+    }
+    if (blackoutEndNs != Long.MIN_VALUE && nowNs - blackoutEndNs >= 0) {
+      blackoutEndNs = Long.MIN_VALUE;
+      impair(impairment);
+    }
+    client.update(nowNs);
+    check(truth);
+  }
+
+  private void check(FrameRing truth) {
+    SnapshotDecoder decoder = client.decoder();
+    if (decoder == null || !decoder.hasAck() || truth == null) {
+      return;
+    }
+    if (decoder != checkedDecoder) {
+      checkedDecoder = decoder;
+      checkedTick = 0;
+    } else if (decoder.ackSequence() == checkedSequence && decoder.ackBits() == checkedBits) {
+      return;
+    }
+    checkedSequence = decoder.ackSequence();
+    checkedBits = decoder.ackBits();
+    int from = checkedTick - RECHECKED_TICKS;
+    for (int slot = 0; slot < decoder.slotLimit(); slot++) {
+      EntityHistory history = decoder.history(slot);
+      for (int i = 0; history != null && i < history.size() && history.tick(i) > from; i++) {
+        FrameState frame = truth.at(history.tick(i));
+        if (frame == null) {
+          unverified++;
+        } else {
+          requireEqual(frame, slot, history, i);
+          compared++;
+        }
+      }
+    }
+    checkedTick = decoder.newestTick();
+  }
+
+  private void requireEqual(FrameState frame, int slot, EntityHistory history, int i) {
+    boolean equal =
+        frame.alive(slot) == history.alive(i)
+            && (!frame.alive(slot)
+                || (frame.generation(slot) == history.generation(i)
+                    && frame.archetype(slot) == history.archetype(i)
+                    && frame.owner(slot) == history.owner(i)
+                    && frame.x(slot) == history.x(i)
+                    && frame.y(slot) == history.y(i)
+                    && frame.angle(slot) == history.angle(i)
+                    && frame.vx(slot) == history.vx(i)
+                    && frame.vy(slot) == history.vy(i)
+                    && frame.omega(slot) == history.omega(i)));
+    if (!equal) {
+      throw new AssertionError(
+          "%s decoded another state than the server had: slot=%d tick=%d client=%s server=%s %s"
+              .formatted(
+                  name,
+                  slot,
+                  history.tick(i),
+                  history.alive(i) ? "(" + history.x(i) + ", " + history.y(i) + ")" : "gone",
+                  frame.alive(slot) ? "(" + frame.x(slot) + ", " + frame.y(slot) + ")" : "gone",
+                  impairment));
+    }
+  }
+
+  /**
+   * Requires that the newest state known of each slot is what the server has in a frame; true of a
+   * world at rest, and of a moving one over a perfect network.
+   */
+  public void requireSame(FrameState frame) {
+    SnapshotDecoder decoder = client.decoder();
+    int limit = Math.max(frame.slotLimit(), decoder.slotLimit());
+    for (int slot = 0; slot < limit; slot++) {
+      EntityHistory history = decoder.history(slot);
+      boolean known = history != null && history.size() > 0;
+      if (known) {
+        requireEqual(frame, slot, history, 0);
+      } else if (frame.alive(slot)) {
+        throw new AssertionError(
+            name + " never heard of slot=" + slot + " tick=" + frame.tick() + " " + impairment);
+      }
+    }
+  }
+
+  // ---- what may happen to a player
+
+  /** Plays by another script from now on. */
+  public void play(InputSource next) {
+    script = next;
+  }
+
+  /** Changes both directions of the network from now on. */
+  public void impair(Impairment next) {
+    link.impair(next, next);
+  }
+
+  /** Loses every datagram in both directions until a moment of virtual time. */
+  void blackout(long endNs) {
+    blackoutEndNs = endNs;
+    impair(impairment.withLoss(100));
+  }
+
+  /** Stops the process, or lets it go on: nothing is sent, read or closed meanwhile. */
+  public void freeze(boolean stopped) {
+    frozen = stopped;
+  }
+
+  /** The line breaks; the client notices and may come back. */
+  public void cut() {
+    link.close("the line was cut");
+  }
+
+  /** The process dies: the system closes its sockets, nobody says goodbye. Not to be revived. */
+  public void kill() {
+    dead = true;
+    link.close("the process died");
+  }
+
+  /** Leaves as a player does who closes the window. */
+  public void leave() {
+    client.close();
+  }
+
+  // ---- what can be seen
+
+  /** The name asked for; the server may have added a number. */
+  public String name() {
+    return name;
+  }
+
+  /** The client. */
+  public GameClient game() {
+    return client;
+  }
+
+  /** What the player sees. */
+  public ClientView view() {
+    return client.view();
+  }
+
+  /** Numbers about the connection. */
+  public NetStats stats() {
+    return client.stats();
+  }
+
+  /** States compared with the server's, and found equal. */
+  public long compared() {
+    return compared;
+  }
+
+  /** States so late that the server had forgotten its own by then. */
+  public long unverified() {
+    return unverified;
+  }
+
+  @Override
+  public String toString() {
+    return name + " " + view().phase() + " \"" + view().message() + "\" " + impairment;
+  }
+}

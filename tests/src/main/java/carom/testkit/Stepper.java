@@ -1,0 +1,316 @@
+package carom.testkit;
+
+import carom.client.ClientConfig;
+import carom.client.ConnectionPhase;
+import carom.client.InputSource;
+import carom.game.Games;
+import carom.net.snapshot.FrameState;
+import carom.net.transport.ClientTransport;
+import carom.net.transport.Impairment;
+import carom.server.Server;
+import carom.server.config.ServerConfig;
+import carom.server.metrics.Counter;
+import carom.sim.Entity;
+import carom.sim.Level;
+import carom.sim.Player;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+
+/**
+ * Owns one server, any number of clients and the clock, and moves all of them on in slices of two
+ * milliseconds on the calling thread. In memory nothing sleeps and two equal runs end in equal
+ * {@linkplain #hash hashes}; the same scenario runs {@linkplain #overSockets over sockets} too,
+ * where time is real.
+ *
+ * <p>Each state that any client decodes is compared with the server's on the way; {@link #close}
+ * fails when the server counted something that should not happen.
+ */
+public final class Stepper implements AutoCloseable {
+  /** Seed of everything random; set another one with {@code -Dcarom.seed=N}. */
+  public static final long SEED = Long.getLong("carom.seed", 42);
+
+  private static final double JOIN_SECONDS = 8;
+  private static final long SEED_STRIDE = 1_000; // a client may connect again, with further seeds
+
+  private final Wire wire;
+  private final ServerConfig config;
+  private final Level level;
+  private final List<SimulatedClient> clients = new ArrayList<>();
+  private long nowNs;
+  private Server server;
+  private long hash;
+  private int hashedTick = -1;
+  private boolean expulsionsExpected;
+
+  private Stepper(Wire wire, ServerConfig config, Level level, long startNs) {
+    this.wire = wire;
+    this.config = config.withStatusIntervalS(0).withGameName(level.gameName());
+    this.level = level;
+    this.nowNs = startNs;
+    startServer();
+  }
+
+  /** In memory and virtual time, the level that a game starts with. */
+  public static Stepper of(String game) {
+    return of(builtIn(game), ServerConfig.defaults());
+  }
+
+  /** In memory and virtual time. */
+  public static Stepper of(Level level, ServerConfig config) {
+    return new Stepper(new InProcessWire(), config, level, 1_000_000_000L);
+  }
+
+  /** Over KryoNet on loopback and in real time, the level that a game starts with. */
+  public static Stepper overSockets(String game) {
+    return new Stepper(new SocketWire(), ServerConfig.defaults(), builtIn(game), System.nanoTime());
+  }
+
+  private static Level builtIn(String game) {
+    try {
+      return Level.builtIn(Games.create(game).defaultLevel());
+    } catch (Exception e) {
+      throw new IllegalStateException("the level of game " + game + " can't be read", e);
+    }
+  }
+
+  // ---- the server
+
+  /** Starts a fresh server at the same address, after {@link #stopServer}. */
+  public void startServer() {
+    server = new Server(config, Games.create(level.gameName()), level, wire.serve(), () -> nowNs);
+    hashedTick = -1;
+    server.tick(nowNs);
+  }
+
+  /** Stops the server as an operator does: it says goodbye to everybody. */
+  public void stopServer() {
+    requireHealthy();
+    server.close();
+    server = null;
+  }
+
+  /** The server that runs; null while it is stopped. */
+  public Server server() {
+    return server;
+  }
+
+  /** A counter of the server. */
+  public long count(Counter counter) {
+    return server.counters().get(counter);
+  }
+
+  /** The server's quantised state after a tick; null when that was too long ago. */
+  public FrameState frame(int tick) {
+    return server.room().frames().at(tick);
+  }
+
+  /** The server's newest quantised state. */
+  public FrameState frame() {
+    return server.room().frames().newest();
+  }
+
+  /** A player at the server, or null. */
+  public Player player(SimulatedClient client) {
+    return server.room().simulation().player(client.view().playerId());
+  }
+
+  /** A player's body at the server, or null. */
+  public Entity body(SimulatedClient client) {
+    Player player = player(client);
+    return player == null ? null : player.body();
+  }
+
+  /** Says that this scenario makes the server expel somebody. */
+  public void expectExpulsions() {
+    expulsionsExpected = true;
+  }
+
+  // ---- clients
+
+  /** Adds a client that begins to connect with the next slice. */
+  public SimulatedClient add(String name, Impairment impairment, InputSource script) {
+    return add(
+        ClientConfig.of(name).withServer("localhost", wire.tcpPort(), wire.udpPort()),
+        impairment,
+        script);
+  }
+
+  /** Adds a client with settings of its own; its address must be this server's. */
+  public SimulatedClient add(ClientConfig settings, Impairment impairment, InputSource script) {
+    SimulatedClient client =
+        new SimulatedClient(
+            settings,
+            wire.client(),
+            impairment.withSeed(impairment.seed() + SEED_STRIDE * clients.size()),
+            script,
+            () -> nowNs);
+    clients.add(client);
+    return client;
+  }
+
+  /** Adds a client and runs until it sees its own body. */
+  public SimulatedClient join(String name, Impairment impairment, InputSource script) {
+    SimulatedClient client = add(name, impairment, script);
+    awaitPlaying(client);
+    return client;
+  }
+
+  /** Adds idle clients on a clean network, and runs until all see their bodies. */
+  public List<SimulatedClient> join(int count) {
+    List<SimulatedClient> joined = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      joined.add(add("player" + clients.size(), Impairment.NONE, InputSource.IDLE));
+    }
+    joined.forEach(this::awaitPlaying);
+    return joined;
+  }
+
+  /** Runs until a client plays and sees its own body. */
+  public void awaitPlaying(SimulatedClient client) {
+    runUntil(
+        client.name() + " plays",
+        () ->
+            client.view().phase() == ConnectionPhase.PLAYING
+                && client.view().own() != null
+                && !client.view().players().isEmpty(),
+        JOIN_SECONDS);
+  }
+
+  /** All clients added, in order. */
+  public List<SimulatedClient> clients() {
+    return clients;
+  }
+
+  /** The clients' side of the network, for peers that are no clients. */
+  public ClientTransport transport() {
+    return wire.client();
+  }
+
+  /** TCP port of the server; 0 in memory. */
+  public int tcpPort() {
+    return wire.tcpPort();
+  }
+
+  /** UDP port of the server; 0 in memory. */
+  public int udpPort() {
+    return wire.udpPort();
+  }
+
+  /** Loses a client's datagrams in both directions for some time. */
+  public void blackout(SimulatedClient client, double seconds) {
+    client.blackout(nowNs + (long) (seconds * 1e9));
+  }
+
+  // ---- time
+
+  /** The present, nanoseconds. */
+  public long nowNs() {
+    return nowNs;
+  }
+
+  /** One slice of time: the server first, then each client in order. */
+  public void step() {
+    nowNs = wire.advance(nowNs);
+    stepServer();
+    stepClients();
+  }
+
+  /** Moves time on by a slice, and only the server with it; {@link #stepClients} must follow. */
+  public void stepTimeAndServer() {
+    nowNs = wire.advance(nowNs);
+    stepServer();
+  }
+
+  private void stepServer() {
+    if (server != null) {
+      server.tick(nowNs);
+      FrameState frame = frame();
+      if (frame.tick() != hashedTick) {
+        hashedTick = frame.tick();
+        hash = (hash ^ frame.hash()) * 0x9e3779b97f4a7c15L;
+      }
+    }
+  }
+
+  /** The clients' part of a slice. */
+  public void stepClients() {
+    for (int i = 0; i < clients.size(); i++) {
+      clients.get(i).update(nowNs, server == null ? null : server.room().frames());
+    }
+  }
+
+  /** Lets time pass. */
+  public void run(double seconds) {
+    long endNs = nowNs + (long) (seconds * 1e9);
+    while (nowNs - endNs < 0) {
+      step();
+    }
+  }
+
+  /** Lets time pass until something holds, and fails when it takes too long. */
+  public void runUntil(String what, BooleanSupplier condition, double maxSeconds) {
+    long endNs = nowNs + (long) (maxSeconds * 1e9);
+    while (!condition.getAsBoolean()) {
+      if (nowNs - endNs >= 0) {
+        throw new AssertionError("not within " + maxSeconds + " s: " + what + "; " + describe());
+      }
+      step();
+    }
+  }
+
+  // ---- verdicts
+
+  /** A number that tells this server's frames so far; equal runs in memory have equal hashes. */
+  public long hash() {
+    return hash;
+  }
+
+  /** States that the clients decoded, compared with the server's. */
+  public long compared() {
+    return clients.stream().mapToLong(SimulatedClient::compared).sum();
+  }
+
+  /** Requires that every client has the server's newest state; for a world at rest. */
+  public void requireAllSame() {
+    for (SimulatedClient client : clients) {
+      client.requireSame(frame());
+    }
+  }
+
+  /** Seed, server and clients, for messages. */
+  public String describe() {
+    return "seed="
+        + SEED
+        + " server="
+        + (server == null ? "stopped" : server.status())
+        + " clients="
+        + clients;
+  }
+
+  private void requireHealthy() {
+    requireZero(Counter.SESSIONS_FAILED);
+    requireZero(Counter.GAME_FAILURES);
+    if (!expulsionsExpected) {
+      requireZero(Counter.SESSIONS_EXPELLED);
+    }
+  }
+
+  private void requireZero(Counter counter) {
+    if (count(counter) != 0) {
+      throw new AssertionError(counter + "=" + count(counter) + "; " + describe());
+    }
+  }
+
+  /** Ends everything. */
+  @Override
+  public void close() {
+    try {
+      if (server != null) {
+        stopServer();
+      }
+    } finally {
+      wire.close();
+    }
+  }
+}

@@ -1,0 +1,163 @@
+package carom.scenario;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.client.ConnectionPhase;
+import carom.client.InputSource;
+import carom.client.bots.Bot;
+import carom.net.transport.Impairment;
+import carom.server.config.ServerConfig;
+import carom.server.metrics.Counter;
+import carom.sim.Level;
+import carom.testkit.Condition;
+import carom.testkit.Scripts;
+import carom.testkit.SimulatedClient;
+import carom.testkit.Stepper;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * Goal: whatever the network does, what a client holds of a tick is what the server had after it,
+ * to the last quantum. Method: the stepper compares each decoded state; here are the networks.
+ */
+class AgreementScenarioTest {
+  static Stream<Arguments> gamesAndConditions() {
+    return Stream.of("arena", "platformer")
+        .flatMap(game -> Stream.of(Condition.values()).map(c -> Arguments.of(game, c)));
+  }
+
+  @ParameterizedTest
+  @MethodSource("gamesAndConditions")
+  void playersAgreeWithTheServerInEveryNetwork(String game, Condition condition) {
+    // Goal: two players on a bad network and one on a clean one agree with the server.
+    // Method: bots and a wanderer, ten seconds, a late joiner on the bad network.
+    try (Stepper stepper = Stepper.of(game)) {
+      List<SimulatedClient> bad = new ArrayList<>();
+      for (int i = 0; i < 2; i++) {
+        bad.add(stepper.add("bad" + i, condition.impairment(Stepper.SEED), new Bot(i)));
+      }
+      SimulatedClient clean = stepper.add("clean", Impairment.NONE, Scripts.wander(Stepper.SEED));
+      stepper.run(4);
+      if (condition.hasBlackout()) {
+        bad.forEach(client -> stepper.blackout(client, 1));
+      }
+      stepper.run(3);
+      bad.add(stepper.join("late", condition.impairment(Stepper.SEED), new Bot(9)));
+      stepper.run(3);
+      for (SimulatedClient client : stepper.clients()) {
+        String about = condition + " " + client + " " + stepper.describe();
+        assertEquals(ConnectionPhase.PLAYING, client.view().phase(), about);
+        assertEquals(0, client.stats().reconnects(), about);
+        assertEquals(0, client.stats().malformed(), about);
+        assertEquals(4, client.view().players().size(), about);
+        assertTrue(client.compared() > 200, "compared=" + client.compared() + " " + about);
+        assertTrue(client.unverified() * 100 <= client.compared(), about);
+      }
+      assertTrue(clean.stats().snapshots() > 550, stepper.describe());
+    }
+  }
+
+  static Stream<Arguments> restfulLevelsAndConditions() {
+    return Stream.of(Levels.arenaWithBall(), Levels.platformerWithCrates())
+        .flatMap(level -> Stream.of(Condition.values()).map(c -> Arguments.of(level, c)));
+  }
+
+  @ParameterizedTest
+  @MethodSource("restfulLevelsAndConditions")
+  void afterTheWorldHasComeToRestEverybodyHasAllOfIt(Level level, Condition condition) {
+    // Goal: nothing is forgotten for good, however much was lost while it moved.
+    // Method: play, let go, wait; then every slot at every client equals the server's.
+    try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
+      for (int i = 0; i < 3; i++) {
+        stepper.add("p" + i, condition.impairment(Stepper.SEED), Scripts.wander(Stepper.SEED + i));
+      }
+      stepper.run(5);
+      if (condition.hasBlackout()) {
+        stepper.clients().forEach(client -> stepper.blackout(client, 1));
+      }
+      stepper.clients().forEach(client -> client.play(InputSource.IDLE));
+      stepper.runUntil("the world rests", () -> restsSince(stepper) > 60, 40);
+      stepper.run(2);
+      stepper.requireAllSame();
+    }
+  }
+
+  private static int restsSince(Stepper stepper) {
+    int newest = 0;
+    var frame = stepper.frame();
+    for (int slot = 0; slot < frame.slotLimit(); slot++) {
+      newest = Math.max(newest, frame.changedTick(slot));
+    }
+    return frame.tick() - newest;
+  }
+
+  @ParameterizedTest
+  @EnumSource(
+      value = Condition.class,
+      names = {"CLEAN", "LOSS_10_PERCENT", "LATENCY_100_JITTER_50"})
+  void aLateJoinerGetsEverythingThereIs(Condition condition) {
+    // Goal: who comes when all has rested for long still sees all of it.
+    // Method: a world at rest, keep-alives only, then one more client.
+    try (Stepper stepper = Stepper.of(Levels.platformerWithCrates(), ServerConfig.defaults())) {
+      stepper.join(2);
+      stepper.runUntil("the world rests", () -> restsSince(stepper) > 120, 20);
+      SimulatedClient late =
+          stepper.join("late", condition.impairment(Stepper.SEED), InputSource.IDLE);
+      stepper.run(4);
+      late.requireSame(stepper.frame());
+      assertEquals(3, late.view().players().size());
+      assertEquals(3 + 3 + 1, late.view().entityCount(), "crates, players and the flag");
+    }
+  }
+
+  @Test
+  void twoClientsOnAPerfectNetworkHoldTheSameFrameAtEachTick() {
+    // Goal: clients agree with each other at each tick, not only with what each heard.
+    // Method: whenever both have a tick, compare all slots with the server's frame of that tick.
+    try (Stepper stepper = Stepper.of("arena")) {
+      SimulatedClient a = stepper.join("a", Impairment.NONE, new Bot(1));
+      SimulatedClient b = stepper.join("b", Impairment.NONE, new Bot(2));
+      stepper.run(1);
+      int ticks = 0;
+      for (int i = 0; i < 4_000; i++) {
+        stepper.step();
+        int tick = stepper.frame().tick();
+        if (a.game().decoder().newestTick() == tick && b.game().decoder().newestTick() == tick) {
+          a.requireSame(stepper.frame());
+          b.requireSame(stepper.frame());
+          ticks++;
+        }
+      }
+      assertTrue(ticks > 450, "ticks=" + ticks);
+    }
+  }
+
+  @Test
+  void fiftyClientsPlayAndNobodyFallsOut() {
+    // Goal: a full room on mixed networks. Method: fifty bots, every fifth with loss and latency.
+    try (Stepper stepper = Stepper.of("arena")) {
+      for (int i = 0; i < 50; i++) {
+        Condition condition = i % 5 == 0 ? Condition.MIXED : Condition.CLEAN;
+        stepper.add("bot" + i, condition.impairment(Stepper.SEED), new Bot(i));
+      }
+      stepper.run(6);
+      for (SimulatedClient client : stepper.clients()) {
+        assertEquals(ConnectionPhase.PLAYING, client.view().phase(), client::toString);
+        assertEquals(50, client.view().players().size(), client::toString);
+        assertNotNull(client.view().own(), client::toString);
+        assertTrue(client.stats().snapshots() > 200, client::toString);
+      }
+      assertEquals(50, stepper.count(Counter.PLAYERS));
+      assertEquals(0, stepper.count(Counter.LINKS_LOST));
+      assertEquals(0, stepper.count(Counter.TICKS_DROPPED));
+    }
+  }
+}

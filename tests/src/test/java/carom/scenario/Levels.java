@@ -1,0 +1,98 @@
+package carom.scenario;
+
+import carom.sim.Level;
+import carom.sim.LevelException;
+import java.nio.charset.StandardCharsets;
+
+/** Small levels in which nothing moves by itself. */
+final class Levels {
+  private Levels() {}
+
+  /** Walls and a post; the ball lies outside of the walls, where nobody gets at it. */
+  static Level emptyArena() {
+    return arena("empty.json", "[19, 11]");
+  }
+
+  /** Walls and a post; the ball lies below the post, in the middle. */
+  static Level arenaWithBall() {
+    return arena("ball.json", "[0, -2]");
+  }
+
+  private static Level arena(String name, String ball) {
+    return parse(
+        name,
+        """
+        {"name": "%s", "game": "arena", "gravity": [0, 0],
+         "bounds": {"min": [-20, -12], "max": [20, 12]},
+         "materials": {"wall": {"friction": 0.2, "restitution": 0.5}},
+         "spawns": [{"name": "ball", "at": %s}],
+         "zones": [
+           {"name": "goal", "team": 1, "min": [-19.5, -1], "max": [-19, 1]},
+           {"name": "goal", "team": 2, "min": [19, -1], "max": [19.5, 1]},
+           {"name": "home", "team": 1, "min": [-7, -4], "max": [-3, 4]},
+           {"name": "home", "team": 2, "min": [3, -4], "max": [7, 4]}],
+         "statics": [
+           {"name": "wall", "at": [-9, 0], "material": "wall",
+            "shape": {"type": "box", "width": 1, "height": 12}},
+           {"name": "wall", "at": [9, 0], "material": "wall",
+            "shape": {"type": "box", "width": 1, "height": 12}},
+           {"name": "wall", "at": [0, 6], "material": "wall",
+            "shape": {"type": "box", "width": 18, "height": 1}},
+           {"name": "wall", "at": [0, -6], "material": "wall",
+            "shape": {"type": "box", "width": 18, "height": 1}},
+           {"name": "post", "at": [0, 3], "material": "wall",
+            "shape": {"type": "polygon", "points": [[-1, -1], [1, -1], [0, 1]]}}]}
+        """
+            .formatted(name, ball));
+  }
+
+  /** A floor between walls, a step, a one-way platform; the flag hangs out of reach. */
+  static Level emptyPlatformer() {
+    return platformer("floor.json", "");
+  }
+
+  /** The same with a stack of three crates. */
+  static Level platformerWithCrates() {
+    return platformer(
+        "crates.json",
+        """
+        , "bodies": [{"name": "crate", "at": [0, 0.55], "material": "crate",
+          "shape": {"type": "box", "width": 1.1, "height": 1.1},
+          "repeat": {"rows": 3, "step": [0, 1.12]}}]
+        """);
+  }
+
+  private static Level platformer(String name, String more) {
+    return parse(
+        name,
+        """
+        {"name": "%s", "game": "platformer", "gravity": [0, -26],
+         "bounds": {"min": [-20, -6], "max": [20, 30]},
+         "materials": {"ground": {"friction": 0.7}, "crate": {"density": 0.4, "friction": 0.6}},
+         "spawns": [
+           {"name": "player", "at": [-8, 0.8]}, {"name": "player", "at": [8, 0.8]},
+           {"name": "player", "at": [-4, 0.8]}, {"name": "player", "at": [4, 0.8]},
+           {"name": "flag", "at": [0, 25]}],
+         "statics": [
+           {"name": "floor", "at": [0, -1], "material": "ground",
+            "shape": {"type": "box", "width": 26, "height": 2}},
+           {"name": "wall", "at": [-12.5, 5], "material": "ground",
+            "shape": {"type": "box", "width": 1, "height": 12}},
+           {"name": "wall", "at": [12.5, 5], "material": "ground",
+            "shape": {"type": "box", "width": 1, "height": 12}},
+           {"name": "step", "at": [-11, 0.4], "material": "ground",
+            "shape": {"type": "box", "width": 2, "height": 0.8}},
+           {"name": "shelf", "at": [8, 2.2], "material": "ground", "oneWay": true,
+            "shape": {"type": "box", "width": 4, "height": 0.3}}]%s}
+        """
+            .formatted(name, more));
+  }
+
+  private static Level parse(String name, String json) {
+    try {
+      return Level.parse(name, json.getBytes(StandardCharsets.UTF_8));
+    } catch (LevelException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+}
