@@ -144,6 +144,7 @@ class AgreementScenarioTest {
   void fiftyClientsPlayAndNobodyFallsOut() {
     // Goal: a full room on mixed networks. Method: fifty bots, every fifth with loss and latency.
     try (Stepper stepper = Stepper.of("arena")) {
+      // What was overtaken is no new snapshot: jitter costs a third of them.
       for (int i = 0; i < 50; i++) {
         Condition condition = i % 5 == 0 ? Condition.MIXED : Condition.CLEAN;
         stepper.add("bot" + i, condition.impairment(Stepper.SEED), new Bot(i));
@@ -153,7 +154,9 @@ class AgreementScenarioTest {
         assertEquals(ConnectionPhase.PLAYING, client.view().phase(), client::toString);
         assertEquals(50, client.view().players().size(), client::toString);
         assertNotNull(client.view().own(), client::toString);
-        assertTrue(client.stats().snapshots() > 200, client::toString);
+        long snapshots = client.stats().snapshots();
+        boolean mixed = stepper.clients().indexOf(client) % 5 == 0;
+        assertTrue(snapshots > (mixed ? 150 : 320), () -> snapshots + " snapshots, " + client);
       }
       assertEquals(50, stepper.count(Counter.PLAYERS));
       assertEquals(0, stepper.count(Counter.LINKS_LOST));
