@@ -1,0 +1,48 @@
+package carom.scenario;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.client.bots.Bot;
+import carom.net.transport.Impairment;
+import carom.testkit.Stepper;
+import java.lang.management.ManagementFactory;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/**
+ * Goal: a room full of players costs no garbage. Method: twenty bots in a game that ships; the
+ * bytes the thread allocates in the server's part of each slice, the smallest of several windows,
+ * since a goal or a roster in one of them may cost a few objects.
+ */
+class AllocationScenarioTest {
+  private static final int PLAYERS = 20;
+  private static final int WINDOWS = 10;
+  private static final double WINDOW_SECONDS = 0.5;
+
+  @ParameterizedTest
+  @CsvSource({"arena, 64", "platformer, 64"})
+  void aRoomWithTwentyPlayersAllocatesNextToNothing(String game, long maxBytesPerTick) {
+    var threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
+    long thread = Thread.currentThread().getId();
+    try (Stepper stepper = Stepper.of(game)) {
+      for (int i = 0; i < PLAYERS; i++) {
+        stepper.add("bot" + i, Impairment.NONE.withLatency(20, 0), new Bot(i));
+      }
+      stepper.run(12);
+      double least = Double.MAX_VALUE;
+      for (int window = 0; window < WINDOWS; window++) {
+        long bytes = 0;
+        int firstTick = stepper.frame().tick();
+        long endNs = stepper.nowNs() + (long) (WINDOW_SECONDS * 1e9);
+        while (stepper.nowNs() < endNs) {
+          long before = threads.getThreadAllocatedBytes(thread);
+          stepper.stepTimeAndServer();
+          bytes += threads.getThreadAllocatedBytes(thread) - before;
+          stepper.stepClients();
+        }
+        least = Math.min(least, (double) bytes / (stepper.frame().tick() - firstTick));
+      }
+      assertTrue(least <= maxBytesPerTick, game + " bytesPerTick=" + least);
+    }
+  }
+}

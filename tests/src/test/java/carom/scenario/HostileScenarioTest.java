@@ -1,0 +1,246 @@
+package carom.scenario;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.client.ConnectionPhase;
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.InputDatagram;
+import carom.net.protocol.Protocol;
+import carom.net.protocol.ServerMessage;
+import carom.net.transport.Impairment;
+import carom.net.transport.Link;
+import carom.net.transport.LinkHandler;
+import carom.server.config.ServerConfig;
+import carom.server.metrics.Counter;
+import carom.testkit.Scripts;
+import carom.testkit.SimulatedClient;
+import carom.testkit.Stepper;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Goal: whatever one peer sends, the others notice nothing. Method: the same game with and without
+ * the offender; the others' numbers are equal, or equally good.
+ */
+class HostileScenarioTest {
+  /** What an honest player got out of a game. */
+  private record Result(long hash, long snapshots, double gapP99Ms, long corrections) {}
+
+  /** A peer that talks as it likes. */
+  private static final class Offender implements LinkHandler {
+    final Link link;
+    final Random random;
+    ServerMessage.Welcome welcome;
+    boolean closed;
+
+    Offender(Link link, long seed) {
+      this.link = link;
+      this.random = new Random(seed);
+    }
+
+    void hello() {
+      link.send(new ClientMessage.Hello(Protocol.VERSION, Protocol.physicsDigest(), "evil", 0));
+    }
+
+    void poll() {
+      link.poll(this, 100);
+    }
+
+    /** Random bytes; half of them with the right key. */
+    void garbageDatagram() {
+      byte[] bytes = new byte[1 + random.nextInt(1_200)];
+      random.nextBytes(bytes);
+      if (welcome != null && random.nextBoolean() && bytes.length > 4) {
+        for (int i = 0; i < 4; i++) {
+          bytes[i] = (byte) (welcome.datagramKey() >>> 8 * i);
+        }
+      }
+      link.sendDatagram(bytes, 0, bytes.length);
+    }
+
+    /** Well-formed, with the right key, and absurd: any tick, any ack, any input. */
+    void absurdInput() {
+      InputDatagram datagram = new InputDatagram();
+      datagram.key = welcome.datagramKey();
+      datagram.sequence = random.nextInt(1 << 16);
+      datagram.hasAck = true;
+      datagram.ackSequence = random.nextInt(1 << 16);
+      datagram.ackBits = random.nextLong();
+      datagram.newestTick = random.nextBoolean() ? random.nextInt() : random.nextInt(2_000);
+      datagram.count = 16;
+      for (int i = 0; i < datagram.count; i++) {
+        datagram.inputs[i] = random.nextLong() & (1L << 48) - 1;
+      }
+      byte[] bytes = new byte[InputDatagram.MAX_BYTES];
+      link.sendDatagram(bytes, 0, datagram.encode(bytes, 0));
+    }
+
+    void randomMessage() {
+      switch (random.nextInt(5)) {
+        case 0 -> hello();
+        case 1 -> link.send(new ClientMessage.LevelRequest(random.nextInt(1 << 22)));
+        case 2 -> link.send(new ClientMessage.Ready());
+        case 3 -> link.send(new ClientMessage.Hello(random.nextInt(), random.nextLong(), "x", 7));
+        default -> link.send(new ClientMessage.Leave());
+      }
+    }
+
+    @Override
+    public void message(Link from, Object message) {
+      if (message instanceof ServerMessage.Welcome w) {
+        welcome = w;
+      }
+    }
+
+    @Override
+    public void datagram(Link from, byte[] bytes, int length) {}
+
+    @Override
+    public void closed(Link from, String reason) {
+      closed = true;
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"arena", "platformer"})
+  void strangersWhoNeverGetInChangeNothingForThosePlaying(String game) {
+    // Goal: bit for bit the same game. Method: strangers send random datagrams and messages that
+    // make no sense where they stand; frames and numbers equal those of the quiet run.
+    Result quiet = play(game, 0);
+    Result noisy = play(game, 12);
+    assertEquals(quiet, noisy, "seed=" + Stepper.SEED);
+  }
+
+  private static Result play(String game, int strangers) {
+    try (Stepper stepper = Stepper.of(game)) {
+      SimulatedClient player =
+          stepper.join("p", Impairment.NONE.withLatency(40, 5), Scripts.wander(Stepper.SEED));
+      List<Offender> offenders = new ArrayList<>();
+      for (int i = 0; i < strangers; i++) {
+        offenders.add(offender(stepper, i));
+      }
+      for (int slice = 0; slice < 3_000; slice++) {
+        for (int i = 0; i < strangers; i++) {
+          Offender o = offenders.get(i);
+          o.poll();
+          if (o.closed) {
+            offenders.set(i, offender(stepper, i + slice));
+          } else if (o.random.nextInt(40) == 0) {
+            // Never the one sentence that lets one in.
+            o.link.send(
+                o.random.nextBoolean()
+                    ? new ClientMessage.Ready()
+                    : new ClientMessage.Hello(o.random.nextInt(), o.random.nextLong(), "", 7));
+          } else {
+            o.garbageDatagram();
+          }
+        }
+        stepper.step();
+      }
+      assertEquals(1, stepper.count(Counter.JOINS));
+      return new Result(
+          stepper.hash(),
+          player.stats().snapshots(),
+          player.stats().gapP99Ms(),
+          player.stats().corrections());
+    }
+  }
+
+  private static Offender offender(Stepper stepper, long seed) {
+    return new Offender(
+        stepper.transport().connect("localhost", 0, 0), Stepper.SEED * 7_919 + seed);
+  }
+
+  @Test
+  void aPlayerWhoSendsGarbageHurtsOnlyItself() {
+    // Goal: from inside the room, too. Method: an offender joins and sends garbage and absurd
+    // inputs; two honest players alone in their corners keep rate, gaps and exactness.
+    try (Stepper stepper = Stepper.of(Levels.emptyPlatformer(), ServerConfig.defaults())) {
+      stepper.expectExpulsions();
+      for (int i = 0; i < 2; i++) {
+        stepper.join("p" + i, Impairment.NONE.withLatency(40, 0), Scripts.hold(i == 0 ? -1 : 1, 0));
+      }
+      stepper.run(2);
+      final long[] corrections = corrections(stepper);
+      final long[] snapshots = snapshots(stepper);
+      Offender offender = offender(stepper, 1);
+      int joins = 0;
+      for (int slice = 0; slice < 5_000; slice++) {
+        offender.poll();
+        if (offender.closed) {
+          offender = offender(stepper, slice);
+        } else if (offender.welcome == null) {
+          if (slice % 50 == 0) {
+            offender.hello();
+            offender.link.send(new ClientMessage.Ready());
+            joins++;
+          }
+        } else {
+          for (int i = 0; i < 5; i++) {
+            offender.garbageDatagram();
+            offender.absurdInput();
+          }
+          if (slice % 500 == 499) {
+            offender.randomMessage();
+          }
+        }
+        stepper.step();
+      }
+      assertTrue(joins >= 1, "joins=" + joins);
+      assertTrue(stepper.count(Counter.DATAGRAMS_REFUSED) > 1_000, stepper.describe());
+      for (int i = 0; i < 2; i++) {
+        SimulatedClient honest = stepper.clients().get(i);
+        assertEquals(ConnectionPhase.PLAYING, honest.view().phase(), honest::toString);
+        assertEquals(0, honest.stats().reconnects(), honest::toString);
+        assertEquals(corrections[i], honest.stats().corrections(), honest::toString);
+        assertTrue(honest.stats().gapP99Ms() < 105, "keep-alives at least, " + honest);
+        assertTrue(honest.stats().snapshots() - snapshots[i] > 95, honest::toString);
+      }
+      assertEquals(0, stepper.count(Counter.TICKS_DROPPED));
+    }
+  }
+
+  private static long[] corrections(Stepper stepper) {
+    return stepper.clients().stream().mapToLong(c -> c.stats().corrections()).toArray();
+  }
+
+  private static long[] snapshots(Stepper stepper) {
+    return stepper.clients().stream().mapToLong(c -> c.stats().snapshots()).toArray();
+  }
+
+  @Test
+  void messagesThatMakeNoSenseGetTheirSenderExpelledAndNobodyElse() {
+    // Goal: one wrong message ends one session. Method: random messages from many who got in.
+    try (Stepper stepper = Stepper.of("arena")) {
+      stepper.expectExpulsions();
+      SimulatedClient honest =
+          stepper.join("p", Impairment.NONE.withLatency(20, 0), Scripts.wander(1));
+      List<Offender> offenders = new ArrayList<>();
+      for (int i = 0; i < 20; i++) {
+        Offender offender = offender(stepper, i);
+        offender.hello();
+        offender.link.send(new ClientMessage.LevelRequest(0));
+        offender.link.send(new ClientMessage.Ready());
+        offenders.add(offender);
+      }
+      stepper.run(1);
+      offenders.forEach(Offender::poll);
+      assertEquals(21, stepper.count(Counter.PLAYERS));
+      for (Offender offender : offenders) {
+        for (int i = 0; i < 20; i++) {
+          offender.randomMessage();
+        }
+      }
+      stepper.run(2);
+      assertEquals(1, stepper.count(Counter.PLAYERS), stepper.describe());
+      assertEquals(ConnectionPhase.PLAYING, honest.view().phase());
+      assertEquals(1, honest.view().players().size());
+      assertEquals(0, honest.stats().reconnects());
+    }
+  }
+}
