@@ -26,8 +26,7 @@ public final class Body<T> {
   private final int index;
   private final int generation;
   private final BodyType type;
-  private final Shape[] shapes;
-  private final Material[] materials;
+  private final ShapeDef[] shapes;
   private final T user;
 
   Body(
@@ -36,8 +35,7 @@ public final class Body<T> {
       int index,
       int generation,
       BodyType type,
-      Shape[] shapes,
-      Material[] materials,
+      ShapeDef[] shapes,
       T user) {
     this.world = world;
     this.store = store;
@@ -45,7 +43,6 @@ public final class Body<T> {
     this.generation = generation;
     this.type = type;
     this.shapes = shapes;
-    this.materials = materials;
     this.user = user;
   }
 
@@ -436,7 +433,7 @@ public final class Body<T> {
    * @return in the body frame, as it was given
    */
   public Shape shape(int i) {
-    return shapes[i];
+    return shapes[i].shape();
   }
 
   /**
@@ -446,7 +443,27 @@ public final class Body<T> {
    * @return its material
    */
   public Material material(int i) {
-    return materials[i];
+    return shapes[i].material();
+  }
+
+  /**
+   * Whom a shape meets.
+   *
+   * @param i below {@link #shapeCount}
+   * @return its filter
+   */
+  public Filter filter(int i) {
+    return shapes[i].filter();
+  }
+
+  /**
+   * Whether a shape only notices.
+   *
+   * @param i below {@link #shapeCount}
+   * @return true if it pushes nothing
+   */
+  public boolean sensor(int i) {
+    return shapes[i].sensor();
   }
 
   /**
@@ -521,12 +538,24 @@ public final class Body<T> {
 
   /**
    * Visits what touched this body in the last step, in canonical order; part of the saved state.
+   * Sensors are not among them, see {@link #forEachOverlap}.
    *
    * @param visitor receives the other bodies; it must not destroy bodies
    */
   public void forEachContact(BodyContactVisitor<T> visitor) {
     check();
     world.forEachContact(index, visitor);
+  }
+
+  /**
+   * Visits what was inside this body's sensors in the last step, and whose sensors it was in
+   * itself, in canonical order; part of the saved state.
+   *
+   * @param visitor receives the other bodies, each once; it must not destroy bodies
+   */
+  public void forEachOverlap(BodyVisitor<T> visitor) {
+    check();
+    world.forEachOverlap(index, visitor);
   }
 
   @Override

@@ -24,8 +24,7 @@ public final class BodyDef {
   float angularDamping;
   float gravityScale = 1;
   boolean fixedRotation;
-  final List<Shape> shapes = new ArrayList<>();
-  final List<Material> materials = new ArrayList<>();
+  final List<ShapeDef> shapes = new ArrayList<>();
 
   /** A static body at the origin, without shapes. */
   public BodyDef() {
@@ -152,12 +151,29 @@ public final class BodyDef {
    * @return this
    */
   public BodyDef shape(Shape shape, Material material) {
-    if (shape == null || material == null) {
-      throw new IllegalArgumentException(
-          "shape=" + shape + " material=" + material + " must not be null");
-    }
-    shapes.add(shape);
-    materials.add(material);
+    return shape(new ShapeDef(shape, material));
+  }
+
+  /**
+   * Adds a shape that meets only some others.
+   *
+   * @param shape in the body frame
+   * @param material what it is made of
+   * @param filter whom it meets
+   * @return this
+   */
+  public BodyDef shape(Shape shape, Material material, Filter filter) {
+    return shape(new ShapeDef(shape, material, filter, false));
+  }
+
+  /**
+   * Adds a shape, for instance a sensor.
+   *
+   * @param shapeDef the shape and what belongs to it
+   * @return this
+   */
+  public BodyDef shape(ShapeDef shapeDef) {
+    shapes.add(shapeDef);
     return this;
   }
 

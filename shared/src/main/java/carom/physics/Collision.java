@@ -46,6 +46,15 @@ public final class Collision<T> {
   }
 
   /**
+   * Whether one of the shapes is a sensor: it was entered or left, and nothing is pushed.
+   *
+   * @return true in {@code begin} and {@code end} of sensors; there are no points then
+   */
+  public boolean isSensor() {
+    return table.sensor(row);
+  }
+
+  /**
    * The partner of one of the two bodies.
    *
    * @param body self or other
@@ -72,6 +81,24 @@ public final class Collision<T> {
    */
   public Shape selfShape() {
     return self().shape(world.dynamics().shapeOf(table.partA(row)));
+  }
+
+  /**
+   * What the touching shape of self is made of.
+   *
+   * @return its material
+   */
+  public Material selfMaterial() {
+    return self().material(world.dynamics().shapeOf(table.partA(row)));
+  }
+
+  /**
+   * What the touching shape of the other is made of.
+   *
+   * @return its material
+   */
+  public Material otherMaterial() {
+    return other().material(world.dynamics().shapeOf(table.partB(row)));
   }
 
   /**

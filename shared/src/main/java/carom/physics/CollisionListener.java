@@ -8,6 +8,10 @@ package carom.physics;
  * of the two bodies, then of their shapes): {@code end} and {@code begin} and {@code preSolve}
  * before anything is solved, {@code postSolve} when the bodies have moved.
  *
+ * <p>When a shape enters a sensor or leaves it, {@code begin} and {@code end} are called, with
+ * {@link Collision#isSensor} true; nothing else is, as there is no response. Sensors notice real
+ * overlap only, not what is merely close.
+ *
  * <p>A callback may set velocities, apply forces and impulses, teleport bodies and create bodies
  * (these collide from the next step on). {@link World#destroyBody} takes effect at the end of the
  * step; until then the body stays valid. Stepping, saving or restoring the world throws

@@ -8,7 +8,7 @@ import carom.physics.dynamics.ContactEvents;
 import carom.physics.dynamics.ContactTable;
 import carom.physics.dynamics.Dynamics;
 import carom.physics.dynamics.Settings;
-import carom.physics.geometry.Shape;
+import carom.physics.dynamics.ShapeSpec;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
 import carom.physics.math.Trig;
@@ -122,20 +122,8 @@ public final class World<T> {
    */
   public Body<T> createBody(BodyDef bodyDef, T user) {
     refuseDuringQuery("createBody");
-    int n = bodyDef.shapes.size();
-    Shape[] shapes = bodyDef.shapes.toArray(new Shape[0]);
-    Material[] materials = bodyDef.materials.toArray(new Material[0]);
-    float[] density = new float[n];
-    float[] friction = new float[n];
-    float[] restitution = new float[n];
-    for (int i = 0; i < n; i++) {
-      density[i] = materials[i].density();
-      friction[i] = materials[i].friction();
-      restitution[i] = materials[i].restitution();
-    }
-    int slot =
-        dynamics.create(
-            code(bodyDef.type), shapes, density, friction, restitution, bodyDef.fixedRotation);
+    ShapeDef[] shapes = bodyDef.shapes.toArray(new ShapeDef[0]);
+    int slot = dynamics.create(code(bodyDef.type), specs(shapes), bodyDef.fixedRotation);
     store.setOriginPose(
         slot, bodyDef.x, bodyDef.y, Trig.cos(bodyDef.angle), Trig.sin(bodyDef.angle));
     if (bodyDef.type != BodyType.STATIC) {
@@ -151,11 +139,31 @@ public final class World<T> {
       handles = Arrays.copyOf(handles, Math.max(slot + 1, handles.length * 2));
     }
     Body<T> body =
-        new Body<>(
-            this, store, slot, store.generation[slot], bodyDef.type, shapes, materials, user);
+        new Body<>(this, store, slot, store.generation[slot], bodyDef.type, shapes, user);
     handles[slot] = body;
     structure = nextStructure++;
     return body;
+  }
+
+  private static ShapeSpec[] specs(ShapeDef[] shapes) {
+    ShapeSpec[] specs = new ShapeSpec[shapes.length];
+    for (int i = 0; i < shapes.length; i++) {
+      Material m = shapes[i].material();
+      Filter f = shapes[i].filter();
+      specs[i] =
+          new ShapeSpec(
+              shapes[i].shape(),
+              m.density(),
+              m.friction(),
+              m.restitution(),
+              m.rollingResistance(),
+              m.tangentSpeed(),
+              f.category(),
+              f.mask(),
+              f.group(),
+              shapes[i].sensor());
+    }
+    return specs;
   }
 
   private static byte code(BodyType type) {
@@ -533,11 +541,37 @@ public final class World<T> {
     int end = contactStart[slot + 1];
     for (int i = contactStart[slot]; i < end; i++) {
       int row = contactRows[i];
+      if (t.points(row) == 0) {
+        continue;
+      }
       float impulse = t.impulse(row, 0) + (t.points(row) > 1 ? t.impulse(row, 1) : 0);
       if (t.bodyA(row) == slot) {
         visitor.contact(body(t.bodyB(row)), t.normalX(row), t.normalY(row), impulse);
       } else {
         visitor.contact(body(t.bodyA(row)), -t.normalX(row), -t.normalY(row), impulse);
+      }
+    }
+  }
+
+  /** Visits what is inside a body's sensors, and whose sensors the body is in. */
+  void forEachOverlap(int slot, BodyVisitor<T> visitor) {
+    if (!contactsIndexed) {
+      indexContacts();
+    }
+    if (slot + 1 >= contactStart.length) {
+      return;
+    }
+    ContactTable t = dynamics.contacts();
+    int end = contactStart[slot + 1];
+    int last = -1;
+    for (int i = contactStart[slot]; i < end; i++) {
+      int row = contactRows[i];
+      int other = t.bodyA(row) == slot ? t.bodyB(row) : t.bodyA(row);
+      if (t.sensor(row) && other != last) {
+        if (!visitor.visit(body(other))) {
+          return;
+        }
+        last = other;
       }
     }
   }

@@ -3,6 +3,7 @@ package carom.sim;
 import carom.physics.BodyDef;
 import carom.physics.BodyType;
 import carom.physics.Material;
+import carom.physics.ShapeDef;
 import carom.physics.geometry.Shape;
 import java.util.List;
 
@@ -55,7 +56,7 @@ public final class Archetype {
     return def.oneWay;
   }
 
-  /** Whether bodies touch nothing. */
+  /** Whether bodies touch nothing and only notice; see {@link ShapeDef}. */
   public boolean sensor() {
     return def.sensor;
   }
@@ -95,7 +96,7 @@ public final class Archetype {
       body.angularVelocity(def.spin);
     }
     for (int i = 0; i < shapes.size(); i++) {
-      body.shape(shapes.get(i), materials.get(i));
+      body.shape(new ShapeDef(shapes.get(i), materials.get(i)).withSensor(def.sensor));
     }
     return body;
   }

@@ -98,7 +98,7 @@ public final class ArchetypeDef {
     return this;
   }
 
-  /** Whether the body touches nothing: {@link Simulation} refuses the response of every contact. */
+  /** Whether the body touches nothing and only notices, as a sensor. */
   public ArchetypeDef sensor(boolean value) {
     sensor = value;
     return this;

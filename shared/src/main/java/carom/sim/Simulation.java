@@ -634,9 +634,6 @@ public final class Simulation {
   private final class Listener implements CollisionListener<Entity> {
     @Override
     public boolean preSolve(Collision<Entity> c) {
-      if (c.self().user().archetype().sensor() || c.other().user().archetype().sensor()) {
-        return false;
-      }
       return game.collision(Simulation.this, c);
     }
   }

@@ -61,6 +61,13 @@ import java.util.Arrays;
  * the last word, and piles come to rest sooner. When relaxing it comes last, since only then the
  * normal impulse has its full size; friction first made sliding boxes feel 3 % too little of it.
  *
+ * <p><b>Moving surfaces.</b> With a tangent speed s the surfaces are at rest to each other when vt
+ * = -s; friction asks for that instead of 0.
+ *
+ * <p><b>Rolling resistance</b> is friction of the angular velocity: {@code wB - wA} is driven to
+ * zero by an angular impulse of at most {@code c r pn}, with the sum pn of both points' normal
+ * impulses, the coefficient c and the radius r of the rolling shape.
+ *
  * <p><b>Stiffness.</b> The leak I P makes a resting contact yield like the spring it is, by {@code
  * load / (m o^2)}. A column of n unit boxes is then an elastic rod that buckles under its own
  * weight at about {@code n = 14 (hertz / 30)^(2/3)} (Greenhill's self-buckling; measured: 15 boxes
@@ -86,6 +93,9 @@ final class ContactSolver {
   private int capacity;
   private int count;
 
+  /** Whether any contact resists rolling in this step. */
+  private boolean rolls;
+
   /** Whether any point may bounce in this step. */
   private boolean bounces;
 
@@ -99,6 +109,10 @@ final class ContactSolver {
   private float[] nx = new float[0];
   private float[] ny = new float[0];
   private float[] friction = new float[0];
+  private float[] surface = new float[0];
+  private float[] rolling = new float[0];
+  private float[] rollMass = new float[0];
+  private float[] roll = new float[0];
   private float[] massA = new float[0];
   private float[] massB = new float[0];
   private float[] inertiaA = new float[0];
@@ -163,6 +177,7 @@ final class ContactSolver {
     float omega = TWO_PI * hertz;
     count = 0;
     bounces = false;
+    rolls = false;
     for (int r = 0; r < t.count(); r++) {
       int points = t.points[r];
       if (points == 0) {
@@ -185,6 +200,12 @@ final class ContactSolver {
       nx[k] = t.nx[r];
       ny[k] = t.ny[r];
       friction[k] = t.friction[r];
+      surface[k] = t.surface[r];
+      rolling[k] = t.rolling[r];
+      roll[k] = t.roll[r];
+      float turning = b.invInertia[a] + b.invInertia[o];
+      rollMass[k] = turning > 0 ? 1 / turning : 0;
+      rolls |= rolling[k] > 0;
       massA[k] = ma;
       massB[k] = mb;
       inertiaA[k] = b.invInertia[a];
@@ -294,6 +315,10 @@ final class ContactSolver {
       v[b + VY] += massB[k] * py;
       v[b + W] += inertiaB[k] * torqueB;
     }
+    for (int k = from; rolls && k < to; k++) {
+      v[bodyA[k] + W] -= inertiaA[k] * roll[k];
+      v[bodyB[k] + W] += inertiaB[k] * roll[k];
+    }
   }
 
   /** One visit of each contact; with bias it also pushes overlap apart. */
@@ -311,6 +336,9 @@ final class ContactSolver {
       float cb = v[b + COS] - 1;
       float sb = v[b + SIN];
       if (bias) {
+        if (rolls) {
+          solveRolling(k, v);
+        }
         solveFriction(first, k, v);
         if (two[k]) {
           solveFriction(second, k, v);
@@ -324,6 +352,9 @@ final class ContactSolver {
         solveFriction(first, k, v);
         if (two[k]) {
           solveFriction(second, k, v);
+        }
+        if (rolls) {
+          solveRolling(k, v);
         }
         first.total[k] += first.normal[k];
         first.slide[k] += first.tangent[k];
@@ -392,11 +423,25 @@ final class ContactSolver {
     float dvx = v[b + VX] - v[b + W] * by - v[a + VX] + v[a + W] * ay;
     float dvy = v[b + VY] + v[b + W] * bx - v[a + VY] - v[a + W] * ax;
     float vt = dvy * n - dvx * m;
+    if (surface[k] != 0) {
+      vt += surface[k];
+    }
     float limit = friction[k] * p.normal[k];
     float old = p.tangent[k];
     float sum = Math.max(-limit, Math.min(old - p.tangentMass[k] * vt, limit));
     p.tangent[k] = sum;
     apply(v, a, b, k, (old - sum) * m, (sum - old) * n, ax, ay, bx, by);
+  }
+
+  private void solveRolling(int k, float[] v) {
+    float load = two[k] ? first.normal[k] + second.normal[k] : first.normal[k];
+    float limit = rolling[k] * load;
+    float old = roll[k];
+    float w = v[bodyB[k] + W] - v[bodyA[k] + W];
+    float sum = Math.max(-limit, Math.min(old - rollMass[k] * w, limit));
+    roll[k] = sum;
+    v[bodyA[k] + W] -= inertiaA[k] * (sum - old);
+    v[bodyB[k] + W] += inertiaB[k] * (sum - old);
   }
 
   private void apply(
@@ -480,6 +525,7 @@ final class ContactSolver {
       t.tangent0[r] = first.tangent[k];
       t.total0[r] = first.total[k];
       t.slide0[r] = first.slide[k];
+      t.roll[r] = roll[k];
       if (two[k]) {
         t.normal1[r] = second.normal[k];
         t.tangent1[r] = second.tangent[k];
@@ -498,6 +544,10 @@ final class ContactSolver {
     nx = new float[n];
     ny = new float[n];
     friction = new float[n];
+    surface = new float[n];
+    rolling = new float[n];
+    rollMass = new float[n];
+    roll = new float[n];
     massA = new float[n];
     pull = new float[n];
     massB = new float[n];

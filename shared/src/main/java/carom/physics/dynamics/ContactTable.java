@@ -23,6 +23,9 @@ public final class ContactTable {
   /** Flag: was touching in the step before. */
   static final byte WAS_TOUCHING = 4;
 
+  /** Flag: one of the parts is a sensor; there are no points, then, and no response. */
+  static final byte SENSOR = 8;
+
   private static final int FIRST_CAPACITY = 128;
 
   long[] key = new long[FIRST_CAPACITY];
@@ -45,10 +48,19 @@ public final class ContactTable {
   float[] tangent0 = new float[FIRST_CAPACITY];
   float[] tangent1 = new float[FIRST_CAPACITY];
 
+  /** Impulse against rolling to start the next step with, N m s per substep. */
+  float[] roll = new float[FIRST_CAPACITY];
+
   /** Mixed materials. */
   float[] friction = new float[FIRST_CAPACITY];
 
   float[] restitution = new float[FIRST_CAPACITY];
+
+  /** Torque against rolling per normal force, m. */
+  float[] rolling = new float[FIRST_CAPACITY];
+
+  /** Speed of both surfaces together, along the normal turned right, m/s. */
+  float[] surface = new float[FIRST_CAPACITY];
 
   /** Unit normal from A to B. */
   float[] nx = new float[FIRST_CAPACITY];
@@ -123,6 +135,16 @@ public final class ContactTable {
    */
   public int partB(int row) {
     return partB[row];
+  }
+
+  /**
+   * Whether one of the parts is a sensor.
+   *
+   * @param row which
+   * @return true if there is no response
+   */
+  public boolean sensor(int row) {
+    return (flags[row] & SENSOR) != 0;
   }
 
   /**
@@ -251,9 +273,13 @@ public final class ContactTable {
     int oldId0 = id0[row];
     int oldId1 = id1[row];
     int n = m.count;
-    points[row] = (byte) n;
     boolean touched = (flags[row] & TOUCHING) != 0;
-    flags[row] = (byte) ((n > 0 ? TOUCHING : 0) | (touched ? WAS_TOUCHING : 0));
+    int kept = flags[row] & SENSOR;
+    flags[row] = (byte) ((n > 0 ? TOUCHING : 0) | (touched ? WAS_TOUCHING : 0) | kept);
+    if (kept != 0) {
+      return;
+    }
+    points[row] = (byte) n;
     normal0[row] = 0;
     tangent0[row] = 0;
     normal1[row] = 0;
@@ -263,6 +289,7 @@ public final class ContactTable {
     slide0[row] = 0;
     slide1[row] = 0;
     if (n == 0) {
+      roll[row] = 0;
       return;
     }
     nx[row] = m.normalX;
@@ -299,6 +326,7 @@ public final class ContactTable {
     normal1[row] = 0;
     tangent0[row] = 0;
     tangent1[row] = 0;
+    roll[row] = 0;
   }
 
   /**
@@ -366,12 +394,15 @@ public final class ContactTable {
     key[row] = k;
     partA[row] = a;
     partB[row] = b;
-    flags[row] = 0;
+    flags[row] = parts.sensor[a] || parts.sensor[b] ? SENSOR : 0;
     points[row] = 0;
     id0[row] = 0;
     id1[row] = 0;
     friction[row] = (float) Math.sqrt(parts.friction[a] * parts.friction[b]);
     restitution[row] = Math.max(parts.restitution[a], parts.restitution[b]);
+    float radius = Math.max(parts.convex[a].radius(), parts.convex[b].radius());
+    rolling[row] = Math.max(parts.rolling[a], parts.rolling[b]) * radius;
+    surface[row] = parts.tangentSpeed[a] + parts.tangentSpeed[b];
   }
 
   private void move(int from, int to) {
@@ -402,6 +433,9 @@ public final class ContactTable {
       h = StateHash.mix(h, normal0[row], tangent0[row]);
       h = StateHash.mix(h, nx[row], ny[row]);
       h = StateHash.mix(h, total0[row], slide0[row]);
+      if (rolling[row] != 0) {
+        h = StateHash.mix(h, roll[row], 0);
+      }
       if (n > 1) {
         h = StateHash.mix(h, id1[row]);
         h = StateHash.mix(h, normal1[row], tangent1[row]);
@@ -442,8 +476,11 @@ public final class ContactTable {
     normal1 = Arrays.copyOf(normal1, grown);
     tangent0 = Arrays.copyOf(tangent0, grown);
     tangent1 = Arrays.copyOf(tangent1, grown);
+    roll = Arrays.copyOf(roll, grown);
     friction = Arrays.copyOf(friction, grown);
     restitution = Arrays.copyOf(restitution, grown);
+    rolling = Arrays.copyOf(rolling, grown);
+    surface = Arrays.copyOf(surface, grown);
     nx = Arrays.copyOf(nx, grown);
     ny = Arrays.copyOf(ny, grown);
     x0 = Arrays.copyOf(x0, grown);
@@ -465,8 +502,11 @@ public final class ContactTable {
       normal1,
       tangent0,
       tangent1,
+      roll,
       friction,
       restitution,
+      rolling,
+      surface,
       nx,
       ny,
       x0,

@@ -8,7 +8,6 @@ import carom.physics.collision.Collider;
 import carom.physics.collision.Manifold;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.MassData;
-import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
 import java.util.Arrays;
@@ -104,23 +103,14 @@ public final class Dynamics {
    * Makes a body at the origin.
    *
    * @param type one of {@link BodyStore}'s types
-   * @param shapes in the body frame
-   * @param density per shape, kg/m^2
-   * @param friction per shape
-   * @param restitution per shape
+   * @param shapes what it consists of
    * @param fixedRotation whether only {@code setAngularVelocity} turns it
    * @return the slot
    */
-  public int create(
-      byte type,
-      Shape[] shapes,
-      float[] density,
-      float[] friction,
-      float[] restitution,
-      boolean fixedRotation) {
+  public int create(byte type, ShapeSpec[] shapes, boolean fixedRotation) {
     int count = 0;
-    for (Shape shape : shapes) {
-      count += shape.parts().size();
+    for (ShapeSpec spec : shapes) {
+      count += spec.shape().parts().size();
     }
     if (count > ContactKey.MAX_PARTS) {
       throw new IllegalArgumentException(
@@ -130,7 +120,7 @@ public final class Dynamics {
               + ContactKey.MAX_PARTS
               + " convex parts one body can have; split it into several bodies");
     }
-    MassData total = type == BodyStore.DYNAMIC ? massOf(shapes, density) : new MassData(0, 0, 0, 0);
+    MassData total = type == BodyStore.DYNAMIC ? massOf(shapes) : new MassData(0, 0, 0, 0);
     int body = bodies.allocate(type);
     if (type == BodyStore.DYNAMIC) {
       bodies.mass[body] = total.mass();
@@ -150,13 +140,12 @@ public final class Dynamics {
     float inner = Float.MAX_VALUE;
     poseA.setIdentity();
     for (int i = 0; i < shapes.length; i++) {
-      for (Convex convex : shapes[i].parts()) {
+      ShapeSpec spec = shapes[i];
+      for (Convex convex : spec.shape().parts()) {
         Convex local = convex.moved(-bodies.localX[body], -bodies.localY[body]);
-        parts.convex[part] = local;
-        parts.shapeIndex[part] = i;
-        parts.friction[part] = friction[i];
-        parts.restitution[part] = restitution[i];
-        hash = StateHash.mix(hash, friction[i], restitution[i]);
+        parts.set(part, local, i, spec);
+        hash = StateHash.mix(hash, spec.friction(), spec.restitution());
+        hash = spec.mix(hash, type == BodyStore.DYNAMIC);
         hash = ShapeHash.mix(hash, local);
         local.aabb(poseA, box);
         inner = Math.min(inner, 0.5f * Math.min(box.width(), box.height()));
@@ -169,15 +158,15 @@ public final class Dynamics {
     return body;
   }
 
-  private static MassData massOf(Shape[] shapes, float[] density) {
+  private static MassData massOf(ShapeSpec[] shapes) {
     if (shapes.length == 0) {
       return new MassData(1, 0, 0, 0);
     }
     double mass = 0;
     double mx = 0;
     double my = 0;
-    for (int i = 0; i < shapes.length; i++) {
-      MassData m = shapes[i].mass(density[i]);
+    for (ShapeSpec spec : shapes) {
+      MassData m = spec.shape().mass(spec.density());
       mass += m.mass();
       mx += (double) m.mass() * m.centerX();
       my += (double) m.mass() * m.centerY();
@@ -186,8 +175,8 @@ public final class Dynamics {
     float x = (float) (mx / mass);
     float y = (float) (my / mass);
     double inertia = 0;
-    for (int i = 0; i < shapes.length; i++) {
-      MassData m = shapes[i].mass(density[i]);
+    for (ShapeSpec spec : shapes) {
+      MassData m = spec.shape().mass(spec.density());
       double dx = m.centerX() - x;
       double dy = m.centerY() - y;
       inertia += m.inertia() + m.mass() * (dx * dx + dy * dy);
@@ -315,7 +304,7 @@ public final class Dynamics {
     boxesStale = true;
     if (events != null) {
       for (int row = 0; row < contacts.count(); row++) {
-        if (touches(row) && (contacts.flags[row] & ContactTable.VETOED) == 0) {
+        if (contacts.points[row] > 0 && (contacts.flags[row] & ContactTable.VETOED) == 0) {
           events.postSolve(row);
         }
       }
@@ -418,6 +407,9 @@ public final class Dynamics {
       candidate(q, p);
       return;
     }
+    if (!parts.meet(p, q)) {
+      return;
+    }
     if (candidateCount == candidates.length) {
       candidates = Arrays.copyOf(candidates, candidateCount * 2);
     }
@@ -433,9 +425,11 @@ public final class Dynamics {
       int partB = contacts.partB[row];
       place(parts.body[partA], poseA);
       place(parts.body[partB], poseB);
-      collider.collide(parts.convex[partA], poseA, parts.convex[partB], poseB, distance, manifold);
+      boolean sensor = contacts.sensor(row);
+      collider.collide(
+          parts.convex[partA], poseA, parts.convex[partB], poseB, sensor ? 0 : distance, manifold);
       contacts.update(row, manifold);
-      if (manifold.count > 0) {
+      if (manifold.count > 0 && !sensor) {
         touching++;
       }
     }
@@ -452,7 +446,7 @@ public final class Dynamics {
         if (!before) {
           events.begin(row);
         }
-        if (!events.preSolve(row)) {
+        if (contacts.points[row] > 0 && !events.preSolve(row)) {
           contacts.flags[row] |= ContactTable.VETOED;
         }
       }
@@ -564,7 +558,7 @@ public final class Dynamics {
   }
 
   /**
-   * Whether a row of the contact table has points.
+   * Whether the parts of a row touch; those of sensors do so without points.
    *
    * @param row which
    * @return false if the parts are merely near

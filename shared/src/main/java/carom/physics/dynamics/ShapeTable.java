@@ -28,6 +28,20 @@ public final class ShapeTable {
 
   float[] friction = new float[FIRST_CAPACITY];
   float[] restitution = new float[FIRST_CAPACITY];
+  float[] rolling = new float[FIRST_CAPACITY];
+  float[] tangentSpeed = new float[FIRST_CAPACITY];
+
+  /** Whom the part meets; see {@code carom.physics.Filter}. */
+  int[] category = new int[FIRST_CAPACITY];
+
+  int[] mask = new int[FIRST_CAPACITY];
+  int[] group = new int[FIRST_CAPACITY];
+
+  /** Whether the part only notices. */
+  boolean[] sensor = new boolean[FIRST_CAPACITY];
+
+  /** Whether any part ever was a sensor or had a filter; spares the look at them. */
+  private boolean selective;
 
   /** Whether the box changed since pairs were last searched. */
   boolean[] moved = new boolean[FIRST_CAPACITY];
@@ -48,6 +62,47 @@ public final class ShapeTable {
   /** One more than the largest part ever used. */
   int used() {
     return used;
+  }
+
+  /**
+   * The rule of filters, the same either way round.
+   *
+   * @param categoryA what A is
+   * @param maskA what A meets
+   * @param groupA A's group
+   * @param categoryB what B is
+   * @param maskB what B meets
+   * @param groupB B's group
+   * @return whether A and B meet
+   */
+  public static boolean meet(
+      int categoryA, int maskA, int groupA, int categoryB, int maskB, int groupB) {
+    if (groupA == groupB && groupA != 0) {
+      return groupA > 0;
+    }
+    return (maskA & categoryB) != 0 && (maskB & categoryA) != 0;
+  }
+
+  /** Whether the filters of two parts let them meet, and not both are sensors. */
+  boolean meet(int p, int q) {
+    return !selective
+        || (!(sensor[p] && sensor[q])
+            && meet(category[p], mask[p], group[p], category[q], mask[q], group[q]));
+  }
+
+  /** Fills a part in. */
+  void set(int part, Convex local, int shape, ShapeSpec spec) {
+    convex[part] = local;
+    shapeIndex[part] = shape;
+    friction[part] = spec.friction();
+    restitution[part] = spec.restitution();
+    rolling[part] = spec.rollingResistance();
+    tangentSpeed[part] = spec.tangentSpeed();
+    category[part] = spec.category();
+    mask[part] = spec.mask();
+    group[part] = spec.group();
+    sensor[part] = spec.sensor();
+    selective |= !spec.plain();
   }
 
   /** Takes a block of parts for a body; answers the first. */
@@ -94,6 +149,13 @@ public final class ShapeTable {
     System.arraycopy(shapeIndex, 0, to.shapeIndex, 0, used);
     System.arraycopy(friction, 0, to.friction, 0, used);
     System.arraycopy(restitution, 0, to.restitution, 0, used);
+    System.arraycopy(rolling, 0, to.rolling, 0, used);
+    System.arraycopy(tangentSpeed, 0, to.tangentSpeed, 0, used);
+    System.arraycopy(category, 0, to.category, 0, used);
+    System.arraycopy(mask, 0, to.mask, 0, used);
+    System.arraycopy(group, 0, to.group, 0, used);
+    System.arraycopy(sensor, 0, to.sensor, 0, used);
+    to.selective |= selective;
     System.arraycopy(nextFree, 0, to.nextFree, 0, used);
     System.arraycopy(freeBlocks, 0, to.freeBlocks, 0, freeBlocks.length);
     Arrays.fill(to.moved, false);
@@ -108,6 +170,12 @@ public final class ShapeTable {
       shapeIndex = Arrays.copyOf(shapeIndex, grown);
       friction = Arrays.copyOf(friction, grown);
       restitution = Arrays.copyOf(restitution, grown);
+      rolling = Arrays.copyOf(rolling, grown);
+      tangentSpeed = Arrays.copyOf(tangentSpeed, grown);
+      category = Arrays.copyOf(category, grown);
+      mask = Arrays.copyOf(mask, grown);
+      group = Arrays.copyOf(group, grown);
+      sensor = Arrays.copyOf(sensor, grown);
       moved = Arrays.copyOf(moved, grown);
       nextFree = Arrays.copyOf(nextFree, grown);
     }
