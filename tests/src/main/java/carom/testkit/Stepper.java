@@ -248,6 +248,15 @@ public final class Stepper implements AutoCloseable {
     }
   }
 
+  /** Lets time pass for the clients only: the server's process stands still meanwhile. */
+  public void stallServer(double seconds) {
+    long endNs = nowNs + (long) (seconds * 1e9);
+    while (nowNs - endNs < 0) {
+      nowNs = wire.advance(nowNs);
+      stepClients();
+    }
+  }
+
   /** Lets time pass until something holds, and fails when it takes too long. */
   public void runUntil(String what, BooleanSupplier condition, double maxSeconds) {
     long endNs = nowNs + (long) (maxSeconds * 1e9);

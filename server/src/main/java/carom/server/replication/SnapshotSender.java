@@ -58,7 +58,9 @@ public final class SnapshotSender {
   /** Whether {@link #send} may send at this tick; call once per tick, before it. */
   public boolean isDue(OwnState own) {
     bucket = Math.min(bucketDepth, bucket + bytesPerSecond);
-    rateAccumulator = Math.min(tickRateHz, rateAccumulator + snapshotRateHz);
+    // The bound forgets the time in which nothing was due, but not the rest of a rate that doesn't
+    // divide the tick rate.
+    rateAccumulator = Math.min(tickRateHz + snapshotRateHz - 1, rateAccumulator + snapshotRateHz);
     ticksSinceSent++;
     if (rateAccumulator < tickRateHz) {
       return false;
