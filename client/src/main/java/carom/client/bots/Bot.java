@@ -9,13 +9,19 @@ import carom.sim.SimRandom;
 import java.util.List;
 
 /**
- * Plays like a distracted child, from what is on the screen. Seen from above it runs behind the
- * nearest ball and pushes it to a goal, or bumps into others when there is no ball; with gravity it
- * runs, jumps, and collects what shines. Thinks several times a second, each bot at its own ticks,
- * and holds the same keys in between.
+ * Plays like a distracted child, from what is on the screen. Seen from above it runs behind a ball
+ * that few of its side are closer to and pushes it to the other side's goal, or waits in front of
+ * its own; with gravity it runs, jumps, and collects what shines. Thinks several times a second,
+ * each bot at its own ticks, and holds the same keys in between.
  */
 public final class Bot implements InputSource {
   private static final int THINK_TICKS = 7;
+
+  /** So many of a side go for the same ball; more would only stand in each other's way. */
+  private static final int CHASERS = 3;
+
+  /** How far from each other those who wait stand, metres. */
+  private static final float SPREAD_METRES = 5;
 
   private final SimRandom random;
   private final Input held = new Input();
@@ -61,19 +67,14 @@ public final class Bot implements InputSource {
   }
 
   private void pushBalls(ClientView view, ClientView.Drawn own) {
-    ClientView.Drawn ball = nearest(view, own, Look.BALL);
-    float goalX = 0;
-    float goalY = 0;
-    if (ball == null || !bold && random.nextInt(4) == 0) {
-      ClientView.Drawn rival = nearest(view, own, Look.PLAYER);
-      if (rival == null) {
-        held.move(wanderX, wanderY);
-        return;
-      }
-      steer(own, rival.x(), rival.y(), false);
+    ClientView.Drawn ball = ballToChase(view, own);
+    if (ball == null) {
+      waitAtHome(view, own);
       return;
     }
-    Level.Zone goal = goal(view, own);
+    float goalX = 0;
+    float goalY = 0;
+    Level.Zone goal = goal(view, own, false);
     if (goal != null) {
       goalX = (goal.minX() + goal.maxX()) / 2;
       goalY = (goal.minY() + goal.maxY()) / 2;
@@ -99,12 +100,67 @@ public final class Bot implements InputSource {
     }
   }
 
-  /** The goal to shoot at: one that another side defends. A disc's tag is its side. */
-  private static Level.Zone goal(ClientView view, ClientView.Drawn own) {
+  /** The nearest ball that fewer than {@link #CHASERS} of the own side are closer to, or null. */
+  private static ClientView.Drawn ballToChase(ClientView view, ClientView.Drawn own) {
+    ClientView.Drawn best = null;
+    float bestDistance = Float.MAX_VALUE;
+    for (int i = 0; i < view.entityCount(); i++) {
+      ClientView.Drawn ball = view.entity(i);
+      float distance = length(ball.x() - own.x(), ball.y() - own.y());
+      if (ball.archetype().appearance().look() == Look.BALL
+          && distance < bestDistance
+          && closerMates(view, own, ball, distance) < CHASERS) {
+        bestDistance = distance;
+        best = ball;
+      }
+    }
+    return best;
+  }
+
+  private static int closerMates(
+      ClientView view, ClientView.Drawn own, ClientView.Drawn ball, float distance) {
+    int count = 0;
+    for (int i = 0; i < view.entityCount(); i++) {
+      ClientView.Drawn mate = view.entity(i);
+      if (mate != own
+          && mate.archetype() == own.archetype()
+          && length(ball.x() - mate.x(), ball.y() - mate.y()) < distance) {
+        count++;
+      }
+    }
+    return count;
+  }
+
+  /**
+   * Somewhere between the nearest ball and the own goal, or near any rival where there are none.
+   */
+  private void waitAtHome(ClientView view, ClientView.Drawn own) {
+    ClientView.Drawn ball = nearest(view, own, Look.BALL);
+    Level.Zone home = goal(view, own, true);
+    if (ball == null || home == null) {
+      ClientView.Drawn rival = nearest(view, own, Look.PLAYER);
+      if (rival == null) {
+        held.move(wanderX, wanderY);
+      } else {
+        steer(own, rival.x(), rival.y(), false);
+      }
+      return;
+    }
+    float homeX = (home.minX() + home.maxX()) / 2;
+    float homeY = (home.minY() + home.maxY()) / 2;
+    steer(
+        own,
+        (ball.x() + homeX) / 2 + SPREAD_METRES * wanderX,
+        (ball.y() + homeY) / 2 + SPREAD_METRES * wanderY,
+        false);
+  }
+
+  /** The goal of the own side, or one that another side defends. A disc's tag is its side. */
+  private static Level.Zone goal(ClientView view, ClientView.Drawn own, boolean home) {
     List<Level.Zone> zones = view.level().zones();
     for (int i = 0; i < zones.size(); i++) {
       Level.Zone zone = zones.get(i);
-      if (zone.name().equals("goal") && zone.team() != own.archetype().tag()) {
+      if (zone.name().equals("goal") && (zone.team() == own.archetype().tag()) == home) {
         return zone;
       }
     }
