@@ -1,6 +1,7 @@
 package carom.server.config;
 
 import java.util.Objects;
+import java.util.function.Consumer;
 
 /**
  * Every setting of a server. Immutable; a value outside its range is refused when the record is
@@ -115,375 +116,154 @@ public record ServerConfig(
 
   /** A copy that runs the game of this name. */
   public ServerConfig withGameName(String value) {
-    return new ServerConfig(
-        value,
-        serverName,
-        tickRateHz,
-        seed,
-        maxPlayers,
-        handshakeTimeoutMs,
-        loadTimeoutMs,
-        silenceTimeoutMs,
-        graceMs,
-        catchUpTicks,
-        inputWindowTicks,
-        inputHoldTicks,
-        snapshotRateHz,
-        keepAliveRateHz,
-        snapshotBytesPerSecond,
-        rosterIntervalMs,
-        statusIntervalS);
+    return with(draft -> draft.gameName = value);
   }
 
   /** A copy with this server name. */
   public ServerConfig withServerName(String value) {
-    return new ServerConfig(
-        gameName,
-        value,
-        tickRateHz,
-        seed,
-        maxPlayers,
-        handshakeTimeoutMs,
-        loadTimeoutMs,
-        silenceTimeoutMs,
-        graceMs,
-        catchUpTicks,
-        inputWindowTicks,
-        inputHoldTicks,
-        snapshotRateHz,
-        keepAliveRateHz,
-        snapshotBytesPerSecond,
-        rosterIntervalMs,
-        statusIntervalS);
+    return with(draft -> draft.serverName = value);
   }
 
   /** A copy with this many ticks per second. */
   public ServerConfig withTickRateHz(int value) {
-    return new ServerConfig(
-        gameName,
-        serverName,
-        value,
-        seed,
-        maxPlayers,
-        handshakeTimeoutMs,
-        loadTimeoutMs,
-        silenceTimeoutMs,
-        graceMs,
-        catchUpTicks,
-        inputWindowTicks,
-        inputHoldTicks,
-        snapshotRateHz,
-        keepAliveRateHz,
-        snapshotBytesPerSecond,
-        rosterIntervalMs,
-        statusIntervalS);
+    return with(draft -> draft.tickRateHz = value);
   }
 
   /** A copy with this seed. */
   public ServerConfig withSeed(long value) {
-    return new ServerConfig(
-        gameName,
-        serverName,
-        tickRateHz,
-        value,
-        maxPlayers,
-        handshakeTimeoutMs,
-        loadTimeoutMs,
-        silenceTimeoutMs,
-        graceMs,
-        catchUpTicks,
-        inputWindowTicks,
-        inputHoldTicks,
-        snapshotRateHz,
-        keepAliveRateHz,
-        snapshotBytesPerSecond,
-        rosterIntervalMs,
-        statusIntervalS);
+    return with(draft -> draft.seed = value);
   }
 
   /** A copy with this many seats. */
   public ServerConfig withMaxPlayers(int value) {
-    return new ServerConfig(
-        gameName,
-        serverName,
-        tickRateHz,
-        seed,
-        value,
-        handshakeTimeoutMs,
-        loadTimeoutMs,
-        silenceTimeoutMs,
-        graceMs,
-        catchUpTicks,
-        inputWindowTicks,
-        inputHoldTicks,
-        snapshotRateHz,
-        keepAliveRateHz,
-        snapshotBytesPerSecond,
-        rosterIntervalMs,
-        statusIntervalS);
+    return with(draft -> draft.maxPlayers = value);
   }
 
   /** A copy with this handshake deadline. */
   public ServerConfig withHandshakeTimeoutMs(int value) {
-    return new ServerConfig(
-        gameName,
-        serverName,
-        tickRateHz,
-        seed,
-        maxPlayers,
-        value,
-        loadTimeoutMs,
-        silenceTimeoutMs,
-        graceMs,
-        catchUpTicks,
-        inputWindowTicks,
-        inputHoldTicks,
-        snapshotRateHz,
-        keepAliveRateHz,
-        snapshotBytesPerSecond,
-        rosterIntervalMs,
-        statusIntervalS);
+    return with(draft -> draft.handshakeTimeoutMs = value);
   }
 
   /** A copy with this loading deadline. */
   public ServerConfig withLoadTimeoutMs(int value) {
-    return new ServerConfig(
-        gameName,
-        serverName,
-        tickRateHz,
-        seed,
-        maxPlayers,
-        handshakeTimeoutMs,
-        value,
-        silenceTimeoutMs,
-        graceMs,
-        catchUpTicks,
-        inputWindowTicks,
-        inputHoldTicks,
-        snapshotRateHz,
-        keepAliveRateHz,
-        snapshotBytesPerSecond,
-        rosterIntervalMs,
-        statusIntervalS);
+    return with(draft -> draft.loadTimeoutMs = value);
   }
 
   /** A copy with this silence timeout. */
   public ServerConfig withSilenceTimeoutMs(int value) {
-    return new ServerConfig(
-        gameName,
-        serverName,
-        tickRateHz,
-        seed,
-        maxPlayers,
-        handshakeTimeoutMs,
-        loadTimeoutMs,
-        value,
-        graceMs,
-        catchUpTicks,
-        inputWindowTicks,
-        inputHoldTicks,
-        snapshotRateHz,
-        keepAliveRateHz,
-        snapshotBytesPerSecond,
-        rosterIntervalMs,
-        statusIntervalS);
+    return with(draft -> draft.silenceTimeoutMs = value);
   }
 
   /** A copy with this grace period. */
   public ServerConfig withGraceMs(int value) {
-    return new ServerConfig(
-        gameName,
-        serverName,
-        tickRateHz,
-        seed,
-        maxPlayers,
-        handshakeTimeoutMs,
-        loadTimeoutMs,
-        silenceTimeoutMs,
-        value,
-        catchUpTicks,
-        inputWindowTicks,
-        inputHoldTicks,
-        snapshotRateHz,
-        keepAliveRateHz,
-        snapshotBytesPerSecond,
-        rosterIntervalMs,
-        statusIntervalS);
+    return with(draft -> draft.graceMs = value);
   }
 
   /** A copy with this catch-up bound. */
   public ServerConfig withCatchUpTicks(int value) {
-    return new ServerConfig(
-        gameName,
-        serverName,
-        tickRateHz,
-        seed,
-        maxPlayers,
-        handshakeTimeoutMs,
-        loadTimeoutMs,
-        silenceTimeoutMs,
-        graceMs,
-        value,
-        inputWindowTicks,
-        inputHoldTicks,
-        snapshotRateHz,
-        keepAliveRateHz,
-        snapshotBytesPerSecond,
-        rosterIntervalMs,
-        statusIntervalS);
+    return with(draft -> draft.catchUpTicks = value);
   }
 
   /** A copy with this input window. */
   public ServerConfig withInputWindowTicks(int value) {
-    return new ServerConfig(
-        gameName,
-        serverName,
-        tickRateHz,
-        seed,
-        maxPlayers,
-        handshakeTimeoutMs,
-        loadTimeoutMs,
-        silenceTimeoutMs,
-        graceMs,
-        catchUpTicks,
-        value,
-        inputHoldTicks,
-        snapshotRateHz,
-        keepAliveRateHz,
-        snapshotBytesPerSecond,
-        rosterIntervalMs,
-        statusIntervalS);
+    return with(draft -> draft.inputWindowTicks = value);
   }
 
   /** A copy with this input hold. */
   public ServerConfig withInputHoldTicks(int value) {
-    return new ServerConfig(
-        gameName,
-        serverName,
-        tickRateHz,
-        seed,
-        maxPlayers,
-        handshakeTimeoutMs,
-        loadTimeoutMs,
-        silenceTimeoutMs,
-        graceMs,
-        catchUpTicks,
-        inputWindowTicks,
-        value,
-        snapshotRateHz,
-        keepAliveRateHz,
-        snapshotBytesPerSecond,
-        rosterIntervalMs,
-        statusIntervalS);
+    return with(draft -> draft.inputHoldTicks = value);
   }
 
   /** A copy with this snapshot rate. */
   public ServerConfig withSnapshotRateHz(int value) {
-    return new ServerConfig(
-        gameName,
-        serverName,
-        tickRateHz,
-        seed,
-        maxPlayers,
-        handshakeTimeoutMs,
-        loadTimeoutMs,
-        silenceTimeoutMs,
-        graceMs,
-        catchUpTicks,
-        inputWindowTicks,
-        inputHoldTicks,
-        value,
-        keepAliveRateHz,
-        snapshotBytesPerSecond,
-        rosterIntervalMs,
-        statusIntervalS);
+    return with(draft -> draft.snapshotRateHz = value);
   }
 
   /** A copy with this keep-alive rate. */
   public ServerConfig withKeepAliveRateHz(int value) {
-    return new ServerConfig(
-        gameName,
-        serverName,
-        tickRateHz,
-        seed,
-        maxPlayers,
-        handshakeTimeoutMs,
-        loadTimeoutMs,
-        silenceTimeoutMs,
-        graceMs,
-        catchUpTicks,
-        inputWindowTicks,
-        inputHoldTicks,
-        snapshotRateHz,
-        value,
-        snapshotBytesPerSecond,
-        rosterIntervalMs,
-        statusIntervalS);
+    return with(draft -> draft.keepAliveRateHz = value);
   }
 
   /** A copy with this snapshot budget. */
   public ServerConfig withSnapshotBytesPerSecond(int value) {
-    return new ServerConfig(
-        gameName,
-        serverName,
-        tickRateHz,
-        seed,
-        maxPlayers,
-        handshakeTimeoutMs,
-        loadTimeoutMs,
-        silenceTimeoutMs,
-        graceMs,
-        catchUpTicks,
-        inputWindowTicks,
-        inputHoldTicks,
-        snapshotRateHz,
-        keepAliveRateHz,
-        value,
-        rosterIntervalMs,
-        statusIntervalS);
+    return with(draft -> draft.snapshotBytesPerSecond = value);
   }
 
   /** A copy with this roster interval. */
   public ServerConfig withRosterIntervalMs(int value) {
-    return new ServerConfig(
-        gameName,
-        serverName,
-        tickRateHz,
-        seed,
-        maxPlayers,
-        handshakeTimeoutMs,
-        loadTimeoutMs,
-        silenceTimeoutMs,
-        graceMs,
-        catchUpTicks,
-        inputWindowTicks,
-        inputHoldTicks,
-        snapshotRateHz,
-        keepAliveRateHz,
-        snapshotBytesPerSecond,
-        value,
-        statusIntervalS);
+    return with(draft -> draft.rosterIntervalMs = value);
   }
 
   /** A copy with this status interval. */
   public ServerConfig withStatusIntervalS(int value) {
-    return new ServerConfig(
-        gameName,
-        serverName,
-        tickRateHz,
-        seed,
-        maxPlayers,
-        handshakeTimeoutMs,
-        loadTimeoutMs,
-        silenceTimeoutMs,
-        graceMs,
-        catchUpTicks,
-        inputWindowTicks,
-        inputHoldTicks,
-        snapshotRateHz,
-        keepAliveRateHz,
-        snapshotBytesPerSecond,
-        rosterIntervalMs,
-        value);
+    return with(draft -> draft.statusIntervalS = value);
+  }
+
+  private ServerConfig with(Consumer<Draft> change) {
+    Draft draft = new Draft(this);
+    change.accept(draft);
+    return draft.build();
+  }
+
+  /** The settings as variables, so that each {@code with...} method names just its own. */
+  private static final class Draft {
+    private String gameName;
+    private String serverName;
+    private int tickRateHz;
+    private long seed;
+    private int maxPlayers;
+    private int handshakeTimeoutMs;
+    private int loadTimeoutMs;
+    private int silenceTimeoutMs;
+    private int graceMs;
+    private int catchUpTicks;
+    private int inputWindowTicks;
+    private int inputHoldTicks;
+    private int snapshotRateHz;
+    private int keepAliveRateHz;
+    private int snapshotBytesPerSecond;
+    private int rosterIntervalMs;
+    private int statusIntervalS;
+
+    Draft(ServerConfig from) {
+      gameName = from.gameName;
+      serverName = from.serverName;
+      tickRateHz = from.tickRateHz;
+      seed = from.seed;
+      maxPlayers = from.maxPlayers;
+      handshakeTimeoutMs = from.handshakeTimeoutMs;
+      loadTimeoutMs = from.loadTimeoutMs;
+      silenceTimeoutMs = from.silenceTimeoutMs;
+      graceMs = from.graceMs;
+      catchUpTicks = from.catchUpTicks;
+      inputWindowTicks = from.inputWindowTicks;
+      inputHoldTicks = from.inputHoldTicks;
+      snapshotRateHz = from.snapshotRateHz;
+      keepAliveRateHz = from.keepAliveRateHz;
+      snapshotBytesPerSecond = from.snapshotBytesPerSecond;
+      rosterIntervalMs = from.rosterIntervalMs;
+      statusIntervalS = from.statusIntervalS;
+    }
+
+    ServerConfig build() {
+      return new ServerConfig(
+          gameName,
+          serverName,
+          tickRateHz,
+          seed,
+          maxPlayers,
+          handshakeTimeoutMs,
+          loadTimeoutMs,
+          silenceTimeoutMs,
+          graceMs,
+          catchUpTicks,
+          inputWindowTicks,
+          inputHoldTicks,
+          snapshotRateHz,
+          keepAliveRateHz,
+          snapshotBytesPerSecond,
+          rosterIntervalMs,
+          statusIntervalS);
+    }
   }
 }
