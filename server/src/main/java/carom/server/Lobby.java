@@ -25,10 +25,15 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Where links wait until they play: the handshake, the level, and the refusals. Each phase has a
- * deadline, so that a half-open connection or a client that stalls costs a slot for seconds only.
+ * Where links wait until they play: the handshake, the choice of a room, the level, and the
+ * refusals. Each phase has a deadline, so that a half-open connection or a client that stalls costs
+ * a slot for seconds only.
  *
- * <p>One thread calls {@link #doWork}; it may be another one than the room's.
+ * <p>Who comes back with a session's secret goes to the room that holds it. Everybody else goes to
+ * the fullest room that still has a place, because players want company; among equals to the first.
+ * When no room has a place, the newcomer is refused. Rooms that have failed count as full.
+ *
+ * <p>One thread calls {@link #doWork}; it may be another one than the rooms'.
  */
 final class Lobby {
   private static final Logger LOG = LoggerFactory.getLogger(Lobby.class);
@@ -42,8 +47,7 @@ final class Lobby {
 
   private final ServerConfig config;
   private final ServerTransport transport;
-  private final Room room;
-  private final Seats seats;
+  private final List<Room> rooms;
   private final Level level;
   private final String gameName;
   private final String levelName;
@@ -55,24 +59,24 @@ final class Lobby {
   private long nowNs;
 
   /**
+   * @param rooms at least one, all with the same game and level
    * @param secrets unpredictable numbers, for datagram keys
    */
   Lobby(
       ServerConfig config,
       ServerTransport transport,
-      Room room,
+      List<Room> rooms,
       Level level,
       LongSupplier secrets) {
     this.config = config;
     this.transport = transport;
-    this.room = room;
-    this.seats = room.seats();
+    this.rooms = rooms;
     this.level = level;
-    this.gameName = room.simulation().game().name();
+    this.gameName = rooms.get(0).simulation().game().name();
     this.levelName = level.name();
     this.levelBytes = level.source();
     this.secrets = secrets;
-    this.maxVisitors = 2 * seats.count() + 32;
+    this.maxVisitors = 2 * config.places() + 32;
   }
 
   /** One turn: new links, what the visitors sent, deadlines. Returns how much was done. */
@@ -158,6 +162,7 @@ final class Lobby {
     private final Link link;
     private SessionState state = SessionState.CONNECTED;
     private long deadlineNs;
+    private Room room;
     private Seats.Seat seat;
     private int datagramKey;
     private long pulledBytes;
@@ -226,15 +231,34 @@ final class Lobby {
         refused(RefusalReason.NAME_INVALID, "Sorry, " + problem + ".");
         return;
       }
-      seat = seats.claim(hello.resumeSecret());
-      if (seat == null) {
-        seat = seats.take(name);
-      }
-      if (seat == null) {
-        refused(RefusalReason.SERVER_FULL, "All %d places are taken.".formatted(seats.count()));
+      if (!resume(hello.resumeSecret()) && !place(name)) {
+        refused(RefusalReason.SERVER_FULL, "All %d places are taken.".formatted(config.places()));
         return;
       }
       welcome();
+    }
+
+    /** Claims the seat that belongs to a secret, in whichever room it is. */
+    private boolean resume(long secret) {
+      for (int i = 0; i < rooms.size() && seat == null; i++) {
+        room = rooms.get(i);
+        seat = room.hasFailed() ? null : room.seats().claim(secret);
+      }
+      return seat != null;
+    }
+
+    /** Takes a seat in the fullest room that has one. */
+    private boolean place(String name) {
+      int most = -1;
+      for (Room candidate : rooms) {
+        int taken = candidate.seats().takenCount();
+        if (taken > most && taken < config.maxPlayers() && !candidate.hasFailed()) {
+          most = taken;
+          room = candidate;
+        }
+      }
+      seat = most < 0 ? null : room.seats().take(name);
+      return seat != null;
     }
 
     private void welcome() {
@@ -248,7 +272,7 @@ final class Lobby {
               seat.id(),
               config.tickRateHz(),
               room.tick(),
-              config.seed(),
+              room.seed(),
               gameName,
               levelName,
               level.contentHash(),
@@ -274,7 +298,7 @@ final class Lobby {
     private void enterRoom() {
       done = true;
       if (!room.admit(new Admission(seat, link, datagramKey))) {
-        LOG.warn("player {} could not enter: too many enter at once", seat.id());
+        LOG.warn("{} could not enter: too many enter at once, or the room failed", seat.name());
         link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_ERROR, "Try again in a moment."));
         part(link, "room takes nobody");
         giveUpSeat();
@@ -306,7 +330,7 @@ final class Lobby {
 
     private void giveUpSeat() {
       if (seat != null) {
-        seats.unclaim(seat);
+        room.seats().unclaim(seat);
         seat = null;
       }
     }

@@ -14,6 +14,7 @@ import carom.server.config.ServerConfig;
 import carom.sim.Game;
 import carom.sim.Input;
 import carom.sim.Level;
+import java.util.function.Supplier;
 
 /**
  * Plays the game for a moment in virtual time, with a few clients inside this process, before the
@@ -33,16 +34,16 @@ final class Rehearsal {
   /**
    * Plays until enough ticks or 0.4 s have passed. Its log lines are the caller's to mute.
    *
-   * @param game an instance of its own, thrown away afterwards
+   * @param games gives an instance, thrown away afterwards
    */
-  static void play(ServerConfig config, Game game, Level level, MessageCodec codec) {
-    new Rehearsal().run(config.withStatusIntervalS(0), game, level, codec);
+  static void play(ServerConfig config, Supplier<Game> games, Level level, MessageCodec codec) {
+    new Rehearsal().run(config.withRooms(1).withStatusIntervalS(0), games, level, codec);
   }
 
-  private void run(ServerConfig config, Game game, Level level, MessageCodec codec) {
+  private void run(ServerConfig config, Supplier<Game> games, Level level, MessageCodec codec) {
     long beginNs = System.nanoTime();
     InProcessNetwork network = new InProcessNetwork(codec);
-    try (Server server = new Server(config, game, level, network.server(), () -> virtualNs)) {
+    try (Server server = new Server(config, games, level, network.server(), () -> virtualNs)) {
       Extra[] extras = new Extra[Math.min(CLIENTS, config.maxPlayers())];
       for (int i = 0; i < extras.length; i++) {
         extras[i] = new Extra(network.client().connect("", 0, 0), i);
@@ -50,7 +51,7 @@ final class Rehearsal {
       for (int i = 0; i < MAX_TICKS && System.nanoTime() - beginNs < MAX_NS; i++) {
         virtualNs += config.tickNs() + 1;
         for (Extra extra : extras) {
-          extra.turn(server.room().tick());
+          extra.turn(server.rooms().get(0).tick());
         }
         server.tick(virtualNs);
       }

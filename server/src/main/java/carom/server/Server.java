@@ -3,205 +3,228 @@ package carom.server;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.transport.ServerTransport;
 import carom.server.config.ServerConfig;
-import carom.server.metrics.Counters;
+import carom.server.metrics.Counter;
 import carom.server.room.Room;
 import carom.server.session.Seats;
 import carom.sim.Game;
 import carom.sim.Level;
 import java.security.SecureRandom;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.LockSupport;
-import java.util.function.LongConsumer;
 import java.util.function.LongSupplier;
+import java.util.function.Supplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A Carom server: a lobby and a room behind a transport.
+ * A Carom server: a lobby and one or more rooms behind a transport. Rooms have nothing in common
+ * but the lobby, the transport and the level, which never changes; one that fails leaves the others
+ * alone.
  *
  * <p>Drive it in one of two ways. By hand: call {@link #tick} again and again with a time of your
  * choice; everything happens on the calling thread, nothing sleeps, and a test runs an hour in
- * seconds. By threads: {@link #start} gives the room a thread that keeps the tick rate and the
- * lobby one of its own; {@link #awaitStop} waits for the end.
+ * seconds. By threads: {@link #start} gives each room a thread that keeps the tick rate ({@code
+ * carom-room-1} and so on) and the lobby one of its own ({@code carom-lobby}); {@link #awaitStop}
+ * waits for the end.
  *
- * <p>{@link #close} tells the players and ends both; it owns and closes the transport.
+ * <p>{@link #close} tells the players and ends all threads; it owns and closes the transport.
  */
 public final class Server implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Server.class);
-  private static final long NS_PER_MS = 1_000_000;
 
-  /** The longest nap of the room's thread: datagrams get their arrival time when it wakes. */
-  private static final long ROOM_NAP_NS = 4 * NS_PER_MS;
+  /** The longest nap of a room's thread: datagrams get their arrival time when it wakes. */
+  private static final long ROOM_NAP_NS = TimeUnit.MILLISECONDS.toNanos(4);
 
-  private static final long LOBBY_NAP_NS = 5 * NS_PER_MS;
-  private static final long FAREWELL_MS = 400;
+  private static final long LOBBY_NAP_NS = TimeUnit.MILLISECONDS.toNanos(5);
   private static final long JOIN_MS = 1_000;
-  private static final int MAX_FAILURES_IN_A_ROW = 100;
 
   private final ServerConfig config;
   private final ServerTransport transport;
   private final LongSupplier clock;
-  private final Room room;
+  private final List<Room> rooms;
   private final Lobby lobby;
   private final StatusLine status;
+  private final List<Worker> workers = new ArrayList<>();
   private final CountDownLatch ended = new CountDownLatch(1);
-  private Thread roomThread;
-  private Thread lobbyThread;
   private long nextStatusNs;
   private boolean statusScheduled;
-  private volatile boolean stopping;
-  private volatile boolean crashed;
+  private volatile boolean lobbyFailed;
+  private volatile boolean started;
   private boolean closed;
 
   /**
-   * Builds the level, sets up the game and is ready to be driven; accepts nobody before that.
+   * Builds the level, sets up the games and is ready to be driven; accepts nobody before that.
    *
    * @param config all settings
-   * @param game an instance of the room's own
-   * @param level where it is played
+   * @param games gives each room a new instance; called once for each room, here
+   * @param level where they are played
    * @param transport owned by the server from now on
-   * @param clock monotonic nanoseconds, {@code System::nanoTime} or virtual; read to measure
-   *     durations and, with threads, to know the time
+   * @param clock monotonic nanoseconds, {@code System::nanoTime} or virtual; read by every thread
+   *     to measure durations and, with threads, to know the time
    */
   public Server(
-      ServerConfig config, Game game, Level level, ServerTransport transport, LongSupplier clock) {
+      ServerConfig config,
+      Supplier<Game> games,
+      Level level,
+      ServerTransport transport,
+      LongSupplier clock) {
     this.config = config;
     this.transport = transport;
     this.clock = clock;
     SecureRandom random = new SecureRandom();
-    this.room =
-        new Room(config, game, level, clock, new Seats(config.maxPlayers(), random::nextLong));
-    this.lobby = new Lobby(config, transport, room, level, random::nextLong);
-    this.status = new StatusLine(room, config, clock.getAsLong());
+    List<Room> built = new ArrayList<>();
+    for (int number = 1; number <= config.rooms(); number++) {
+      Seats seats = new Seats(config.maxPlayers(), random::nextLong);
+      built.add(new Room(config, number, games.get(), level, clock, seats));
+    }
+    this.rooms = List.copyOf(built);
+    this.lobby = new Lobby(config, transport, rooms, level, random::nextLong);
+    this.status = new StatusLine(rooms, config, clock.getAsLong());
   }
 
   /**
-   * One turn of lobby and room, by hand.
+   * One turn of the lobby and then of each room, by hand.
    *
    * @param nowNs monotonic time in nanoseconds, not before the previous turn's
    * @return how much was done; 0 when nothing was due
    * @throws IllegalStateException when threads drive the server
    */
   public int tick(long nowNs) {
-    if (roomThread != null) {
+    if (started) {
       throw new IllegalStateException("threads drive this server; don't call tick as well");
     }
-    return lobbyTurn(nowNs) + room.doWork(nowNs);
-  }
-
-  private int lobbyTurn(long nowNs) {
-    int work = lobby.doWork(nowNs);
-    if (config.statusIntervalS() > 0) {
-      if (!statusScheduled || nowNs - nextStatusNs >= 0) {
-        if (statusScheduled) {
-          LOG.info("status: {}", status.next(nowNs));
-        }
-        statusScheduled = true;
-        nextStatusNs = nowNs + TimeUnit.SECONDS.toNanos(config.statusIntervalS());
-      }
+    int work = lobbyTurn(nowNs);
+    for (int i = 0; i < rooms.size(); i++) {
+      work += rooms.get(i).doWork(nowNs);
     }
     return work;
   }
 
-  /**
-   * Starts the room's and the lobby's thread; both are ordinary threads that keep the JVM alive.
-   */
+  private int lobbyTurn(long nowNs) {
+    int work = lobby.doWork(nowNs);
+    if (config.statusIntervalS() > 0 && (!statusScheduled || nowNs - nextStatusNs >= 0)) {
+      if (statusScheduled) {
+        status.next(nowNs).forEach(line -> LOG.info("status: {}", line));
+      }
+      statusScheduled = true;
+      nextStatusNs = nowNs + TimeUnit.SECONDS.toNanos(config.statusIntervalS());
+    }
+    return work;
+  }
+
+  /** Starts the threads; they are ordinary ones, which keep the JVM alive. */
   public synchronized void start() {
-    if (roomThread != null || closed) {
+    if (started || closed) {
       throw new IllegalStateException(closed ? "the server is closed" : "already started");
     }
-    roomThread = new Thread(this::runRoom, "carom-room");
-    lobbyThread = new Thread(this::runLobby, "carom-lobby");
-    roomThread.setPriority(Thread.MAX_PRIORITY);
-    roomThread.start();
-    lobbyThread.start();
+    started = true;
+    workers.add(new Worker("carom-lobby", new LobbyDuty(), clock, this::workerEnded));
+    for (Room room : rooms) {
+      String name = "carom-room-" + room.number();
+      workers.add(new Worker(name, new RoomDuty(room), clock, this::workerEnded));
+    }
+    workers.get(0).start(Thread.NORM_PRIORITY);
+    for (int i = 1; i < workers.size(); i++) {
+      workers.get(i).start(Thread.MAX_PRIORITY);
+    }
   }
 
-  private void runRoom() {
-    LongConsumer work = room::doWork;
-    boolean orderly = false;
-    try {
-      int failures = 0;
-      while (!stopping && !room.hasFailed()) {
-        failures = turn("room", failures, work, clock.getAsLong());
-        long waitNs = room.nextDeadlineNs() - clock.getAsLong();
-        if (waitNs > 0) {
-          LockSupport.parkNanos(this, Math.min(waitNs, ROOM_NAP_NS));
-        }
-      }
-      room.close(GoodbyeReason.SERVER_STOPPING, "", clock.getAsLong());
-      long endNs = clock.getAsLong() + FAREWELL_MS * NS_PER_MS;
-      while (!room.isDeserted() && clock.getAsLong() - endNs < 0) {
-        room.doWork(clock.getAsLong());
-        LockSupport.parkNanos(this, ROOM_NAP_NS);
-      }
+  /** On the thread of the worker that ends. Without a room, or without a lobby, nothing is left. */
+  private void workerEnded() {
+    if (hasFailed()) {
+      workers.forEach(Worker::stop);
+      ended.countDown();
+    }
+  }
+
+  /** A room's work for its thread. */
+  private record RoomDuty(Room room) implements Worker.Duty {
+    @Override
+    public void turn(long nowNs) {
+      room.doWork(nowNs);
+    }
+
+    @Override
+    public long napNs(long nowNs) {
+      return Math.min(room.nextDeadlineNs() - nowNs, ROOM_NAP_NS);
+    }
+
+    @Override
+    public boolean hasFailed() {
+      return room.hasFailed();
+    }
+
+    @Override
+    public void fail(String why) {
+      room.fail(why);
+    }
+
+    @Override
+    public void close(long nowNs) {
+      room.close(GoodbyeReason.SERVER_STOPPING, "", nowNs);
+    }
+
+    @Override
+    public boolean isDeserted() {
+      return room.isDeserted();
+    }
+
+    @Override
+    public void closeLinks() {
       room.closeLinks();
-      orderly = true;
-    } finally {
-      if (!orderly) {
-        crashed = true;
-      }
-      stopping = true;
-      ended.countDown();
     }
   }
 
-  private void runLobby() {
-    LongConsumer work = this::lobbyTurn;
-    boolean orderly = false;
-    try {
-      int failures = 0;
-      while (!stopping) {
-        failures = turn("lobby", failures, work, clock.getAsLong());
-        LockSupport.parkNanos(this, LOBBY_NAP_NS);
-      }
-      lobby.close(clock.getAsLong());
-      long endNs = clock.getAsLong() + FAREWELL_MS * NS_PER_MS;
-      while (!lobby.isDeserted() && clock.getAsLong() - endNs < 0) {
-        lobby.doWork(clock.getAsLong());
-        LockSupport.parkNanos(this, LOBBY_NAP_NS);
-      }
+  /** The lobby's work for its thread. */
+  private final class LobbyDuty implements Worker.Duty {
+    @Override
+    public void turn(long nowNs) {
+      lobbyTurn(nowNs);
+    }
+
+    @Override
+    public long napNs(long nowNs) {
+      return LOBBY_NAP_NS;
+    }
+
+    @Override
+    public boolean hasFailed() {
+      return lobbyFailed;
+    }
+
+    @Override
+    public void fail(String why) {
+      LOG.error("lobby closed, and with it the server: {}", why);
+      lobbyFailed = true;
+    }
+
+    @Override
+    public void close(long nowNs) {
+      lobby.close(nowNs);
+    }
+
+    @Override
+    public boolean isDeserted() {
+      return lobby.isDeserted();
+    }
+
+    @Override
+    public void closeLinks() {
       lobby.closeLinks();
-      orderly = true;
-    } finally {
-      if (!orderly) {
-        crashed = true;
-      }
-      stopping = true;
-      ended.countDown();
     }
   }
 
-  /**
-   * One guarded turn: an exception that got through every inner guard is a bug; it is logged, and
-   * the thread goes on unless it happens each time.
-   */
-  private int turn(String name, int failures, LongConsumer work, long nowNs) {
-    try {
-      work.accept(nowNs);
-      return 0;
-    } catch (RuntimeException | StackOverflowError e) {
-      if (failures == 0) {
-        LOG.error("the {} failed; it goes on", name, e);
-      }
-      if (failures + 1 >= MAX_FAILURES_IN_A_ROW) {
-        LOG.error("the {} failed {} times in a row; the server stops", name, failures + 1);
-        crashed = true;
-        stopping = true;
-      }
-      return failures + 1;
-    }
-  }
-
-  /** Waits until the server has ended, by {@link #close} or because its room failed. */
+  /** Waits until the server has ended, by {@link #close} or because it has failed. */
   public void awaitStop() throws InterruptedException {
     ended.await();
   }
 
   /**
-   * Tells every player that the server stops, waits up to {@value #FAREWELL_MS} ms for them to hear
-   * it (by hand: not at all), and closes the transport. Closing twice does nothing.
+   * Tells the players of all rooms at once that the server stops, waits up to {@value
+   * Worker#FAREWELL_MS} ms for them to hear it (by hand: not at all), and closes the transport.
+   * Closing twice does nothing.
    */
   @Override
   public synchronized void close() {
@@ -209,36 +232,27 @@ public final class Server implements AutoCloseable {
       return;
     }
     closed = true;
-    stopping = true;
-    if (roomThread == null) {
+    if (started) {
+      long endNs = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(JOIN_MS);
+      workers.forEach(Worker::stop);
+      workers.forEach(worker -> worker.join(endNs));
+    } else {
       long nowNs = clock.getAsLong();
       lobby.close(nowNs);
-      room.close(GoodbyeReason.SERVER_STOPPING, "", nowNs);
+      rooms.forEach(room -> room.close(GoodbyeReason.SERVER_STOPPING, "", nowNs));
       lobby.closeLinks();
-      room.closeLinks();
-      ended.countDown();
-    } else {
-      join(roomThread);
-      join(lobbyThread);
+      rooms.forEach(Room::closeLinks);
     }
     transport.close();
+    ended.countDown();
   }
 
-  private static void join(Thread thread) {
-    LockSupport.unpark(thread);
-    try {
-      thread.join(JOIN_MS);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    }
-    if (thread.isAlive()) {
-      LOG.warn("thread {} did not end within {} ms", thread.getName(), JOIN_MS);
-    }
-  }
-
-  /** Whether the server ended by itself, because of errors that are in the log. */
+  /**
+   * Whether the server ended by itself, because of errors that are in the log: all rooms have
+   * failed, or the lobby has.
+   */
   public boolean hasFailed() {
-    return crashed || room.hasFailed();
+    return lobbyFailed || rooms.stream().allMatch(Room::hasFailed);
   }
 
   /** Port for reliable messages, as the transport opened it. */
@@ -256,18 +270,24 @@ public final class Server implements AutoCloseable {
     return config;
   }
 
-  /** The room. With threads: only what its documentation allows from any thread. */
-  public Room room() {
-    return room;
+  /**
+   * The rooms, in the order of their numbers; the list never changes. With threads: only what the
+   * documentation of {@link Room} allows from any thread.
+   */
+  public List<Room> rooms() {
+    return rooms;
   }
 
-  /** What the room counts; from any thread. */
-  public Counters counters() {
-    return room.counters();
+  /** What all rooms together count; from any thread. */
+  public long count(Counter counter) {
+    return rooms.stream().mapToLong(room -> room.counters().get(counter)).sum();
   }
 
-  /** One line for people about the time since the start; from any thread. */
-  public String status() {
+  /**
+   * The time since the start in lines for people: one for each room, and one about all when there
+   * are several. From any thread.
+   */
+  public List<String> status() {
     return status.sinceStart(clock.getAsLong());
   }
 

@@ -26,6 +26,7 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import java.util.function.Supplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import picocli.CommandLine;
@@ -51,7 +52,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
     sortOptions = false,
     usageHelpAutoWidth = true,
     versionProvider = ServerMain.Version.class,
-    description = {"Runs a Carom game server: one physics world that players join.", ""},
+    description = {"Runs a Carom game server: physics worlds that players join.", ""},
     footer = {
       "",
       "When players can join, standard output says so in one line:",
@@ -121,10 +122,19 @@ public final class ServerMain implements Callable<Integer> {
   private String name;
 
   @Option(
+      names = "--rooms",
+      paramLabel = "N",
+      defaultValue = "1",
+      description =
+          "Games that are played side by side, 1..64, each with a thread of its own;"
+              + " a newcomer gets into the fullest that has a place (${DEFAULT-VALUE}).")
+  private int rooms;
+
+  @Option(
       names = "--max-players",
       paramLabel = "N",
       defaultValue = "64",
-      description = "Places in the game, 1..256 (${DEFAULT-VALUE}).")
+      description = "Places in each room, 1..256 (${DEFAULT-VALUE}).")
   private int maxPlayers;
 
   @Option(
@@ -262,19 +272,20 @@ public final class ServerMain implements Callable<Integer> {
   @Override
   public Integer call() throws InterruptedException {
     Level chosenLevel = chooseLevel();
-    Game chosenGame = chooseGame(chosenLevel);
+    String chosenGame = chooseGame(chosenLevel);
+    Supplier<Game> games = () -> Games.create(chosenGame);
     requireRange("--tcp-port", tcpPort, MAX_PORT);
     requireRange("--udp-port", udpPort, MAX_PORT);
     requireRange("--grace", graceS, MAX_GRACE_S);
-    ServerConfig config = config(chosenGame.name());
+    ServerConfig config = config(chosenGame);
     LoggerContext logging = (LoggerContext) LoggerFactory.getILoggerFactory();
     ch.qos.logback.classic.Logger root = logging.getLogger(Logger.ROOT_LOGGER_NAME);
     root.setLevel(ch.qos.logback.classic.Level.ERROR);
-    Rehearsal.play(config, createGame(config.gameName()), chosenLevel, new KryoMessageCodec());
+    Rehearsal.play(config, games, chosenLevel, new KryoMessageCodec());
     root.setLevel(ch.qos.logback.classic.Level.toLevel(logLevel.name()));
     Logger log = LoggerFactory.getLogger(ServerMain.class);
     log.info(
-        "start: {} {}, game {}, level {} ({}), {} Hz, seed {}, {} places, Java {}",
+        "start: {} {}, game {}, level {} ({}), {} Hz, seed {}, {}{} places, Java {}",
         config.serverName(),
         version(),
         config.gameName(),
@@ -282,6 +293,7 @@ public final class ServerMain implements Callable<Integer> {
         level == null ? "default" : level,
         config.tickRateHz(),
         config.seed(),
+        config.rooms() == 1 ? "" : config.rooms() + " rooms of ",
         config.maxPlayers(),
         Runtime.version().feature());
     ServerTransport transport;
@@ -291,7 +303,7 @@ public final class ServerMain implements Callable<Integer> {
       logging.stop();
       return refuse(e.getMessage(), FAILED);
     }
-    return run(new Server(config, chosenGame, chosenLevel, transport, System::nanoTime), logging);
+    return run(new Server(config, games, chosenLevel, transport, System::nanoTime), logging);
   }
 
   private int run(Server server, LoggerContext logging) throws InterruptedException {
@@ -301,7 +313,7 @@ public final class ServerMain implements Callable<Integer> {
             () -> {
               log.info("stop: asked to");
               server.close();
-              log.info("stopped: {}", server.status());
+              server.status().forEach(line -> log.info("stopped: {}", line));
               logging.stop(); // writes what still waits in the queue
             },
             "carom-stop");
@@ -390,7 +402,7 @@ public final class ServerMain implements Callable<Integer> {
     return Games.names().stream().map(name -> Games.create(name).defaultLevel()).toList();
   }
 
-  private Game chooseGame(Level chosenLevel) {
+  private String chooseGame(Level chosenLevel) {
     Game chosen = createGame(game == null ? chosenLevel.gameName() : game);
     if (!chosen.name().equals(chosenLevel.gameName())) {
       throw bad(
@@ -398,7 +410,7 @@ public final class ServerMain implements Callable<Integer> {
                   + "leave --game out or choose another level")
               .formatted(chosen.name(), chosenLevel.name(), chosenLevel.gameName()));
     }
-    return chosen;
+    return chosen.name();
   }
 
   private Game createGame(String wanted) {
@@ -417,6 +429,7 @@ public final class ServerMain implements Callable<Integer> {
           .withTickRateHz(tickRate)
           .withSeed(seed == null ? new SecureRandom().nextLong() : seed)
           .withMaxPlayers(maxPlayers)
+          .withRooms(rooms)
           .withGraceMs(graceS * 1_000)
           .withInputHoldTicks(tickRate / 2)
           .withSnapshotRateHz(tickRate)
@@ -428,7 +441,8 @@ public final class ServerMain implements Callable<Integer> {
 
   /** Half-open links count too; one address may hold all places, as behind a school's router. */
   private KryoLimits limits() {
-    return KryoLimits.DEFAULT.withConnections(2 * maxPlayers + 64, maxPlayers + 32);
+    int places = rooms * maxPlayers;
+    return KryoLimits.DEFAULT.withConnections(2 * places + 64, places + 32);
   }
 
   private void requireRange(String flag, int value, int max) {

@@ -4,91 +4,138 @@ import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.room.Room;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
+import java.util.function.Function;
 
-/** The room's counters in one line that an operator can read. */
+/**
+ * The rooms' counters for an operator: one line for each room, and one about all when there are
+ * several.
+ */
 final class StatusLine {
   private static final double NS_PER_S = 1e9;
 
-  private final Room room;
-  private final Counters counters;
+  private final List<Room> rooms;
   private final ServerConfig config;
-  private final long startNs;
-  private Reading last;
+  private final List<Reading> start = new ArrayList<>();
+  private List<Reading> last;
 
-  /** Values at one moment. */
-  private record Reading(
-      long timeNs,
-      long ticks,
-      long late,
-      long dropped,
-      long bytesIn,
-      long bytesOut,
-      long datagramsIn,
-      long datagramsOut,
-      long missing) {
-    static Reading of(Counters c, long timeNs) {
-      return new Reading(
-          timeNs,
-          c.get(Counter.TICKS),
-          c.get(Counter.TICKS_LATE),
-          c.get(Counter.TICKS_DROPPED),
-          c.get(Counter.BYTES_IN),
-          c.get(Counter.SNAPSHOT_BYTES),
-          c.get(Counter.DATAGRAMS_IN),
-          c.get(Counter.DATAGRAMS_OUT),
-          c.get(Counter.INPUTS_MISSING));
+  /** All counters at one moment. */
+  private static final class Reading {
+    private final long timeNs;
+    private final long[] values = new long[Counter.values().length];
+
+    Reading(long timeNs) {
+      this.timeNs = timeNs;
     }
 
-    static Reading zero(long timeNs) {
-      return new Reading(timeNs, 0, 0, 0, 0, 0, 0, 0, 0);
+    static Reading of(Counters counters, long timeNs) {
+      Reading reading = new Reading(timeNs);
+      for (Counter counter : Counter.values()) {
+        reading.values[counter.ordinal()] = counters.get(counter);
+      }
+      return reading;
+    }
+
+    static Reading sum(List<Reading> parts) {
+      Reading sum = new Reading(parts.get(0).timeNs);
+      for (Reading part : parts) {
+        Arrays.setAll(sum.values, i -> sum.values[i] + part.values[i]);
+      }
+      return sum;
+    }
+
+    long get(Counter counter) {
+      return values[counter.ordinal()];
     }
   }
 
-  StatusLine(Room room, ServerConfig config, long startNs) {
-    this.room = room;
-    this.counters = room.counters();
+  /** From one reading to a later one. */
+  private record Span(Reading from, Reading to) {
+    long grew(Counter counter) {
+      return to.get(counter) - from.get(counter);
+    }
+
+    double perSecond(Counter counter) {
+      return grew(counter) / Math.max(1e-9, (to.timeNs - from.timeNs) / NS_PER_S);
+    }
+
+    String players(int places) {
+      long waiting = to.get(Counter.PLAYERS_IN_GRACE);
+      return to.get(Counter.PLAYERS)
+          + (" of " + places + " players")
+          + (waiting == 0 ? "" : " and " + waiting + " expected back");
+    }
+
+    String load() {
+      return String.format(
+          Locale.ROOT,
+          "late %d, dropped %d, in %.1f kbit/s, out %.1f kbit/s in %.0f datagrams/s,"
+              + " inputs missing %.2f %%",
+          grew(Counter.TICKS_LATE),
+          grew(Counter.TICKS_DROPPED),
+          perSecond(Counter.BYTES_IN) * 8 / 1e3,
+          perSecond(Counter.SNAPSHOT_BYTES) * 8 / 1e3,
+          perSecond(Counter.DATAGRAMS_OUT),
+          100.0 * grew(Counter.INPUTS_MISSING) / Math.max(1, grew(Counter.DATAGRAMS_IN)));
+    }
+  }
+
+  StatusLine(List<Room> rooms, ServerConfig config, long startNs) {
+    this.rooms = rooms;
     this.config = config;
-    this.startNs = startNs;
-    this.last = Reading.zero(startNs);
+    for (int i = 0; i < rooms.size(); i++) {
+      start.add(new Reading(startNs));
+    }
+    this.last = start;
   }
 
   /** About the time since this method was last called. */
-  synchronized String next(long nowNs) {
-    Reading now = Reading.of(counters, nowNs);
-    String line = line(last, now, counters.takeInterval());
-    last = now;
-    return line;
+  synchronized List<String> next(long nowNs) {
+    List<Reading> from = last;
+    last = read(nowNs);
+    return lines(from, last, Counters::takeInterval);
   }
 
   /** About the whole time since the start; changes nothing. */
-  synchronized String sinceStart(long nowNs) {
-    return line(Reading.zero(startNs), Reading.of(counters, nowNs), counters.total());
+  synchronized List<String> sinceStart(long nowNs) {
+    return lines(start, read(nowNs), Counters::total);
   }
 
-  private String line(Reading from, Reading to, Counters.TickTimes times) {
-    double seconds = Math.max(1e-9, (to.timeNs - from.timeNs) / NS_PER_S);
-    long inputsDue = Math.max(1, to.datagramsIn - from.datagramsIn);
+  private List<Reading> read(long nowNs) {
+    return rooms.stream().map(room -> Reading.of(room.counters(), nowNs)).toList();
+  }
+
+  private List<String> lines(
+      List<Reading> from, List<Reading> to, Function<Counters, Counters.TickTimes> times) {
+    List<String> lines = new ArrayList<>();
+    for (int i = 0; i < rooms.size(); i++) {
+      Room room = rooms.get(i);
+      Counters.TickTimes took = times.apply(room.counters());
+      String label = rooms.size() == 1 ? "" : "room " + room.number() + ": ";
+      lines.add(
+          label.isEmpty() || !room.hasFailed()
+              ? label + line(room, new Span(from.get(i), to.get(i)), took)
+              : label + "failed at tick " + room.tick());
+    }
+    if (rooms.size() > 1) {
+      Span all = new Span(Reading.sum(from), Reading.sum(to));
+      lines.add(
+          "all %d rooms: %s, %s".formatted(rooms.size(), all.players(config.places()), all.load()));
+    }
+    return lines;
+  }
+
+  private String line(Room room, Span span, Counters.TickTimes times) {
     return String.format(
         Locale.ROOT,
-        "%d of %d players%s, tick %d, %.1f Hz, %s, late %d, dropped %d,"
-            + " in %.1f kbit/s, out %.1f kbit/s in %.0f datagrams/s, inputs missing %.2f %%",
-        counters.get(Counter.PLAYERS),
-        config.maxPlayers(),
-        grace(),
+        "%s, tick %d, %.1f Hz, %s, %s",
+        span.players(config.maxPlayers()),
         room.tick(),
-        (to.ticks - from.ticks) / seconds,
+        span.perSecond(Counter.TICKS),
         times,
-        to.late - from.late,
-        to.dropped - from.dropped,
-        (to.bytesIn - from.bytesIn) * 8 / 1e3 / seconds,
-        (to.bytesOut - from.bytesOut) * 8 / 1e3 / seconds,
-        (to.datagramsOut - from.datagramsOut) / seconds,
-        100.0 * (to.missing - from.missing) / inputsDue);
-  }
-
-  private String grace() {
-    long waiting = counters.get(Counter.PLAYERS_IN_GRACE);
-    return waiting == 0 ? "" : " and " + waiting + " expected back";
+        span.load());
   }
 }

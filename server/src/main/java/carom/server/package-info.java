@@ -1,5 +1,5 @@
 /**
- * The dedicated server: one lobby where links become players, one room where they play.
+ * The dedicated server: one lobby where links become players, rooms where they play.
  *
  * <p>{@link carom.server.Server} is the server as an object, for tests and for programs that embed
  * it; {@link carom.server.ServerMain} is the program an operator starts.

@@ -10,6 +10,7 @@ import carom.net.transport.Impairment;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
+import carom.server.room.Room;
 import carom.sim.Entity;
 import carom.sim.Level;
 import carom.sim.Player;
@@ -78,7 +79,8 @@ public final class Stepper implements AutoCloseable {
 
   /** Starts a fresh server at the same address, after {@link #stopServer}. */
   public void startServer() {
-    server = new Server(config, Games.create(level.gameName()), level, wire.serve(), () -> nowNs);
+    server =
+        new Server(config, () -> Games.create(level.gameName()), level, wire.serve(), () -> nowNs);
     hashedTick = -1;
     server.tick(nowNs);
   }
@@ -95,24 +97,29 @@ public final class Stepper implements AutoCloseable {
     return server;
   }
 
+  /** The server's first room. */
+  public Room room() {
+    return server.rooms().get(0);
+  }
+
   /** A counter of the server. */
   public long count(Counter counter) {
-    return server.counters().get(counter);
+    return server.count(counter);
   }
 
   /** The server's quantised state after a tick; null when that was too long ago. */
   public FrameState frame(int tick) {
-    return server.room().frames().at(tick);
+    return room().frames().at(tick);
   }
 
   /** The server's newest quantised state. */
   public FrameState frame() {
-    return server.room().frames().newest();
+    return room().frames().newest();
   }
 
   /** A player at the server, or null. */
   public Player player(SimulatedClient client) {
-    return server.room().simulation().player(client.view().playerId());
+    return room().simulation().player(client.view().playerId());
   }
 
   /** A player's body at the server, or null. */
@@ -236,7 +243,7 @@ public final class Stepper implements AutoCloseable {
   /** The clients' part of a slice. */
   public void stepClients() {
     for (int i = 0; i < clients.size(); i++) {
-      clients.get(i).update(nowNs, server == null ? null : server.room().frames());
+      clients.get(i).update(nowNs, server == null ? null : room().frames());
     }
   }
 

@@ -42,7 +42,7 @@ final class ClientServerScenarioTest {
     server =
         new Server(
             ServerConfig.defaults().withGameName(game).withStatusIntervalS(0),
-            Games.create(game),
+            () -> Games.create(game),
             level,
             network.server(),
             () -> now);
@@ -89,7 +89,7 @@ final class ClientServerScenarioTest {
   /** Each state the client decoded for its newest tick is the server's, to the last quantum. */
   private void compareWithServer(GameClient client) {
     int tick = client.decoder().newestTick();
-    FrameState truth = server.room().frames().at(tick);
+    FrameState truth = server.rooms().get(0).frames().at(tick);
     if (truth == null) {
       return;
     }
@@ -215,7 +215,7 @@ final class ClientServerScenarioTest {
     run(2);
     int id = client.view().own().id();
     int player = client.view().playerId();
-    Entity body = server.room().simulation().player(player).body();
+    Entity body = server.rooms().get(0).simulation().player(player).body();
     links.get(0).close("cable cut");
     run(0.1);
     assertEquals(ConnectionPhase.RECONNECTING, client.view().phase());
@@ -223,7 +223,7 @@ final class ClientServerScenarioTest {
     assertEquals(ConnectionPhase.PLAYING, client.view().phase());
     assertEquals(player, client.view().playerId());
     assertEquals(id, client.view().own().id());
-    assertEquals(body, server.room().simulation().player(player).body());
+    assertEquals(body, server.rooms().get(0).simulation().player(player).body());
     assertEquals(1, client.stats().reconnects());
   }
 

@@ -26,7 +26,7 @@ import org.junit.jupiter.params.provider.EnumSource;
  */
 class ClockScenarioTest {
   private static InputBuffer inputs(Stepper stepper, SimulatedClient client) {
-    return stepper.server().room().session(client.view().playerId()).inputs();
+    return stepper.room().session(client.view().playerId()).inputs();
   }
 
   @ParameterizedTest

@@ -37,7 +37,7 @@ class OwnBodyScenarioTest {
       SimulatedClient client =
           stepper.join("p", condition.impairment(Stepper.SEED), Scripts.wander(Stepper.SEED));
       stepper.run(4);
-      InputBuffer inputs = stepper.server().room().session(client.view().playerId()).inputs();
+      InputBuffer inputs = stepper.room().session(client.view().playerId()).inputs();
       final long missing = inputs.missing();
       final long compared = client.stats().compared();
       final long corrections = client.stats().corrections();

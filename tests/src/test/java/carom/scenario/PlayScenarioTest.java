@@ -29,7 +29,7 @@ class PlayScenarioTest {
   private static final Impairment FAR = Impairment.NONE.withLatency(50, 0);
 
   private static Entity ball(Stepper stepper) {
-    var simulation = stepper.server().room().simulation();
+    var simulation = stepper.room().simulation();
     for (int id = 0; id < simulation.entityCapacity(); id++) {
       Entity entity = simulation.entity(id);
       if (entity != null && entity.archetype().appearance().look() == Look.BALL) {

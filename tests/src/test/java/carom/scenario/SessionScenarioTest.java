@@ -82,7 +82,7 @@ class SessionScenarioTest {
       leaver.leave();
       stepper.run(2);
       assertEquals(ConnectionPhase.ENDED, leaver.view().phase());
-      assertNull(stepper.server().room().simulation().player(id));
+      assertNull(stepper.room().simulation().player(id));
       assertEquals(1, stepper.count(Counter.LEAVES));
       for (SimulatedClient viewer : clients) {
         assertEquals(0, bodiesOf(viewer, id), viewer::toString);

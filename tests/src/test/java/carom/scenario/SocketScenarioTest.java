@@ -52,7 +52,7 @@ class SocketScenarioTest {
       int id = other.view().playerId();
       other.leave();
       stepper.runUntil("it is seen", () -> mover.view().players().size() == 1, 3);
-      assertNull(stepper.server().room().simulation().player(id));
+      assertNull(stepper.room().simulation().player(id));
       assertEquals(ConnectionPhase.ENDED, other.view().phase());
     }
   }

@@ -14,7 +14,6 @@ import carom.net.transport.Impairment;
 import carom.net.transport.InProcessNetwork;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.Game;
 import carom.sim.Level;
 import java.util.ArrayList;
 import java.util.List;
@@ -43,11 +42,11 @@ class BadNetworkTest {
     long seed = Long.getLong("carom.seed", 11);
     Random random = new Random(seed);
     long[] nowNs = {0};
-    Game game = Games.create(name);
     InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
     ServerConfig config = ServerConfig.defaults().withGameName(name).withStatusIntervalS(0);
-    Level level = Level.builtIn(game.defaultLevel());
-    try (Server server = new Server(config, game, level, network.server(), () -> nowNs[0])) {
+    Level level = Level.builtIn(Games.create(name).defaultLevel());
+    try (Server server =
+        new Server(config, () -> Games.create(name), level, network.server(), () -> nowNs[0])) {
       Impairment bad =
           Impairment.NONE.withSeed(seed).withLoss(loss).withLatency(latencyMs, jitterMs);
       List<FakeClient> clients = new ArrayList<>();
@@ -71,7 +70,7 @@ class BadNetworkTest {
           if (random.nextInt(20) == 0) {
             client.input.unpack(random.nextLong());
           }
-          client.step(server.room().tick());
+          client.step(server.rooms().get(0).tick());
         }
         server.tick(nowNs[0]);
       }
@@ -83,15 +82,15 @@ class BadNetworkTest {
         assertEquals(0, client.statuses[DecodeStatus.DAMAGED.ordinal()], about);
         assertTrue(client.statuses[DecodeStatus.OK.ordinal()] > 600 * (1 - loss / 100), about);
       }
-      assertEquals(0, server.counters().get(Counter.GAME_FAILURES), about);
-      assertEquals(0, server.counters().get(Counter.SESSIONS_FAILED), about);
-      assertEquals(6, server.counters().get(Counter.PLAYERS), about);
+      assertEquals(0, server.count(Counter.GAME_FAILURES), about);
+      assertEquals(0, server.count(Counter.SESSIONS_FAILED), about);
+      assertEquals(6, server.count(Counter.PLAYERS), about);
     }
   }
 
   private static int assertExact(Server server, FakeClient client, String about) {
     int tick = client.decoder.tick();
-    FrameState frame = server.room().frames().at(tick);
+    FrameState frame = server.rooms().get(0).frames().at(tick);
     if (frame == null) {
       return 0; // came so late that the server has forgotten it
     }

@@ -11,7 +11,11 @@ class RehearsalTest {
   @Test
   void everybodyJoinsPlaysAndLeaves() {
     TestGame game = new TestGame(3);
-    Rehearsal.play(ServerConfig.defaults(), game, TestGame.shortLevel(), new KryoMessageCodec());
+    Rehearsal.play(
+        ServerConfig.defaults().withRooms(3),
+        () -> game,
+        TestGame.shortLevel(),
+        new KryoMessageCodec());
     assertEquals(4, game.joins);
     assertEquals(4, game.leaves);
     assertTrue(game.inputs > 20, "inputs=" + game.inputs);

@@ -7,13 +7,18 @@ import carom.server.metrics.Counter;
 import carom.server.room.Room;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Supplier;
 
-/** A server and its clients in one thread and in virtual time. */
+/**
+ * A server and its clients in one thread and in virtual time. {@code game} and {@code room} are the
+ * first of {@code games} and {@code server.rooms()}.
+ */
 final class Rig implements AutoCloseable {
   static final long TICK_NS = 16_666_667;
 
   final InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
   final List<FakeClient> clients = new ArrayList<>();
+  final List<TestGame> games = new ArrayList<>();
   final TestGame game;
   final Server server;
   final Room room;
@@ -24,11 +29,22 @@ final class Rig implements AutoCloseable {
   }
 
   Rig(ServerConfig config, TestGame game) {
-    this.game = game;
+    this(config, () -> game);
+  }
+
+  Rig(ServerConfig config, Supplier<TestGame> supply) {
     server =
         new Server(
-            config.withStatusIntervalS(0), game, TestGame.level(), network.server(), () -> nowNs);
-    room = server.room();
+            config.withStatusIntervalS(0),
+            () -> {
+              games.add(supply.get());
+              return games.get(games.size() - 1);
+            },
+            TestGame.level(),
+            network.server(),
+            () -> nowNs);
+    game = games.get(0);
+    room = server.rooms().get(0);
     server.tick(nowNs);
   }
 
@@ -56,10 +72,20 @@ final class Rig implements AutoCloseable {
 
   void step() {
     nowNs += TICK_NS;
+    int tick = tick();
     for (int i = clients.size() - 1; i >= 0; i--) {
-      clients.get(i).step(room.tick());
+      clients.get(i).step(tick);
     }
     server.tick(nowNs);
+  }
+
+  /** All rooms keep the same time unless they fail. */
+  private int tick() {
+    int tick = 0;
+    for (Room each : server.rooms()) {
+      tick = Math.max(tick, each.tick());
+    }
+    return tick;
   }
 
   void steps(int count) {
@@ -73,7 +99,7 @@ final class Rig implements AutoCloseable {
   }
 
   long count(Counter counter) {
-    return server.counters().get(counter);
+    return server.count(counter);
   }
 
   @Override

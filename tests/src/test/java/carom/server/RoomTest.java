@@ -434,7 +434,8 @@ class RoomTest {
     try (Rig rig = new Rig()) {
       rig.join("Ann");
       rig.seconds(5);
-      String status = rig.server.status();
+      assertEquals(1, rig.server.status().size());
+      String status = rig.server.status().get(0);
       assertTrue(status.startsWith("1 of 64 players, tick "), status);
       assertTrue(status.contains("60.0 Hz"), status);
       assertTrue(status.contains("dropped 0"), status);

@@ -26,20 +26,21 @@ class ServerTest {
   void threadsKeepTheRateAndStopWithinTwoSeconds() throws Exception {
     ServerConfig config = ServerConfig.defaults();
     Server server =
-        new Server(config, new TestGame(10), TestGame.level(), network.server(), System::nanoTime);
+        new Server(
+            config, () -> new TestGame(10), TestGame.level(), network.server(), System::nanoTime);
     server.start();
     assertThrows(IllegalStateException.class, () -> server.tick(0));
     assertThrows(IllegalStateException.class, server::start);
     FakeClient client = new FakeClient(network.client().connect("", 0, 0)).hello("Ann");
     long begin = System.nanoTime();
     while (System.nanoTime() - begin < 1_500_000_000L) {
-      client.step(server.room().tick());
+      client.step(server.rooms().get(0).tick());
       Thread.sleep(4);
     }
     double seconds = (System.nanoTime() - begin) / 1e9;
     assertTrue(client.datagrams > 20, "datagrams=" + client.datagrams);
-    long ticks = server.counters().get(Counter.TICKS);
-    long dropped = server.counters().get(Counter.TICKS_DROPPED);
+    long ticks = server.count(Counter.TICKS);
+    long dropped = server.count(Counter.TICKS_DROPPED);
     assertEquals(seconds * 60, ticks + dropped, 15);
 
     long stopNs = System.nanoTime();
@@ -64,7 +65,11 @@ class ServerTest {
     game.failEvery = 1;
     try (Server server =
         new Server(
-            ServerConfig.defaults(), game, TestGame.level(), network.server(), System::nanoTime)) {
+            ServerConfig.defaults(),
+            () -> game,
+            TestGame.level(),
+            network.server(),
+            System::nanoTime)) {
       server.start();
       server.awaitStop();
       assertTrue(server.hasFailed());
@@ -78,7 +83,7 @@ class ServerTest {
     try (Server server =
         new Server(
             ServerConfig.defaults(),
-            new TestGame(3),
+            () -> new TestGame(3),
             TestGame.level(),
             transport,
             () -> nowNs[0])) {
@@ -87,19 +92,19 @@ class ServerTest {
       for (int step = 0; step < 120; step++) {
         nowNs[0] += Rig.TICK_NS;
         if (step == 60) {
-          assertEquals(2, server.counters().get(Counter.PLAYERS));
+          assertEquals(2, server.count(Counter.PLAYERS));
           transport.last.broken = true; // b's
         }
-        a.step(server.room().tick());
-        b.step(server.room().tick());
+        a.step(server.rooms().get(0).tick());
+        b.step(server.rooms().get(0).tick());
         server.tick(nowNs[0]);
       }
-      assertEquals(1, server.counters().get(Counter.SESSIONS_FAILED));
-      assertEquals(1, server.counters().get(Counter.PLAYERS));
+      assertEquals(1, server.count(Counter.SESSIONS_FAILED));
+      assertEquals(1, server.count(Counter.PLAYERS));
       assertNull(a.goodbye);
       assertEquals(0, a.undecodable);
-      assertEquals(server.room().tick(), a.decoder.newestTick(), 1);
-      assertEquals(1, server.room().seats().takenCount());
+      assertEquals(server.rooms().get(0).tick(), a.decoder.newestTick(), 1);
+      assertEquals(1, server.rooms().get(0).seats().takenCount());
     }
   }
 

@@ -13,10 +13,12 @@ import java.util.function.Consumer;
  * @param serverName what players and log lines call this server, 1..40 characters
  * @param tickRateHz simulation steps per second, 10..240. 60 fits most games; each session costs
  *     one datagram per tick in both directions
- * @param seed start of the simulation's random numbers; the same seed and the same inputs give the
- *     same game
- * @param maxPlayers seats, 1..256 (the protocol numbers players in 8 bits); one more is refused
- *     politely
+ * @param seed start of the first room's random numbers, each further room's is one higher; the same
+ *     seed and the same inputs give the same game
+ * @param rooms how many rooms play at once, 1..64: each is a world, a set of players and a thread
+ *     of its own, all with the same game and level
+ * @param maxPlayers seats of each room, 1..256 (the protocol numbers players in 8 bits); whoever
+ *     finds all rooms full is refused politely. All rooms together have at most 4,096 seats
  * @param handshakeTimeoutMs how long a link may take from its opening to a valid Hello, and how
  *     long a refused one may linger until its refusal is delivered, 100..60,000
  * @param loadTimeoutMs how long a player may take from Welcome to Ready, 100..600,000: a slow
@@ -46,6 +48,7 @@ public record ServerConfig(
     String serverName,
     int tickRateHz,
     long seed,
+    int rooms,
     int maxPlayers,
     int handshakeTimeoutMs,
     int loadTimeoutMs,
@@ -61,6 +64,7 @@ public record ServerConfig(
     int statusIntervalS) {
 
   private static final int MAX_SERVER_NAME = 40;
+  private static final int MAX_PLACES = 4_096;
 
   /** Checks every setting; throws {@link IllegalArgumentException} for the first bad one. */
   public ServerConfig {
@@ -75,7 +79,18 @@ public record ServerConfig(
               .formatted(serverName, serverName.strip().length(), MAX_SERVER_NAME));
     }
     check("tickRateHz", tickRateHz, 10, 240, "--tick-rate");
+    check("rooms", rooms, 1, 64, "--rooms");
     check("maxPlayers", maxPlayers, 1, 256, "--max-players");
+    if (rooms * maxPlayers > MAX_PLACES) {
+      throw new IllegalArgumentException(
+          "rooms=%d with maxPlayers=%d each are %d places, a server has at most %d; %s"
+              .formatted(
+                  rooms,
+                  maxPlayers,
+                  rooms * maxPlayers,
+                  MAX_PLACES,
+                  "lower --rooms or --max-players"));
+    }
     check("handshakeTimeoutMs", handshakeTimeoutMs, 100, 60_000, "withHandshakeTimeoutMs");
     check("loadTimeoutMs", loadTimeoutMs, 100, 600_000, "withLoadTimeoutMs");
     check("silenceTimeoutMs", silenceTimeoutMs, 500, 60_000, "withSilenceTimeoutMs");
@@ -105,13 +120,18 @@ public record ServerConfig(
   /** The settings of a server that is started without any flag. */
   public static ServerConfig defaults() {
     return new ServerConfig(
-        "arena", "Carom", 60, 1, 64, 5_000, 20_000, 5_000, 30_000, 15, 32, 30, 60, 10, 64_000, 250,
-        60);
+        "arena", "Carom", 60, 1, 1, 64, 5_000, 20_000, 5_000, 30_000, 15, 32, 30, 60, 10, 64_000,
+        250, 60);
   }
 
   /** Nanoseconds of one tick, rounded down; use a tick loop for exact deadlines. */
   public long tickNs() {
     return 1_000_000_000L / tickRateHz;
+  }
+
+  /** Places of all rooms together. */
+  public int places() {
+    return rooms * maxPlayers;
   }
 
   /** A copy that runs the game of this name. */
@@ -134,7 +154,12 @@ public record ServerConfig(
     return with(draft -> draft.seed = value);
   }
 
-  /** A copy with this many seats. */
+  /** A copy with this many rooms. */
+  public ServerConfig withRooms(int value) {
+    return with(draft -> draft.rooms = value);
+  }
+
+  /** A copy with this many seats in each room. */
   public ServerConfig withMaxPlayers(int value) {
     return with(draft -> draft.maxPlayers = value);
   }
@@ -211,6 +236,7 @@ public record ServerConfig(
     private String serverName;
     private int tickRateHz;
     private long seed;
+    private int rooms;
     private int maxPlayers;
     private int handshakeTimeoutMs;
     private int loadTimeoutMs;
@@ -230,6 +256,7 @@ public record ServerConfig(
       serverName = from.serverName;
       tickRateHz = from.tickRateHz;
       seed = from.seed;
+      rooms = from.rooms;
       maxPlayers = from.maxPlayers;
       handshakeTimeoutMs = from.handshakeTimeoutMs;
       loadTimeoutMs = from.loadTimeoutMs;
@@ -251,6 +278,7 @@ public record ServerConfig(
           serverName,
           tickRateHz,
           seed,
+          rooms,
           maxPlayers,
           handshakeTimeoutMs,
           loadTimeoutMs,

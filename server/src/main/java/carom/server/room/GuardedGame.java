@@ -24,13 +24,18 @@ final class GuardedGame implements Game {
 
   private final Game game;
   private final Counters counters;
+  private final String label;
   private boolean failedThisTick;
   private int failedTicksInARow;
   private long nextLogged = 1;
 
-  GuardedGame(Game game, Counters counters) {
+  /**
+   * @param label begins each log line
+   */
+  GuardedGame(Game game, Counters counters, String label) {
     this.game = game;
     this.counters = counters;
+    this.label = label;
   }
 
   /** Call after each tick. Returns how many ticks in a row, up to this one, had a failure. */
@@ -48,7 +53,8 @@ final class GuardedGame implements Game {
     if (total == nextLogged) {
       nextLogged *= 10;
       LOG.error(
-          "game {} failed in {} at tick {} (failure {}); the room goes on unless each tick fails",
+          "{}game {} failed in {} at tick {} (failure {}); the room goes on unless each tick fails",
+          label,
           game.name(),
           callback,
           s.tick(),

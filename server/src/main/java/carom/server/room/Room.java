@@ -35,9 +35,10 @@ import org.slf4j.LoggerFactory;
  * wishes); who leaves, is lost, or is too late to come back; one input per player; the simulation's
  * step; the frame state, once for all; each session's snapshot; roster and notices; counters.
  *
- * <p>Everything but {@link #admit}, {@link #tick}, {@link #seats}, {@link #counters} and {@link
- * #hasFailed} belongs to the thread that calls {@link #doWork}. A tick in the steady state
- * allocates next to nothing. A client can hurt only its own session, a game only its own room.
+ * <p>Everything but {@link #admit}, {@link #number}, {@link #seed}, {@link #tick}, {@link #seats},
+ * {@link #counters} and {@link #hasFailed} belongs to the thread that calls {@link #doWork}. A tick
+ * in the steady state allocates next to nothing. A client can hurt only its own session, a game
+ * only its own room; rooms share nothing that changes.
  */
 public final class Room {
   private static final Logger LOG = LoggerFactory.getLogger(Room.class);
@@ -48,6 +49,9 @@ public final class Room {
   private static final int MAX_SENDS_PER_BURST = 2;
 
   private final ServerConfig config;
+  private final int number;
+  private final long seed;
+  private final String label;
   private final LongSupplier clock;
   private final Counters counters = new Counters();
   private final Seats seats;
@@ -65,22 +69,31 @@ public final class Room {
   private long rosterSentNs;
   private volatile int tick;
   private volatile boolean failed;
-  private boolean closed;
+  private volatile boolean closed;
 
   /**
    * Builds the level and sets up the game.
    *
+   * @param number 1 for the server's first room; log lines name it when there are several
    * @param gameRules an instance of this room's own
    * @param clock nanoseconds, to measure how long ticks take
    * @param seats this room's seats, shared with the lobby
    */
-  public Room(ServerConfig config, Game gameRules, Level level, LongSupplier clock, Seats seats) {
+  public Room(
+      ServerConfig config,
+      int number,
+      Game gameRules,
+      Level level,
+      LongSupplier clock,
+      Seats seats) {
     this.config = config;
+    this.number = number;
+    this.seed = config.seed() + number - 1;
+    this.label = config.rooms() == 1 ? "" : "room " + number + ": ";
     this.clock = clock;
     this.seats = seats;
-    this.game = new GuardedGame(gameRules, counters);
-    this.simulation =
-        new Simulation(game, level, config.seed(), config.tickRateHz(), Role.AUTHORITY);
+    this.game = new GuardedGame(gameRules, counters, label);
+    this.simulation = new Simulation(game, level, seed, config.tickRateHz(), Role.AUTHORITY);
     this.capture = new FrameCapture(simulation);
     this.loop = new TickLoop(config.tickRateHz(), config.catchUpTicks());
     this.arrivals = new ArrayBlockingQueue<>(2 * seats.count());
@@ -92,10 +105,15 @@ public final class Room {
   /**
    * Hands over a player whose level is loaded; from any thread.
    *
-   * @return false when too many are on their way; the link and the claim stay the caller's
+   * @return false when too many are on their way or the room is closed; the link and the claim stay
+   *     the caller's
    */
   public boolean admit(Admission admission) {
-    return !failed && arrivals.offer(admission);
+    if (closed || !arrivals.offer(admission)) {
+      return false;
+    }
+    // A room that closes in between has either told this player goodbye, or never will.
+    return !closed || !arrivals.remove(admission);
   }
 
   /**
@@ -114,7 +132,8 @@ public final class Room {
       counters.add(Counter.TICKS_DROPPED, loop.droppedNow());
       if (loop.burstBegan()) {
         LOG.warn(
-            "can't keep up: {} ticks ({} ms) dropped at tick {}; {}",
+            "{}can't keep up: {} ticks ({} ms) dropped at tick {}; {}",
+            label,
             loop.droppedNow(),
             loop.droppedNow() * 1_000L / config.tickRateHz(),
             tick,
@@ -158,7 +177,7 @@ public final class Room {
       counters.add(Counter.TICKS_OVERRUN, 1);
     }
     if (game.endTick() >= config.tickRateHz()) {
-      fail();
+      fail("game " + game.name() + " failed in each of the last " + config.tickRateHz() + " ticks");
     }
   }
 
@@ -184,7 +203,7 @@ public final class Room {
         admitOne(a, nowNs);
       } catch (RuntimeException e) {
         counters.add(Counter.SESSIONS_FAILED, 1);
-        LOG.error("player {} could not be admitted", a.seat().id(), e);
+        LOG.error("{}player {} could not be admitted", label, a.seat().id(), e);
         part(a.link(), "server error", nowNs);
         if (bySeat[a.seat().id()] == null) {
           seats.vacate(a.seat());
@@ -214,7 +233,8 @@ public final class Room {
       counters.add(Counter.RESUMES, 1);
     }
     LOG.info(
-        "{}: {} as player {} from {}, {} of {} players",
+        "{}{}: {} as player {} from {}, {} of {} players",
+        label,
         resumed ? "back" : "join",
         a.seat().name(),
         id,
@@ -257,7 +277,8 @@ public final class Room {
       return;
     }
     LOG.info(
-        "lost: {}, player {}, {}; the body waits {} s",
+        "{}lost: {}, player {}, {}; the body waits {} s",
+        label,
         session.seat().name(),
         session.seat().id(),
         why,
@@ -275,7 +296,8 @@ public final class Room {
     seats.vacate(session.seat());
     rosterIsOld = true;
     LOG.info(
-        "leave: {}, player {}, {}, {} of {} players",
+        "{}leave: {}, player {}, {}, {} of {} players",
+        label,
         session.seat().name(),
         session.seat().id(),
         why,
@@ -288,7 +310,7 @@ public final class Room {
   /** An exception of ours while serving one session ends that session, and only that. */
   private void failSession(Session session, RuntimeException e, long nowNs) {
     counters.add(Counter.SESSIONS_FAILED, 1);
-    LOG.error("session failed, {}; it is closed, the others go on", session, e);
+    LOG.error("{}session failed, {}; it is closed, the others go on", label, session, e);
     session.sayGoodbye(GoodbyeReason.SERVER_ERROR, "");
     remove(session, "server error", " was removed", nowNs);
   }
@@ -361,7 +383,7 @@ public final class Room {
           session.send(message); // a link that refuses closes, and is found closed at its next poll
         } catch (RuntimeException e) {
           counters.add(Counter.SESSIONS_FAILED, 1);
-          LOG.error("message {} could not be sent, {}", message, session, e);
+          LOG.error("{}message {} could not be sent, {}", label, message, session, e);
         }
       }
     }
@@ -378,12 +400,13 @@ public final class Room {
     counters.set(Counter.PLAYERS_IN_GRACE, sessions.size() - playing);
   }
 
-  private void fail() {
-    LOG.error(
-        "room closed at tick {}: game {} failed in each of the last {} ticks",
-        tick,
-        game.name(),
-        config.tickRateHz());
+  /**
+   * Closes the room for an error that it can't go on after, and tells its players.
+   *
+   * @param why for the log
+   */
+  public void fail(String why) {
+    LOG.error("{}closed at tick {}: {}", label.isEmpty() ? "room " : label, tick, why);
     failed = true;
     close(GoodbyeReason.SERVER_ERROR, "", clock.getAsLong());
   }
@@ -419,12 +442,22 @@ public final class Room {
     partings.closeAll();
   }
 
+  /** The room's number, from 1 on; from any thread. */
+  public int number() {
+    return number;
+  }
+
+  /** Start of this room's random numbers; from any thread. */
+  public long seed() {
+    return seed;
+  }
+
   /** The last tick that was computed; from any thread. */
   public int tick() {
     return tick;
   }
 
-  /** Whether the room closed itself because its game failed over and over; from any thread. */
+  /** Whether the room closed itself because of an error, see {@link #fail}; from any thread. */
   public boolean hasFailed() {
     return failed;
   }

@@ -53,13 +53,13 @@ final class WindowTest {
         Server server =
             new Server(
                 ServerConfig.defaults().withGameName("arena"),
-                Games.create("arena"),
+                () -> Games.create("arena"),
                 level,
                 new KryoServerTransport(0, 0),
                 System::nanoTime)) {
       server.start();
       Process window = openWindow(display, server, picture);
-      Simulation world = server.room().simulation();
+      Simulation world = server.rooms().get(0).simulation();
       Player joined = awaitPlayer(world, window);
       // Nobody plays: everything rests, so that the server's state now is what the picture shows.
       assertTrue(window.waitFor(60, TimeUnit.SECONDS), "the window did not close by itself");

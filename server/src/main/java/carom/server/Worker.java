@@ -1,0 +1,131 @@
+package carom.server;
+
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.LongSupplier;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * A thread of the server, for the lobby or for one room: a turn, a nap, and so on, until it is
+ * stopped or its duty has failed; then a farewell. An exception that gets through every inner guard
+ * is a bug: it is logged, and the thread goes on unless it happens each time.
+ */
+final class Worker {
+  /** The longest farewell: links stay open so long that the last message arrives. */
+  static final long FAREWELL_MS = 400;
+
+  private static final Logger LOG = LoggerFactory.getLogger(Worker.class);
+  private static final long FAREWELL_NAP_NS = TimeUnit.MILLISECONDS.toNanos(4);
+  private static final int MAX_FAILURES_IN_A_ROW = 100;
+
+  /** What a worker does. Its thread calls every method. */
+  interface Duty {
+    /** Does what is due. */
+    void turn(long nowNs);
+
+    /** How long the thread may sleep now, nanoseconds. */
+    long napNs(long nowNs);
+
+    /** Whether it can't go on. */
+    boolean hasFailed();
+
+    /** Makes it fail, because of what is in the log. */
+    void fail(String why);
+
+    /** Tells everybody that this is the end; without effect after {@link #fail}. */
+    void close(long nowNs);
+
+    /** Whether nobody is left who must hear the farewell. */
+    boolean isDeserted();
+
+    /** Closes the links that are left. */
+    void closeLinks();
+  }
+
+  private final Duty duty;
+  private final LongSupplier clock;
+  private final Runnable onEnd;
+  private final Thread thread;
+  private volatile boolean stopping;
+
+  /**
+   * @param name the thread's
+   * @param onEnd called as the thread's last act, however it ends
+   */
+  Worker(String name, Duty duty, LongSupplier clock, Runnable onEnd) {
+    this.duty = duty;
+    this.clock = clock;
+    this.onEnd = onEnd;
+    this.thread = new Thread(this::run, name);
+  }
+
+  /** Starts the thread: an ordinary one, which keeps the JVM alive. */
+  void start(int priority) {
+    thread.setPriority(priority);
+    thread.start();
+  }
+
+  /** Asks for the end; doesn't wait for it. */
+  void stop() {
+    stopping = true;
+    LockSupport.unpark(thread);
+  }
+
+  /** Waits for the end until a moment of {@link System#nanoTime}. */
+  void join(long endNs) {
+    try {
+      thread.join(Math.max(1, TimeUnit.NANOSECONDS.toMillis(endNs - System.nanoTime())));
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    if (thread.isAlive()) {
+      LOG.warn("thread {} did not end in time", thread.getName());
+    }
+  }
+
+  private void run() {
+    try {
+      work();
+      farewell();
+    } catch (RuntimeException | Error e) {
+      LOG.error("{} ended by an error", thread.getName(), e);
+      duty.fail("its thread ended by an error");
+    } finally {
+      duty.closeLinks();
+      onEnd.run();
+    }
+  }
+
+  private void work() {
+    int failures = 0;
+    while (!stopping && !duty.hasFailed()) {
+      try {
+        duty.turn(clock.getAsLong());
+        failures = 0;
+      } catch (RuntimeException | StackOverflowError e) {
+        failures++;
+        if (failures == 1) {
+          LOG.error("{} failed; it goes on", thread.getName(), e);
+        } else if (failures == MAX_FAILURES_IN_A_ROW) {
+          duty.fail("%d turns in a row failed".formatted(failures));
+        }
+      }
+      long napNs = duty.napNs(clock.getAsLong());
+      if (napNs > 0) {
+        LockSupport.parkNanos(this, napNs);
+      }
+    }
+  }
+
+  private void farewell() {
+    long nowNs = clock.getAsLong();
+    long endNs = nowNs + TimeUnit.MILLISECONDS.toNanos(FAREWELL_MS);
+    duty.close(nowNs);
+    while (!duty.isDeserted() && nowNs - endNs < 0) {
+      duty.turn(nowNs);
+      LockSupport.parkNanos(this, FAREWELL_NAP_NS);
+      nowNs = clock.getAsLong();
+    }
+  }
+}
