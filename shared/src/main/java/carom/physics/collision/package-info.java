@@ -1,6 +1,6 @@
 /**
  * Where and how deep two shapes touch: contact manifolds for the solver, minimum translation
- * vectors for games.
+ * vectors for games; how far apart they are, and where rays and moving shapes meet them.
  *
  * <p>Imports only {@code java..}, {@link carom.physics.math} and {@link carom.physics.geometry}.
  * Normals point from A to B, separations are negative when shapes overlap, an MTV moves A out of B.

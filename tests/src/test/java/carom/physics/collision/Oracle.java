@@ -9,6 +9,9 @@ import java.util.SplittableRandom;
 
 /** Slow and obvious answers, and random questions. */
 final class Oracle {
+  /** Kinds of shapes {@link #shape} makes. */
+  static final int KINDS = 3;
+
   private Oracle() {}
 
   static Convex shape(int kind, SplittableRandom random) {
