@@ -14,6 +14,7 @@ import carom.net.snapshot.EntityHistory;
 import carom.net.snapshot.FrameState;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
+import carom.server.room.Room;
 import carom.sim.Entity;
 import carom.sim.Input;
 import java.util.Random;
@@ -32,8 +33,8 @@ class RoomTest {
       for (int i = 0; i < 300; i++) {
         rig.step();
         if (i > 30) {
-          assertSeesTheServer(rig, a, i);
-          assertSeesTheServer(rig, b, i);
+          assertSees(rig.room, a, 22, "step=" + i);
+          assertSees(rig.room, b, 22, "step=" + i);
         }
       }
       assertEquals(0, a.undecodable + b.undecodable);
@@ -41,11 +42,11 @@ class RoomTest {
   }
 
   /** The client has polled all but the newest tick's datagrams. */
-  private static void assertSeesTheServer(Rig rig, FakeClient client, int step) {
-    int tick = rig.room.tick() - 1;
-    FrameState frame = rig.room.frames().at(tick);
-    for (int slot = 0; slot < 22; slot++) {
-      String where = "step=" + step + " slot=" + slot;
+  static void assertSees(Room room, FakeClient client, int slots, String about) {
+    int tick = room.tick() - 1;
+    FrameState frame = room.frames().at(tick);
+    for (int slot = 0; slot < slots; slot++) {
+      String where = about + " slot=" + slot;
       EntityHistory history = client.decoder.history(slot);
       assertNotNull(history, where);
       int at = history.indexAt(tick);

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.lang.reflect.Method;
+import java.lang.reflect.RecordComponent;
 import org.junit.jupiter.api.Test;
 
 class ServerConfigTest {
@@ -20,6 +22,9 @@ class ServerConfigTest {
     ServerConfig c = ServerConfig.defaults();
     assertThrows(IllegalArgumentException.class, () -> c.withGameName(" "));
     assertThrows(IllegalArgumentException.class, () -> c.withServerName("x".repeat(41)));
+    assertThrows(IllegalArgumentException.class, () -> c.withRooms(0));
+    assertThrows(IllegalArgumentException.class, () -> c.withRooms(65));
+    assertThrows(IllegalArgumentException.class, () -> c.withRooms(64).withMaxPlayers(65));
     assertThrows(IllegalArgumentException.class, () -> c.withMaxPlayers(257));
     assertThrows(IllegalArgumentException.class, () -> c.withHandshakeTimeoutMs(0));
     assertThrows(IllegalArgumentException.class, () -> c.withLoadTimeoutMs(0));
@@ -44,5 +49,25 @@ class ServerConfigTest {
     assertEquals(
         ServerConfig.defaults(), c.withSeed(1).withGraceMs(30_000).withServerName("Carom"));
     assertTrue(c.tickNs() > 16_000_000);
+  }
+
+  @Test
+  void withersChangeTheirOwnSettingAndNoOther() throws Exception {
+    ServerConfig c = ServerConfig.defaults();
+    for (RecordComponent component : ServerConfig.class.getRecordComponents()) {
+      String name = component.getName();
+      Class<?> type = component.getType();
+      Object old = component.getAccessor().invoke(c);
+      Object other =
+          old instanceof String text
+              ? text + "x"
+              : old instanceof Long number ? (Object) (number + 1) : (Object) ((int) old + 1);
+      Method with =
+          ServerConfig.class.getMethod(
+              "with" + Character.toUpperCase(name.charAt(0)) + name.substring(1), type);
+      ServerConfig changed = (ServerConfig) with.invoke(c, other);
+      assertEquals(other, component.getAccessor().invoke(changed), name);
+      assertEquals(c, with.invoke(changed, old), name);
+    }
   }
 }
