@@ -30,6 +30,7 @@ public final class World<T> {
   private final BodyStore store;
   private final Collision<T> collision;
   private final Events events = new Events();
+  private final Queries<T> queries;
 
   /** Handles by slot; those of free slots are null. */
   private Object[] handles = new Object[64];
@@ -82,6 +83,7 @@ public final class World<T> {
                 def.maxAngularSpeed()));
     store = dynamics.bodies();
     collision = new Collision<>(this, dynamics.contacts());
+    queries = new Queries<>(this);
   }
 
   /**
@@ -622,6 +624,24 @@ public final class World<T> {
 
   Dynamics dynamics() {
     return dynamics;
+  }
+
+  /**
+   * Casts, overlaps, nearest points.
+   *
+   * @return who answers such questions about this world
+   */
+  public Queries<T> queries() {
+    return queries;
+  }
+
+  void beginQuery(String what) {
+    refuseDuringQuery(what);
+    querying = true;
+  }
+
+  void endQuery() {
+    querying = false;
   }
 
   private void refuseDuringStep(String what) {

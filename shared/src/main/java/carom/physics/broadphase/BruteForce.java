@@ -10,6 +10,7 @@ public final class BruteForce implements SpatialIndex {
   private int[] ids = new int[0];
   private int size;
   private final AabbArray copy = new AabbArray(0);
+  private final MovingBox moving = new MovingBox();
 
   /** Makes an empty index. */
   public BruteForce() {
@@ -40,6 +41,25 @@ public final class BruteForce implements SpatialIndex {
     for (int i = 0; i < size; i++) {
       if (copy.overlaps(i, minX, minY, maxX, maxY) && !visitor.visit(ids[i])) {
         return;
+      }
+    }
+  }
+
+  @Override
+  public void cast(
+      float minX,
+      float minY,
+      float maxX,
+      float maxY,
+      float dx,
+      float dy,
+      float maxFraction,
+      CastVisitor visitor) {
+    moving.set(minX, minY, maxX, maxY, dx, dy);
+    float end = maxFraction;
+    for (int i = 0; i < size && end >= 0; i++) {
+      if (moving.enter(copy, i) <= end) {
+        end = visitor.visit(ids[i], end);
       }
     }
   }

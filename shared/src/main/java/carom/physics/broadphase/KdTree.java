@@ -120,6 +120,13 @@ public final class KdTree implements SpatialIndex {
   /** Node pairs still to visit: per level at most three are left behind. */
   private final int[] stack = new int[2 * (4 * 32)];
 
+  private final MovingBox moving = new MovingBox();
+
+  /** Nodes a cast has still to visit, the nearest last, and when it gets there. */
+  private final int[] castNode = new int[64];
+
+  private final double[] castEnter = new double[64];
+
   /**
    * Makes an empty tree over these boxes.
    *
@@ -769,6 +776,66 @@ public final class KdTree implements SpatialIndex {
       }
       node = next(node);
     } while (node != 1);
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * <p>Unlike {@link #query} this uses the tree's scratch memory: one thread at a time.
+   */
+  @Override
+  public void cast(
+      float minX,
+      float minY,
+      float maxX,
+      float maxY,
+      float dx,
+      float dy,
+      float maxFraction,
+      CastVisitor visitor) {
+    moving.set(minX, minY, maxX, maxY, dx, dy);
+    float end = maxFraction;
+    int top = 0;
+    castNode[0] = 1;
+    castEnter[0] = enter(1);
+    while (top >= 0 && end >= 0) {
+      int node = castNode[top];
+      double at = castEnter[top--];
+      if (!(at <= end)) {
+        continue;
+      }
+      if (node >= leaves) {
+        end = castLeaf(node - leaves, end, visitor);
+        continue;
+      }
+      double low = enter(2 * node);
+      double high = enter(2 * node + 1);
+      int near = high < low ? 1 : 0;
+      castNode[top + 1] = 2 * node + 1 - near;
+      castEnter[top + 1] = Math.max(low, high);
+      castNode[top + 2] = 2 * node + near;
+      castEnter[top + 2] = Math.min(low, high);
+      top += 2;
+    }
+  }
+
+  private double enter(int node) {
+    int b = 4 * node;
+    return moving.enter(bounds[b], bounds[b + 1], bounds[b + 2], bounds[b + 3]);
+  }
+
+  /** Casts against the boxes of a leaf; answers where the way ends now. */
+  private float castLeaf(int leaf, float maxFraction, CastVisitor visitor) {
+    float end = maxFraction;
+    for (int k = 0; k < fill[leaf] && end >= 0; k++) {
+      int at = leaf * BLOCK + k;
+      double enter =
+          moving.enter(slots[at], slots[at + ROW], slots[at + 2 * ROW], slots[at + 3 * ROW]);
+      if (enter <= end) {
+        end = visitor.visit(ids[leaf * SLOTS + k], end);
+      }
+    }
+    return end;
   }
 
   /** The node after a subtree in depth-first order, 1 at the end. */

@@ -42,6 +42,7 @@ public final class QuadTree implements SpatialIndex {
   private int[] sorted = NONE;
   private final AabbArray slots = new AabbArray(0);
   private int[] stack = new int[64];
+  private final MovingBox moving = new MovingBox();
 
   /** Makes an empty index. */
   public QuadTree() {
@@ -200,6 +201,50 @@ public final class QuadTree implements SpatialIndex {
       }
     }
     return true;
+  }
+
+  @Override
+  public void cast(
+      float minX,
+      float minY,
+      float maxX,
+      float maxY,
+      float dx,
+      float dy,
+      float maxFraction,
+      CastVisitor visitor) {
+    moving.set(minX, minY, maxX, maxY, dx, dy);
+    if (size > 0) {
+      cast(0, maxFraction, visitor);
+    }
+  }
+
+  /** Casts into a subtree; answers where the way ends now. */
+  private float cast(int node, float maxFraction, CastVisitor visitor) {
+    float end = maxFraction;
+    if (!(moving.enter(bounds, node) <= end)) {
+      return end;
+    }
+    int first = child[node];
+    if (first != 0) {
+      // The quarter entered first, then its neighbours: 0 1 2 3, xor'ed, keeps near before far.
+      int nearest = 0;
+      for (int i = 1; i < 4; i++) {
+        if (moving.enter(bounds, first + i) < moving.enter(bounds, first + nearest)) {
+          nearest = i;
+        }
+      }
+      for (int i = 0; i < 4 && end >= 0; i++) {
+        end = cast(first + (i ^ nearest), end, visitor);
+      }
+      return end;
+    }
+    for (int i = from[node]; i < to[node] && end >= 0; i++) {
+      if (moving.enter(slots, i) <= end) {
+        end = visitor.visit(ids[i], end);
+      }
+    }
+    return end;
   }
 
   @Override

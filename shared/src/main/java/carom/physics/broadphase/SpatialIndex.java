@@ -49,6 +49,33 @@ public interface SpatialIndex {
   void query(float minX, float minY, float maxX, float maxY, IntVisitor visitor);
 
   /**
+   * Moves a box along (dx, dy) and visits the id of every box it meets on the way, each once; a box
+   * of zero size is a ray. Where the way ends may change with every visit: a caller who looks for
+   * the nearest thing says how near the nearest found so far is.
+   *
+   * <p>Trees visit what is near before what is far, roughly; with a visitor that never shortens the
+   * way all indexes visit the same ids. A visitor must not start another cast in the same index.
+   *
+   * @param minX left edge of the box at its start, m, finite
+   * @param minY lower edge, m
+   * @param maxX right edge, m
+   * @param maxY upper edge, m
+   * @param dx way along x, m, finite
+   * @param dy way along y, m
+   * @param maxFraction where the way ends, in units of (dx, dy); 1 is the whole way
+   * @param visitor receives the ids
+   */
+  void cast(
+      float minX,
+      float minY,
+      float maxX,
+      float maxY,
+      float dx,
+      float dy,
+      float maxFraction,
+      CastVisitor visitor);
+
+  /**
    * Visits every unordered pair of overlapping boxes exactly once, with idA &lt; idB.
    *
    * @param visitor receives the pairs

@@ -1,5 +1,6 @@
 package carom.physics.dynamics;
 
+import carom.physics.broadphase.CastVisitor;
 import carom.physics.broadphase.CellVisitor;
 import carom.physics.broadphase.IntVisitor;
 import carom.physics.broadphase.KdTree;
@@ -486,6 +487,26 @@ public final class Dynamics {
     refreshTrees();
     moving.query(minX, minY, maxX, maxY, visitor);
     fixed.query(minX, minY, maxX, maxY, visitor);
+  }
+
+  /**
+   * Calls back with every part whose fat box a moving box meets.
+   *
+   * @param minX left edge at the start, m
+   * @param minY lower edge, m
+   * @param maxX right edge, m
+   * @param maxY upper edge, m
+   * @param dx way along x, m
+   * @param dy way along y, m
+   * @param visitor receives parts in no particular order; the way it shortens must stay short, as
+   *     there are two trees
+   */
+  public void cast(
+      float minX, float minY, float maxX, float maxY, float dx, float dy, CastVisitor visitor) {
+    refreshBoxes();
+    refreshTrees();
+    moving.cast(minX, minY, maxX, maxY, dx, dy, 1, visitor);
+    fixed.cast(minX, minY, maxX, maxY, dx, dy, 1, visitor);
   }
 
   /**

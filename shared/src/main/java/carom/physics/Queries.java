@@ -1,0 +1,504 @@
+package carom.physics;
+
+import carom.physics.broadphase.CastVisitor;
+import carom.physics.broadphase.IntVisitor;
+import carom.physics.collision.Cast;
+import carom.physics.collision.CastHit;
+import carom.physics.collision.ClosestPoints;
+import carom.physics.collision.Distance;
+import carom.physics.dynamics.BodyStore;
+import carom.physics.dynamics.Checks;
+import carom.physics.dynamics.Dynamics;
+import carom.physics.geometry.Convex;
+import carom.physics.geometry.Shape;
+import carom.physics.math.Aabb;
+import carom.physics.math.Transform;
+import java.util.Arrays;
+
+/**
+ * Questions about a world: what is in the way, what is here, what is nearest. Answered by the
+ * KD-trees and then exactly, shape by shape.
+ *
+ * <p><b>Order.</b> Casts find what comes first; of equal fractions the body with the smaller index,
+ * then the earlier part of it. "All" visits every body once, at its first touch, in this order, and
+ * a visitor that returns false clips the rest. Overlaps come by ascending body index. The order
+ * never depends on the shape of a tree, so queries may steer a simulation.
+ *
+ * <p><b>Filters.</b> A filter of null sees everything but sensors; a given one decides alone.
+ *
+ * <p><b>Beginning inside.</b> A cast that begins inside a shape or touching it hits it at fraction
+ * 0 with normal (0, 0); filter out the body that asks.
+ *
+ * <p>Also in collision callbacks. One thread at a time, and not within another query's filter or
+ * visitor. Allocates nothing once it has seen its largest answer. Coordinates are m, world axes.
+ *
+ * @param <T> the world's user type
+ */
+public final class Queries<T> {
+  private enum Kind {
+    RAY,
+    SHAPE,
+    BOX,
+    NEAREST,
+    OVERLAP
+  }
+
+  private enum Mode {
+    CLOSEST,
+    ANY,
+    ALL
+  }
+
+  /** A way that ends just behind the nearest hit, so that equal fractions are found too. */
+  private static final float BEHIND = 1.0001f;
+
+  private static final int PART_BITS = 10;
+  private static final int BODY_BITS = 21;
+  private static final long NONE = Long.MAX_VALUE;
+
+  private final World<T> world;
+  private final Dynamics dynamics;
+  private final BodyStore store;
+  private final Cast cast = new Cast();
+  private final Distance distances = new Distance();
+  private final CastHit hit = new CastHit();
+  private final CastHit partHit = new CastHit();
+  private final CastHit bestHit = new CastHit();
+  private final ClosestPoints points = new ClosestPoints();
+  private final QueryHit<T> found = new QueryHit<>();
+  private final Transform pose = new Transform();
+  private final Aabb box = new Aabb();
+  private final CastVisitor onCast = this::candidate;
+  private final IntVisitor onBox = part -> candidate(part, 1) >= 0;
+
+  // The question being answered.
+  private Kind kind = Kind.RAY;
+  private Mode mode = Mode.CLOSEST;
+  private QueryFilter<T> filter;
+  private Shape shape;
+  private final Transform start = new Transform();
+  private final Aabb startBox = new Aabb();
+  private float dx;
+  private float dy;
+
+  // The answer: the best key and fraction, or all keys.
+  private long bestKey;
+  private float end;
+  private long[] keys = new long[16];
+  private int keyCount;
+
+  /** Per body: the last question in which it was visited. */
+  private int[] visited = new int[0];
+
+  private int question;
+
+  Queries(World<T> world) {
+    this.world = world;
+    dynamics = world.dynamics();
+    store = dynamics.bodies();
+  }
+
+  // ---------------------------------------------------------------- rays
+
+  /**
+   * What a ray meets first.
+   *
+   * @param x start
+   * @param y start
+   * @param wayX way along x
+   * @param wayY way along y
+   * @param whom chooses shapes, null for all but sensors
+   * @param out receives the hit; untouched when there is none
+   * @return whether anything is in the way
+   */
+  public boolean rayClosest(
+      float x, float y, float wayX, float wayY, QueryFilter<T> whom, QueryHit<T> out) {
+    askRay(Mode.CLOSEST, x, y, wayX, wayY, whom);
+    return takeClosest(out);
+  }
+
+  /**
+   * Whether anything is in the way of a ray; cheaper than knowing what. Parameters as {@link
+   * #rayClosest}.
+   *
+   * @return true if there is
+   */
+  public boolean rayAny(float x, float y, float wayX, float wayY, QueryFilter<T> whom) {
+    askRay(Mode.ANY, x, y, wayX, wayY, whom);
+    return bestKey != NONE;
+  }
+
+  /**
+   * Everything a ray meets, from near to far, until the visitor returns false. Parameters as {@link
+   * #rayClosest}.
+   *
+   * @param visitor receives each body once, at the ray's first touch
+   */
+  public void rayAll(
+      float x, float y, float wayX, float wayY, QueryFilter<T> whom, QueryVisitor<T> visitor) {
+    askRay(Mode.ALL, x, y, wayX, wayY, whom);
+    visitAll(visitor);
+  }
+
+  private void askRay(Mode how, float x, float y, float wayX, float wayY, QueryFilter<T> whom) {
+    startBox.set(Checks.coordinate("x", x), Checks.coordinate("y", y), x, y);
+    castBox(Kind.RAY, how, wayX, wayY, whom);
+  }
+
+  // ---------------------------------------------------------------- moving shapes
+
+  /**
+   * What a shape meets first when it moves without turning.
+   *
+   * @param moving the shape
+   * @param from its pose at the start, read only
+   * @param wayX way along x
+   * @param wayY way along y
+   * @param whom chooses shapes, null for all but sensors
+   * @param out receives the hit; untouched when there is none
+   * @return whether anything is in the way
+   */
+  public boolean shapeClosest(
+      Shape moving, Transform from, float wayX, float wayY, QueryFilter<T> whom, QueryHit<T> out) {
+    askShape(Mode.CLOSEST, moving, from, wayX, wayY, whom);
+    return takeClosest(out);
+  }
+
+  /**
+   * Whether anything is in the way of a moving shape. Parameters as {@link #shapeClosest}.
+   *
+   * @return true if there is
+   */
+  public boolean shapeAny(
+      Shape moving, Transform from, float wayX, float wayY, QueryFilter<T> whom) {
+    askShape(Mode.ANY, moving, from, wayX, wayY, whom);
+    return bestKey != NONE;
+  }
+
+  /**
+   * Everything a moving shape meets, as if nothing stopped it, from near to far, until the visitor
+   * returns false. Parameters as {@link #shapeClosest}.
+   *
+   * @param visitor receives each body once, at the first touch
+   */
+  public void shapeAll(
+      Shape moving,
+      Transform from,
+      float wayX,
+      float wayY,
+      QueryFilter<T> whom,
+      QueryVisitor<T> visitor) {
+    askShape(Mode.ALL, moving, from, wayX, wayY, whom);
+    visitAll(visitor);
+  }
+
+  private void askShape(
+      Mode how, Shape moving, Transform from, float wayX, float wayY, QueryFilter<T> whom) {
+    place(moving, from);
+    castBox(Kind.SHAPE, how, wayX, wayY, whom);
+  }
+
+  // ---------------------------------------------------------------- moving boxes
+
+  /**
+   * Whose bounding box a moving box with fixed axes meets first: coarser than {@link
+   * #shapeClosest}, and cheaper.
+   *
+   * @param area the box at the start, read only
+   * @param wayX way along x
+   * @param wayY way along y
+   * @param whom chooses shapes, null for all but sensors
+   * @param out receives the hit, the point being the middle of where the boxes touch; untouched
+   *     when there is none
+   * @return whether anything is in the way
+   */
+  public boolean boxClosest(
+      Aabb area, float wayX, float wayY, QueryFilter<T> whom, QueryHit<T> out) {
+    askBox(Mode.CLOSEST, area, wayX, wayY, whom);
+    return takeClosest(out);
+  }
+
+  /**
+   * Every body whose bounding box a moving box meets, from near to far, until the visitor returns
+   * false. Parameters as {@link #boxClosest}.
+   *
+   * @param visitor receives each body once, at the first touch
+   */
+  public void boxAll(
+      Aabb area, float wayX, float wayY, QueryFilter<T> whom, QueryVisitor<T> visitor) {
+    askBox(Mode.ALL, area, wayX, wayY, whom);
+    visitAll(visitor);
+  }
+
+  private void askBox(Mode how, Aabb area, float wayX, float wayY, QueryFilter<T> whom) {
+    if (area.isEmpty()) {
+      throw new IllegalArgumentException("area=" + area + " is empty, needs min <= max");
+    }
+    startBox.set(
+        Checks.coordinate("minX", area.minX),
+        Checks.coordinate("minY", area.minY),
+        Checks.coordinate("maxX", area.maxX),
+        Checks.coordinate("maxY", area.maxY));
+    castBox(Kind.BOX, how, wayX, wayY, whom);
+  }
+
+  // ---------------------------------------------------------------- places
+
+  /**
+   * The bodies that overlap or touch a shape in a pose.
+   *
+   * @param area the shape
+   * @param at its pose, read only
+   * @param whom chooses shapes, null for all but sensors
+   * @param visitor receives each body once, by ascending index
+   */
+  public void overlaps(Shape area, Transform at, QueryFilter<T> whom, QueryVisitor<T> visitor) {
+    place(area, at);
+    begin(Kind.OVERLAP, Mode.ALL, whom);
+    searchBox();
+    visitAll(visitor);
+  }
+
+  /**
+   * The bodies that contain a point, borders included.
+   *
+   * @param x the point
+   * @param y the point
+   * @param whom chooses shapes, null for all but sensors
+   * @param visitor receives each body once, by ascending index
+   */
+  public void containing(float x, float y, QueryFilter<T> whom, QueryVisitor<T> visitor) {
+    askPoint(x, y, 0, Mode.ALL, whom);
+    visitAll(visitor);
+  }
+
+  /**
+   * The point of any shape that is nearest to a point.
+   *
+   * @param x the point
+   * @param y the point
+   * @param radius how far to look, 0 or more
+   * @param whom chooses shapes, null for all but sensors
+   * @param out receives body, point, distance, and the normal towards the asker; inside a shape
+   *     distance and normal are 0; untouched when there is nothing
+   * @return whether anything is within the radius
+   */
+  public boolean nearest(float x, float y, float radius, QueryFilter<T> whom, QueryHit<T> out) {
+    askPoint(x, y, Checks.range("radius", radius, 0, Checks.MAX_COORDINATE), Mode.CLOSEST, whom);
+    return takeClosest(out);
+  }
+
+  private void askPoint(float x, float y, float radius, Mode how, QueryFilter<T> whom) {
+    Checks.coordinate("x", x);
+    Checks.coordinate("y", y);
+    start.set(x, y, 1, 0);
+    startBox.set(x, y, x, y).grow(radius);
+    begin(Kind.NEAREST, how, whom);
+    end = radius;
+    searchBox();
+  }
+
+  // ---------------------------------------------------------------- how it works
+
+  private void place(Shape moving, Transform from) {
+    Checks.coordinate("x", from.x);
+    Checks.coordinate("y", from.y);
+    shape = moving;
+    start.set(from);
+    moving.aabb(from, startBox);
+  }
+
+  private void begin(Kind what, Mode how, QueryFilter<T> whom) {
+    world.beginQuery("query");
+    kind = what;
+    mode = how;
+    filter = whom;
+    bestKey = NONE;
+    keyCount = 0;
+    end = 1;
+  }
+
+  private void castBox(Kind what, Mode how, float wayX, float wayY, QueryFilter<T> whom) {
+    dx = Checks.coordinate("wayX", wayX);
+    dy = Checks.coordinate("wayY", wayY);
+    begin(what, how, whom);
+    try {
+      dynamics.cast(startBox.minX, startBox.minY, startBox.maxX, startBox.maxY, dx, dy, onCast);
+    } finally {
+      world.endQuery();
+    }
+  }
+
+  private void searchBox() {
+    try {
+      dynamics.query(startBox.minX, startBox.minY, startBox.maxX, startBox.maxY, onBox);
+    } finally {
+      world.endQuery();
+    }
+  }
+
+  /** Looks at a part the trees found; answers where the search ends now. */
+  private float candidate(int part, float unused) {
+    int slot = dynamics.bodyOf(part);
+    int number = dynamics.shapeOf(part);
+    Body<T> body = world.body(slot);
+    boolean seen = filter == null ? !body.sensor(number) : filter.accepts(body, number);
+    if (seen && measure(part, slot)) {
+      long key =
+          (long) Float.floatToIntBits(hit.fraction) << (BODY_BITS + PART_BITS)
+              | (long) slot << PART_BITS
+              | (part - store.firstPart[slot]);
+      if (mode == Mode.ALL) {
+        if (keyCount == keys.length) {
+          keys = Arrays.copyOf(keys, keyCount * 2);
+        }
+        keys[keyCount++] = key;
+      } else if (key < bestKey) {
+        bestKey = key;
+        bestHit.set(hit);
+        end = mode == Mode.ANY ? -1 : Math.min(end, hit.fraction * BEHIND);
+      }
+    }
+    return end;
+  }
+
+  /** Where the question meets one part: fills {@link #hit}, the fraction being what sorts. */
+  private boolean measure(int part, int slot) {
+    Convex convex = dynamics.convexOf(part);
+    pose.set(store.x[slot], store.y[slot], store.cos[slot], store.sin[slot]);
+    return switch (kind) {
+      case RAY -> cast.ray(convex, pose, startBox.minX, startBox.minY, dx, dy, 1, hit);
+      case SHAPE -> measureShape(convex);
+      case BOX -> measureBox(part);
+      case NEAREST -> measurePoint(convex);
+      case OVERLAP -> overlaps(convex);
+    };
+  }
+
+  private boolean measureShape(Convex convex) {
+    boolean any = false;
+    float limit = 1;
+    for (int i = 0; i < shape.parts().size(); i++) {
+      Convex own = shape.parts().get(i);
+      if (cast.shape(own, start, dx, dy, convex, pose, limit, partHit)
+          && (!any || partHit.fraction < hit.fraction)) {
+        hit.set(partHit);
+        limit = hit.fraction;
+        any = true;
+      }
+    }
+    return any;
+  }
+
+  private boolean measurePoint(Convex convex) {
+    hit.fraction = distances.toPoint(convex, pose, start.x, start.y, points);
+    hit.x = hit.fraction == 0 ? start.x : pose.x + points.ax;
+    hit.y = hit.fraction == 0 ? start.y : pose.y + points.ay;
+    hit.normalX = hit.fraction == 0 ? 0 : points.normalX;
+    hit.normalY = hit.fraction == 0 ? 0 : points.normalY;
+    return hit.fraction <= end;
+  }
+
+  private boolean overlaps(Convex convex) {
+    for (int i = 0; i < shape.parts().size(); i++) {
+      if (distances.between(shape.parts().get(i), start, convex, pose, points) == 0) {
+        hit.fraction = 0;
+        hit.normalX = 0;
+        hit.normalY = 0;
+        hit.x = start.x + points.ax;
+        hit.y = start.y + points.ay;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Two slabs; the one entered last tells the side. */
+  private boolean measureBox(int part) {
+    dynamics.boxOf(part, false, box);
+    double enterX = enter(startBox.minX, startBox.maxX, box.minX, box.maxX, dx);
+    double enterY = enter(startBox.minY, startBox.maxY, box.minY, box.maxY, dy);
+    double at = Math.max(0, Math.max(enterX, enterY));
+    double leaveX = leave(startBox.minX, startBox.maxX, box.minX, box.maxX, dx);
+    double leaveY = leave(startBox.minY, startBox.maxY, box.minY, box.maxY, dy);
+    if (!(at <= 1 && at <= leaveX && at <= leaveY)) {
+      return false;
+    }
+    boolean inside = enterX <= 0 && enterY <= 0;
+    boolean side = enterX >= enterY;
+    hit.fraction = (float) at;
+    hit.normalX = inside || !side ? 0 : -Math.signum(dx);
+    hit.normalY = inside || side ? 0 : -Math.signum(dy);
+    hit.x = middle(startBox.minX, startBox.maxX, box.minX, box.maxX, at * dx);
+    hit.y = middle(startBox.minY, startBox.maxY, box.minY, box.maxY, at * dy);
+    return true;
+  }
+
+  private static double enter(double min, double max, double otherMin, double otherMax, double d) {
+    if (d == 0) {
+      return max >= otherMin && min <= otherMax
+          ? Double.NEGATIVE_INFINITY
+          : Double.POSITIVE_INFINITY;
+    }
+    return d > 0 ? (otherMin - max) / d : (otherMax - min) / d;
+  }
+
+  private static double leave(double min, double max, double otherMin, double otherMax, double d) {
+    if (d == 0) {
+      return Double.POSITIVE_INFINITY;
+    }
+    return d > 0 ? (otherMax - min) / d : (otherMin - max) / d;
+  }
+
+  private static float middle(double min, double max, double otherMin, double otherMax, double d) {
+    return (float) (0.5 * (Math.max(min + d, otherMin) + Math.min(max + d, otherMax)));
+  }
+
+  private boolean takeClosest(QueryHit<T> out) {
+    if (bestKey == NONE) {
+      return false;
+    }
+    fill(bestKey, bestHit, out);
+    return true;
+  }
+
+  private void fill(long key, CastHit from, QueryHit<T> out) {
+    int slot = (int) (key >>> PART_BITS) & ((1 << BODY_BITS) - 1);
+    int part = store.firstPart[slot] + ((int) key & ((1 << PART_BITS) - 1));
+    boolean moves = kind == Kind.RAY || kind == Kind.SHAPE || kind == Kind.BOX;
+    float way = (float) Math.sqrt((double) dx * dx + (double) dy * dy);
+    out.set(
+        world.body(slot),
+        dynamics.shapeOf(part),
+        moves ? from.fraction : 0,
+        moves ? from.fraction * way : from.fraction,
+        from);
+  }
+
+  /** Hands everything found to the visitor, in order, each body once. */
+  private void visitAll(QueryVisitor<T> visitor) {
+    if (visited.length < store.slots()) {
+      visited = new int[Math.max(store.slots(), visited.length * 2)];
+      question = 0;
+    }
+    question++;
+    Arrays.sort(keys, 0, keyCount);
+    world.beginQuery("query");
+    try {
+      for (int i = 0; i < keyCount; i++) {
+        int slot = (int) (keys[i] >>> PART_BITS) & ((1 << BODY_BITS) - 1);
+        if (visited[slot] == question) {
+          continue;
+        }
+        visited[slot] = question;
+        measure(store.firstPart[slot] + ((int) keys[i] & ((1 << PART_BITS) - 1)), slot);
+        fill(keys[i], hit, found);
+        if (!visitor.visit(found)) {
+          return;
+        }
+      }
+    } finally {
+      world.endQuery();
+    }
+  }
+}
