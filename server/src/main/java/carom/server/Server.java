@@ -34,7 +34,7 @@ import org.slf4j.LoggerFactory;
 public final class Server implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Server.class);
 
-  /** The longest nap of a room's thread: datagrams get their arrival time when it wakes. */
+  /** The longest nap of a room's thread, so that inboxes are emptied between ticks, too. */
   private static final long ROOM_NAP_NS = TimeUnit.MILLISECONDS.toNanos(4);
 
   private static final long LOBBY_NAP_NS = TimeUnit.MILLISECONDS.toNanos(5);

@@ -108,6 +108,29 @@ class ServerTest {
     }
   }
 
+  @Test
+  void timeThatInputsWaitInTheInboxCountsAsHeldByTheServer() {
+    long[] nowNs = {0};
+    BreakableTransport transport = new BreakableTransport(network.server());
+    try (Server server =
+        new Server(
+            ServerConfig.defaults(),
+            () -> new TestGame(3),
+            TestGame.level(),
+            transport,
+            () -> nowNs[0])) {
+      FakeClient client = new FakeClient(network.client().connect("", 0, 0)).hello("a");
+      for (int step = 0; step < 60; step++) {
+        nowNs[0] += Rig.TICK_NS;
+        client.step(server.rooms().get(0).tick());
+        server.tick(nowNs[0]);
+        transport.last.waitedNs = 7_500_000;
+      }
+      assertTrue(client.decoder.feedback().present);
+      assertEquals(7, client.decoder.feedback().holdMs);
+    }
+  }
+
   /** Links that throw from everything, once told to. */
   private static final class BreakableTransport implements ServerTransport {
     private final ServerTransport real;
@@ -142,6 +165,7 @@ class ServerTest {
   private static final class BreakableLink implements Link {
     private final Link real;
     boolean broken;
+    long waitedNs;
 
     BreakableLink(Link real) {
       this.real = real;
@@ -195,6 +219,11 @@ class ServerTest {
     @Override
     public void close(String reason) {
       real().close(reason);
+    }
+
+    @Override
+    public long waitedNs() {
+      return waitedNs;
     }
 
     @Override

@@ -176,7 +176,7 @@ public final class Session implements LinkHandler {
     if (!feedback.present || Sequence.isNewer(datagram.sequence, feedback.sequence)) {
       feedback.present = true;
       feedback.sequence = datagram.sequence;
-      sequenceArrivalNs = nowNs;
+      sequenceArrivalNs = nowNs - from.waitedNs();
     }
     if (datagram.hasAck) {
       sender.receiveAck(datagram.ackSequence, datagram.ackBits);

@@ -20,6 +20,7 @@ abstract class KryoLink implements Link {
   private static final class Datagram {
     private byte[] bytes = new byte[128];
     private int length;
+    private long arrivedNs;
   }
 
   private final MessageCodec codec;
@@ -36,6 +37,7 @@ abstract class KryoLink implements Link {
 
   // owner's thread
   private boolean closedReported;
+  private long waitedNs;
 
   KryoLink(MessageCodec codec, int maxMessages, int maxDatagrams) {
     this.codec = codec;
@@ -120,6 +122,7 @@ abstract class KryoLink implements Link {
       if (item instanceof Datagram datagram) {
         counters.datagramsIn.incrementAndGet();
         counters.datagramBytesIn.addAndGet(datagram.length);
+        waitedNs = System.nanoTime() - datagram.arrivedNs;
         try {
           handler.datagram(this, datagram.bytes, datagram.length);
         } finally {
@@ -134,6 +137,11 @@ abstract class KryoLink implements Link {
       handler.closed(this, closeReason);
     }
     return count;
+  }
+
+  @Override
+  public final long waitedNs() {
+    return waitedNs;
   }
 
   @Override
@@ -184,6 +192,7 @@ abstract class KryoLink implements Link {
     }
     payload.get(datagram.bytes, 0, length);
     datagram.length = length;
+    datagram.arrivedNs = System.nanoTime();
     if (!inbox.offer(datagram)) {
       unused = datagram;
       counters.datagramsDropped.incrementAndGet();

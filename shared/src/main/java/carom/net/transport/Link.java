@@ -52,6 +52,15 @@ public interface Link {
   int poll(LinkHandler handler, int max);
 
   /**
+   * How long the datagram that is being handed over waited for {@link #poll}, nanoseconds, so that
+   * a handler knows when it arrived. Only within {@link LinkHandler#datagram}; 0 where it isn't
+   * measured.
+   */
+  default long waitedNs() {
+    return 0;
+  }
+
+  /**
    * Closes the link; messages sent before are still delivered if the transport can. Closing twice
    * does nothing.
    *

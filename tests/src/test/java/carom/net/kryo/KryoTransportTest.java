@@ -84,6 +84,33 @@ final class KryoTransportTest {
   }
 
   @Test
+  void aDatagramKnowsHowLongItWaited() throws Exception {
+    try (Network network = new Network()) {
+      Network.Pair pair = network.pair();
+      long sentNs = System.nanoTime();
+      assertTrue(pair.client.sendDatagram(new byte[1], 0, 1));
+      Thread.sleep(300);
+      long[] waitedNs = {-1};
+      LinkHandler handler =
+          new LinkHandler() {
+            @Override
+            public void message(Link link, Object message) {}
+
+            @Override
+            public void datagram(Link link, byte[] bytes, int length) {
+              waitedNs[0] = link.waitedNs();
+            }
+
+            @Override
+            public void closed(Link link, String reason) {}
+          };
+      eventually(() -> pair.server.poll(handler, 1) == 1, () -> pair.server.toString());
+      assertTrue(
+          waitedNs[0] > 0 && waitedNs[0] < System.nanoTime() - sentNs, "waitedNs=" + waitedNs[0]);
+    }
+  }
+
+  @Test
   void aLastMessageArrivesBeforeTheEndAndTheReasonWithIt() {
     try (Network network = new Network()) {
       Network.Pair pair = network.pair();
