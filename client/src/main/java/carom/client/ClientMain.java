@@ -15,7 +15,7 @@ import picocli.CommandLine.Option;
 @Command(
     name = "carom-client",
     mixinStandardHelpOptions = true,
-    version = "carom 0.1.0",
+    versionProvider = ProgramVersion.class,
     sortOptions = false,
     description = "Plays on a Carom server.")
 public final class ClientMain implements Callable<Integer> {
@@ -27,9 +27,9 @@ public final class ClientMain implements Callable<Integer> {
   @Option(
       names = "--name",
       paramLabel = "NAME",
-      description = "player's name (default: player and a number of this process)",
-      defaultValue = "")
-  private String name = "";
+      description = "player's name (default: ${DEFAULT-VALUE})",
+      defaultValue = "player")
+  private String name = "player";
 
   @Option(
       names = "--headless",
@@ -84,9 +84,8 @@ public final class ClientMain implements Callable<Integer> {
   @Override
   public Integer call() {
     String problem = network.problem();
-    String player = name.isEmpty() ? "player" + ProcessHandle.current().pid() % 1_000 : name;
-    if (problem == null && PlayerName.problem(player) != null) {
-      problem = "--name: " + PlayerName.problem(player);
+    if (problem == null && PlayerName.problem(name) != null) {
+      problem = "--name: " + PlayerName.problem(name);
     } else if (!(seconds >= 0 && seconds <= 1e6)) {
       problem = "--seconds=" + seconds + " is outside 0..1000000";
     }
@@ -94,10 +93,12 @@ public final class ClientMain implements Callable<Integer> {
       throw new CommandLine.ParameterException(spec.commandLine(), problem);
     }
     network.startLogging();
-    ClientConfig config = network.config(player).withPrediction(prediction);
+    ClientConfig config = network.config(name).withPrediction(prediction);
     if (headless) {
-      try (ClientTransport transport = network.impair(new KryoClientTransport())) {
-        return playHeadless(new GameClient(config, transport, InputSource.IDLE));
+      try (StopSignal stop = new StopSignal();
+          ClientTransport transport = network.impair(new KryoClientTransport());
+          GameClient client = new GameClient(config, transport, InputSource.IDLE)) {
+        return playHeadless(client, stop);
       }
     }
     boolean named =
@@ -113,14 +114,15 @@ public final class ClientMain implements Callable<Integer> {
     return 1;
   }
 
-  private int playHeadless(GameClient client) {
+  private int playHeadless(GameClient client, StopSignal stop) {
     long start = System.nanoTime();
     long nextLine = start + SECOND;
     long now = start;
     boolean played = false;
     ClientView view = client.view();
     while ((seconds == 0 || now - start < seconds * SECOND)
-        && view.phase() != ConnectionPhase.ENDED) {
+        && view.phase() != ConnectionPhase.ENDED
+        && !stop.asked()) {
       client.update(now);
       played |= view.phase() == ConnectionPhase.PLAYING;
       if (now >= nextLine) {
@@ -136,7 +138,6 @@ public final class ClientMain implements Callable<Integer> {
     if (!stayed) {
       System.err.println(view.message());
     }
-    client.close();
     System.out.println(summary(client.stats(), played, now));
     return played && stayed ? 0 : 1;
   }

@@ -55,7 +55,7 @@ public final class ArenaGame implements Game {
   private static final float BALL_MAX_SPEED = 32;
   private static final float KICK_OFF_SECONDS = 2;
   private static final float INTERMISSION_SECONDS = 6;
-  private static final float STUCK_SECONDS = 6;
+  private static final float STUCK_SECONDS = 4;
   private static final float STUCK_RADIUS = 1.5f;
   private static final int MAX_BALLS = 4;
   private static final int TEAMS = 2;
@@ -107,7 +107,7 @@ public final class ArenaGame implements Game {
 
   @Override
   public String description() {
-    return "two teams, balls and goals, seen from above; dash with the action button";
+    return "push the balls into the other side's goal; a dash hits harder";
   }
 
   @Override
@@ -180,7 +180,6 @@ public final class ArenaGame implements Game {
   public void join(Simulation s, Player p) {
     p.team(size(s, 1) <= size(s, 2) ? 1 : 2);
     embody(s, p);
-    s.notice(p.name() + " plays for " + TEAM_NAMES[p.team()]);
   }
 
   @Override

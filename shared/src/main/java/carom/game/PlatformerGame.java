@@ -118,7 +118,7 @@ public final class PlatformerGame implements Game {
 
   @Override
   public String description() {
-    return "run, jump and collect; coins are 1 point, the flag is " + FLAG_POINTS;
+    return "run, jump and collect: a coin is 1 point, the flag is " + FLAG_POINTS;
   }
 
   @Override
@@ -204,12 +204,6 @@ public final class PlatformerGame implements Game {
   @Override
   public void join(Simulation s, Player p) {
     embody(s, p, p.id() % places.size());
-    s.notice(p.name() + " has come");
-  }
-
-  @Override
-  public void leave(Simulation s, Player p) {
-    s.notice(p.name() + " has left");
   }
 
   @Override

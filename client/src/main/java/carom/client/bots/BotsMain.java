@@ -3,6 +3,8 @@ package carom.client.bots;
 import carom.client.ClientConfig;
 import carom.client.NetworkOptions;
 import carom.client.PredictionMode;
+import carom.client.ProgramVersion;
+import carom.client.StopSignal;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.protocol.PlayerName;
 import carom.net.transport.ClientTransport;
@@ -20,7 +22,7 @@ import picocli.CommandLine.Option;
 @Command(
     name = "carom-bots",
     mixinStandardHelpOptions = true,
-    version = "carom 0.1.0",
+    versionProvider = ProgramVersion.class,
     sortOptions = false,
     description = "Connects headless clients that play.",
     footer = "Exit code 0 only if all bots joined and stayed.")
@@ -51,9 +53,9 @@ public final class BotsMain implements Callable<Integer> {
   @Option(
       names = "--name",
       paramLabel = "NAME",
-      description = "first part of their names (default: bot and a number of this process)",
-      defaultValue = "")
-  private String name = "";
+      description = "first part of their names (default: ${DEFAULT-VALUE})",
+      defaultValue = "bot")
+  private String name = "bot";
 
   @Option(
       names = "--prediction",
@@ -100,9 +102,8 @@ public final class BotsMain implements Callable<Integer> {
     } else if (ticksPerInputDatagram < 1 || ticksPerInputDatagram > 8) {
       problem = "--input-every=" + ticksPerInputDatagram + " is outside 1..8";
     }
-    String first = name.isEmpty() ? "bot" + ProcessHandle.current().pid() % 1_000 + "-" : name;
-    if (PlayerName.problem(first + count) != null) {
-      problem = "--name=" + name + ": " + PlayerName.problem(first + count);
+    if (PlayerName.problem(name + count) != null) {
+      problem = "--name=" + name + ": " + PlayerName.problem(name + count);
     }
     if (problem != null) {
       throw new CommandLine.ParameterException(spec.commandLine(), problem);
@@ -110,21 +111,22 @@ public final class BotsMain implements Callable<Integer> {
     network.startLogging();
     ClientConfig config =
         network
-            .config(first)
+            .config(name)
             .withPrediction(prediction)
             .withTicksPerInputDatagram(ticksPerInputDatagram);
-    try (ClientTransport transport = network.impair(new KryoClientTransport());
+    try (StopSignal stop = new StopSignal();
+        ClientTransport transport = network.impair(new KryoClientTransport());
         BotFarm farm = new BotFarm(config, transport, count, seed)) {
-      return play(farm);
+      return play(farm, stop);
     }
   }
 
-  private int play(BotFarm farm) throws InterruptedException {
+  private int play(BotFarm farm, StopSignal stop) throws InterruptedException {
     long start = System.nanoTime();
     long now = start;
     long end = Long.MAX_VALUE;
     long nextLine = start + SECOND;
-    while (now < end && !farm.over()) {
+    while (now < end && !farm.over() && !stop.asked()) {
       farm.update(now);
       if (end == Long.MAX_VALUE
           && (farm.settled() == count || now - start > JOIN_DEADLINE_NS + count * (SECOND / 20))) {

@@ -34,12 +34,10 @@ final class Controls {
   void sample(Input out, ViewCamera camera, float x, float y) {
     float moveX = axis(Keys.D, Keys.RIGHT) - axis(Keys.A, Keys.LEFT);
     float moveY = axis(Keys.W, Keys.UP) - axis(Keys.S, Keys.DOWN);
-    boolean jump = down(Keys.SPACE) || down(Keys.W) || down(Keys.UP);
-    boolean action =
-        down(Keys.SPACE)
-            || down(Keys.SHIFT_LEFT)
-            || down(Keys.SHIFT_RIGHT)
-            || Gdx.input.isButtonPressed(Buttons.LEFT);
+    // One key for whatever a game does most: games use one of the two.
+    boolean both = down(Keys.SPACE) || Gdx.input.isButtonPressed(Buttons.LEFT);
+    boolean jump = both || down(Keys.W) || down(Keys.UP);
+    boolean action = both || down(Keys.SHIFT_LEFT) || down(Keys.SHIFT_RIGHT);
     boolean second = down(Keys.E) || Gdx.input.isButtonPressed(Buttons.RIGHT);
     float stickAimX = 0;
     float stickAimY = 0;
@@ -58,7 +56,8 @@ final class Controls {
       stickAimX = stick(pad, map.axisRightX);
       stickAimY = -stick(pad, map.axisRightY);
       jump |= pad.getButton(map.buttonA);
-      action |= pad.getButton(map.buttonX) || pad.getButton(map.buttonR1);
+      action |=
+          pad.getButton(map.buttonA) || pad.getButton(map.buttonX) || pad.getButton(map.buttonR1);
       second |= pad.getButton(map.buttonB);
     }
     float length = (float) Math.sqrt(moveX * moveX + moveY * moveY);

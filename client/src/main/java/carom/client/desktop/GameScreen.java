@@ -138,7 +138,10 @@ final class GameScreen extends ScreenAdapter {
       hud.names(view, camera, pixelsPerMetre);
       hud.scores(view, width, height, Gdx.input.isKeyPressed(Keys.TAB));
       hud.notices(view, nowNs, width, height);
-      hud.hints(secondsPlayed, width);
+      hud.hints(view, secondsPlayed, width);
+      if (own == null && secondsPlayed > 1) {
+        hud.bodiless(width, height);
+      }
     }
     hud.phase(view, width, height);
     if (showNetGraph) {

@@ -3,6 +3,7 @@ package carom.client.desktop;
 import carom.client.ClientView;
 import carom.client.ClientView.Drawn;
 import carom.client.ConnectionPhase;
+import carom.game.Games;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.sim.Appearance;
 import com.badlogic.gdx.graphics.Color;
@@ -11,6 +12,7 @@ import com.badlogic.gdx.graphics.g2d.GlyphLayout;
 import com.badlogic.gdx.graphics.g2d.SpriteBatch;
 import com.badlogic.gdx.math.MathUtils;
 import com.badlogic.gdx.math.Vector3;
+import com.badlogic.gdx.utils.Align;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -26,6 +28,9 @@ final class Hud {
   private static final float LINE = 22;
   private static final long NOTICE_NS = 4_000_000_000L;
   private static final float HINT_SECONDS = 12;
+  private static final String KEYS =
+      "WASD, arrows or pad: move     Space or click: jump, dash     F3: net graph     F4: debug    "
+          + " Esc: leave";
 
   private final Canvas canvas;
   private final SpriteBatch batch;
@@ -34,6 +39,9 @@ final class Hud {
   private final Color color = new Color();
   private final Color shadow = new Color();
   private final List<RosterEntry> ranking = new ArrayList<>();
+  private final GlyphLayout wrapped = new GlyphLayout();
+  private String hintsOf = "";
+  private String about = "";
 
   Hud(Canvas canvas, SpriteBatch batch, Fonts fonts) {
     this.canvas = canvas;
@@ -85,10 +93,14 @@ final class Hud {
       RosterEntry entry = ranking.get(i);
       boolean own = entry.playerId() == view.playerId();
       float y = top - PAD - (i + 1) * LINE;
-      left(fonts.text, (i + 1) + "  " + entry.name(), x + PAD, y, own ? Theme.ACCENT : Theme.TEXT);
+      Color tint = own ? Theme.ACCENT : Theme.TEXT;
       String score = Integer.toString(entry.score());
       layout.setText(fonts.text, score);
-      left(fonts.text, score, x + w - PAD - layout.width, y, own ? Theme.ACCENT : Theme.TEXT);
+      float room = w - 3 * PAD - layout.width;
+      left(fonts.text, score, x + w - PAD - layout.width, y, tint);
+      String name = (i + 1) + "  " + entry.name();
+      layout.setText(fonts.text, name, 0, name.length(), tint, room, Align.left, false, "...");
+      fonts.text.draw(batch, layout, MathUtils.round(x + PAD), MathUtils.round(y));
     }
     batch.end();
   }
@@ -110,20 +122,26 @@ final class Hud {
     batch.end();
   }
 
-  /** The keys, for the first seconds. */
-  void hints(float secondsPlayed, int width) {
+  /** What the game is about and the keys, for the first seconds. */
+  void hints(ClientView view, float secondsPlayed, int width) {
     if (secondsPlayed > HINT_SECONDS) {
       return;
     }
+    if (!view.game().equals(hintsOf)) {
+      hintsOf = view.game();
+      about = Games.create(hintsOf).description();
+    }
     batch.begin();
-    color.set(Theme.TEXT).a = Math.min(1, HINT_SECONDS - secondsPlayed) * 0.85f;
-    centred(
-        fonts.text,
-        "WASD or arrows: move     mouse: aim     Space: act     F3: net graph     F4: debug    "
-            + " Esc: leave",
-        width / 2f,
-        PAD + 18,
-        color);
+    color.set(Theme.TEXT).a = Math.min(1, HINT_SECONDS - secondsPlayed) * 0.9f;
+    centred(fonts.text, about, width / 2f, PAD + 42, color);
+    centred(fonts.text, KEYS, width / 2f, PAD + 18, color);
+    batch.end();
+  }
+
+  /** Tells a player without a body that it is only for a moment. */
+  void bodiless(int width, int height) {
+    batch.begin();
+    centred(fonts.large, "You are back in a moment", width / 2f, height / 2f, Theme.TEXT);
     batch.end();
   }
 
@@ -133,22 +151,22 @@ final class Hud {
     if (phase == ConnectionPhase.PLAYING) {
       return;
     }
-    layout.setText(fonts.text, view.message());
-    float w = Math.max(360, layout.width + 4 * PAD);
-    float h = 110;
+    float w = Math.min(width - 2 * PAD, 560);
+    wrapped.setText(fonts.text, view.message(), Theme.MUTED, w - 4 * PAD, Align.center, true);
+    float h = 90 + wrapped.height;
     float x = (width - w) / 2;
     float y = (height - h) / 2;
     panel(x, y, w, h);
     if (phase == ConnectionPhase.LOADING) {
+      float bar = (w - 2 * PAD) * (float) view.loadingProgress();
       canvas.begin(batch.getProjectionMatrix(), 1);
       canvas.rect(x + PAD, y + PAD, w - 2 * PAD, 4, Theme.PANEL_LINE);
-      canvas.rect(
-          x + PAD, y + PAD, (w - 2 * PAD) * (float) view.loadingProgress(), 4, Theme.ACCENT);
+      canvas.rect(x + PAD, y + PAD, bar, 4, Theme.ACCENT);
       canvas.end();
     }
     batch.begin();
-    centred(fonts.large, title(phase), width / 2f, y + h - 22, Theme.TEXT);
-    centred(fonts.text, view.message(), width / 2f, y + 46, Theme.MUTED);
+    fonts.text.draw(batch, wrapped, x + 2 * PAD, y + wrapped.height + 26);
+    centred(fonts.large, title(phase), width / 2f, y + h - 18, Theme.TEXT);
     batch.end();
   }
 

@@ -37,8 +37,8 @@ final class ViewCamera {
   }
 
   /**
-   * Fits the view to the window and moves it towards the player; {@code followed} false = centre of
-   * the level.
+   * Fits the view to the window and moves it towards the player; with nobody to follow it stays,
+   * and before there ever was anybody it shows the centre of the level.
    */
   void update(
       Level.Bounds bounds,
@@ -60,8 +60,10 @@ final class ViewCamera {
     float centerY = (bounds.minY() + bounds.maxY()) / 2;
     float slackX = Math.max(0, (levelWidth - camera.viewportWidth) / 2);
     float slackY = Math.max(0, (levelHeight - camera.viewportHeight) / 2);
-    float goalX = followed ? MathUtils.clamp(x, centerX - slackX, centerX + slackX) : centerX;
-    float goalY = followed ? MathUtils.clamp(y, centerY - slackY, centerY + slackY) : centerY;
+    float lookX = followed ? x : placed ? camera.position.x : centerX;
+    float lookY = followed ? y : placed ? camera.position.y : centerY;
+    float goalX = MathUtils.clamp(lookX, centerX - slackX, centerX + slackX);
+    float goalY = MathUtils.clamp(lookY, centerY - slackY, centerY + slackY);
     float step = placed ? 1 - (float) Math.exp(-FOLLOW_PER_SECOND * seconds) : 1;
     camera.position.x = MathUtils.lerp(camera.position.x, goalX, step);
     camera.position.y = MathUtils.lerp(camera.position.y, goalY, step);

@@ -1,8 +1,8 @@
 package carom.server.session;
 
 import carom.net.protocol.Limits;
+import carom.net.protocol.PlayerName;
 import java.nio.charset.StandardCharsets;
-import java.util.Locale;
 import java.util.function.LongSupplier;
 
 /**
@@ -126,9 +126,9 @@ public final class Seats {
   }
 
   private boolean isTaken(String name) {
-    String folded = name.toLowerCase(Locale.ROOT);
+    String folded = PlayerName.folded(name);
     for (Seat seat : taken) {
-      if (seat != null && seat.name().toLowerCase(Locale.ROOT).equals(folded)) {
+      if (seat != null && PlayerName.folded(seat.name()).equals(folded)) {
         return true;
       }
     }

@@ -1,6 +1,8 @@
 package carom.net.protocol;
 
 import java.nio.charset.StandardCharsets;
+import java.text.Normalizer;
+import java.util.Locale;
 
 /**
  * The rule for player names: what everybody may be shown on their screens and in the operator's
@@ -8,12 +10,27 @@ import java.nio.charset.StandardCharsets;
  */
 public final class PlayerName {
 
+  /** Accents and the like that may stand on one character: more would spill over the neighbours. */
+  private static final int MAX_MARKS = 3;
+
+  /** Characters that are letters or symbols by class, but leave nothing on the screen. */
+  private static final String BLANKS = "\u034f\u115f\u1160\u17b4\u17b5\u2800\u3164\uffa0";
+
   private PlayerName() {}
 
   /**
+   * A name as it is compared with others: equal for names that look alike but for case, width or
+   * the way an accent is written.
+   */
+  public static String folded(String name) {
+    return Normalizer.normalize(name, Normalizer.Form.NFKC).toLowerCase(Locale.ROOT);
+  }
+
+  /**
    * What is wrong with a name, in words for the player, or null when the name is fine. A name is
-   * 1..{@link Limits#MAX_NAME_BYTES} UTF-8 bytes, has no control, format, surrogate or line
-   * characters, and neither starts nor ends with white space.
+   * 1..{@link Limits#MAX_NAME_BYTES} UTF-8 bytes, has no control, format, surrogate, line or blank
+   * characters and no space but the common one, starts with something visible, carries at most
+   * {@value #MAX_MARKS} marks (accents) on a character, and does not end with a space.
    */
   public static String problem(String name) {
     if (name.isEmpty()) {
@@ -23,22 +40,46 @@ public final class PlayerName {
     if (bytes > Limits.MAX_NAME_BYTES) {
       return "the name has " + bytes + " bytes; at most " + Limits.MAX_NAME_BYTES + " are allowed";
     }
+    int marks = MAX_MARKS; // none may come first
     for (int i = 0; i < name.length(); i += Character.charCount(name.codePointAt(i))) {
       int point = name.codePointAt(i);
-      int type = Character.getType(point);
-      if (type == Character.CONTROL
-          || type == Character.FORMAT
-          || type == Character.SURROGATE
-          || type == Character.UNASSIGNED
-          || type == Character.PRIVATE_USE
-          || type == Character.LINE_SEPARATOR
-          || type == Character.PARAGRAPH_SEPARATOR) {
+      if (isHidden(point)) {
         return String.format("the name has the character U+%04X, which can't be shown", point);
+      }
+      marks = isMark(point) ? marks + 1 : 0;
+      if (marks > MAX_MARKS) {
+        return "the name has an accent with nothing below it, or too many of them on one letter";
       }
     }
     if (!name.equals(name.strip())) {
       return "the name starts or ends with a space";
     }
     return null;
+  }
+
+  private static boolean isHidden(int point) {
+    return switch (Character.getType(point)) {
+      case Character.CONTROL,
+          Character.FORMAT,
+          Character.SURROGATE,
+          Character.UNASSIGNED,
+          Character.PRIVATE_USE,
+          Character.LINE_SEPARATOR,
+          Character.PARAGRAPH_SEPARATOR ->
+          true;
+      case Character.SPACE_SEPARATOR -> point != ' ';
+      default -> BLANKS.indexOf(point) >= 0 || isVariationSelector(point);
+    };
+  }
+
+  private static boolean isVariationSelector(int point) {
+    return point >= 0xfe00 && point <= 0xfe0f || point >= 0xe0100 && point <= 0xe01ef;
+  }
+
+  private static boolean isMark(int point) {
+    int type = Character.getType(point);
+    return type == Character.NON_SPACING_MARK
+        || type == Character.ENCLOSING_MARK
+        || type == Character.COMBINING_SPACING_MARK;
   }
 }

@@ -89,12 +89,27 @@ class ClientMessageCodecTest {
 
   @Test
   void namesThatCanBeShownAreFine() {
-    for (String name : List.of("a", "Zoë", "日本", "two words", "x".repeat(32), "🎱")) {
+    for (String name : List.of("a", "Zoë", "日本", "two words", "x".repeat(32), "🎱", "e\u0301a")) {
       assertNull(PlayerName.problem(name), name);
     }
     for (String name :
         List.of(
-            "", " a", "a ", "a\nb", "a\u0000", "\u202eabc", "\ud800", "x".repeat(33), "\u2028")) {
+            "",
+            " a",
+            "a ",
+            "a\nb",
+            "a\u0000",
+            "\u202eabc",
+            "\ud800",
+            "x".repeat(33),
+            "\u2028",
+            "\u00a0",
+            "Ann\u00a0",
+            "\u3164",
+            "\u2800",
+            "\ufe0f",
+            "\u0301",
+            "a\u0301\u0301\u0301\u0301")) {
       assertTrue(PlayerName.problem(name) != null, "refused: " + name);
     }
   }
