@@ -134,7 +134,8 @@ public final class ServerMain implements Callable<Integer> {
       names = "--max-players",
       paramLabel = "N",
       defaultValue = "64",
-      description = "Places in each room, 1..256 (${DEFAULT-VALUE}).")
+      description =
+          "Places in each room, 1..256, at most 4096 in all rooms together (${DEFAULT-VALUE}).")
   private int maxPlayers;
 
   @Option(
