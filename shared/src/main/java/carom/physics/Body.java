@@ -5,6 +5,7 @@ import carom.physics.dynamics.Checks;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
 import carom.physics.math.Trig;
+import java.util.function.Consumer;
 
 /**
  * A body: a light handle (index and generation) on the world's arrays. There is one handle per
@@ -556,6 +557,16 @@ public final class Body<T> {
   public void forEachOverlap(BodyVisitor<T> visitor) {
     check();
     world.forEachOverlap(index, visitor);
+  }
+
+  /**
+   * Visits the joints that hold this body, the newest first.
+   *
+   * @param visitor receives them; it may destroy the joint it receives
+   */
+  public void forEachJoint(Consumer<Joint<T>> visitor) {
+    check();
+    world.forEachJoint(index, visitor);
   }
 
   @Override

@@ -7,6 +7,8 @@ import carom.physics.dynamics.Checks;
 import carom.physics.dynamics.ContactEvents;
 import carom.physics.dynamics.ContactTable;
 import carom.physics.dynamics.Dynamics;
+import carom.physics.dynamics.JointEvents;
+import carom.physics.dynamics.JointStore;
 import carom.physics.dynamics.Settings;
 import carom.physics.dynamics.ShapeSpec;
 import carom.physics.math.Aabb;
@@ -25,28 +27,43 @@ import java.util.function.Consumer;
  * @param <T> what bodies stand for in the user's program, see {@link Body#user()}
  */
 public final class World<T> {
+  private static final byte DESTROY_BODY = 0;
+  private static final byte DESTROY_JOINT = 1;
+
   private final WorldDef def;
   private final Dynamics dynamics;
   private final BodyStore store;
   private final Collision<T> collision;
+  private final JointStore joints;
   private final Events events = new Events();
   private final Queries<T> queries;
+  private final JointEvents onBroke = this::broke;
 
   /** Handles by slot; those of free slots are null. */
   private Object[] handles = new Object[64];
 
+  private Object[] jointHandles = new Object[0];
+
   /** Changes whenever a body comes or goes, and is never used again. */
   private long structure;
+
+  /** The same for joints. */
+  private long jointStructure;
 
   private long nextStructure = 1;
 
   private CollisionListener<T> listener;
+  private JointListener<T> jointListener;
 
   private boolean stepping;
   private boolean querying;
-  private int[] doomed = new int[8];
-  private int[] doomedGeneration = new int[8];
-  private int doomedCount;
+
+  /** What was asked for in a callback: what, to which slot of which generation. */
+  private byte[] pending = new byte[8];
+
+  private int[] pendingSlot = new int[8];
+  private int[] pendingGeneration = new int[8];
+  private int pendingCount;
 
   private final Aabb box = new Aabb();
   private final Aabb queryBox = new Aabb();
@@ -80,8 +97,11 @@ public final class World<T> {
                 def.speculativeDistance(),
                 def.aabbMargin(),
                 def.maxSpeed(),
-                def.maxAngularSpeed()));
+                def.maxAngularSpeed(),
+                def.jointHertz(),
+                def.jointDampingRatio()));
     store = dynamics.bodies();
+    joints = dynamics.joints();
     collision = new Collision<>(this, dynamics.contacts());
     queries = new Queries<>(this);
   }
@@ -177,49 +197,225 @@ public final class World<T> {
   }
 
   /**
-   * Removes a body; touching contacts end first. In a callback this takes effect at the end of the
-   * step, and until then the body stays as it is.
+   * Removes a body and its joints; touching contacts end first. In a callback this takes effect at
+   * the end of the step, and until then the body stays as it is.
    *
    * @param body of this world
    * @throws IllegalStateException if it was destroyed before, or during a query
    */
   public void destroyBody(Body<T> body) {
     refuseDuringQuery("destroyBody");
-    body.check();
-    if (body.world() != this) {
-      throw new IllegalArgumentException("body=" + body + " belongs to another world");
+    own(body);
+    request(DESTROY_BODY, body.index(), body.generation());
+  }
+
+  /** Has something done now, or at the end of the step. */
+  private void request(byte what, int slot, int generation) {
+    if (pendingCount == pending.length) {
+      pending = Arrays.copyOf(pending, pendingCount * 2);
+      pendingSlot = Arrays.copyOf(pendingSlot, pendingCount * 2);
+      pendingGeneration = Arrays.copyOf(pendingGeneration, pendingCount * 2);
     }
-    if (doomedCount == doomed.length) {
-      doomed = Arrays.copyOf(doomed, doomedCount * 2);
-      doomedGeneration = Arrays.copyOf(doomedGeneration, doomedCount * 2);
-    }
-    doomed[doomedCount] = body.index();
-    doomedGeneration[doomedCount++] = body.generation();
+    pending[pendingCount] = what;
+    pendingSlot[pendingCount] = slot;
+    pendingGeneration[pendingCount++] = generation;
     if (!stepping) {
       stepping = true;
       try {
-        bury();
+        carryOut();
       } finally {
         stepping = false;
       }
     }
   }
 
-  /** Destroys what was asked for; end callbacks may ask for more. */
-  private void bury() {
+  /** Does what was asked for; end callbacks may ask for more. */
+  private void carryOut() {
     try {
-      for (int i = 0; i < doomedCount; i++) {
-        int slot = doomed[i];
-        if (store.alive(slot, doomedGeneration[i])) {
-          dynamics.destroy(slot, listener == null ? null : events);
-          handles[slot] = null;
-          structure = nextStructure++;
-          contactsIndexed = false;
+      for (int i = 0; i < pendingCount; i++) {
+        int slot = pendingSlot[i];
+        int generation = pendingGeneration[i];
+        if (pending[i] == DESTROY_JOINT) {
+          if (joints.alive(slot, generation)) {
+            removeJoint(slot);
+          }
+        } else if (store.alive(slot, generation)) {
+          removeBody(slot);
         }
       }
     } finally {
-      doomedCount = 0;
+      pendingCount = 0;
     }
+  }
+
+  private void removeBody(int slot) {
+    while (joints.firstEnd(slot) >= 0) {
+      removeJoint(joints.firstEnd(slot) >> 1);
+    }
+    dynamics.destroy(slot, listener == null ? null : events);
+    handles[slot] = null;
+    structure = nextStructure++;
+    contactsIndexed = false;
+  }
+
+  private void removeJoint(int slot) {
+    dynamics.destroyJoint(slot);
+    jointHandles[slot] = null;
+    jointStructure = nextStructure++;
+  }
+
+  /**
+   * Makes a joint. In a callback before the solver it acts in this step already; that the bodies no
+   * longer collide takes effect in the next one.
+   *
+   * @param d what it is made from
+   * @return its handle
+   * @throws IllegalStateException if a body was destroyed, or during a query
+   */
+  public Joint<T> createJoint(JointDef<T> d) {
+    refuseDuringQuery("createJoint");
+    own(d.bodyB);
+    if (d.bodyA != null) {
+      own(d.bodyA);
+    }
+    int a = d.bodyA == null ? -1 : d.bodyA.index();
+    int b = d.bodyB.index();
+    float cA = a < 0 ? 1 : store.cos[a];
+    float sA = a < 0 ? 0 : store.sin[a];
+    int j = dynamics.createJoint((byte) d.type.ordinal(), a, b);
+    joints.flags[j] = d.flags();
+    joints.anchorAx[j] = a < 0 ? d.ax : localX(a, d.ax, d.ay);
+    joints.anchorAy[j] = a < 0 ? d.ay : localY(a, d.ax, d.ay);
+    joints.anchorBx[j] = localX(b, d.bx, d.by);
+    joints.anchorBy[j] = localY(b, d.bx, d.by);
+    joints.axisX[j] = cA * d.axisX + sA * d.axisY;
+    joints.axisY[j] = cA * d.axisY - sA * d.axisX;
+    joints.refCos[j] = store.cos[b] * cA + store.sin[b] * sA;
+    joints.refSin[j] = store.sin[b] * cA - store.cos[b] * sA;
+    joints.rest[j] = d.rest;
+    if (!d.restGiven && d.type == JointType.DISTANCE) {
+      float dx = d.bx - d.ax;
+      float dy = d.by - d.ay;
+      joints.rest[j] = (float) Math.sqrt(dx * dx + dy * dy);
+    }
+    joints.lower[j] = d.lower;
+    joints.upper[j] = d.upper;
+    joints.motorSpeed[j] = d.motorSpeed;
+    joints.motorMax[j] = d.motorMax;
+    joints.hertz[j] = d.hertz;
+    joints.damping[j] = d.damping;
+    joints.angularHertz[j] = d.angularHertz;
+    joints.angularDamping[j] = d.angularDamping;
+    joints.maxForce[j] = d.maxForce;
+    joints.maxTorque[j] = d.maxTorque;
+    joints.breakForce[j] = d.breakForce;
+    joints.breakTorque[j] = d.breakTorque;
+    if (d.breakForce < Float.POSITIVE_INFINITY || d.breakTorque < Float.POSITIVE_INFINITY) {
+      dynamics.watchBreaking();
+    }
+    if (j >= jointHandles.length) {
+      jointHandles = Arrays.copyOf(jointHandles, Math.max(j + 1, jointHandles.length * 2));
+    }
+    Joint<T> joint = new Joint<>(this, joints, j, d.type);
+    jointHandles[j] = joint;
+    jointStructure = nextStructure++;
+    return joint;
+  }
+
+  private void own(Body<T> body) {
+    body.check();
+    if (body.world() != this) {
+      throw new IllegalArgumentException("body=" + body + " belongs to another world");
+    }
+  }
+
+  /** A point of the world in a body's frame. */
+  private float localX(int body, float x, float y) {
+    float dx = x - store.x[body];
+    float dy = y - store.y[body];
+    return store.localX[body] + (store.cos[body] * dx + store.sin[body] * dy);
+  }
+
+  private float localY(int body, float x, float y) {
+    float dx = x - store.x[body];
+    float dy = y - store.y[body];
+    return store.localY[body] + (store.cos[body] * dy - store.sin[body] * dx);
+  }
+
+  /**
+   * Removes a joint; in a callback at the end of the step.
+   *
+   * @param joint of this world
+   * @throws IllegalStateException if it was destroyed before, or during a query
+   */
+  public void destroyJoint(Joint<T> joint) {
+    refuseDuringQuery("destroyJoint");
+    joint.check();
+    if (joint.world() != this) {
+      throw new IllegalArgumentException("joint=" + joint + " belongs to another world");
+    }
+    request(DESTROY_JOINT, joint.index(), joint.generation());
+  }
+
+  /**
+   * The number of joints.
+   *
+   * @return all types together
+   */
+  public int jointCount() {
+    return joints.count();
+  }
+
+  /**
+   * The joint in a slot.
+   *
+   * @param index see {@link Joint#index()}
+   * @return null if there is none
+   */
+  @SuppressWarnings("unchecked")
+  public Joint<T> joint(int index) {
+    return index >= 0 && index < jointHandles.length ? (Joint<T>) jointHandles[index] : null;
+  }
+
+  /**
+   * Visits all joints by ascending index.
+   *
+   * @param visitor receives them
+   */
+  public void forEachJoint(Consumer<Joint<T>> visitor) {
+    for (int i = 0; i < joints.slots(); i++) {
+      Joint<T> joint = joint(i);
+      if (joint != null) {
+        visitor.accept(joint);
+      }
+    }
+  }
+
+  /** Visits the joints of a body. */
+  void forEachJoint(int body, Consumer<Joint<T>> visitor) {
+    int end = joints.firstEnd(body);
+    while (end >= 0) {
+      int next = joints.nextEnd(end);
+      visitor.accept(joint(end >> 1));
+      end = next;
+    }
+  }
+
+  /**
+   * Sets who hears about breaking joints; not part of the state.
+   *
+   * @param newListener null for nobody
+   */
+  public void jointListener(JointListener<T> newListener) {
+    jointListener = newListener;
+  }
+
+  private void broke(int slot) {
+    Joint<T> joint = joint(slot);
+    if (jointListener != null) {
+      jointListener.broke(joint);
+    }
+    request(DESTROY_JOINT, slot, joint.generation());
   }
 
   /**
@@ -237,11 +433,11 @@ public final class World<T> {
     stepping = true;
     contactsIndexed = false;
     try {
-      dynamics.step(dtSeconds, listener == null ? null : events);
-      bury();
+      dynamics.step(dtSeconds, listener == null ? null : events, onBroke);
+      carryOut();
     } finally {
       stepping = false;
-      doomedCount = 0;
+      pendingCount = 0;
     }
   }
 
@@ -279,8 +475,8 @@ public final class World<T> {
 
   /**
    * 64 bits that are equal if two worlds made with equal definitions will behave equally: poses,
-   * velocities, pending forces, masses, shapes, contacts with their impulses, and the order in
-   * which slots will be given out. Users, listeners and the broadphase are not in it.
+   * velocities, pending forces, masses, shapes, contacts and joints with their impulses, and the
+   * order in which slots will be given out. Users, listeners and the broadphase are not in it.
    *
    * @return the hash
    */
@@ -310,6 +506,17 @@ public final class World<T> {
       s.slots = slots;
       s.structure = structure;
     }
+    if (s.jointStructure != jointStructure) {
+      int slots = joints.slots();
+      if (s.jointHandles.length < slots) {
+        s.jointHandles = new Object[jointHandles.length];
+      } else if (s.jointSlots > slots) {
+        Arrays.fill(s.jointHandles, slots, s.jointSlots, null);
+      }
+      System.arraycopy(jointHandles, 0, s.jointHandles, 0, slots);
+      s.jointSlots = slots;
+      s.jointStructure = jointStructure;
+    }
     return s;
   }
 
@@ -332,6 +539,12 @@ public final class World<T> {
       System.arraycopy(s.handles, 0, handles, 0, slots);
       Arrays.fill(handles, slots, handles.length, null);
       structure = s.structure;
+    }
+    if (s.jointStructure != jointStructure) {
+      int slots = joints.slots();
+      System.arraycopy(s.jointHandles, 0, jointHandles, 0, slots);
+      Arrays.fill(jointHandles, slots, jointHandles.length, null);
+      jointStructure = s.jointStructure;
     }
     contactsIndexed = false;
   }
@@ -620,6 +833,10 @@ public final class World<T> {
   void moved(int slot) {
     refuseDuringQuery("setPose");
     dynamics.moved(slot);
+  }
+
+  BodyStore store() {
+    return store;
   }
 
   Dynamics dynamics() {

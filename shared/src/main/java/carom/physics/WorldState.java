@@ -14,7 +14,10 @@ public final class WorldState {
   final Dynamics.State dynamics = new Dynamics.State();
   Object[] handles = new Object[0];
   int slots;
+  Object[] jointHandles = new Object[0];
+  int jointSlots;
   long structure = -1;
+  long jointStructure = -1;
 
   WorldState(Object owner) {
     this.owner = owner;

@@ -1,18 +1,21 @@
 package carom.client.desktop;
 
+import carom.physics.Body;
+import carom.physics.Joint;
 import carom.physics.World;
 import carom.sim.Entity;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.graphics.OrthographicCamera;
 
 /**
- * What the physics sees: shapes, AABBs, KD-tree cells and contacts of the predicted world, over the
- * picture. Render thread only.
+ * What the physics sees: shapes, AABBs, KD-tree cells, joints and contacts of the predicted world,
+ * over the picture. Render thread only.
  */
 final class DebugPainter {
   private static final Color SHAPE = new Color(1, 1, 1, 0.9f);
   private static final Color AABB = new Color(0.35f, 0.85f, 1, 0.45f);
   private static final Color CONTACT = new Color(1, 0.35f, 0.3f, 1);
+  private static final Color JOINT = new Color(1, 0.85f, 0.2f, 0.9f);
   private static final float NORMAL_M = 0.5f;
   private static final float CELL_HUES = 47;
 
@@ -43,12 +46,30 @@ final class DebugPainter {
             shapes.outline(body.shape(i), lineM, SHAPE);
           }
         });
+    world.forEachJoint(joint -> joint(joint, 3 / pixelsPerMetre));
     world.forEachContact(
         (x, y, normalX, normalY, separation, impulse) -> {
           canvas.disc(x, y, 3.5f / pixelsPerMetre, CONTACT);
           canvas.line(x, y, x + normalX * NORMAL_M, y + normalY * NORMAL_M, lineM, CONTACT);
         });
     canvas.end();
+  }
+
+  /** From body to anchor to anchor to body. */
+  private void joint(Joint<Entity> joint, float radius) {
+    float ax = joint.anchorAX();
+    float ay = joint.anchorAY();
+    float bx = joint.anchorBX();
+    float by = joint.anchorBY();
+    Body<Entity> a = joint.bodyA();
+    Body<Entity> b = joint.bodyB();
+    if (a != null) {
+      canvas.line(a.centerX(), a.centerY(), ax, ay, lineM, JOINT);
+    }
+    canvas.line(ax, ay, bx, by, lineM, JOINT);
+    canvas.line(bx, by, b.centerX(), b.centerY(), lineM, JOINT);
+    canvas.disc(ax, ay, radius, JOINT);
+    canvas.disc(bx, by, radius, JOINT);
   }
 
   private void frame(float minX, float minY, float maxX, float maxY, Color color) {

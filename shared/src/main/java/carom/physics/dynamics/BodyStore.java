@@ -315,6 +315,7 @@ public final class BodyStore {
     for (int f = 0; f < floats.length; f++) {
       System.arraycopy(floats[f], 0, to.floats[f], 0, slots);
     }
+    Arrays.fill(to.generation, slots, Math.max(slots, to.slots), 0);
     to.freeCount = freeCount;
     to.slots = slots;
     to.count = count;

@@ -26,6 +26,9 @@ public final class ContactTable {
   /** Flag: one of the parts is a sensor; there are no points, then, and no response. */
   static final byte SENSOR = 8;
 
+  /** Flag: filters, joints or the bodies' types keep the parts from touching since a change. */
+  static final byte IGNORED = 16;
+
   private static final int FIRST_CAPACITY = 128;
 
   long[] key = new long[FIRST_CAPACITY];
@@ -274,9 +277,9 @@ public final class ContactTable {
     int oldId1 = id1[row];
     int n = m.count;
     boolean touched = (flags[row] & TOUCHING) != 0;
-    int kept = flags[row] & SENSOR;
+    int kept = flags[row] & (SENSOR | IGNORED);
     flags[row] = (byte) ((n > 0 ? TOUCHING : 0) | (touched ? WAS_TOUCHING : 0) | kept);
-    if (kept != 0) {
+    if ((kept & SENSOR) != 0) {
       return;
     }
     points[row] = (byte) n;
@@ -338,7 +341,8 @@ public final class ContactTable {
   void merge(long[] candidates, int candidateCount, BodyStore bodies, ShapeTable parts) {
     int kept = 0;
     for (int row = 0; row < count; row++) {
-      if ((flags[row] & TOUCHING) != 0 || parts.fat.overlaps(partA[row], partB[row])) {
+      if ((flags[row] & TOUCHING) != 0
+          || ((flags[row] & IGNORED) == 0 && parts.fat.overlaps(partA[row], partB[row]))) {
         move(row, kept++);
       }
     }
@@ -372,6 +376,11 @@ public final class ContactTable {
         start(to--, candidates[next--], bodies, parts);
       }
     }
+  }
+
+  /** Whether the parts may touch; if not, what touches ends with the next update. */
+  void ignore(int row, boolean ignored) {
+    flags[row] = (byte) (ignored ? flags[row] | IGNORED : flags[row] & ~IGNORED);
   }
 
   /** Drops all rows of a body. */

@@ -19,12 +19,12 @@ import java.util.Arrays;
  *
  * <p><b>A step</b>: refresh fat boxes; search pairs if a box changed; one manifold per pair; tell
  * the owner (end, begin, pre-solve); then {@code substeps} times: integrate velocities, warm start,
- * solve with bias, integrate positions, relax; bounce; write back; tell the owner (post-solve);
- * carry out what was deferred.
+ * solve with bias, integrate positions, relax (joints before contacts); bounce; write back; tell
+ * the owner (post-solve, broken joints); carry out what was deferred.
  *
- * <p><b>Order.</b> Contacts are always visited by ascending {@link ContactKey}. Everything else in
- * a step is independent per body. So the result depends on the state alone, never on the shape of a
- * tree or on when a pair was found.
+ * <p><b>Order.</b> Contacts are always visited by ascending {@link ContactKey}, joints by ascending
+ * slot. Everything else in a step is independent per body. So the result depends on the state
+ * alone, never on the shape of a tree or on when a pair was found.
  *
  * <p>One thread at a time. A steady step allocates nothing.
  */
@@ -35,8 +35,10 @@ public final class Dynamics {
   private final BodyStore bodies = new BodyStore();
   private final ShapeTable parts = new ShapeTable();
   private final ContactTable contacts = new ContactTable();
+  private final JointStore joints = new JointStore();
   private final SolverBodies solverBodies = new SolverBodies();
   private final ContactSolver solver = new ContactSolver();
+  private final JointSolver jointSolver = new JointSolver();
   private final Collider collider = new Collider();
   private final Manifold manifold = new Manifold();
   private final Transform poseA = new Transform();
@@ -53,6 +55,12 @@ public final class Dynamics {
 
   /** Whether all pairs must be searched, for instance because a static body is new. */
   private boolean searchAll;
+
+  /** Whether it must be decided anew which pairs may touch. */
+  private boolean rulesStale;
+
+  /** Whether any joint ever could break. */
+  private boolean breakable;
 
   /** Whether poses changed since fat boxes were refreshed. */
   private boolean boxesStale;
@@ -252,6 +260,64 @@ public final class Dynamics {
   }
 
   /**
+   * The joints; their parameters may be written between steps.
+   *
+   * @return the live store
+   */
+  public JointStore joints() {
+    return joints;
+  }
+
+  /**
+   * Makes a joint without flags; the caller fills it in.
+   *
+   * @param type one of {@link JointStore}'s types
+   * @param bodyA a slot, -1 for the world
+   * @param bodyB a slot
+   * @return the joint's slot
+   */
+  public int createJoint(byte type, int bodyA, int bodyB) {
+    rulesStale = true;
+    return joints.allocate(type, bodyA, bodyB);
+  }
+
+  /**
+   * Removes a joint.
+   *
+   * @param joint a slot in use
+   */
+  public void destroyJoint(int joint) {
+    joints.release(joint);
+    rulesStale = true;
+  }
+
+  /** Must be called when a joint can break; before, nobody looks. */
+  public void watchBreaking() {
+    breakable = true;
+  }
+
+  /** Decides for each row whether its parts still may touch, and has new pairs searched. */
+  private void refilter() {
+    if (!rulesStale) {
+      return;
+    }
+    rulesStale = false;
+    searchAll = true;
+    for (int row = 0; row < contacts.count(); row++) {
+      contacts.ignore(row, !mayTouch(contacts.partA[row], contacts.partB[row]));
+    }
+  }
+
+  /** Whether filters, joints and types let two parts touch. */
+  private boolean mayTouch(int p, int q) {
+    int a = parts.body[p];
+    int b = parts.body[q];
+    return (bodies.invMass[a] != 0 || bodies.invMass[b] != 0)
+        && parts.meet(p, q)
+        && (joints.count() == 0 || !joints.keepsApart(a, b));
+  }
+
+  /**
    * Must be called after a pose was changed by hand.
    *
    * @param body the slot
@@ -286,8 +352,9 @@ public final class Dynamics {
    *
    * @param dt s, checked by the caller
    * @param events is told what happens, null for nobody
+   * @param jointEvents is told what breaks
    */
-  public void step(float dt, ContactEvents events) {
+  public void step(float dt, ContactEvents events, JointEvents jointEvents) {
     lastStep = dt;
     for (int i = 0; i < activeCount; i++) {
       if (bodies.type[active[i]] == BodyStore.DYNAMIC) {
@@ -295,6 +362,7 @@ public final class Dynamics {
       }
     }
     boxesStale = true;
+    refilter();
     refreshBoxes();
     findPairs();
     collide();
@@ -308,6 +376,23 @@ public final class Dynamics {
         if (contacts.points[row] > 0 && (contacts.flags[row] & ContactTable.VETOED) == 0) {
           events.postSolve(row);
         }
+      }
+    }
+    if (breakable) {
+      breakJoints(jointEvents);
+    }
+  }
+
+  private void breakJoints(JointEvents events) {
+    for (int j = 0; j < joints.slots(); j++) {
+      if (joints.type[j] == JointStore.FREE) {
+        continue;
+      }
+      float x = joints.forceX[j];
+      float y = joints.forceY[j];
+      float most = joints.breakForce[j];
+      if (x * x + y * y > most * most || Math.abs(joints.torque[j]) > joints.breakTorque[j]) {
+        events.broke(j);
       }
     }
   }
@@ -401,15 +486,16 @@ public final class Dynamics {
   private void candidate(int p, int q) {
     int a = parts.body[p];
     int b = parts.body[q];
-    if (a == b || (bodies.invMass[a] == 0 && bodies.invMass[b] == 0)) {
+    if (a == b || !mayTouch(p, q)) {
       return;
     }
     if (a > b) {
-      candidate(q, p);
-      return;
-    }
-    if (!parts.meet(p, q)) {
-      return;
+      int swap = a;
+      a = b;
+      b = swap;
+      swap = p;
+      p = q;
+      q = swap;
     }
     if (candidateCount == candidates.length) {
       candidates = Arrays.copyOf(candidates, candidateCount * 2);
@@ -427,8 +513,12 @@ public final class Dynamics {
       place(parts.body[partA], poseA);
       place(parts.body[partB], poseB);
       boolean sensor = contacts.sensor(row);
-      collider.collide(
-          parts.convex[partA], poseA, parts.convex[partB], poseB, sensor ? 0 : distance, manifold);
+      float reach = sensor ? 0 : distance;
+      if ((contacts.flags[row] & ContactTable.IGNORED) != 0) {
+        manifold.count = 0;
+      } else {
+        collider.collide(parts.convex[partA], poseA, parts.convex[partB], poseB, reach, manifold);
+      }
       contacts.update(row, manifold);
       if (manifold.count > 0 && !sensor) {
         touching++;
@@ -461,15 +551,21 @@ public final class Dynamics {
     solver.prepare(contacts, bodies, solverBodies, activeIndex, settings, h);
     float[] state = solverBodies.state;
     int n = solver.count();
+    jointSolver.prepare(joints, bodies, activeIndex, settings, h, state);
+    int m = jointSolver.count();
     for (int i = 0; i < substeps; i++) {
       solverBodies.integrateVelocities(h, settings.maxSpeed(), settings.maxAngularSpeed());
+      jointSolver.warmStart(0, m);
       solver.warmStart(state, 0, n);
+      jointSolver.solve(0, m, true);
       solver.solve(state, 0, n, h, true, settings);
       solverBodies.integratePositions(h);
+      jointSolver.solve(0, m, false);
       solver.solve(state, 0, n, h, false, settings);
     }
     solver.restitution(state, h);
     solver.store(contacts);
+    jointSolver.store();
     solverBodies.store(bodies, active);
   }
 
@@ -612,7 +708,7 @@ public final class Dynamics {
    * @return 64 bits
    */
   public long hash() {
-    return StateHash.finish(contacts.hash(bodies.hash(StateHash.SEED)));
+    return StateHash.finish(joints.hash(contacts.hash(bodies.hash(StateHash.SEED))));
   }
 
   /** The state of a world at one moment. */
@@ -620,6 +716,7 @@ public final class Dynamics {
     private final BodyStore bodies = new BodyStore();
     private final ShapeTable parts = new ShapeTable();
     private final ContactTable contacts = new ContactTable();
+    private final JointStore joints = new JointStore();
 
     /** Makes an empty state to save into. */
     public State() {}
@@ -637,6 +734,7 @@ public final class Dynamics {
       parts.copyTo(to.parts);
     }
     contacts.copyTo(to.contacts);
+    joints.copyTo(to.joints);
   }
 
   /**
@@ -649,6 +747,8 @@ public final class Dynamics {
   public void restore(State from, boolean sameStructure) {
     from.bodies.copyTo(bodies);
     from.contacts.copyTo(contacts);
+    from.joints.copyTo(joints);
+    rulesStale = true;
     if (sameStructure) {
       restoreFixedBoxes();
     } else {

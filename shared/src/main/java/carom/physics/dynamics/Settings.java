@@ -16,6 +16,8 @@ package carom.physics.dynamics;
  * @param aabbMargin m
  * @param maxSpeed m/s
  * @param maxAngularSpeed rad/s
+ * @param jointHertz 1/s
+ * @param jointDampingRatio 1 = critical
  */
 public record Settings(
     float gravityX,
@@ -29,4 +31,6 @@ public record Settings(
     float speculativeDistance,
     float aabbMargin,
     float maxSpeed,
-    float maxAngularSpeed) {}
+    float maxAngularSpeed,
+    float jointHertz,
+    float jointDampingRatio) {}

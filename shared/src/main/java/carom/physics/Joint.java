@@ -1,0 +1,382 @@
+package carom.physics;
+
+import carom.physics.dynamics.BodyStore;
+import carom.physics.dynamics.Checks;
+import carom.physics.dynamics.JointStore;
+import carom.physics.math.Trig;
+
+/**
+ * A joint: a light handle (index and generation) on the world's arrays. There is one handle per
+ * joint, so handles may be compared with ==.
+ *
+ * <p>A joint lives until it is destroyed, breaks, or one of its bodies is destroyed; after that all
+ * methods but {@link #isValid}, {@link #index}, {@link #generation} and {@link #type} throw
+ * IllegalStateException, and so do setters of what the joint's type doesn't have. Nothing
+ * allocates.
+ *
+ * <p>What is set acts from the next step on. Joints are solved in the order of their indices.
+ *
+ * @param <T> the user's type of {@link Body#user()}
+ */
+public final class Joint<T> {
+  private final World<T> world;
+  private final JointStore store;
+  private final int index;
+  private final int generation;
+  private final JointType type;
+
+  Joint(World<T> world, JointStore store, int index, JointType type) {
+    this.world = world;
+    this.store = store;
+    this.index = index;
+    this.generation = store.generation[index];
+    this.type = type;
+  }
+
+  void check() {
+    if (!store.alive(index, generation)) {
+      throw new IllegalStateException(
+          "joint=" + index + " generation=" + generation + " was destroyed; see isValid()");
+    }
+  }
+
+  World<T> world() {
+    return world;
+  }
+
+  /**
+   * The joint's slot, used again after it is destroyed.
+   *
+   * @return 0 or more
+   */
+  public int index() {
+    return index;
+  }
+
+  /**
+   * Tells the joints apart that used the same slot.
+   *
+   * @return 0 or more
+   */
+  public int generation() {
+    return generation;
+  }
+
+  /**
+   * Whether the joint still exists.
+   *
+   * @return false once it was destroyed
+   */
+  public boolean isValid() {
+    return store.alive(index, generation);
+  }
+
+  /**
+   * What it does.
+   *
+   * @return never changes
+   */
+  public JointType type() {
+    return type;
+  }
+
+  /**
+   * The first body.
+   *
+   * @return null if the world takes its place
+   */
+  public Body<T> bodyA() {
+    check();
+    return world.body(store.bodyA[index]);
+  }
+
+  /**
+   * The second body.
+   *
+   * @return never null
+   */
+  public Body<T> bodyB() {
+    check();
+    return world.body(store.bodyB[index]);
+  }
+
+  /**
+   * A's anchor, now; the target of a mouse joint.
+   *
+   * @return x, m, world
+   */
+  public float anchorAX() {
+    return anchorX(store.bodyA, store.anchorAx, store.anchorAy);
+  }
+
+  /**
+   * A's anchor, now; the target of a mouse joint.
+   *
+   * @return y, m, world
+   */
+  public float anchorAY() {
+    return anchorY(store.bodyA, store.anchorAx, store.anchorAy);
+  }
+
+  /**
+   * B's anchor, now.
+   *
+   * @return x, m, world
+   */
+  public float anchorBX() {
+    return anchorX(store.bodyB, store.anchorBx, store.anchorBy);
+  }
+
+  /**
+   * B's anchor, now.
+   *
+   * @return y, m, world
+   */
+  public float anchorBY() {
+    return anchorY(store.bodyB, store.anchorBx, store.anchorBy);
+  }
+
+  private float anchorX(int[] bodies, float[] xs, float[] ys) {
+    check();
+    int body = bodies[index];
+    if (body < 0) {
+      return xs[index];
+    }
+    BodyStore b = world.store();
+    float x = xs[index] - b.localX[body];
+    float y = ys[index] - b.localY[body];
+    return b.x[body] + (b.cos[body] * x - b.sin[body] * y);
+  }
+
+  private float anchorY(int[] bodies, float[] xs, float[] ys) {
+    check();
+    int body = bodies[index];
+    if (body < 0) {
+      return ys[index];
+    }
+    BodyStore b = world.store();
+    float x = xs[index] - b.localX[body];
+    float y = ys[index] - b.localY[body];
+    return b.y[body] + (b.sin[body] * x + b.cos[body] * y);
+  }
+
+  /**
+   * Angle of B relative to A, 0 as it was when the joint was made.
+   *
+   * @return rad, -pi to pi
+   */
+  public float angle() {
+    check();
+    BodyStore b = world.store();
+    int one = store.bodyA[index];
+    int two = store.bodyB[index];
+    float cA = one < 0 ? 1 : b.cos[one];
+    float sA = one < 0 ? 0 : b.sin[one];
+    float c = b.cos[two] * cA + b.sin[two] * sA;
+    float s = b.sin[two] * cA - b.cos[two] * sA;
+    float refCos = store.refCos[index];
+    float refSin = store.refSin[index];
+    return Trig.atan2(s * refCos - c * refSin, c * refCos + s * refSin);
+  }
+
+  /**
+   * What limits and spring act on, see {@link JointType}.
+   *
+   * @return m or rad
+   */
+  public float coordinate() {
+    check();
+    float dx = anchorBX() - anchorAX();
+    float dy = anchorBY() - anchorAY();
+    return switch (type) {
+      case DISTANCE -> (float) Math.sqrt(dx * dx + dy * dy);
+      case PRISMATIC, WHEEL -> {
+        BodyStore b = world.store();
+        int one = store.bodyA[index];
+        float c = one < 0 ? 1 : b.cos[one];
+        float s = one < 0 ? 0 : b.sin[one];
+        float x = store.axisX[index];
+        float y = store.axisY[index];
+        yield (c * x - s * y) * dx + (s * x + c * y) * dy;
+      }
+      case REVOLUTE, WELD, MOTOR, MOUSE -> angle();
+    };
+  }
+
+  /**
+   * Force on B at its anchor in the last substep; A feels the opposite.
+   *
+   * @return x, N, world
+   */
+  public float forceX() {
+    check();
+    return store.forceX[index];
+  }
+
+  /**
+   * Force on B at its anchor in the last substep; A feels the opposite.
+   *
+   * @return y, N, world
+   */
+  public float forceY() {
+    check();
+    return store.forceY[index];
+  }
+
+  /**
+   * Torque on B in the last substep, apart from that of the force; A feels the opposite.
+   *
+   * @return N m
+   */
+  public float torque() {
+    check();
+    return store.torque[index];
+  }
+
+  /**
+   * Whether the two bodies collide with each other.
+   *
+   * @return as it was made
+   */
+  public boolean collideConnected() {
+    check();
+    return (store.flags[index] & JointStore.COLLIDE) != 0;
+  }
+
+  /**
+   * Starts the motor, or changes its goal.
+   *
+   * @param speed m/s or rad/s, see {@link JointDef#motor(float, float)}
+   * @param max the most it gives for that, N or N m
+   */
+  public void setMotor(float speed, float max) {
+    refuseUnless(JointDef.hasMotor(type), "setMotor");
+    Checks.velocity("speed", speed);
+    Checks.range("max", max, 0, Checks.MAX_FORCE);
+    store.motorSpeed[index] = speed;
+    store.motorMax[index] = max;
+    raise(JointStore.DRIVEN);
+  }
+
+  /** Lets the motor run idle; nothing if there is none. */
+  public void stopMotor() {
+    check();
+    clear(JointStore.DRIVEN);
+    store.motorImpulse[index] = 0;
+  }
+
+  /**
+   * Limits the coordinate, or changes the limits.
+   *
+   * @param lower lower limit, m or rad
+   * @param upper upper limit, not below the lower one
+   */
+  public void setLimits(float lower, float upper) {
+    refuseUnless(JointDef.hasLimits(type), "setLimits");
+    float most = type == JointType.REVOLUTE ? Trig.PI : Checks.MAX_COORDINATE;
+    Checks.range("lower", lower, type == JointType.DISTANCE ? 0 : -most, most);
+    Checks.range("upper", upper, lower, most);
+    store.lower[index] = lower;
+    store.upper[index] = upper;
+    raise(JointStore.LIMITED);
+  }
+
+  /** Takes the limits away; a rope becomes a rod of its rest length. */
+  public void removeLimits() {
+    check();
+    clear(JointStore.LIMITED);
+    store.lowerImpulse[index] = 0;
+    store.upperImpulse[index] = 0;
+  }
+
+  /**
+   * Puts a spring on the coordinate, or on the point of a weld, motor or mouse joint, or changes
+   * it.
+   *
+   * @param hertz 1/s, 0 to 1000; 0 makes a weld rigid
+   * @param dampingRatio 0 to 100
+   */
+  public void setSpring(float hertz, float dampingRatio) {
+    check();
+    Checks.range("hertz", hertz, 0, 1e3f);
+    Checks.range("dampingRatio", dampingRatio, 0, 100);
+    store.hertz[index] = hertz;
+    store.damping[index] = dampingRatio;
+    if (JointDef.hasCoordinateSpring(type)) {
+      raise(JointStore.SPRUNG);
+    }
+  }
+
+  /** Takes the spring on the coordinate away; a spring becomes a rod of its rest length. */
+  public void removeSpring() {
+    refuseUnless(JointDef.hasCoordinateSpring(type), "removeSpring");
+    clear(JointStore.SPRUNG);
+    store.springImpulse[index] = 0;
+  }
+
+  /**
+   * Sets where the spring is at ease, and the length of a rod.
+   *
+   * @param coordinate m or rad, see {@link JointType}
+   */
+  public void setRest(float coordinate) {
+    refuseUnless(JointDef.hasLimits(type), "setRest");
+    store.rest[index] = Checks.coordinate("rest", coordinate);
+  }
+
+  /**
+   * Where the spring is at ease, and the length of a rod.
+   *
+   * @return m or rad, see {@link JointType}
+   */
+  public float rest() {
+    check();
+    return store.rest[index];
+  }
+
+  /**
+   * Moves the point that B's anchor is drawn to by a motor or mouse joint.
+   *
+   * @param x m, in the frame of A, of the world without A
+   * @param y m
+   */
+  public void setTarget(float x, float y) {
+    refuseUnless(type == JointType.MOTOR || type == JointType.MOUSE, "setTarget");
+    Checks.coordinate("x", x);
+    Checks.coordinate("y", y);
+    store.anchorAx[index] = x;
+    store.anchorAy[index] = y;
+  }
+
+  /**
+   * Turns the angle that B is drawn to by a motor joint.
+   *
+   * @param angleRad rad, of B relative to A, or to the world without A
+   */
+  public void setTargetAngle(float angleRad) {
+    refuseUnless(type == JointType.MOTOR, "setTargetAngle");
+    Checks.range("angle", angleRad, -1e5f, 1e5f);
+    store.refCos[index] = Trig.cos(angleRad);
+    store.refSin[index] = Trig.sin(angleRad);
+  }
+
+  private void raise(byte flag) {
+    store.flags[index] |= flag;
+  }
+
+  private void clear(byte flag) {
+    store.flags[index] &= (byte) ~flag;
+  }
+
+  private void refuseUnless(boolean possible, String what) {
+    check();
+    if (!possible) {
+      throw new IllegalStateException(what + " is not possible for type=" + type);
+    }
+  }
+
+  @Override
+  public String toString() {
+    return "Joint(" + type + " " + index + ":" + generation + ")";
+  }
+}

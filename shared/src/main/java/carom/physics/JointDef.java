@@ -1,0 +1,362 @@
+package carom.physics;
+
+import carom.physics.dynamics.Checks;
+import carom.physics.dynamics.JointStore;
+import carom.physics.math.Trig;
+
+/**
+ * What a joint is made from; mutable, fluent. Begin with one of the factories.
+ *
+ * <p>Anchors and axes are given in world coordinates and are fixed to the bodies where these are
+ * when {@link World#createJoint} is called; angles and translations count from there. Body A may be
+ * null: then the world takes its place. Unless {@link #collideConnected} says otherwise, the two
+ * bodies don't collide with each other.
+ *
+ * <pre>
+ *   world.createJoint(JointDef.revolute(car, flap, 2, 1).limits(-0.5f, 0.5f).motor(1, 20))
+ * </pre>
+ *
+ * @param <T> the user's type of {@link Body#user()}
+ */
+public final class JointDef<T> {
+  private static final float MAX_LENGTH = 1e6f;
+  private static final float MAX_HERTZ = 1e3f;
+
+  final JointType type;
+  final Body<T> bodyA;
+  final Body<T> bodyB;
+  float ax;
+  float ay;
+  float bx;
+  float by;
+  float axisX = 1;
+  float axisY;
+  boolean collideConnected;
+  boolean limited;
+  boolean driven;
+  boolean sprung;
+  float rest;
+  boolean restGiven;
+  float lower;
+  float upper;
+  float motorSpeed;
+  float motorMax;
+  float hertz;
+  float damping;
+  float angularHertz;
+  float angularDamping;
+  float maxForce;
+  float maxTorque;
+  float breakForce = Float.POSITIVE_INFINITY;
+  float breakTorque = Float.POSITIVE_INFINITY;
+
+  private JointDef(JointType type, Body<T> bodyA, Body<T> bodyB) {
+    if (bodyB == null) {
+      throw new IllegalArgumentException("bodyB=null; only bodyA may be null, for the world");
+    }
+    if (bodyA == bodyB) {
+      throw new IllegalArgumentException("bodyA=bodyB=" + bodyB + "; a joint needs two bodies");
+    }
+    this.type = type;
+    this.bodyA = bodyA;
+    this.bodyB = bodyB;
+  }
+
+  private JointDef<T> anchors(float newAx, float newAy, float newBx, float newBy) {
+    ax = Checks.coordinate("anchorAX", newAx);
+    ay = Checks.coordinate("anchorAY", newAy);
+    bx = Checks.coordinate("anchorBX", newBx);
+    by = Checks.coordinate("anchorBY", newBy);
+    return this;
+  }
+
+  private JointDef<T> axis(float x, float y) {
+    float square = x * x + y * y;
+    if (!(square >= 1e-12f && square <= 1e12f)) {
+      throw new IllegalArgumentException(
+          "axisX=" + x + " axisY=" + y + " is not a direction; give it a length near 1");
+    }
+    float length = (float) Math.sqrt(square);
+    axisX = x / length;
+    axisY = y / length;
+    return this;
+  }
+
+  /**
+   * A hinge. {@link #limits}, {@link #motor} and {@link #spring} act on the angle of B relative to
+   * A, 0 as it is now, within -pi to pi.
+   *
+   * @param bodyA a body, or null for the world
+   * @param bodyB the other one
+   * @param x the hinge, m, world
+   * @param y the hinge, m, world
+   * @param <T> the user's type
+   * @return a definition
+   */
+  public static <T> JointDef<T> revolute(Body<T> bodyA, Body<T> bodyB, float x, float y) {
+    return new JointDef<>(JointType.REVOLUTE, bodyA, bodyB).anchors(x, y, x, y);
+  }
+
+  /**
+   * A rod that keeps two points at their distance. With {@link #spring} it becomes a spring, with
+   * {@link #limits} a range; both together are a spring with stops.
+   *
+   * @param bodyA a body, or null for the world
+   * @param bodyB the other one
+   * @param ax point of A, m, world
+   * @param ay point of A, m, world
+   * @param bx point of B, m, world
+   * @param by point of B, m, world
+   * @param <T> the user's type
+   * @return a definition
+   */
+  public static <T> JointDef<T> distance(
+      Body<T> bodyA, Body<T> bodyB, float ax, float ay, float bx, float by) {
+    return new JointDef<>(JointType.DISTANCE, bodyA, bodyB).anchors(ax, ay, bx, by);
+  }
+
+  /**
+   * A rope: two points may come closer than its length, not further.
+   *
+   * @param bodyA a body, or null for the world
+   * @param bodyB the other one
+   * @param ax point of A, m, world
+   * @param ay point of A, m, world
+   * @param bx point of B, m, world
+   * @param by point of B, m, world
+   * @param length m
+   * @param <T> the user's type
+   * @return a definition
+   */
+  public static <T> JointDef<T> rope(
+      Body<T> bodyA, Body<T> bodyB, float ax, float ay, float bx, float by, float length) {
+    return distance(bodyA, bodyB, ax, ay, bx, by).limits(0, length);
+  }
+
+  /**
+   * A slider. {@link #limits}, {@link #motor} and {@link #spring} act on the translation of B along
+   * the axis, 0 as it is now.
+   *
+   * @param bodyA a body, or null for the world; the axis turns with it
+   * @param bodyB the one that slides
+   * @param x a point on the axis, m, world
+   * @param y a point on the axis, m, world
+   * @param axisX direction, world; any length
+   * @param axisY direction, world
+   * @param <T> the user's type
+   * @return a definition
+   */
+  public static <T> JointDef<T> prismatic(
+      Body<T> bodyA, Body<T> bodyB, float x, float y, float axisX, float axisY) {
+    return new JointDef<>(JointType.PRISMATIC, bodyA, bodyB).anchors(x, y, x, y).axis(axisX, axisY);
+  }
+
+  /**
+   * Glue. {@link #spring} makes the point soft, {@link #angularSpring} the angle.
+   *
+   * @param bodyA a body, or null for the world
+   * @param bodyB the other one
+   * @param x where they are glued, m, world
+   * @param y where they are glued, m, world
+   * @param <T> the user's type
+   * @return a definition
+   */
+  public static <T> JointDef<T> weld(Body<T> bodyA, Body<T> bodyB, float x, float y) {
+    return new JointDef<>(JointType.WELD, bodyA, bodyB).anchors(x, y, x, y);
+  }
+
+  /**
+   * A wheel with suspension: B slides along an axis of A and turns freely. {@link #spring} and
+   * {@link #limits} act on the translation, 0 as it is now; {@link #motor} on the rotation.
+   *
+   * @param bodyA the car, or null for the world; the axis turns with it
+   * @param bodyB the wheel
+   * @param x the wheel's axle, m, world
+   * @param y the wheel's axle, m, world
+   * @param axisX direction of the suspension, world; any length
+   * @param axisY direction of the suspension, world
+   * @param <T> the user's type
+   * @return a definition
+   */
+  public static <T> JointDef<T> wheel(
+      Body<T> bodyA, Body<T> bodyB, float x, float y, float axisX, float axisY) {
+    return new JointDef<>(JointType.WHEEL, bodyA, bodyB).anchors(x, y, x, y).axis(axisX, axisY);
+  }
+
+  /**
+   * Draws B to a pose relative to A, now its own, with limited force; see {@link Joint#setTarget}.
+   * The springs that do it have 10 hertz and are critically damped unless {@link #spring} and
+   * {@link #angularSpring} say otherwise.
+   *
+   * @param bodyA a body, or null for the world
+   * @param bodyB the one that is drawn
+   * @param maxForce N, at the centre of mass of B
+   * @param maxTorque N m
+   * @param <T> the user's type
+   * @return a definition
+   */
+  public static <T> JointDef<T> motor(
+      Body<T> bodyA, Body<T> bodyB, float maxForce, float maxTorque) {
+    JointDef<T> d = new JointDef<>(JointType.MOTOR, bodyA, bodyB);
+    d.maxForce = Checks.range("maxForce", maxForce, 0, Checks.MAX_FORCE);
+    d.maxTorque = Checks.range("maxTorque", maxTorque, 0, Checks.MAX_FORCE);
+    float x = bodyB.centerX();
+    float y = bodyB.centerY();
+    return d.anchors(x, y, x, y).spring(10, 1).angularSpring(10, 1);
+  }
+
+  /**
+   * Draws a point of a body to a point of the world, at first the same, with limited force; see
+   * {@link Joint#setTarget}. The spring that does it has 5 hertz and is critically damped unless
+   * {@link #spring} says otherwise.
+   *
+   * @param body what is dragged
+   * @param x where it is held, m, world
+   * @param y where it is held, m, world
+   * @param maxForce N
+   * @param <T> the user's type
+   * @return a definition
+   */
+  public static <T> JointDef<T> mouse(Body<T> body, float x, float y, float maxForce) {
+    JointDef<T> d = new JointDef<>(JointType.MOUSE, null, body);
+    d.maxForce = Checks.range("maxForce", maxForce, 0, Checks.MAX_FORCE);
+    return d.anchors(x, y, x, y).spring(5, 1).collideConnected(true);
+  }
+
+  /**
+   * Limits the coordinate: the angle of a revolute joint (rad, within -pi to pi), the distance of a
+   * distance joint, the translation of a prismatic or wheel joint (m).
+   *
+   * @param newLower lower limit
+   * @param newUpper upper limit, not below the lower one
+   * @return this
+   */
+  public JointDef<T> limits(float newLower, float newUpper) {
+    refuseUnless(hasLimits(type), "limits");
+    float most = type == JointType.REVOLUTE ? Trig.PI : MAX_LENGTH;
+    float least = type == JointType.DISTANCE ? 0 : -most;
+    lower = Checks.range("lower", newLower, least, most);
+    upper = Checks.range("upper", newUpper, lower, most);
+    limited = true;
+    return this;
+  }
+
+  /**
+   * Drives the speed of the coordinate: the angle of a revolute joint, the translation of a
+   * prismatic joint, the rotation of a wheel.
+   *
+   * @param speed m/s or rad/s
+   * @param max the most it gives for that, N or N m
+   * @return this
+   */
+  public JointDef<T> motor(float speed, float max) {
+    refuseUnless(hasMotor(type), "motor");
+    motorSpeed = Checks.velocity("speed", speed);
+    motorMax = Checks.range("max", max, 0, Checks.MAX_FORCE);
+    driven = true;
+    return this;
+  }
+
+  /**
+   * Puts a spring on the coordinate, or on the point of a weld, motor or mouse joint. Its stiffness
+   * is {@code m (2 pi hertz)^2} with the mass m that the joint feels, so that it swings with that
+   * frequency whatever the bodies weigh.
+   *
+   * @param newHertz 1/s, 0 to 1000; beyond a twelfth of the substep rate it is damped additionally
+   * @param dampingRatio 0 swings for ever, 1 just doesn't overshoot
+   * @return this
+   */
+  public JointDef<T> spring(float newHertz, float dampingRatio) {
+    hertz = Checks.range("hertz", newHertz, 0, MAX_HERTZ);
+    damping = Checks.range("dampingRatio", dampingRatio, 0, 100);
+    sprung = hasCoordinateSpring(type);
+    return this;
+  }
+
+  /**
+   * Puts a spring on the angle of a weld or motor joint.
+   *
+   * @param newHertz 1/s, 0 to 1000; 0 makes a weld rigid
+   * @param dampingRatio 0 swings for ever, 1 just doesn't overshoot
+   * @return this
+   */
+  public JointDef<T> angularSpring(float newHertz, float dampingRatio) {
+    refuseUnless(type == JointType.WELD || type == JointType.MOTOR, "angularSpring");
+    angularHertz = Checks.range("hertz", newHertz, 0, MAX_HERTZ);
+    angularDamping = Checks.range("dampingRatio", dampingRatio, 0, 100);
+    return this;
+  }
+
+  /**
+   * Sets where the spring is at ease, and the length of a rod; default: as it is now.
+   *
+   * @param coordinate m or rad, see {@link JointType}
+   * @return this
+   */
+  public JointDef<T> rest(float coordinate) {
+    refuseUnless(hasLimits(type), "rest");
+    float least = type == JointType.DISTANCE ? 0 : -MAX_LENGTH;
+    rest = Checks.range("rest", coordinate, least, MAX_LENGTH);
+    restGiven = true;
+    return this;
+  }
+
+  /**
+   * Sets what the joint bears; beyond, it breaks: it is destroyed at the end of the step, and the
+   * {@link JointListener} hears it.
+   *
+   * @param force N, 0 or more; infinite by default
+   * @param torque N m, 0 or more; infinite by default
+   * @return this
+   */
+  public JointDef<T> breaksAt(float force, float torque) {
+    breakForce = Checks.range("force", force, 0, Float.POSITIVE_INFINITY);
+    breakTorque = Checks.range("torque", torque, 0, Float.POSITIVE_INFINITY);
+    return this;
+  }
+
+  /**
+   * Sets whether the two bodies collide with each other; default false.
+   *
+   * @param collide true if they do
+   * @return this
+   */
+  public JointDef<T> collideConnected(boolean collide) {
+    collideConnected = collide;
+    return this;
+  }
+
+  /** As {@link JointStore} keeps them. */
+  byte flags() {
+    return (byte)
+        ((collideConnected ? JointStore.COLLIDE : 0)
+            | (limited ? JointStore.LIMITED : 0)
+            | (driven ? JointStore.DRIVEN : 0)
+            | (sprung ? JointStore.SPRUNG : 0));
+  }
+
+  static boolean hasLimits(JointType type) {
+    return switch (type) {
+      case REVOLUTE, DISTANCE, PRISMATIC, WHEEL -> true;
+      case WELD, MOTOR, MOUSE -> false;
+    };
+  }
+
+  static boolean hasMotor(JointType type) {
+    return switch (type) {
+      case REVOLUTE, PRISMATIC, WHEEL -> true;
+      case DISTANCE, WELD, MOTOR, MOUSE -> false;
+    };
+  }
+
+  /** Whether the spring is one of several things on the coordinate that can be missing. */
+  static boolean hasCoordinateSpring(JointType type) {
+    return hasLimits(type);
+  }
+
+  private void refuseUnless(boolean possible, String what) {
+    if (!possible) {
+      throw new IllegalStateException(what + " is not possible for type=" + type);
+    }
+  }
+}

@@ -1,0 +1,19 @@
+package carom.physics;
+
+/** What a {@link Joint} does to its two bodies; see the factories of {@link JointDef}. */
+public enum JointType {
+  /** Two points coincide. The coordinate is the angle, rad. */
+  REVOLUTE,
+  /** The distance of two points is held, limited or sprung. The coordinate is the distance, m. */
+  DISTANCE,
+  /** B slides along an axis of A and doesn't turn. The coordinate is the translation, m. */
+  PRISMATIC,
+  /** B is glued to A, rigidly or by springs. The coordinate is the angle, rad. */
+  WELD,
+  /** B slides along an axis of A, and turns. The coordinate is the translation, m. */
+  WHEEL,
+  /** B is drawn to a pose relative to A with limited force. The coordinate is the angle, rad. */
+  MOTOR,
+  /** A point of B is drawn to a point of the world. The coordinate is the angle, rad. */
+  MOUSE
+}

@@ -1,0 +1,453 @@
+package carom.physics.dynamics;
+
+import java.util.Arrays;
+
+/**
+ * All joints of a world as a structure of arrays; the index is the joint's slot, which is also the
+ * order in which joints are solved.
+ *
+ * <p>Slots are reused last in, first out; each reuse has another generation. Each body has a list
+ * of its joints: the ends of joint j are the entries 2 j (of body A) and 2 j + 1 (of body B). The
+ * lists and the free list are part of the state, so that a restored world does the same again.
+ */
+public final class JointStore {
+  /** Type of a free slot. */
+  public static final byte FREE = -1;
+
+  /** Two points coincide; motor, limits and spring act on the angle. */
+  public static final byte REVOLUTE = 0;
+
+  /** The distance of two points is held, limited, or sprung. */
+  public static final byte DISTANCE = 1;
+
+  /** B slides along an axis of A and doesn't turn. */
+  public static final byte PRISMATIC = 2;
+
+  /** Two points and the angle are held, rigidly or by springs. */
+  public static final byte WELD = 3;
+
+  /** B slides along an axis of A by a spring, and turns by a motor. */
+  public static final byte WHEEL = 4;
+
+  /** B is drawn to a pose relative to A with limited force. */
+  public static final byte MOTOR = 5;
+
+  /** A point of B is drawn to a point of the world with limited force. */
+  public static final byte MOUSE = 6;
+
+  /** Flag: the bodies collide with each other. */
+  public static final byte COLLIDE = 1;
+
+  /** Flag: the coordinate is limited. */
+  public static final byte LIMITED = 2;
+
+  /** Flag: the motor runs. */
+  public static final byte DRIVEN = 4;
+
+  /** Flag: there is a spring on the coordinate. */
+  public static final byte SPRUNG = 8;
+
+  private static final int FIRST_CAPACITY = 16;
+
+  /** {@link #FREE} or one of the types. */
+  public byte[] type = new byte[FIRST_CAPACITY];
+
+  /** Flags, added up. */
+  public byte[] flags = new byte[FIRST_CAPACITY];
+
+  /** Counts the lives of a slot. */
+  public int[] generation = new int[FIRST_CAPACITY];
+
+  /** Slot of body A, -1 for the world. */
+  public int[] bodyA = new int[FIRST_CAPACITY];
+
+  /** Slot of body B. */
+  public int[] bodyB = new int[FIRST_CAPACITY];
+
+  /** Anchor in A's frame (the world's without A), m. */
+  public float[] anchorAx = new float[FIRST_CAPACITY];
+
+  /** Anchor in A's frame, m. */
+  public float[] anchorAy = new float[FIRST_CAPACITY];
+
+  /** Anchor in B's frame, m. */
+  public float[] anchorBx = new float[FIRST_CAPACITY];
+
+  /** Anchor in B's frame, m. */
+  public float[] anchorBy = new float[FIRST_CAPACITY];
+
+  /** Unit axis of prismatic and wheel in A's frame. */
+  public float[] axisX = new float[FIRST_CAPACITY];
+
+  /** Unit axis in A's frame. */
+  public float[] axisY = new float[FIRST_CAPACITY];
+
+  /** Rotation of B relative to A that counts as angle 0. */
+  public float[] refCos = new float[FIRST_CAPACITY];
+
+  /** Its imaginary part. */
+  public float[] refSin = new float[FIRST_CAPACITY];
+
+  /** Coordinate where the spring is at ease: length, translation (m) or angle (rad). */
+  public float[] rest = new float[FIRST_CAPACITY];
+
+  /** Lower limit of the coordinate. */
+  public float[] lower = new float[FIRST_CAPACITY];
+
+  /** Upper limit of the coordinate. */
+  public float[] upper = new float[FIRST_CAPACITY];
+
+  /** Goal of the motor, m/s or rad/s. */
+  public float[] motorSpeed = new float[FIRST_CAPACITY];
+
+  /** Most the motor gives, N or N m. */
+  public float[] motorMax = new float[FIRST_CAPACITY];
+
+  /** Frequency of the spring, 1/s. */
+  public float[] hertz = new float[FIRST_CAPACITY];
+
+  /** Damping ratio of the spring. */
+  public float[] damping = new float[FIRST_CAPACITY];
+
+  /** Frequency of the angular spring of weld and motor joints, 1/s. */
+  public float[] angularHertz = new float[FIRST_CAPACITY];
+
+  /** Damping ratio of the angular spring. */
+  public float[] angularDamping = new float[FIRST_CAPACITY];
+
+  /** Most a motor or mouse joint pulls with, N. */
+  public float[] maxForce = new float[FIRST_CAPACITY];
+
+  /** Most a motor joint turns with, N m. */
+  public float[] maxTorque = new float[FIRST_CAPACITY];
+
+  /** Force beyond which the joint breaks, N. */
+  public float[] breakForce = new float[FIRST_CAPACITY];
+
+  /** Torque beyond which the joint breaks, N m. */
+  public float[] breakTorque = new float[FIRST_CAPACITY];
+
+  /** Impulse of the last substep: along x, or along the perpendicular, or of the rod, N s. */
+  public float[] impulseX = new float[FIRST_CAPACITY];
+
+  /** Impulse of the last substep along y, N s; of a prismatic joint the angular one, N m s. */
+  public float[] impulseY = new float[FIRST_CAPACITY];
+
+  /** Angular impulse of the last substep, N m s. */
+  public float[] impulseW = new float[FIRST_CAPACITY];
+
+  /** Impulse of the spring in the last substep. */
+  public float[] springImpulse = new float[FIRST_CAPACITY];
+
+  /** Impulse of the motor in the last substep. */
+  public float[] motorImpulse = new float[FIRST_CAPACITY];
+
+  /** Impulse of the lower limit in the last substep, not negative. */
+  public float[] lowerImpulse = new float[FIRST_CAPACITY];
+
+  /** Impulse of the upper limit in the last substep, not negative. */
+  public float[] upperImpulse = new float[FIRST_CAPACITY];
+
+  /** Force on B in the last substep, N. */
+  public float[] forceX = new float[FIRST_CAPACITY];
+
+  /** Force on B in the last substep, N. */
+  public float[] forceY = new float[FIRST_CAPACITY];
+
+  /** Torque on B in the last substep, N m. */
+  public float[] torque = new float[FIRST_CAPACITY];
+
+  private float[][] floats = gather();
+
+  /** Per end: the next end of a joint of the same body, -1 for none. */
+  private int[] next = new int[2 * FIRST_CAPACITY];
+
+  /** Per body: the first end, -1 for none. */
+  private int[] first = new int[0];
+
+  private int[] freeSlots = new int[FIRST_CAPACITY];
+  private int freeCount;
+  private int slots;
+  private int count;
+
+  JointStore() {}
+
+  /**
+   * The number of joints.
+   *
+   * @return slots in use
+   */
+  public int count() {
+    return count;
+  }
+
+  /**
+   * One more than the largest slot ever used.
+   *
+   * @return the bound of loops over all slots, free ones included
+   */
+  public int slots() {
+    return slots;
+  }
+
+  /**
+   * Whether this is the joint of that handle, still alive.
+   *
+   * @param slot any slot a handle holds
+   * @param expected the handle's generation
+   * @return false if the joint was destroyed
+   */
+  public boolean alive(int slot, int expected) {
+    return slot < slots && generation[slot] == expected && type[slot] != FREE;
+  }
+
+  /**
+   * The first end of a joint of a body.
+   *
+   * @param body its slot
+   * @return an end: its joint is the end divided by 2; -1 for none
+   */
+  public int firstEnd(int body) {
+    return body < first.length ? first[body] : -1;
+  }
+
+  /**
+   * The next end of a joint of the same body.
+   *
+   * @param end one of them
+   * @return -1 for none
+   */
+  public int nextEnd(int end) {
+    return next[end];
+  }
+
+  /** Takes a slot; all numbers are zero. */
+  int allocate(byte newType, int a, int b) {
+    int slot;
+    if (freeCount > 0) {
+      slot = freeSlots[--freeCount];
+    } else {
+      slot = slots++;
+      if (slot == type.length) {
+        grow();
+      }
+    }
+    for (float[] field : floats) {
+      field[slot] = 0;
+    }
+    type[slot] = newType;
+    flags[slot] = 0;
+    bodyA[slot] = a;
+    bodyB[slot] = b;
+    refCos[slot] = 1;
+    axisX[slot] = 1;
+    breakForce[slot] = Float.POSITIVE_INFINITY;
+    breakTorque[slot] = Float.POSITIVE_INFINITY;
+    link(2 * slot, a);
+    link(2 * slot + 1, b);
+    count++;
+    return slot;
+  }
+
+  void release(int slot) {
+    unlink(2 * slot, bodyA[slot]);
+    unlink(2 * slot + 1, bodyB[slot]);
+    type[slot] = FREE;
+    generation[slot]++;
+    freeSlots[freeCount++] = slot;
+    count--;
+  }
+
+  private void link(int end, int body) {
+    next[end] = -1;
+    if (body < 0) {
+      return;
+    }
+    if (body >= first.length) {
+      int old = first.length;
+      first = Arrays.copyOf(first, Math.max(body + 1, 2 * old));
+      Arrays.fill(first, old, first.length, -1);
+    }
+    next[end] = first[body];
+    first[body] = end;
+  }
+
+  private void unlink(int end, int body) {
+    if (body < 0) {
+      return;
+    }
+    if (first[body] == end) {
+      first[body] = next[end];
+      return;
+    }
+    int before = first[body];
+    while (next[before] != end) {
+      before = next[before];
+    }
+    next[before] = next[end];
+  }
+
+  /** Whether a joint keeps two bodies from colliding. */
+  boolean keepsApart(int a, int b) {
+    for (int end = firstEnd(a); end >= 0; end = next[end]) {
+      int j = end >> 1;
+      int other = (end & 1) == 0 ? bodyB[j] : bodyA[j];
+      if (other == b && (flags[j] & COLLIDE) == 0) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Starts cold. */
+  void forget(int slot) {
+    impulseX[slot] = 0;
+    impulseY[slot] = 0;
+    impulseW[slot] = 0;
+    springImpulse[slot] = 0;
+    motorImpulse[slot] = 0;
+    lowerImpulse[slot] = 0;
+    upperImpulse[slot] = 0;
+    forceX[slot] = 0;
+    forceY[slot] = 0;
+    torque[slot] = 0;
+  }
+
+  /** Bits of everything that influences the future; nothing as long as there never was a joint. */
+  long hash(long h) {
+    if (slots == 0) {
+      return h;
+    }
+    h = StateHash.mix(h, ((long) slots << 32) | freeCount);
+    for (int i = 0; i < freeCount; i++) {
+      h = StateHash.mix(h, freeSlots[i]);
+    }
+    for (int i = 0; i < slots; i++) {
+      long kind = ((long) flags[i] << 8) | (type[i] & 0xff);
+      h = StateHash.mix(h, ((long) generation[i] << 16) | kind);
+      if (type[i] == FREE) {
+        continue;
+      }
+      h = StateHash.mix(h, ((long) bodyA[i] << 32) | bodyB[i]);
+      for (int f = 0; f < floats.length; f += 2) {
+        h = StateHash.mix(h, floats[f][i], floats[f + 1][i]);
+      }
+    }
+    for (int end : first) {
+      for (int e = end; e >= 0; e = next[e]) {
+        h = StateHash.mix(h, e);
+      }
+    }
+    return h;
+  }
+
+  /** Copies everything into another store, which grows as needed; allocates only then. */
+  void copyTo(JointStore to) {
+    if (slots == 0 && to.slots == 0) {
+      return;
+    }
+    while (to.type.length < slots) {
+      to.grow();
+    }
+    System.arraycopy(type, 0, to.type, 0, slots);
+    System.arraycopy(flags, 0, to.flags, 0, slots);
+    System.arraycopy(generation, 0, to.generation, 0, slots);
+    System.arraycopy(bodyA, 0, to.bodyA, 0, slots);
+    System.arraycopy(bodyB, 0, to.bodyB, 0, slots);
+    System.arraycopy(next, 0, to.next, 0, 2 * slots);
+    System.arraycopy(freeSlots, 0, to.freeSlots, 0, freeCount);
+    for (int f = 0; f < floats.length; f++) {
+      System.arraycopy(floats[f], 0, to.floats[f], 0, slots);
+    }
+    if (to.first.length < first.length) {
+      to.first = new int[first.length];
+    }
+    System.arraycopy(first, 0, to.first, 0, first.length);
+    Arrays.fill(to.first, first.length, to.first.length, -1);
+    Arrays.fill(to.generation, slots, Math.max(slots, to.slots), 0);
+    to.freeCount = freeCount;
+    to.slots = slots;
+    to.count = count;
+  }
+
+  private void grow() {
+    int capacity = type.length * 2;
+    type = Arrays.copyOf(type, capacity);
+    flags = Arrays.copyOf(flags, capacity);
+    generation = Arrays.copyOf(generation, capacity);
+    bodyA = Arrays.copyOf(bodyA, capacity);
+    bodyB = Arrays.copyOf(bodyB, capacity);
+    next = Arrays.copyOf(next, 2 * capacity);
+    freeSlots = Arrays.copyOf(freeSlots, capacity);
+    anchorAx = Arrays.copyOf(anchorAx, capacity);
+    anchorAy = Arrays.copyOf(anchorAy, capacity);
+    anchorBx = Arrays.copyOf(anchorBx, capacity);
+    anchorBy = Arrays.copyOf(anchorBy, capacity);
+    axisX = Arrays.copyOf(axisX, capacity);
+    axisY = Arrays.copyOf(axisY, capacity);
+    refCos = Arrays.copyOf(refCos, capacity);
+    refSin = Arrays.copyOf(refSin, capacity);
+    rest = Arrays.copyOf(rest, capacity);
+    lower = Arrays.copyOf(lower, capacity);
+    upper = Arrays.copyOf(upper, capacity);
+    motorSpeed = Arrays.copyOf(motorSpeed, capacity);
+    motorMax = Arrays.copyOf(motorMax, capacity);
+    hertz = Arrays.copyOf(hertz, capacity);
+    damping = Arrays.copyOf(damping, capacity);
+    angularHertz = Arrays.copyOf(angularHertz, capacity);
+    angularDamping = Arrays.copyOf(angularDamping, capacity);
+    maxForce = Arrays.copyOf(maxForce, capacity);
+    maxTorque = Arrays.copyOf(maxTorque, capacity);
+    breakForce = Arrays.copyOf(breakForce, capacity);
+    breakTorque = Arrays.copyOf(breakTorque, capacity);
+    impulseX = Arrays.copyOf(impulseX, capacity);
+    impulseY = Arrays.copyOf(impulseY, capacity);
+    impulseW = Arrays.copyOf(impulseW, capacity);
+    springImpulse = Arrays.copyOf(springImpulse, capacity);
+    motorImpulse = Arrays.copyOf(motorImpulse, capacity);
+    lowerImpulse = Arrays.copyOf(lowerImpulse, capacity);
+    upperImpulse = Arrays.copyOf(upperImpulse, capacity);
+    forceX = Arrays.copyOf(forceX, capacity);
+    forceY = Arrays.copyOf(forceY, capacity);
+    torque = Arrays.copyOf(torque, capacity);
+    floats = gather();
+  }
+
+  /** All float arrays, for copying, clearing and hashing; an even number. */
+  private float[][] gather() {
+    return new float[][] {
+      anchorAx,
+      anchorAy,
+      anchorBx,
+      anchorBy,
+      axisX,
+      axisY,
+      refCos,
+      refSin,
+      rest,
+      lower,
+      upper,
+      motorSpeed,
+      motorMax,
+      hertz,
+      damping,
+      angularHertz,
+      angularDamping,
+      maxForce,
+      maxTorque,
+      breakForce,
+      breakTorque,
+      impulseX,
+      impulseY,
+      impulseW,
+      springImpulse,
+      motorImpulse,
+      lowerImpulse,
+      upperImpulse,
+      forceX,
+      forceY,
+      torque,
+      torque
+    };
+  }
+}
