@@ -2,6 +2,7 @@ package carom.physics;
 
 import carom.physics.dynamics.BodyStore;
 import carom.physics.dynamics.Checks;
+import carom.physics.dynamics.ShapeSpec;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
 import carom.physics.math.Trig;
@@ -17,11 +18,13 @@ import java.util.function.Consumer;
  * the value. Nothing allocates.
  *
  * <p>Forces and impulses add up, act in the next step, and are then forgotten; on static and
- * kinematic bodies they do nothing.
+ * kinematic bodies, and on disabled ones, they do nothing.
  *
  * @param <T> the user's type
  */
 public final class Body<T> {
+  private static final BodyType[] TYPES = BodyType.values();
+
   private final World<T> world;
   private final BodyStore store;
   private final int index;
@@ -97,10 +100,57 @@ public final class Body<T> {
   /**
    * What may move the body.
    *
-   * @return never changes
+   * @return of a destroyed body, what it was made as
    */
   public BodyType type() {
-    return type;
+    return isValid() ? TYPES[store.type[index]] : type;
+  }
+
+  /**
+   * Makes the body static, kinematic or dynamic. Origin and velocity stay, except that a static
+   * body is at rest; forces that wait are forgotten. In a callback this takes effect at the end of
+   * the step. Allocates.
+   *
+   * @param newType what may move it from now on
+   * @throws IllegalArgumentException if it is to be dynamic and its shapes have no mass
+   * @throws IllegalStateException during a query
+   */
+  public void setType(BodyType newType) {
+    check();
+    world.changeType(this, newType);
+  }
+
+  /**
+   * Whether the body takes part in the simulation.
+   *
+   * @return true unless {@link #setEnabled} said otherwise
+   */
+  public boolean isEnabled() {
+    check();
+    return !store.disabled(index);
+  }
+
+  /**
+   * Takes the body out of the simulation, or back in: a disabled body keeps pose and velocity, but
+   * doesn't move, feels no forces, collides with nothing, is found by no query, and its joints are
+   * idle. Its contacts end in the next step. In a callback this takes effect at the end of the
+   * step.
+   *
+   * @param enabled whether it takes part from now on
+   * @throws IllegalStateException during a query
+   */
+  public void setEnabled(boolean enabled) {
+    check();
+    world.enable(this, enabled);
+  }
+
+  /** Whether forces do something. */
+  private boolean acts() {
+    return store.type[index] == BodyStore.DYNAMIC && !store.disabled(index);
+  }
+
+  ShapeSpec[] specs() {
+    return World.specs(shapes);
   }
 
   /**
@@ -255,7 +305,7 @@ public final class Body<T> {
     check();
     Checks.velocity("velocityX", vx);
     Checks.velocity("velocityY", vy);
-    if (type != BodyType.STATIC) {
+    if (store.type[index] != BodyStore.STATIC) {
       store.vx[index] = vx;
       store.vy[index] = vy;
     }
@@ -269,7 +319,7 @@ public final class Body<T> {
   public void setAngularVelocity(float radPerSecond) {
     check();
     Checks.velocity("angularVelocity", radPerSecond);
-    if (type != BodyType.STATIC) {
+    if (store.type[index] != BodyStore.STATIC) {
       store.w[index] = radPerSecond;
     }
   }
@@ -284,7 +334,7 @@ public final class Body<T> {
     check();
     Checks.force("forceX", fx);
     Checks.force("forceY", fy);
-    if (type == BodyType.DYNAMIC) {
+    if (acts()) {
       store.forceX[index] += fx;
       store.forceY[index] += fy;
     }
@@ -302,7 +352,7 @@ public final class Body<T> {
     applyForce(fx, fy);
     Checks.coordinate("px", px);
     Checks.coordinate("py", py);
-    if (type == BodyType.DYNAMIC) {
+    if (acts()) {
       store.torque[index] += (px - store.x[index]) * fy - (py - store.y[index]) * fx;
     }
   }
@@ -317,7 +367,7 @@ public final class Body<T> {
     check();
     Checks.force("impulseX", jx);
     Checks.force("impulseY", jy);
-    if (type == BodyType.DYNAMIC) {
+    if (acts()) {
       store.impulseX[index] += jx;
       store.impulseY[index] += jy;
     }
@@ -335,7 +385,7 @@ public final class Body<T> {
     applyImpulse(jx, jy);
     Checks.coordinate("px", px);
     Checks.coordinate("py", py);
-    if (type == BodyType.DYNAMIC) {
+    if (acts()) {
       store.impulseW[index] += (px - store.x[index]) * jy - (py - store.y[index]) * jx;
     }
   }
@@ -348,7 +398,7 @@ public final class Body<T> {
   public void applyTorque(float torque) {
     check();
     Checks.force("torque", torque);
-    if (type == BodyType.DYNAMIC) {
+    if (acts()) {
       store.torque[index] += torque;
     }
   }
@@ -361,7 +411,7 @@ public final class Body<T> {
   public void applyAngularImpulse(float j) {
     check();
     Checks.force("angularImpulse", j);
-    if (type == BodyType.DYNAMIC) {
+    if (acts()) {
       store.impulseW[index] += j;
     }
   }
@@ -571,6 +621,6 @@ public final class Body<T> {
 
   @Override
   public String toString() {
-    return "Body(" + type + " " + index + ":" + generation + " " + user + ")";
+    return "Body(" + type() + " " + index + ":" + generation + " " + user + ")";
   }
 }

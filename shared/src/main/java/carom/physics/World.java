@@ -29,6 +29,11 @@ import java.util.function.Consumer;
 public final class World<T> {
   private static final byte DESTROY_BODY = 0;
   private static final byte DESTROY_JOINT = 1;
+  private static final byte ENABLE = 2;
+  private static final byte DISABLE = 3;
+
+  /** Plus the new type's code. */
+  private static final byte CHANGE_TYPE = 4;
 
   private final WorldDef def;
   private final Dynamics dynamics;
@@ -44,7 +49,7 @@ public final class World<T> {
 
   private Object[] jointHandles = new Object[0];
 
-  /** Changes whenever a body comes or goes, and is never used again. */
+  /** Changes whenever a body comes, goes or changes, and is never used again. */
   private long structure;
 
   /** The same for joints. */
@@ -167,7 +172,7 @@ public final class World<T> {
     return body;
   }
 
-  private static ShapeSpec[] specs(ShapeDef[] shapes) {
+  static ShapeSpec[] specs(ShapeDef[] shapes) {
     ShapeSpec[] specs = new ShapeSpec[shapes.length];
     for (int i = 0; i < shapes.length; i++) {
       Material m = shapes[i].material();
@@ -240,12 +245,38 @@ public final class World<T> {
             removeJoint(slot);
           }
         } else if (store.alive(slot, generation)) {
-          removeBody(slot);
+          carryOut(pending[i], slot);
         }
       }
     } finally {
       pendingCount = 0;
     }
+  }
+
+  private void carryOut(byte what, int slot) {
+    if (what == DESTROY_BODY) {
+      removeBody(slot);
+      return;
+    }
+    if (what == ENABLE || what == DISABLE) {
+      dynamics.setEnabled(slot, what == ENABLE);
+    } else {
+      dynamics.setType(slot, (byte) (what - CHANGE_TYPE), body(slot).specs());
+    }
+    structure = nextStructure++;
+  }
+
+  void enable(Body<T> body, boolean enabled) {
+    refuseDuringQuery("setEnabled");
+    request(enabled ? ENABLE : DISABLE, body.index(), body.generation());
+  }
+
+  void changeType(Body<T> body, BodyType type) {
+    refuseDuringQuery("setType");
+    if (type == BodyType.DYNAMIC) {
+      Dynamics.checkMass(body.specs());
+    }
+    request((byte) (CHANGE_TYPE + code(type)), body.index(), body.generation());
   }
 
   private void removeBody(int slot) {

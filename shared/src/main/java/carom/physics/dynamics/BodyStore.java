@@ -31,10 +31,19 @@ public final class BodyStore {
   /** The most bodies a world can hold; bounded by the bits of a contact's key. */
   public static final int MAX_BODIES = 1 << ContactKey.BODY_BITS;
 
+  /** Flag: nothing but {@code setAngularVelocity} turns the body. */
+  public static final byte FIXED_ROTATION = 1;
+
+  /** Flag: the body is taken out of the simulation. */
+  public static final byte DISABLED = 2;
+
   private static final int FIRST_CAPACITY = 64;
 
   /** {@link #FREE}, {@link #STATIC}, {@link #KINEMATIC} or {@link #DYNAMIC}. */
   public byte[] type = new byte[FIRST_CAPACITY];
+
+  /** Flags, added up. */
+  public byte[] flags = new byte[FIRST_CAPACITY];
 
   /** Counts the lives of a slot. */
   public int[] generation = new int[FIRST_CAPACITY];
@@ -172,6 +181,7 @@ public final class BodyStore {
     cos[slot] = 1;
     gravityScale[slot] = 1;
     type[slot] = newType;
+    flags[slot] = 0;
     firstPart[slot] = 0;
     partCount[slot] = 0;
     shapeHash[slot] = 0;
@@ -200,6 +210,16 @@ public final class BodyStore {
    */
   public boolean alive(int slot, int expected) {
     return slot < slots && generation[slot] == expected && type[slot] != FREE;
+  }
+
+  /**
+   * Whether a body is taken out of the simulation.
+   *
+   * @param slot a slot in use
+   * @return true if it neither moves nor collides
+   */
+  public boolean disabled(int slot) {
+    return (flags[slot] & DISABLED) != 0;
   }
 
   /**
@@ -281,6 +301,16 @@ public final class BodyStore {
     impulseW[slot] = 0;
   }
 
+  /** Forgets what was applied. */
+  void clearForces(int slot) {
+    forceX[slot] = 0;
+    forceY[slot] = 0;
+    torque[slot] = 0;
+    impulseX[slot] = 0;
+    impulseY[slot] = 0;
+    impulseW[slot] = 0;
+  }
+
   /** Bits of everything that influences the future. */
   long hash(long h) {
     h = StateHash.mix(h, slots);
@@ -294,6 +324,10 @@ public final class BodyStore {
         continue;
       }
       h = StateHash.mix(h, shapeHash[i]);
+      boolean fixed = type[i] != DYNAMIC && (flags[i] & FIXED_ROTATION) != 0;
+      if (fixed || disabled(i)) {
+        h = StateHash.mix(h, flags[i]);
+      }
       for (int f = 0; f < floats.length; f += 2) {
         h = StateHash.mix(h, floats[f][i], floats[f + 1][i]);
       }
@@ -307,6 +341,7 @@ public final class BodyStore {
       to.grow();
     }
     System.arraycopy(type, 0, to.type, 0, slots);
+    System.arraycopy(flags, 0, to.flags, 0, slots);
     System.arraycopy(generation, 0, to.generation, 0, slots);
     System.arraycopy(firstPart, 0, to.firstPart, 0, slots);
     System.arraycopy(partCount, 0, to.partCount, 0, slots);
@@ -324,6 +359,7 @@ public final class BodyStore {
   private void grow() {
     int capacity = type.length * 2;
     type = Arrays.copyOf(type, capacity);
+    flags = Arrays.copyOf(flags, capacity);
     generation = Arrays.copyOf(generation, capacity);
     firstPart = Arrays.copyOf(firstPart, capacity);
     partCount = Arrays.copyOf(partCount, capacity);

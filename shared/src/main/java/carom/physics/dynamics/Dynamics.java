@@ -30,6 +30,7 @@ import java.util.Arrays;
  */
 public final class Dynamics {
   private static final int FIRST_CAPACITY = 64;
+  private static final MassData NO_MASS = new MassData(0, 0, 0, 0);
 
   private final Settings settings;
   private final BodyStore bodies = new BodyStore();
@@ -129,22 +130,28 @@ public final class Dynamics {
               + ContactKey.MAX_PARTS
               + " convex parts one body can have; split it into several bodies");
     }
-    MassData total = type == BodyStore.DYNAMIC ? massOf(shapes) : new MassData(0, 0, 0, 0);
+    MassData total = type == BodyStore.DYNAMIC ? massOf(shapes) : NO_MASS;
     int body = bodies.allocate(type);
-    if (type == BodyStore.DYNAMIC) {
-      bodies.mass[body] = total.mass();
-      bodies.invMass[body] = 1 / total.mass();
-      if (!fixedRotation && total.inertia() > 0) {
-        bodies.inertia[body] = total.inertia();
-        bodies.invInertia[body] = 1 / total.inertia();
-      }
-      bodies.localX[body] = total.centerX();
-      bodies.localY[body] = total.centerY();
-    }
-    int first = parts.allocate(body, count);
-    bodies.firstPart[body] = first;
+    bodies.flags[body] = fixedRotation ? BodyStore.FIXED_ROTATION : 0;
+    bodies.firstPart[body] = parts.allocate(body, count);
     bodies.partCount[body] = count;
-    int part = first;
+    fill(body, shapes, total);
+    enter(body);
+    return body;
+  }
+
+  /** Takes mass and shapes over. */
+  private void fill(int body, ShapeSpec[] shapes, MassData total) {
+    boolean dynamic = bodies.type[body] == BodyStore.DYNAMIC;
+    boolean turns = dynamic && (bodies.flags[body] & BodyStore.FIXED_ROTATION) == 0;
+    turns = turns && total.inertia() > 0;
+    bodies.mass[body] = total.mass();
+    bodies.invMass[body] = dynamic ? 1 / total.mass() : 0;
+    bodies.inertia[body] = turns ? total.inertia() : 0;
+    bodies.invInertia[body] = turns ? 1 / total.inertia() : 0;
+    bodies.localX[body] = total.centerX();
+    bodies.localY[body] = total.centerY();
+    int part = bodies.firstPart[body];
     long hash = StateHash.SEED;
     float inner = Float.MAX_VALUE;
     poseA.setIdentity();
@@ -154,7 +161,7 @@ public final class Dynamics {
         Convex local = convex.moved(-bodies.localX[body], -bodies.localY[body]);
         parts.set(part, local, i, spec);
         hash = StateHash.mix(hash, spec.friction(), spec.restitution());
-        hash = spec.mix(hash, type == BodyStore.DYNAMIC);
+        hash = spec.mix(hash, dynamic);
         hash = ShapeHash.mix(hash, local);
         local.aabb(poseA, box);
         inner = Math.min(inner, 0.5f * Math.min(box.width(), box.height()));
@@ -163,8 +170,75 @@ public final class Dynamics {
     }
     bodies.shapeHash[body] = hash;
     bodies.innerRadius[body] = inner;
-    enter(body);
-    return body;
+  }
+
+  /**
+   * Checks that a dynamic body could be made of some shapes.
+   *
+   * @param shapes what it would consist of
+   * @throws IllegalArgumentException if they have no mass, or too much
+   */
+  public static void checkMass(ShapeSpec[] shapes) {
+    massOf(shapes);
+  }
+
+  /**
+   * Makes a body static, kinematic or dynamic. Its origin, and the velocity there, stay, except
+   * that a static body is at rest.
+   *
+   * @param body the slot
+   * @param type one of {@link BodyStore}'s types
+   * @param shapes what it consists of, as when it was made
+   */
+  public void setType(int body, byte type, ShapeSpec[] shapes) {
+    if (bodies.type[body] == type) {
+      return;
+    }
+    MassData total = type == BodyStore.DYNAMIC ? massOf(shapes) : NO_MASS;
+    boolean enabled = !bodies.disabled(body);
+    if (enabled) {
+      leave(body);
+    }
+    float oldX = bodies.x[body];
+    float oldY = bodies.y[body];
+    float originX = bodies.originX(body);
+    float originY = bodies.originY(body);
+    bodies.type[body] = type;
+    fill(body, shapes, total);
+    bodies.setOriginPose(body, originX, originY, bodies.cos[body], bodies.sin[body]);
+    if (type == BodyStore.STATIC) {
+      bodies.vx[body] = 0;
+      bodies.vy[body] = 0;
+      bodies.w[body] = 0;
+    } else {
+      bodies.vx[body] -= bodies.w[body] * (bodies.y[body] - oldY);
+      bodies.vy[body] += bodies.w[body] * (bodies.x[body] - oldX);
+    }
+    bodies.clearForces(body);
+    if (enabled) {
+      enter(body);
+    }
+    rulesStale = true;
+  }
+
+  /**
+   * Takes a body out of the simulation, or back in. Its contacts end in the next step.
+   *
+   * @param body the slot
+   * @param enabled whether it takes part
+   */
+  public void setEnabled(int body, boolean enabled) {
+    if (bodies.disabled(body) != enabled) {
+      return;
+    }
+    bodies.flags[body] ^= BodyStore.DISABLED;
+    bodies.clearForces(body);
+    if (enabled) {
+      enter(body);
+    } else {
+      leave(body);
+    }
+    rulesStale = true;
   }
 
   private static MassData massOf(ShapeSpec[] shapes) {
@@ -254,7 +328,9 @@ public final class Dynamics {
       }
     }
     contacts.removeBody(body);
-    leave(body);
+    if (!bodies.disabled(body)) {
+      leave(body);
+    }
     parts.release(bodies.firstPart[body], bodies.partCount[body]);
     bodies.release(body);
   }
@@ -304,7 +380,10 @@ public final class Dynamics {
     rulesStale = false;
     searchAll = true;
     for (int row = 0; row < contacts.count(); row++) {
-      contacts.ignore(row, !mayTouch(contacts.partA[row], contacts.partB[row]));
+      int p = contacts.partA[row];
+      int q = contacts.partB[row];
+      boolean gone = bodies.disabled(parts.body[p]) || bodies.disabled(parts.body[q]);
+      contacts.ignore(row, gone || !mayTouch(p, q));
     }
   }
 
@@ -323,6 +402,9 @@ public final class Dynamics {
    * @param body the slot
    */
   public void moved(int body) {
+    if (bodies.disabled(body)) {
+      return;
+    }
     if (bodies.type[body] == BodyStore.STATIC) {
       int first = bodies.firstPart[body];
       for (int part = first; part < first + bodies.partCount[body]; part++) {
@@ -462,7 +544,7 @@ public final class Dynamics {
     } else {
       for (int i = 0; i < movedCount; i++) {
         int part = movedParts[i];
-        if (parts.body[part] < 0) {
+        if (parts.body[part] < 0 || bodies.disabled(parts.body[part])) {
           continue;
         }
         searchPart = part;
@@ -726,7 +808,7 @@ public final class Dynamics {
    * Copies the state out.
    *
    * @param to is overwritten
-   * @param sameStructure whether no body came or went since {@code to} was saved
+   * @param sameStructure whether no body came, went or changed since {@code to} was saved
    */
   public void save(State to, boolean sameStructure) {
     bodies.copyTo(to.bodies);
@@ -742,7 +824,7 @@ public final class Dynamics {
    * don't influence results.
    *
    * @param from stays as it is
-   * @param sameStructure whether no body came or went since {@code from} was saved
+   * @param sameStructure whether no body came, went or changed since {@code from} was saved
    */
   public void restore(State from, boolean sameStructure) {
     from.bodies.copyTo(bodies);
@@ -758,7 +840,7 @@ public final class Dynamics {
       moving.clear();
       fixed.clear();
       for (int body = 0; body < bodies.slots(); body++) {
-        if (bodies.type[body] != BodyStore.FREE) {
+        if (bodies.type[body] != BodyStore.FREE && !bodies.disabled(body)) {
           enter(body);
         }
       }

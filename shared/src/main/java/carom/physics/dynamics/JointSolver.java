@@ -156,7 +156,9 @@ final class JointSolver {
       int one = j.bodyA[slot];
       int two = j.bodyB[slot];
       boolean heldA = one < 0 || (bodies.invMass[one] == 0 && bodies.invInertia[one] == 0);
-      if (heldA && bodies.invMass[two] == 0 && bodies.invInertia[two] == 0) {
+      boolean heldB = bodies.invMass[two] == 0 && bodies.invInertia[two] == 0;
+      boolean gone = bodies.disabled(two) || (one >= 0 && bodies.disabled(one));
+      if ((heldA && heldB) || gone) {
         j.forget(slot);
         continue;
       }
