@@ -103,6 +103,21 @@ public record ClientConfig(
         reconnect);
   }
 
+  /** This, with another reach of the prediction. */
+  public ClientConfig withNear(float nearMetres, int maxNearBodies) {
+    return new ClientConfig(
+        host,
+        tcpPort,
+        udpPort,
+        name,
+        prediction,
+        nearMetres,
+        maxNearBodies,
+        maxRollbackTicks,
+        ticksPerInputDatagram,
+        reconnect);
+  }
+
   /** This, with another number of inputs per datagram. */
   public ClientConfig withTicksPerInputDatagram(int ticksPerInputDatagram) {
     return new ClientConfig(

@@ -32,8 +32,12 @@ final class Connection implements LinkHandler {
      */
     String joined(ServerMessage.Welcome welcome, Level level);
 
-    /** A datagram arrived while playing. */
-    void datagram(byte[] bytes, int length);
+    /**
+     * A datagram arrived while playing.
+     *
+     * @param arrivedNs when, by the clock of {@code update}; a frame may have passed since
+     */
+    void datagram(byte[] bytes, int length, long arrivedNs);
 
     /** Who plays has changed. */
     void roster(ServerMessage.Roster roster);
@@ -221,7 +225,7 @@ final class Connection implements LinkHandler {
   public void datagram(Link from, byte[] bytes, int length) {
     if (from == link && stage == Stage.PLAYING) {
       lastHeardNs = nowNs;
-      listener.datagram(bytes, length);
+      listener.datagram(bytes, length, nowNs - from.waitedNs());
     }
   }
 

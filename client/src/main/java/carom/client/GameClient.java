@@ -201,8 +201,8 @@ public final class GameClient implements AutoCloseable {
     }
 
     @Override
-    public void datagram(byte[] bytes, int length) {
-      take(bytes, length);
+    public void datagram(byte[] bytes, int length, long arrivedNs) {
+      take(bytes, length, arrivedNs);
     }
 
     @Override
@@ -257,7 +257,7 @@ public final class GameClient implements AutoCloseable {
     view.predictedWorld = prediction == null ? null : simulation;
   }
 
-  private void take(byte[] bytes, int length) {
+  private void take(byte[] bytes, int length, long arrivedNs) {
     DecodeStatus status = decoder.decode(bytes, 0, length);
     if (status != DecodeStatus.OK) {
       if (status == DecodeStatus.DAMAGED) {
@@ -270,11 +270,11 @@ public final class GameClient implements AutoCloseable {
     int tick = decoder.tick();
     if (seenTick[tick & RING_MASK] != tick) {
       seenTick[tick & RING_MASK] = tick;
-      stats.snapshot(nowNs);
+      stats.snapshot(arrivedNs);
     }
     if (tick > snapshotTick) {
       snapshotTick = tick;
-      renderClock.snapshot(tick, nowNs, decoder.touchedCount() == 0);
+      renderClock.snapshot(tick, arrivedNs, decoder.touchedCount() == 0);
       if (!clock.started()) {
         clock.start(nowNs, tick, connection.roundTripNs());
         view.tick = clock.tick();
@@ -282,7 +282,7 @@ public final class GameClient implements AutoCloseable {
       }
     }
     if (decoder.feedback().present) {
-      feedback(decoder.feedback(), tick);
+      feedback(decoder.feedback(), tick, arrivedNs);
     }
     if (decoder.hasOwn() && tick > ownTick) {
       own.set(decoder.own());
@@ -295,7 +295,7 @@ public final class GameClient implements AutoCloseable {
     }
   }
 
-  private void feedback(InputFeedback feedback, int tick) {
+  private void feedback(InputFeedback feedback, int tick, long arrivedNs) {
     int slot = feedback.sequence & RING_MASK;
     if (sentSequence[slot] != feedback.sequence) {
       return;
@@ -306,7 +306,7 @@ public final class GameClient implements AutoCloseable {
         feedbackSequence = feedback.sequence;
         ackedTick = Math.max(ackedTick, sentTick[slot]);
         if (feedback.holdMs < 255) {
-          stats.roundTrip(Math.max(0, (nowNs - sentNs[slot]) / 1e6 - feedback.holdMs));
+          stats.roundTrip(Math.max(0, (arrivedNs - sentNs[slot]) / 1e6 - feedback.holdMs));
         }
       }
     }

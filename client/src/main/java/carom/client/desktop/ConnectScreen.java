@@ -34,6 +34,7 @@ final class ConnectScreen extends ScreenAdapter {
   private static final int MAX_NAME_LENGTH = 16;
   private static final float FIELD_WIDTH = 320;
   private static final float FIELD_HEIGHT = 40;
+  private static final float PORT_WIDTH = 112;
 
   private final Stage stage = new Stage(new ScreenViewport());
   private final Array<Disposable> owned = new Array<>();
@@ -81,9 +82,9 @@ final class ConnectScreen extends ScreenAdapter {
         });
 
     Table ports = new Table();
-    ports.add(tcpPort).growX().height(FIELD_HEIGHT);
+    ports.add(tcpPort).width(PORT_WIDTH).height(FIELD_HEIGHT);
     ports.add(new Label("UDP port", muted)).padLeft(16).padRight(12);
-    ports.add(udpPort).growX().height(FIELD_HEIGHT);
+    ports.add(udpPort).width(PORT_WIDTH).height(FIELD_HEIGHT);
 
     Table form = new Table();
     form.setBackground(panel(Theme.PANEL, Theme.PANEL_LINE));

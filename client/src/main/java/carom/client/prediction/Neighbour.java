@@ -26,6 +26,13 @@ final class Neighbour {
   Entity entity;
   boolean wanted = true;
   boolean placed;
+
+  /**
+   * Whether it only follows its course: what it leans on is not predicted, so forces on it mean
+   * nothing.
+   */
+  boolean held;
+
   private float weight;
 
   Neighbour(int id, int generation, Archetype archetype, int ownerId, float weight) {
@@ -64,6 +71,20 @@ final class Neighbour {
     int at = slot * 6;
     out.set(ring[at], ring[at + 1], ring[at + 2], ring[at + 3], ring[at + 4], ring[at + 5]);
     return true;
+  }
+
+  /** After a step of the world: a held body goes on as it went before the step. */
+  void holdCourse(float seconds) {
+    if (!held) {
+      return;
+    }
+    Body<Entity> body = body();
+    body.setPose(
+        previous.x + previous.vx * seconds,
+        previous.y + previous.vy * seconds,
+        previous.angle + previous.omega * seconds);
+    body.setVelocity(previous.vx, previous.vy);
+    body.setAngularVelocity(previous.omega);
   }
 
   void pose(Pose out) {

@@ -20,6 +20,7 @@ import carom.sim.SimState;
 import carom.sim.Simulation;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 
 /**
@@ -45,6 +46,9 @@ public final class Prediction {
 
   /** Leaving the set takes a larger distance than entering it. */
   private static final float HYSTERESIS = 1.25f;
+
+  /** Bodies count as touching up to this gap between the circles around them, metres. */
+  private static final float TOUCH = 0.05f;
 
   /** Longest time a neighbour's last known state is moved on in a straight line, ticks. */
   private static final int LONGEST_COAST = 9;
@@ -73,6 +77,8 @@ public final class Prediction {
   private int[] candidateId = new int[64];
   private float[] candidateDistance = new float[64];
   private int candidates;
+  private final BitSet chosen = new BitSet();
+  private boolean tooMany;
 
   private Neighbour own;
   private boolean active;
@@ -181,6 +187,9 @@ public final class Prediction {
     }
     player.input().unpack(input);
     simulation.step();
+    for (int i = 0; i < others.size(); i++) {
+      others.get(i).holdCourse(simulation.tickSeconds());
+    }
     tick = next;
     keep();
   }
@@ -515,6 +524,8 @@ public final class Prediction {
       others.get(i).wanted = false;
     }
     gather(decoder, stateTick);
+    spread(decoder);
+    dropFarthest();
     for (int i = 0; i < candidates; i++) {
       EntityHistory history = decoder.history(candidateId[i]);
       Neighbour n = find(candidateId[i]);
@@ -525,12 +536,15 @@ public final class Prediction {
         n = null;
       }
       if (n == null) {
-        others.add(
-            new Neighbour(candidateId[i], history.generation(0), archetype, history.owner(0), 0));
+        n = new Neighbour(candidateId[i], history.generation(0), archetype, history.owner(0), 0);
+        others.add(n);
         same = false;
-      } else {
-        n.wanted = true;
       }
+      n.wanted = true;
+    }
+    for (int i = 0; i < others.size(); i++) {
+      Neighbour n = others.get(i);
+      n.held = !n.wanted || leansOnStranger(n.id, decoder);
     }
     for (int i = others.size() - 1; i >= 0; i--) {
       Neighbour n = others.get(i);
@@ -546,6 +560,7 @@ public final class Prediction {
 
   private void gather(SnapshotDecoder decoder, int stateTick) {
     candidates = 0;
+    chosen.clear();
     if (maxNearBodies == 0) {
       return;
     }
@@ -553,14 +568,11 @@ public final class Prediction {
     float lead = Math.max(0, tick - stateTick) * simulation.tickSeconds();
     int limit = decoder.slotLimit();
     for (int id = 0; id < limit; id++) {
+      if (!isPredictable(id, decoder)) {
+        continue;
+      }
       EntityHistory history = decoder.history(id);
-      if (id == own.id || history == null || !history.alive()) {
-        continue;
-      }
       Archetype archetype = simulation.archetypes().get(history.archetype(0));
-      if (archetype == null || archetype.type() == BodyType.STATIC || archetype.sensor()) {
-        continue;
-      }
       States s = states.of(history);
       float dx = s.x(0) - body.x();
       float dy = s.y(0) - body.y();
@@ -575,6 +587,60 @@ public final class Prediction {
         candidate(id, n != null ? distance / HYSTERESIS : distance);
       }
     }
+  }
+
+  private boolean isPredictable(int id, SnapshotDecoder decoder) {
+    EntityHistory history = decoder.history(id);
+    if (id == own.id || history == null || !history.alive()) {
+      return false;
+    }
+    Archetype archetype = simulation.archetypes().get(history.archetype(0));
+    return archetype != null && archetype.type() != BodyType.STATIC && !archetype.sensor();
+  }
+
+  /** What leans on a predicted body is predicted too: half a stack would fall into the rest. */
+  private void spread(SnapshotDecoder decoder) {
+    int limit = decoder.slotLimit();
+    for (int i = 0; i < candidates; i++) { // grows as it goes
+      for (int id = 0; id < limit; id++) {
+        if (!chosen.get(id)
+            && isPredictable(id, decoder)
+            && isTouching(candidateId[i], id, decoder)) {
+          candidate(id, candidateDistance[i] + TOUCH);
+        }
+      }
+    }
+  }
+
+  /** Whether a body has company that is not predicted, because there are too many of them. */
+  private boolean leansOnStranger(int id, SnapshotDecoder decoder) {
+    if (!tooMany) {
+      return false;
+    }
+    int limit = decoder.slotLimit();
+    for (int other = 0; other < limit; other++) {
+      if (!chosen.get(other) && isPredictable(other, decoder) && isTouching(id, other, decoder)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** By the circles around them: generous, so that nothing that leans is missed. */
+  private boolean isTouching(int a, int b, SnapshotDecoder decoder) {
+    EntityHistory one = decoder.history(a);
+    float oneX = states.of(one).x(0);
+    float oneY = states.of(one).y(0);
+    EntityHistory two = decoder.history(b);
+    States s = states.of(two);
+    float dx = s.x(0) - oneX;
+    float dy = s.y(0) - oneY;
+    float reach = reachOf[one.archetype(0)] + reachOf[two.archetype(0)] + TOUCH;
+    return dx * dx + dy * dy <= reach * reach;
+  }
+
+  private void dropFarthest() {
+    tooMany = candidates > maxNearBodies;
     while (candidates > maxNearBodies) {
       int farthest = 0;
       for (int i = 1; i < candidates; i++) {
@@ -583,6 +649,7 @@ public final class Prediction {
         }
       }
       candidates--;
+      chosen.clear(candidateId[farthest]);
       candidateId[farthest] = candidateId[candidates];
       candidateDistance[farthest] = candidateDistance[candidates];
     }
@@ -593,6 +660,7 @@ public final class Prediction {
       candidateId = Arrays.copyOf(candidateId, candidates * 2);
       candidateDistance = Arrays.copyOf(candidateDistance, candidates * 2);
     }
+    chosen.set(id);
     candidateId[candidates] = id;
     candidateDistance[candidates++] = distance;
   }
