@@ -35,6 +35,13 @@ import carom.physics.math.Transform;
  * Centres of two circles coincide: the normal is (0, 1), world axes. Centre of a circle on an edge,
  * on a vertex, or inside a polygon: the normal of the edge of least overlap, of equal ones the one
  * with the lowest index. Polygons with equally good faces: A's face of lowest index.
+ *
+ * <h2>Capsules, segments, rounded polygons</h2>
+ *
+ * The same by other means: the shapes without their rounding are measured, then the radii are taken
+ * off. A capsule lying on a flat has two points. A segment of a chain touches only what is in front
+ * of it, and at joints that aren't outward corners with its own normal only; the point of a circle
+ * has id 0 here, too.
  */
 public final class Collider {
   /**
@@ -62,6 +69,8 @@ public final class Collider {
   private final float[] bnx = new float[Convex.MAX_VERTICES];
   private final float[] bny = new float[Convex.MAX_VERTICES];
 
+  private final RoundCollider round = new RoundCollider();
+
   // Results of the last call of bestFace.
   private float faceSeparation;
   private int faceEdge;
@@ -84,7 +93,9 @@ public final class Collider {
    */
   public void collide(
       Convex a, Transform ta, Convex b, Transform tb, float speculativeDistance, Manifold out) {
-    if (a instanceof Circle circleA) {
+    if (!(a.isSimple() && b.isSimple())) {
+      round.collide(a, ta, b, tb, speculativeDistance, out);
+    } else if (a instanceof Circle circleA) {
       if (b instanceof Circle circleB) {
         circles(circleA, ta, circleB, tb, speculativeDistance, out);
       } else {

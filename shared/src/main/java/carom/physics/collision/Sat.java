@@ -24,12 +24,19 @@ import java.util.List;
  * the same answer both ways. Ties: the first face in order, first shape's faces before the
  * second's. Coincident centres of circles: along the y axis. A circle's centre on an edge or vertex
  * of a polygon: along the edge's normal.
+ *
+ * <p>A chain's segments count from both sides here: they are lines, and a line has a shortest way
+ * out.
  */
 public final class Sat {
   private final double[] ax = new double[Convex.MAX_VERTICES];
   private final double[] ay = new double[Convex.MAX_VERTICES];
   private final double[] bx = new double[Convex.MAX_VERTICES];
   private final double[] by = new double[Convex.MAX_VERTICES];
+
+  private final Core coreA = new Core();
+  private final Core coreB = new Core();
+  private final Gjk gjk = new Gjk();
 
   // The best answer so far: depth and direction in which the first shape has to go.
   private double depth;
@@ -79,6 +86,9 @@ public final class Sat {
   }
 
   private boolean convex(Convex a, Transform ta, Convex b, Transform tb) {
+    if (!(a.isSimple() && b.isSimple())) {
+      return rounded(a, ta, b, tb);
+    }
     int countA = place(a, ta, 0, 0, ax, ay);
     int countB = place(b, tb, (double) tb.x - ta.x, (double) tb.y - ta.y, bx, by);
     double radii = (double) a.radius() + b.radius();
@@ -100,6 +110,32 @@ public final class Sat {
       } else {
         roundCorners(ax, ay, countA, bx[0], by[0], radii, -1);
       }
+    }
+    return depth > 0;
+  }
+
+  /**
+   * With a capsule, a segment or a rounded polygon: while the shapes without their rounding are
+   * apart, the way out is along their shortest connection; when they overlap too, a face's normal.
+   */
+  private boolean rounded(Convex a, Transform ta, Convex b, Transform tb) {
+    coreA.place(a, ta, ta.x, ta.y);
+    coreB.place(b, tb, ta.x, ta.y);
+    gjk.run(coreA, coreB);
+    double radii = coreA.radius + coreB.radius;
+    depth = Double.POSITIVE_INFINITY;
+    if (gjk.distance > 0) {
+      depth = radii - gjk.distance;
+      pushX = -gjk.normalX;
+      pushY = -gjk.normalY;
+    } else {
+      boolean apart =
+          coreA.count > 1
+              && !faces(coreA.x, coreA.y, coreA.count, coreB.x, coreB.y, coreB.count, radii, -1);
+      apart |=
+          coreB.count > 1
+              && !faces(coreB.x, coreB.y, coreB.count, coreA.x, coreA.y, coreA.count, radii, 1);
+      depth = apart ? 0 : depth;
     }
     return depth > 0;
   }

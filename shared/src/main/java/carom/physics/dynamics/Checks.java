@@ -1,5 +1,9 @@
 package carom.physics.dynamics;
 
+import carom.physics.geometry.Convex;
+import carom.physics.geometry.Segment;
+import carom.physics.geometry.Shape;
+
 /**
  * Refuses numbers the simulation can't work with, in the words of the caller.
  *
@@ -87,6 +91,19 @@ public final class Checks {
               + "; step more often instead of further");
     }
     return seconds;
+  }
+
+  /** Refuses segments and chains, for bodies that move by forces. */
+  static void refuseLines(Shape shape) {
+    for (Convex part : shape.parts()) {
+      if (part instanceof Segment) {
+        throw new IllegalArgumentException(
+            "shape="
+                + part
+                + " has no mass, which a dynamic body needs; make the body static or kinematic, or"
+                + " the line a thin capsule");
+      }
+    }
   }
 
   private static float magnitude(String name, float value, float limit) {

@@ -120,6 +120,9 @@ public final class Dynamics {
   public int create(byte type, ShapeSpec[] shapes, boolean fixedRotation) {
     int count = 0;
     for (ShapeSpec spec : shapes) {
+      if (type == BodyStore.DYNAMIC) {
+        Checks.refuseLines(spec.shape());
+      }
       count += spec.shape().parts().size();
     }
     if (count > ContactKey.MAX_PARTS) {

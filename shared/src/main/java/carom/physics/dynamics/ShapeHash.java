@@ -1,6 +1,7 @@
 package carom.physics.dynamics;
 
 import carom.physics.geometry.Convex;
+import carom.physics.geometry.Segment;
 
 /** Hashes geometry; shapes never change, so once per body is enough. */
 final class ShapeHash {
@@ -12,6 +13,12 @@ final class ShapeHash {
     long h = StateHash.mix(hash, shape.radius(), n);
     for (int i = 0; i < n; i++) {
       h = StateHash.mix(h, shape.vertexX(i), shape.vertexY(i));
+    }
+    if (shape instanceof Segment segment && segment.isOneSided()) {
+      for (int end = 0; end < 2; end++) {
+        h = StateHash.mix(h, segment.isLinked(end) ? 1 : 2);
+        h = StateHash.mix(h, segment.ghostX(end), segment.ghostY(end));
+      }
     }
     return h;
   }

@@ -76,13 +76,15 @@ public final class Compound extends Shape {
   @Override
   public MassData mass(float density) {
     checkDensity(density);
+    boolean lines = area() == 0;
     double mass = 0;
     double weight = 0;
     double momentX = 0;
     double momentY = 0;
     for (Convex part : parts) {
       MassData m = part.mass(density);
-      double area = part.area();
+      // Lines have no area; among themselves they weigh the same.
+      double area = lines ? 1 : part.area();
       mass += m.mass();
       weight += area;
       momentX += area * m.centerX();

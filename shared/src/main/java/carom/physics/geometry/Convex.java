@@ -5,14 +5,14 @@ import carom.physics.math.Transform;
 import java.util.List;
 
 /**
- * A convex shape: the vertices of a convex polygon, or for a {@link Circle} a single vertex with a
- * {@link #radius()} around it.
+ * A convex shape: the vertices of a convex polygon, for a {@link Circle} a single vertex, for a
+ * {@link Capsule} and a {@link Segment} two; with a {@link #radius()} around them that may be 0.
  *
  * <p>Vertices go counter-clockwise; edge i leads from vertex i to vertex i + 1 (the last one back
  * to vertex 0), and its normal of length one points outwards. A circle has no edges; its only
- * normal is (0, 0).
+ * normal is (0, 0). Two vertices have two edges, one for either side.
  */
-public abstract sealed class Convex extends Shape permits Circle, Box, Polygon {
+public abstract sealed class Convex extends Shape permits Circle, Box, Polygon, Capsule, Segment {
   /** Most vertices a convex shape can have. */
   public static final int MAX_VERTICES = 64;
 
@@ -20,9 +20,15 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon {
   final float[] vy;
   final float[] nx;
   final float[] ny;
+  private final boolean simple;
   private final List<Convex> self = List.of(this);
 
   Convex(float[] vx, float[] vy, float[] nx, float[] ny) {
+    this(vx, vy, nx, ny, true);
+  }
+
+  Convex(float[] vx, float[] vy, float[] nx, float[] ny, boolean simple) {
+    this.simple = simple;
     this.vx = vx;
     this.vy = vy;
     this.nx = nx;
@@ -30,8 +36,8 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon {
   }
 
   /**
-   * How many vertices there are: 1 for a circle, 4 for a box, 3 to {@value #MAX_VERTICES} for a
-   * polygon.
+   * How many vertices there are: 1 for a circle, 2 for a capsule or segment, 4 for a box, 3 to
+   * {@value #MAX_VERTICES} for a polygon.
    */
   public final int vertexCount() {
     return vx.length;
@@ -67,7 +73,7 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon {
     return ny[index];
   }
 
-  /** Rounding around the vertices, metres: a circle's radius, 0 for the others. */
+  /** Rounding around the vertices, metres; 0 for sharp corners. */
   public abstract float radius();
 
   /**
@@ -101,6 +107,105 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon {
                 + " m apart; place the body there, and the shape near the body's origin");
       }
     }
+  }
+
+  /** True for discs and for polygons with sharp corners, for which collision has a cheaper way. */
+  public final boolean isSimple() {
+    return simple;
+  }
+
+  /** One component of the unit normals of both sides of a line, from (component, other). */
+  static float[] pairNormal(double component, double other) {
+    double length = Math.sqrt(component * component + other * other);
+    float n = (float) (component / length);
+    return new float[] {n, -n};
+  }
+
+  /** Length of an edge, metres. */
+  final double lengthOf(int edge) {
+    int next = edge + 1 == vx.length ? 0 : edge + 1;
+    double ex = (double) vx[next] - vx[edge];
+    double ey = (double) vy[next] - vy[edge];
+    return Math.sqrt(ex * ex + ey * ey);
+  }
+
+  /** Whether a point is in the polygon of the vertices or within a distance of its edges. */
+  final boolean isWithin(float x, float y, float distance) {
+    int count = vx.length;
+    boolean inside = count > 2;
+    double nearest = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < count; i++) {
+      int next = i + 1 == count ? 0 : i + 1;
+      double dx = (double) x - vx[i];
+      double dy = (double) y - vy[i];
+      double ex = (double) vx[next] - vx[i];
+      double ey = (double) vy[next] - vy[i];
+      double u = Math.max(0, Math.min(1, (dx * ex + dy * ey) / (ex * ex + ey * ey)));
+      double px = dx - u * ex;
+      double py = dy - u * ey;
+      nearest = Math.min(nearest, px * px + py * py);
+      inside &= nx[i] * dx + ny[i] * dy <= 0;
+    }
+    return inside || nearest <= (double) distance * distance;
+  }
+
+  /**
+   * Mass of a rounded polygon, of two vertices or more: the polygon, a rectangle along each edge,
+   * and a sector of a disc at each corner.
+   *
+   * <p>A sector of radius r between the normals m and n has the area r&sup2; phi / 2, the first
+   * moment r&sup3; / 3 (n.y - m.y, m.x - n.x) (the integral of the unit vector over the angle), and
+   * the second moment r^4 phi / 4 about its corner. Everything is summed about vertex 0 and moved
+   * to the centroid at the end.
+   */
+  final MassData roundedMass(float density) {
+    double r = radius();
+    double area = 0;
+    double mx = 0;
+    double my = 0;
+    double second = 0;
+    int count = vx.length;
+    for (int i = 0; i < count; i++) {
+      int next = i + 1 == count ? 0 : i + 1;
+      int before = i == 0 ? count - 1 : i - 1;
+      double px = (double) vx[i] - vx[0];
+      double py = (double) vy[i] - vy[0];
+      double qx = (double) vx[next] - vx[0];
+      double qy = (double) vy[next] - vy[0];
+      double cross = px * qy - py * qx;
+      area += 0.5 * cross;
+      mx += cross * (px + qx) / 6;
+      my += cross * (py + qy) / 6;
+      second += cross * (px * px + py * py + px * qx + py * qy + qx * qx + qy * qy) / 12;
+      double length = lengthOf(i);
+      double strip = length * r;
+      double cx = 0.5 * (px + qx + r * nx[i]);
+      double cy = 0.5 * (py + qy + r * ny[i]);
+      area += strip;
+      mx += strip * cx;
+      my += strip * cy;
+      second += strip * ((length * length + r * r) / 12 + cx * cx + cy * cy);
+      double phi =
+          StrictMath.atan2(
+              (double) nx[before] * ny[i] - (double) ny[before] * nx[i],
+              (double) nx[before] * nx[i] + (double) ny[before] * ny[i]);
+      double turn = count == 2 ? Math.PI : phi;
+      double sector = 0.5 * r * r * turn;
+      double sx = r * r * r / 3 * ((double) ny[i] - ny[before]);
+      double sy = r * r * r / 3 * ((double) nx[before] - nx[i]);
+      area += sector;
+      mx += sector * px + sx;
+      my += sector * py + sy;
+      second += 0.5 * r * r * sector + 2 * (px * sx + py * sy) + sector * (px * px + py * py);
+    }
+    double centerX = mx / area;
+    double centerY = my / area;
+    double inertia = second - area * (centerX * centerX + centerY * centerY);
+    return new MassData(
+        (float) (density * area),
+        (float) (vx[0] + centerX),
+        (float) (vy[0] + centerY),
+        (float) (density * inertia));
   }
 
   @Override

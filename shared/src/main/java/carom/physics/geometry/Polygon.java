@@ -6,7 +6,7 @@ import java.util.Arrays;
 
 /**
  * A convex polygon: the convex hull of the given points, with 3 to {@value Convex#MAX_VERTICES}
- * vertices, counter-clockwise.
+ * vertices, counter-clockwise; sharp, or rounded by a radius.
  *
  * <p>The points may come in any order and winding; those inside the hull are dropped. So are points
  * that would make contacts ill-conditioned: near-duplicates (closer than 1e-4 of the size of the
@@ -18,8 +18,26 @@ public final class Polygon extends Convex {
   private static final double COLLINEAR = 1e-5;
   private static final int MAX_POINTS = 4096;
 
-  private Polygon(float[] vx, float[] vy, float[] nx, float[] ny) {
-    super(vx, vy, nx, ny);
+  private final float radius;
+
+  private Polygon(float[] vx, float[] vy, float[] nx, float[] ny, float radius) {
+    super(vx, vy, nx, ny, radius == 0);
+    this.radius = radius;
+  }
+
+  /**
+   * Makes the hull of 3 or more points, and everything within a radius of it.
+   *
+   * @param radius rounding, metres; 0 for sharp corners, else {@link Shape#MIN_SIZE} to {@link
+   *     Shape#MAX_SIZE}
+   * @param xy as for {@link #of(float...)}
+   */
+  public static Polygon rounded(float radius, float... xy) {
+    Polygon sharp = of(xy);
+    if (radius == 0) {
+      return sharp;
+    }
+    return new Polygon(sharp.vx, sharp.vy, sharp.nx, sharp.ny, checkSize("polygon radius", radius));
   }
 
   /** Makes the hull of 3 or more points, see {@link #of(float...)}. */
@@ -118,7 +136,7 @@ public final class Polygon extends Convex {
       ny[i] = (float) (-ex / length);
     }
     checkSize("polygon width", (float) width);
-    return new Polygon(vx, vy, nx, ny);
+    return new Polygon(vx, vy, nx, ny, 0);
   }
 
   /** The strict convex hull, counter-clockwise, from the leftmost lowest point. */
@@ -205,11 +223,19 @@ public final class Polygon extends Convex {
 
   @Override
   public float radius() {
-    return 0;
+    return radius;
+  }
+
+  @Override
+  public boolean containsPoint(float x, float y) {
+    return radius == 0 ? super.containsPoint(x, y) : isWithin(x, y, radius);
   }
 
   @Override
   public float area() {
+    if (radius > 0) {
+      return roundedMass(1).mass();
+    }
     double twice = 0;
     for (int i = 1; i < vx.length - 1; i++) {
       twice += cross(i);
@@ -227,6 +253,9 @@ public final class Polygon extends Convex {
   @Override
   public MassData mass(float density) {
     checkDensity(density);
+    if (radius > 0) {
+      return roundedMass(density);
+    }
     double twice = 0;
     double momentX = 0;
     double momentY = 0;
@@ -270,7 +299,7 @@ public final class Polygon extends Convex {
       xs[i] = checkCoordinate("polygon x" + i, xs[i] + dx);
       ys[i] = checkCoordinate("polygon y" + i, ys[i] + dy);
     }
-    Polygon moved = new Polygon(xs, ys, nx, ny);
+    Polygon moved = new Polygon(xs, ys, nx, ny, radius);
     moved.checkEdges("polygon");
     return moved;
   }
@@ -280,6 +309,9 @@ public final class Polygon extends Convex {
     StringBuilder text = new StringBuilder("Polygon(");
     for (int i = 0; i < vx.length; i++) {
       text.append(i == 0 ? "" : ", ").append(vx[i]).append(' ').append(vy[i]);
+    }
+    if (radius > 0) {
+      text.append(", radius=").append(radius);
     }
     return text.append(')').toString();
   }

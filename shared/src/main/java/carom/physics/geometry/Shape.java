@@ -5,8 +5,8 @@ import carom.physics.math.Transform;
 import java.util.List;
 
 /**
- * A solid region of the plane in its body's frame: one {@link Convex} shape or a {@link Compound}
- * of several.
+ * A solid region of the plane in its body's frame: one {@link Convex} shape, a {@link Compound} of
+ * several, or a {@link Chain} of lines.
  *
  * <p>Lengths are metres. Shapes are immutable and validated when made: coordinates are finite and
  * at most {@link #MAX_SIZE} from the frame's origin, nothing is thinner than {@link #MIN_SIZE};
@@ -14,7 +14,7 @@ import java.util.List;
  * Float arithmetic is good between these bounds, with the usual advice: things of 0.1 to 100 m
  * behave best.
  */
-public abstract sealed class Shape permits Convex, Compound {
+public abstract sealed class Shape permits Convex, Compound, Chain {
   /**
    * Smallest radius, half extent, or width of a polygon, metres. Below it, contact tolerances would
    * be larger than shapes.
@@ -44,7 +44,8 @@ public abstract sealed class Shape permits Convex, Compound {
   public abstract void aabb(Transform t, Aabb out);
 
   /**
-   * The area in m&sup2;, positive. Parts of a compound that overlap count as often as they overlap.
+   * The area in m&sup2;, positive; 0 for lines. Parts of a compound that overlap count as often as
+   * they overlap.
    */
   public abstract float area();
 

@@ -60,7 +60,7 @@ final class CastTest {
         assertEquals(0.01, Oracle.distance(shape, t, px, py), 1e-5, message);
       }
     }
-    assertTrue(hits > 50 * Oracle.KINDS, "hits=" + hits);
+    assertTrue(hits > 40 * Oracle.KINDS, "hits=" + hits);
   }
 
   @Test

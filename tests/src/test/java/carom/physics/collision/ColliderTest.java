@@ -27,11 +27,11 @@ final class ColliderTest {
    */
   @Test
   void agreesWithBruteForceForEveryOrderedPairOfShapes() {
-    for (int kinds = 0; kinds < 9; kinds++) {
+    for (int kinds = 0; kinds < Oracle.KINDS * Oracle.KINDS; kinds++) {
       for (long seed = 1; seed <= 250; seed++) {
         SplittableRandom random = new SplittableRandom(seed);
-        Convex a = Oracle.shape(kinds / 3, random);
-        Convex b = Oracle.shape(kinds % 3, random);
+        Convex a = Oracle.shape(kinds / Oracle.KINDS, random);
+        Convex b = Oracle.shape(kinds % Oracle.KINDS, random);
         Transform ta = Oracle.pose(random, 0.9);
         Transform tb = Oracle.pose(random, 0.9);
         String message = "kinds=" + kinds + " seed=" + seed;
@@ -42,7 +42,9 @@ final class ColliderTest {
         assertEquals(m.count > 0, swapped.count > 0, message);
         if (m.count > 0) {
           // In overlap A's face may be preferred to one that is better by 0.5 mm.
-          double tolerance = separation > 0 ? 2e-5 : 6e-4;
+          // Nearly flat pairs of vertices count as faces when shapes are rounded.
+          double apart = a.isSimple() && b.isSimple() ? 2e-5 : 2e-4;
+          double tolerance = separation > 0 ? apart : 6e-4;
           assertEquals(separation, m.minSeparation(), tolerance, message);
           assertEquals(1, Math.hypot(m.normalX, m.normalY), 1e-5, message);
           assertEquals(m.minSeparation(), swapped.minSeparation(), tolerance, message);

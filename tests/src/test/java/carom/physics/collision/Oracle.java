@@ -1,16 +1,18 @@
 package carom.physics.collision;
 
 import carom.physics.geometry.Box;
+import carom.physics.geometry.Capsule;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.Polygon;
+import carom.physics.geometry.Segment;
 import carom.physics.math.Transform;
 import java.util.SplittableRandom;
 
 /** Slow and obvious answers, and random questions. */
 final class Oracle {
   /** Kinds of shapes {@link #shape} makes. */
-  static final int KINDS = 3;
+  static final int KINDS = 6;
 
   private Oracle() {}
 
@@ -25,11 +27,17 @@ final class Oracle {
     if (kind == 1) {
       return new Box(w, h, cx, cy);
     }
+    if (kind == 3) {
+      return new Capsule(cx, cy, cx + w, cy - h, 0.3f * h);
+    }
+    if (kind == 4) {
+      return new Segment(cx, cy, cx - w, cy - h);
+    }
     float[] xy = new float[2 * random.nextInt(5, 12)];
     for (int i = 0; i < xy.length; i++) {
       xy[i] = (float) random.nextDouble(-1, 1);
     }
-    return Polygon.of(xy);
+    return kind == 5 ? Polygon.rounded(0.2f * w, xy) : Polygon.of(xy);
   }
 
   static Transform pose(SplittableRandom random, double spread) {
@@ -98,7 +106,7 @@ final class Oracle {
    */
   static double distance(Convex s, Transform t, double px, double py) {
     int n = s.vertexCount();
-    double inside = n == 1 ? 1 : Double.NEGATIVE_INFINITY;
+    double inside = n <= 2 ? 1 : Double.NEGATIVE_INFINITY;
     double nearest = Double.POSITIVE_INFINITY;
     for (int i = 0; i < n; i++) {
       int k = (i + 1) % n;

@@ -23,11 +23,11 @@ final class SatTest {
    */
   @Test
   void isTheTrueMinimumForEveryOrderedPairOfShapes() {
-    for (int kinds = 0; kinds < 9; kinds++) {
+    for (int kinds = 0; kinds < Oracle.KINDS * Oracle.KINDS; kinds++) {
       for (long seed = 1; seed <= 120; seed++) {
         SplittableRandom random = new SplittableRandom(seed);
-        Convex a = Oracle.shape(kinds / 3, random);
-        Convex b = Oracle.shape(kinds % 3, random);
+        Convex a = Oracle.shape(kinds / Oracle.KINDS, random);
+        Convex b = Oracle.shape(kinds % Oracle.KINDS, random);
         Transform ta = Oracle.pose(random, seed % 3 == 0 ? 0.1 : 0.8);
         Transform tb = Oracle.pose(random, seed % 3 == 0 ? 0.1 : 0.8);
         String message = "kinds=" + kinds + " seed=" + seed;

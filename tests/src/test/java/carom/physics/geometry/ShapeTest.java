@@ -86,6 +86,66 @@ final class ShapeTest {
     }
   }
 
+  @Test
+  void roundedMassesFollowTheClosedFormsAndNumericalIntegration() {
+    // A capsule along x: rectangle L x 2r and two half discs, whose centroids are 4 r / (3 pi) out.
+    double l = 3;
+    double r = 0.5;
+    double rectangle = l * 2 * r;
+    double discs = Math.PI * r * r;
+    double caps = r * r / 2 + l * l / 4 + l * 4 * r / (3 * Math.PI);
+    double inertia = rectangle * (l * l + 4 * r * r) / 12 + discs * caps;
+    assertMass(new Capsule(1, 2, 4, 2, 0.5f).mass(2), 2 * (rectangle + discs), 2.5, 2, 2 * inertia);
+    assertEquals(rectangle + discs, new Capsule(0, 0, 0, 3, 0.5f).area(), 1e-5);
+    assertEquals(2, Capsule.upright(2, 0.3f).length() + 0.6f, 1e-6);
+    assertMass(new Segment(1, 2, 3, 6).mass(5), 0, 2, 4, 0);
+    assertMass(Chain.open(0, 0, 2, 0, 4, 3).mass(5), 0, 2, 1, 0);
+    assertMass(Compound.of(new Segment(0, 0, 2, 0), new Segment(4, 0, 6, 0)).mass(1), 0, 3, 0, 0);
+    Polygon p = Polygon.rounded(0.3f, 0, 0, 1, 0, 0.2f, 0.6f);
+    double h = 0.004;
+    double mass = 0;
+    double mx = 0;
+    double my = 0;
+    double second = 0;
+    for (double x = -0.4; x < 1.4; x += h) {
+      for (double y = -0.4; y < 1; y += h) {
+        if (p.containsPoint((float) x, (float) y)) {
+          mass += h * h;
+          mx += x * h * h;
+          my += y * h * h;
+          second += (x * x + y * y) * h * h;
+        }
+      }
+    }
+    MassData m = p.mass(1);
+    assertEquals(mass, m.mass(), 0.002 * mass);
+    assertEquals(p.area(), m.mass(), 1e-6);
+    assertEquals(mx / mass, m.centerX(), 0.002);
+    assertEquals(my / mass, m.centerY(), 0.002);
+    assertEquals(second - (mx * mx + my * my) / mass, m.inertia(), 0.005 * m.inertia());
+    assertEquals("0.3 true", p.moved(3, 4).radius() + " " + p.moved(3, 4).containsPoint(3, 3.75f));
+  }
+
+  @Test
+  void chainsHaveTheirFrontOnTheLeftAndKnowTheirNeighbours() {
+    Chain ground = Chain.open(0, 0, 1, 0, 2, 1);
+    Segment first = (Segment) ground.parts().get(0);
+    assertEquals("0.0 1.0", first.normalX(0) + " " + first.normalY(0), "up");
+    assertTrue(first.isOneSided() && first.isLinked(0) && !first.isLinked(1));
+    assertEquals("2.0 1.0", first.ghostX(0) + " " + first.ghostY(0));
+    Segment moved = (Segment) ground.moved(5, 6).parts().get(0);
+    assertEquals("7.0 7.0", moved.ghostX(0) + " " + moved.ghostY(0));
+    Chain arena = Chain.loop(0, 0, 4, 0, 4, 3, 0, 3);
+    assertEquals(4, arena.parts().size());
+    Segment last = (Segment) arena.parts().get(3);
+    assertTrue(last.isLinked(0) && last.isLinked(1));
+    assertEquals("1.0 0.0", last.normalX(0) + " " + last.normalY(0), "inwards");
+    Aabb box = new Aabb();
+    arena.aabb(new Transform(1, 1, 0), box);
+    assertEquals("Aabb(1.0, 1.0 .. 5.0, 4.0)", box.toString());
+    assertEquals(5, arena.reach(), 1e-6);
+  }
+
   private static Polygon randomHull(SplittableRandom random) {
     float[] xy = new float[2 * random.nextInt(4, 40)];
     for (int i = 0; i < xy.length; i++) {
@@ -171,6 +231,15 @@ final class ShapeTest {
     refuses("polygon area=0", () -> Polygon.of(1, 1, 1, 1, 1, 1));
     refuses("polygon width=", () -> Polygon.of(0, 0, 1, 0, 1, 0.0005f));
     refuses("compound parts=0", Compound::of);
+    refuses("capsule length=0.0", () -> new Capsule(1, 1, 1, 1, 1));
+    refuses("capsule radius=NaN", () -> new Capsule(0, 0, 1, 1, Float.NaN));
+    refuses("capsule x1=Infinity", () -> new Capsule(0, 0, Float.POSITIVE_INFINITY, 1, 1));
+    refuses("segment length=0.0", () -> new Segment(1, 1, 1, 1));
+    refuses("polygon radius=-1.0", () -> Polygon.rounded(-1, 0, 0, 1, 0, 0, 1));
+    refuses("chain points=1 must be in 2..", () -> Chain.open(1, 1));
+    refuses("chain points=2 must be in 3..", () -> Chain.loop(1, 1, 2, 2));
+    refuses("chain coordinates=3", () -> Chain.open(1, 1, 2));
+    refuses("segment y0=NaN", () -> Chain.open(1, 1, 2, Float.NaN));
     refuses("density=-1.0", () -> new Circle(1).mass(-1));
     refuses("density=NaN", () -> Polygon.regular(3, 1).mass(Float.NaN));
     float[] many = new float[400];

@@ -1,0 +1,179 @@
+package carom.physics.geometry;
+
+import carom.physics.math.Aabb;
+import carom.physics.math.Transform;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+
+/**
+ * A line of segments that is solid from one side: ground, walls, the inside of an arena. For bodies
+ * that don't move by forces.
+ *
+ * <p><b>The front is on the left</b> when walking along the points: ground drawn from left to right
+ * carries what is above it, a loop drawn counter-clockwise holds what is inside, one drawn
+ * clockwise keeps things out. From behind everything passes.
+ *
+ * <p>Each segment knows its neighbours, so bodies slide over the joints of flat or hollow ground
+ * without catching on the next segment's end (no ghost collisions).
+ */
+public final class Chain extends Shape {
+  /** Most segments of one chain; use several for more. */
+  public static final int MAX_SEGMENTS = 1000;
+
+  private final float[] xy;
+  private final boolean loop;
+  private final List<Convex> parts;
+
+  private Chain(float[] xy, boolean loop) {
+    this.xy = xy;
+    this.loop = loop;
+    parts = Collections.unmodifiableList(segments());
+  }
+
+  /**
+   * Makes an open chain.
+   *
+   * @param xy x0, y0, x1, y1, ... in metres, 2 points or more, neighbours at least {@link
+   *     Shape#MIN_SIZE} apart
+   */
+  public static Chain open(float... xy) {
+    return make(xy, false, 2);
+  }
+
+  /**
+   * Makes a closed chain: a last segment leads back to the first point.
+   *
+   * @param xy x0, y0, x1, y1, ... in metres, 3 points or more, the first not repeated
+   */
+  public static Chain loop(float... xy) {
+    return make(xy, true, 3);
+  }
+
+  private static Chain make(float[] xy, boolean loop, int least) {
+    int points = xy.length / 2;
+    int most = loop ? MAX_SEGMENTS : MAX_SEGMENTS + 1;
+    if (xy.length % 2 != 0) {
+      throw new IllegalArgumentException(
+          "chain coordinates=" + xy.length + " must be even: x and y of each point");
+    }
+    if (points < least || points > most) {
+      throw new IllegalArgumentException(
+          "chain points=" + points + " must be in " + least + ".." + most);
+    }
+    return new Chain(xy.clone(), loop);
+  }
+
+  /** Segments run against the points, so that their front, on the right, is the chain's left. */
+  private List<Convex> segments() {
+    int points = xy.length / 2;
+    int count = loop ? points : points - 1;
+    List<Convex> segments = new ArrayList<>(count);
+    for (int i = 0; i < count; i++) {
+      int next = (i + 1) % points;
+      int after = (i + 2) % points;
+      int before = (i + points - 1) % points;
+      boolean[] linked = {loop || i + 2 < points, loop || i > 0};
+      segments.add(
+          new Segment(
+              xy[2 * next],
+              xy[2 * next + 1],
+              xy[2 * i],
+              xy[2 * i + 1],
+              true,
+              linked,
+              new float[] {xy[2 * after], xy[2 * before]},
+              new float[] {xy[2 * after + 1], xy[2 * before + 1]}));
+    }
+    return segments;
+  }
+
+  /** Whether the last point is joined to the first. */
+  public boolean isLoop() {
+    return loop;
+  }
+
+  /** How many points there are. */
+  public int pointCount() {
+    return xy.length / 2;
+  }
+
+  /** X of a point, metres. */
+  public float pointX(int index) {
+    return xy[2 * index];
+  }
+
+  /** Y of a point, metres. */
+  public float pointY(int index) {
+    return xy[2 * index + 1];
+  }
+
+  /** The segments, in the order of the points. */
+  @Override
+  public List<Convex> parts() {
+    return parts;
+  }
+
+  @Override
+  public void aabb(Transform t, Aabb out) {
+    out.setEmpty();
+    for (int i = 0; i < xy.length; i += 2) {
+      out.add(t.worldX(xy[i], xy[i + 1]), t.worldY(xy[i], xy[i + 1]));
+    }
+  }
+
+  /** Zero: a line covers nothing, and a loop is a border, not what it encloses. */
+  @Override
+  public float area() {
+    return 0;
+  }
+
+  /** Mass and inertia zero, whatever the density; the centre is the mean of the points. */
+  @Override
+  public MassData mass(float density) {
+    checkDensity(density);
+    double x = 0;
+    double y = 0;
+    for (int i = 0; i < xy.length; i += 2) {
+      x += xy[i];
+      y += xy[i + 1];
+    }
+    int points = xy.length / 2;
+    return new MassData(0, (float) (x / points), (float) (y / points), 0);
+  }
+
+  @Override
+  public Chain moved(float dx, float dy) {
+    float[] moved = xy.clone();
+    for (int i = 0; i < moved.length; i += 2) {
+      moved[i] += dx;
+      moved[i + 1] += dy;
+    }
+    return new Chain(moved, loop);
+  }
+
+  /** False nearly everywhere: only points exactly on the line are in it. */
+  @Override
+  public boolean containsPoint(float x, float y) {
+    for (int i = 0; i < parts.size(); i++) {
+      if (parts.get(i).containsPoint(x, y)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  @Override
+  public float reach() {
+    float reach = 0;
+    for (int i = 0; i < parts.size(); i++) {
+      reach = Math.max(reach, parts.get(i).reach());
+    }
+    return reach;
+  }
+
+  @Override
+  public String toString() {
+    return "Chain(points=" + xy.length / 2 + ", loop=" + loop + ")";
+  }
+}
