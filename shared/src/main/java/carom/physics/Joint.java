@@ -161,7 +161,8 @@ public final class Joint<T> {
   }
 
   /**
-   * Angle of B relative to A, 0 as it was when the joint was made.
+   * Angle of B relative to A, 0 as it was when the joint was made; of a motor joint relative to its
+   * target.
    *
    * @return rad, -pi to pi
    */
@@ -273,9 +274,8 @@ public final class Joint<T> {
    */
   public void setLimits(float lower, float upper) {
     refuseUnless(JointDef.hasLimits(type), "setLimits");
-    float most = type == JointType.REVOLUTE ? Trig.PI : Checks.MAX_COORDINATE;
-    Checks.range("lower", lower, type == JointType.DISTANCE ? 0 : -most, most);
-    Checks.range("upper", upper, lower, most);
+    Checks.range("lower", lower, JointDef.least(type), JointDef.most(type));
+    Checks.range("upper", upper, lower, JointDef.most(type));
     store.lower[index] = lower;
     store.upper[index] = upper;
     raise(JointStore.LIMITED);
@@ -321,7 +321,7 @@ public final class Joint<T> {
    */
   public void setRest(float coordinate) {
     refuseUnless(JointDef.hasLimits(type), "setRest");
-    store.rest[index] = Checks.coordinate("rest", coordinate);
+    store.rest[index] = Checks.range("rest", coordinate, JointDef.least(type), JointDef.most(type));
   }
 
   /**

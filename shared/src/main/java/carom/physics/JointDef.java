@@ -233,10 +233,8 @@ public final class JointDef<T> {
    */
   public JointDef<T> limits(float newLower, float newUpper) {
     refuseUnless(hasLimits(type), "limits");
-    float most = type == JointType.REVOLUTE ? Trig.PI : MAX_LENGTH;
-    float least = type == JointType.DISTANCE ? 0 : -most;
-    lower = Checks.range("lower", newLower, least, most);
-    upper = Checks.range("upper", newUpper, lower, most);
+    lower = Checks.range("lower", newLower, least(type), most(type));
+    upper = Checks.range("upper", newUpper, lower, most(type));
     limited = true;
     return this;
   }
@@ -295,8 +293,7 @@ public final class JointDef<T> {
    */
   public JointDef<T> rest(float coordinate) {
     refuseUnless(hasLimits(type), "rest");
-    float least = type == JointType.DISTANCE ? 0 : -MAX_LENGTH;
-    rest = Checks.range("rest", coordinate, least, MAX_LENGTH);
+    rest = Checks.range("rest", coordinate, least(type), most(type));
     restGiven = true;
     return this;
   }
@@ -333,6 +330,16 @@ public final class JointDef<T> {
             | (limited ? JointStore.LIMITED : 0)
             | (driven ? JointStore.DRIVEN : 0)
             | (sprung ? JointStore.SPRUNG : 0));
+  }
+
+  /** Largest coordinate that can be asked for. */
+  static float most(JointType type) {
+    return type == JointType.REVOLUTE ? Trig.PI : MAX_LENGTH;
+  }
+
+  /** Smallest coordinate that can be asked for. */
+  static float least(JointType type) {
+    return type == JointType.DISTANCE ? 0 : -most(type);
   }
 
   static boolean hasLimits(JointType type) {

@@ -28,7 +28,8 @@ final class DeterminismTest {
   /** Hashes after so many steps; a change here is a decision that the commit message explains. */
   private static final String GOLDEN =
       "stack 675a51e7324f58da pyramid d0697f882dcc2cca pile f9dddf81f5368856 gas 6b1b66ff05ef25c6"
-          + " spin 6dfc879301bf655b";
+          + " spin 6dfc879301bf655b net c8286d0c41087512 joints d34849c9a346ed78"
+          + " belts de3ae59da9697eb0";
 
   /** Prints the hashes of all scenes; also run in other processes and on other JDKs. */
   static final class Hashes {
@@ -49,11 +50,22 @@ final class DeterminismTest {
           + " gas "
           + hash(Scenes.gas(12, 9, 1), 300)
           + " spin "
-          + hash(spinner(), 300);
+          + hash(spinner(), 300)
+          + " net "
+          + hash(JointTest.grid(20), 200)
+          + " joints "
+          + hash(JointLifeTest.zoo(3), 300)
+          + " belts "
+          + hash(SurfaceTest.belts(), 300);
     }
 
     static String small() {
-      return "pile " + hash(Scenes.pile(16, 5), 150) + " spin " + hash(spinner(), 60);
+      return "pile "
+          + hash(Scenes.pile(16, 5), 150)
+          + " spin "
+          + hash(spinner(), 60)
+          + " net "
+          + hash(JointTest.grid(6), 60);
     }
 
     private static String hash(World<?> w, int n) {

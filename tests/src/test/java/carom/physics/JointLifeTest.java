@@ -137,7 +137,7 @@ final class JointLifeTest {
   }
 
   /** Bodies and joints of all kinds, hanging and colliding. */
-  private static World<String> zoo(long seed) {
+  static World<String> zoo(long seed) {
     World<String> w = Scenes.pile(40, seed);
     Scenes.Rng r = new Scenes.Rng(seed);
     for (int i = 3; i + 1 < 40; i++) {
@@ -295,6 +295,25 @@ final class JointLifeTest {
       least = Math.min(least, threads.getCurrentThreadAllocatedBytes() - before);
     }
     assertTrue(least < 200, "bytes in 60 steps: " + least);
+  }
+
+  @Test
+  void brokenBodyInfectsNobody() {
+    World<String> w = zoo(4);
+    for (int i = 0; i < 30; i++) {
+      Body<String> b = w.body(3 + i);
+      b.applyForce(1e20f, 1e20f);
+      b.applyImpulse(-1e20f, 1e20f);
+      b.applyTorque(1e20f);
+      w.step(DT);
+    }
+    steps(w, 120);
+    w.forEachBody(
+        b -> {
+          assertTrue(Math.abs(b.x()) <= 1e7f && Math.abs(b.y()) <= 1e7f, b.toString());
+          assertTrue(Float.isFinite(b.velocityX()) && Math.abs(b.angle()) <= 4, b.toString());
+        });
+    w.forEachJoint(j -> assertTrue(Float.isFinite(j.forceX() + j.torque()), j.toString()));
   }
 
   @Test

@@ -105,12 +105,18 @@ final class SurfaceTest {
     assertEquals(3, b.velocityX(), .01);
   }
 
-  @Test
-  void rollingAndBeltsAreRestoredBitForBit() {
+  /** Discs that roll badly on a belt. */
+  static World<String> belts() {
     World<String> w = Scenes.floor(Material.DEFAULT.withTangentSpeed(1).withRollingResistance(.1f));
     for (int i = 0; i < 20; i++) {
       Scenes.disc(w, i * .3f, 1 + i * .4f, .25f, Material.DEFAULT.withRollingResistance(.3f));
     }
+    return w;
+  }
+
+  @Test
+  void rollingAndBeltsAreRestoredBitForBit() {
+    World<String> w = belts();
     steps(w, 100);
     WorldState s = w.save(null);
     steps(w, 50);

@@ -13,6 +13,7 @@ import com.badlogic.gdx.graphics.OrthographicCamera;
  */
 final class DebugPainter {
   private static final Color SHAPE = new Color(1, 1, 1, 0.9f);
+  private static final Color SENSOR = new Color(0.5f, 1, 0.5f, 0.7f);
   private static final Color AABB = new Color(0.35f, 0.85f, 1, 0.45f);
   private static final Color CONTACT = new Color(1, 0.35f, 0.3f, 1);
   private static final Color JOINT = new Color(1, 0.85f, 0.2f, 0.9f);
@@ -43,7 +44,7 @@ final class DebugPainter {
         body -> {
           shapes.pose(body.x(), body.y(), body.cos(), body.sin());
           for (int i = 0; i < body.shapeCount(); i++) {
-            shapes.outline(body.shape(i), lineM, SHAPE);
+            shapes.outline(body.shape(i), lineM, body.sensor(i) ? SENSOR : SHAPE);
           }
         });
     world.forEachJoint(joint -> joint(joint, 3 / pixelsPerMetre));

@@ -347,6 +347,11 @@ final class JointSolver {
         }
         default -> {}
       }
+      if (!(Math.abs(x) + Math.abs(y) + Math.abs(torque) <= Float.MAX_VALUE)) {
+        // Absurd masses and arms can overflow; what isn't a number must not be warm-started.
+        j.forget(slot);
+        continue;
+      }
       j.forceX[slot] = x * inverseH;
       j.forceY[slot] = y * inverseH;
       j.torque[slot] = torque * inverseH;

@@ -22,6 +22,12 @@ final class SolverBodies {
   static final int COS = 5;
   static final int SIN = 6;
 
+  /** Furthest a body gets in a substep, m; a net under overflow, far above any sane speed. */
+  private static final float FURTHEST = 1e6f;
+
+  /** Furthest a body turns in a substep, rad; the series for the rotation is good up to here. */
+  private static final float MOST_TURN = 2;
+
   float[] state = new float[0];
 
   /** Acceleration by gravity and forces, and the factor that damping leaves, per slot. */
@@ -41,7 +47,7 @@ final class SolverBodies {
     return ay[slot];
   }
 
-  /** Loads the moving bodies; their forces are used up. */
+  /** Loads the moving bodies, speeds above the limits cut; their forces are used up. */
   void load(BodyStore b, int[] active, int activeCount, Settings s, float h) {
     count = activeCount + 1;
     if (ax.length < count) {
@@ -65,6 +71,7 @@ final class SolverBodies {
       state[at + VX] = b.vx[body];
       state[at + VY] = b.vy[body];
       state[at + W] = b.w[body];
+      limit(state, at, s.maxSpeed(), s.maxAngularSpeed());
       state[at + DX] = 0;
       state[at + DY] = 0;
       state[at + COS] = 1;
@@ -95,38 +102,56 @@ final class SolverBodies {
    */
   void integrateVelocities(float h, float maxSpeed, float maxSpin) {
     float[] s = state;
-    float limit = maxSpeed * maxSpeed;
     for (int i = 1; i < count; i++) {
       int at = i * STRIDE;
-      float vx = (s[at + VX] + h * ax[i]) * keep[i];
-      float vy = (s[at + VY] + h * ay[i]) * keep[i];
-      float w = (s[at + W] + h * aw[i]) * keepW[i];
-      float square = vx * vx + vy * vy;
-      if (!(square <= limit)) {
-        float cut = square <= Float.MAX_VALUE ? maxSpeed / (float) Math.sqrt(square) : 0;
-        vx = cut > 0 ? vx * cut : 0;
-        vy = cut > 0 ? vy * cut : 0;
-      }
-      if (!(Math.abs(w) <= maxSpin)) {
-        w = w > 0 ? maxSpin : w < 0 ? -maxSpin : 0;
-      }
-      s[at + VX] = vx;
-      s[at + VY] = vy;
-      s[at + W] = w;
+      s[at + VX] = (s[at + VX] + h * ax[i]) * keep[i];
+      s[at + VY] = (s[at + VY] + h * ay[i]) * keep[i];
+      s[at + W] = (s[at + W] + h * aw[i]) * keepW[i];
+      limit(s, at, maxSpeed, maxSpin);
+    }
+  }
+
+  private static void limit(float[] s, int at, float maxSpeed, float maxSpin) {
+    float vx = s[at + VX];
+    float vy = s[at + VY];
+    float w = s[at + W];
+    float square = vx * vx + vy * vy;
+    if (!(square <= maxSpeed * maxSpeed)) {
+      float cut = square <= Float.MAX_VALUE ? maxSpeed / (float) Math.sqrt(square) : 0;
+      s[at + VX] = cut > 0 ? vx * cut : 0;
+      s[at + VY] = cut > 0 ? vy * cut : 0;
+    }
+    if (!(Math.abs(w) <= maxSpin)) {
+      s[at + W] = w > 0 ? maxSpin : w < 0 ? -maxSpin : 0;
     }
   }
 
   /**
    * Second half: x += h v, and the rotation by the angle a = h w: (cos, sin) to the fourth order,
    * then normalised; the error of the angle is below a^5 / 120, and no trigonometry is needed.
+   *
+   * <p>Constraints that were torn far apart may ask for any speed here; what is absurd or not a
+   * number is cut, so that it never gets into a pose.
    */
   void integratePositions(float h) {
     float[] s = state;
     for (int i = 1; i < count; i++) {
       int at = i * STRIDE;
-      s[at + DX] += h * s[at + VX];
-      s[at + DY] += h * s[at + VY];
+      float moveX = h * s[at + VX];
+      float moveY = h * s[at + VY];
+      if (!(Math.abs(moveX) + Math.abs(moveY) <= FURTHEST)) {
+        moveX = 0;
+        moveY = 0;
+        s[at + VX] = 0;
+        s[at + VY] = 0;
+      }
+      s[at + DX] += moveX;
+      s[at + DY] += moveY;
       float a = h * s[at + W];
+      if (!(Math.abs(a) <= MOST_TURN)) {
+        a = a > 0 ? MOST_TURN : a < 0 ? -MOST_TURN : 0;
+        s[at + W] = a / h;
+      }
       if (a != 0) {
         float aa = a * a;
         float dc = 1 - aa * (0.5f - aa * (1 / 24f));
