@@ -3,10 +3,13 @@ package carom.sim;
 import carom.physics.BodyType;
 import carom.physics.Material;
 import carom.physics.geometry.Box;
+import carom.physics.geometry.Capsule;
+import carom.physics.geometry.Chain;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Compound;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.Polygon;
+import carom.physics.geometry.Segment;
 import carom.physics.geometry.Shape;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -27,6 +30,7 @@ final class LevelReader {
   static final int MAX_ZONES = 256;
   static final int MAX_PARTS = 32;
   static final int MAX_POINTS = 8;
+  static final int MAX_CHAIN_POINTS = 256;
   static final float MAX_COORDINATE = 10_000;
   static final float MIN_SIZE = 0.05f;
   static final float MAX_SIZE = 2_000;
@@ -87,10 +91,15 @@ final class LevelReader {
   static final List<String> CIRCLE = List.of("type", "radius", "at");
   static final List<String> BOX = List.of("type", "width", "height", "at");
   static final List<String> POLYGON = List.of("type", "points");
+  static final List<String> CAPSULE = List.of("type", "from", "to", "radius");
+  static final List<String> SEGMENT = List.of("type", "from", "to");
+  static final List<String> CHAIN = List.of("type", "points", "loop");
   static final List<String> COMPOUND = List.of("type", "parts");
   static final List<String> MOTION = List.of("to", "period", "phase", "eased");
   static final List<String> REPEAT = List.of("columns", "rows", "step");
-  static final List<String> SHAPES = List.of("circle", "box", "polygon", "compound");
+  static final List<String> SHAPES =
+      List.of("circle", "box", "polygon", "capsule", "segment", "chain", "compound");
+  static final List<String> LINES = List.of("segment", "chain");
   static final List<String> TYPES = List.of("dynamic", "kinematic");
   static final List<String> LOOKS = looks();
 
@@ -261,6 +270,13 @@ final class LevelReader {
   private void readMoving(Json node, ArchetypeDef def, float[] at) throws LevelException {
     boolean kinematic = word(node, "type", TYPES, "dynamic").equals("kinematic");
     def.type(kinematic ? BodyType.KINEMATIC : BodyType.DYNAMIC);
+    Json shape = node.fields.get("shape");
+    if (!kinematic && LINES.contains(shape.fields.get("type").text)) {
+      throw wrong(
+          shape.fields.get("type"),
+          " is a line without mass; move the item to \"statics\", set \"type\": \"kinematic\","
+              + " or use a capsule");
+    }
     def.linearDamping(number(node, "linearDamping", 0, 0, 100));
     def.angularDamping(number(node, "angularDamping", 0, 0, 100));
     def.gravityScale(number(node, "gravityScale", 1, -10, 10));
@@ -335,11 +351,19 @@ final class LevelReader {
     if (type.equals("compound") && !compoundAllowed) {
       throw wrong(node.fields.get("type"), "=\"compound\" can't be part of a compound");
     }
+    if (LINES.contains(type) && !compoundAllowed) {
+      throw wrong(
+          node.fields.get("type"),
+          "=\"" + type + "\" is a line and can't be part of a compound; give it a body of its own");
+    }
     try {
       return switch (type) {
         case "circle" -> circle(node);
         case "box" -> box(node);
         case "polygon" -> polygon(node);
+        case "capsule" -> capsule(node);
+        case "segment" -> segment(node);
+        case "chain" -> chain(node);
         default -> compound(node);
       };
     } catch (IllegalArgumentException e) {
@@ -366,13 +390,38 @@ final class LevelReader {
     if (points.size() < 3) {
       throw wrong(node.fields.get("points"), " has " + points.size() + " points, needs 3 at least");
     }
+    return Polygon.of(coordinates(points));
+  }
+
+  private float[] coordinates(List<Json> points) throws LevelException {
     float[] xy = new float[2 * points.size()];
     for (int i = 0; i < points.size(); i++) {
       float[] point = vector(points.get(i), MAX_SIZE);
       xy[2 * i] = point[0];
       xy[2 * i + 1] = point[1];
     }
-    return Polygon.of(xy);
+    return xy;
+  }
+
+  private Capsule capsule(Json node) throws LevelException {
+    knownFields(node, CAPSULE);
+    float[] from = vector(required(node, "from"), MAX_SIZE);
+    float[] to = vector(required(node, "to"), MAX_SIZE);
+    return new Capsule(from[0], from[1], to[0], to[1], size(node, "radius"));
+  }
+
+  private Segment segment(Json node) throws LevelException {
+    knownFields(node, SEGMENT);
+    float[] from = vector(required(node, "from"), MAX_SIZE);
+    float[] to = vector(required(node, "to"), MAX_SIZE);
+    return new Segment(from[0], from[1], to[0], to[1]);
+  }
+
+  private Chain chain(Json node) throws LevelException {
+    knownFields(node, CHAIN);
+    required(node, "points");
+    float[] xy = coordinates(list(node, "points", MAX_CHAIN_POINTS));
+    return bool(node, "loop", false) ? Chain.loop(xy) : Chain.open(xy);
   }
 
   private Compound compound(Json node) throws LevelException {

@@ -119,8 +119,8 @@ class LevelTest {
         field(
             "shape type",
             "\"statics\": [{\"at\": [0, 0], \"shape\": {\"type\": \"bix\"}}]",
-            "4:46: statics[0].shape.type=\"bix\" must be one of [circle, box, polygon, compound];"
-                + " did you mean \"box\"?"));
+            "4:46: statics[0].shape.type=\"bix\" must be one of [circle, box, polygon, capsule,"
+                + " segment, chain, compound]; did you mean \"box\"?"));
     c.add(
         field(
             "shape missing",
@@ -239,6 +239,32 @@ class LevelTest {
   }
 
   @Test
+  void linesAndCapsulesAreReadAndLinesHaveNoPlaceAmongDynamicBodies() throws Exception {
+    String lines =
+        "{\"at\": [0, 0], \"shape\": {\"type\": \"chain\", \"loop\": true, \"points\": [[0, 0], [4,"
+            + " 0], [2, 3]]}},{\"at\": [1, 0], \"shape\": {\"type\": \"segment\", \"from\": [0, 0],"
+            + " \"to\": [2, 0]}}";
+    String capsule =
+        "{\"at\": [0, 0], \"shape\": {\"type\": \"capsule\", \"from\": [0, 0], \"to\": [0, 1],"
+            + " \"radius\": 0.3}}";
+    byte[] good =
+        (HEAD + "\"statics\": [" + lines + "], \"bodies\": [" + capsule + "]}").getBytes(UTF_8);
+    Level level = Level.parse("t.json", good);
+    assertEquals("Chain(points=3, loop=true)", shape(level, 0));
+    assertEquals("Segment(0.0 0.0, 2.0 0.0)", shape(level, 1));
+    assertEquals("Capsule(0.0 0.0, 0.0 1.0, radius=0.3)", shape(level, 2));
+    assertEquals("", SchemaChecker.levels().check(Json.parse("t", good)));
+    byte[] bad = (HEAD + "\"bodies\": [" + lines + "]}").getBytes(UTF_8);
+    String message =
+        assertThrows(LevelException.class, () -> Level.parse("t.json", bad)).getMessage();
+    assertTrue(message.contains("bodies[0].shape.type is a line without mass"), message);
+  }
+
+  private static String shape(Level level, int archetype) {
+    return level.archetypes().get(archetype).shapes.get(0).toString();
+  }
+
+  @Test
   void schemaAndReaderKnowTheSameFields() throws Exception {
     SchemaChecker schema = SchemaChecker.levels();
     assertEquals(LevelReader.ROOT, schema.fields(null));
@@ -252,6 +278,9 @@ class LevelTest {
     assertEquals(LevelReader.CIRCLE, schema.fields("circle"));
     assertEquals(LevelReader.BOX, schema.fields("box"));
     assertEquals(LevelReader.POLYGON, schema.fields("polygon"));
+    assertEquals(LevelReader.CAPSULE, schema.fields("capsule"));
+    assertEquals(LevelReader.SEGMENT, schema.fields("segment"));
+    assertEquals(LevelReader.CHAIN, schema.fields("chain"));
     assertEquals(LevelReader.COMPOUND, schema.fields("compound"));
     assertEquals(LevelReader.MOTION, schema.fields("motion"));
     assertEquals(LevelReader.REPEAT, schema.fields("repeat"));

@@ -120,9 +120,6 @@ public final class Dynamics {
   public int create(byte type, ShapeSpec[] shapes, boolean fixedRotation) {
     int count = 0;
     for (ShapeSpec spec : shapes) {
-      if (type == BodyStore.DYNAMIC) {
-        Checks.refuseLines(spec.shape());
-      }
       count += spec.shape().parts().size();
     }
     if (count > ContactKey.MAX_PARTS) {
@@ -252,6 +249,7 @@ public final class Dynamics {
     double mx = 0;
     double my = 0;
     for (ShapeSpec spec : shapes) {
+      Checks.refuseLines(spec.shape());
       MassData m = spec.shape().mass(spec.density());
       mass += m.mass();
       mx += (double) m.mass() * m.centerX();

@@ -1,0 +1,98 @@
+package carom.physics.collision;
+
+import carom.physics.geometry.Convex;
+import carom.physics.math.Transform;
+
+/**
+ * The three usual ways to name one point at which two shapes collide, for games and lessons that
+ * work with a single point; the solver itself uses the {@link Manifold}'s two. Points are in world
+ * axes, relative to A's transform position, metres, as in a manifold. Mutable and reused.
+ */
+public final class PointOfCollision {
+  /** X of the point, metres from A's position. */
+  public float x;
+
+  /** Y of the point, metres from A's position. */
+  public float y;
+
+  /** Makes a point at A's position. */
+  public PointOfCollision() {}
+
+  /**
+   * The mean of all vertices of either shape that are inside the other one. Simple, and right in
+   * the middle when faces overlap evenly; jumps when a vertex comes or goes.
+   *
+   * @param a shape A in its body's frame
+   * @param ta pose of A, read only
+   * @param b shape B in its body's frame
+   * @param tb pose of B, read only
+   * @return false when there is no such vertex (edges that merely cross, discs beside each other);
+   *     the point stays as it was
+   */
+  public boolean verticesInside(Convex a, Transform ta, Convex b, Transform tb) {
+    double sumX = 0;
+    double sumY = 0;
+    int count = 0;
+    for (int side = 0; side < 2; side++) {
+      Convex own = side == 0 ? a : b;
+      Transform t = side == 0 ? ta : tb;
+      Convex other = side == 0 ? b : a;
+      Transform otherPose = side == 0 ? tb : ta;
+      for (int i = 0; i < own.vertexCount(); i++) {
+        float wx = t.worldX(own.vertexX(i), own.vertexY(i));
+        float wy = t.worldY(own.vertexX(i), own.vertexY(i));
+        if (other.containsPoint(otherPose, wx, wy)) {
+          sumX += wx - ta.x;
+          sumY += wy - ta.y;
+          count++;
+        }
+      }
+    }
+    if (count == 0) {
+      return false;
+    }
+    x = (float) (sumX / count);
+    y = (float) (sumY / count);
+    return true;
+  }
+
+  /**
+   * The point of the manifold that is deepest; of equal ones their middle, so that a box flat on
+   * the ground isn't tipped.
+   *
+   * @return false when the manifold has no point; the point stays as it was
+   */
+  public boolean deepest(Manifold m) {
+    if (m.count == 0) {
+      return false;
+    }
+    if (m.count == 2 && m.separation0 == m.separation1) {
+      return clippedMiddle(m);
+    }
+    boolean second = m.count == 2 && m.separation1 < m.separation0;
+    x = second ? m.x1 : m.x0;
+    y = second ? m.y1 : m.y0;
+    return true;
+  }
+
+  /**
+   * The middle of the segment that is left of one shape's edge after clipping it against the
+   * other's: of the manifold's two points, or its only one. See {@link Manifold#pointX()} for a
+   * mean weighted by depth, which moves continuously.
+   *
+   * @return false when the manifold has no point; the point stays as it was
+   */
+  public boolean clippedMiddle(Manifold m) {
+    if (m.count == 0) {
+      return false;
+    }
+    x = m.count == 2 ? 0.5f * (m.x0 + m.x1) : m.x0;
+    y = m.count == 2 ? 0.5f * (m.y0 + m.y1) : m.y0;
+    return true;
+  }
+
+  @Override
+  public String toString() {
+    return "PointOfCollision(" + x + ", " + y + ")";
+  }
+}
