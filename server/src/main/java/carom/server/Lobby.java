@@ -40,6 +40,13 @@ final class Lobby {
   private static final long NS_PER_MS = 1_000_000;
   private static final long PARTING_MS = 1_000;
   private static final int MAX_POLL = 32;
+
+  /** How long a greeted visitor waits for a place before it is refused. */
+  private static final long ENTRANCE_WAIT_MS = 2_500;
+
+  /** So many places one address may hold without playing yet, and up to half of the free ones. */
+  private static final int MIN_UNREADY = 8;
+
   private static final int MAX_ACCEPT = 32;
 
   /** How often one link may pull the whole level; more would make the server a hose. */
@@ -56,6 +63,7 @@ final class Lobby {
   private final int maxVisitors;
   private final List<Visitor> visitors = new ArrayList<>();
   private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
+  private final AdmissionRate rate = new AdmissionRate();
   private long nowNs;
 
   /**
@@ -90,7 +98,7 @@ final class Lobby {
       }
       work++;
       if (visitors.size() >= maxVisitors) {
-        refuse(link, RefusalReason.TOO_MANY_CONNECTIONS, "Too many connections are waiting.");
+        refuse(link, RefusalReason.SERVER_FULL, "Too many connections are waiting to play.");
       } else {
         visitors.add(new Visitor(link));
       }
@@ -98,6 +106,7 @@ final class Lobby {
     for (int i = visitors.size() - 1; i >= 0; i--) {
       Visitor visitor = visitors.get(i);
       try {
+        visitor.tryToEnter();
         work += visitor.poll();
         visitor.checkDeadline();
       } catch (RuntimeException e) {
@@ -157,6 +166,42 @@ final class Lobby {
     partings.add(link, why, nowNs + PARTING_MS * NS_PER_MS);
   }
 
+  /** Places that nobody has or is promised, in all rooms that are open. */
+  private int seatsLeft() {
+    int left = 0;
+    for (Room room : rooms) {
+      left += room.hasFailed() ? 0 : room.seats().count() - room.seats().takenCount();
+    }
+    return left;
+  }
+
+  /** Visitors of an address that hold a place and don't play yet. */
+  private int unready(String address) {
+    int count = 0;
+    for (int i = 0; i < visitors.size(); i++) {
+      Visitor v = visitors.get(i);
+      count += !v.done && v.state == SessionState.LOADING && v.address.equals(address) ? 1 : 0;
+    }
+    return count;
+  }
+
+  /** Who must go first when places are short: of another address, which holds several. */
+  private Visitor oldestOfTheBusiest(String newcomer) {
+    Visitor oldest = null;
+    int most = 1;
+    for (int i = 0; i < visitors.size(); i++) {
+      Visitor v = visitors.get(i);
+      if (!v.done && v.state == SessionState.LOADING && !v.address.equals(newcomer)) {
+        int held = unready(v.address);
+        if (held > most) { // the list is in order of arrival
+          most = held;
+          oldest = v;
+        }
+      }
+    }
+    return oldest;
+  }
+
   /** One link on its way in. */
   private final class Visitor implements LinkHandler {
     private final Link link;
@@ -165,18 +210,25 @@ final class Lobby {
     private Room room;
     private Seats.Seat seat;
     private int datagramKey;
+    private final String address;
+    private ClientMessage.Hello waiting;
+    private long waitsUntilNs;
     private long pulledBytes;
     private boolean done;
 
     Visitor(Link link) {
       this.link = link;
+      this.address = AdmissionRate.address(link.remote());
       this.deadlineNs = nowNs + config.handshakeTimeoutMs() * NS_PER_MS;
     }
 
-    /** One by one: what comes behind Ready is the room's. */
+    /**
+     * One by one: what comes behind a greeting waits with it, what comes behind Ready is the
+     * room's.
+     */
     int poll() {
       int work = 0;
-      while (!done && work < MAX_POLL && link.poll(this, 1) > 0) {
+      while (!done && waiting == null && work < MAX_POLL && link.poll(this, 1) > 0) {
         work++;
       }
       return work;
@@ -231,20 +283,58 @@ final class Lobby {
         refused(RefusalReason.NAME_INVALID, "Sorry, " + problem + ".");
         return;
       }
-      if (!resume(hello.resumeSecret()) && !place(name)) {
-        refused(RefusalReason.SERVER_FULL, "All %d places are taken.".formatted(config.places()));
-        return;
-      }
-      welcome();
+      waiting = hello;
+      waitsUntilNs = nowNs + ENTRANCE_WAIT_MS * NS_PER_MS;
+      tryToEnter();
     }
 
-    /** Claims the seat that belongs to a secret, in whichever room it is. */
-    private boolean resume(long secret) {
-      for (int i = 0; i < rooms.size() && seat == null; i++) {
-        room = rooms.get(i);
-        seat = room.hasFailed() ? null : room.seats().claim(secret);
+    /**
+     * Gives a greeted visitor a place as soon as it may have one. Whoever asks too often, or holds
+     * many places without playing, waits; so does everybody while a full room gives up the place of
+     * a player who lost the connection.
+     */
+    void tryToEnter() {
+      if (done || waiting == null) {
+        return;
       }
-      return seat != null;
+      if (link.state() == Link.State.CLOSED) {
+        end("left while waiting");
+        return;
+      }
+      boolean allowed = rate.allows(address, nowNs);
+      boolean full = false;
+      if (allowed) {
+        if (isExpected()) {
+          resume();
+        } else {
+          full = !place(waiting.name().strip()) && seatsLeft() == 0 && !askForPlaces();
+        }
+      }
+      if (seat != null) {
+        rate.count(address, nowNs);
+        waiting = null;
+        welcome();
+      } else if (full) {
+        refused(RefusalReason.SERVER_FULL, "All %d places are taken.".formatted(config.places()));
+      } else if (nowNs - waitsUntilNs >= 0) {
+        refused(RefusalReason.TOO_MANY_CONNECTIONS, "");
+      }
+    }
+
+    /** Whether a seat belongs to the visitor's secret; remembers in which room. */
+    private boolean isExpected() {
+      for (Room candidate : rooms) {
+        if (!candidate.hasFailed() && candidate.seats().knows(waiting.resumeSecret())) {
+          room = candidate;
+          return true;
+        }
+      }
+      return false;
+    }
+
+    /** Claims the seat that belongs to the visitor's secret. */
+    private void resume() {
+      seat = room.seats().claim(waiting.resumeSecret(), nowNs);
     }
 
     /** Takes a seat in the fullest room that has one. */
@@ -257,8 +347,23 @@ final class Lobby {
           room = candidate;
         }
       }
-      seat = most < 0 ? null : room.seats().take(name);
+      if (most >= 0 && unready(address) < Math.max(MIN_UNREADY, seatsLeft() / 2)) {
+        seat = room.seats().take(name);
+      }
       return seat != null;
+    }
+
+    /** All places are taken; by players who play, we hope. False when they do. */
+    private boolean askForPlaces() {
+      boolean asked = false;
+      for (Room candidate : rooms) {
+        asked |= !candidate.hasFailed() && candidate.giveWay();
+      }
+      Visitor hog = asked ? null : oldestOfTheBusiest(address);
+      if (hog != null) {
+        hog.refused(RefusalReason.TOO_SLOW, "Others wait for the place.");
+      }
+      return asked || hog != null;
     }
 
     private void welcome() {
@@ -306,7 +411,7 @@ final class Lobby {
     }
 
     private void checkDeadline() {
-      if (!done && nowNs - deadlineNs >= 0) {
+      if (!done && waiting == null && nowNs - deadlineNs >= 0) {
         refused(
             RefusalReason.TOO_SLOW,
             state == SessionState.CONNECTED

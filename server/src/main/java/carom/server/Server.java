@@ -104,9 +104,17 @@ public final class Server implements AutoCloseable {
 
   private int lobbyTurn(long nowNs) {
     int work = lobby.doWork(nowNs);
+    Throwable error = transport.nextError();
+    if (error != null) {
+      LOG.error("the network thread survived an error; {}", transport.troubles(), error);
+    }
     if (config.statusIntervalS() > 0 && (!statusScheduled || nowNs - nextStatusNs >= 0)) {
       if (statusScheduled) {
         status.next(nowNs).forEach(line -> LOG.info("status: {}", line));
+        String troubles = transport.troubles();
+        if (!troubles.isEmpty()) {
+          LOG.info("status: network since the start: {}", troubles);
+        }
       }
       statusScheduled = true;
       nextStatusNs = nowNs + TimeUnit.SECONDS.toNanos(config.statusIntervalS());

@@ -368,7 +368,7 @@ public final class ServerMain implements Callable<Integer> {
     }
     Console console = System.console();
     if (console == null) {
-      return Boolean.getBoolean("carom.terminal"); // behind Gradle, which can't pass its own on
+      return false;
     }
     try {
       return (Boolean) Console.class.getMethod("isTerminal").invoke(console);

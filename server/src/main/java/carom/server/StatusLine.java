@@ -79,7 +79,7 @@ final class StatusLine {
           perSecond(Counter.BYTES_IN) * 8 / 1e3,
           perSecond(Counter.SNAPSHOT_BYTES) * 8 / 1e3,
           perSecond(Counter.DATAGRAMS_OUT),
-          100.0 * grew(Counter.INPUTS_MISSING) / Math.max(1, grew(Counter.DATAGRAMS_IN)));
+          100.0 * grew(Counter.INPUTS_MISSING) / Math.max(1, grew(Counter.INPUTS_DUE)));
     }
   }
 

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.client.ConnectionPhase;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.InputDatagram;
+import carom.net.protocol.Limits;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Impairment;
@@ -83,7 +84,7 @@ class HostileScenarioTest {
     void randomMessage() {
       switch (random.nextInt(5)) {
         case 0 -> hello();
-        case 1 -> link.send(new ClientMessage.LevelRequest(random.nextInt(1 << 22)));
+        case 1 -> link.send(new ClientMessage.LevelRequest(random.nextInt(Limits.MAX_LEVEL_BYTES)));
         case 2 -> link.send(new ClientMessage.Ready());
         case 3 -> link.send(new ClientMessage.Hello(random.nextInt(), random.nextLong(), "x", 7));
         default -> link.send(new ClientMessage.Leave());

@@ -12,6 +12,7 @@ import carom.net.protocol.ClientMessage;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.RefusalReason;
 import carom.server.config.ServerConfig;
+import carom.server.metrics.Counter;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -85,6 +86,67 @@ class LobbyTest {
     first.link.send(new ClientMessage.Leave());
     rig.steps(3);
     assertEquals(0, rig.join("d").welcome.playerId());
+  }
+
+  @Test
+  void whoeverLostTheConnectionFirstGivesWayToANewcomerOfAFullServer() {
+    FakeClient first = rig.join("a");
+    FakeClient second = rig.join("b");
+    first.link.close("gone");
+    rig.seconds(1);
+    second.link.close("gone");
+    rig.seconds(1);
+    FakeClient third = rig.join("c");
+    assertEquals(first.welcome.playerId(), third.welcome.playerId());
+    rig.seconds(1);
+    assertEquals(1, rig.count(Counter.PLAYERS));
+    assertEquals(1, rig.count(Counter.PLAYERS_IN_GRACE));
+    FakeClient back = rig.join("b", second.welcome.sessionSecret());
+    assertEquals(second.welcome.playerId(), back.welcome.playerId(), "the other one is waited for");
+  }
+
+  @Test
+  void aLinkThatClosesWhileItEntersIsNoticedAtOnce() {
+    FakeClient client = rig.connect().hello("a");
+    client.loads = false;
+    rig.steps(2);
+    client.link.send(new ClientMessage.Ready());
+    client.link.close("gone");
+    rig.seconds(0.5);
+    assertEquals(0, rig.count(Counter.PLAYERS), "not after five seconds of silence");
+    assertEquals(rig.count(Counter.JOINS), rig.count(Counter.LINKS_LOST));
+  }
+
+  @Test
+  void placesPromisedButNotTakenLeaveRoomForOthers() {
+    rig.close();
+    rig = new Rig(ServerConfig.defaults().withMaxPlayers(64), new TestGame(3));
+    for (int i = 0; i < 64; i++) {
+      rig.connect().hello("hog").loads = false;
+    }
+    rig.seconds(1);
+    int held = rig.room.seats().takenCount();
+    assertTrue(held >= 8 && held <= 32, "held=" + held);
+    rig.seconds(5);
+    long refused = rig.clients.stream().filter(c -> c.refused != null).count();
+    assertEquals(64 - held, refused, "the rest is told, and not kept waiting");
+  }
+
+  @Test
+  void whoComesAndGoesInALoopIsSlowedDown() {
+    FakeClient client = rig.join("a");
+    long secret = client.welcome.sessionSecret();
+    FakeClient bystander = rig.join("b");
+    long end = rig.nowNs + 8_000_000_000L;
+    while (rig.nowNs < end) {
+      client.link.close("loop");
+      client = rig.connect().hello("a", secret);
+      for (int i = 0; i < 180 && !client.ready && !client.closed; i++) {
+        rig.step();
+      }
+    }
+    assertTrue(rig.count(Counter.RESUMES) <= 7, "resumes=" + rig.count(Counter.RESUMES));
+    assertFalse(bystander.closed);
   }
 
   @Test

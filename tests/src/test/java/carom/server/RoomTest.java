@@ -17,6 +17,8 @@ import carom.server.metrics.Counter;
 import carom.server.room.Room;
 import carom.sim.Entity;
 import carom.sim.Input;
+import carom.sim.Simulation;
+import java.lang.reflect.Field;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
@@ -441,6 +443,20 @@ class RoomTest {
       assertTrue(status.contains("60.0 Hz"), status);
       assertTrue(status.contains("dropped 0"), status);
       assertTrue(status.contains("inputs missing 0.00 %"), status);
+    }
+  }
+
+  @Test
+  void roomClosesInGoodOrderBeforeItsTicksRunOut() throws Exception {
+    try (Rig rig = new Rig()) {
+      FakeClient client = rig.join("a");
+      Field tick = Simulation.class.getDeclaredField("tick"); // nobody waits for 413 days
+      tick.setAccessible(true);
+      tick.setInt(rig.room.simulation(), Integer.MAX_VALUE - (1 << 20) - 30);
+      rig.seconds(3);
+      assertTrue(rig.room.hasFailed());
+      assertTrue(client.closed, "players are told");
+      assertTrue(rig.room.tick() < Integer.MAX_VALUE - (1 << 20) + 2, "tick=" + rig.room.tick());
     }
   }
 }

@@ -38,6 +38,8 @@ public enum Counter {
   SNAPSHOT_BYTES,
   /** Snapshot datagrams that the transport didn't take. */
   DATAGRAMS_UNSENT,
+  /** Ticks of a player that an input was due for. */
+  INPUTS_DUE,
   /** Ticks of a player for which no input was there in time. */
   INPUTS_MISSING,
   /** Inputs that came after their tick was consumed. */

@@ -21,6 +21,7 @@ import carom.sim.Simulation;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import org.slf4j.Logger;
@@ -41,6 +42,13 @@ import org.slf4j.LoggerFactory;
  * only its own room; rooms share nothing that changes.
  */
 public final class Room {
+  /** The room closes in good order before tick numbers run out: 413 days at 60 Hz. */
+  private static final int LAST_TICK = Integer.MAX_VALUE - (1 << 20);
+
+  /** Lines about comings and goings: so many at once, and so many per second. */
+  private static final float MAX_ANNOUNCEMENTS = 20;
+
+  private static final float ANNOUNCEMENTS_PER_S = 2;
   private static final Logger LOG = LoggerFactory.getLogger(Room.class);
   private static final long NS_PER_MS = 1_000_000;
   private static final long PARTING_MS = 1_000;
@@ -65,6 +73,10 @@ public final class Room {
   private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
   private final Consumer<String> broadcastNotice = this::broadcast;
   private final int[] rosterScores;
+  private final AtomicInteger seatsAskedFor = new AtomicInteger();
+  private int failedTicks;
+  private int announcedTick;
+  private float announcements = MAX_ANNOUNCEMENTS;
   private boolean rosterIsOld;
   private long rosterSentNs;
   private volatile int tick;
@@ -142,9 +154,31 @@ public final class Room {
     }
     counters.add(Counter.TICKS_LATE, Math.max(0, due - 1));
     for (int left = due; left > 0 && !closed; left--) {
-      tick(nowNs, left <= MAX_SENDS_PER_BURST);
+      guardedTick(nowNs, left <= MAX_SENDS_PER_BURST);
     }
     return work + due;
+  }
+
+  /**
+   * An exception that gets through every inner guard is a bug. Counted by ticks, not by turns: most
+   * turns have no tick to do and succeed.
+   */
+  private void guardedTick(long nowNs, boolean sends) {
+    try {
+      tick(nowNs, sends);
+      failedTicks = 0;
+    } catch (RuntimeException | StackOverflowError e) {
+      failedTicks++;
+      if (failedTicks == 1) {
+        LOG.error("{}tick {} failed; the room goes on", label, tick + 1, e);
+      }
+      if (failedTicks >= config.tickRateHz()) {
+        fail(failedTicks + " ticks in a row failed");
+      }
+    }
+    if (tick >= LAST_TICK) {
+      fail("it has run for as long as its ticks can be numbered; start the server again");
+    }
   }
 
   /** When the next tick is due; valid after the first {@link #doWork}. */
@@ -245,11 +279,46 @@ public final class Room {
     updateGauges();
   }
 
+  /**
+   * Asks for a place for a newcomer, from any thread: whoever lost the connection first gives it up
+   * in the next tick, unless just coming back.
+   *
+   * @return false when nobody has lost the connection
+   */
+  public boolean giveWay() {
+    long waiting = counters.get(Counter.PLAYERS_IN_GRACE);
+    if (waiting > seatsAskedFor.get()) {
+      seatsAskedFor.incrementAndGet();
+    }
+    return waiting > 0;
+  }
+
+  /** The session that has waited longest for its player, when its place is asked for; or null. */
+  private Session whoGivesWay() {
+    Session first = null;
+    for (int i = 0; i < sessions.size() && seatsAskedFor.get() > 0; i++) {
+      Session session = sessions.get(i);
+      if (session.state() == SessionState.GRACE
+          && !seats.isClaimed(session.seat())
+          && (first == null || session.graceEndNs() - first.graceEndNs() < 0)) {
+        first = session;
+      }
+    }
+    if (first == null) {
+      seatsAskedFor.set(0);
+    }
+    return first;
+  }
+
   private void serveWishes(long nowNs) {
+    Session givesWay = whoGivesWay();
     for (int i = sessions.size() - 1; i >= 0; i--) {
       Session session = sessions.get(i);
       if (session.state() == SessionState.GRACE) {
-        if (session.graceIsOver(nowNs) && !seats.isClaimed(session.seat())) {
+        if (session == givesWay) {
+          seatsAskedFor.decrementAndGet();
+          remove(session, "gave way to a newcomer", " is gone", nowNs);
+        } else if (session.graceIsOver(nowNs) && !seats.isClaimed(session.seat())) {
           remove(session, "did not come back", " is gone", nowNs);
         }
       } else if (session.wish() == Session.Wish.LEAVE) {
@@ -327,7 +396,9 @@ public final class Room {
       simulation.step();
       return true;
     } catch (RuntimeException | AssertionError | StackOverflowError e) {
-      game.failed("the simulation's step", simulation, e);
+      // The world is in the middle of a step now: nothing that follows would mean anything.
+      LOG.error("{}the step of tick {} failed", label, simulation.tick() + 1, e);
+      fail("its physics failed");
       return false;
     }
   }
@@ -371,7 +442,15 @@ public final class Room {
     sendToAll(new ServerMessage.Notice(text), null);
   }
 
+  /** Who comes and goes; a few of them a second, since a crowd can come and go at once. */
   private void announce(Session about, String text) {
+    float refill = (tick - announcedTick) * ANNOUNCEMENTS_PER_S / config.tickRateHz();
+    announcedTick = tick;
+    announcements = Math.min(MAX_ANNOUNCEMENTS, announcements + refill);
+    if (announcements < 1) {
+      return; // the roster tells it anyway
+    }
+    announcements--;
     sendToAll(new ServerMessage.Notice(text), about);
   }
 

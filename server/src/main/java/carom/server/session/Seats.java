@@ -14,6 +14,9 @@ import java.util.function.LongSupplier;
  * returning player claims a seat that is still occupied.
  */
 public final class Seats {
+  private static final long RESUME_INTERVAL_MS = 1_500;
+  private static final long NS_PER_MS = 1_000_000;
+
   private final Seat[] taken;
   private final LongSupplier secrets;
 
@@ -45,22 +48,38 @@ public final class Seats {
     return null;
   }
 
-  /**
-   * Claims the seat that belongs to a secret, for a link that wants to resume it.
-   *
-   * @return null when no seat has this secret
-   */
-  public synchronized Seat claim(long secret) {
-    if (secret == 0) {
-      return null;
-    }
+  /** Whether a seat belongs to a secret. */
+  public synchronized boolean knows(long secret) {
+    return find(secret) != null;
+  }
+
+  private Seat find(long secret) {
     for (Seat seat : taken) {
-      if (seat != null && seat.secret == secret) {
-        seat.claims++;
+      if (secret != 0 && seat != null && seat.secret == secret) {
         return seat;
       }
     }
     return null;
+  }
+
+  /**
+   * Claims the seat that belongs to a secret, for a link that wants to resume it.
+   *
+   * @param nowNs monotonic time; a seat is claimed at most once in {@value #RESUME_INTERVAL_MS} ms,
+   *     so that a client that comes and goes in a loop is slowed down
+   * @return null when no seat has this secret, or it was claimed a moment ago
+   */
+  public synchronized Seat claim(long secret, long nowNs) {
+    Seat seat = find(secret);
+    boolean tooSoon =
+        seat != null && seat.resumed && nowNs - seat.resumedNs < RESUME_INTERVAL_MS * NS_PER_MS;
+    if (seat == null || tooSoon) {
+      return null;
+    }
+    seat.resumed = true;
+    seat.resumedNs = nowNs;
+    seat.claims++;
+    return seat;
   }
 
   /** Ends one claim: the link will never arrive in the room. An empty seat becomes free. */
@@ -151,6 +170,8 @@ public final class Seats {
     private final long secret;
     private int claims; // guarded by the seats' lock, like occupied
     private boolean occupied;
+    private boolean resumed;
+    private long resumedNs;
 
     Seat(int id, String name, long secret) {
       this.id = id;

@@ -141,7 +141,11 @@ public final class Session implements LinkHandler {
   /** Takes what has arrived, at most {@link #MAX_POLL} messages and datagrams. */
   public int poll(long timeNs) {
     nowNs = timeNs;
-    return link.poll(this, MAX_POLL);
+    int work = link.poll(this, MAX_POLL);
+    if (work == 0 && !linkLost && link.state() == Link.State.CLOSED) {
+      closed(link, link.closeReason()); // while it changed hands, the lobby was told
+    }
+    return work;
   }
 
   @Override
@@ -209,6 +213,7 @@ public final class Session implements LinkHandler {
   }
 
   private void countInputs() {
+    counters.add(Counter.INPUTS_DUE, 1);
     if (inputs.missing() != missingSeen) {
       counters.add(Counter.INPUTS_MISSING, inputs.missing() - missingSeen);
       missingSeen = inputs.missing();
@@ -298,6 +303,11 @@ public final class Session implements LinkHandler {
   /** What the client did when {@link #wish} is {@link Wish#EXPEL}. */
   public String offence() {
     return offence;
+  }
+
+  /** When the grace period is over; meaningful in {@link SessionState#GRACE}. */
+  public long graceEndNs() {
+    return graceEndNs;
   }
 
   /** Whether the link has closed. */

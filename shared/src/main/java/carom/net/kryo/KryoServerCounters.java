@@ -46,6 +46,26 @@ public final class KryoServerCounters {
     return lastError;
   }
 
+  /** The values that aren't 0 and should be, in words. */
+  String troubles() {
+    StringBuilder text = new StringBuilder();
+    append(text, refused, "refused");
+    append(text, expired, "never finished the handshake");
+    append(text, expelled, "expelled");
+    append(text, strangeDatagrams, "datagrams of strangers");
+    append(text, malformedDatagrams, "malformed datagrams");
+    append(text, excessDatagrams, "datagrams too many");
+    append(text, errors, "errors");
+    return text.toString();
+  }
+
+  private static void append(StringBuilder text, AtomicLong value, String meaning) {
+    long count = value.get();
+    if (count > 0) {
+      text.append(text.length() == 0 ? "" : ", ").append(count).append(' ').append(meaning);
+    }
+  }
+
   void error(Throwable error) {
     lastError = error;
     errors.incrementAndGet();

@@ -19,6 +19,7 @@ public final class KryoServerTransport implements ServerTransport {
   private final ServerNetwork network;
   private final int tcpPort;
   private final int udpPort;
+  private long nextErrorCount = 1;
 
   /** As {@link #KryoServerTransport(int, int, KryoLimits)} with {@link KryoLimits#DEFAULT}. */
   public KryoServerTransport(int tcpPort, int udpPort) {
@@ -99,6 +100,20 @@ public final class KryoServerTransport implements ServerTransport {
             ? name + " is busy: another server is probably running; stop it, or choose another port"
             : name + " can't be opened (" + failure.getMessage() + "); choose another port";
     return new PortUnavailableException(protocol, port, text + " with " + flag, failure);
+  }
+
+  @Override
+  public String troubles() {
+    return counters().troubles();
+  }
+
+  @Override
+  public Throwable nextError() {
+    if (counters().errors.get() < nextErrorCount) {
+      return null;
+    }
+    nextErrorCount *= 10;
+    return counters().lastError();
   }
 
   @Override

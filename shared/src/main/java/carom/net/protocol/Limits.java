@@ -38,7 +38,7 @@ public final class Limits {
   public static final int MAX_LEVEL_CHUNK_BYTES = 4_096;
 
   /** Largest level file in bytes. */
-  public static final int MAX_LEVEL_BYTES = 4 * 1_024 * 1_024;
+  public static final int MAX_LEVEL_BYTES = 1_024 * 1_024;
 
   /** Players in a room; ids are 0..255. */
   public static final int MAX_PLAYERS = 256;

@@ -87,7 +87,7 @@ public final class InProcessNetwork {
       links.removeIf(link -> link.state() == Link.State.CLOSED);
       int number = ++connections;
       Object pair = new Object();
-      InProcessLink serverEnd = new InProcessLink(codec, "in-process client " + number, pair);
+      InProcessLink serverEnd = new InProcessLink(codec, "in-process:" + number, pair);
       InProcessLink clientEnd = new InProcessLink(codec, "in-process server", pair);
       InProcessLink.join(serverEnd, clientEnd);
       if (serverClosed) {

@@ -12,6 +12,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 
 class SeatsTest {
+  private long now;
   private final AtomicLong secrets = new AtomicLong();
   private final Seats seats = new Seats(3, secrets::getAndIncrement);
 
@@ -31,7 +32,7 @@ class SeatsTest {
   @Test
   void secretsAreNeverZero() {
     assertNotEquals(0, seats.take("a").secret());
-    assertNull(seats.claim(0));
+    assertNull(seats.claim(0, 0));
   }
 
   @Test
@@ -54,20 +55,20 @@ class SeatsTest {
   void occupiedSeatOutlivesItsClaims() {
     Seats.Seat seat = seats.take("a");
     seats.occupy(seat);
-    assertSame(seat, seats.claim(seat.secret()));
+    assertSame(seat, seats.claim(seat.secret(), now += 2_000_000_000L));
     assertTrue(seats.isClaimed(seat));
     seats.unclaim(seat);
     assertEquals(1, seats.takenCount());
     seats.vacate(seat);
     assertEquals(0, seats.takenCount());
-    assertNull(seats.claim(seat.secret()));
+    assertNull(seats.claim(seat.secret(), now += 2_000_000_000L));
   }
 
   @Test
   void claimedSeatOutlivesItsPlayer() {
     Seats.Seat seat = seats.take("a");
     seats.occupy(seat);
-    assertNotNull(seats.claim(seat.secret()));
+    assertNotNull(seats.claim(seat.secret(), now += 2_000_000_000L));
     seats.vacate(seat);
     assertEquals(1, seats.takenCount());
     seats.occupy(seat);

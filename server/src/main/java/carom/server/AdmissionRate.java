@@ -1,0 +1,64 @@
+package carom.server;
+
+import java.util.HashMap;
+import java.util.Map;
+
+/**
+ * How often the clients of one address may come in: {@value #BURST} at once, then {@value
+ * #PER_SECOND} per second. A crowd behind one address comes in unhindered; a client that joins and
+ * leaves in a loop can't flood the others' screens and the log. One thread; bounded.
+ */
+final class AdmissionRate {
+  static final int BURST = 256;
+  static final int PER_SECOND = 4;
+
+  private static final int MAX_ADDRESSES = 4_096;
+  private static final double NS_PER_S = 1e9;
+
+  private final Map<String, Bucket> buckets = new HashMap<>();
+
+  /** What an address has left. */
+  private static final class Bucket {
+    private double tokens = BURST;
+    private long sinceNs;
+
+    private void fill(long nowNs) {
+      tokens = Math.min(BURST, tokens + (nowNs - sinceNs) / NS_PER_S * PER_SECOND);
+      sinceNs = nowNs;
+    }
+  }
+
+  /** The part of {@code Link.remote} that all links of one machine share. */
+  static String address(String remote) {
+    int port = remote.lastIndexOf(':');
+    return port < 0 ? remote : remote.substring(0, port);
+  }
+
+  /** Whether one more may come in now. */
+  boolean allows(String address, long nowNs) {
+    Bucket bucket = buckets.get(address);
+    if (bucket == null) {
+      return true;
+    }
+    bucket.fill(nowNs);
+    return bucket.tokens >= 1;
+  }
+
+  /** One has come in. */
+  void count(String address, long nowNs) {
+    if (buckets.size() >= MAX_ADDRESSES && !buckets.containsKey(address)) {
+      buckets.values().removeIf(b -> isFull(b, nowNs));
+      if (buckets.size() >= MAX_ADDRESSES) {
+        buckets.clear(); // more addresses at work than any flood from one: forget, don't grow
+      }
+    }
+    Bucket bucket = buckets.computeIfAbsent(address, a -> new Bucket());
+    bucket.fill(nowNs);
+    bucket.tokens--;
+  }
+
+  private static boolean isFull(Bucket bucket, long nowNs) {
+    bucket.fill(nowNs);
+    return bucket.tokens >= BURST;
+  }
+}
