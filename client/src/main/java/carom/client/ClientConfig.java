@@ -1,5 +1,7 @@
 package carom.client;
 
+import java.util.function.Consumer;
+
 /**
  * Settings of a {@link GameClient}. Immutable; start from {@link #of} and change by {@code
  * with...}.
@@ -60,97 +62,93 @@ public record ClientConfig(
 
   /** This, for another server. */
   public ClientConfig withServer(String host, int tcpPort, int udpPort) {
-    return new ClientConfig(
-        host,
-        tcpPort,
-        udpPort,
-        name,
-        prediction,
-        nearMetres,
-        maxNearBodies,
-        maxRollbackTicks,
-        ticksPerInputDatagram,
-        reconnect);
+    return with(
+        d -> {
+          d.host = host;
+          d.tcpPort = tcpPort;
+          d.udpPort = udpPort;
+        });
   }
 
   /** This, with another name. */
   public ClientConfig withName(String name) {
-    return new ClientConfig(
-        host,
-        tcpPort,
-        udpPort,
-        name,
-        prediction,
-        nearMetres,
-        maxNearBodies,
-        maxRollbackTicks,
-        ticksPerInputDatagram,
-        reconnect);
+    return with(d -> d.name = name);
   }
 
   /** This, with another prediction. */
   public ClientConfig withPrediction(PredictionMode prediction) {
-    return new ClientConfig(
-        host,
-        tcpPort,
-        udpPort,
-        name,
-        prediction,
-        nearMetres,
-        maxNearBodies,
-        maxRollbackTicks,
-        ticksPerInputDatagram,
-        reconnect);
+    return with(d -> d.prediction = prediction);
   }
 
   /** This, with another reach of the prediction. */
   public ClientConfig withNear(float nearMetres, int maxNearBodies) {
-    return new ClientConfig(
-        host,
-        tcpPort,
-        udpPort,
-        name,
-        prediction,
-        nearMetres,
-        maxNearBodies,
-        maxRollbackTicks,
-        ticksPerInputDatagram,
-        reconnect);
+    return with(
+        d -> {
+          d.nearMetres = nearMetres;
+          d.maxNearBodies = maxNearBodies;
+        });
   }
 
   /** This, with another number of inputs per datagram. */
   public ClientConfig withTicksPerInputDatagram(int ticksPerInputDatagram) {
-    return new ClientConfig(
-        host,
-        tcpPort,
-        udpPort,
-        name,
-        prediction,
-        nearMetres,
-        maxNearBodies,
-        maxRollbackTicks,
-        ticksPerInputDatagram,
-        reconnect);
+    return with(d -> d.ticksPerInputDatagram = ticksPerInputDatagram);
   }
 
   /** This, coming back by itself or not. */
   public ClientConfig withReconnect(boolean reconnect) {
-    return new ClientConfig(
-        host,
-        tcpPort,
-        udpPort,
-        name,
-        prediction,
-        nearMetres,
-        maxNearBodies,
-        maxRollbackTicks,
-        ticksPerInputDatagram,
-        reconnect);
+    return with(d -> d.reconnect = reconnect);
   }
 
   private static void require(String name, double value, double min, double max) {
     if (!(value >= min && value <= max)) {
       throw new IllegalArgumentException(name + "=" + value + " is outside " + min + ".." + max);
+    }
+  }
+
+  private ClientConfig with(Consumer<Draft> change) {
+    Draft draft = new Draft(this);
+    change.accept(draft);
+    return draft.build();
+  }
+
+  /** The settings as variables, so that each {@code with...} method names just its own. */
+  private static final class Draft {
+    private String host;
+    private int tcpPort;
+    private int udpPort;
+    private String name;
+    private PredictionMode prediction;
+    private float nearMetres;
+    private int maxNearBodies;
+    private int maxRollbackTicks;
+    private int ticksPerInputDatagram;
+    private boolean reconnect;
+
+    Draft(ClientConfig from) {
+      host = from.host;
+      tcpPort = from.tcpPort;
+      udpPort = from.udpPort;
+      name = from.name;
+      prediction = from.prediction;
+      nearMetres = from.nearMetres;
+      maxNearBodies = from.maxNearBodies;
+      maxRollbackTicks = from.maxRollbackTicks;
+      ticksPerInputDatagram = from.ticksPerInputDatagram;
+      reconnect = from.reconnect;
+    }
+
+    ClientConfig build() {
+      return new ClientConfig(
+          host,
+          tcpPort,
+          udpPort,
+          name,
+          prediction,
+          nearMetres,
+          maxNearBodies,
+          maxRollbackTicks,
+          ticksPerInputDatagram,
+          reconnect);
     }
   }
 }

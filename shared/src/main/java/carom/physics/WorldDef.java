@@ -1,6 +1,7 @@
 package carom.physics;
 
 import carom.physics.dynamics.Checks;
+import java.util.function.Consumer;
 
 /**
  * The constants of a world; immutable. Two worlds behave alike only if theirs are equal, so server
@@ -87,21 +88,11 @@ public record WorldDef(
    * @return a changed copy
    */
   public WorldDef withGravity(float x, float y) {
-    return new WorldDef(
-        x,
-        y,
-        substeps,
-        contactHertz,
-        contactDampingRatio,
-        restitutionThreshold,
-        maxPushSpeed,
-        slop,
-        speculativeDistance,
-        aabbMargin,
-        maxSpeed,
-        maxAngularSpeed,
-        jointHertz,
-        jointDampingRatio);
+    return with(
+        d -> {
+          d.gravityX = x;
+          d.gravityY = y;
+        });
   }
 
   /**
@@ -111,21 +102,7 @@ public record WorldDef(
    * @return a changed copy
    */
   public WorldDef withSubsteps(int value) {
-    return new WorldDef(
-        gravityX,
-        gravityY,
-        value,
-        contactHertz,
-        contactDampingRatio,
-        restitutionThreshold,
-        maxPushSpeed,
-        slop,
-        speculativeDistance,
-        aabbMargin,
-        maxSpeed,
-        maxAngularSpeed,
-        jointHertz,
-        jointDampingRatio);
+    return with(d -> d.substeps = value);
   }
 
   /**
@@ -135,21 +112,7 @@ public record WorldDef(
    * @return a changed copy
    */
   public WorldDef withContactHertz(float value) {
-    return new WorldDef(
-        gravityX,
-        gravityY,
-        substeps,
-        value,
-        contactDampingRatio,
-        restitutionThreshold,
-        maxPushSpeed,
-        slop,
-        speculativeDistance,
-        aabbMargin,
-        maxSpeed,
-        maxAngularSpeed,
-        jointHertz,
-        jointDampingRatio);
+    return with(d -> d.contactHertz = value);
   }
 
   /**
@@ -159,21 +122,7 @@ public record WorldDef(
    * @return a changed copy
    */
   public WorldDef withContactDampingRatio(float value) {
-    return new WorldDef(
-        gravityX,
-        gravityY,
-        substeps,
-        contactHertz,
-        value,
-        restitutionThreshold,
-        maxPushSpeed,
-        slop,
-        speculativeDistance,
-        aabbMargin,
-        maxSpeed,
-        maxAngularSpeed,
-        jointHertz,
-        jointDampingRatio);
+    return with(d -> d.contactDampingRatio = value);
   }
 
   /**
@@ -183,21 +132,7 @@ public record WorldDef(
    * @return a changed copy
    */
   public WorldDef withRestitutionThreshold(float value) {
-    return new WorldDef(
-        gravityX,
-        gravityY,
-        substeps,
-        contactHertz,
-        contactDampingRatio,
-        value,
-        maxPushSpeed,
-        slop,
-        speculativeDistance,
-        aabbMargin,
-        maxSpeed,
-        maxAngularSpeed,
-        jointHertz,
-        jointDampingRatio);
+    return with(d -> d.restitutionThreshold = value);
   }
 
   /**
@@ -207,21 +142,7 @@ public record WorldDef(
    * @return a changed copy
    */
   public WorldDef withMaxPushSpeed(float value) {
-    return new WorldDef(
-        gravityX,
-        gravityY,
-        substeps,
-        contactHertz,
-        contactDampingRatio,
-        restitutionThreshold,
-        value,
-        slop,
-        speculativeDistance,
-        aabbMargin,
-        maxSpeed,
-        maxAngularSpeed,
-        jointHertz,
-        jointDampingRatio);
+    return with(d -> d.maxPushSpeed = value);
   }
 
   /**
@@ -231,21 +152,7 @@ public record WorldDef(
    * @return a changed copy
    */
   public WorldDef withSlop(float value) {
-    return new WorldDef(
-        gravityX,
-        gravityY,
-        substeps,
-        contactHertz,
-        contactDampingRatio,
-        restitutionThreshold,
-        maxPushSpeed,
-        value,
-        speculativeDistance,
-        aabbMargin,
-        maxSpeed,
-        maxAngularSpeed,
-        jointHertz,
-        jointDampingRatio);
+    return with(d -> d.slop = value);
   }
 
   /**
@@ -255,21 +162,7 @@ public record WorldDef(
    * @return a changed copy
    */
   public WorldDef withSpeculativeDistance(float value) {
-    return new WorldDef(
-        gravityX,
-        gravityY,
-        substeps,
-        contactHertz,
-        contactDampingRatio,
-        restitutionThreshold,
-        maxPushSpeed,
-        slop,
-        value,
-        aabbMargin,
-        maxSpeed,
-        maxAngularSpeed,
-        jointHertz,
-        jointDampingRatio);
+    return with(d -> d.speculativeDistance = value);
   }
 
   /**
@@ -279,21 +172,7 @@ public record WorldDef(
    * @return a changed copy
    */
   public WorldDef withAabbMargin(float value) {
-    return new WorldDef(
-        gravityX,
-        gravityY,
-        substeps,
-        contactHertz,
-        contactDampingRatio,
-        restitutionThreshold,
-        maxPushSpeed,
-        slop,
-        speculativeDistance,
-        value,
-        maxSpeed,
-        maxAngularSpeed,
-        jointHertz,
-        jointDampingRatio);
+    return with(d -> d.aabbMargin = value);
   }
 
   /**
@@ -303,21 +182,7 @@ public record WorldDef(
    * @return a changed copy
    */
   public WorldDef withMaxSpeed(float value) {
-    return new WorldDef(
-        gravityX,
-        gravityY,
-        substeps,
-        contactHertz,
-        contactDampingRatio,
-        restitutionThreshold,
-        maxPushSpeed,
-        slop,
-        speculativeDistance,
-        aabbMargin,
-        value,
-        maxAngularSpeed,
-        jointHertz,
-        jointDampingRatio);
+    return with(d -> d.maxSpeed = value);
   }
 
   /**
@@ -327,21 +192,7 @@ public record WorldDef(
    * @return a changed copy
    */
   public WorldDef withMaxAngularSpeed(float value) {
-    return new WorldDef(
-        gravityX,
-        gravityY,
-        substeps,
-        contactHertz,
-        contactDampingRatio,
-        restitutionThreshold,
-        maxPushSpeed,
-        slop,
-        speculativeDistance,
-        aabbMargin,
-        maxSpeed,
-        value,
-        jointHertz,
-        jointDampingRatio);
+    return with(d -> d.maxAngularSpeed = value);
   }
 
   /**
@@ -351,21 +202,7 @@ public record WorldDef(
    * @return a changed copy
    */
   public WorldDef withJointHertz(float value) {
-    return new WorldDef(
-        gravityX,
-        gravityY,
-        substeps,
-        contactHertz,
-        contactDampingRatio,
-        restitutionThreshold,
-        maxPushSpeed,
-        slop,
-        speculativeDistance,
-        aabbMargin,
-        maxSpeed,
-        maxAngularSpeed,
-        value,
-        jointDampingRatio);
+    return with(d -> d.jointHertz = value);
   }
 
   /**
@@ -375,20 +212,65 @@ public record WorldDef(
    * @return a changed copy
    */
   public WorldDef withJointDampingRatio(float value) {
-    return new WorldDef(
-        gravityX,
-        gravityY,
-        substeps,
-        contactHertz,
-        contactDampingRatio,
-        restitutionThreshold,
-        maxPushSpeed,
-        slop,
-        speculativeDistance,
-        aabbMargin,
-        maxSpeed,
-        maxAngularSpeed,
-        jointHertz,
-        value);
+    return with(d -> d.jointDampingRatio = value);
+  }
+
+  private WorldDef with(Consumer<Draft> change) {
+    Draft draft = new Draft(this);
+    change.accept(draft);
+    return draft.build();
+  }
+
+  /** The settings as variables, so that each {@code with...} method names just its own. */
+  private static final class Draft {
+    private float gravityX;
+    private float gravityY;
+    private int substeps;
+    private float contactHertz;
+    private float contactDampingRatio;
+    private float restitutionThreshold;
+    private float maxPushSpeed;
+    private float slop;
+    private float speculativeDistance;
+    private float aabbMargin;
+    private float maxSpeed;
+    private float maxAngularSpeed;
+    private float jointHertz;
+    private float jointDampingRatio;
+
+    Draft(WorldDef from) {
+      gravityX = from.gravityX;
+      gravityY = from.gravityY;
+      substeps = from.substeps;
+      contactHertz = from.contactHertz;
+      contactDampingRatio = from.contactDampingRatio;
+      restitutionThreshold = from.restitutionThreshold;
+      maxPushSpeed = from.maxPushSpeed;
+      slop = from.slop;
+      speculativeDistance = from.speculativeDistance;
+      aabbMargin = from.aabbMargin;
+      maxSpeed = from.maxSpeed;
+      maxAngularSpeed = from.maxAngularSpeed;
+      jointHertz = from.jointHertz;
+      jointDampingRatio = from.jointDampingRatio;
+    }
+
+    WorldDef build() {
+      return new WorldDef(
+          gravityX,
+          gravityY,
+          substeps,
+          contactHertz,
+          contactDampingRatio,
+          restitutionThreshold,
+          maxPushSpeed,
+          slop,
+          speculativeDistance,
+          aabbMargin,
+          maxSpeed,
+          maxAngularSpeed,
+          jointHertz,
+          jointDampingRatio);
+    }
   }
 }
