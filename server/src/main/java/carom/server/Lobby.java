@@ -213,6 +213,7 @@ final class Lobby {
     private final String address;
     private ClientMessage.Hello waiting;
     private long waitsUntilNs;
+    private boolean asked; // for a place in a full server: once
     private long pulledBytes;
     private boolean done;
 
@@ -314,7 +315,7 @@ final class Lobby {
         rate.count(address, nowNs);
         waiting = null;
         welcome();
-      } else if (full) {
+      } else if (full || (allowed && seatsLeft() == 0 && nowNs - waitsUntilNs >= 0)) {
         refused(RefusalReason.SERVER_FULL, "All %d places are taken.".formatted(config.places()));
       } else if (nowNs - waitsUntilNs >= 0) {
         refused(RefusalReason.TOO_MANY_CONNECTIONS, "");
@@ -355,15 +356,15 @@ final class Lobby {
 
     /** All places are taken; by players who play, we hope. False when they do. */
     private boolean askForPlaces() {
-      boolean asked = false;
-      for (Room candidate : rooms) {
-        asked |= !candidate.hasFailed() && candidate.giveWay();
+      for (int i = 0; i < rooms.size() && !asked; i++) { // one place is enough
+        asked = !rooms.get(i).hasFailed() && rooms.get(i).giveWay();
       }
       Visitor hog = asked ? null : oldestOfTheBusiest(address);
       if (hog != null) {
+        asked = true;
         hog.refused(RefusalReason.TOO_SLOW, "Others wait for the place.");
       }
-      return asked || hog != null;
+      return asked;
     }
 
     private void welcome() {
