@@ -41,6 +41,9 @@ final class Lobby {
   private static final long PARTING_MS = 1_000;
   private static final int MAX_POLL = 32;
 
+  /** How long a visitor of a full server waits for the place it asked for, until it asks again. */
+  private static final long ASK_AGAIN_MS = 400;
+
   /** How long a greeted visitor waits for a place before it is refused. */
   private static final long ENTRANCE_WAIT_MS = 2_500;
 
@@ -213,7 +216,7 @@ final class Lobby {
     private final String address;
     private ClientMessage.Hello waiting;
     private long waitsUntilNs;
-    private boolean asked; // for a place in a full server: once
+    private long askAgainNs;
     private long pulledBytes;
     private boolean done;
 
@@ -221,6 +224,7 @@ final class Lobby {
       this.link = link;
       this.address = AdmissionRate.address(link.remote());
       this.deadlineNs = nowNs + config.handshakeTimeoutMs() * NS_PER_MS;
+      this.askAgainNs = nowNs;
     }
 
     /**
@@ -356,7 +360,11 @@ final class Lobby {
 
     /** All places are taken; by players who play, we hope. False when they do. */
     private boolean askForPlaces() {
-      for (int i = 0; i < rooms.size() && !asked; i++) { // one place is enough
+      if (nowNs - askAgainNs < 0) {
+        return true; // one place is enough, and it is on its way unless somebody else was faster
+      }
+      boolean asked = false;
+      for (int i = 0; i < rooms.size() && !asked; i++) {
         asked = !rooms.get(i).hasFailed() && rooms.get(i).giveWay();
       }
       Visitor hog = asked ? null : oldestOfTheBusiest(address);
@@ -364,6 +372,7 @@ final class Lobby {
         asked = true;
         hog.refused(RefusalReason.TOO_SLOW, "Others wait for the place.");
       }
+      askAgainNs = asked ? nowNs + ASK_AGAIN_MS * NS_PER_MS : nowNs;
       return asked;
     }
 
