@@ -15,8 +15,9 @@ import java.util.function.Consumer;
  *     capped at a quarter of the substep rate, above which the spring can't be resolved. Softer
  *     contacts sink in and let high columns buckle (at 30, those of 15 boxes), stiffer ones make
  *     wide piles tremble
- * @param contactDampingRatio how overdamped that spring is, 1 = critically; default 10, so that
- *     overlap is removed slowly and without a bounce
+ * @param contactDampingRatio how overdamped that spring is, 1 = critically; default 5, so that
+ *     overlap is removed slowly and without a bounce. A pyramid of 100 rows, 260 ticks old, has a
+ *     kinetic energy of 10 J at 5, of 28 J at 7, of 150 J at 10
  * @param restitutionThreshold approach speed below which nothing bounces, m/s; default 1. Lower
  *     values let resting things hop
  * @param maxPushSpeed how fast overlap is pushed apart, m/s; default 3. Higher values make deep
@@ -55,7 +56,7 @@ public record WorldDef(
 
   /** Gravity (0, -10) and the defaults. */
   public WorldDef() {
-    this(0, -10, 4, 54, 10, 1, 3, 0.002f, 0.02f, 0.05f, 400, 250, 60, 5);
+    this(0, -10, 4, 54, 5, 1, 3, 0.002f, 0.02f, 0.05f, 400, 250, 60, 5);
   }
 
   /**

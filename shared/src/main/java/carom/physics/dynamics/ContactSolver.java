@@ -77,11 +77,24 @@ import java.util.Arrays;
  * <p>The scheme is Erin Catto's "soft step" (articles and the Solver2D study on box2d.org,
  * 2023-24); soft constraints are from his GDC 2011 talk. Written from the algebra above.
  *
- * <p><b>Layout.</b> One array per quantity, one entry per contact, in the order of the contact
- * keys; kernels take a range, so that ranges without a common body (colours) can later be solved
- * side by side or in lanes.
+ * <p><b>Colours.</b> Sequential impulses need an order. Contacts are given colours, greedily in the
+ * order of their keys: the first colour that neither body has yet. Contacts of one colour share no
+ * body that can be moved, so the order within a colour changes no bit of the result, and they can
+ * be solved in lanes, or by several threads. Contacts between bodies that move come first and those
+ * with the static world last, which thus has the last word: what rests on the ground doesn't sink
+ * into it. A body with more than {@value #LAST_COLOUR} contacts spills into a last colour that is
+ * solved one by one. The colouring depends on the touching contacts of this step alone and costs a
+ * few ns per contact, so there is no history to save or to hash.
+ *
+ * <p><b>Layout.</b> Contacts are packed in blocks of {@value #LANES}, a colour beginning a new
+ * block. Each quantity of a block lies side by side for all its contacts; all quantities of a block
+ * follow each other ({@code data[block * RECORD + quantity + lane]}). So a pass is one stream
+ * through memory, and a block's quantity is one vector register.
  */
 final class ContactSolver {
+  /** Contacts in a block. */
+  static final int LANES = 8;
+
   private static final float TWO_PI = 6.2831855f;
 
   /** A closed gas loses 2.5 % of its energy in 300 steps with one round, 0.2 % with four. */
@@ -90,97 +103,144 @@ final class ContactSolver {
   /** A contact's spring is at most this fraction as fast as the substeps. */
   private static final float MAX_HERTZ_PER_RATE = 0.25f;
 
-  private int capacity;
+  /** The last colour among moving bodies, and with static ones; it takes what found no other. */
+  private static final int LAST_COLOUR = 63;
+
+  /** Every colour has a group of contacts with one point, and one of those with two. */
+  private static final int GROUPS = 2 * 2 * (LAST_COLOUR + 1);
+
+  // Offsets of the quantities of a block in data: of the contact,
+  static final int NX = 0;
+  static final int NY = NX + LANES;
+  static final int FRICTION = NY + LANES;
+  static final int SURFACE = FRICTION + LANES;
+  static final int MASS_A = SURFACE + LANES;
+  static final int MASS_B = MASS_A + LANES;
+  static final int INERTIA_A = MASS_B + LANES;
+  static final int INERTIA_B = INERTIA_A + LANES;
+
+  /** Softness: bias rate, factor on the mass, factor on the sum of impulses. */
+  static final int BIAS_RATE = INERTIA_B + LANES;
+
+  static final int MASS_SCALE = BIAS_RATE + LANES;
+  static final int IMPULSE_SCALE = MASS_SCALE + LANES;
+
+  // of each of its two points, relative to FIRST or SECOND,
+  static final int AX = 0;
+  static final int AY = AX + LANES;
+  static final int BX = AY + LANES;
+  static final int BY = BX + LANES;
+  static final int SEPARATION = BY + LANES;
+  static final int NORMAL_MASS = SEPARATION + LANES;
+  static final int TANGENT_MASS = NORMAL_MASS + LANES;
+  static final int NORMAL = TANGENT_MASS + LANES;
+  static final int TANGENT = NORMAL + LANES;
+  static final int TOTAL = TANGENT + LANES;
+  static final int SLIDE = TOTAL + LANES;
+  static final int POINT = SLIDE + LANES;
+
+  static final int FIRST = IMPULSE_SCALE + LANES;
+  static final int SECOND = FIRST + POINT;
+  static final int RECORD = SECOND + POINT;
+
+  // and of what few contacts need, relative to the block in extra.
+  private static final int ROLLING = 0;
+  private static final int ROLL_MASS = ROLLING + LANES;
+  private static final int ROLL = ROLL_MASS + LANES;
+
+  /** Acceleration with which gravity and forces press the bodies together, m/s^2. */
+  private static final int PULL = ROLL + LANES;
+
+  /** Approach speed of each point to answer with a bounce, m/s, 0 if there is none to answer. */
+  private static final int BOUNCE_FIRST = PULL + LANES;
+
+  private static final int BOUNCE_SECOND = BOUNCE_FIRST + LANES;
+  private static final int EXTRA = BOUNCE_SECOND + LANES;
+
+  /** Number of contacts, and of blocks. */
   private int count;
 
-  /** Whether any contact resists rolling in this step. */
-  private boolean rolls;
+  private int blocks;
 
-  /** Whether any point may bounce in this step. */
-  private boolean bounces;
+  /** The touching rows and their groups, in the order of the keys. */
+  private int[] touching = new int[0];
 
-  /** Row of the contact table; offsets of the two bodies in {@link SolverBodies#state}. */
+  private int[] group = new int[0];
+
+  /** Colours each slot of {@link SolverBodies} has, among moving bodies and with static ones. */
+  private long[] taken = new long[0];
+
+  private long[] takenFixed = new long[0];
+
+  /** Per group: its contacts; then, while they are packed, its next lane. */
+  private final int[] next = new int[GROUPS];
+
+  /** Per block: contacts in it, whether they have two points, and if one may roll or bounce. */
+  private byte[] used = new byte[0];
+
+  private boolean[] two = new boolean[0];
+  private boolean[] rolls = new boolean[0];
+  private boolean[] bounces = new boolean[0];
+
+  /** Per lane: row of the contact table; offsets of the two bodies in the solver's state. */
   private int[] row = new int[0];
 
   private int[] bodyA = new int[0];
   private int[] bodyB = new int[0];
-  private boolean[] two = new boolean[0];
 
-  private float[] nx = new float[0];
-  private float[] ny = new float[0];
-  private float[] friction = new float[0];
-  private float[] surface = new float[0];
-  private float[] rolling = new float[0];
-  private float[] rollMass = new float[0];
-  private float[] roll = new float[0];
-  private float[] massA = new float[0];
-  private float[] massB = new float[0];
-  private float[] inertiaA = new float[0];
-  private float[] inertiaB = new float[0];
+  private float[] data = new float[0];
+  private float[] extra = new float[0];
 
-  /** Acceleration with which gravity and forces press the bodies together, m/s^2. */
-  private float[] pull = new float[0];
+  /** Constants of the step. */
+  private float h;
 
-  /** Softness: bias rate, factor on the mass, factor on the sum of impulses. */
-  private float[] biasRate = new float[0];
+  private float inverseH;
+  private float maxPush;
+  private float slop;
 
-  private float[] massScale = new float[0];
-  private float[] impulseScale = new float[0];
-
-  private final Point first = new Point();
-  private final Point second = new Point();
-
-  /** The columns of one point of each contact. */
-  private static final class Point {
-    float[] ax = new float[0];
-    float[] ay = new float[0];
-    float[] bx = new float[0];
-    float[] by = new float[0];
-    float[] separation = new float[0];
-    float[] normalMass = new float[0];
-    float[] tangentMass = new float[0];
-    float[] normal = new float[0];
-    float[] tangent = new float[0];
-    float[] total = new float[0];
-    float[] slide = new float[0];
-
-    /** Approach speed to answer with a bounce, m/s, 0 if there is none to answer. */
-    float[] bounce = new float[0];
-
-    void ensure(int n) {
-      ax = new float[n];
-      ay = new float[n];
-      bx = new float[n];
-      by = new float[n];
-      separation = new float[n];
-      normalMass = new float[n];
-      tangentMass = new float[n];
-      normal = new float[n];
-      tangent = new float[n];
-      total = new float[n];
-      slide = new float[n];
-      bounce = new float[n];
-    }
+  int blocks() {
+    return blocks;
   }
 
-  int count() {
-    return count;
-  }
-
-  /** Collects the touching, not vetoed contacts of the table. */
+  /** Collects, colours and packs the touching, not vetoed contacts of the table. */
   void prepare(
-      ContactTable t, BodyStore b, SolverBodies bodies, int[] activeIndex, Settings s, float h) {
-    if (capacity < t.count()) {
-      ensure(Math.max(t.count(), capacity * 2));
+      ContactTable t,
+      BodyStore b,
+      SolverBodies bodies,
+      int[] activeIndex,
+      Settings s,
+      float substep) {
+    h = substep;
+    inverseH = 1 / substep;
+    maxPush = s.maxPushSpeed();
+    slop = s.slop();
+    paint(t, b, bodies.count(), activeIndex);
+    layOut();
+    float omega = TWO_PI * Math.min(s.contactHertz(), MAX_HERTZ_PER_RATE / h);
+    for (int k = 0; k < count; k++) {
+      int lane = next[group[k]]++;
+      pack(t, touching[k], lane, b, bodies, activeIndex, s, omega);
     }
-    float hertz = Math.min(s.contactHertz(), MAX_HERTZ_PER_RATE / h);
-    float omega = TWO_PI * hertz;
+  }
+
+  /** Finds the contacts to solve and gives each its colour. */
+  private void paint(ContactTable t, BodyStore b, int slots, int[] activeIndex) {
+    if (touching.length < t.count()) {
+      int capacity = Math.max(t.count(), touching.length * 2);
+      touching = new int[capacity];
+      group = new int[capacity];
+    }
+    if (taken.length < slots) {
+      int capacity = Math.max(slots, taken.length * 2);
+      taken = new long[capacity];
+      takenFixed = new long[capacity];
+    }
+    Arrays.fill(taken, 0, slots, 0);
+    Arrays.fill(takenFixed, 0, slots, 0);
+    Arrays.fill(next, 0);
     count = 0;
-    bounces = false;
-    rolls = false;
     for (int r = 0; r < t.count(); r++) {
-      int points = t.points[r];
-      if (points == 0) {
+      if (t.points[r] == 0) {
         continue;
       }
       if ((t.flags[r] & ContactTable.VETOED) != 0) {
@@ -189,271 +249,371 @@ final class ContactSolver {
       }
       int a = ContactKey.bodyA(t.key[r]);
       int o = ContactKey.bodyB(t.key[r]);
-      float ma = b.invMass[a];
-      float mb = b.invMass[o];
-      int k = count++;
-      row[k] = r;
-      int slotA = activeIndex[a] + 1;
-      int slotB = activeIndex[o] + 1;
-      bodyA[k] = slotA * STRIDE;
-      bodyB[k] = slotB * STRIDE;
-      nx[k] = t.nx[r];
-      ny[k] = t.ny[r];
-      friction[k] = t.friction[r];
-      surface[k] = t.surface[r];
-      rolling[k] = t.rolling[r];
-      roll[k] = t.roll[r];
-      float turning = b.invInertia[a] + b.invInertia[o];
-      rollMass[k] = turning > 0 ? 1 / turning : 0;
-      rolls |= rolling[k] > 0;
-      massA[k] = ma;
-      massB[k] = mb;
-      inertiaA[k] = b.invInertia[a];
-      inertiaB[k] = b.invInertia[o];
-      float stiff = ma == 0 || mb == 0 ? 2 * omega : omega;
-      float twiceZeta = 2 * s.contactDampingRatio();
-      float soft = h * stiff * (twiceZeta + h * stiff);
-      biasRate[k] = stiff / (twiceZeta + h * stiff);
-      massScale[k] = soft / (1 + soft);
-      impulseScale[k] = 1 / (1 + soft);
-      float gapX = b.x[o] - b.x[a];
-      float gapY = b.y[o] - b.y[a];
-      pull[k] =
-          (bodies.ax(slotA) - bodies.ax(slotB)) * nx[k]
-              + (bodies.ay(slotA) - bodies.ay(slotB)) * ny[k];
-      float threshold = t.restitution[r] > 0 ? s.restitutionThreshold() : Float.MAX_VALUE;
-      float e = t.restitution[r];
-      preparePoint(first, k, t.x0[r], t.y0[r], gapX, gapY);
-      first.separation[k] = t.separation0[r];
-      first.normal[k] = t.normal0[r];
-      first.tangent[k] = t.tangent0[r];
-      first.bounce[k] = bounce(first, k, bodies.state, threshold, e, h);
-      two[k] = points > 1;
-      if (points > 1) {
-        preparePoint(second, k, t.x1[r], t.y1[r], gapX, gapY);
-        second.separation[k] = t.separation1[r];
-        second.normal[k] = t.normal1[r];
-        second.tangent[k] = t.tangent1[r];
-        second.bounce[k] = bounce(second, k, bodies.state, threshold, e, h);
+      int c;
+      if (b.invMass[a] == 0) {
+        c = LAST_COLOUR + 1 + paint(takenFixed, activeIndex[o] + 1);
+      } else if (b.invMass[o] == 0) {
+        c = LAST_COLOUR + 1 + paint(takenFixed, activeIndex[a] + 1);
+      } else {
+        int slotA = activeIndex[a] + 1;
+        int slotB = activeIndex[o] + 1;
+        c = Math.min(Long.numberOfTrailingZeros(~(taken[slotA] | taken[slotB])), LAST_COLOUR);
+        long bit = 1L << c;
+        taken[slotA] |= bit;
+        taken[slotB] |= bit;
+      }
+      group[count] = 2 * c + t.points[r] - 1;
+      next[group[count]]++;
+      touching[count++] = r;
+    }
+  }
+
+  private static int paint(long[] masks, int slot) {
+    int c = Math.min(Long.numberOfTrailingZeros(~masks[slot]), LAST_COLOUR);
+    masks[slot] |= 1L << c;
+    return c;
+  }
+
+  /** Gives each group its blocks. */
+  private void layOut() {
+    blocks = 0;
+    for (int g = 0; g < GROUPS; g++) {
+      blocks += (next[g] + LANES - 1) / LANES;
+    }
+    if (used.length < blocks) {
+      int capacity = Math.max(blocks, used.length * 2);
+      used = new byte[capacity];
+      two = new boolean[capacity];
+      rolls = new boolean[capacity];
+      bounces = new boolean[capacity];
+      row = new int[capacity * LANES];
+      bodyA = new int[capacity * LANES];
+      bodyB = new int[capacity * LANES];
+      data = new float[capacity * RECORD];
+      extra = new float[capacity * EXTRA];
+    }
+    int block = 0;
+    for (int g = 0; g < GROUPS; g++) {
+      int left = next[g];
+      next[g] = block * LANES;
+      for (; left > 0; left -= LANES) {
+        used[block] = (byte) Math.min(left, LANES);
+        two[block] = (g & 1) != 0;
+        rolls[block] = false;
+        bounces[block] = false;
+        block++;
       }
     }
   }
 
-  private void preparePoint(Point p, int k, float x, float y, float gapX, float gapY) {
+  private void pack(
+      ContactTable t,
+      int r,
+      int lane,
+      BodyStore b,
+      SolverBodies bodies,
+      int[] activeIndex,
+      Settings s,
+      float omega) {
+    float[] d = data;
+    int block = lane / LANES;
+    int at = block * RECORD + lane % LANES;
+    int more = block * EXTRA + lane % LANES;
+    int a = ContactKey.bodyA(t.key[r]);
+    int o = ContactKey.bodyB(t.key[r]);
+    int slotA = activeIndex[a] + 1;
+    int slotB = activeIndex[o] + 1;
+    row[lane] = r;
+    bodyA[lane] = slotA * STRIDE;
+    bodyB[lane] = slotB * STRIDE;
+    float ma = b.invMass[a];
+    float mb = b.invMass[o];
+    d[at + NX] = t.nx[r];
+    d[at + NY] = t.ny[r];
+    d[at + FRICTION] = t.friction[r];
+    d[at + SURFACE] = t.surface[r];
+    d[at + MASS_A] = ma;
+    d[at + MASS_B] = mb;
+    d[at + INERTIA_A] = b.invInertia[a];
+    d[at + INERTIA_B] = b.invInertia[o];
+    float stiff = ma == 0 || mb == 0 ? 2 * omega : omega;
+    float twiceZeta = 2 * s.contactDampingRatio();
+    float soft = h * stiff * (twiceZeta + h * stiff);
+    d[at + BIAS_RATE] = stiff / (twiceZeta + h * stiff);
+    d[at + MASS_SCALE] = soft / (1 + soft);
+    d[at + IMPULSE_SCALE] = 1 / (1 + soft);
+    float gapX = b.x[o] - b.x[a];
+    float gapY = b.y[o] - b.y[a];
+    float turning = b.invInertia[a] + b.invInertia[o];
+    extra[more + ROLLING] = t.rolling[r];
+    extra[more + ROLL_MASS] = turning > 0 ? 1 / turning : 0;
+    extra[more + ROLL] = t.roll[r];
+    rolls[block] |= t.rolling[r] > 0;
+    extra[more + PULL] =
+        (bodies.ax(slotA) - bodies.ax(slotB)) * t.nx[r]
+            + (bodies.ay(slotA) - bodies.ay(slotB)) * t.ny[r];
+    packPoint(at, FIRST, t.x0[r], t.y0[r], gapX, gapY, t.separation0[r]);
+    d[at + FIRST + NORMAL] = t.normal0[r];
+    d[at + FIRST + TANGENT] = t.tangent0[r];
+    if (two[block]) {
+      packPoint(at, SECOND, t.x1[r], t.y1[r], gapX, gapY, t.separation1[r]);
+      d[at + SECOND + NORMAL] = t.normal1[r];
+      d[at + SECOND + TANGENT] = t.tangent1[r];
+    }
+    float e = t.restitution[r];
+    extra[more + BOUNCE_FIRST] = 0;
+    extra[more + BOUNCE_SECOND] = 0;
+    if (e > 0) {
+      float[] v = bodies.state;
+      float threshold = s.restitutionThreshold();
+      extra[more + BOUNCE_FIRST] = e * approach(lane, FIRST, v, threshold);
+      extra[more + BOUNCE_SECOND] = two[block] ? e * approach(lane, SECOND, v, threshold) : 0;
+      bounces[block] |= extra[more + BOUNCE_FIRST] != 0 || extra[more + BOUNCE_SECOND] != 0;
+    }
+  }
+
+  private void packPoint(
+      int at, int point, float x, float y, float gapX, float gapY, float separation) {
+    float[] d = data;
+    int p = at + point;
     float bx = x - gapX;
     float by = y - gapY;
-    p.ax[k] = x;
-    p.ay[k] = y;
-    p.bx[k] = bx;
-    p.by[k] = by;
-    float n = nx[k];
-    float m = ny[k];
-    float masses = massA[k] + massB[k];
-    float rnA = x * m - y * n;
-    float rnB = bx * m - by * n;
-    float kn = masses + inertiaA[k] * rnA * rnA + inertiaB[k] * rnB * rnB;
-    p.normalMass[k] = kn > 0 ? 1 / kn : 0;
-    float rtA = x * n + y * m;
-    float rtB = bx * n + by * m;
-    float kt = masses + inertiaA[k] * rtA * rtA + inertiaB[k] * rtB * rtB;
-    p.tangentMass[k] = kt > 0 ? 1 / kt : 0;
-    p.total[k] = 0;
-    p.slide[k] = 0;
+    d[p + AX] = x;
+    d[p + AY] = y;
+    d[p + BX] = bx;
+    d[p + BY] = by;
+    d[p + SEPARATION] = separation;
+    float nx = d[at + NX];
+    float ny = d[at + NY];
+    float masses = d[at + MASS_A] + d[at + MASS_B];
+    float iA = d[at + INERTIA_A];
+    float iB = d[at + INERTIA_B];
+    float rnA = x * ny - y * nx;
+    float rnB = bx * ny - by * nx;
+    float kn = masses + iA * rnA * rnA + iB * rnB * rnB;
+    d[p + NORMAL_MASS] = kn > 0 ? 1 / kn : 0;
+    float rtA = x * nx + y * ny;
+    float rtB = bx * nx + by * ny;
+    float kt = masses + iA * rtA * rtA + iB * rtB * rtB;
+    d[p + TANGENT_MASS] = kt > 0 ? 1 / kt : 0;
+    d[p + TOTAL] = 0;
+    d[p + SLIDE] = 0;
   }
 
   /**
-   * Speed after the bounce where the surfaces meet, m/s: from the approach now, plus what the
-   * relative acceleration a adds over the gap, v^2 = v0^2 + 2 a s. In symplectic Euler a velocity
-   * is that of half a substep ago, hence a h / 2 is added here and again after the bounce. Without
-   * these terms a perfectly elastic ball would lose 2 % of its height with every bounce.
+   * Speed with which the surfaces will meet at a point, m/s: that of now, plus what the relative
+   * acceleration a adds over the gap, v^2 = v0^2 + 2 a s; 0 below the threshold. In symplectic
+   * Euler a velocity is that of half a substep ago, hence a h / 2 is added here and again after the
+   * bounce. Without these terms a perfectly elastic ball would lose 2 % of its height with every
+   * bounce.
    */
-  private float bounce(Point p, int k, float[] v, float threshold, float e, float h) {
-    float approach = 0.5f * h * pull[k] - normalSpeed(p, k, v);
-    if (!(approach > threshold)) {
+  private float approach(int lane, int point, float[] v, float threshold) {
+    int at = lane / LANES * RECORD + lane % LANES;
+    float pull = extra[lane / LANES * EXTRA + lane % LANES + PULL];
+    float speed = 0.5f * h * pull - normalSpeed(lane, point, v);
+    if (!(speed > threshold)) {
       return 0;
     }
-    float square = approach * approach + 2 * pull[k] * p.separation[k];
-    bounces = true;
-    return square > 0 ? e * (float) Math.sqrt(square) : 0;
+    float square = speed * speed + 2 * pull * data[at + point + SEPARATION];
+    return square > 0 ? (float) Math.sqrt(square) : 0;
   }
 
-  private float normalSpeed(Point p, int k, float[] v) {
-    int a = bodyA[k];
-    int b = bodyB[k];
-    float dvx = v[b + VX] - v[b + W] * p.by[k] - v[a + VX] + v[a + W] * p.ay[k];
-    float dvy = v[b + VY] + v[b + W] * p.bx[k] - v[a + VY] - v[a + W] * p.ax[k];
-    return dvx * nx[k] + dvy * ny[k];
+  private float normalSpeed(int lane, int point, float[] v) {
+    float[] d = data;
+    int at = lane / LANES * RECORD + lane % LANES;
+    int p = at + point;
+    int a = bodyA[lane];
+    int b = bodyB[lane];
+    float dvx = v[b + VX] - v[b + W] * d[p + BY] - v[a + VX] + v[a + W] * d[p + AY];
+    float dvy = v[b + VY] + v[b + W] * d[p + BX] - v[a + VY] - v[a + W] * d[p + AX];
+    return dvx * d[at + NX] + dvy * d[at + NY];
   }
 
   /** Applies the impulses remembered from the last substep, or the last step. */
   void warmStart(float[] v, int from, int to) {
-    for (int k = from; k < to; k++) {
-      int a = bodyA[k];
-      int b = bodyB[k];
-      float n = nx[k];
-      float m = ny[k];
-      float pn = first.normal[k];
-      float pt = first.tangent[k];
-      float px = pn * n - pt * m;
-      float py = pn * m + pt * n;
-      float torqueA = first.ax[k] * py - first.ay[k] * px;
-      float torqueB = first.bx[k] * py - first.by[k] * px;
-      if (two[k]) {
-        pn = second.normal[k];
-        pt = second.tangent[k];
-        float qx = pn * n - pt * m;
-        float qy = pn * m + pt * n;
-        torqueA += second.ax[k] * qy - second.ay[k] * qx;
-        torqueB += second.bx[k] * qy - second.by[k] * qx;
-        px += qx;
-        py += qy;
+    float[] d = data;
+    for (int block = from; block < to; block++) {
+      int end = block * LANES + used[block];
+      int at = block * RECORD;
+      for (int lane = block * LANES; lane < end; lane++, at++) {
+        int a = bodyA[lane];
+        int b = bodyB[lane];
+        float nx = d[at + NX];
+        float ny = d[at + NY];
+        float pn = d[at + FIRST + NORMAL];
+        float pt = d[at + FIRST + TANGENT];
+        float px = pn * nx - pt * ny;
+        float py = pn * ny + pt * nx;
+        float torqueA = d[at + FIRST + AX] * py - d[at + FIRST + AY] * px;
+        float torqueB = d[at + FIRST + BX] * py - d[at + FIRST + BY] * px;
+        if (two[block]) {
+          pn = d[at + SECOND + NORMAL];
+          pt = d[at + SECOND + TANGENT];
+          float qx = pn * nx - pt * ny;
+          float qy = pn * ny + pt * nx;
+          torqueA += d[at + SECOND + AX] * qy - d[at + SECOND + AY] * qx;
+          torqueB += d[at + SECOND + BX] * qy - d[at + SECOND + BY] * qx;
+          px += qx;
+          py += qy;
+        }
+        v[a + VX] -= d[at + MASS_A] * px;
+        v[a + VY] -= d[at + MASS_A] * py;
+        v[a + W] -= d[at + INERTIA_A] * torqueA;
+        v[b + VX] += d[at + MASS_B] * px;
+        v[b + VY] += d[at + MASS_B] * py;
+        v[b + W] += d[at + INERTIA_B] * torqueB;
+        if (rolls[block]) {
+          float turn = extra[block * EXTRA + lane % LANES + ROLL];
+          v[a + W] -= d[at + INERTIA_A] * turn;
+          v[b + W] += d[at + INERTIA_B] * turn;
+        }
       }
-      v[a + VX] -= massA[k] * px;
-      v[a + VY] -= massA[k] * py;
-      v[a + W] -= inertiaA[k] * torqueA;
-      v[b + VX] += massB[k] * px;
-      v[b + VY] += massB[k] * py;
-      v[b + W] += inertiaB[k] * torqueB;
-    }
-    for (int k = from; rolls && k < to; k++) {
-      v[bodyA[k] + W] -= inertiaA[k] * roll[k];
-      v[bodyB[k] + W] += inertiaB[k] * roll[k];
     }
   }
 
   /** One visit of each contact; with bias it also pushes overlap apart. */
-  void solve(float[] v, int from, int to, float h, boolean bias, Settings s) {
-    float inverseH = 1 / h;
-    float maxPush = s.maxPushSpeed();
-    float slop = s.slop();
-    for (int k = from; k < to; k++) {
-      int a = bodyA[k];
-      int b = bodyB[k];
-      float dpx = v[b + DX] - v[a + DX];
-      float dpy = v[b + DY] - v[a + DY];
-      float ca = v[a + COS] - 1;
-      float sa = v[a + SIN];
-      float cb = v[b + COS] - 1;
-      float sb = v[b + SIN];
-      if (bias) {
-        if (rolls) {
-          solveRolling(k, v);
-        }
-        solveFriction(first, k, v);
-        if (two[k]) {
-          solveFriction(second, k, v);
-        }
-      }
-      solvePoint(first, k, v, dpx, dpy, ca, sa, cb, sb, inverseH, bias, maxPush, slop);
-      if (two[k]) {
-        solvePoint(second, k, v, dpx, dpy, ca, sa, cb, sb, inverseH, bias, maxPush, slop);
-      }
-      if (!bias) {
-        solveFriction(first, k, v);
-        if (two[k]) {
-          solveFriction(second, k, v);
-        }
-        if (rolls) {
-          solveRolling(k, v);
-        }
-        first.total[k] += first.normal[k];
-        first.slide[k] += first.tangent[k];
-        if (two[k]) {
-          second.total[k] += second.normal[k];
-          second.slide[k] += second.tangent[k];
+  void solve(float[] v, int from, int to, boolean bias) {
+    for (int block = from; block < to; block++) {
+      int end = block * LANES + used[block];
+      for (int lane = block * LANES; lane < end; lane++) {
+        if (bias) {
+          push(v, lane);
+        } else {
+          relax(v, lane);
         }
       }
     }
   }
 
-  private void solvePoint(
-      Point p,
-      int k,
-      float[] v,
-      float dpx,
-      float dpy,
-      float ca,
-      float sa,
-      float cb,
-      float sb,
-      float inverseH,
-      boolean bias,
-      float maxPush,
-      float slop) {
-    float ax = p.ax[k];
-    float ay = p.ay[k];
-    float bx = p.bx[k];
-    float by = p.by[k];
-    float n = nx[k];
-    float m = ny[k];
-    float movedX = dpx + (cb * bx - sb * by) - (ca * ax - sa * ay);
-    float movedY = dpy + (sb * bx + cb * by) - (sa * ax + ca * ay);
-    float separation = p.separation[k] + movedX * n + movedY * m;
+  private void push(float[] v, int lane) {
+    int block = lane / LANES;
+    if (rolls[block]) {
+      solveRolling(v, lane);
+    }
+    solveFriction(v, lane, FIRST);
+    if (two[block]) {
+      solveFriction(v, lane, SECOND);
+    }
+    solveNormal(v, lane, FIRST, true);
+    if (two[block]) {
+      solveNormal(v, lane, SECOND, true);
+    }
+  }
+
+  private void relax(float[] v, int lane) {
+    int block = lane / LANES;
+    solveNormal(v, lane, FIRST, false);
+    if (two[block]) {
+      solveNormal(v, lane, SECOND, false);
+    }
+    solveFriction(v, lane, FIRST);
+    if (two[block]) {
+      solveFriction(v, lane, SECOND);
+    }
+    if (rolls[block]) {
+      solveRolling(v, lane);
+    }
+    addUp(lane, FIRST);
+    if (two[block]) {
+      addUp(lane, SECOND);
+    }
+  }
+
+  private void addUp(int lane, int point) {
+    int p = lane / LANES * RECORD + lane % LANES + point;
+    data[p + TOTAL] += data[p + NORMAL];
+    data[p + SLIDE] += data[p + TANGENT];
+  }
+
+  private void solveNormal(float[] v, int lane, int point, boolean bias) {
+    float[] d = data;
+    int at = lane / LANES * RECORD + lane % LANES;
+    int p = at + point;
+    int a = bodyA[lane];
+    int b = bodyB[lane];
     float push = 0;
     float scale = 1;
     float leak = 0;
+    float separation = separation(lane, point, v);
     if (separation > 0) {
       push = separation * inverseH;
     } else if (bias) {
-      push = Math.max(biasRate[k] * Math.min(separation + slop, 0), -maxPush);
-      scale = massScale[k];
-      leak = impulseScale[k];
+      push = Math.max(d[at + BIAS_RATE] * Math.min(separation + slop, 0), -maxPush);
+      scale = d[at + MASS_SCALE];
+      leak = d[at + IMPULSE_SCALE];
     }
-    int a = bodyA[k];
-    int b = bodyB[k];
-    float dvx = v[b + VX] - v[b + W] * by - v[a + VX] + v[a + W] * ay;
-    float dvy = v[b + VY] + v[b + W] * bx - v[a + VY] - v[a + W] * ax;
-    float vn = dvx * n + dvy * m;
-    float old = p.normal[k];
-    float impulse = -p.normalMass[k] * scale * (vn + push) - leak * old;
+    float old = d[p + NORMAL];
+    float vn = normalSpeed(lane, point, v);
+    float impulse = -d[p + NORMAL_MASS] * scale * (vn + push) - leak * old;
     float sum = Math.max(old + impulse, 0);
-    p.normal[k] = sum;
-    apply(v, a, b, k, (sum - old) * n, (sum - old) * m, ax, ay, bx, by);
+    d[p + NORMAL] = sum;
+    apply(v, a, b, at, point, (sum - old) * d[at + NX], (sum - old) * d[at + NY]);
   }
 
-  private void solveFriction(Point p, int k, float[] v) {
-    float ax = p.ax[k];
-    float ay = p.ay[k];
-    float bx = p.bx[k];
-    float by = p.by[k];
-    float n = nx[k];
-    float m = ny[k];
-    int a = bodyA[k];
-    int b = bodyB[k];
-    float dvx = v[b + VX] - v[b + W] * by - v[a + VX] + v[a + W] * ay;
-    float dvy = v[b + VY] + v[b + W] * bx - v[a + VY] - v[a + W] * ax;
-    float vt = dvy * n - dvx * m;
-    if (surface[k] != 0) {
-      vt += surface[k];
+  private void solveFriction(float[] v, int lane, int point) {
+    float[] d = data;
+    int at = lane / LANES * RECORD + lane % LANES;
+    int p = at + point;
+    int a = bodyA[lane];
+    int b = bodyB[lane];
+    float nx = d[at + NX];
+    float ny = d[at + NY];
+    float dvx = v[b + VX] - v[b + W] * d[p + BY] - v[a + VX] + v[a + W] * d[p + AY];
+    float dvy = v[b + VY] + v[b + W] * d[p + BX] - v[a + VY] - v[a + W] * d[p + AX];
+    float vt = dvy * nx - dvx * ny + d[at + SURFACE];
+    float limit = d[at + FRICTION] * d[p + NORMAL];
+    float old = d[p + TANGENT];
+    float sum = Math.max(-limit, Math.min(old - d[p + TANGENT_MASS] * vt, limit));
+    d[p + TANGENT] = sum;
+    apply(v, a, b, at, point, (old - sum) * ny, (sum - old) * nx);
+  }
+
+  private void solveRolling(float[] v, int lane) {
+    float[] d = data;
+    int at = lane / LANES * RECORD + lane % LANES;
+    int more = lane / LANES * EXTRA + lane % LANES;
+    float load = d[at + FIRST + NORMAL];
+    if (two[lane / LANES]) {
+      load += d[at + SECOND + NORMAL];
     }
-    float limit = friction[k] * p.normal[k];
-    float old = p.tangent[k];
-    float sum = Math.max(-limit, Math.min(old - p.tangentMass[k] * vt, limit));
-    p.tangent[k] = sum;
-    apply(v, a, b, k, (old - sum) * m, (sum - old) * n, ax, ay, bx, by);
+    float limit = extra[more + ROLLING] * load;
+    float old = extra[more + ROLL];
+    int a = bodyA[lane];
+    int b = bodyB[lane];
+    float w = v[b + W] - v[a + W];
+    float sum = Math.max(-limit, Math.min(old - extra[more + ROLL_MASS] * w, limit));
+    extra[more + ROLL] = sum;
+    v[a + W] -= d[at + INERTIA_A] * (sum - old);
+    v[b + W] += d[at + INERTIA_B] * (sum - old);
   }
 
-  private void solveRolling(int k, float[] v) {
-    float load = two[k] ? first.normal[k] + second.normal[k] : first.normal[k];
-    float limit = rolling[k] * load;
-    float old = roll[k];
-    float w = v[bodyB[k] + W] - v[bodyA[k] + W];
-    float sum = Math.max(-limit, Math.min(old - rollMass[k] * w, limit));
-    roll[k] = sum;
-    v[bodyA[k] + W] -= inertiaA[k] * (sum - old);
-    v[bodyB[k] + W] += inertiaB[k] * (sum - old);
+  private void apply(float[] v, int a, int b, int at, int point, float px, float py) {
+    float[] d = data;
+    int p = at + point;
+    v[a + VX] -= d[at + MASS_A] * px;
+    v[a + VY] -= d[at + MASS_A] * py;
+    v[a + W] -= d[at + INERTIA_A] * (d[p + AX] * py - d[p + AY] * px);
+    v[b + VX] += d[at + MASS_B] * px;
+    v[b + VY] += d[at + MASS_B] * py;
+    v[b + W] += d[at + INERTIA_B] * (d[p + BX] * py - d[p + BY] * px);
   }
 
-  private void apply(
-      float[] v, int a, int b, int k, float px, float py, float ax, float ay, float bx, float by) {
-    float ma = massA[k];
-    float mb = massB[k];
-    v[a + VX] -= ma * px;
-    v[a + VY] -= ma * py;
-    v[a + W] -= inertiaA[k] * (ax * py - ay * px);
-    v[b + VX] += mb * px;
-    v[b + VY] += mb * py;
-    v[b + W] += inertiaB[k] * (bx * py - by * px);
+  /** The gap at a point now. */
+  private float separation(int lane, int point, float[] v) {
+    float[] d = data;
+    int at = lane / LANES * RECORD + lane % LANES;
+    int p = at + point;
+    int a = bodyA[lane];
+    int b = bodyB[lane];
+    float ca = v[a + COS] - 1;
+    float sa = v[a + SIN];
+    float cb = v[b + COS] - 1;
+    float sb = v[b + SIN];
+    float movedX = v[b + DX] - v[a + DX];
+    float movedY = v[b + DY] - v[a + DY];
+    movedX += (cb * d[p + BX] - sb * d[p + BY]) - (ca * d[p + AX] - sa * d[p + AY]);
+    movedY += (sb * d[p + BX] + cb * d[p + BY]) - (sa * d[p + AX] + ca * d[p + AY]);
+    return d[p + SEPARATION] + movedX * d[at + NX] + movedY * d[at + NY];
   }
 
   /**
@@ -462,101 +622,76 @@ final class ContactSolver {
    * another, as when a body is hit from two sides, more rounds settle it; impulses never pull.
    * Warm-start impulses end here, as the points fly apart.
    */
-  void restitution(float[] v, float h) {
-    for (int round = 0; bounces && round < BOUNCE_ROUNDS; round++) {
-      for (int k = 0; k < count; k++) {
-        restitution(first, k, v, h);
-        if (two[k]) {
-          restitution(second, k, v, h);
+  void restitution(float[] v) {
+    for (int round = 0; round < BOUNCE_ROUNDS; round++) {
+      for (int block = 0; block < blocks; block++) {
+        int end = bounces[block] ? block * LANES + used[block] : 0;
+        for (int lane = block * LANES; lane < end; lane++) {
+          bounce(lane, FIRST, BOUNCE_FIRST, v);
+          if (two[block]) {
+            bounce(lane, SECOND, BOUNCE_SECOND, v);
+          }
         }
       }
     }
-    for (int k = 0; k < count; k++) {
-      endBounce(first, k);
-      if (two[k]) {
-        endBounce(second, k);
+    for (int block = 0; block < blocks; block++) {
+      int end = bounces[block] ? block * LANES + used[block] : 0;
+      for (int lane = block * LANES; lane < end; lane++) {
+        endBounce(lane, FIRST, BOUNCE_FIRST);
+        if (two[block]) {
+          endBounce(lane, SECOND, BOUNCE_SECOND);
+        }
       }
     }
   }
 
-  private static void endBounce(Point p, int k) {
-    if (p.bounce[k] != 0 && p.total[k] != 0) {
-      p.normal[k] = 0;
-      p.tangent[k] = 0;
+  private void endBounce(int lane, int point, int speed) {
+    int p = lane / LANES * RECORD + lane % LANES + point;
+    float bounce = extra[lane / LANES * EXTRA + lane % LANES + speed];
+    if (bounce != 0 && data[p + TOTAL] != 0) {
+      data[p + NORMAL] = 0;
+      data[p + TANGENT] = 0;
     }
   }
 
-  private void restitution(Point p, int k, float[] v, float h) {
-    float bounce = p.bounce[k];
-    if (bounce == 0 || p.total[k] == 0) {
+  private void bounce(int lane, int point, int speed, float[] v) {
+    float[] d = data;
+    int at = lane / LANES * RECORD + lane % LANES;
+    int more = lane / LANES * EXTRA + lane % LANES;
+    int p = at + point;
+    float bounce = extra[more + speed];
+    if (bounce == 0 || d[p + TOTAL] == 0) {
       return;
     }
-    float square = bounce * bounce - 2 * pull[k] * separation(p, k, v);
-    float speed = square > 0 ? (float) Math.sqrt(square) + 0.5f * h * pull[k] : 0;
-    float impulse = p.normalMass[k] * (Math.max(speed, 0) - normalSpeed(p, k, v));
-    impulse = Math.max(impulse, -p.normal[k]);
-    p.normal[k] += impulse;
-    p.total[k] += impulse;
-    float px = impulse * nx[k];
-    float py = impulse * ny[k];
-    apply(v, bodyA[k], bodyB[k], k, px, py, p.ax[k], p.ay[k], p.bx[k], p.by[k]);
-  }
-
-  /** The gap at a point now. */
-  private float separation(Point p, int k, float[] v) {
-    int a = bodyA[k];
-    int b = bodyB[k];
-    float ca = v[a + COS] - 1;
-    float sa = v[a + SIN];
-    float cb = v[b + COS] - 1;
-    float sb = v[b + SIN];
-    float movedX = v[b + DX] - v[a + DX];
-    float movedY = v[b + DY] - v[a + DY];
-    movedX += (cb * p.bx[k] - sb * p.by[k]) - (ca * p.ax[k] - sa * p.ay[k]);
-    movedY += (sb * p.bx[k] + cb * p.by[k]) - (sa * p.ax[k] + ca * p.ay[k]);
-    return p.separation[k] + movedX * nx[k] + movedY * ny[k];
+    float pull = extra[more + PULL];
+    float square = bounce * bounce - 2 * pull * separation(lane, point, v);
+    float wanted = square > 0 ? (float) Math.sqrt(square) + 0.5f * h * pull : 0;
+    float impulse = d[p + NORMAL_MASS] * (Math.max(wanted, 0) - normalSpeed(lane, point, v));
+    impulse = Math.max(impulse, -d[p + NORMAL]);
+    d[p + NORMAL] += impulse;
+    d[p + TOTAL] += impulse;
+    apply(v, bodyA[lane], bodyB[lane], at, point, impulse * d[at + NX], impulse * d[at + NY]);
   }
 
   /** Hands the impulses back to the table. */
   void store(ContactTable t) {
-    for (int k = 0; k < count; k++) {
-      int r = row[k];
-      t.normal0[r] = first.normal[k];
-      t.tangent0[r] = first.tangent[k];
-      t.total0[r] = first.total[k];
-      t.slide0[r] = first.slide[k];
-      t.roll[r] = roll[k];
-      if (two[k]) {
-        t.normal1[r] = second.normal[k];
-        t.tangent1[r] = second.tangent[k];
-        t.total1[r] = second.total[k];
-        t.slide1[r] = second.slide[k];
+    float[] d = data;
+    for (int block = 0; block < blocks; block++) {
+      for (int i = 0; i < used[block]; i++) {
+        int at = block * RECORD + i;
+        int r = row[block * LANES + i];
+        t.normal0[r] = d[at + FIRST + NORMAL];
+        t.tangent0[r] = d[at + FIRST + TANGENT];
+        t.total0[r] = d[at + FIRST + TOTAL];
+        t.slide0[r] = d[at + FIRST + SLIDE];
+        t.roll[r] = extra[block * EXTRA + i + ROLL];
+        if (two[block]) {
+          t.normal1[r] = d[at + SECOND + NORMAL];
+          t.tangent1[r] = d[at + SECOND + TANGENT];
+          t.total1[r] = d[at + SECOND + TOTAL];
+          t.slide1[r] = d[at + SECOND + SLIDE];
+        }
       }
     }
-  }
-
-  private void ensure(int n) {
-    capacity = n;
-    row = Arrays.copyOf(row, n);
-    bodyA = new int[n];
-    bodyB = new int[n];
-    two = new boolean[n];
-    nx = new float[n];
-    ny = new float[n];
-    friction = new float[n];
-    surface = new float[n];
-    rolling = new float[n];
-    rollMass = new float[n];
-    roll = new float[n];
-    massA = new float[n];
-    pull = new float[n];
-    massB = new float[n];
-    inertiaA = new float[n];
-    inertiaB = new float[n];
-    biasRate = new float[n];
-    massScale = new float[n];
-    impulseScale = new float[n];
-    first.ensure(n);
-    second.ensure(n);
   }
 }

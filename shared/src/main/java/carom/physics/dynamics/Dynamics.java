@@ -23,7 +23,7 @@ import java.util.Arrays;
  * the owner (post-solve, broken joints); carry out what was deferred.
  *
  * <p><b>Order.</b> Contacts are always visited by ascending {@link ContactKey}, joints by ascending
- * slot. Everything else in a step is independent per body. So the result depends on the state
+ * slot; the solver's colours follow from that order. Everything else in a step is independent per body. So the result depends on the state
  * alone, never on the shape of a tree or on when a pair was found.
  *
  * <p>One thread at a time. A steady step allocates nothing.
@@ -633,7 +633,7 @@ public final class Dynamics {
     solverBodies.load(bodies, active, activeCount, settings, h);
     solver.prepare(contacts, bodies, solverBodies, activeIndex, settings, h);
     float[] state = solverBodies.state;
-    int n = solver.count();
+    int n = solver.blocks();
     jointSolver.prepare(joints, bodies, activeIndex, settings, h, state);
     int m = jointSolver.count();
     for (int i = 0; i < substeps; i++) {
@@ -641,12 +641,12 @@ public final class Dynamics {
       jointSolver.warmStart(0, m);
       solver.warmStart(state, 0, n);
       jointSolver.solve(0, m, true);
-      solver.solve(state, 0, n, h, true, settings);
+      solver.solve(state, 0, n, true);
       solverBodies.integratePositions(h);
       jointSolver.solve(0, m, false);
-      solver.solve(state, 0, n, h, false, settings);
+      solver.solve(state, 0, n, false);
     }
-    solver.restitution(state, h);
+    solver.restitution(state);
     solver.store(contacts);
     jointSolver.store();
     solverBodies.store(bodies, active);

@@ -39,6 +39,11 @@ final class SolverBodies {
   private float[] keepW = new float[0];
   private int count;
 
+  /** Slots in use, the static one included. */
+  int count() {
+    return count;
+  }
+
   float ax(int slot) {
     return ax[slot];
   }
