@@ -24,6 +24,8 @@ public final class BodyDef {
   float angularDamping;
   float gravityScale = 1;
   boolean fixedRotation;
+  boolean sleepAllowed = true;
+  boolean awake = true;
   final List<ShapeDef> shapes = new ArrayList<>();
 
   /** A static body at the origin, without shapes. */
@@ -140,6 +142,31 @@ public final class BodyDef {
    */
   public BodyDef gravityScale(float factor) {
     gravityScale = Checks.range("gravityScale", factor, -1e3f, 1e3f);
+    return this;
+  }
+
+  /**
+   * Sets whether the body may fall asleep; default true. One that may not keeps awake all it rests
+   * on or leans against.
+   *
+   * @param allowed false for what must react in every tick
+   * @return this
+   */
+  public BodyDef sleepAllowed(boolean allowed) {
+    sleepAllowed = allowed;
+    return this;
+  }
+
+  /**
+   * Sets whether the body starts awake; default true. One that starts asleep is at rest, costs
+   * nothing and has no contacts until something awake touches it: for large levels, whose static
+   * bodies should be made first. It starts awake in spite of this if it may not sleep.
+   *
+   * @param startAwake false to start asleep
+   * @return this
+   */
+  public BodyDef awake(boolean startAwake) {
+    awake = startAwake;
     return this;
   }
 

@@ -104,7 +104,10 @@ public final class World<T> {
                 def.maxSpeed(),
                 def.maxAngularSpeed(),
                 def.jointHertz(),
-                def.jointDampingRatio()));
+                def.jointDampingRatio(),
+                def.sleeping(),
+                def.sleepSpeed(),
+                def.sleepDelay()));
     store = dynamics.bodies();
     joints = dynamics.joints();
     collision = new Collision<>(this, dynamics.contacts());

@@ -37,6 +37,12 @@ import java.util.function.Consumer;
  * @param jointDampingRatio how overdamped that spring is, 1 = critically; default 5. A net of
  *     10,000 that starts to fall opens by 1.05 m at 2 and by 0.64 m at 5, and welded beams come to
  *     rest
+ * @param sleeping whether what rests is put to sleep, and costs nothing until it is disturbed;
+ *     default true
+ * @param sleepSpeed a body is at rest while no point of it moves faster, m/s; default 0.05. Higher
+ *     values freeze slow motion, lower ones let piles tremble on for longer
+ * @param sleepDelay how long all bodies that hold each other must be at rest to fall asleep, s;
+ *     default 0.5, so that what turns round slowly isn't stopped there
  */
 public record WorldDef(
     float gravityX,
@@ -52,11 +58,14 @@ public record WorldDef(
     float maxSpeed,
     float maxAngularSpeed,
     float jointHertz,
-    float jointDampingRatio) {
+    float jointDampingRatio,
+    boolean sleeping,
+    float sleepSpeed,
+    float sleepDelay) {
 
   /** Gravity (0, -10) and the defaults. */
   public WorldDef() {
-    this(0, -10, 4, 54, 5, 1, 3, 0.002f, 0.02f, 0.05f, 400, 250, 60, 5);
+    this(0, -10, 4, 54, 5, 1, 3, 0.002f, 0.02f, 0.05f, 400, 250, 60, 5, true, 0.05f, 0.5f);
   }
 
   /**
@@ -79,6 +88,8 @@ public record WorldDef(
     Checks.range("maxAngularSpeed", maxAngularSpeed, 1, 1e5f);
     Checks.range("jointHertz", jointHertz, 1, 1000);
     Checks.range("jointDampingRatio", jointDampingRatio, 0.1f, 100);
+    Checks.range("sleepSpeed", sleepSpeed, 0, 1e3f);
+    Checks.range("sleepDelay", sleepDelay, 0, 1e3f);
   }
 
   /**
@@ -216,6 +227,36 @@ public record WorldDef(
     return with(d -> d.jointDampingRatio = value);
   }
 
+  /**
+   * The same with another {@link #sleeping}.
+   *
+   * @param value false to keep everything awake
+   * @return a changed copy
+   */
+  public WorldDef withSleeping(boolean value) {
+    return with(d -> d.sleeping = value);
+  }
+
+  /**
+   * The same with another {@link #sleepSpeed}.
+   *
+   * @param value m/s
+   * @return a changed copy
+   */
+  public WorldDef withSleepSpeed(float value) {
+    return with(d -> d.sleepSpeed = value);
+  }
+
+  /**
+   * The same with another {@link #sleepDelay}.
+   *
+   * @param value s
+   * @return a changed copy
+   */
+  public WorldDef withSleepDelay(float value) {
+    return with(d -> d.sleepDelay = value);
+  }
+
   private WorldDef with(Consumer<Draft> change) {
     Draft draft = new Draft(this);
     change.accept(draft);
@@ -238,6 +279,9 @@ public record WorldDef(
     private float maxAngularSpeed;
     private float jointHertz;
     private float jointDampingRatio;
+    private boolean sleeping;
+    private float sleepSpeed;
+    private float sleepDelay;
 
     Draft(WorldDef from) {
       gravityX = from.gravityX;
@@ -254,6 +298,9 @@ public record WorldDef(
       maxAngularSpeed = from.maxAngularSpeed;
       jointHertz = from.jointHertz;
       jointDampingRatio = from.jointDampingRatio;
+      sleeping = from.sleeping;
+      sleepSpeed = from.sleepSpeed;
+      sleepDelay = from.sleepDelay;
     }
 
     WorldDef build() {
@@ -271,7 +318,10 @@ public record WorldDef(
           maxSpeed,
           maxAngularSpeed,
           jointHertz,
-          jointDampingRatio);
+          jointDampingRatio,
+          sleeping,
+          sleepSpeed,
+          sleepDelay);
     }
   }
 }

@@ -37,6 +37,12 @@ public final class BodyStore {
   /** Flag: the body is taken out of the simulation. */
   public static final byte DISABLED = 2;
 
+  /** Flag: the body sleeps; it is at rest, and no step looks at it. */
+  public static final byte ASLEEP = 4;
+
+  /** Flag: the body may not fall asleep. */
+  public static final byte SLEEPLESS = 8;
+
   private static final int FIRST_CAPACITY = 64;
 
   /** {@link #FREE}, {@link #STATIC}, {@link #KINEMATIC} or {@link #DYNAMIC}. */
@@ -126,6 +132,12 @@ public final class BodyStore {
   /** Radius of the largest disc about the centre inside the body, roughly; gates fast motion. */
   public float[] innerRadius = new float[FIRST_CAPACITY];
 
+  /** For how long the body has been at rest, s, up to the world's sleep delay. */
+  public float[] sleepTime = new float[FIRST_CAPACITY];
+
+  /** Distance from the centre of mass that no point of the body exceeds, m. */
+  public float[] reach = new float[FIRST_CAPACITY];
+
   private float[][] floats = gather();
 
   private int[] freeSlots = new int[FIRST_CAPACITY];
@@ -184,6 +196,8 @@ public final class BodyStore {
     flags[slot] = 0;
     firstPart[slot] = 0;
     partCount[slot] = 0;
+    sleepTime[slot] = 0;
+    reach[slot] = 0;
     shapeHash[slot] = 0;
     count++;
     return slot;
@@ -220,6 +234,16 @@ public final class BodyStore {
    */
   public boolean disabled(int slot) {
     return (flags[slot] & DISABLED) != 0;
+  }
+
+  /**
+   * Whether a body sleeps.
+   *
+   * @param slot a slot in use
+   * @return true if no step looks at it
+   */
+  public boolean asleep(int slot) {
+    return (flags[slot] & ASLEEP) != 0;
   }
 
   /**
@@ -325,11 +349,14 @@ public final class BodyStore {
       }
       h = StateHash.mix(h, shapeHash[i]);
       boolean fixed = type[i] != DYNAMIC && (flags[i] & FIXED_ROTATION) != 0;
-      if (fixed || disabled(i)) {
+      if (fixed || (flags[i] & (DISABLED | ASLEEP | SLEEPLESS)) != 0) {
         h = StateHash.mix(h, flags[i]);
       }
       for (int f = 0; f < floats.length; f += 2) {
         h = StateHash.mix(h, floats[f][i], floats[f + 1][i]);
+      }
+      if (sleepTime[i] != 0) {
+        h = StateHash.mix(h, sleepTime[i], 0);
       }
     }
     return h;
@@ -346,6 +373,8 @@ public final class BodyStore {
     System.arraycopy(firstPart, 0, to.firstPart, 0, slots);
     System.arraycopy(partCount, 0, to.partCount, 0, slots);
     System.arraycopy(shapeHash, 0, to.shapeHash, 0, slots);
+    System.arraycopy(sleepTime, 0, to.sleepTime, 0, slots);
+    System.arraycopy(reach, 0, to.reach, 0, slots);
     System.arraycopy(freeSlots, 0, to.freeSlots, 0, freeCount);
     for (int f = 0; f < floats.length; f++) {
       System.arraycopy(floats[f], 0, to.floats[f], 0, slots);
@@ -388,6 +417,8 @@ public final class BodyStore {
     angularDamping = Arrays.copyOf(angularDamping, capacity);
     gravityScale = Arrays.copyOf(gravityScale, capacity);
     innerRadius = Arrays.copyOf(innerRadius, capacity);
+    sleepTime = Arrays.copyOf(sleepTime, capacity);
+    reach = Arrays.copyOf(reach, capacity);
     floats = gather();
   }
 

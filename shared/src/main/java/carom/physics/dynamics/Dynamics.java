@@ -154,6 +154,7 @@ public final class Dynamics {
     int part = bodies.firstPart[body];
     long hash = StateHash.SEED;
     float inner = Float.MAX_VALUE;
+    float reach = 0;
     poseA.setIdentity();
     for (int i = 0; i < shapes.length; i++) {
       ShapeSpec spec = shapes[i];
@@ -165,9 +166,14 @@ public final class Dynamics {
         hash = ShapeHash.mix(hash, local);
         local.aabb(poseA, box);
         inner = Math.min(inner, 0.5f * Math.min(box.width(), box.height()));
+        float furthestX = Math.max(-box.minX, box.maxX);
+        float furthestY = Math.max(-box.minY, box.maxY);
+        float square = furthestX * furthestX + furthestY * furthestY;
+        reach = Math.max(reach, (float) Math.sqrt(square));
         part++;
       }
     }
+    bodies.reach[body] = reach;
     bodies.shapeHash[body] = hash;
     bodies.innerRadius[body] = inner;
   }
@@ -417,6 +423,26 @@ public final class Dynamics {
     } else {
       boxesStale = true;
     }
+  }
+
+  /**
+   * Must be called when a body gets a velocity, a force, or other numbers that decide how it moves:
+   * wakes it and all that it holds or leans on.
+   *
+   * @param body the slot
+   */
+  public void wake(int body) {
+    bodies.sleepTime[body] = 0;
+  }
+
+  /**
+   * Must be called when what a body touches may lose its hold: before it is taken away, and when
+   * its shapes, mass, filters or joints change. Wakes it and all that touches it, static or not.
+   *
+   * @param body the slot
+   */
+  public void disturb(int body) {
+    wake(body);
   }
 
   private void fixedBox(int body, int part) {

@@ -18,6 +18,9 @@ package carom.physics.dynamics;
  * @param maxAngularSpeed rad/s
  * @param jointHertz 1/s
  * @param jointDampingRatio 1 = critical
+ * @param sleeping whether anything falls asleep
+ * @param sleepSpeed m/s
+ * @param sleepDelay s
  */
 public record Settings(
     float gravityX,
@@ -33,4 +36,7 @@ public record Settings(
     float maxSpeed,
     float maxAngularSpeed,
     float jointHertz,
-    float jointDampingRatio) {}
+    float jointDampingRatio,
+    boolean sleeping,
+    float sleepSpeed,
+    float sleepDelay) {}
