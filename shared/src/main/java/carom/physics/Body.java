@@ -449,6 +449,26 @@ public final class Body<T> {
   }
 
   /**
+   * Whether the body is a bullet, see {@link BodyDef#bullet}.
+   *
+   * @return true if it is stopped at dynamic bodies, too
+   */
+  public boolean isBullet() {
+    check();
+    return store.bullet(index);
+  }
+
+  /**
+   * Makes the body a bullet, or an ordinary body; see {@link BodyDef#bullet}.
+   *
+   * @param bullet true to stop it at dynamic bodies, too, however fast it is
+   */
+  public void setBullet(boolean bullet) {
+    check();
+    store.setBullet(index, bullet);
+  }
+
+  /**
    * Mass.
    *
    * @return kg; 0 if not dynamic

@@ -24,6 +24,7 @@ public final class BodyDef {
   float angularDamping;
   float gravityScale = 1;
   boolean fixedRotation;
+  boolean bullet;
   boolean sleepAllowed = true;
   boolean awake = true;
   final List<ShapeDef> shapes = new ArrayList<>();
@@ -109,6 +110,19 @@ public final class BodyDef {
    */
   public BodyDef fixedRotation(boolean fixed) {
     fixedRotation = fixed;
+    return this;
+  }
+
+  /**
+   * Sets whether the body is a bullet; default false. Every dynamic body that is fast for its size
+   * is stopped at static and kinematic bodies; a bullet at dynamic ones and other bullets, too,
+   * which costs more. For shots and small fast balls, not for everything.
+   *
+   * @param isBullet true for what must hit all that is in its way
+   * @return this
+   */
+  public BodyDef bullet(boolean isBullet) {
+    bullet = isBullet;
     return this;
   }
 

@@ -107,7 +107,8 @@ public final class World<T> {
                 def.jointDampingRatio(),
                 def.sleeping(),
                 def.sleepSpeed(),
-                def.sleepDelay()));
+                def.sleepDelay(),
+                def.continuous()));
     store = dynamics.bodies();
     joints = dynamics.joints();
     collision = new Collision<>(this, dynamics.contacts());
@@ -164,6 +165,7 @@ public final class World<T> {
     store.linearDamping[slot] = bodyDef.linearDamping;
     store.angularDamping[slot] = bodyDef.angularDamping;
     store.gravityScale[slot] = bodyDef.gravityScale;
+    store.setBullet(slot, bodyDef.bullet);
     dynamics.moved(slot);
     if (slot >= handles.length) {
       handles = Arrays.copyOf(handles, Math.max(slot + 1, handles.length * 2));

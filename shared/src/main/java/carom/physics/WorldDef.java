@@ -27,8 +27,8 @@ import java.util.function.Consumer;
  *     the solver stop bodies at the surface instead of behind it
  * @param aabbMargin how much larger the boxes in the broadphase are, m; default 0.05. Larger boxes
  *     are updated less often, but find more pairs; never changes a result
- * @param maxSpeed no body moves faster, m/s; default 400. A safety net: at 60 ticks a second this
- *     is 6.7 m per tick
+ * @param maxSpeed no body moves faster, m/s; default 2000, twice the speed of a rifle bullet. A
+ *     safety net only: what keeps fast bodies from passing through others is {@code continuous}
  * @param maxAngularSpeed no body spins faster, rad/s; default 250, one radian per substep at 60
  *     ticks a second
  * @param jointHertz how fast joints close what opened, as the frequency of a spring, 1/s; default
@@ -43,6 +43,9 @@ import java.util.function.Consumer;
  *     values freeze slow motion, lower ones let piles tremble on for longer
  * @param sleepDelay how long all bodies that hold each other must be at rest to fall asleep, s;
  *     default 0.5, so that what turns round slowly isn't stopped there
+ * @param continuous whether fast bodies are stopped at what they would pass through within a step,
+ *     see {@link BodyDef#bullet}; default true. Costs next to nothing while nothing is fast; worlds
+ *     without thin walls or fast bodies can do without
  */
 public record WorldDef(
     float gravityX,
@@ -61,11 +64,12 @@ public record WorldDef(
     float jointDampingRatio,
     boolean sleeping,
     float sleepSpeed,
-    float sleepDelay) {
+    float sleepDelay,
+    boolean continuous) {
 
   /** Gravity (0, -10) and the defaults. */
   public WorldDef() {
-    this(0, -10, 4, 54, 5, 1, 3, 0.002f, 0.02f, 0.05f, 400, 250, 60, 5, true, 0.05f, 0.5f);
+    this(0, -10, 4, 54, 5, 1, 3, 0.002f, 0.02f, 0.05f, 2000, 250, 60, 5, true, 0.05f, 0.5f, true);
   }
 
   /**
@@ -257,6 +261,16 @@ public record WorldDef(
     return with(d -> d.sleepDelay = value);
   }
 
+  /**
+   * The same with another {@link #continuous}.
+   *
+   * @param value whether fast bodies are stopped at what they would pass through
+   * @return a changed copy
+   */
+  public WorldDef withContinuous(boolean value) {
+    return with(d -> d.continuous = value);
+  }
+
   private WorldDef with(Consumer<Draft> change) {
     Draft draft = new Draft(this);
     change.accept(draft);
@@ -282,6 +296,7 @@ public record WorldDef(
     private boolean sleeping;
     private float sleepSpeed;
     private float sleepDelay;
+    private boolean continuous;
 
     Draft(WorldDef from) {
       gravityX = from.gravityX;
@@ -301,6 +316,7 @@ public record WorldDef(
       sleeping = from.sleeping;
       sleepSpeed = from.sleepSpeed;
       sleepDelay = from.sleepDelay;
+      continuous = from.continuous;
     }
 
     WorldDef build() {
@@ -321,7 +337,8 @@ public record WorldDef(
           jointDampingRatio,
           sleeping,
           sleepSpeed,
-          sleepDelay);
+          sleepDelay,
+          continuous);
     }
   }
 }

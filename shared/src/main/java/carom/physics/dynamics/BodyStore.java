@@ -43,6 +43,9 @@ public final class BodyStore {
   /** Flag: the body may not fall asleep. */
   public static final byte SLEEPLESS = 8;
 
+  /** Flag: while fast, the body is stopped at dynamic bodies, too. */
+  public static final byte BULLET = 16;
+
   private static final int FIRST_CAPACITY = 64;
 
   /** {@link #FREE}, {@link #STATIC}, {@link #KINEMATIC} or {@link #DYNAMIC}. */
@@ -247,6 +250,26 @@ public final class BodyStore {
   }
 
   /**
+   * Whether a body is a bullet.
+   *
+   * @param slot a slot in use
+   * @return true if it is stopped at dynamic bodies, too
+   */
+  public boolean bullet(int slot) {
+    return (flags[slot] & BULLET) != 0;
+  }
+
+  /**
+   * Makes a body a bullet, or an ordinary body.
+   *
+   * @param slot a slot in use
+   * @param bullet whether it is stopped at dynamic bodies, too
+   */
+  public void setBullet(int slot, boolean bullet) {
+    flags[slot] = (byte) (bullet ? flags[slot] | BULLET : flags[slot] & ~BULLET);
+  }
+
+  /**
    * Sets pose by the centre of mass, bit for bit.
    *
    * @param slot which
@@ -349,7 +372,7 @@ public final class BodyStore {
       }
       h = StateHash.mix(h, shapeHash[i]);
       boolean fixed = type[i] != DYNAMIC && (flags[i] & FIXED_ROTATION) != 0;
-      if (fixed || (flags[i] & (DISABLED | ASLEEP | SLEEPLESS)) != 0) {
+      if (fixed || (flags[i] & (DISABLED | ASLEEP | SLEEPLESS | BULLET)) != 0) {
         h = StateHash.mix(h, flags[i]);
       }
       for (int f = 0; f < floats.length; f += 2) {

@@ -21,6 +21,7 @@ package carom.physics.dynamics;
  * @param sleeping whether anything falls asleep
  * @param sleepSpeed m/s
  * @param sleepDelay s
+ * @param continuous whether fast bodies are swept
  */
 public record Settings(
     float gravityX,
@@ -39,4 +40,5 @@ public record Settings(
     float jointDampingRatio,
     boolean sleeping,
     float sleepSpeed,
-    float sleepDelay) {}
+    float sleepDelay,
+    boolean continuous) {}
