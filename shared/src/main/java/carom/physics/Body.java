@@ -349,9 +349,9 @@ public final class Body<T> {
    * @param py point of application, m, world
    */
   public void applyForce(float fx, float fy, float px, float py) {
-    applyForce(fx, fy);
     Checks.coordinate("px", px);
     Checks.coordinate("py", py);
+    applyForce(fx, fy);
     if (acts()) {
       store.torque[index] += (px - store.x[index]) * fy - (py - store.y[index]) * fx;
     }
@@ -382,9 +382,9 @@ public final class Body<T> {
    * @param py point of application, m, world
    */
   public void applyImpulse(float jx, float jy, float px, float py) {
-    applyImpulse(jx, jy);
     Checks.coordinate("px", px);
     Checks.coordinate("py", py);
+    applyImpulse(jx, jy);
     if (acts()) {
       store.impulseW[index] += (px - store.x[index]) * jy - (py - store.y[index]) * jx;
     }

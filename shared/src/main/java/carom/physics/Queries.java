@@ -303,6 +303,11 @@ public final class Queries<T> {
   private void place(Shape moving, Transform from) {
     Checks.coordinate("x", from.x);
     Checks.coordinate("y", from.y);
+    float square = from.cos * from.cos + from.sin * from.sin;
+    if (!(Math.abs(square - 1) <= 0.01f)) {
+      throw new IllegalArgumentException(
+          "cos=" + from.cos + " sin=" + from.sin + " is no rotation; their squares must add to 1");
+    }
     shape = moving;
     start.set(from);
     moving.aabb(from, startBox);

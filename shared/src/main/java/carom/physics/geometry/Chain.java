@@ -36,6 +36,7 @@ public final class Chain extends Shape {
    *
    * @param xy x0, y0, x1, y1, ... in metres, 2 points or more, neighbours at least {@link
    *     Shape#MIN_SIZE} apart
+   * @throws IllegalArgumentException when the chain crosses itself or turns back on itself
    */
   public static Chain open(float... xy) {
     return make(xy, false, 2);
@@ -45,6 +46,7 @@ public final class Chain extends Shape {
    * Makes a closed chain: a last segment leads back to the first point.
    *
    * @param xy x0, y0, x1, y1, ... in metres, 3 points or more, the first not repeated
+   * @throws IllegalArgumentException when the chain crosses itself or turns back on itself
    */
   public static Chain loop(float... xy) {
     return make(xy, true, 3);
@@ -61,7 +63,50 @@ public final class Chain extends Shape {
       throw new IllegalArgumentException(
           "chain points=" + points + " must be in " + least + ".." + most);
     }
-    return new Chain(xy.clone(), loop);
+    Chain chain = new Chain(xy.clone(), loop);
+    chain.refuseCrossings();
+    return chain;
+  }
+
+  /** Compares all pairs of segments; chains are short and made seldom. */
+  private void refuseCrossings() {
+    int points = xy.length / 2;
+    int count = parts.size();
+    for (int i = 0; i < count; i++) {
+      int next = i + 1 < count || loop ? (i + 1) % count : i;
+      int middle = (i + 1) % points;
+      int after = (i + 2) % points;
+      if (next != i && side(i, middle, after) == 0 && ahead(i, middle, after) < 0) {
+        throw new IllegalArgumentException(
+            "chain segment=" + next + " turns back on segment=" + i + "; leave a gap between them");
+      }
+      for (int j = i + 2; j < count; j++) {
+        int end = (j + 1) % points;
+        if (side(i, middle, j) * side(i, middle, end) < 0
+            && side(j, end, i) * side(j, end, middle) < 0) {
+          throw new IllegalArgumentException(
+              "chain segment=" + i + " crosses segment=" + j + "; make it two chains");
+        }
+      }
+    }
+  }
+
+  /** Above 0 if a point is on the left of a line through two others, below if on the right. */
+  private double side(int from, int to, int point) {
+    double ux = (double) xy[2 * to] - xy[2 * from];
+    double uy = (double) xy[2 * to + 1] - xy[2 * from + 1];
+    double px = (double) xy[2 * point] - xy[2 * from];
+    double py = (double) xy[2 * point + 1] - xy[2 * from + 1];
+    return Math.signum(ux * py - uy * px);
+  }
+
+  /** Above 0 if the way from a middle point leads on, below if it leads back. */
+  private double ahead(int from, int middle, int to) {
+    double ux = (double) xy[2 * middle] - xy[2 * from];
+    double uy = (double) xy[2 * middle + 1] - xy[2 * from + 1];
+    double px = (double) xy[2 * to] - xy[2 * middle];
+    double py = (double) xy[2 * to + 1] - xy[2 * middle + 1];
+    return ux * px + uy * py;
   }
 
   /** Segments run against the points, so that their front, on the right, is the chain's left. */

@@ -379,7 +379,7 @@ final class FrictionLawTest {
   void tallBodiesTipOver(double hw, double hh, double slope) {
     World<String> w = Lab.slope(Math.atan(slope), rough(4));
     Body<String> b = box(w, 0, hh, hw, hh, rough(4));
-    seconds(w, 4);
+    seconds(w, 6);
     assertEquals(slope > hw / hh, Math.abs(b.angle()) > .5, "angle=" + b.angle());
   }
 
