@@ -54,6 +54,7 @@ final class ArchitectureTest {
         "carom.physics.broadphase");
     allow("carom.physics", "carom.physics..");
     allow("carom.sim", "carom.physics..");
+    allow("carom.sim.scene", "carom.physics..", "carom.sim");
     allow("carom.game", "carom.physics..", "carom.sim");
     allow("carom.net.codec");
     allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol");
@@ -64,14 +65,14 @@ final class ArchitectureTest {
         "carom.server..",
         "carom.server..",
         "carom.net..",
-        "carom.sim",
+        "carom.sim..",
         "carom.game",
         "carom.physics..");
     allow(
         "carom.client..",
         "carom.client..",
         "carom.net..",
-        "carom.sim",
+        "carom.sim..",
         "carom.game",
         "carom.physics..");
   }
