@@ -565,6 +565,7 @@ public final class Body<T> {
   public void setGravityScale(float factor) {
     check();
     store.gravityScale[index] = Checks.range("gravityScale", factor, -1e3f, 1e3f);
+    store.coldChanged();
   }
 
   /**
@@ -585,6 +586,7 @@ public final class Body<T> {
   public void setLinearDamping(float perSecond) {
     check();
     store.linearDamping[index] = Checks.range("linearDamping", perSecond, 0, 1e4f);
+    store.coldChanged();
   }
 
   /**
@@ -605,6 +607,7 @@ public final class Body<T> {
   public void setAngularDamping(float perSecond) {
     check();
     store.angularDamping[index] = Checks.range("angularDamping", perSecond, 0, 1e4f);
+    store.coldChanged();
   }
 
   /**

@@ -302,6 +302,7 @@ public final class Joint<T> {
     Checks.range("dampingRatio", dampingRatio, 0, 100);
     store.hertz[index] = hertz;
     store.damping[index] = dampingRatio;
+    store.coldChanged();
     if (JointDef.hasCoordinateSpring(type)) {
       raise(JointStore.SPRUNG);
     }
@@ -322,6 +323,7 @@ public final class Joint<T> {
   public void setRest(float coordinate) {
     refuseUnless(JointDef.hasLimits(type), "setRest");
     store.rest[index] = Checks.range("rest", coordinate, JointDef.least(type), JointDef.most(type));
+    store.coldChanged();
   }
 
   /**
@@ -346,6 +348,7 @@ public final class Joint<T> {
     Checks.coordinate("y", y);
     store.anchorAx[index] = x;
     store.anchorAy[index] = y;
+    store.coldChanged();
   }
 
   /**
@@ -358,14 +361,17 @@ public final class Joint<T> {
     Checks.range("angle", angleRad, -1e5f, 1e5f);
     store.refCos[index] = Trig.cos(angleRad);
     store.refSin[index] = Trig.sin(angleRad);
+    store.coldChanged();
   }
 
   private void raise(byte flag) {
     store.flags[index] |= flag;
+    store.coldChanged();
   }
 
   private void clear(byte flag) {
     store.flags[index] &= (byte) ~flag;
+    store.coldChanged();
   }
 
   private void refuseUnless(boolean possible, String what) {

@@ -11,6 +11,7 @@ import carom.physics.dynamics.JointEvents;
 import carom.physics.dynamics.JointStore;
 import carom.physics.dynamics.Settings;
 import carom.physics.dynamics.ShapeSpec;
+import carom.physics.dynamics.Stamp;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
 import carom.physics.math.Trig;
@@ -49,13 +50,11 @@ public final class World<T> {
 
   private Object[] jointHandles = new Object[0];
 
-  /** Changes whenever a body comes, goes or changes, and is never used again. */
-  private long structure;
+  /** Changes whenever a body comes, goes, or changes what the broadphase knows of it. */
+  private final Stamp structure = new Stamp();
 
-  /** The same for joints. */
-  private long jointStructure;
-
-  private long nextStructure = 1;
+  /** Changes whenever a joint comes or goes. */
+  private final Stamp jointStructure = new Stamp();
 
   private CollisionListener<T> listener;
   private JointListener<T> jointListener;
@@ -173,7 +172,7 @@ public final class World<T> {
     Body<T> body =
         new Body<>(this, store, slot, store.generation[slot], bodyDef.type, shapes, user);
     handles[slot] = body;
-    structure = nextStructure++;
+    structure.change();
     return body;
   }
 
@@ -268,7 +267,7 @@ public final class World<T> {
     } else {
       dynamics.setType(slot, (byte) (what - CHANGE_TYPE), body(slot).specs());
     }
-    structure = nextStructure++;
+    structure.change();
   }
 
   void enable(Body<T> body, boolean enabled) {
@@ -290,14 +289,14 @@ public final class World<T> {
     }
     dynamics.destroy(slot, listener == null ? null : events);
     handles[slot] = null;
-    structure = nextStructure++;
+    structure.change();
     contactsIndexed = false;
   }
 
   private void removeJoint(int slot) {
     dynamics.destroyJoint(slot);
     jointHandles[slot] = null;
-    jointStructure = nextStructure++;
+    jointStructure.change();
   }
 
   /**
@@ -354,7 +353,7 @@ public final class World<T> {
     }
     Joint<T> joint = new Joint<>(this, joints, j, d.type);
     jointHandles[j] = joint;
-    jointStructure = nextStructure++;
+    jointStructure.change();
     return joint;
   }
 
@@ -530,8 +529,8 @@ public final class World<T> {
     refuseDuringStep("save");
     WorldState s = reuseOrNull == null ? new WorldState(this) : reuseOrNull;
     checkOwner(s);
-    dynamics.save(s.dynamics, s.structure == structure);
-    if (s.structure != structure) {
+    dynamics.save(s.dynamics, structure.same(s.structure));
+    if (!structure.same(s.structure)) {
       int slots = store.slots();
       if (s.handles.length < slots) {
         s.handles = new Object[handles.length];
@@ -540,9 +539,9 @@ public final class World<T> {
       }
       System.arraycopy(handles, 0, s.handles, 0, slots);
       s.slots = slots;
-      s.structure = structure;
+      structure.copyTo(s.structure);
     }
-    if (s.jointStructure != jointStructure) {
+    if (!jointStructure.same(s.jointStructure)) {
       int slots = joints.slots();
       if (s.jointHandles.length < slots) {
         s.jointHandles = new Object[jointHandles.length];
@@ -551,7 +550,7 @@ public final class World<T> {
       }
       System.arraycopy(jointHandles, 0, s.jointHandles, 0, slots);
       s.jointSlots = slots;
-      s.jointStructure = jointStructure;
+      jointStructure.copyTo(s.jointStructure);
     }
     return s;
   }
@@ -569,18 +568,18 @@ public final class World<T> {
     refuseDuringStep("restore");
     refuseDuringQuery("restore");
     checkOwner(s);
-    dynamics.restore(s.dynamics, s.structure == structure);
-    if (s.structure != structure) {
+    dynamics.restore(s.dynamics, structure.same(s.structure));
+    if (!structure.same(s.structure)) {
       int slots = store.slots();
       System.arraycopy(s.handles, 0, handles, 0, slots);
       Arrays.fill(handles, slots, handles.length, null);
-      structure = s.structure;
+      s.structure.copyTo(structure);
     }
-    if (s.jointStructure != jointStructure) {
+    if (!jointStructure.same(s.jointStructure)) {
       int slots = joints.slots();
       System.arraycopy(s.jointHandles, 0, jointHandles, 0, slots);
       Arrays.fill(jointHandles, slots, jointHandles.length, null);
-      jointStructure = s.jointStructure;
+      s.jointStructure.copyTo(jointStructure);
     }
     contactsIndexed = false;
   }

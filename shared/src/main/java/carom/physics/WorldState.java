@@ -1,6 +1,7 @@
 package carom.physics;
 
 import carom.physics.dynamics.Dynamics;
+import carom.physics.dynamics.Stamp;
 
 /**
  * A world at one moment: a handful of arrays, made by {@link World#save} and taken over by {@link
@@ -16,10 +17,20 @@ public final class WorldState {
   int slots;
   Object[] jointHandles = new Object[0];
   int jointSlots;
-  long structure = -1;
-  long jointStructure = -1;
+  final Stamp structure = new Stamp();
+  final Stamp jointStructure = new Stamp();
 
   WorldState(Object owner) {
     this.owner = owner;
+  }
+
+  /**
+   * What the last {@link World#save} into this state copied: numbers that no step changes, such as
+   * masses, and handles only if one of them changed since the save before.
+   *
+   * @return bytes of bodies, contacts and joints
+   */
+  public long bytes() {
+    return dynamics.bytes();
   }
 }

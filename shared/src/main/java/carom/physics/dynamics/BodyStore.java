@@ -13,6 +13,10 @@ import java.util.Arrays;
  * <p>Slots are reused last in, first out; each reuse has another generation. The free list is part
  * of the state, so that a restored world gives out the same slots again.
  *
+ * <p><b>Hot</b> numbers may change in every step: pose, velocity, what was applied, flags, sleep
+ * time. They are copied whenever the state is. All others are <b>cold</b> and only copied if one of
+ * them changed, which whoever writes them must tell by {@link #coldChanged}.
+ *
  * <p>The arrays are public to the solver and the API; they are replaced when the store grows.
  */
 public final class BodyStore {
@@ -47,6 +51,11 @@ public final class BodyStore {
   public static final byte BULLET = 16;
 
   private static final int FIRST_CAPACITY = 64;
+
+  /** The first of the float arrays are hot. */
+  private static final int HOT = 13;
+
+  private static final int HOT_BYTES = Float.BYTES * (HOT + 1) + 1;
 
   /** {@link #FREE}, {@link #STATIC}, {@link #KINEMATIC} or {@link #DYNAMIC}. */
   public byte[] type = new byte[FIRST_CAPACITY];
@@ -147,6 +156,7 @@ public final class BodyStore {
   private int freeCount;
   private int slots;
   private int count;
+  private final Stamp cold = new Stamp();
 
   /** Makes an empty store. */
   public BodyStore() {}
@@ -203,6 +213,7 @@ public final class BodyStore {
     reach[slot] = 0;
     shapeHash[slot] = 0;
     count++;
+    coldChanged();
     return slot;
   }
 
@@ -216,6 +227,12 @@ public final class BodyStore {
     generation[slot]++;
     freeSlots[freeCount++] = slot;
     count--;
+    coldChanged();
+  }
+
+  /** Must be called when a number was written that steps don't change; see the class. */
+  public void coldChanged() {
+    cold.change();
   }
 
   /**
@@ -385,27 +402,42 @@ public final class BodyStore {
     return h;
   }
 
-  /** Copies everything into another store, which grows as needed; allocates only then. */
-  void copyTo(BodyStore to) {
+  /**
+   * Copies everything into another store, which grows as needed; allocates only then.
+   *
+   * @return the bytes that were copied
+   */
+  long copyTo(BodyStore to) {
     while (to.type.length < slots) {
       to.grow();
     }
-    System.arraycopy(type, 0, to.type, 0, slots);
     System.arraycopy(flags, 0, to.flags, 0, slots);
+    System.arraycopy(sleepTime, 0, to.sleepTime, 0, slots);
+    for (int f = 0; f < HOT; f++) {
+      System.arraycopy(floats[f], 0, to.floats[f], 0, slots);
+    }
+    long bytes = (long) slots * HOT_BYTES;
+    return cold.same(to.cold) ? bytes : bytes + copyColdTo(to);
+  }
+
+  private long copyColdTo(BodyStore to) {
+    System.arraycopy(type, 0, to.type, 0, slots);
     System.arraycopy(generation, 0, to.generation, 0, slots);
     System.arraycopy(firstPart, 0, to.firstPart, 0, slots);
     System.arraycopy(partCount, 0, to.partCount, 0, slots);
     System.arraycopy(shapeHash, 0, to.shapeHash, 0, slots);
-    System.arraycopy(sleepTime, 0, to.sleepTime, 0, slots);
     System.arraycopy(reach, 0, to.reach, 0, slots);
     System.arraycopy(freeSlots, 0, to.freeSlots, 0, freeCount);
-    for (int f = 0; f < floats.length; f++) {
+    for (int f = HOT; f < floats.length; f++) {
       System.arraycopy(floats[f], 0, to.floats[f], 0, slots);
     }
     Arrays.fill(to.generation, slots, Math.max(slots, to.slots), 0);
     to.freeCount = freeCount;
     to.slots = slots;
     to.count = count;
+    cold.copyTo(to.cold);
+    int perSlot = 1 + 4 * Integer.BYTES + Long.BYTES + Float.BYTES * (floats.length - HOT);
+    return (long) slots * perSlot + (long) freeCount * Integer.BYTES;
   }
 
   private void grow() {
@@ -445,7 +477,7 @@ public final class BodyStore {
     floats = gather();
   }
 
-  /** All float arrays, for copying, clearing and hashing; an even number. */
+  /** All float arrays, for copying, clearing and hashing; an even number, the hot ones first. */
   private float[][] gather() {
     return new float[][] {
       x,

@@ -11,7 +11,8 @@ import java.util.Arrays;
  * parts belong to the state. Whether a row of parts that don't touch exists changes nothing.
  *
  * <p>Rows are dense and sorted, so every pass streams through memory in the canonical order, and
- * saving is a copy. New pairs are merged in from the back; no second buffer is needed.
+ * saving is a copy; which parts the rows are of, and their materials, is only copied if a row came
+ * or went. New pairs are merged in from the back; no second buffer is needed.
  */
 public final class ContactTable {
   /** Flag: the manifold has points. */
@@ -87,6 +88,11 @@ public final class ContactTable {
   float[] slide1 = new float[FIRST_CAPACITY];
 
   private float[][] floats = gather();
+
+  /** The first of the float arrays change with the rows only. */
+  private static final int COLD = 4;
+
+  private final Stamp rows = new Stamp();
   private int count;
 
   ContactTable() {}
@@ -346,6 +352,9 @@ public final class ContactTable {
         move(row, kept++);
       }
     }
+    if (kept < count) {
+      rows.change();
+    }
     count = kept;
     int fresh = 0;
     int row = 0;
@@ -364,6 +373,7 @@ public final class ContactTable {
     if (fresh == 0) {
       return;
     }
+    rows.change();
     ensure(count + fresh);
     int to = count + fresh - 1;
     int from = count - 1;
@@ -392,6 +402,7 @@ public final class ContactTable {
       }
     }
     count = kept;
+    rows.change();
   }
 
   private void start(int row, long k, BodyStore bodies, ShapeTable parts) {
@@ -454,19 +465,33 @@ public final class ContactTable {
     return h;
   }
 
-  void copyTo(ContactTable to) {
+  /**
+   * Copies everything into another table, which grows as needed; allocates only then.
+   *
+   * @return the bytes that were copied
+   */
+  long copyTo(ContactTable to) {
     to.ensure(count);
-    System.arraycopy(key, 0, to.key, 0, count);
-    System.arraycopy(partA, 0, to.partA, 0, count);
-    System.arraycopy(partB, 0, to.partB, 0, count);
     System.arraycopy(flags, 0, to.flags, 0, count);
     System.arraycopy(points, 0, to.points, 0, count);
     System.arraycopy(id0, 0, to.id0, 0, count);
     System.arraycopy(id1, 0, to.id1, 0, count);
-    for (int f = 0; f < floats.length; f++) {
+    for (int f = COLD; f < floats.length; f++) {
       System.arraycopy(floats[f], 0, to.floats[f], 0, count);
     }
-    to.count = count;
+    int perRow = 2 + 2 * Integer.BYTES + Float.BYTES * (floats.length - COLD);
+    if (!rows.same(to.rows)) {
+      System.arraycopy(key, 0, to.key, 0, count);
+      System.arraycopy(partA, 0, to.partA, 0, count);
+      System.arraycopy(partB, 0, to.partB, 0, count);
+      for (int f = 0; f < COLD; f++) {
+        System.arraycopy(floats[f], 0, to.floats[f], 0, count);
+      }
+      to.count = count;
+      rows.copyTo(to.rows);
+      perRow += Long.BYTES + 2 * Integer.BYTES + Float.BYTES * COLD;
+    }
+    return (long) count * perRow;
   }
 
   private void ensure(int capacity) {
@@ -507,15 +532,15 @@ public final class ContactTable {
 
   private float[][] gather() {
     return new float[][] {
+      friction,
+      restitution,
+      rolling,
+      surface,
       normal0,
       normal1,
       tangent0,
       tangent1,
       roll,
-      friction,
-      restitution,
-      rolling,
-      surface,
       nx,
       ny,
       x0,

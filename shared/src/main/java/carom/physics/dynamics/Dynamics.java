@@ -23,8 +23,9 @@ import java.util.Arrays;
  * the owner (post-solve, broken joints); carry out what was deferred.
  *
  * <p><b>Order.</b> Contacts are always visited by ascending {@link ContactKey}, joints by ascending
- * slot; the solver's colours follow from that order. Everything else in a step is independent per body. So the result depends on the state
- * alone, never on the shape of a tree or on when a pair was found.
+ * slot; the solver's colours follow from that order. Everything else in a step is independent per
+ * body. So the result depends on the state alone, never on the shape of a tree or on when a pair
+ * was found.
  *
  * <p>One thread at a time. A steady step allocates nothing.
  */
@@ -147,6 +148,7 @@ public final class Dynamics {
     turns = turns && total.inertia() > 0;
     bodies.mass[body] = total.mass();
     bodies.invMass[body] = dynamic ? 1 / total.mass() : 0;
+    bodies.coldChanged();
     bodies.inertia[body] = turns ? total.inertia() : 0;
     bodies.invInertia[body] = turns ? 1 / total.inertia() : 0;
     bodies.localX[body] = total.centerX();
@@ -826,9 +828,19 @@ public final class Dynamics {
     private final ShapeTable parts = new ShapeTable();
     private final ContactTable contacts = new ContactTable();
     private final JointStore joints = new JointStore();
+    private long bytes;
 
     /** Makes an empty state to save into. */
     public State() {}
+
+    /**
+     * What the last save copied, apart from shapes, which are copied if bodies came or went.
+     *
+     * @return bytes of bodies, contacts and joints
+     */
+    public long bytes() {
+      return bytes;
+    }
   }
 
   /**
@@ -838,12 +850,12 @@ public final class Dynamics {
    * @param sameStructure whether no body came, went or changed since {@code to} was saved
    */
   public void save(State to, boolean sameStructure) {
-    bodies.copyTo(to.bodies);
+    to.bytes = bodies.copyTo(to.bodies);
+    to.bytes += contacts.copyTo(to.contacts);
+    to.bytes += joints.copyTo(to.joints);
     if (!sameStructure) {
       parts.copyTo(to.parts);
     }
-    contacts.copyTo(to.contacts);
-    joints.copyTo(to.joints);
   }
 
   /**

@@ -9,6 +9,9 @@ import java.util.Arrays;
  * <p>Slots are reused last in, first out; each reuse has another generation. Each body has a list
  * of its joints: the ends of joint j are the entries 2 j (of body A) and 2 j + 1 (of body B). The
  * lists and the free list are part of the state, so that a restored world does the same again.
+ *
+ * <p>What a step changes, impulses and forces, is copied whenever the state is; all else only if
+ * something of it changed, which whoever writes it must tell by {@link #coldChanged}.
  */
 public final class JointStore {
   /** Type of a free slot. */
@@ -48,6 +51,9 @@ public final class JointStore {
   public static final byte SPRUNG = 8;
 
   private static final int FIRST_CAPACITY = 16;
+
+  /** The last of the float arrays change in every step: those from this one on. */
+  private static final int HOT = 21;
 
   /** {@link #FREE} or one of the types. */
   public byte[] type = new byte[FIRST_CAPACITY];
@@ -169,6 +175,7 @@ public final class JointStore {
   private int freeCount;
   private int slots;
   private int count;
+  private final Stamp cold = new Stamp();
 
   JointStore() {}
 
@@ -246,6 +253,7 @@ public final class JointStore {
     link(2 * slot, a);
     link(2 * slot + 1, b);
     count++;
+    coldChanged();
     return slot;
   }
 
@@ -256,6 +264,12 @@ public final class JointStore {
     generation[slot]++;
     freeSlots[freeCount++] = slot;
     count--;
+    coldChanged();
+  }
+
+  /** Must be called when something was written that steps don't change. */
+  public void coldChanged() {
+    cold.change();
   }
 
   private void link(int end, int body) {
@@ -341,14 +355,23 @@ public final class JointStore {
     return h;
   }
 
-  /** Copies everything into another store, which grows as needed; allocates only then. */
-  void copyTo(JointStore to) {
-    if (slots == 0 && to.slots == 0) {
-      return;
-    }
+  /**
+   * Copies everything into another store, which grows as needed; allocates only then.
+   *
+   * @return the bytes that were copied
+   */
+  long copyTo(JointStore to) {
     while (to.type.length < slots) {
       to.grow();
     }
+    for (int f = HOT; f < floats.length - 1; f++) {
+      System.arraycopy(floats[f], 0, to.floats[f], 0, slots);
+    }
+    long bytes = (long) slots * Float.BYTES * (floats.length - 1 - HOT);
+    return cold.same(to.cold) ? bytes : bytes + copyColdTo(to);
+  }
+
+  private long copyColdTo(JointStore to) {
     System.arraycopy(type, 0, to.type, 0, slots);
     System.arraycopy(flags, 0, to.flags, 0, slots);
     System.arraycopy(generation, 0, to.generation, 0, slots);
@@ -356,7 +379,7 @@ public final class JointStore {
     System.arraycopy(bodyB, 0, to.bodyB, 0, slots);
     System.arraycopy(next, 0, to.next, 0, 2 * slots);
     System.arraycopy(freeSlots, 0, to.freeSlots, 0, freeCount);
-    for (int f = 0; f < floats.length; f++) {
+    for (int f = 0; f < HOT; f++) {
       System.arraycopy(floats[f], 0, to.floats[f], 0, slots);
     }
     if (to.first.length < first.length) {
@@ -368,6 +391,9 @@ public final class JointStore {
     to.freeCount = freeCount;
     to.slots = slots;
     to.count = count;
+    cold.copyTo(to.cold);
+    int perSlot = 2 + 5 * Integer.BYTES + Float.BYTES * HOT;
+    return (long) slots * perSlot + (long) (freeCount + first.length) * Integer.BYTES;
   }
 
   private void grow() {
