@@ -1,0 +1,245 @@
+package carom.physics.effects;
+
+import carom.physics.Body;
+import carom.physics.World;
+import carom.physics.dynamics.Checks;
+import carom.physics.geometry.Shape;
+import carom.physics.math.Aabb;
+
+/**
+ * A fluid: lifts what is in it, brakes it, and carries it along. Call {@link #apply} before every
+ * {@code World.step}:
+ *
+ * <pre>
+ *   Buoyancy lake = new Buoyancy(new Aabb(-10, -5, 10, 0), 1000).drag(1).flow(0.5f, 0);
+ *   lake.apply(world, dt);
+ *   world.step(dt);
+ * </pre>
+ *
+ * <p>The fluid fills an area below a surface. Archimedes: what is submerged loses the weight of the
+ * fluid it displaces, {@code density * area * gravity}, at the centroid of the submerged area,
+ * which is computed exactly for polygons and discs; capsules and rounded polygons are many-cornered
+ * polygons with the shape's area. Parts of a body that overlap displace as often as they overlap.
+ *
+ * <p><b>Drag</b> acts on every submerged piece by its speed relative to the flow: force {@code drag
+ * * density * area * (flow - v)} at the centroid, torque {@code angularDrag * density * J * -w},
+ * with J the second moment of the submerged area about its centroid. Both are applied implicitly
+ * over the step and never overshoot.
+ *
+ * <p>Without drag a floating body bobs for ever, neither gaining nor losing: the force is measured
+ * where the body will be in the middle of its substeps. What bobs with an angular frequency above 2
+ * / dt, such as a 1 cm slab of a thousandth of the fluid's density at 60 steps per second, can't be
+ * followed; make it heavier or use drag.
+ *
+ * <p>Sleeping bodies are left alone: at rest in the fluid they need no force. Who changes a fluid
+ * calls {@link #wake} once. Settings are not part of any saved state. Not thread-safe; a steady
+ * call allocates nothing.
+ */
+public final class Buoyancy {
+  private final Aabb area = new Aabb();
+  private final float density;
+  private float surfaceX;
+  private float surfaceY;
+  private float normalX;
+  private float normalY = 1;
+  private boolean surfaceGiven;
+  private float drag = 1;
+  private float angularDrag = 1;
+  private float flowX;
+  private float flowY;
+  private int categories = -1;
+  private final Nearby nearby = new Nearby();
+  private final Submerged submerged = new Submerged();
+  private final Aabb box = new Aabb();
+
+  /**
+   * Fills an area; its upper edge is the surface.
+   *
+   * @param area m, not empty, copied
+   * @param density kg/m^2, not negative, at most 1e6
+   */
+  public Buoyancy(Aabb area, float density) {
+    Areas.check(area);
+    this.area.set(area);
+    this.density = Checks.range("density", density, 0, 1e6f);
+  }
+
+  /**
+   * Sets a surface other than the area's upper edge.
+   *
+   * @param x a point of the surface, m
+   * @param y a point of the surface, m
+   * @param upX out of the fluid; any length but 0
+   * @param upY out of the fluid
+   * @return this
+   */
+  public Buoyancy surface(float x, float y, float upX, float upY) {
+    Checks.coordinate("x", x);
+    Checks.coordinate("y", y);
+    Checks.coordinate("upX", upX);
+    Checks.coordinate("upY", upY);
+    double length = Math.sqrt((double) upX * upX + (double) upY * upY);
+    if (!(length > 1e-6)) {
+      throw new IllegalArgumentException(
+          "up=" + upX + " " + upY + " has no length; (0, 1) is a level surface");
+    }
+    surfaceX = x;
+    surfaceY = y;
+    normalX = (float) (upX / length);
+    normalY = (float) (upY / length);
+    surfaceGiven = true;
+    return this;
+  }
+
+  /**
+   * Sets how quickly the fluid takes bodies along; default 1.
+   *
+   * @param perSecond rate at which a body of the fluid's density, submerged, comes to the speed of
+   *     the flow; 1/s, 0 to 1e4
+   * @return this
+   */
+  public Buoyancy drag(float perSecond) {
+    drag = Checks.range("drag", perSecond, 0, 1e4f);
+    return this;
+  }
+
+  /**
+   * Sets how quickly the fluid stops bodies turning; default 1.
+   *
+   * @param perSecond 1/s, 0 to 1e4
+   * @return this
+   */
+  public Buoyancy angularDrag(float perSecond) {
+    angularDrag = Checks.range("angularDrag", perSecond, 0, 1e4f);
+    return this;
+  }
+
+  /**
+   * Sets how the fluid moves; default at rest. Acts through drag.
+   *
+   * @param vx m/s
+   * @param vy m/s
+   * @return this
+   */
+  public Buoyancy flow(float vx, float vy) {
+    flowX = Checks.velocity("flowX", vx);
+    flowY = Checks.velocity("flowY", vy);
+    return this;
+  }
+
+  /**
+   * Sets which shapes feel the fluid; default all that are not sensors.
+   *
+   * @param bits a shape is felt if its filter's category has one of them
+   * @return this
+   */
+  public Buoyancy categories(int bits) {
+    categories = bits;
+    return this;
+  }
+
+  /**
+   * Lifts, brakes and carries what is in the fluid, for the next step.
+   *
+   * @param world the world
+   * @param dtSeconds length of the next step, s
+   */
+  public void apply(World<?> world, float dtSeconds) {
+    Checks.timeStep(dtSeconds);
+    nearby.find(world, area);
+    act(world, area, dtSeconds);
+  }
+
+  /**
+   * The same for what was in a sensor in the last step: the sensor's box bounds the fluid, wherever
+   * the sensor has moved, and its upper edge is the surface unless one was given.
+   *
+   * @param world the world
+   * @param sensor a body with sensors
+   * @param dtSeconds length of the next step, s
+   * @param <T> the world's user type
+   */
+  public <T> void apply(World<T> world, Body<T> sensor, float dtSeconds) {
+    Checks.timeStep(dtSeconds);
+    sensor.aabb(box);
+    nearby.findInside(sensor);
+    act(world, box, dtSeconds);
+  }
+
+  private void act(World<?> world, Aabb bounds, float dt) {
+    float ahead = Lookahead.seconds(world.def(), dt);
+    for (int i = 0; i < nearby.count(); i++) {
+      Body<?> body = nearby.get(i);
+      if (Nearby.isAwake(body)) {
+        lift(world, body, bounds, ahead, dt);
+      }
+    }
+    nearby.clear();
+  }
+
+  /**
+   * Wakes what sleeps in the fluid: after density, surface or flow changed.
+   *
+   * @param world the world
+   */
+  public void wake(World<?> world) {
+    Areas.wake(nearby, world, area);
+  }
+
+  private void lift(World<?> world, Body<?> body, Aabb bounds, float ahead, float dt) {
+    measure(body, bounds, ahead);
+    double mass = density * submerged.area;
+    if (!(mass > 0)) {
+      return;
+    }
+    double rx = submerged.centroidX;
+    double ry = submerged.centroidY;
+    double inverseInertia = body.inertia() > 0 ? 1.0 / body.inertia() : 0;
+    double arm = (rx * rx + ry * ry) * inverseInertia;
+    double rate = drag * mass;
+    double pull = rate / (1 + dt * rate * (1.0 / body.mass() + arm));
+    double w = body.angularVelocity();
+    double fx = -mass * world.gravityX() + pull * (flowX - (body.velocityX() - w * ry));
+    double fy = -mass * world.gravityY() + pull * (flowY - (body.velocityY() + w * rx));
+    double turn = angularDrag * density * submerged.second;
+    double brake = turn / (1 + dt * turn * inverseInertia);
+    body.applyForce((float) fx, (float) fy);
+    body.applyTorque((float) (rx * fy - ry * fx - brake * w));
+  }
+
+  private void measure(Body<?> body, Aabb bounds, float ahead) {
+    double cos = body.cos();
+    double sin = body.sin();
+    double turn = body.angularVelocity() * ahead;
+    double c = cos - turn * sin;
+    double s = sin + turn * cos;
+    double length = Math.sqrt(c * c + s * s);
+    c /= length;
+    s /= length;
+    double ox = (double) body.x() - body.centerX();
+    double oy = (double) body.y() - body.centerY();
+    double localX = cos * ox + sin * oy;
+    double localY = cos * oy - sin * ox;
+    submerged.begin(
+        body.centerX() + (double) body.velocityX() * ahead,
+        body.centerY() + (double) body.velocityY() * ahead,
+        c * localX - s * localY,
+        s * localX + c * localY,
+        c,
+        s,
+        bounds,
+        surfaceGiven ? surfaceX : bounds.maxX,
+        surfaceGiven ? surfaceY : bounds.maxY,
+        normalX,
+        normalY);
+    for (int i = 0; i < body.shapeCount(); i++) {
+      if (!body.sensor(i) && (body.filter(i).category() & categories) != 0) {
+        Shape shape = body.shape(i);
+        for (int k = 0; k < shape.parts().size(); k++) {
+          submerged.add(shape.parts().get(k));
+        }
+      }
+    }
+    submerged.end();
+  }
+}

@@ -1,0 +1,22 @@
+package carom.physics.effects;
+
+import carom.physics.WorldDef;
+
+/**
+ * When forces that depend on where a body is should be measured.
+ *
+ * <p>A force holds for a whole step of n substeps h = dt / n, in which symplectic Euler moves a
+ * body by {@code v dt + a dt^2 (n + 1) / (2 n)}. Measured at the start, the force of a spring would
+ * feed energy: per step the area of phase space grows by {@code 1 + (1 - c) o^2 dt^2}, with c = (n
+ * + 1) / (2 n) and o the angular frequency. Measured at {@code x + t v dt} the factor is {@code 1 +
+ * (1 - c - t) o^2 dt^2}: exactly 1 for t = (n - 1) / (2 n), and the oscillation is that of
+ * symplectic Euler with the step dt, whose frequency is {@code 2 asin(o dt / 2) / dt}.
+ */
+final class Lookahead {
+  private Lookahead() {}
+
+  /** How far ahead to measure, s. */
+  static float seconds(WorldDef def, float dt) {
+    return dt * (def.substeps() - 1) / (2f * def.substeps());
+  }
+}
