@@ -7,7 +7,7 @@ package carom.physics.broadphase;
  * <p>A larger box at rest is never met later than a smaller one inside it, rounding included: every
  * operation is monotone. So nodes of trees hide nothing.
  */
-final class MovingBox {
+public final class MovingBox {
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
   private double minX;
@@ -17,10 +17,20 @@ final class MovingBox {
   private double perX;
   private double perY;
 
-  MovingBox() {}
+  /** Makes a box that must be set. */
+  public MovingBox() {}
 
-  /** Sets the box at its start and its way. */
-  void set(float left, float bottom, float right, float top, float dx, float dy) {
+  /**
+   * Sets the box at its start and its way.
+   *
+   * @param left left edge, m, finite
+   * @param bottom lower edge, m
+   * @param right right edge, m
+   * @param top upper edge, m
+   * @param dx way along x, m
+   * @param dy way along y, m
+   */
+  public void set(float left, float bottom, float right, float top, float dx, float dy) {
     minX = left;
     minY = bottom;
     maxX = right;
@@ -29,8 +39,16 @@ final class MovingBox {
     perY = dy == 0 ? NEVER : 1 / (double) dy;
   }
 
-  /** The part of the way at which the boxes first touch, 0 at the start; infinite if never. */
-  double enter(float left, float bottom, float right, float top) {
+  /**
+   * When the boxes first touch.
+   *
+   * @param left left edge of the box at rest, m
+   * @param bottom lower edge, m
+   * @param right right edge, m
+   * @param top upper edge, m
+   * @return the part of the way, 0 at the start, perhaps beyond its end; infinite if never
+   */
+  public double enter(float left, float bottom, float right, float top) {
     double enter = 0;
     double leave = NEVER;
     if (perX == NEVER) {

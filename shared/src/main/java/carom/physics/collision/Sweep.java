@@ -67,6 +67,45 @@ public final class Sweep {
   }
 
   /**
+   * A stretch of another motion.
+   *
+   * @param whole the motion, another object than this
+   * @param from where the stretch begins, 0 to 1
+   * @param to where it ends, {@code from} to 1
+   * @return this
+   */
+  public Sweep part(Sweep whole, float from, float to) {
+    float turn = from * whole.angleRad;
+    float c = Trig.cos(turn);
+    float s = Trig.sin(turn);
+    x = whole.x + from * whole.dx;
+    y = whole.y + from * whole.dy;
+    cos = whole.cos * c - whole.sin * s;
+    sin = whole.sin * c + whole.cos * s;
+    dx = (to - from) * whole.dx;
+    dy = (to - from) * whole.dy;
+    angleRad = (to - from) * whole.angleRad;
+    return this;
+  }
+
+  /**
+   * Copies another motion.
+   *
+   * @param other stays as it is
+   * @return this
+   */
+  public Sweep set(Sweep other) {
+    x = other.x;
+    y = other.y;
+    cos = other.cos;
+    sin = other.sin;
+    dx = other.dx;
+    dy = other.dy;
+    angleRad = other.angleRad;
+    return this;
+  }
+
+  /**
    * The pose at a moment.
    *
    * @param fraction 0 at the start, 1 at the end

@@ -45,14 +45,14 @@ public final class TimeOfImpact {
   private static final int MAX_PUSHES = 16;
   private static final int MAX_ROOT_STEPS = 48;
 
+  private final Hull hullA = new Hull();
+  private final Hull hullB = new Hull();
   private final Core coreA = new Core();
   private final Core coreB = new Core();
   private final Gjk gjk = new Gjk();
   private final Pose poseA = new Pose();
   private final Pose poseB = new Pose();
 
-  private Convex shapeA;
-  private Convex shapeB;
   private Sweep sweepA;
   private Sweep sweepB;
 
@@ -79,6 +79,85 @@ public final class TimeOfImpact {
 
   /** Makes an instance with its own scratch memory. */
   public TimeOfImpact() {}
+
+  /** The vertices of a shape in its frame, perhaps shrunk. */
+  private static final class Hull {
+    private final double[] x = new double[Convex.MAX_VERTICES];
+    private final double[] y = new double[Convex.MAX_VERTICES];
+    private int count;
+    private double radius;
+
+    /** Farthest vertex from the frame's origin: what turning moves. */
+    private double reach;
+
+    void set(Convex shape, float inset) {
+      count = shape.vertexCount();
+      radius = Math.max(0, shape.radius() - inset);
+      for (int i = 0; i < count; i++) {
+        x[i] = shape.vertexX(i);
+        y[i] = shape.vertexY(i);
+      }
+      double rest = (double) inset - shape.radius();
+      if (rest > 0 && !(count > 2 && moveSides(shape, rest))) {
+        scale(shape, rest);
+      }
+      double square = 0;
+      for (int i = 0; i < count; i++) {
+        square = Math.max(square, x[i] * x[i] + y[i] * y[i]);
+      }
+      reach = Math.sqrt(square);
+    }
+
+    /** Moves each side inwards; false, and nothing is done, if one would vanish. */
+    private boolean moveSides(Convex shape, double inset) {
+      for (int i = 0; i < count; i++) {
+        int next = i + 1 == count ? 0 : i + 1;
+        double ex = x[next] - x[i];
+        double ey = y[next] - y[i];
+        double length = Math.sqrt(ex * ex + ey * ey);
+        if (!(inset * (slant(shape, i) + slant(shape, next)) < length)) {
+          return false;
+        }
+      }
+      for (int i = 0; i < count; i++) {
+        int before = i == 0 ? count - 1 : i - 1;
+        double nx = (double) shape.normalX(before) + shape.normalX(i);
+        double ny = (double) shape.normalY(before) + shape.normalY(i);
+        double along = 0.5 * (nx * nx + ny * ny);
+        x[i] -= inset * nx / along;
+        y[i] -= inset * ny / along;
+      }
+      return true;
+    }
+
+    /** By how much a side gets shorter at one end when it moves in by one: tan(turn / 2). */
+    private static double slant(Convex shape, int vertex) {
+      int before = vertex == 0 ? shape.vertexCount() - 1 : vertex - 1;
+      double cos =
+          (double) shape.normalX(before) * shape.normalX(vertex)
+              + (double) shape.normalY(before) * shape.normalY(vertex);
+      return Math.sqrt(Math.max(0, 1 - cos) / Math.max(1e-12, 1 + cos));
+    }
+
+    /** Moves the vertices towards their mean, so that every side moves in by that much or more. */
+    private void scale(Convex shape, double inset) {
+      double inner = shape.innerRadius() - (double) shape.radius();
+      double keep = inset < inner ? 1 - inset / inner : 0;
+      double middleX = 0;
+      double middleY = 0;
+      for (int i = 0; i < count; i++) {
+        middleX += x[i] / count;
+        middleY += y[i] / count;
+      }
+      for (int i = 0; i < count; i++) {
+        x[i] = middleX + keep * (x[i] - middleX);
+        y[i] = middleY + keep * (y[i] - middleY);
+      }
+      if (keep == 0) {
+        count = 1;
+      }
+    }
+  }
 
   /** Place and rotation at a moment, relative to where A starts. */
   private static final class Pose {
@@ -123,15 +202,33 @@ public final class TimeOfImpact {
    * @throws IllegalArgumentException if the target is too small
    */
   public State find(Convex a, Sweep sa, Convex b, Sweep sb, float target) {
+    return find(a, 0, sa, b, sb, target);
+  }
+
+  /**
+   * As {@link #find(Convex, Sweep, Convex, Sweep, float)}, with a smaller shape A: it may pass
+   * where only its rim would touch.
+   *
+   * @param a shape A in its frame
+   * @param inset how much smaller A is on all sides, metres, not negative. From its {@link
+   *     Convex#innerRadius()} on only the mean of the vertices is left
+   * @param sa motion of A's frame, read only, finite
+   * @param b shape B in its frame
+   * @param sb motion of B's frame, read only, finite
+   * @param target metres, at least {@link #MIN_TARGET}, from what is left of A
+   * @return what happens
+   * @throws IllegalArgumentException if the target is too small
+   */
+  public State find(Convex a, float inset, Sweep sa, Convex b, Sweep sb, float target) {
     if (!(target >= MIN_TARGET)) {
       throw new IllegalArgumentException(
           "target=" + target + " m must be >= " + MIN_TARGET + ": the search needs some room");
     }
-    shapeA = a;
-    shapeB = b;
+    hullA.set(a, inset);
+    hullB.set(b, 0);
     sweepA = sa;
     sweepB = sb;
-    double goal = (double) a.radius() + b.radius() + target;
+    double goal = hullA.radius + hullB.radius + target;
     State state = search(goal, 0.25 * target);
     fraction = state == State.SEPARATED ? 1 : (float) now;
     if (fraction > now && state != State.SEPARATED) {
@@ -211,8 +308,8 @@ public final class TimeOfImpact {
   private double bend() {
     double wa = Math.abs(sweepA.angleRad);
     double wb = Math.abs(sweepB.angleRad);
-    double ra = shapeA.reach();
-    double rb = shapeB.reach();
+    double ra = hullA.reach;
+    double rb = hullB.reach;
     double vx = (double) sweepB.dx - sweepA.dx;
     double vy = (double) sweepB.dy - sweepA.dy;
     double way = Math.sqrt(vx * vx + vy * vy);
@@ -232,18 +329,27 @@ public final class TimeOfImpact {
   }
 
   private void place() {
-    coreA.place(shapeA, poseA.x, poseA.y, poseA.cos, poseA.sin);
-    coreB.place(shapeB, poseB.x, poseB.y, poseB.cos, poseB.sin);
+    place(hullA, poseA, coreA);
+    place(hullB, poseB, coreB);
+  }
+
+  private static void place(Hull hull, Pose pose, Core core) {
+    core.count = hull.count;
+    core.radius = hull.radius;
+    for (int i = 0; i < hull.count; i++) {
+      core.x[i] = pose.x(hull.x[i], hull.y[i]);
+      core.y[i] = pose.y(hull.x[i], hull.y[i]);
+    }
   }
 
   /** Takes the axis from the closest features at the present time. */
   private void chooseAxis() {
     if (gjk.a0 != gjk.a1) {
       axis = Axis.FACE_OF_A;
-      takeFace(shapeA, gjk.a0, poseA, gjk.normalX, gjk.normalY);
+      takeFace(hullA, gjk.a0, poseA, gjk.normalX, gjk.normalY);
     } else if (gjk.b0 != gjk.b1) {
       axis = Axis.FACE_OF_B;
-      takeFace(shapeB, gjk.b0, poseB, -gjk.normalX, -gjk.normalY);
+      takeFace(hullB, gjk.b0, poseB, -gjk.normalX, -gjk.normalY);
     } else {
       axis = Axis.FIXED;
       axisX = gjk.normalX;
@@ -251,11 +357,11 @@ public final class TimeOfImpact {
     }
   }
 
-  private void takeFace(Convex shape, int vertex, Pose pose, double nx, double ny) {
+  private void takeFace(Hull hull, int vertex, Pose pose, double nx, double ny) {
     axisX = pose.cos * nx + pose.sin * ny;
     axisY = pose.cos * ny - pose.sin * nx;
-    faceX = shape.vertexX(vertex);
-    faceY = shape.vertexY(vertex);
+    faceX = hull.x[vertex];
+    faceY = hull.y[vertex];
   }
 
   /** Smallest separation along the axis in the present poses; remembers the vertices. */
@@ -284,10 +390,10 @@ public final class TimeOfImpact {
 
   /** Separation of two vertices (or a face and a vertex) along the axis in the present poses. */
   private double separation(int i, int j) {
-    double ax = poseA.x(shapeA.vertexX(i), shapeA.vertexY(i));
-    double ay = poseA.y(shapeA.vertexX(i), shapeA.vertexY(i));
-    double bx = poseB.x(shapeB.vertexX(j), shapeB.vertexY(j));
-    double by = poseB.y(shapeB.vertexX(j), shapeB.vertexY(j));
+    double ax = poseA.x(hullA.x[i], hullA.y[i]);
+    double ay = poseA.y(hullA.x[i], hullA.y[i]);
+    double bx = poseB.x(hullB.x[j], hullB.y[j]);
+    double by = poseB.y(hullB.x[j], hullB.y[j]);
     switch (axis) {
       case FACE_OF_A -> {
         double nx = poseA.cos * axisX - poseA.sin * axisY;

@@ -141,7 +141,7 @@ public final class BodyStore {
   /** Factor on the world's gravity. */
   public float[] gravityScale = new float[FIRST_CAPACITY];
 
-  /** Radius of the largest disc about the centre inside the body, roughly; gates fast motion. */
+  /** Inner radius of the thinnest part that isn't a sensor, m; infinite without any. */
   public float[] innerRadius = new float[FIRST_CAPACITY];
 
   /** For how long the body has been at rest, s, up to the world's sleep delay. */

@@ -272,6 +272,11 @@ public final class ContactTable {
     return point == 0 ? normal0[row] : normal1[row];
   }
 
+  /** The row of a pair, negative if there is none. */
+  int find(long pair) {
+    return Arrays.binarySearch(key, 0, count, pair);
+  }
+
   /** Takes the manifold of this step, handing each point the impulses of its predecessor. */
   void update(int row, Manifold m) {
     float oldNormal0 = normal0[row];

@@ -1,5 +1,6 @@
 package carom.physics.dynamics;
 
+import carom.physics.broadphase.AabbArray;
 import carom.physics.broadphase.CastVisitor;
 import carom.physics.broadphase.CellVisitor;
 import carom.physics.broadphase.IntVisitor;
@@ -19,8 +20,9 @@ import java.util.Arrays;
  *
  * <p><b>A step</b>: refresh fat boxes; search pairs if a box changed; one manifold per pair; tell
  * the owner (end, begin, pre-solve); then {@code substeps} times: integrate velocities, warm start,
- * solve with bias, integrate positions, relax (joints before contacts); bounce; write back; tell
- * the owner (post-solve, broken joints); carry out what was deferred.
+ * solve with bias, integrate positions, relax (joints before contacts); bounce; write back; stop
+ * fast bodies at what they passed through (see {@link ContinuousCollision}); tell the owner
+ * (post-solve, broken joints); carry out what was deferred.
  *
  * <p><b>Order.</b> Contacts are always visited by ascending {@link ContactKey}, joints by ascending
  * slot; the solver's colours follow from that order. Everything else in a step is independent per
@@ -41,6 +43,7 @@ public final class Dynamics {
   private final SolverBodies solverBodies = new SolverBodies();
   private final ContactSolver solver = new ContactSolver();
   private final JointSolver jointSolver = new JointSolver();
+  private final ContinuousCollision continuous;
   private final Collider collider = new Collider();
   private final Manifold manifold = new Manifold();
   private final Transform poseA = new Transform();
@@ -99,6 +102,7 @@ public final class Dynamics {
    */
   public Dynamics(Settings settings) {
     this.settings = settings;
+    continuous = new ContinuousCollision(this, settings, bodies, parts, contacts);
   }
 
   /**
@@ -155,7 +159,7 @@ public final class Dynamics {
     bodies.localY[body] = total.centerY();
     int part = bodies.firstPart[body];
     long hash = StateHash.SEED;
-    float inner = Float.MAX_VALUE;
+    float inner = Float.POSITIVE_INFINITY;
     float reach = 0;
     poseA.setIdentity();
     for (int i = 0; i < shapes.length; i++) {
@@ -167,7 +171,9 @@ public final class Dynamics {
         hash = spec.mix(hash, dynamic);
         hash = ShapeHash.mix(hash, local);
         local.aabb(poseA, box);
-        inner = Math.min(inner, 0.5f * Math.min(box.width(), box.height()));
+        if (!spec.sensor()) {
+          inner = Math.min(inner, local.innerRadius());
+        }
         float furthestX = Math.max(-box.minX, box.maxX);
         float furthestY = Math.max(-box.minY, box.maxY);
         float square = furthestX * furthestX + furthestY * furthestY;
@@ -397,7 +403,7 @@ public final class Dynamics {
   }
 
   /** Whether filters, joints and types let two parts touch. */
-  private boolean mayTouch(int p, int q) {
+  boolean mayTouch(int p, int q) {
     int a = parts.body[p];
     int b = parts.body[q];
     return (bodies.invMass[a] != 0 || bodies.invMass[b] != 0)
@@ -482,6 +488,7 @@ public final class Dynamics {
     }
     solve(dt);
     boxesStale = true;
+    stopFast();
     if (events != null) {
       for (int row = 0; row < contacts.count(); row++) {
         if (contacts.points[row] > 0 && (contacts.flags[row] & ContactTable.VETOED) == 0) {
@@ -538,16 +545,54 @@ public final class Dynamics {
             minY - margin + Math.min(aheadY, 0),
             maxX + margin + Math.max(aheadX, 0),
             maxY + margin + Math.max(aheadY, 0));
-        movingStale = true;
-        if (!parts.moved[part]) {
-          parts.moved[part] = true;
-          if (movedCount == movedParts.length) {
-            movedParts = Arrays.copyOf(movedParts, movedCount * 2);
-          }
-          movedParts[movedCount++] = part;
-        }
+        boxChanged(part);
       }
     }
+  }
+
+  private void boxChanged(int part) {
+    movingStale = true;
+    if (!parts.moved[part]) {
+      parts.moved[part] = true;
+      if (movedCount == movedParts.length) {
+        movedParts = Arrays.copyOf(movedParts, movedCount * 2);
+      }
+      movedParts[movedCount++] = part;
+    }
+  }
+
+  /** Makes the fat box of a moving part contain another box, too. */
+  void cover(int part, Aabb other) {
+    AabbArray fat = parts.fat;
+    if (!fat.contains(part, other.minX, other.minY, other.maxX, other.maxY)) {
+      fat.set(
+          part,
+          Math.min(fat.minX[part], other.minX),
+          Math.min(fat.minY[part], other.minY),
+          Math.max(fat.maxX[part], other.maxX),
+          Math.max(fat.maxY[part], other.maxY));
+      boxChanged(part);
+    }
+  }
+
+  /** The length of the last step, s. */
+  float lastStep() {
+    return lastStep;
+  }
+
+  /** Stops fast bodies at what they would have passed through. */
+  private void stopFast() {
+    if (!settings.continuous()
+        || !continuous.collect(active, activeCount, activeIndex, solverBodies)) {
+      return;
+    }
+    if (continuous.prepare(active, activeCount)) {
+      refreshBoxes();
+      continuous.widen();
+    }
+    refreshTrees();
+    continuous.settle(moving, fixed);
+    boxesStale = true;
   }
 
   private void refreshTrees() {

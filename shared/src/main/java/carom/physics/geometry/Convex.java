@@ -77,6 +77,25 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon, 
   public abstract float radius();
 
   /**
+   * Radius of a disc about the mean of the vertices that just fits into the shape, metres: how far
+   * something may get in before it reaches the middle. 0 for a segment.
+   */
+  public final float innerRadius() {
+    int count = vx.length;
+    double least = count > 2 ? Double.MAX_VALUE : 0;
+    double x = 0;
+    double y = 0;
+    for (int i = 0; i < count; i++) {
+      x += (double) vx[i] / count;
+      y += (double) vy[i] / count;
+    }
+    for (int i = 0; count > 2 && i < count; i++) {
+      least = Math.min(least, nx[i] * (vx[i] - x) + ny[i] * (vy[i] - y));
+    }
+    return (float) least + radius();
+  }
+
+  /**
    * Copies vertices and normals into the caller's arrays, each of at least vertexCount() floats;
    * returns vertexCount().
    */
