@@ -16,6 +16,7 @@ public final class Collision<T> {
   private final World<T> world;
   private final ContactTable table;
   private int row;
+  private float hitSpeed;
 
   Collision(World<T> world, ContactTable table) {
     this.world = world;
@@ -23,7 +24,12 @@ public final class Collision<T> {
   }
 
   Collision<T> at(int newRow) {
+    return at(newRow, 0);
+  }
+
+  Collision<T> at(int newRow, float newHitSpeed) {
     row = newRow;
+    hitSpeed = newHitSpeed;
     return this;
   }
 
@@ -206,6 +212,55 @@ public final class Collision<T> {
    */
   public float normalImpulse(int i) {
     return table.impulse(row, check(i));
+  }
+
+  /**
+   * Impulse of the step along the normal, of all points together, on the other body.
+   *
+   * @return N s, not negative; 0 in begin and pre-solve
+   */
+  public float impulse() {
+    float sum = 0;
+    for (int i = 0; i < pointCount(); i++) {
+      sum += table.impulse(row, i);
+    }
+    return sum;
+  }
+
+  /**
+   * How fast the bodies approached each other at the contact, along the normal, when the step
+   * began.
+   *
+   * @return m/s, positive; 0 anywhere but in {@link CollisionListener#hit}
+   */
+  public float hitSpeed() {
+    return hitSpeed;
+  }
+
+  /**
+   * Where the impulse of the step went through: the mean of the points, weighted by their impulses.
+   *
+   * @return x, m, world
+   */
+  public float hitX() {
+    float x = table.pointX(row, 0);
+    return self().centerX() + x + secondShare() * (table.pointX(row, 1) - x);
+  }
+
+  /**
+   * Where the impulse of the step went through: the mean of the points, weighted by their impulses.
+   *
+   * @return y, m, world
+   */
+  public float hitY() {
+    float y = table.pointY(row, 0);
+    return self().centerY() + y + secondShare() * (table.pointY(row, 1) - y);
+  }
+
+  /** What the second point has of the impulse. */
+  private float secondShare() {
+    float sum = impulse();
+    return pointCount() > 1 && sum > 0 ? table.impulse(row, 1) / sum : 0;
   }
 
   /**

@@ -6,7 +6,8 @@ package carom.physics;
  * <p>"Touching" means that two shapes are closer than {@link WorldDef#speculativeDistance}. Within
  * a step the calls come in this order, each kind in the canonical order of contacts (by the indices
  * of the two bodies, then of their shapes): {@code end} and {@code begin} and {@code preSolve}
- * before anything is solved, {@code postSolve} when the bodies have moved.
+ * before anything is solved, {@code postSolve} when the bodies have moved, followed by {@code hit}
+ * of the same contact if it was an impact.
  *
  * <p>When a shape enters a sensor or leaves it, {@code begin} and {@code end} are called, with
  * {@link Collision#isSensor} true; nothing else is, as there is no response. Sensors notice real
@@ -51,4 +52,15 @@ public interface CollisionListener<T> {
    *     are those the step began with, the bodies have moved already
    */
   default void postSolve(Collision<T> collision) {}
+
+  /**
+   * Two shapes hit each other: they approached faster than {@link WorldDef#hitSpeed} when the step
+   * began, were pushed in it, and were not in the step before, so that an impact is told once
+   * however long it lasts. Called after {@link #postSolve} of the same contact. A body that hits
+   * with several shapes, or hits several bodies, is told for each contact.
+   *
+   * @param collision valid during the call only; as in postSolve, with {@link Collision#hitSpeed}
+   *     and {@link Collision#hitX}
+   */
+  default void hit(Collision<T> collision) {}
 }

@@ -107,7 +107,9 @@ public final class World<T> {
                 def.sleeping(),
                 def.sleepSpeed(),
                 def.sleepDelay(),
-                def.continuous()));
+                def.continuous(),
+                def.hitSpeed(),
+                def.integrator() == Integrator.EXPLICIT_EULER));
     store = dynamics.bodies();
     joints = dynamics.joints();
     collision = new Collision<>(this, dynamics.contacts());
@@ -505,6 +507,11 @@ public final class World<T> {
     @Override
     public void postSolve(int row) {
       listener.postSolve(collision.at(row));
+    }
+
+    @Override
+    public void hit(int row, float speed) {
+      listener.hit(collision.at(row, speed));
     }
   }
 

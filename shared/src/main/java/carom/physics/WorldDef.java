@@ -46,6 +46,10 @@ import java.util.function.Consumer;
  * @param continuous whether fast bodies are stopped at what they would pass through within a step,
  *     see {@link BodyDef#bullet}; default true. Costs next to nothing while nothing is fast; worlds
  *     without thin walls or fast bodies can do without
+ * @param hitSpeed approach speed above which {@link CollisionListener#hit} is called, m/s; default
+ *     1: what is worth a sound. Never changes a result
+ * @param integrator how velocities and positions advance; default {@link
+ *     Integrator#SYMPLECTIC_EULER}, for which everything else is made
  */
 public record WorldDef(
     float gravityX,
@@ -65,11 +69,33 @@ public record WorldDef(
     boolean sleeping,
     float sleepSpeed,
     float sleepDelay,
-    boolean continuous) {
+    boolean continuous,
+    float hitSpeed,
+    Integrator integrator) {
 
   /** Gravity (0, -10) and the defaults. */
   public WorldDef() {
-    this(0, -10, 4, 54, 5, 1, 3, 0.002f, 0.02f, 0.05f, 2000, 250, 60, 5, true, 0.05f, 0.5f, true);
+    this(
+        0,
+        -10,
+        4,
+        54,
+        5,
+        1,
+        3,
+        0.002f,
+        0.02f,
+        0.05f,
+        2000,
+        250,
+        60,
+        5,
+        true,
+        0.05f,
+        0.5f,
+        true,
+        1,
+        Integrator.SYMPLECTIC_EULER);
   }
 
   /**
@@ -94,6 +120,10 @@ public record WorldDef(
     Checks.range("jointDampingRatio", jointDampingRatio, 0.1f, 100);
     Checks.range("sleepSpeed", sleepSpeed, 0, 1e3f);
     Checks.range("sleepDelay", sleepDelay, 0, 1e3f);
+    Checks.range("hitSpeed", hitSpeed, 0, 1e5f);
+    if (integrator == null) {
+      throw new IllegalArgumentException("integrator=null; choose one of Integrator's");
+    }
   }
 
   /**
@@ -271,6 +301,26 @@ public record WorldDef(
     return with(d -> d.continuous = value);
   }
 
+  /**
+   * The same with another {@link #hitSpeed}.
+   *
+   * @param value m/s
+   * @return a changed copy
+   */
+  public WorldDef withHitSpeed(float value) {
+    return with(d -> d.hitSpeed = value);
+  }
+
+  /**
+   * The same with another {@link #integrator}.
+   *
+   * @param value how velocities and positions advance
+   * @return a changed copy
+   */
+  public WorldDef withIntegrator(Integrator value) {
+    return with(d -> d.integrator = value);
+  }
+
   private WorldDef with(Consumer<Draft> change) {
     Draft draft = new Draft(this);
     change.accept(draft);
@@ -297,6 +347,8 @@ public record WorldDef(
     private float sleepSpeed;
     private float sleepDelay;
     private boolean continuous;
+    private float hitSpeed;
+    private Integrator integrator;
 
     Draft(WorldDef from) {
       gravityX = from.gravityX;
@@ -317,6 +369,8 @@ public record WorldDef(
       sleepSpeed = from.sleepSpeed;
       sleepDelay = from.sleepDelay;
       continuous = from.continuous;
+      hitSpeed = from.hitSpeed;
+      integrator = from.integrator;
     }
 
     WorldDef build() {
@@ -338,7 +392,9 @@ public record WorldDef(
           sleeping,
           sleepSpeed,
           sleepDelay,
-          continuous);
+          continuous,
+          hitSpeed,
+          integrator);
     }
   }
 }

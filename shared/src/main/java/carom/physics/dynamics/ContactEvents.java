@@ -33,4 +33,12 @@ public interface ContactEvents {
    * @param row of the contact table
    */
   void postSolve(int row);
+
+  /**
+   * Two parts hit each other.
+   *
+   * @param row of the contact table
+   * @param speed how fast they approached, m/s
+   */
+  void hit(int row, float speed);
 }

@@ -30,6 +30,9 @@ public final class ContactTable {
   /** Flag: filters, joints or the bodies' types keep the parts from touching since a change. */
   static final byte IGNORED = 16;
 
+  /** Flag: the step before pushed the parts apart; only for telling impacts, not in the hash. */
+  static final byte WAS_PUSHED = 64;
+
   private static final int FIRST_CAPACITY = 128;
 
   long[] key = new long[FIRST_CAPACITY];
@@ -277,6 +280,11 @@ public final class ContactTable {
     return Arrays.binarySearch(key, 0, count, pair);
   }
 
+  /** Whether the last step, or this one once it is solved, pushed the parts apart. */
+  boolean pushed(int row) {
+    return total0[row] > 0 || total1[row] > 0;
+  }
+
   /** Takes the manifold of this step, handing each point the impulses of its predecessor. */
   void update(int row, Manifold m) {
     float oldNormal0 = normal0[row];
@@ -289,7 +297,8 @@ public final class ContactTable {
     int n = m.count;
     boolean touched = (flags[row] & TOUCHING) != 0;
     int kept = flags[row] & (SENSOR | IGNORED);
-    flags[row] = (byte) ((n > 0 ? TOUCHING : 0) | (touched ? WAS_TOUCHING : 0) | kept);
+    int before = (touched ? WAS_TOUCHING : 0) | (pushed(row) ? WAS_PUSHED : 0);
+    flags[row] = (byte) ((n > 0 ? TOUCHING : 0) | before | kept);
     if ((kept & SENSOR) != 0) {
       return;
     }
@@ -454,7 +463,8 @@ public final class ContactTable {
       }
       int n = points[row];
       h = StateHash.mix(h, key[row]);
-      h = StateHash.mix(h, ((long) n << 40) | ((long) flags[row] << 32) | (id0[row] & 0xffffffffL));
+      long kind = flags[row] & ~WAS_PUSHED;
+      h = StateHash.mix(h, ((long) n << 40) | (kind << 32) | (id0[row] & 0xffffffffL));
       h = StateHash.mix(h, normal0[row], tangent0[row]);
       h = StateHash.mix(h, nx[row], ny[row]);
       h = StateHash.mix(h, total0[row], slide0[row]);

@@ -22,7 +22,7 @@ import java.util.Arrays;
  * the owner (end, begin, pre-solve); then {@code substeps} times: integrate velocities, warm start,
  * solve with bias, integrate positions, relax (joints before contacts); bounce; write back; stop
  * fast bodies at what they passed through (see {@link ContinuousCollision}); tell the owner
- * (post-solve, broken joints); carry out what was deferred.
+ * (post-solve and hit, broken joints); carry out what was deferred.
  *
  * <p><b>Order.</b> Contacts are always visited by ascending {@link ContactKey}, joints by ascending
  * slot; the solver's colours follow from that order. Everything else in a step is independent per
@@ -94,6 +94,9 @@ public final class Dynamics {
       };
 
   private int touching;
+
+  /** Per row: approach speed if this may be an impact worth telling, else 0. */
+  private float[] hitSpeeds = new float[0];
 
   /**
    * Makes an empty world.
@@ -485,6 +488,7 @@ public final class Dynamics {
     collide();
     if (events != null) {
       announce(events);
+      measureHits();
     }
     solve(dt);
     boxesStale = true;
@@ -493,6 +497,9 @@ public final class Dynamics {
       for (int row = 0; row < contacts.count(); row++) {
         if (contacts.points[row] > 0 && (contacts.flags[row] & ContactTable.VETOED) == 0) {
           events.postSolve(row);
+          if (hitSpeeds[row] > 0 && contacts.pushed(row)) {
+            events.hit(row, hitSpeeds[row]);
+          }
         }
       }
     }
@@ -698,6 +705,34 @@ public final class Dynamics {
         }
       }
     }
+  }
+
+  /** Looks how fast the contacts approach that no impulse held in the step before. */
+  private void measureHits() {
+    if (hitSpeeds.length < contacts.count()) {
+      hitSpeeds = new float[Math.max(contacts.count(), hitSpeeds.length * 2)];
+    }
+    for (int row = 0; row < contacts.count(); row++) {
+      hitSpeeds[row] = 0;
+      if (contacts.points[row] > 0 && (contacts.flags[row] & ContactTable.WAS_PUSHED) == 0) {
+        float speed = approach(row, contacts.x0[row], contacts.y0[row]);
+        if (contacts.points[row] > 1) {
+          speed = Math.max(speed, approach(row, contacts.x1[row], contacts.y1[row]));
+        }
+        hitSpeeds[row] = speed > settings.hitSpeed() ? speed : 0;
+      }
+    }
+  }
+
+  /** How fast the bodies of a row approach at a point relative to A, m/s. */
+  private float approach(int row, float ax, float ay) {
+    int a = contacts.bodyA(row);
+    int b = contacts.bodyB(row);
+    float bx = ax - (bodies.x[b] - bodies.x[a]);
+    float by = ay - (bodies.y[b] - bodies.y[a]);
+    float partX = bodies.vx[b] - bodies.w[b] * by - (bodies.vx[a] - bodies.w[a] * ay);
+    float partY = bodies.vy[b] + bodies.w[b] * bx - (bodies.vy[a] + bodies.w[a] * ax);
+    return -(partX * contacts.nx[row] + partY * contacts.ny[row]);
   }
 
   private void solve(float dt) {

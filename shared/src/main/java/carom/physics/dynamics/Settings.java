@@ -22,6 +22,8 @@ package carom.physics.dynamics;
  * @param sleepSpeed m/s
  * @param sleepDelay s
  * @param continuous whether fast bodies are swept
+ * @param hitSpeed m/s
+ * @param explicitEuler whether positions advance by the velocities before those do
  */
 public record Settings(
     float gravityX,
@@ -41,4 +43,6 @@ public record Settings(
     boolean sleeping,
     float sleepSpeed,
     float sleepDelay,
-    boolean continuous) {}
+    boolean continuous,
+    float hitSpeed,
+    boolean explicitEuler) {}

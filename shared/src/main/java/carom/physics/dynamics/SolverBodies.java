@@ -37,6 +37,16 @@ final class SolverBodies {
   private float[] aw = new float[0];
   private float[] keep = new float[0];
   private float[] keepW = new float[0];
+
+  /**
+   * Explicit Euler only, in the places of {@link #state}: velocity before and after a substep's
+   * acceleration, and after its constraints.
+   */
+  private float[] before = new float[0];
+
+  private float[] free = new float[0];
+  private float[] solved = new float[0];
+  private boolean explicit;
   private int count;
 
   /** Slots in use, the static one included. */
@@ -63,6 +73,12 @@ final class SolverBodies {
       aw = new float[capacity];
       keep = new float[capacity];
       keepW = new float[capacity];
+    }
+    explicit = s.explicitEuler();
+    if (explicit && before.length < state.length) {
+      before = new float[state.length];
+      free = new float[state.length];
+      solved = new float[state.length];
     }
     Arrays.fill(state, 0, STRIDE, 0);
     state[COS] = 1;
@@ -107,6 +123,9 @@ final class SolverBodies {
    */
   void integrateVelocities(float h, float maxSpeed, float maxSpin) {
     float[] s = state;
+    if (explicit) {
+      System.arraycopy(s, 0, before, 0, count * STRIDE);
+    }
     for (int i = 1; i < count; i++) {
       int at = i * STRIDE;
       s[at + VX] = (s[at + VX] + h * ax[i]) * keep[i];
@@ -114,6 +133,38 @@ final class SolverBodies {
       s[at + W] = (s[at + W] + h * aw[i]) * keepW[i];
       limit(s, at, maxSpeed, maxSpin);
     }
+    if (explicit) {
+      System.arraycopy(s, 0, free, 0, count * STRIDE);
+    }
+  }
+
+  /**
+   * Explicit Euler: bodies move with the velocity from before they were accelerated, {@code v}, and
+   * what constraints changed since. Constraints so act on positions at once; else what overlaps
+   * would never be pushed apart.
+   */
+  void integratePositions(float h) {
+    if (!explicit) {
+      move(h);
+      return;
+    }
+    float[] s = state;
+    System.arraycopy(s, 0, solved, 0, count * STRIDE);
+    for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
+      s[at + VX] = before[at + VX] + (solved[at + VX] - free[at + VX]);
+      s[at + VY] = before[at + VY] + (solved[at + VY] - free[at + VY]);
+      s[at + W] = before[at + W] + (solved[at + W] - free[at + W]);
+    }
+    move(h);
+    for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
+      s[at + VX] = finite(solved[at + VX]);
+      s[at + VY] = finite(solved[at + VY]);
+      s[at + W] = finite(solved[at + W]);
+    }
+  }
+
+  private static float finite(float value) {
+    return Math.abs(value) <= Float.MAX_VALUE ? value : 0;
   }
 
   private static void limit(float[] s, int at, float maxSpeed, float maxSpin) {
@@ -138,7 +189,7 @@ final class SolverBodies {
    * <p>Constraints that were torn far apart may ask for any speed here; what is absurd or not a
    * number is cut, so that it never gets into a pose.
    */
-  void integratePositions(float h) {
+  private void move(float h) {
     float[] s = state;
     for (int i = 1; i < count; i++) {
       int at = i * STRIDE;
