@@ -91,6 +91,13 @@ public final class PlatformerGame implements Game {
   private static final int COINS = 3; // + 2 * coin: entity id + 1, ticks until it is back
 
   private final Archetype[] kinds = new Archetype[COLORS.length];
+
+  /**
+   * A contact whose normal points down that much is ground: slopes up to 53 degrees. What rests on
+   * the player's bevelled edge (50 degrees) is, or whoever is wedged between crates couldn't jump.
+   */
+  private static final float STANDS = -0.6f;
+
   private final BodyContactVisitor<Entity> ground = this::standsOn;
   private Archetype coin;
   private Archetype flag;
@@ -246,7 +253,7 @@ public final class PlatformerGame implements Game {
   }
 
   private void standsOn(Body<Entity> other, float normalX, float normalY, float impulse) {
-    if (normalY < -0.7f && impulse > groundImpulse) {
+    if (normalY < STANDS && impulse > groundImpulse) {
       groundImpulse = impulse;
       groundX = other.velocityX();
       groundY = other.velocityY();

@@ -157,10 +157,18 @@ final class ArchitectureTest {
     classes()
         .that()
         .resideInAPackage("carom.physics..")
+        .and()
+        .doNotHaveSimpleName("VectorLanes")
         .should()
         .onlyDependOnClassesThat()
         .resideInAnyPackage("carom.physics..", "java.lang..", "java.util", "java.util.function")
         .because("the engine is used alone, and must stay portable")
+        .check(CAROM);
+    noClasses()
+        .should()
+        .dependOnClassesThat()
+        .haveSimpleName("VectorLanes")
+        .because("not every JVM can load it: it is found by name")
         .check(CAROM);
   }
 

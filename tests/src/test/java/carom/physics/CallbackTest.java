@@ -263,7 +263,7 @@ final class CallbackTest {
         other -> {
           assertTrue(Math.abs(other.x()) <= 1e7f && Math.abs(other.y()) <= 1e7f, other.toString());
           assertTrue(Math.abs(other.angle()) <= 4);
-          assertTrue(Math.abs(other.velocityX()) <= 401);
+          assertTrue(Math.abs(other.velocityX()) <= w.def().maxSpeed() + 1);
         });
   }
 

@@ -40,15 +40,27 @@ import java.util.Arrays;
  *
  * the bias rate b being the share of s that goes away per second.
  *
- * <p>and one visit, which knows v and the sum so far, solves for its part p:
+ * <p>A visit changes v by {@code (P' - P) / m}. With the yield k = 1 / m and {@code q = v + b s - k
+ * P} that makes
  *
  * <pre>
- *   p = -m M (v + b s) - I P     a = h o (2 z + h o),  M = a / (1 + a),  I = 1 / (1 + a)
+ *   (k + g) P' = -q      g = k / a     a = h o (2 z + h o)
  * </pre>
  *
- * Limits: for o to infinity M = 1, I = 0 and b = 1 / h, a rigid contact that removes s in a
- * substep; for o to 0 M = 0, I = 1: no spring, and the visit takes back what was there. The
- * constants don't contain the mass: a light and a heavy contact relax alike.
+ * Limits: for o to infinity g = 0 and b = 1 / h, a rigid contact that removes s in a substep; for o
+ * to 0 no spring. The constants a and b don't contain the mass: a light and a heavy contact relax
+ * alike.
+ *
+ * <p><b>Two points</b> are solved together: two such equations with the cross term k12, the speed
+ * that an impulse at one point gives the other. With P >= 0 this is a linear complementarity
+ * problem of four cases (both push, one, the other, none), of which exactly one fits. A box that
+ * falls flat thus lands flat; one point after the other it would tip.
+ *
+ * <p>The springs of the two points are coupled: g becomes {@code g / (1 + c) [[1, c], [c, 1]]}.
+ * With c = 0 these are two springs, with c = 1 a single one in the middle, and the contact is rigid
+ * against tipping. Tipping is how a column buckles, while softness along the normal lets the loads
+ * of wide piles even out; so most of the softness goes there. Points in one place (or a body that
+ * can't turn) would make the matrix singular, hence both yields are {@value #SHARE} times as large.
  *
  * <p><b>Relax.</b> The spring leaves a velocity behind that is only there to remove overlap. After
  * positions moved, the same constraints are solved again rigidly and without bias, so that it is
@@ -68,14 +80,17 @@ import java.util.Arrays;
  * zero by an angular impulse of at most {@code c r pn}, with the sum pn of both points' normal
  * impulses, the coefficient c and the radius r of the rolling shape.
  *
- * <p><b>Stiffness.</b> The leak I P makes a resting contact yield like the spring it is, by {@code
- * load / (m o^2)}. A column of n unit boxes is then an elastic rod that buckles under its own
- * weight at about {@code n = 14 (hertz / 30)^(2/3)} (Greenhill's self-buckling; measured: 15 boxes
- * fall at 30 hertz, 20 stand at 54). Without the leak (I = 0) columns of 20 fell while settling; at
- * 60 hertz and four substeps wide pyramids keep trembling.
+ * <p><b>Stiffness.</b> The term g P' makes a resting contact yield like the spring it is, by {@code
+ * load / (m o^2)}. With uncoupled springs a column of n unit boxes is an elastic rod that buckles
+ * under its own weight at about {@code n = 14 (hertz / 30)^(2/3)} (Greenhill's self-buckling;
+ * measured: 15 boxes, set down up to 5 cm off the axis, fall at 30 hertz, 20 stand at 54, where
+ * wide pyramids keep trembling with hundreds of joules). Coupled, 20 stand at 30 hertz, and the
+ * pyramid of 100 rows is at rest.
  *
  * <p>The scheme is Erin Catto's "soft step" (articles and the Solver2D study on box2d.org,
- * 2023-24); soft constraints are from his GDC 2011 talk. Written from the algebra above.
+ * 2023-24); soft constraints are from his GDC 2011 talk. Blocks of two points are from his Box2D 2,
+ * its solution by cases in Cottle, Pang and Stone, "The Linear Complementarity Problem". Written
+ * from the algebra above.
  *
  * <p><b>Colours.</b> Sequential impulses need an order. Contacts are given colours, greedily in the
  * order of their keys: the first colour that neither body has yet. Contacts of one colour share no
@@ -103,8 +118,28 @@ final class ContactSolver {
   /** A contact's spring is at most this fraction as fast as the substeps. */
   private static final float MAX_HERTZ_PER_RATE = 0.25f;
 
+  /**
+   * How far the springs of two points act as one: 0 not at all, 1 as a single spring in the middle.
+   */
+  private static final float COUPLING = 0.75f;
+
+  /** Two points yield that much more, so that points in one place share the load. */
+  private static final float SHARE = 1 + 1 / 1024f;
+
   /** The last colour among moving bodies, and with static ones; it takes what found no other. */
   private static final int LAST_COLOUR = 63;
+
+  /** Blocks with fewer contacts are solved one by one. */
+  private static final int FEWEST = 3;
+
+  /** Steps with fewer blocks don't use vectors. */
+  private static final int FEWEST_BLOCKS = 64;
+
+  /**
+   * What the kernels get until they are {@link ContactLanes#ready}. Which blocks are solved how
+   * never shows in the result.
+   */
+  private static final int WARM_UP_BLOCKS = 4;
 
   /** Every colour has a group of contacts with one point, and one of those with two. */
   private static final int GROUPS = 2 * 2 * (LAST_COLOUR + 1);
@@ -119,27 +154,37 @@ final class ContactSolver {
   static final int INERTIA_A = MASS_B + LANES;
   static final int INERTIA_B = INERTIA_A + LANES;
 
-  /** Softness: bias rate, factor on the mass, factor on the sum of impulses. */
+  /** Softness: bias rate; what the spring adds to a point's yield, and to the points' cross. */
   static final int BIAS_RATE = INERTIA_B + LANES;
 
-  static final int MASS_SCALE = BIAS_RATE + LANES;
-  static final int IMPULSE_SCALE = MASS_SCALE + LANES;
+  static final int SOFT = BIAS_RATE + LANES;
+  static final int SOFT_CROSS = SOFT + LANES;
+
+  /** What an impulse at one point does to the other's speed along the normal, 1/kg. */
+  static final int CROSS = SOFT_CROSS + LANES;
 
   // of each of its two points, relative to FIRST or SECOND,
   static final int AX = 0;
   static final int AY = AX + LANES;
   static final int BX = AY + LANES;
   static final int BY = BX + LANES;
+
+  /** Gap when the step began, and now, m. */
   static final int SEPARATION = BY + LANES;
-  static final int NORMAL_MASS = SEPARATION + LANES;
-  static final int TANGENT_MASS = NORMAL_MASS + LANES;
+
+  static final int GAP = SEPARATION + LANES;
+
+  /** What an impulse does to the point's speed along the normal, 1/kg. */
+  static final int YIELD = GAP + LANES;
+
+  static final int TANGENT_MASS = YIELD + LANES;
   static final int NORMAL = TANGENT_MASS + LANES;
   static final int TANGENT = NORMAL + LANES;
   static final int TOTAL = TANGENT + LANES;
   static final int SLIDE = TOTAL + LANES;
   static final int POINT = SLIDE + LANES;
 
-  static final int FIRST = IMPULSE_SCALE + LANES;
+  static final int FIRST = CROSS + LANES;
   static final int SECOND = FIRST + POINT;
   static final int RECORD = SECOND + POINT;
 
@@ -178,25 +223,39 @@ final class ContactSolver {
   /** Per block: contacts in it, whether they have two points, and if one may roll or bounce. */
   private byte[] used = new byte[0];
 
-  private boolean[] two = new boolean[0];
+  boolean[] two = new boolean[0];
   private boolean[] rolls = new boolean[0];
   private boolean[] bounces = new boolean[0];
 
   /** Per lane: row of the contact table; offsets of the two bodies in the solver's state. */
   private int[] row = new int[0];
 
-  private int[] bodyA = new int[0];
-  private int[] bodyB = new int[0];
+  int[] bodyA = new int[0];
+  int[] bodyB = new int[0];
 
-  private float[] data = new float[0];
+  float[] data = new float[0];
   private float[] extra = new float[0];
+
+  /** The vector kernels, null without; and which blocks they take. */
+  private final ContactLanes lanes;
+
+  private boolean[] wide = new boolean[0];
 
   /** Constants of the step. */
   private float h;
 
-  private float inverseH;
-  private float maxPush;
-  private float slop;
+  float inverseH;
+  float maxPush;
+  float slop;
+
+  /**
+   * Makes a solver.
+   *
+   * @param lanes kernels for whole blocks, null for none
+   */
+  ContactSolver(ContactLanes lanes) {
+    this.lanes = lanes;
+  }
 
   int blocks() {
     return blocks;
@@ -284,6 +343,7 @@ final class ContactSolver {
       int capacity = Math.max(blocks, used.length * 2);
       used = new byte[capacity];
       two = new boolean[capacity];
+      wide = new boolean[capacity];
       rolls = new boolean[capacity];
       bounces = new boolean[capacity];
       row = new int[capacity * LANES];
@@ -292,6 +352,8 @@ final class ContactSolver {
       data = new float[capacity * RECORD];
       extra = new float[capacity * EXTRA];
     }
+    int widest =
+        lanes == null || blocks < FEWEST_BLOCKS ? 0 : lanes.ready() ? blocks : WARM_UP_BLOCKS;
     int block = 0;
     for (int g = 0; g < GROUPS; g++) {
       int left = next[g];
@@ -299,11 +361,25 @@ final class ContactSolver {
       for (; left > 0; left -= LANES) {
         used[block] = (byte) Math.min(left, LANES);
         two[block] = (g & 1) != 0;
+        wide[block] = block < widest && left >= FEWEST && (g >> 1 & LAST_COLOUR) != LAST_COLOUR;
+        if (left < LANES) {
+          clear(block);
+        }
         rolls[block] = false;
         bounces[block] = false;
         block++;
       }
     }
+  }
+
+  /** Makes the empty lanes of a block contacts of nothing with nothing. */
+  private void clear(int block) {
+    int at = block * RECORD;
+    Arrays.fill(data, at, at + RECORD, 0);
+    Arrays.fill(data, at + FIRST + YIELD, at + FIRST + YIELD + LANES, 1);
+    Arrays.fill(data, at + SECOND + YIELD, at + SECOND + YIELD + LANES, 1);
+    Arrays.fill(bodyA, block * LANES, (block + 1) * LANES, 0);
+    Arrays.fill(bodyB, block * LANES, (block + 1) * LANES, 0);
   }
 
   private void pack(
@@ -338,27 +414,35 @@ final class ContactSolver {
     d[at + INERTIA_B] = b.invInertia[o];
     float stiff = ma == 0 || mb == 0 ? 2 * omega : omega;
     float twiceZeta = 2 * s.contactDampingRatio();
-    float soft = h * stiff * (twiceZeta + h * stiff);
     d[at + BIAS_RATE] = stiff / (twiceZeta + h * stiff);
-    d[at + MASS_SCALE] = soft / (1 + soft);
-    d[at + IMPULSE_SCALE] = 1 / (1 + soft);
     float gapX = b.x[o] - b.x[a];
     float gapY = b.y[o] - b.y[a];
     float turning = b.invInertia[a] + b.invInertia[o];
     extra[more + ROLLING] = t.rolling[r];
     extra[more + ROLL_MASS] = turning > 0 ? 1 / turning : 0;
     extra[more + ROLL] = t.roll[r];
-    rolls[block] |= t.rolling[r] > 0;
+    if (t.rolling[r] > 0) {
+      rolls[block] = true;
+      wide[block] = false;
+    }
     extra[more + PULL] =
         (bodies.ax(slotA) - bodies.ax(slotB)) * t.nx[r]
             + (bodies.ay(slotA) - bodies.ay(slotB)) * t.ny[r];
-    packPoint(at, FIRST, t.x0[r], t.y0[r], gapX, gapY, t.separation0[r]);
+    float yield = packPoint(at, FIRST, t.x0[r], t.y0[r], gapX, gapY, t.separation0[r]);
     d[at + FIRST + NORMAL] = t.normal0[r];
     d[at + FIRST + TANGENT] = t.tangent0[r];
+    float perYield = 1 / (h * stiff * (twiceZeta + h * stiff));
+    d[at + SOFT] = yield * perYield;
     if (two[block]) {
-      packPoint(at, SECOND, t.x1[r], t.y1[r], gapX, gapY, t.separation1[r]);
+      float other = packPoint(at, SECOND, t.x1[r], t.y1[r], gapX, gapY, t.separation1[r]);
       d[at + SECOND + NORMAL] = t.normal1[r];
       d[at + SECOND + TANGENT] = t.tangent1[r];
+      float soft = 0.5f * (yield + other) * perYield / (1 + COUPLING);
+      d[at + SOFT] = soft;
+      d[at + SOFT_CROSS] = soft * COUPLING;
+      d[at + CROSS] = cross(at);
+      d[at + FIRST + YIELD] = yield * SHARE;
+      d[at + SECOND + YIELD] = other * SHARE;
     }
     float e = t.restitution[r];
     extra[more + BOUNCE_FIRST] = 0;
@@ -372,7 +456,8 @@ final class ContactSolver {
     }
   }
 
-  private void packPoint(
+  /** Answers the point's yield. */
+  private float packPoint(
       int at, int point, float x, float y, float gapX, float gapY, float separation) {
     float[] d = data;
     int p = at + point;
@@ -383,6 +468,7 @@ final class ContactSolver {
     d[p + BX] = bx;
     d[p + BY] = by;
     d[p + SEPARATION] = separation;
+    d[p + GAP] = separation;
     float nx = d[at + NX];
     float ny = d[at + NY];
     float masses = d[at + MASS_A] + d[at + MASS_B];
@@ -391,13 +477,26 @@ final class ContactSolver {
     float rnA = x * ny - y * nx;
     float rnB = bx * ny - by * nx;
     float kn = masses + iA * rnA * rnA + iB * rnB * rnB;
-    d[p + NORMAL_MASS] = kn > 0 ? 1 / kn : 0;
+    d[p + YIELD] = kn;
     float rtA = x * nx + y * ny;
     float rtB = bx * nx + by * ny;
     float kt = masses + iA * rtA * rtA + iB * rtB * rtB;
     d[p + TANGENT_MASS] = kt > 0 ? 1 / kt : 0;
     d[p + TOTAL] = 0;
     d[p + SLIDE] = 0;
+    return kn;
+  }
+
+  private float cross(int at) {
+    float[] d = data;
+    int p = at + FIRST;
+    int q = at + SECOND;
+    float nx = d[at + NX];
+    float ny = d[at + NY];
+    float turnA = (d[p + AX] * ny - d[p + AY] * nx) * (d[q + AX] * ny - d[q + AY] * nx);
+    float turnB = (d[p + BX] * ny - d[p + BY] * nx) * (d[q + BX] * ny - d[q + BY] * nx);
+    float masses = d[at + MASS_A] + d[at + MASS_B];
+    return masses + d[at + INERTIA_A] * turnA + d[at + INERTIA_B] * turnB;
   }
 
   /**
@@ -431,53 +530,51 @@ final class ContactSolver {
 
   /** Applies the impulses remembered from the last substep, or the last step. */
   void warmStart(float[] v, int from, int to) {
-    float[] d = data;
     for (int block = from; block < to; block++) {
+      if (wide[block]) {
+        lanes.warmStart(this, v, block);
+        continue;
+      }
       int end = block * LANES + used[block];
-      int at = block * RECORD;
-      for (int lane = block * LANES; lane < end; lane++, at++) {
-        int a = bodyA[lane];
-        int b = bodyB[lane];
-        float nx = d[at + NX];
-        float ny = d[at + NY];
-        float pn = d[at + FIRST + NORMAL];
-        float pt = d[at + FIRST + TANGENT];
-        float px = pn * nx - pt * ny;
-        float py = pn * ny + pt * nx;
-        float torqueA = d[at + FIRST + AX] * py - d[at + FIRST + AY] * px;
-        float torqueB = d[at + FIRST + BX] * py - d[at + FIRST + BY] * px;
+      for (int lane = block * LANES; lane < end; lane++) {
+        warm(v, lane, FIRST);
         if (two[block]) {
-          pn = d[at + SECOND + NORMAL];
-          pt = d[at + SECOND + TANGENT];
-          float qx = pn * nx - pt * ny;
-          float qy = pn * ny + pt * nx;
-          torqueA += d[at + SECOND + AX] * qy - d[at + SECOND + AY] * qx;
-          torqueB += d[at + SECOND + BX] * qy - d[at + SECOND + BY] * qx;
-          px += qx;
-          py += qy;
+          warm(v, lane, SECOND);
         }
-        v[a + VX] -= d[at + MASS_A] * px;
-        v[a + VY] -= d[at + MASS_A] * py;
-        v[a + W] -= d[at + INERTIA_A] * torqueA;
-        v[b + VX] += d[at + MASS_B] * px;
-        v[b + VY] += d[at + MASS_B] * py;
-        v[b + W] += d[at + INERTIA_B] * torqueB;
         if (rolls[block]) {
+          int at = block * RECORD + lane % LANES;
           float turn = extra[block * EXTRA + lane % LANES + ROLL];
-          v[a + W] -= d[at + INERTIA_A] * turn;
-          v[b + W] += d[at + INERTIA_B] * turn;
+          v[bodyA[lane] + W] -= data[at + INERTIA_A] * turn;
+          v[bodyB[lane] + W] += data[at + INERTIA_B] * turn;
         }
       }
     }
   }
 
+  private void warm(float[] v, int lane, int point) {
+    int at = lane / LANES * RECORD + lane % LANES;
+    float nx = data[at + NX];
+    float ny = data[at + NY];
+    float pn = data[at + point + NORMAL];
+    float pt = data[at + point + TANGENT];
+    apply(v, bodyA[lane], bodyB[lane], at, point, pn * nx - pt * ny, pn * ny + pt * nx);
+  }
+
   /** One visit of each contact; with bias it also pushes overlap apart. */
   void solve(float[] v, int from, int to, boolean bias) {
     for (int block = from; block < to; block++) {
+      if (wide[block]) {
+        if (bias) {
+          lanes.push(this, v, block);
+        } else {
+          lanes.relax(this, v, block);
+        }
+        continue;
+      }
       int end = block * LANES + used[block];
       for (int lane = block * LANES; lane < end; lane++) {
         if (bias) {
-          push(v, lane);
+          visitAndPush(v, lane);
         } else {
           relax(v, lane);
         }
@@ -485,7 +582,7 @@ final class ContactSolver {
     }
   }
 
-  private void push(float[] v, int lane) {
+  private void visitAndPush(float[] v, int lane) {
     int block = lane / LANES;
     if (rolls[block]) {
       solveRolling(v, lane);
@@ -494,17 +591,19 @@ final class ContactSolver {
     if (two[block]) {
       solveFriction(v, lane, SECOND);
     }
-    solveNormal(v, lane, FIRST, true);
     if (two[block]) {
-      solveNormal(v, lane, SECOND, true);
+      pushBoth(v, lane);
+    } else {
+      push(v, lane);
     }
   }
 
   private void relax(float[] v, int lane) {
     int block = lane / LANES;
-    solveNormal(v, lane, FIRST, false);
     if (two[block]) {
-      solveNormal(v, lane, SECOND, false);
+      holdBoth(v, lane);
+    } else {
+      hold(v, lane);
     }
     solveFriction(v, lane, FIRST);
     if (two[block]) {
@@ -525,29 +624,98 @@ final class ContactSolver {
     data[p + SLIDE] += data[p + TANGENT];
   }
 
-  private void solveNormal(float[] v, int lane, int point, boolean bias) {
+  /** The normal with its spring; the gap is still that of the last relaxing visit. */
+  private void push(float[] v, int lane) {
     float[] d = data;
     int at = lane / LANES * RECORD + lane % LANES;
-    int p = at + point;
-    int a = bodyA[lane];
-    int b = bodyB[lane];
-    float push = 0;
-    float scale = 1;
-    float leak = 0;
-    float separation = separation(lane, point, v);
-    if (separation > 0) {
-      push = separation * inverseH;
-    } else if (bias) {
-      push = Math.max(d[at + BIAS_RATE] * Math.min(separation + slop, 0), -maxPush);
-      scale = d[at + MASS_SCALE];
-      leak = d[at + IMPULSE_SCALE];
+    float gap = d[at + FIRST + GAP];
+    solveOne(v, lane, push(at, gap), gap > 0 ? 0 : d[at + SOFT]);
+  }
+
+  private void pushBoth(float[] v, int lane) {
+    float[] d = data;
+    int at = lane / LANES * RECORD + lane % LANES;
+    float gap1 = d[at + FIRST + GAP];
+    float gap2 = d[at + SECOND + GAP];
+    float soft1 = gap1 > 0 ? 0 : d[at + SOFT];
+    float soft2 = gap2 > 0 ? 0 : d[at + SOFT];
+    float softCross = gap1 > 0 || gap2 > 0 ? 0 : d[at + SOFT_CROSS];
+    solveBoth(v, lane, push(at, gap1), push(at, gap2), soft1, soft2, softCross);
+  }
+
+  /** Speed by which a gap may close, or at which overlap is pushed apart (negative), m/s. */
+  private float push(int at, float gap) {
+    if (gap > 0) {
+      return gap * inverseH;
     }
-    float old = d[p + NORMAL];
-    float vn = normalSpeed(lane, point, v);
-    float impulse = -d[p + NORMAL_MASS] * scale * (vn + push) - leak * old;
-    float sum = Math.max(old + impulse, 0);
-    d[p + NORMAL] = sum;
-    apply(v, a, b, at, point, (sum - old) * d[at + NX], (sum - old) * d[at + NY]);
+    float overlap = gap + slop;
+    float speed = data[at + BIAS_RATE] * (overlap < 0 ? overlap : 0);
+    return speed > -maxPush ? speed : -maxPush;
+  }
+
+  /** The normal as a rigid contact, after the bodies have moved. */
+  private void hold(float[] v, int lane) {
+    solveOne(v, lane, room(v, lane, FIRST), 0);
+  }
+
+  private void holdBoth(float[] v, int lane) {
+    solveBoth(v, lane, room(v, lane, FIRST), room(v, lane, SECOND), 0, 0, 0);
+  }
+
+  /** Measures the gap at a point, and answers the speed by which it may close, m/s. */
+  private float room(float[] v, int lane, int point) {
+    float gap = separation(lane, point, v);
+    data[lane / LANES * RECORD + lane % LANES + point + GAP] = gap;
+    return gap > 0 ? gap * inverseH : 0;
+  }
+
+  private void solveOne(float[] v, int lane, float push, float soft) {
+    float[] d = data;
+    int at = lane / LANES * RECORD + lane % LANES;
+    float old = d[at + FIRST + NORMAL];
+    float yield = d[at + FIRST + YIELD];
+    float q = normalSpeed(lane, FIRST, v) + push - yield * old;
+    float sum = q < 0 ? -q / (yield + soft) : 0;
+    d[at + FIRST + NORMAL] = sum;
+    give(v, lane, FIRST, sum - old);
+  }
+
+  private void solveBoth(
+      float[] v, int lane, float push1, float push2, float soft1, float soft2, float softCross) {
+    float[] d = data;
+    int at = lane / LANES * RECORD + lane % LANES;
+    float old1 = d[at + FIRST + NORMAL];
+    float old2 = d[at + SECOND + NORMAL];
+    float k1 = d[at + FIRST + YIELD];
+    float k2 = d[at + SECOND + YIELD];
+    float k = d[at + CROSS];
+    float q1 = normalSpeed(lane, FIRST, v) + push1 - k1 * old1 - k * old2;
+    float q2 = normalSpeed(lane, SECOND, v) + push2 - k2 * old2 - k * old1;
+    k1 += soft1;
+    k2 += soft2;
+    k += softCross;
+    float scale = 1 / (k1 * k2 - k * k);
+    float sum1 = (k * q2 - k2 * q1) * scale;
+    float sum2 = (k * q1 - k1 * q2) * scale;
+    if (!(sum1 >= 0) || !(sum2 >= 0)) {
+      sum1 = q1 < 0 ? -q1 / k1 : 0;
+      sum2 = 0;
+      if (q2 + k * sum1 < 0) {
+        sum1 = 0;
+        sum2 = q2 < 0 ? -q2 / k2 : 0;
+      }
+    }
+    d[at + FIRST + NORMAL] = sum1;
+    d[at + SECOND + NORMAL] = sum2;
+    give(v, lane, FIRST, sum1 - old1);
+    give(v, lane, SECOND, sum2 - old2);
+  }
+
+  private void give(float[] v, int lane, int point, float impulse) {
+    int at = lane / LANES * RECORD + lane % LANES;
+    float px = impulse * data[at + NX];
+    float py = impulse * data[at + NY];
+    apply(v, bodyA[lane], bodyB[lane], at, point, px, py);
   }
 
   private void solveFriction(float[] v, int lane, int point) {
@@ -563,7 +731,9 @@ final class ContactSolver {
     float vt = dvy * nx - dvx * ny + d[at + SURFACE];
     float limit = d[at + FRICTION] * d[p + NORMAL];
     float old = d[p + TANGENT];
-    float sum = Math.max(-limit, Math.min(old - d[p + TANGENT_MASS] * vt, limit));
+    float sum = old - d[p + TANGENT_MASS] * vt;
+    sum = sum < limit ? sum : limit;
+    sum = sum > -limit ? sum : -limit;
     d[p + TANGENT] = sum;
     apply(v, a, b, at, point, (old - sum) * ny, (sum - old) * nx);
   }
@@ -666,7 +836,7 @@ final class ContactSolver {
     float pull = extra[more + PULL];
     float square = bounce * bounce - 2 * pull * separation(lane, point, v);
     float wanted = square > 0 ? (float) Math.sqrt(square) + 0.5f * h * pull : 0;
-    float impulse = d[p + NORMAL_MASS] * (Math.max(wanted, 0) - normalSpeed(lane, point, v));
+    float impulse = (Math.max(wanted, 0) - normalSpeed(lane, point, v)) / d[p + YIELD];
     impulse = Math.max(impulse, -d[p + NORMAL]);
     d[p + NORMAL] += impulse;
     d[p + TOTAL] += impulse;

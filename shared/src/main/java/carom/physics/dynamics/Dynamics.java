@@ -41,7 +41,7 @@ public final class Dynamics {
   private final ContactTable contacts = new ContactTable();
   private final JointStore joints = new JointStore();
   private final SolverBodies solverBodies = new SolverBodies();
-  private final ContactSolver solver = new ContactSolver();
+  private final ContactSolver solver = new ContactSolver(ContactLanes.find());
   private final JointSolver jointSolver = new JointSolver();
   private final ContinuousCollision continuous;
   private final Collider collider = new Collider();
