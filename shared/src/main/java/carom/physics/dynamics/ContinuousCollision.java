@@ -3,6 +3,8 @@ package carom.physics.dynamics;
 import carom.physics.broadphase.CastVisitor;
 import carom.physics.broadphase.KdTree;
 import carom.physics.broadphase.MovingBox;
+import carom.physics.collision.Cast;
+import carom.physics.collision.CastHit;
 import carom.physics.collision.Sweep;
 import carom.physics.collision.TimeOfImpact;
 import carom.physics.collision.TimeOfImpact.State;
@@ -47,6 +49,12 @@ public final class ContinuousCollision {
   public static final float GATE = 0.5f;
 
   /**
+   * Overlap with something static or kinematic, in inner radii, from which a body is swept however
+   * slow it is; 0.25, but at least the slop. With {@link #GATE} on top the middle is still outside.
+   */
+  public static final float DEEP = 0.25f;
+
+  /**
    * Thickness of the rim that may overlap, in sizes; 0.25. The size is the inner radius of the part
    * or half of the other one's length, whichever is less, so that nothing fits into the rim. The
    * slop comes on top, up to twice as much. Without a rim, bodies that slide or roll would stop at
@@ -70,6 +78,10 @@ public final class ContinuousCollision {
   public static final float CENTRE_GAP = 0.1f;
 
   private static final float NEVER = 2;
+
+  /** The time of an impact that lets nothing move. */
+  private static final float STUCK = Float.MIN_NORMAL;
+
   private static final float TWO_PI = (float) (2 * Math.PI);
 
   /** The angle in (0, pi/2) is at most this times its sine. */
@@ -105,6 +117,11 @@ public final class ContinuousCollision {
 
   private final KeySorter sorter = new KeySorter();
 
+  /** Bodies pressed into static or kinematic ones when the step began. */
+  private boolean[] isPressed = new boolean[FIRST_CAPACITY];
+
+  private boolean anyPressed;
+
   /** Whether anything that moves may be a target. */
   private boolean moving;
 
@@ -136,6 +153,13 @@ public final class ContinuousCollision {
   private Sweep targetSecond;
   private float targetSplit;
 
+  /** What the last {@link #impact} found. */
+  private State state = State.SEPARATED;
+
+  private float middleX;
+  private float middleY;
+  private final Cast cast = new Cast();
+  private final CastHit castHit = new CastHit();
   private final Sweep ownFirst = new Sweep();
   private final Sweep ownSecond = new Sweep();
   private final Sweep ride = new Sweep();
@@ -163,6 +187,30 @@ public final class ContinuousCollision {
   // ---------------------------------------------------------------- who is fast
 
   /**
+   * Notes that a dynamic body overlaps a static or kinematic one when the step begins: one that is
+   * pressed in deep is swept however slow it is, or it could be squeezed through bit by bit.
+   *
+   * @param overlap how deep, m
+   */
+  void pressed(int body, float overlap) {
+    if (overlap > DEEP * bodies.innerRadius[body]) {
+      if (isPressed.length <= body) {
+        isPressed = Arrays.copyOf(isPressed, bodies.type.length);
+      }
+      anyPressed |= !isPressed[body];
+      isPressed[body] = true;
+    }
+  }
+
+  /** Forgets who was pressed. */
+  void begin() {
+    if (anyPressed) {
+      Arrays.fill(isPressed, false);
+      anyPressed = false;
+    }
+  }
+
+  /**
    * Collects the fast bodies of the step that the solver has just finished.
    *
    * @return whether there are any
@@ -183,14 +231,15 @@ public final class ContinuousCollision {
       float turn = ANGLE_BY_SINE * Math.abs(s[at + SolverBodies.SIN]);
       float free = GATE * bodies.innerRadius[body] - bodies.reach[body] * turn;
       boolean slow = s[at + SolverBodies.COS] > 0 && free >= 0 && dx * dx + dy * dy <= free * free;
-      if (!slow) {
-        add(body);
+      boolean pressedIn = anyPressed && body < isPressed.length && isPressed[body];
+      if (!slow || pressedIn) {
+        add(body, pressedIn);
       }
     }
     return count > 0;
   }
 
-  private void add(int body) {
+  private void add(int body, boolean pressedIn) {
     float limit = GATE * bodies.innerRadius[body];
     boolean atEdge =
         Math.abs(bodies.x[body]) >= Checks.MAX_COORDINATE
@@ -207,7 +256,10 @@ public final class ContinuousCollision {
     Flight f = flights[count];
     motion(body, f.whole);
     float way = (float) Math.sqrt(f.whole.dx * f.whole.dx + f.whole.dy * f.whole.dy);
-    if (way + arm(body) * Math.abs(f.whole.angleRad) <= limit) {
+    if (way == 0 && f.whole.angleRad == 0) {
+      return;
+    }
+    if (!pressedIn && way + arm(body) * Math.abs(f.whole.angleRad) <= limit) {
       return;
     }
     f.body = body;
@@ -494,18 +546,11 @@ public final class ContinuousCollision {
     if (!(parts.convex[part] instanceof Segment line && line.isOneSided())) {
       return false;
     }
-    Convex c = parts.convex[moverPart];
-    float x = 0;
-    float y = 0;
-    for (int i = 0; i < c.vertexCount(); i++) {
-      x += c.vertexX(i) / c.vertexCount();
-      y += c.vertexY(i) / c.vertexCount();
-    }
-    pose.set(path.x, path.y, path.cos, path.sin);
+    middle(parts.convex[moverPart], path, 0);
     Sweep s = targetFirst;
     targetPose.set(s.x, s.y, s.cos, s.sin);
-    double dx = (double) pose.x - targetPose.x + pose.rotateX(x, y);
-    double dy = (double) pose.y - targetPose.y + pose.rotateY(x, y);
+    double dx = (double) middleX - targetPose.x;
+    double dy = (double) middleY - targetPose.y;
     double localX = targetPose.cos * dx + targetPose.sin * dy - line.vertexX(0);
     double localY = targetPose.cos * dy - targetPose.sin * dx - line.vertexY(0);
     return line.normalX(0) * localX + line.normalY(0) * localY < 0;
@@ -577,7 +622,10 @@ public final class ContinuousCollision {
       at = impact(own, inner, other, Math.max(TimeOfImpact.MIN_TARGET, CENTRE_GAP * inner));
     }
     if (at == 0) {
-      at = impact(own, inner, other, TimeOfImpact.MIN_TARGET);
+      at = impact(own, inner, other, finest());
+    }
+    if (at == 0 && state != State.OVERLAPPING && crosses(own, other)) {
+      at = STUCK;
     }
     if (at > 0 && at < best) {
       best = at;
@@ -585,12 +633,47 @@ public final class ContinuousCollision {
     }
   }
 
+  /** The smallest gap that rounding to floats leaves, m. */
+  private float finest() {
+    float farthest = Math.max(Math.abs(path.x), Math.abs(path.y));
+    return Math.max(TimeOfImpact.MIN_TARGET, 4 * Math.ulp(farthest));
+  }
+
+  /** Whether the middle of the mover's part, seen from the target, meets it on the straight way. */
+  private boolean crosses(Convex own, Convex other) {
+    middle(own, path, 0);
+    float x = middleX;
+    float y = middleY;
+    middle(own, path, 1);
+    targetAt(0, targetPose);
+    targetAt(1, targetEnd);
+    float startX = targetPose.localX(x, y);
+    float startY = targetPose.localY(x, y);
+    float dx = targetEnd.localX(middleX, middleY) - startX;
+    float dy = targetEnd.localY(middleX, middleY) - startY;
+    pose.setIdentity();
+    return cast.ray(other, pose, startX, startY, dx, dy, 1, castHit);
+  }
+
+  /** Where the mean of a part's vertices is. */
+  private void middle(Convex c, Sweep s, float time) {
+    float x = 0;
+    float y = 0;
+    for (int i = 0; i < c.vertexCount(); i++) {
+      x += c.vertexX(i) / c.vertexCount();
+      y += c.vertexY(i) / c.vertexCount();
+    }
+    s.at(time, pose);
+    middleX = pose.worldX(x, y);
+    middleY = pose.worldY(x, y);
+  }
+
   /**
    * When a shape, made smaller, comes near another one, as a part of the step: 0 if it is near from
    * the start, {@link #NEVER} if it doesn't.
    */
   private float impact(Convex own, float inset, Convex other, float gap) {
-    State state = impact.find(own, inset, ownFirst, other, targetFirst, gap);
+    state = impact.find(own, inset, ownFirst, other, targetFirst, gap);
     if (state != State.SEPARATED) {
       return targetSplit * impact.fraction();
     }

@@ -669,6 +669,7 @@ public final class Dynamics {
 
   private void collide() {
     touching = 0;
+    continuous.begin();
     float distance = settings.speculativeDistance();
     for (int row = 0; row < contacts.count(); row++) {
       int partA = contacts.partA[row];
@@ -685,7 +686,18 @@ public final class Dynamics {
       contacts.update(row, manifold);
       if (manifold.count > 0 && !sensor) {
         touching++;
+        float overlap = -manifold.minSeparation();
+        if (overlap > settings.slop()) {
+          notePressed(parts.body[partA], parts.body[partB], overlap);
+        }
       }
+    }
+  }
+
+  private void notePressed(int a, int b, float overlap) {
+    boolean dynamic = bodies.type[a] == BodyStore.DYNAMIC;
+    if (dynamic != (bodies.type[b] == BodyStore.DYNAMIC)) {
+      continuous.pressed(dynamic ? a : b, overlap);
     }
   }
 
