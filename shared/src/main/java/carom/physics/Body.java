@@ -2,6 +2,7 @@ package carom.physics;
 
 import carom.physics.dynamics.BodyStore;
 import carom.physics.dynamics.Checks;
+import carom.physics.dynamics.Dynamics;
 import carom.physics.dynamics.ShapeSpec;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
@@ -16,6 +17,10 @@ import java.util.function.Consumer;
  * {@link #user} and the shape accessors throw IllegalStateException once the body was destroyed.
  * Numbers that are not finite or absurd (beyond 1e7 m, 1e5 m/s) throw IllegalArgumentException with
  * the value. Nothing allocates.
+ *
+ * <p>A body that rests for a while falls asleep with all that it touches, see {@link #awake}. It
+ * wakes by itself when something moves it or what it touches; setting what it has already doesn't
+ * wake it.
  *
  * <p>Forces and impulses add up, act in the next step, and are then forgotten; on static and
  * kinematic bodies, and on disabled ones, they do nothing.
@@ -142,6 +147,76 @@ public final class Body<T> {
   public void setEnabled(boolean enabled) {
     check();
     world.enable(this, enabled);
+  }
+
+  /**
+   * Whether the body is awake: dynamic or kinematic, enabled, and not asleep. A sleeping body is at
+   * rest and costs nothing. It wakes with its whole island (dynamic bodies that hold each other by
+   * contacts or joints), in the step in which something awake begins to touch it.
+   *
+   * @return false for static bodies
+   */
+  public boolean awake() {
+    check();
+    int flags = store.flags[index] & (BodyStore.ASLEEP | BodyStore.DISABLED);
+    return flags == 0 && store.type[index] != BodyStore.STATIC;
+  }
+
+  /**
+   * Wakes the body and its island; if it is awake, its time of rest starts again. In a callback
+   * this takes effect at the end of the step.
+   */
+  public void wake() {
+    check();
+    dynamics().wake(index);
+  }
+
+  /**
+   * Puts the body and its island to sleep at once; velocities and waiting forces are gone then.
+   * Nothing happens if one of them may not sleep, or nothing sleeps in this world. In a callback
+   * this takes effect at the end of the step.
+   *
+   * @throws IllegalStateException during a query
+   */
+  public void sleep() {
+    check();
+    world.sleep(index);
+  }
+
+  /**
+   * Whether the body may fall asleep.
+   *
+   * @return true unless it was said otherwise
+   */
+  public boolean sleepAllowed() {
+    check();
+    return (store.flags[index] & BodyStore.SLEEPLESS) == 0;
+  }
+
+  /**
+   * Sets whether the body may fall asleep; if not, it wakes, and keeps awake all that it touches.
+   *
+   * @param allowed true by default
+   */
+  public void setSleepAllowed(boolean allowed) {
+    check();
+    if (allowed) {
+      store.flags[index] &= ~BodyStore.SLEEPLESS;
+    } else {
+      store.flags[index] |= BodyStore.SLEEPLESS;
+      dynamics().wake(index);
+    }
+  }
+
+  private Dynamics dynamics() {
+    return world.dynamics();
+  }
+
+  /** Wakes the body if it sleeps. */
+  private void rouse() {
+    if (store.asleep(index)) {
+      dynamics().wake(index);
+    }
   }
 
   /** Whether forces do something. */
@@ -276,8 +351,21 @@ public final class Body<T> {
    */
   public void setPose(float x, float y, float cos, float sin) {
     check();
+    float oldX = store.x[index];
+    float oldY = store.y[index];
+    float oldCos = store.cos[index];
+    float oldSin = store.sin[index];
     store.setOriginPose(index, x, y, cos, sin);
-    world.moved(index);
+    movedFrom(oldX, oldY, oldCos, oldSin);
+  }
+
+  private void movedFrom(float x, float y, float cos, float sin) {
+    if (store.x[index] != x
+        || store.y[index] != y
+        || store.cos[index] != cos
+        || store.sin[index] != sin) {
+      world.moved(index);
+    }
   }
 
   /**
@@ -291,8 +379,12 @@ public final class Body<T> {
    */
   public void setCenterPose(float x, float y, float cos, float sin) {
     check();
+    float oldX = store.x[index];
+    float oldY = store.y[index];
+    float oldCos = store.cos[index];
+    float oldSin = store.sin[index];
     store.setCenterPose(index, x, y, cos, sin);
-    world.moved(index);
+    movedFrom(oldX, oldY, oldCos, oldSin);
   }
 
   /**
@@ -306,6 +398,9 @@ public final class Body<T> {
     Checks.velocity("velocityX", vx);
     Checks.velocity("velocityY", vy);
     if (store.type[index] != BodyStore.STATIC) {
+      if (vx != 0 || vy != 0) {
+        rouse();
+      }
       store.vx[index] = vx;
       store.vy[index] = vy;
     }
@@ -320,6 +415,9 @@ public final class Body<T> {
     check();
     Checks.velocity("angularVelocity", radPerSecond);
     if (store.type[index] != BodyStore.STATIC) {
+      if (radPerSecond != 0) {
+        rouse();
+      }
       store.w[index] = radPerSecond;
     }
   }
@@ -334,7 +432,8 @@ public final class Body<T> {
     check();
     Checks.force("forceX", fx);
     Checks.force("forceY", fy);
-    if (acts()) {
+    if (acts() && (fx != 0 || fy != 0)) {
+      rouse();
       store.forceX[index] += fx;
       store.forceY[index] += fy;
     }
@@ -367,7 +466,8 @@ public final class Body<T> {
     check();
     Checks.force("impulseX", jx);
     Checks.force("impulseY", jy);
-    if (acts()) {
+    if (acts() && (jx != 0 || jy != 0)) {
+      rouse();
       store.impulseX[index] += jx;
       store.impulseY[index] += jy;
     }
@@ -398,7 +498,8 @@ public final class Body<T> {
   public void applyTorque(float torque) {
     check();
     Checks.force("torque", torque);
-    if (acts()) {
+    if (acts() && torque != 0) {
+      rouse();
       store.torque[index] += torque;
     }
   }
@@ -411,7 +512,8 @@ public final class Body<T> {
   public void applyAngularImpulse(float j) {
     check();
     Checks.force("angularImpulse", j);
-    if (acts()) {
+    if (acts() && j != 0) {
+      rouse();
       store.impulseW[index] += j;
     }
   }
@@ -564,8 +666,12 @@ public final class Body<T> {
    */
   public void setGravityScale(float factor) {
     check();
-    store.gravityScale[index] = Checks.range("gravityScale", factor, -1e3f, 1e3f);
-    store.coldChanged();
+    Checks.range("gravityScale", factor, -1e3f, 1e3f);
+    if (store.gravityScale[index] != factor) {
+      rouse();
+      store.gravityScale[index] = factor;
+      store.coldChanged();
+    }
   }
 
   /**

@@ -13,10 +13,15 @@ package carom.physics;
  * {@link Collision#isSensor} true; nothing else is, as there is no response. Sensors notice real
  * overlap only, not what is merely close.
  *
+ * <p>Contacts of sleeping bodies are not called; they go on as they were when the bodies fell
+ * asleep, and waking begins nothing anew. If {@code preSolve} would answer otherwise because
+ * something else changed, {@linkplain Body#wake wake} the body.
+ *
  * <p>A callback may set velocities, apply forces and impulses, teleport bodies and create bodies
- * (these collide from the next step on). {@link World#destroyBody} takes effect at the end of the
- * step; until then the body stays valid. Stepping, saving or restoring the world throws
- * IllegalStateException. Results must depend on the world's state alone, or runs will differ.
+ * (these collide from the next step on); bodies wake or fall asleep at the end of the step. {@link
+ * World#destroyBody} takes effect at the end of the step; until then the body stays valid.
+ * Stepping, saving or restoring the world throws IllegalStateException. Results must depend on the
+ * world's state alone, or runs will differ.
  *
  * @param <T> the user's type of {@link Body#user()}
  */

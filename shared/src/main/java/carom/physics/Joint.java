@@ -14,7 +14,8 @@ import carom.physics.math.Trig;
  * IllegalStateException, and so do setters of what the joint's type doesn't have. Nothing
  * allocates.
  *
- * <p>What is set acts from the next step on. Joints are solved in the order of their indices.
+ * <p>What is set acts from the next step on, and wakes the bodies if it is another value than
+ * before. Joints are solved in the order of their indices.
  *
  * @param <T> the user's type of {@link Body#user()}
  */
@@ -254,8 +255,8 @@ public final class Joint<T> {
     refuseUnless(JointDef.hasMotor(type), "setMotor");
     Checks.velocity("speed", speed);
     Checks.range("max", max, 0, Checks.MAX_FORCE);
-    store.motorSpeed[index] = speed;
-    store.motorMax[index] = max;
+    set(store.motorSpeed, speed);
+    set(store.motorMax, max);
     raise(JointStore.DRIVEN);
   }
 
@@ -276,8 +277,8 @@ public final class Joint<T> {
     refuseUnless(JointDef.hasLimits(type), "setLimits");
     Checks.range("lower", lower, JointDef.least(type), JointDef.most(type));
     Checks.range("upper", upper, lower, JointDef.most(type));
-    store.lower[index] = lower;
-    store.upper[index] = upper;
+    set(store.lower, lower);
+    set(store.upper, upper);
     raise(JointStore.LIMITED);
   }
 
@@ -300,9 +301,8 @@ public final class Joint<T> {
     check();
     Checks.range("hertz", hertz, 0, 1e3f);
     Checks.range("dampingRatio", dampingRatio, 0, 100);
-    store.hertz[index] = hertz;
-    store.damping[index] = dampingRatio;
-    store.coldChanged();
+    set(store.hertz, hertz);
+    set(store.damping, dampingRatio);
     if (JointDef.hasCoordinateSpring(type)) {
       raise(JointStore.SPRUNG);
     }
@@ -322,8 +322,7 @@ public final class Joint<T> {
    */
   public void setRest(float coordinate) {
     refuseUnless(JointDef.hasLimits(type), "setRest");
-    store.rest[index] = Checks.range("rest", coordinate, JointDef.least(type), JointDef.most(type));
-    store.coldChanged();
+    set(store.rest, Checks.range("rest", coordinate, JointDef.least(type), JointDef.most(type)));
   }
 
   /**
@@ -346,9 +345,8 @@ public final class Joint<T> {
     refuseUnless(type == JointType.MOTOR || type == JointType.MOUSE, "setTarget");
     Checks.coordinate("x", x);
     Checks.coordinate("y", y);
-    store.anchorAx[index] = x;
-    store.anchorAy[index] = y;
-    store.coldChanged();
+    set(store.anchorAx, x);
+    set(store.anchorAy, y);
   }
 
   /**
@@ -359,19 +357,34 @@ public final class Joint<T> {
   public void setTargetAngle(float angleRad) {
     refuseUnless(type == JointType.MOTOR, "setTargetAngle");
     Checks.range("angle", angleRad, -1e5f, 1e5f);
-    store.refCos[index] = Trig.cos(angleRad);
-    store.refSin[index] = Trig.sin(angleRad);
-    store.coldChanged();
+    set(store.refCos, Trig.cos(angleRad));
+    set(store.refSin, Trig.sin(angleRad));
   }
 
   private void raise(byte flag) {
-    store.flags[index] |= flag;
-    store.coldChanged();
+    if ((store.flags[index] & flag) == 0) {
+      store.flags[index] |= flag;
+      changed();
+    }
   }
 
   private void clear(byte flag) {
-    store.flags[index] &= (byte) ~flag;
+    if ((store.flags[index] & flag) != 0) {
+      store.flags[index] &= (byte) ~flag;
+      changed();
+    }
+  }
+
+  private void set(float[] values, float value) {
+    if (values[index] != value) {
+      values[index] = value;
+      changed();
+    }
+  }
+
+  private void changed() {
     store.coldChanged();
+    world.dynamics().wakeEnds(index);
   }
 
   private void refuseUnless(boolean possible, String what) {

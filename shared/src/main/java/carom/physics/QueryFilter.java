@@ -9,7 +9,7 @@ package carom.physics;
 public interface QueryFilter<T> {
   /**
    * Called for shapes that may be hit, in no particular order, maybe several times; so the answer
-   * must not depend on order, and nothing may be created, destroyed or asked again.
+   * must not depend on order, and nothing may be created, destroyed, changed or asked again.
    *
    * @param body whose shape it is
    * @param shape its number, see {@link Body#shape}

@@ -2,6 +2,7 @@ package carom.physics;
 
 import carom.physics.broadphase.CellVisitor;
 import carom.physics.broadphase.IntVisitor;
+import carom.physics.dynamics.BodyContacts;
 import carom.physics.dynamics.BodyStore;
 import carom.physics.dynamics.Checks;
 import carom.physics.dynamics.ContactEvents;
@@ -75,10 +76,6 @@ public final class World<T> {
   private int[] found = new int[16];
   private int foundCount;
   private final IntVisitor collect = this::collect;
-
-  private int[] contactStart = new int[0];
-  private int[] contactRows = new int[0];
-  private boolean contactsIndexed;
 
   /**
    * Makes an empty world.
@@ -167,7 +164,10 @@ public final class World<T> {
     store.angularDamping[slot] = bodyDef.angularDamping;
     store.gravityScale[slot] = bodyDef.gravityScale;
     store.setBullet(slot, bodyDef.bullet);
-    dynamics.moved(slot);
+    if (!bodyDef.sleepAllowed) {
+      store.flags[slot] |= BodyStore.SLEEPLESS;
+    }
+    dynamics.enter(slot, bodyDef.awake);
     if (slot >= handles.length) {
       handles = Arrays.copyOf(handles, Math.max(slot + 1, handles.length * 2));
     }
@@ -292,7 +292,6 @@ public final class World<T> {
     dynamics.destroy(slot, listener == null ? null : events);
     handles[slot] = null;
     structure.change();
-    contactsIndexed = false;
   }
 
   private void removeJoint(int slot) {
@@ -468,7 +467,6 @@ public final class World<T> {
     refuseDuringStep("step");
     refuseDuringQuery("step");
     stepping = true;
-    contactsIndexed = false;
     try {
       dynamics.step(dtSeconds, listener == null ? null : events, onBroke);
       carryOut();
@@ -588,7 +586,6 @@ public final class World<T> {
       Arrays.fill(jointHandles, slots, jointHandles.length, null);
       s.jointStructure.copyTo(jointStructure);
     }
-    contactsIndexed = false;
   }
 
   private void checkOwner(WorldState s) {
@@ -725,13 +722,21 @@ public final class World<T> {
   }
 
   /**
-   * Visits all contact points of the last step, for debug drawing.
+   * Visits all contact points of the last step, for debug drawing; those of sleeping bodies are as
+   * they were when these fell asleep.
    *
-   * @param visitor receives them in canonical order
+   * @param visitor receives those of awake bodies in canonical order, then the others in none
    */
   public void forEachContact(ContactVisitor visitor) {
-    ContactTable t = dynamics.contacts();
+    forEachPoint(dynamics.contacts(), visitor);
+    forEachPoint(dynamics.sleepingContacts(), visitor);
+  }
+
+  private void forEachPoint(ContactTable t, ContactVisitor visitor) {
     for (int row = 0; row < t.count(); row++) {
+      if (t.unused(row)) {
+        continue;
+      }
       int a = t.bodyA(row);
       for (int i = 0; i < t.points(row); i++) {
         visitor.contact(
@@ -788,78 +793,39 @@ public final class World<T> {
 
   /** Visits the touching contacts of one body in canonical order. */
   void forEachContact(int slot, BodyContactVisitor<T> visitor) {
-    if (!contactsIndexed) {
-      indexContacts();
-    }
-    if (slot + 1 >= contactStart.length) {
-      return;
-    }
-    ContactTable t = dynamics.contacts();
-    int end = contactStart[slot + 1];
-    for (int i = contactStart[slot]; i < end; i++) {
-      int row = contactRows[i];
-      if (t.points(row) == 0) {
-        continue;
+    BodyContacts t = dynamics.bodyContacts();
+    int first = t.open(slot);
+    int end = t.size();
+    try {
+      for (int i = first; i < end; i++) {
+        if (!t.sensor(i)) {
+          visitor.contact(body(t.other(i)), t.normalX(i), t.normalY(i), t.impulse(i));
+        }
       }
-      float impulse = t.impulse(row, 0) + (t.points(row) > 1 ? t.impulse(row, 1) : 0);
-      if (t.bodyA(row) == slot) {
-        visitor.contact(body(t.bodyB(row)), t.normalX(row), t.normalY(row), impulse);
-      } else {
-        visitor.contact(body(t.bodyA(row)), -t.normalX(row), -t.normalY(row), impulse);
-      }
+    } finally {
+      t.close(first);
     }
   }
 
   /** Visits what is inside a body's sensors, and whose sensors the body is in. */
   void forEachOverlap(int slot, BodyVisitor<T> visitor) {
-    if (!contactsIndexed) {
-      indexContacts();
-    }
-    if (slot + 1 >= contactStart.length) {
-      return;
-    }
-    ContactTable t = dynamics.contacts();
-    int end = contactStart[slot + 1];
+    BodyContacts t = dynamics.bodyContacts();
+    int first = t.open(slot);
+    int end = t.size();
     int last = -1;
-    for (int i = contactStart[slot]; i < end; i++) {
-      int row = contactRows[i];
-      int other = t.bodyA(row) == slot ? t.bodyB(row) : t.bodyA(row);
-      if (t.sensor(row) && other != last) {
-        if (!visitor.visit(body(other))) {
-          return;
+    try {
+      for (int i = first; i < end; i++) {
+        int other = t.other(i);
+        if (t.sensor(i) && other != last) {
+          if (!visitor.visit(body(other))) {
+            return;
+          }
+          last = other;
         }
-        last = other;
       }
+    } finally {
+      t.close(first);
     }
-  }
-
-  /** Sorts the touching rows by body, each row under both; two passes of counting. */
-  private void indexContacts() {
-    ContactTable t = dynamics.contacts();
-    int slots = store.slots();
-    if (contactStart.length < slots + 2) {
-      contactStart = new int[Math.max(slots + 2, contactStart.length * 2)];
-    }
-    if (contactRows.length < 2 * t.count()) {
-      contactRows = new int[Math.max(2 * t.count(), contactRows.length * 2)];
-    }
-    Arrays.fill(contactStart, 0);
-    for (int row = 0; row < t.count(); row++) {
-      if (dynamics.touches(row)) {
-        contactStart[t.bodyA(row) + 2]++;
-        contactStart[t.bodyB(row) + 2]++;
-      }
-    }
-    for (int i = 2; i < contactStart.length; i++) {
-      contactStart[i] += contactStart[i - 1];
-    }
-    for (int row = 0; row < t.count(); row++) {
-      if (dynamics.touches(row)) {
-        contactRows[contactStart[t.bodyA(row) + 1]++] = row;
-        contactRows[contactStart[t.bodyB(row) + 1]++] = row;
-      }
-    }
-    contactsIndexed = true;
   }
 
   /** Bounding box of a body's shapes. */
@@ -875,6 +841,11 @@ public final class World<T> {
   void moved(int slot) {
     refuseDuringQuery("setPose");
     dynamics.moved(slot);
+  }
+
+  void sleep(int slot) {
+    refuseDuringQuery("sleep");
+    dynamics.sleep(slot);
   }
 
   BodyStore store() {

@@ -118,7 +118,7 @@ public record WorldDef(
     Checks.range("jointHertz", jointHertz, 1, 1000);
     Checks.range("jointDampingRatio", jointDampingRatio, 0.1f, 100);
     Checks.range("sleepSpeed", sleepSpeed, 0, 1e3f);
-    Checks.range("sleepDelay", sleepDelay, 0, 1e3f);
+    Checks.range("sleepDelay", sleepDelay, 1e-3f, 1e3f);
     Checks.range("hitSpeed", hitSpeed, 0, 1e5f);
     if (integrator == null) {
       throw new IllegalArgumentException("integrator=null; choose one of Integrator's");

@@ -1,6 +1,7 @@
 package carom.sim;
 
 import carom.physics.Body;
+import carom.physics.BodyDef;
 import carom.physics.Collision;
 import carom.physics.CollisionListener;
 import carom.physics.World;
@@ -593,8 +594,11 @@ public final class Simulation {
     return entity;
   }
 
+  /** Makes the body. Players' bodies never sleep: what games decide about them changes any time. */
   private Entity embody(Entity entity, float x, float y, float angle) {
-    entity.body = world.createBody(entity.archetype().body(x, y, angle), entity);
+    BodyDef body = entity.archetype().body(x, y, angle);
+    body.sleepAllowed(entity.ownerId() == Entity.NO_OWNER);
+    entity.body = world.createBody(body, entity);
     return entity;
   }
 

@@ -69,6 +69,7 @@ final class CallbackTest {
   void restingBodyReceivesItsWeightEachStep() {
     World<String> w = Scenes.floor(Material.DEFAULT);
     Body<String> b = box(w, 0, .5f, .5f, .5f, new Material(3, .5f, 0));
+    b.setSleepAllowed(false);
     steps(w, 120);
     Log log = new Log();
     w.listener(log);

@@ -365,6 +365,16 @@ public final class BodyStore {
     impulseW[slot] = 0;
   }
 
+  /** Whether a force or an impulse waits. */
+  boolean pushed(int slot) {
+    return forceX[slot] != 0
+        || forceY[slot] != 0
+        || torque[slot] != 0
+        || impulseX[slot] != 0
+        || impulseY[slot] != 0
+        || impulseW[slot] != 0;
+  }
+
   /** Forgets what was applied. */
   void clearForces(int slot) {
     forceX[slot] = 0;

@@ -299,7 +299,7 @@ final class ContactSolver {
     Arrays.fill(next, 0);
     count = 0;
     for (int r = 0; r < t.count(); r++) {
-      if (t.points[r] == 0) {
+      if (t.points[r] == 0 || (t.flags[r] & ContactTable.DORMANT) != 0) {
         continue;
       }
       if ((t.flags[r] & ContactTable.VETOED) != 0) {

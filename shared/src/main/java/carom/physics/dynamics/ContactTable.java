@@ -6,9 +6,10 @@ import java.util.Arrays;
 /**
  * Pairs of shape parts that are close, from tick to tick, in the order of their {@link ContactKey}.
  *
- * <p>A row lives while the fat boxes of its parts overlap. It carries what the solver learns (the
- * impulses, matched from tick to tick by the feature ids of the points), so the rows of touching
- * parts belong to the state. Whether a row of parts that don't touch exists changes nothing.
+ * <p>A row lives while the fat boxes of its parts overlap and one of its bodies is awake; of those
+ * that sleep see {@link SleepingContacts}. It carries what the solver learns (the impulses, matched
+ * from tick to tick by the feature ids of the points), so the rows of touching parts belong to the
+ * state. Whether a row of parts that don't touch exists changes nothing.
  *
  * <p>Rows are dense and sorted, so every pass streams through memory in the canonical order, and
  * saving is a copy; which parts the rows are of, and their materials, is only copied if a row came
@@ -32,6 +33,12 @@ public final class ContactTable {
 
   /** Flag: the step before pushed the parts apart; only for telling impacts, not in the hash. */
   static final byte WAS_PUSHED = 64;
+
+  /** Flag: the row came since rows were last updated. */
+  static final byte FRESH = 32;
+
+  /** Flag: neither body is dynamic and awake, so there is nothing to solve. */
+  static final byte DORMANT = -128;
 
   private static final int FIRST_CAPACITY = 128;
 
@@ -97,6 +104,7 @@ public final class ContactTable {
 
   private final Stamp rows = new Stamp();
   private int count;
+  private int version;
 
   ContactTable() {}
 
@@ -107,6 +115,15 @@ public final class ContactTable {
    */
   public int count() {
     return count;
+  }
+
+  /**
+   * Tells whether rows came, went or got other numbers.
+   *
+   * @return another number whenever that happened
+   */
+  public int version() {
+    return version;
   }
 
   /**
@@ -285,6 +302,27 @@ public final class ContactTable {
     return total0[row] > 0 || total1[row] > 0;
   }
 
+  /**
+   * Whether a row stands for nothing; never in the table of awake bodies.
+   *
+   * @param row which
+   * @return true if its numbers mean nothing
+   */
+  public boolean unused(int row) {
+    return key[row] == SleepingContacts.FREE;
+  }
+
+  /** Must be called when rows get new flags. */
+  void flagsChanged() {
+    version++;
+  }
+
+  /** Must be called when rows come or go. */
+  void rowsChanged() {
+    version++;
+    rows.change();
+  }
+
   /** Takes the manifold of this step, handing each point the impulses of its predecessor. */
   void update(int row, Manifold m) {
     float oldNormal0 = normal0[row];
@@ -343,6 +381,12 @@ public final class ContactTable {
     }
   }
 
+  /** Leaves a row as it is for a step. */
+  void sleepOn(int row) {
+    int touched = (flags[row] & TOUCHING) != 0 ? WAS_TOUCHING : 0;
+    flags[row] = (byte) ((flags[row] & ~(FRESH | WAS_TOUCHING)) | touched | DORMANT);
+  }
+
   /** Starts cold: the contact was not solved. */
   void forget(int row) {
     normal0[row] = 0;
@@ -359,6 +403,7 @@ public final class ContactTable {
    * @param candidateCount number of keys
    */
   void merge(long[] candidates, int candidateCount, BodyStore bodies, ShapeTable parts) {
+    version++;
     int kept = 0;
     for (int row = 0; row < count; row++) {
       if ((flags[row] & TOUCHING) != 0
@@ -402,6 +447,65 @@ public final class ContactTable {
     }
   }
 
+  /**
+   * Merges rows of another table in, which must not be here yet.
+   *
+   * @param from where they are
+   * @param which their numbers, by ascending key
+   * @param n how many
+   */
+  void insert(ContactTable from, int[] which, int n) {
+    rowsChanged();
+    ensure(count + n);
+    int to = count + n - 1;
+    int own = count - 1;
+    int next = n - 1;
+    count += n;
+    while (next >= 0) {
+      if (own >= 0 && key[own] > from.key[which[next]]) {
+        move(own--, to--);
+      } else {
+        copyRow(from, which[next--], to);
+        flags[to] = (byte) ((flags[to] & ~DORMANT) | FRESH);
+        to--;
+      }
+    }
+  }
+
+  /** Sorts row numbers by the rows' keys (Shell's sort: short, and no memory). */
+  void sortByKey(int[] which, int n) {
+    for (int gap = n / 2; gap > 0; gap = gap == 2 ? 1 : gap * 5 / 11) {
+      for (int i = gap; i < n; i++) {
+        int row = which[i];
+        int j = i;
+        for (; j >= gap && key[which[j - gap]] > key[row]; j -= gap) {
+          which[j] = which[j - gap];
+        }
+        which[j] = row;
+      }
+    }
+  }
+
+  /** Moves the touching rows without an awake body to another store, and drops the others. */
+  void retire(int[] activeIndex, SleepingContacts to) {
+    rowsChanged();
+    int kept = 0;
+    for (int row = 0; row < count; row++) {
+      if (activeIndex[bodyA(row)] >= 0 || activeIndex[bodyB(row)] >= 0) {
+        move(row, kept++);
+      } else if ((flags[row] & TOUCHING) != 0) {
+        to.put(this, row);
+      }
+    }
+    count = kept;
+  }
+
+  /** Makes room for one row more, which the caller fills; answers its number. */
+  int append() {
+    ensure(count + 1);
+    return count++;
+  }
+
   /** Whether the parts may touch; if not, what touches ends with the next update. */
   void ignore(int row, boolean ignored) {
     flags[row] = (byte) (ignored ? flags[row] | IGNORED : flags[row] & ~IGNORED);
@@ -409,6 +513,7 @@ public final class ContactTable {
 
   /** Drops all rows of a body. */
   void removeBody(int body) {
+    rowsChanged();
     int kept = 0;
     for (int row = 0; row < count; row++) {
       if (ContactKey.bodyA(key[row]) != body && ContactKey.bodyB(key[row]) != body) {
@@ -416,7 +521,6 @@ public final class ContactTable {
       }
     }
     count = kept;
-    rows.change();
   }
 
   private void start(int row, long k, BodyStore bodies, ShapeTable parts) {
@@ -428,7 +532,7 @@ public final class ContactTable {
     key[row] = k;
     partA[row] = a;
     partB[row] = b;
-    flags[row] = parts.sensor[a] || parts.sensor[b] ? SENSOR : 0;
+    flags[row] = parts.sensor[a] || parts.sensor[b] ? SENSOR | FRESH : FRESH;
     points[row] = 0;
     id0[row] = 0;
     id1[row] = 0;
@@ -440,42 +544,51 @@ public final class ContactTable {
   }
 
   private void move(int from, int to) {
-    if (from == to) {
-      return;
+    if (from != to) {
+      copyRow(this, from, to);
     }
-    key[to] = key[from];
-    partA[to] = partA[from];
-    partB[to] = partB[from];
-    flags[to] = flags[from];
-    points[to] = points[from];
-    id0[to] = id0[from];
-    id1[to] = id1[from];
-    for (float[] field : floats) {
-      field[to] = field[from];
+  }
+
+  /** Overwrites a row by one of a table, which may be this one. */
+  void copyRow(ContactTable from, int row, int to) {
+    key[to] = from.key[row];
+    partA[to] = from.partA[row];
+    partB[to] = from.partB[row];
+    flags[to] = from.flags[row];
+    points[to] = from.points[row];
+    id0[to] = from.id0[row];
+    id1[to] = from.id1[row];
+    for (int f = 0; f < floats.length; f++) {
+      floats[f][to] = from.floats[f][row];
     }
   }
 
   /** Bits of the rows that touch, which are all that influences the future. */
   long hash(long h) {
     for (int row = 0; row < count; row++) {
-      if ((flags[row] & TOUCHING) == 0) {
-        continue;
+      if ((flags[row] & TOUCHING) != 0) {
+        h = hashRow(h, row);
       }
-      int n = points[row];
-      h = StateHash.mix(h, key[row]);
-      long kind = flags[row] & ~WAS_PUSHED;
-      h = StateHash.mix(h, ((long) n << 40) | (kind << 32) | (id0[row] & 0xffffffffL));
-      h = StateHash.mix(h, normal0[row], tangent0[row]);
-      h = StateHash.mix(h, nx[row], ny[row]);
-      h = StateHash.mix(h, total0[row], slide0[row]);
-      if (rolling[row] != 0) {
-        h = StateHash.mix(h, roll[row], 0);
-      }
-      if (n > 1) {
-        h = StateHash.mix(h, id1[row]);
-        h = StateHash.mix(h, normal1[row], tangent1[row]);
-        h = StateHash.mix(h, total1[row], slide1[row]);
-      }
+    }
+    return h;
+  }
+
+  /** Bits of one row. */
+  long hashRow(long h, int row) {
+    int n = points[row];
+    long state = flags[row] & 0xff & ~(FRESH | WAS_PUSHED);
+    h = StateHash.mix(h, key[row]);
+    h = StateHash.mix(h, ((long) n << 40) | (state << 32) | (id0[row] & 0xffffffffL));
+    h = StateHash.mix(h, normal0[row], tangent0[row]);
+    h = StateHash.mix(h, nx[row], ny[row]);
+    h = StateHash.mix(h, total0[row], slide0[row]);
+    if (rolling[row] != 0) {
+      h = StateHash.mix(h, roll[row], 0);
+    }
+    if (n > 1) {
+      h = StateHash.mix(h, id1[row]);
+      h = StateHash.mix(h, normal1[row], tangent1[row]);
+      h = StateHash.mix(h, total1[row], slide1[row]);
     }
     return h;
   }
@@ -506,6 +619,7 @@ public final class ContactTable {
       rows.copyTo(to.rows);
       perRow += Long.BYTES + 2 * Integer.BYTES + Float.BYTES * COLD;
     }
+    to.version++;
     return (long) count * perRow;
   }
 

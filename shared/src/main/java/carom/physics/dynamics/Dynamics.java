@@ -18,21 +18,41 @@ import java.util.Arrays;
  * Bodies, their shapes and contacts, and the step that moves them; the engine behind {@code
  * carom.physics.World}.
  *
- * <p><b>A step</b>: refresh fat boxes; search pairs if a box changed; one manifold per pair; tell
- * the owner (end, begin, pre-solve); then {@code substeps} times: integrate velocities, warm start,
- * solve with bias, integrate positions, relax (joints before contacts); bounce; write back; stop
- * fast bodies at what they passed through (see {@link ContinuousCollision}); tell the owner
- * (post-solve and hit, broken joints); carry out what was deferred.
+ * <p><b>A step</b>: refresh fat boxes; search pairs if a box changed; one manifold per pair; wake
+ * what is touched, and repeat for what came with it; tell the owner (end, begin, pre-solve); then
+ * {@code substeps} times: integrate velocities, warm start, solve with bias, integrate positions,
+ * relax (joints before contacts); bounce; write back; stop fast bodies at what they passed through
+ * (see {@link ContinuousCollision}); tell the owner (post-solve and hit, broken joints); put to
+ * sleep what rests; carry out what was deferred.
  *
  * <p><b>Order.</b> Contacts are always visited by ascending {@link ContactKey}, joints by ascending
  * slot; the solver's colours follow from that order. Everything else in a step is independent per
  * body. So the result depends on the state alone, never on the shape of a tree or on when a pair
  * was found.
  *
+ * <p><b>Sleep.</b> The active list holds the bodies that are awake and not static, and a step looks
+ * at these alone: the parts of all others are in a tree of their own, contacts between them in
+ * {@link SleepingContacts}, their joints are passed over. An island (dynamic bodies that hold each
+ * other by touching contacts or joints) falls asleep when all its bodies have been slow for long
+ * enough and nothing keeps it awake: a pending force, a moving kinematic body, a running belt or
+ * motor, a body that may not sleep. Kinematic bodies at rest fall asleep alone. A body wakes with
+ * its whole island: when something awake begins to touch it or no longer does, when its velocity,
+ * forces, pose or joints change, and when what it touches, static bodies too, is moved, changed or
+ * taken away. Islands are found anew each time, from contacts and joints; nothing is kept.
+ *
  * <p>One thread at a time. A steady step allocates nothing.
  */
 public final class Dynamics {
   private static final int FIRST_CAPACITY = 64;
+
+  /** Sleep time of a kinematic body that was set somewhere else since the last step. */
+  private static final float MOVED = -1;
+
+  private static final int ASK_WAKE = 0;
+  private static final int ASK_DISTURB = 1;
+  private static final int ASK_SLEEP = 2;
+  private static final int ASKED = 3;
+
   private static final MassData NO_MASS = new MassData(0, 0, 0, 0);
 
   private final Settings settings;
@@ -49,14 +69,16 @@ public final class Dynamics {
   private final Transform poseA = new Transform();
   private final Transform poseB = new Transform();
   private final Aabb box = new Aabb();
+  private final Aabb around = new Aabb();
 
+  /** Parts of active bodies, and of those that are static or sleep. */
   private final KdTree moving = new KdTree(parts.fat);
-  private final KdTree fixed = new KdTree(parts.fat);
+
+  private final KdTree resting = new KdTree(parts.fat);
   private boolean movingStale;
-  private boolean fixedStale;
 
   /** Whether a static body was ever moved by hand. */
-  private boolean fixedMoved;
+  private boolean staticMoved;
 
   /** Whether all pairs must be searched, for instance because a static body is new. */
   private boolean searchAll;
@@ -72,7 +94,7 @@ public final class Dynamics {
 
   private float lastStep = 1 / 60f;
 
-  /** Moving bodies in no particular order, and where each is (-1 if static or free). */
+  /** Bodies that move, in no particular order, and where each is (-1 if it isn't there). */
   private int[] active = new int[FIRST_CAPACITY];
 
   private int[] activeIndex = new int[FIRST_CAPACITY];
@@ -92,6 +114,41 @@ public final class Dynamics {
         candidate(searchPart, found);
         return true;
       };
+  private final IntVisitor onOverlapped = this::overlapped;
+
+  private final SleepingContacts sleepers = new SleepingContacts();
+  private final BodyContacts bodyContacts = new BodyContacts(contacts, sleepers);
+  private final Islands islands = new Islands();
+  private int asleepCount;
+
+  /** Changes whenever a body falls asleep or wakes. */
+  private final Stamp sleep = new Stamp();
+
+  /** Rows of the sleeping contacts whose bodies woke and that must go to the contact table. */
+  private int[] wokenRows = new int[FIRST_CAPACITY];
+
+  private int wokenCount;
+
+  /** Bodies to wake once a loop is through. */
+  private int[] touched = new int[FIRST_CAPACITY];
+
+  private int touchedCount;
+
+  /** Bodies about to fall asleep, or just woken. */
+  private int[] gathered = new int[FIRST_CAPACITY];
+
+  private int gatheredCount;
+
+  /** What was asked for in a callback: body * ASKED + what. */
+  private long[] asked = new long[8];
+
+  private int askedCount;
+
+  /** Whether callbacks run, in which bodies neither wake nor fall asleep. */
+  private boolean busy;
+
+  /** Whether a veto of the step before decides if a sleeping body wakes. */
+  private boolean undecided;
 
   private int touching;
 
@@ -118,7 +175,7 @@ public final class Dynamics {
   }
 
   /**
-   * Makes a body at the origin.
+   * Makes a body at the origin. It takes part from {@link #enter} on.
    *
    * @param type one of {@link BodyStore}'s types
    * @param shapes what it consists of
@@ -144,8 +201,32 @@ public final class Dynamics {
     bodies.firstPart[body] = parts.allocate(body, count);
     bodies.partCount[body] = count;
     fill(body, shapes, total);
-    enter(body);
+    if (activeIndex.length <= body) {
+      activeIndex = Arrays.copyOf(activeIndex, Math.max(body + 1, activeIndex.length * 2));
+    }
+    activeIndex[body] = -1;
     return body;
+  }
+
+  /**
+   * Lets a new body take part, where it is now. A static one wakes what it overlaps.
+   *
+   * @param body the slot
+   * @param awake whether it starts awake; a static body doesn't care
+   */
+  public void enter(int body, boolean awake) {
+    boolean maySleep = (bodies.flags[body] & BodyStore.SLEEPLESS) == 0 && settings.sleeping();
+    if (!awake && maySleep && bodies.type[body] != BodyStore.STATIC) {
+      bodies.flags[body] |= BodyStore.ASLEEP;
+      bodies.vx[body] = 0;
+      bodies.vy[body] = 0;
+      bodies.w[body] = 0;
+      enter(body);
+      markBodyMoved(body);
+    } else {
+      enter(body);
+      wakeOverlapped(body);
+    }
   }
 
   /** Takes mass and shapes over. */
@@ -212,6 +293,7 @@ public final class Dynamics {
       return;
     }
     MassData total = type == BodyStore.DYNAMIC ? massOf(shapes) : NO_MASS;
+    disturb(body);
     boolean enabled = !bodies.disabled(body);
     if (enabled) {
       leave(body);
@@ -234,7 +316,9 @@ public final class Dynamics {
     bodies.clearForces(body);
     if (enabled) {
       enter(body);
+      wakeOverlapped(body);
     }
+    refreshJoints(body);
     rulesStale = true;
   }
 
@@ -248,13 +332,16 @@ public final class Dynamics {
     if (bodies.disabled(body) != enabled) {
       return;
     }
+    disturb(body);
     bodies.flags[body] ^= BodyStore.DISABLED;
     bodies.clearForces(body);
     if (enabled) {
       enter(body);
+      wakeOverlapped(body);
     } else {
       leave(body);
     }
+    refreshJoints(body);
     rulesStale = true;
   }
 
@@ -287,43 +374,55 @@ public final class Dynamics {
 
   /** Makes the broadphase and the solver know a body. */
   private void enter(int body) {
+    boolean isStatic = bodies.type[body] == BodyStore.STATIC;
+    boolean rests = isStatic || bodies.asleep(body);
+    if (!rests) {
+      activate(body);
+    } else if (!isStatic) {
+      asleepCount++;
+      sleep.change();
+    }
     int first = bodies.firstPart[body];
-    if (activeIndex.length <= body) {
-      activeIndex = Arrays.copyOf(activeIndex, Math.max(body + 1, activeIndex.length * 2));
-    }
-    activeIndex[body] = -1;
-    boolean isFixed = bodies.type[body] == BodyStore.STATIC;
-    if (!isFixed) {
-      if (activeCount == active.length) {
-        active = Arrays.copyOf(active, activeCount * 2);
-      }
-      active[activeCount] = body;
-      activeIndex[body] = activeCount++;
-    }
     for (int part = first; part < first + bodies.partCount[body]; part++) {
-      if (isFixed) {
-        fixedBox(body, part);
-        fixed.add(part);
+      if (rests) {
+        restingBox(body, part);
+        resting.add(part);
       } else {
         parts.fat.set(part, bodies.x[body], bodies.y[body], bodies.x[body], bodies.y[body]);
         moving.add(part);
       }
     }
-    searchAll |= isFixed;
+    searchAll |= isStatic;
     boxesStale = true;
   }
 
-  /** Takes a body out again; its contacts must be gone. */
-  private void leave(int body) {
+  private void activate(int body) {
+    if (activeCount == active.length) {
+      active = Arrays.copyOf(active, activeCount * 2);
+    }
+    active[activeCount] = body;
+    activeIndex[body] = activeCount++;
+  }
+
+  private void deactivate(int body) {
     int at = activeIndex[body];
-    if (at >= 0) {
-      int last = active[--activeCount];
-      active[at] = last;
-      activeIndex[last] = at;
-      activeIndex[body] = -1;
+    int last = active[--activeCount];
+    active[at] = last;
+    activeIndex[last] = at;
+    activeIndex[body] = -1;
+  }
+
+  /** Takes a body out again; nothing may rely on it any longer. */
+  private void leave(int body) {
+    KdTree tree = resting;
+    if (activeIndex[body] >= 0) {
+      tree = moving;
+      deactivate(body);
+    } else if (bodies.type[body] != BodyStore.STATIC) {
+      asleepCount--;
+      sleep.change();
     }
     int first = bodies.firstPart[body];
-    KdTree tree = bodies.type[body] == BodyStore.STATIC ? fixed : moving;
     for (int part = first; part < first + bodies.partCount[body]; part++) {
       tree.remove(part);
     }
@@ -336,13 +435,18 @@ public final class Dynamics {
    * @param events is told, null for nobody
    */
   public void destroy(int body, ContactEvents events) {
+    disturb(body);
+    mergeWoken();
     if (events != null) {
-      for (int row = 0; row < contacts.count(); row++) {
-        if (touches(row)
-            && (ContactKey.bodyA(contacts.key[row]) == body
-                || ContactKey.bodyB(contacts.key[row]) == body)) {
-          events.end(row);
+      busy = true;
+      try {
+        for (int row = 0; row < contacts.count(); row++) {
+          if (touches(row) && (contacts.bodyA(row) == body || contacts.bodyB(row) == body)) {
+            events.end(row);
+          }
         }
+      } finally {
+        busy = false;
       }
     }
     contacts.removeBody(body);
@@ -351,6 +455,7 @@ public final class Dynamics {
     }
     parts.release(bodies.firstPart[body], bodies.partCount[body]);
     bodies.release(body);
+    doAsked();
   }
 
   /**
@@ -372,7 +477,10 @@ public final class Dynamics {
    */
   public int createJoint(byte type, int bodyA, int bodyB) {
     rulesStale = true;
-    return joints.allocate(type, bodyA, bodyB);
+    int joint = joints.allocate(type, bodyA, bodyB);
+    wakeEnds(joint);
+    refreshJoint(joint);
+    return joint;
   }
 
   /**
@@ -381,6 +489,7 @@ public final class Dynamics {
    * @param joint a slot in use
    */
   public void destroyJoint(int joint) {
+    wakeEnds(joint);
     joints.release(joint);
     rulesStale = true;
   }
@@ -426,13 +535,20 @@ public final class Dynamics {
     if (bodies.type[body] == BodyStore.STATIC) {
       int first = bodies.firstPart[body];
       for (int part = first; part < first + bodies.partCount[body]; part++) {
-        fixedBox(body, part);
+        resting.remove(part);
+        restingBox(body, part);
+        resting.add(part);
       }
-      fixedStale = true;
-      fixedMoved = true;
+      staticMoved = true;
       searchAll = true;
+      disturb(body);
+      wakeOverlapped(body);
     } else {
       boxesStale = true;
+      wake(body);
+      if (bodies.type[body] == BodyStore.KINEMATIC && settings.sleeping()) {
+        bodies.sleepTime[body] = MOVED;
+      }
     }
   }
 
@@ -443,7 +559,39 @@ public final class Dynamics {
    * @param body the slot
    */
   public void wake(int body) {
-    bodies.sleepTime[body] = 0;
+    if (!bodies.asleep(body)) {
+      bodies.sleepTime[body] = Math.min(bodies.sleepTime[body], 0);
+    } else if (busy) {
+      ask(body, ASK_WAKE);
+    } else {
+      wakeIsland(body);
+    }
+  }
+
+  /**
+   * Puts a body and its island to sleep; velocities and forces are gone then. Nothing happens if
+   * one of them may not sleep.
+   *
+   * @param body the slot
+   */
+  public void sleep(int body) {
+    if (busy) {
+      ask(body, ASK_SLEEP);
+    } else if (activeIndex[body] >= 0 && settings.sleeping()) {
+      mergeWoken();
+      findIslands();
+      int island = islands.find(activeIndex[body]);
+      gatheredCount = 0;
+      for (int i = 0; i < activeCount; i++) {
+        if (islands.find(i) == island) {
+          if ((bodies.flags[active[i]] & BodyStore.SLEEPLESS) != 0) {
+            return;
+          }
+          gather(active[i]);
+        }
+      }
+      putToSleep();
+    }
   }
 
   /**
@@ -453,10 +601,215 @@ public final class Dynamics {
    * @param body the slot
    */
   public void disturb(int body) {
+    if (busy) {
+      ask(body, ASK_DISTURB);
+      return;
+    }
     wake(body);
+    for (int end = sleepers.first(body); end >= 0; end = sleepers.first(body)) {
+      wakeIsland(sleepers.other(end));
+    }
+    for (int end = joints.firstEnd(body); end >= 0; end = joints.nextEnd(end)) {
+      wakeEnds(end >> 1);
+    }
+    if (asleepCount == 0 || bodies.type[body] == BodyStore.STATIC) {
+      return;
+    }
+    mergeWoken();
+    for (int row = 0; row < contacts.count(); row++) {
+      int a = contacts.bodyA(row);
+      int b = contacts.bodyB(row);
+      if ((a == body || b == body) && touches(row)) {
+        touch(a == body ? b : a);
+      }
+    }
+    wakeTouched();
   }
 
-  private void fixedBox(int body, int part) {
+  private void ask(int body, int what) {
+    if (askedCount == asked.length) {
+      asked = Arrays.copyOf(asked, askedCount * 2);
+    }
+    asked[askedCount++] = (long) body * ASKED + what;
+  }
+
+  /** Does what was asked for in callbacks. */
+  private void doAsked() {
+    for (int i = 0; i < askedCount; i++) {
+      int body = (int) (asked[i] / ASKED);
+      if (bodies.type[body] == BodyStore.FREE) {
+        continue;
+      }
+      switch ((int) (asked[i] % ASKED)) {
+        case ASK_WAKE -> wake(body);
+        case ASK_DISTURB -> disturb(body);
+        default -> sleep(body);
+      }
+    }
+    askedCount = 0;
+  }
+
+  /**
+   * Must be called when the parameters of a joint changed: wakes its bodies.
+   *
+   * @param joint a slot in use
+   */
+  public void wakeEnds(int joint) {
+    if (joints.bodyA[joint] >= 0) {
+      wake(joints.bodyA[joint]);
+    }
+    wake(joints.bodyB[joint]);
+  }
+
+  /** Remembers to wake a body. */
+  private void touch(int body) {
+    if (!bodies.asleep(body)) {
+      return;
+    }
+    if (touchedCount == touched.length) {
+      touched = Arrays.copyOf(touched, touchedCount * 2);
+    }
+    touched[touchedCount++] = body;
+  }
+
+  /** Wakes what was touched; answers whether there was anything. */
+  private boolean wakeTouched() {
+    if (touchedCount == 0) {
+      return false;
+    }
+    for (int i = 0; i < touchedCount; i++) {
+      wake(touched[i]);
+    }
+    touchedCount = 0;
+    mergeWoken();
+    return true;
+  }
+
+  /** Wakes what sleeps within reach of a static body. */
+  private void wakeOverlapped(int body) {
+    if (asleepCount == 0 || bodies.type[body] != BodyStore.STATIC) {
+      return;
+    }
+    int first = bodies.firstPart[body];
+    for (int part = first; part < first + bodies.partCount[body]; part++) {
+      searchPart = part;
+      float reach = settings.speculativeDistance();
+      boxOf(part, false, around);
+      around.set(
+          around.minX - reach, around.minY - reach, around.maxX + reach, around.maxY + reach);
+      resting.query(around.minX, around.minY, around.maxX, around.maxY, onOverlapped);
+    }
+    wakeTouched();
+  }
+
+  /** Looks at the box itself, as the fat one depends on what was before. */
+  private boolean overlapped(int part) {
+    if (bodies.asleep(parts.body[part]) && mayTouch(part, searchPart)) {
+      boxOf(part, false, box);
+      if (box.overlaps(around)) {
+        touch(parts.body[part]);
+      }
+    }
+    return true;
+  }
+
+  /** Wakes a sleeping body and all that is tied to it by contacts and joints. */
+  private void wakeIsland(int body) {
+    if (!bodies.asleep(body)) {
+      return;
+    }
+    gatheredCount = 0;
+    rouse(body);
+    for (int i = 0; i < gatheredCount; i++) {
+      int at = gathered[i];
+      boolean ties = bodies.type[at] == BodyStore.DYNAMIC;
+      for (int end = sleepers.first(at); end >= 0; end = sleepers.first(at)) {
+        int other = sleepers.other(end);
+        if (ties && sleepers.solid(end)) {
+          rouseDynamic(other);
+        }
+        sleepers.unlink(end >> 1);
+        if (wokenCount == wokenRows.length) {
+          wokenRows = Arrays.copyOf(wokenRows, wokenCount * 2);
+        }
+        wokenRows[wokenCount++] = end >> 1;
+      }
+      for (int end = joints.firstEnd(at); ties && end >= 0; end = joints.nextEnd(end)) {
+        int other = joints.other(end);
+        if (other >= 0) {
+          rouseDynamic(other);
+        }
+      }
+    }
+    for (int i = 0; i < gatheredCount; i++) {
+      refreshJoints(gathered[i]);
+    }
+  }
+
+  private void rouseDynamic(int body) {
+    if (bodies.type[body] == BodyStore.DYNAMIC && bodies.asleep(body)) {
+      rouse(body);
+    }
+  }
+
+  private void rouse(int body) {
+    gather(body);
+    leave(body);
+    bodies.flags[body] &= ~BodyStore.ASLEEP;
+    bodies.sleepTime[body] = bodies.sleepTime[body] == MOVED ? MOVED : 0;
+    activate(body);
+    int first = bodies.firstPart[body];
+    for (int part = first; part < first + bodies.partCount[body]; part++) {
+      moving.add(part);
+    }
+    markBodyMoved(body);
+    boxesStale = true;
+  }
+
+  private void gather(int body) {
+    if (gatheredCount == gathered.length) {
+      gathered = Arrays.copyOf(gathered, gatheredCount * 2);
+    }
+    gathered[gatheredCount++] = body;
+  }
+
+  /** Brings the contacts of bodies that woke back to the table. */
+  private void mergeWoken() {
+    if (wokenCount == 0) {
+      return;
+    }
+    sleepers.rows.sortByKey(wokenRows, wokenCount);
+    contacts.insert(sleepers.rows, wokenRows, wokenCount);
+    for (int i = 0; i < wokenCount; i++) {
+      sleepers.release(wokenRows[i]);
+    }
+    wokenCount = 0;
+  }
+
+  /** Decides which joints the solver looks at, after a body came, went, woke or fell asleep. */
+  private void refreshJoints(int body) {
+    for (int end = joints.firstEnd(body); end >= 0; end = joints.nextEnd(end)) {
+      refreshJoint(end >> 1);
+    }
+  }
+
+  /** A joint is awake if a body of it is, and none sleeps that it could move. */
+  private void refreshJoint(int joint) {
+    int a = joints.bodyA[joint];
+    int b = joints.bodyB[joint];
+    boolean awake = activeIndex[b] >= 0 || (a >= 0 && activeIndex[a] >= 0);
+    boolean waits = sleepsDynamic(b) || (a >= 0 && sleepsDynamic(a));
+    joints.setAwake(joint, awake && !waits);
+    if (!awake && !waits) {
+      joints.forget(joint);
+    }
+  }
+
+  private boolean sleepsDynamic(int body) {
+    return bodies.type[body] == BodyStore.DYNAMIC && bodies.asleep(body);
+  }
+
+  private void restingBox(int body, int part) {
     place(body, poseA);
     parts.convex[part].aabb(poseA, box);
     float margin = 0.5f * settings.speculativeDistance();
@@ -476,26 +829,50 @@ public final class Dynamics {
    */
   public void step(float dt, ContactEvents events, JointEvents jointEvents) {
     lastStep = dt;
+    busy = false;
+    doAsked();
+    boolean teleported = false;
     for (int i = 0; i < activeCount; i++) {
-      if (bodies.type[active[i]] == BodyStore.DYNAMIC) {
-        bodies.applyImpulses(active[i]);
+      int body = active[i];
+      if (bodies.type[body] == BodyStore.DYNAMIC) {
+        if (bodies.pushed(body)) {
+          bodies.sleepTime[body] = 0;
+        }
+        bodies.applyImpulses(body);
+      } else if (drives(body)) {
+        teleported |= bodies.sleepTime[body] == MOVED;
+        wakeJointed(body);
       }
     }
+    mergeWoken();
     boxesStale = true;
     refilter();
     refreshBoxes();
-    findPairs();
-    collide();
+    undecided = false;
+    boolean all = true;
+    do {
+      findPairs();
+      collide(all);
+      all = false;
+    } while (wakeTouched());
+    if (teleported) {
+      forgetMoves();
+    }
+    busy = true;
     if (events != null) {
       announce(events);
       measureHits();
+    }
+    if (undecided) {
+      holdBack();
     }
     solve(dt);
     boxesStale = true;
     stopFast();
     if (events != null) {
       for (int row = 0; row < contacts.count(); row++) {
-        if (contacts.points[row] > 0 && (contacts.flags[row] & ContactTable.VETOED) == 0) {
+        if (contacts.points[row] > 0
+            && (contacts.flags[row] & (ContactTable.VETOED | ContactTable.DORMANT)) == 0) {
           events.postSolve(row);
           if (hitSpeeds[row] > 0 && contacts.pushed(row)) {
             events.hit(row, hitSpeeds[row]);
@@ -506,13 +883,175 @@ public final class Dynamics {
     if (breakable) {
       breakJoints(jointEvents);
     }
+    busy = false;
+    doAsked();
+    if (settings.sleeping()) {
+      rest(dt);
+    }
+  }
+
+  /** Wakes what a body that moves holds by joints. */
+  private void wakeJointed(int body) {
+    for (int end = joints.firstEnd(body); end >= 0; end = joints.nextEnd(end)) {
+      int other = joints.other(end);
+      if (other >= 0) {
+        wakeIsland(other);
+      }
+    }
+  }
+
+  private void forgetMoves() {
+    for (int i = 0; i < activeCount; i++) {
+      int body = active[i];
+      if (bodies.sleepTime[body] == MOVED) {
+        bodies.sleepTime[body] = 0;
+      }
+    }
+  }
+
+  /** Measures how long bodies have been slow, and puts islands to sleep. */
+  private void rest(float dt) {
+    boolean any = false;
+    for (int i = 0; i < activeCount; i++) {
+      any |= measure(active[i], dt);
+    }
+    if (!any) {
+      return;
+    }
+    mergeWoken();
+    findIslands();
+    for (int i = 0; i < activeCount; i++) {
+      if (bodies.sleepTime[active[i]] < settings.sleepDelay() || bodies.pushed(active[i])) {
+        islands.keepAwake(i);
+      }
+    }
+    gatheredCount = 0;
+    for (int i = 0; i < activeCount; i++) {
+      if (!islands.keptAwake(i)) {
+        gather(active[i]);
+      }
+    }
+    putToSleep();
+  }
+
+  /** Lets a body's time of rest go on; answers whether it is long enough. */
+  private boolean measure(int body, float dt) {
+    float vx = bodies.vx[body];
+    float vy = bodies.vy[body];
+    float most = bodies.type[body] == BodyStore.DYNAMIC ? settings.sleepSpeed() : 0;
+    float spin = bodies.reach[body] * bodies.w[body];
+    boolean slow = vx * vx + vy * vy <= most * most && Math.abs(spin) <= most;
+    if (bodies.sleepTime[body] == MOVED) {
+      return false;
+    }
+    if (!slow || (bodies.flags[body] & BodyStore.SLEEPLESS) != 0) {
+      bodies.sleepTime[body] = 0;
+      return false;
+    }
+    float time = bodies.sleepTime[body] + dt;
+    bodies.sleepTime[body] = Math.min(time, settings.sleepDelay());
+    return time >= settings.sleepDelay();
+  }
+
+  /** Finds out which awake bodies hold each other, and what keeps them awake. */
+  private void findIslands() {
+    islands.reset(activeCount);
+    for (int row = 0; row < contacts.count(); row++) {
+      if (contacts.points[row] > 0 && (contacts.flags[row] & ContactTable.VETOED) == 0) {
+        tie(contacts.bodyA(row), contacts.bodyB(row), contacts.surface[row] != 0);
+      }
+    }
+    for (int j = joints.nextAwake(0); j >= 0; j = joints.nextAwake(j + 1)) {
+      boolean runs = (joints.flags[j] & JointStore.DRIVEN) != 0 && joints.motorSpeed[j] != 0;
+      tie(joints.bodyA[j], joints.bodyB[j], runs);
+    }
+  }
+
+  /** Dynamic bodies join; a kinematic one that hasn't rested for long keeps the other awake. */
+  private void tie(int a, int b, boolean running) {
+    int i = a < 0 ? -1 : activeIndex[a];
+    int j = activeIndex[b];
+    boolean dynamicA = i >= 0 && bodies.type[a] == BodyStore.DYNAMIC;
+    boolean dynamicB = j >= 0 && bodies.type[b] == BodyStore.DYNAMIC;
+    boolean restless = running;
+    if (dynamicA && dynamicB) {
+      islands.join(i, j);
+    } else {
+      restless |= i >= 0 && !dynamicA && bodies.sleepTime[a] < settings.sleepDelay();
+      restless |= j >= 0 && !dynamicB && bodies.sleepTime[b] < settings.sleepDelay();
+    }
+    if (restless && dynamicA) {
+      islands.keepAwake(i);
+    }
+    if (restless && dynamicB) {
+      islands.keepAwake(j);
+    }
+  }
+
+  /** Puts the gathered bodies to sleep; they must be whole islands. */
+  private void putToSleep() {
+    if (gatheredCount == 0) {
+      return;
+    }
+    for (int i = 0; i < gatheredCount; i++) {
+      int body = gathered[i];
+      leave(body);
+      bodies.flags[body] |= BodyStore.ASLEEP;
+      bodies.sleepTime[body] = settings.sleepDelay();
+      bodies.vx[body] = 0;
+      bodies.vy[body] = 0;
+      bodies.w[body] = 0;
+      bodies.clearForces(body);
+      asleepCount++;
+      place(body, poseA);
+      int first = bodies.firstPart[body];
+      for (int part = first; part < first + bodies.partCount[body]; part++) {
+        if (!holds(part)) {
+          widen(part, 0, 0);
+        }
+        resting.add(part);
+      }
+    }
+    sleep.change();
+    for (int i = 0; i < gatheredCount; i++) {
+      refreshJoints(gathered[i]);
+    }
+    contacts.retire(activeIndex, sleepers);
+  }
+
+  /** Whether an active body pushes what it touches: a kinematic one only while it moves. */
+  private boolean drives(int body) {
+    return activeIndex[body] >= 0
+        && (bodies.type[body] == BodyStore.DYNAMIC
+            || bodies.vx[body] != 0
+            || bodies.vy[body] != 0
+            || bodies.w[body] != 0
+            || bodies.sleepTime[body] == MOVED);
+  }
+
+  /** Keeps contacts with a sleeping body, whose veto just ended, from acting; it wakes next. */
+  private void holdBack() {
+    for (int row = 0; row < contacts.count(); row++) {
+      int skipped = ContactTable.VETOED | ContactTable.DORMANT;
+      if (contacts.points[row] > 0 && (contacts.flags[row] & skipped) == 0) {
+        int sleeper = sleeper(row);
+        if (sleeper >= 0) {
+          contacts.flags[row] |= ContactTable.VETOED;
+          wake(sleeper);
+        }
+      }
+    }
+  }
+
+  /** The sleeping dynamic body of a row, -1 if there is none. */
+  private int sleeper(int row) {
+    int a = contacts.bodyA(row);
+    int b = contacts.bodyB(row);
+    return sleepsDynamic(a) ? a : sleepsDynamic(b) ? b : -1;
   }
 
   private void breakJoints(JointEvents events) {
-    for (int j = 0; j < joints.slots(); j++) {
-      if (joints.type[j] == JointStore.FREE) {
-        continue;
-      }
+    for (int j = joints.nextAwake(0); j >= 0; j = joints.nextAwake(j + 1)) {
       float x = joints.forceX[j];
       float y = joints.forceY[j];
       float most = joints.breakForce[j];
@@ -528,44 +1067,57 @@ public final class Dynamics {
       return;
     }
     boxesStale = false;
-    float reach = 0.5f * settings.speculativeDistance();
-    float margin = settings.aabbMargin();
     for (int i = 0; i < activeCount; i++) {
       int body = active[i];
       place(body, poseA);
       int first = bodies.firstPart[body];
       int end = first + bodies.partCount[body];
       for (int part = first; part < end; part++) {
-        parts.convex[part].aabb(poseA, box);
-        float minX = box.minX - reach;
-        float minY = box.minY - reach;
-        float maxX = box.maxX + reach;
-        float maxY = box.maxY + reach;
-        if (parts.fat.contains(part, minX, minY, maxX, maxY)) {
-          continue;
+        if (!holds(part)) {
+          widen(part, 2 * lastStep * bodies.vx[body], 2 * lastStep * bodies.vy[body]);
+          movingStale = true;
+          markMoved(part);
         }
-        float aheadX = 2 * lastStep * bodies.vx[body];
-        float aheadY = 2 * lastStep * bodies.vy[body];
-        parts.fat.set(
-            part,
-            minX - margin + Math.min(aheadX, 0),
-            minY - margin + Math.min(aheadY, 0),
-            maxX + margin + Math.max(aheadX, 0),
-            maxY + margin + Math.max(aheadY, 0));
-        boxChanged(part);
       }
     }
   }
 
-  private void boxChanged(int part) {
-    movingStale = true;
-    if (!parts.moved[part]) {
-      parts.moved[part] = true;
-      if (movedCount == movedParts.length) {
-        movedParts = Arrays.copyOf(movedParts, movedCount * 2);
-      }
-      movedParts[movedCount++] = part;
+  /** Whether a part at poseA, and what it may reach, is within its fat box. Computes its box. */
+  private boolean holds(int part) {
+    parts.convex[part].aabb(poseA, box);
+    float reach = 0.5f * settings.speculativeDistance();
+    return parts.fat.contains(
+        part, box.minX - reach, box.minY - reach, box.maxX + reach, box.maxY + reach);
+  }
+
+  /** Gives a part a new fat box around its box, with more room in one direction. */
+  private void widen(int part, float aheadX, float aheadY) {
+    float margin = 0.5f * settings.speculativeDistance() + settings.aabbMargin();
+    parts.fat.set(
+        part,
+        box.minX - margin + Math.min(aheadX, 0),
+        box.minY - margin + Math.min(aheadY, 0),
+        box.maxX + margin + Math.max(aheadX, 0),
+        box.maxY + margin + Math.max(aheadY, 0));
+  }
+
+  /** Has the pairs of all parts of a body searched in the next step. */
+  private void markBodyMoved(int body) {
+    int first = bodies.firstPart[body];
+    for (int part = first; part < first + bodies.partCount[body]; part++) {
+      markMoved(part);
     }
+  }
+
+  private void markMoved(int part) {
+    if (parts.moved[part]) {
+      return;
+    }
+    parts.moved[part] = true;
+    if (movedCount == movedParts.length) {
+      movedParts = Arrays.copyOf(movedParts, movedCount * 2);
+    }
+    movedParts[movedCount++] = part;
   }
 
   /** Makes the fat box of a moving part contain another box, too. */
@@ -578,7 +1130,8 @@ public final class Dynamics {
           Math.min(fat.minY[part], other.minY),
           Math.max(fat.maxX[part], other.maxX),
           Math.max(fat.maxY[part], other.maxY));
-      boxChanged(part);
+      movingStale = true;
+      markMoved(part);
     }
   }
 
@@ -598,7 +1151,7 @@ public final class Dynamics {
       continuous.widen();
     }
     refreshTrees();
-    continuous.settle(moving, fixed);
+    continuous.settle(moving, resting);
     boxesStale = true;
   }
 
@@ -606,10 +1159,6 @@ public final class Dynamics {
     if (movingStale) {
       moving.refit();
       movingStale = false;
-    }
-    if (fixedStale) {
-      fixed.refit();
-      fixedStale = false;
     }
   }
 
@@ -621,7 +1170,7 @@ public final class Dynamics {
     candidateCount = 0;
     if (searchAll || movedCount * 4 > moving.size()) {
       moving.pairs(onPair);
-      moving.join(fixed, onPair);
+      moving.join(resting, onPair);
     } else {
       for (int i = 0; i < movedCount; i++) {
         int part = movedParts[i];
@@ -634,7 +1183,7 @@ public final class Dynamics {
         float maxX = parts.fat.maxX[part];
         float maxY = parts.fat.maxY[part];
         moving.query(minX, minY, maxX, maxY, onFound);
-        fixed.query(minX, minY, maxX, maxY, onFound);
+        resting.query(minX, minY, maxX, maxY, onFound);
       }
     }
     for (int i = 0; i < movedCount; i++) {
@@ -649,7 +1198,7 @@ public final class Dynamics {
   private void candidate(int p, int q) {
     int a = parts.body[p];
     int b = parts.body[q];
-    if (a == b || !mayTouch(p, q)) {
+    if (a == b || (activeIndex[a] < 0 && activeIndex[b] < 0) || !mayTouch(p, q)) {
       return;
     }
     if (a > b) {
@@ -667,11 +1216,24 @@ public final class Dynamics {
         ContactKey.of(a, p - bodies.firstPart[a], b, q - bodies.firstPart[b]);
   }
 
-  private void collide() {
-    touching = 0;
-    continuous.begin();
+  /** Updates all rows, or only those that came since. */
+  private void collide(boolean all) {
+    if (all) {
+      touching = 0;
+      continuous.begin();
+    }
+    contacts.flagsChanged();
     float distance = settings.speculativeDistance();
     for (int row = 0; row < contacts.count(); row++) {
+      if (!all && (contacts.flags[row] & ContactTable.FRESH) == 0) {
+        continue;
+      }
+      int sleeper = asleepCount == 0 ? -1 : sleeper(row);
+      if (sleeper >= 0 && dormant(row, sleeper)) {
+        contacts.sleepOn(row);
+        continue;
+      }
+      boolean vetoed = (contacts.flags[row] & ContactTable.VETOED) != 0;
       int partA = contacts.partA[row];
       int partB = contacts.partB[row];
       place(parts.body[partA], poseA);
@@ -691,6 +1253,35 @@ public final class Dynamics {
           notePressed(parts.body[partA], parts.body[partB], overlap);
         }
       }
+      if (sleeper >= 0 && !sensor) {
+        decide(row, sleeper, vetoed);
+      }
+    }
+  }
+
+  /** Whether nothing can have changed between a sleeping body and one that isn't awake either. */
+  private boolean dormant(int row, int sleeper) {
+    byte flags = contacts.flags[row];
+    boolean fresh = (flags & ContactTable.FRESH) != 0 && (flags & ContactTable.TOUCHING) == 0;
+    return !fresh && (flags & ContactTable.IGNORED) == 0 && !drives(other(row, sleeper));
+  }
+
+  private int other(int row, int body) {
+    return contacts.bodyA(row) == body ? contacts.bodyB(row) : contacts.bodyA(row);
+  }
+
+  /** Decides whether a contact wakes a sleeping body. */
+  private void decide(int row, int sleeper, boolean vetoed) {
+    if (contacts.points[row] == 0) {
+      if (!vetoed && (contacts.flags[row] & ContactTable.WAS_TOUCHING) != 0) {
+        touch(sleeper);
+      }
+    } else if (!drives(other(row, sleeper))) {
+      contacts.flags[row] |= ContactTable.DORMANT;
+    } else if (vetoed) {
+      undecided = true;
+    } else {
+      touch(sleeper);
     }
   }
 
@@ -712,7 +1303,9 @@ public final class Dynamics {
         if (!before) {
           events.begin(row);
         }
-        if (contacts.points[row] > 0 && !events.preSolve(row)) {
+        if (contacts.points[row] > 0
+            && (flags & ContactTable.DORMANT) == 0
+            && !events.preSolve(row)) {
           contacts.flags[row] |= ContactTable.VETOED;
         }
       }
@@ -785,7 +1378,7 @@ public final class Dynamics {
     refreshBoxes();
     refreshTrees();
     moving.query(minX, minY, maxX, maxY, visitor);
-    fixed.query(minX, minY, maxX, maxY, visitor);
+    resting.query(minX, minY, maxX, maxY, visitor);
   }
 
   /**
@@ -805,7 +1398,7 @@ public final class Dynamics {
     refreshBoxes();
     refreshTrees();
     moving.cast(minX, minY, maxX, maxY, dx, dy, 1, visitor);
-    fixed.cast(minX, minY, maxX, maxY, dx, dy, 1, visitor);
+    resting.cast(minX, minY, maxX, maxY, dx, dy, 1, visitor);
   }
 
   /**
@@ -835,7 +1428,7 @@ public final class Dynamics {
     refreshBoxes();
     refreshTrees();
     moving.cells(visitor);
-    fixed.cells(visitor);
+    resting.cells(visitor);
   }
 
   /**
@@ -869,12 +1462,33 @@ public final class Dynamics {
   }
 
   /**
-   * The contacts.
+   * The contacts of which a body is awake.
    *
    * @return the live table
    */
   public ContactTable contacts() {
+    mergeWoken();
     return contacts;
+  }
+
+  /**
+   * The touching contacts of which no body is awake.
+   *
+   * @return the live table; some rows are {@linkplain ContactTable#unused unused}
+   */
+  public ContactTable sleepingContacts() {
+    mergeWoken();
+    return sleepers.rows;
+  }
+
+  /**
+   * What each body touches.
+   *
+   * @return answers from both tables
+   */
+  public BodyContacts bodyContacts() {
+    mergeWoken();
+    return bodyContacts;
   }
 
   /**
@@ -888,7 +1502,7 @@ public final class Dynamics {
   }
 
   /**
-   * The number of touching contacts in the last step.
+   * The number of touching contacts in the last step of which a body was awake.
    *
    * @return contacts with points
    */
@@ -897,9 +1511,9 @@ public final class Dynamics {
   }
 
   /**
-   * The number of bodies that aren't static.
+   * The number of bodies that are awake and not static.
    *
-   * @return moving bodies
+   * @return bodies the next step looks at
    */
   public int activeCount() {
     return activeCount;
@@ -911,7 +1525,9 @@ public final class Dynamics {
    * @return 64 bits
    */
   public long hash() {
-    return StateHash.finish(joints.hash(contacts.hash(bodies.hash(StateHash.SEED))));
+    mergeWoken();
+    long h = contacts.hash(bodies.hash(StateHash.SEED));
+    return StateHash.finish(joints.hash(sleepers.hash(h)));
   }
 
   /** The state of a world at one moment. */
@@ -920,6 +1536,8 @@ public final class Dynamics {
     private final ShapeTable parts = new ShapeTable();
     private final ContactTable contacts = new ContactTable();
     private final JointStore joints = new JointStore();
+    private final SleepingContacts sleepers = new SleepingContacts();
+    private final Stamp sleep = new Stamp();
     private long bytes;
 
     /** Makes an empty state to save into. */
@@ -942,9 +1560,14 @@ public final class Dynamics {
    * @param sameStructure whether no body came, went or changed since {@code to} was saved
    */
   public void save(State to, boolean sameStructure) {
+    mergeWoken();
     to.bytes = bodies.copyTo(to.bodies);
     to.bytes += contacts.copyTo(to.contacts);
     to.bytes += joints.copyTo(to.joints);
+    if (!sleep.same(to.sleep)) {
+      to.bytes += sleepers.copyTo(to.sleepers);
+      sleep.copyTo(to.sleep);
+    }
     if (!sameStructure) {
       parts.copyTo(to.parts);
     }
@@ -958,37 +1581,78 @@ public final class Dynamics {
    * @param sameStructure whether no body came, went or changed since {@code from} was saved
    */
   public void restore(State from, boolean sameStructure) {
+    wokenCount = 0;
+    touchedCount = 0;
+    askedCount = 0;
+    busy = false;
+    gatheredCount = 0;
+    if (sameStructure) {
+      gatherMisplaced(from);
+    }
     from.bodies.copyTo(bodies);
     from.contacts.copyTo(contacts);
     from.joints.copyTo(joints);
-    rulesStale = true;
     if (sameStructure) {
-      restoreFixedBoxes();
+      for (int i = 0; i < gatheredCount; i++) {
+        leave(gathered[i]);
+        enter(gathered[i]);
+      }
     } else {
       from.parts.copyTo(parts);
       movedCount = 0;
       activeCount = 0;
+      asleepCount = 0;
       moving.clear();
-      fixed.clear();
+      resting.clear();
+      Arrays.fill(activeIndex, -1);
+      if (activeIndex.length < bodies.slots()) {
+        int old = activeIndex.length;
+        activeIndex = Arrays.copyOf(activeIndex, Math.max(bodies.slots(), 2 * old));
+        Arrays.fill(activeIndex, old, activeIndex.length, -1);
+      }
       for (int body = 0; body < bodies.slots(); body++) {
         if (bodies.type[body] != BodyStore.FREE && !bodies.disabled(body)) {
           enter(body);
         }
       }
     }
+    if (!sleep.same(from.sleep)) {
+      from.sleepers.copyTo(sleepers);
+      from.sleep.copyTo(sleep);
+    }
+    joints.clearAwake();
+    for (int j = 0; j < joints.slots(); j++) {
+      if (joints.type[j] != JointStore.FREE) {
+        refreshJoint(j);
+      }
+    }
+    rulesStale = true;
     searchAll = true;
     boxesStale = true;
   }
 
-  /** Static bodies may have been teleported since. */
-  private void restoreFixedBoxes() {
-    if (!fixedMoved) {
+  /** Finds the bodies that are in the wrong tree, or in the wrong place of the tree that rests. */
+  private void gatherMisplaced(State from) {
+    if (!staticMoved && sleep.same(from.sleep)) {
       return;
     }
+    BodyStore then = from.bodies;
     for (int body = 0; body < bodies.slots(); body++) {
-      if (bodies.type[body] == BodyStore.STATIC) {
-        moved(body);
+      if (bodies.type[body] == BodyStore.FREE || bodies.disabled(body)) {
+        continue;
+      }
+      boolean active = activeIndex[body] >= 0;
+      boolean willRest = bodies.type[body] == BodyStore.STATIC || then.asleep(body);
+      if (active == willRest || (willRest && !samePlace(then, body))) {
+        gather(body);
       }
     }
+  }
+
+  private boolean samePlace(BodyStore then, int body) {
+    return bodies.x[body] == then.x[body]
+        && bodies.y[body] == then.y[body]
+        && bodies.cos[body] == then.cos[body]
+        && bodies.sin[body] == then.sin[body];
   }
 }

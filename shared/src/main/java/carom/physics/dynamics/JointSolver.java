@@ -149,10 +149,7 @@ final class JointSolver {
       ensure(Math.max(j.count(), capacity * 2));
     }
     count = 0;
-    for (int slot = 0; slot < j.slots(); slot++) {
-      if (j.type[slot] == JointStore.FREE) {
-        continue;
-      }
+    for (int slot = j.nextAwake(0); slot >= 0; slot = j.nextAwake(slot + 1)) {
       int one = j.bodyA[slot];
       int two = j.bodyB[slot];
       boolean heldA = one < 0 || (bodies.invMass[one] == 0 && bodies.invInertia[one] == 0);

@@ -171,6 +171,9 @@ public final class JointStore {
   /** Per body: the first end, -1 for none. */
   private int[] first = new int[0];
 
+  /** A bit per slot: whether the solver must look at the joint; follows from the bodies. */
+  private long[] awake = new long[1];
+
   private int[] freeSlots = new int[FIRST_CAPACITY];
   private int freeCount;
   private int slots;
@@ -228,6 +231,16 @@ public final class JointStore {
     return next[end];
   }
 
+  /**
+   * The body at the other end of a joint.
+   *
+   * @param end one of them
+   * @return its slot, -1 for the world
+   */
+  public int other(int end) {
+    return (end & 1) == 0 ? bodyB[end >> 1] : bodyA[end >> 1];
+  }
+
   /** Takes a slot; all numbers are zero. */
   int allocate(byte newType, int a, int b) {
     int slot;
@@ -258,6 +271,7 @@ public final class JointStore {
   }
 
   void release(int slot) {
+    setAwake(slot, false);
     unlink(2 * slot, bodyA[slot]);
     unlink(2 * slot + 1, bodyB[slot]);
     type[slot] = FREE;
@@ -270,6 +284,40 @@ public final class JointStore {
   /** Must be called when something was written that steps don't change. */
   public void coldChanged() {
     cold.change();
+  }
+
+  /** Says whether the solver must look at a joint. */
+  void setAwake(int slot, boolean value) {
+    int word = slot >> 6;
+    if (word >= awake.length) {
+      awake = Arrays.copyOf(awake, Math.max(word + 1, 2 * awake.length));
+    }
+    if (value) {
+      awake[word] |= 1L << slot;
+    } else {
+      awake[word] &= ~(1L << slot);
+    }
+  }
+
+  /** The first awake joint from a slot on, -1 if there is none. */
+  int nextAwake(int from) {
+    int word = from >> 6;
+    if (word >= awake.length) {
+      return -1;
+    }
+    long bits = awake[word] & -1L << from;
+    while (bits == 0) {
+      if (++word == awake.length) {
+        return -1;
+      }
+      bits = awake[word];
+    }
+    return (word << 6) + Long.numberOfTrailingZeros(bits);
+  }
+
+  /** Lets no joint be awake. */
+  void clearAwake() {
+    Arrays.fill(awake, 0);
   }
 
   private void link(int end, int body) {

@@ -118,7 +118,11 @@ final class CollisionLawTest {
   @CsvSource({"0.5,1,0", "0.98,1,0", "1.02,1,1.02", "3,4,0", "5,4,5"})
   void slowApproachesDoNotBounce(float v, float threshold, double expected) {
     World<String> w =
-        new World<>(new WorldDef().withGravity(0, 0).withRestitutionThreshold(threshold));
+        new World<>(
+            new WorldDef()
+                .withSleeping(false)
+                .withGravity(0, 0)
+                .withRestitutionThreshold(threshold));
     fixed(w, new Box(10, 1), 0, -1, 0, ICE);
     Body<String> b = disc(w, 0, .7, .5, new Material(1, 0, 1));
     b.setVelocity(0, -v);
@@ -302,7 +306,7 @@ final class CollisionLawTest {
   @ParameterizedTest
   @CsvSource({"5,1", "5,2", "4,1", "3,1"})
   void aCradleSendsOutAsManyAsCame(int balls, int come) {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     Material m = new Material(1, 0, 1);
     List<Body<String>> row = new ArrayList<>();
     for (int i = 0; i < balls; i++) {

@@ -34,7 +34,8 @@ final class FreeMotionTest {
   @ParameterizedTest
   @CsvSource({"-10,1", "-10,2", "-10,4", "-10,8", "-1.62,4", "-9.81,4", "-24.8,4", "5,4", "0,4"})
   void freeFallIsTheExactDiscreteSolution(float g, int substeps) {
-    World<String> w = new World<>(new WorldDef().withGravity(0, g).withSubsteps(substeps));
+    World<String> w =
+        new World<>(new WorldDef().withSleeping(false).withGravity(0, g).withSubsteps(substeps));
     Body<String> b = disc(w, 0, 0, .5, M);
     for (int tick = 1; tick <= 120; tick++) {
       w.step(DT);
@@ -51,7 +52,7 @@ final class FreeMotionTest {
   @ParameterizedTest
   @ValueSource(doubles = {15, 30, 45, 60, 75, 90})
   void projectileFliesItsParabola(double degrees) {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     Body<String> b = disc(w, 0, 0, .5, M);
     double vx = 15 * Math.cos(Math.toRadians(degrees));
     double vy = 15 * Math.sin(Math.toRadians(degrees));
@@ -104,7 +105,7 @@ final class FreeMotionTest {
   @ParameterizedTest
   @ValueSource(floats = {.5f, 1, 4, 20})
   void fallsAtTheTerminalVelocity(float c) {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     Body<String> b =
         w.createBody(new BodyDef(BodyType.DYNAMIC).shape(new Circle(.5f)).linearDamping(c), null);
     steps(w, (int) (60 * 15 / Math.min(c, 4)));
@@ -114,7 +115,7 @@ final class FreeMotionTest {
   @ParameterizedTest
   @ValueSource(floats = {-2, -1, 0, .25f, 1, 3})
   void gravityScaleIsAFactor(float factor) {
-    World<String> w = new World<>(new WorldDef().withGravity(3, -10));
+    World<String> w = new World<>(new WorldDef().withSleeping(false).withGravity(3, -10));
     Body<String> b =
         w.createBody(
             new BodyDef(BodyType.DYNAMIC).shape(new Circle(.5f)).gravityScale(factor), null);
@@ -259,7 +260,8 @@ final class FreeMotionTest {
   @ParameterizedTest
   @ValueSource(doubles = {0, .2, .4, .6})
   void aPlanetKeepsKeplersThirdLaw(double eccentricity) {
-    World<String> w = new World<>(new WorldDef().withGravity(0, 0).withSubsteps(1));
+    World<String> w =
+        new World<>(new WorldDef().withSleeping(false).withGravity(0, 0).withSubsteps(1));
     Body<String> b = box(w, 10 * (1 - eccentricity), 0, .5, .5, M);
     double k = 1000;
     double fastest = Math.sqrt(k / 10 * (1 + eccentricity) / (1 - eccentricity));
@@ -288,7 +290,7 @@ final class FreeMotionTest {
       value = BodyType.class,
       names = {"STATIC", "KINEMATIC"})
   void forcesDoNothingToWhatIsNotDynamic(BodyType type) {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     Body<String> b =
         w.createBody(new BodyDef(type).shape(new Box(1, 1)).position(2, 3), "immovable");
     long before = w.stateHash();

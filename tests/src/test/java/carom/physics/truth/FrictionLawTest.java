@@ -72,7 +72,7 @@ final class FrictionLawTest {
   @MethodSource("slopes")
   void turnedFloorsHoldUpToTheFrictionAngle(double mu, double side) {
     double angle = Math.atan(mu * side);
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     fixed(w, new Box(500, 1, 0, -1), 0, 0, -angle, rough(mu));
     Body<String> b =
         w.createBody(
@@ -130,6 +130,7 @@ final class FrictionLawTest {
       World<String> w =
           new World<>(
               new WorldDef()
+                  .withSleeping(false)
                   .withGravity((float) (G * Math.sin(angle)), (float) (-G * Math.cos(angle))));
       fixed(w, floor, 0, 0, 0, rough(.5));
       Body<String> b = body(w, rider, -40, .1, rough(.5));
@@ -203,7 +204,7 @@ final class FrictionLawTest {
   @ParameterizedTest
   @ValueSource(doubles = {.5, .97, 1.03, 2})
   void aPressedBodyHangsOnAWall(double share) {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     fixed(w, new Box(1, 50), 1, 0, 0, rough(.5));
     Body<String> b = body(w, new Box(.1f, 1), -.1, 0, rough(.5));
     for (int i = 0; i < 120; i++) {
@@ -253,7 +254,7 @@ final class FrictionLawTest {
   @ParameterizedTest
   @CsvSource({"2,0", "-3,0", "0,1", "0,-1", "1,1"})
   void movingPlatformsCarryTheirRiders(float vx, float vy) {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     Body<String> platform =
         w.createBody(
             new BodyDef(BodyType.KINEMATIC)

@@ -32,7 +32,7 @@ final class JointLawTest {
   @ParameterizedTest
   @CsvSource({"1,0.1", "1,1", "3,1", "3,100", "8,10"})
   void ropesAreSlackOrTaut(double length, double mass) {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     Body<String> b = ball(w, .5, -.2, mass, M);
     Joint<String> j = w.createJoint(JointDef.rope(null, b, 0, 0, .5f, -.2f, (float) length));
     double longest = 0;
@@ -51,7 +51,7 @@ final class JointLawTest {
   @ParameterizedTest
   @CsvSource({"1,-1", "1,1", "50,-1", "50,1", "0.02,1"})
   void rodsBearTheirLoad(double mass, int side) {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     Body<String> b = ball(w, 0, 2 * side, mass, M);
     Joint<String> j = w.createJoint(JointDef.distance(null, b, 0, 0, 0, 2 * side));
     for (int i = 0; i < 300; i++) {
@@ -110,7 +110,7 @@ final class JointLawTest {
   @ParameterizedTest
   @CsvSource({"-0.5,0.5", "-0.01,1", "-1,-0.2", "-2,0", "-3,3"})
   void hingeLimitsHold(float lower, float upper) {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     Body<String> b = box(w, 1, 0, 1, .1, M);
     Joint<String> j = w.createJoint(JointDef.revolute(null, b, 0, 0).limits(lower, upper));
     seconds(w, 1);
@@ -132,7 +132,7 @@ final class JointLawTest {
   @ParameterizedTest
   @ValueSource(doubles = {.2, .7, 1.2, 1.5})
   void slidersFallAlongTheirAxis(double angle) {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     Body<String> b = box(w, 0, 0, .5, .25, M);
     float ax = (float) Math.cos(angle);
     float ay = (float) -Math.sin(angle);
@@ -155,7 +155,7 @@ final class JointLawTest {
   @ParameterizedTest
   @CsvSource({"15,5", "20,5", "5,5", "10,5"})
   void sliderMotorsLiftByForceOverMass(double force, float goal) {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     Body<String> b = box(w, 0, 0, .5, .5, M);
     w.createJoint(JointDef.prismatic(null, b, 0, 0, 0, 1).motor(goal, (float) force));
     seconds(w, .5);
@@ -168,7 +168,7 @@ final class JointLawTest {
   @ParameterizedTest
   @ValueSource(ints = {1, 2, 4, 8})
   void cantileversBearTheirWeight(int beams) {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     Joint<String> root = null;
     Body<String> last = null;
     double mass = 0;
@@ -192,7 +192,7 @@ final class JointLawTest {
   @ParameterizedTest
   @CsvSource({"1,2,2,1,0", "1,3,3,1,0", "1,2,2,1.1,-1", "1,2.2,2,1,1"})
   void leversBalanceByArmTimesWeight(double m1, double l1, double m2, double l2, int tips) {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     Body<String> beam = box(w, 0, 0, 4, .1, M);
     w.createJoint(JointDef.revolute(null, beam, 0, 0));
     Body<String> a = ball(w, -l1, 0, m1, M);
@@ -211,7 +211,7 @@ final class JointLawTest {
   @ParameterizedTest
   @ValueSource(ints = {2, 5, 10})
   void hangingChainsPullWithWhatHangsBelow(int links) {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     Body<String> last = null;
     for (int i = 0; i < links; i++) {
       Body<String> b = box(w, 0, -.5 - i, .1, .5, M);
@@ -228,7 +228,7 @@ final class JointLawTest {
   /** Catenary: the ends of a chain between two points pull with half its weight upwards. */
   @Test
   void aHangingBridgeCarriesHalfItsWeightAtEachEnd() {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     Body<String> last = null;
     int links = 20;
     for (int i = 0; i < links; i++) {
@@ -257,7 +257,7 @@ final class JointLawTest {
   @ParameterizedTest
   @CsvSource({"0.9,true", "1.1,false", "2,false"})
   void jointsBreakAboveTheirForce(double share, boolean breaks) {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     Body<String> b = ball(w, 0, -1, 2, M);
     Joint<String> j =
         w.createJoint(

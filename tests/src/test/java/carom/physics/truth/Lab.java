@@ -43,17 +43,18 @@ final class Lab {
   private Lab() {}
 
   static World<String> space() {
-    return new World<>(new WorldDef().withGravity(0, 0));
+    return new World<>(new WorldDef().withSleeping(false).withGravity(0, 0));
   }
 
   /** Nothing bounces too slowly here. */
   static World<String> lively() {
-    return new World<>(new WorldDef().withGravity(0, 0).withRestitutionThreshold(0));
+    return new World<>(
+        new WorldDef().withSleeping(false).withGravity(0, 0).withRestitutionThreshold(0));
   }
 
   /** Gravity and a floor at y = 0. */
   static World<String> floor(Material m) {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     fixed(w, new Box(1000, 1), 0, -1, 0, m);
     return w;
   }
@@ -65,7 +66,8 @@ final class Lab {
   static World<String> slope(double angle, Material m) {
     double gx = G * Math.sin(angle);
     double gy = -G * Math.cos(angle);
-    World<String> w = new World<>(new WorldDef().withGravity((float) gx, (float) gy));
+    World<String> w =
+        new World<>(new WorldDef().withSleeping(false).withGravity((float) gx, (float) gy));
     fixed(w, new Box(1000, 1), 0, -1, 0, m);
     return w;
   }

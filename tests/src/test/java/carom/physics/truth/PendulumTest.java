@@ -62,7 +62,7 @@ final class PendulumTest {
   @ParameterizedTest
   @MethodSource("swings")
   void aMassOnARodHasThePeriodOfItsAmplitude(double amplitude, double length) {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     double x = length * Math.sin(amplitude);
     Body<String> b = disc(w, x, -length * Math.cos(amplitude), .1, M);
     w.createJoint(JointDef.distance(null, b, 0, 0, b.x(), b.y()));
@@ -75,7 +75,7 @@ final class PendulumTest {
   @ParameterizedTest
   @MethodSource("swings")
   void aMassOnAHingeHasThePeriodOfItsReducedLength(double amplitude, double length) {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     double x = length * Math.sin(amplitude);
     Body<String> b = disc(w, x, -length * Math.cos(amplitude), .5, M);
     w.createJoint(JointDef.revolute(null, b, 0, 0));
@@ -89,7 +89,7 @@ final class PendulumTest {
   @ParameterizedTest
   @ValueSource(doubles = {.5, 1, 2})
   void aRodOnItsEndSwingsAsAPhysicalPendulum(double half) {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     Body<String> b = box(w, 0, -half, .05, half, M);
     w.createJoint(JointDef.revolute(null, b, 0, 0));
     b.setVelocity((float) (.1 * half), 0);
@@ -104,7 +104,7 @@ final class PendulumTest {
   @ParameterizedTest
   @CsvSource({"0.3,rod", "1.5,rod", "2.5,rod", "0.3,hinge", "1.5,hinge", "2.5,hinge"})
   void pendulumsKeepTheirEnergy(double amplitude, String kind) {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     double x = 2 * Math.sin(amplitude);
     Body<String> b = disc(w, x, -2 * Math.cos(amplitude), .25, M);
     if ("rod".equals(kind)) {
@@ -124,7 +124,7 @@ final class PendulumTest {
   @ParameterizedTest
   @ValueSource(doubles = {.5, 1, Math.PI / 2})
   void theRodPullsWithWeightAndCentripetalForce(double amplitude) {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     Body<String> b = disc(w, 2 * Math.sin(amplitude), -2 * Math.cos(amplitude), .25, M);
     Joint<String> j = w.createJoint(JointDef.distance(null, b, 0, 0, b.x(), b.y()));
     double most = 0;
@@ -139,7 +139,7 @@ final class PendulumTest {
   /** Two coupled pendulums hand their energy over and back: beats. */
   @Test
   void coupledPendulumsBeat() {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     Body<String> a = disc(w, -1 + 4 * Math.sin(.1), -4 * Math.cos(.1), .2, M);
     Body<String> b = disc(w, 1, -4, .2, M);
     w.createJoint(JointDef.distance(null, a, -1, 0, a.x(), a.y()));
@@ -169,7 +169,7 @@ final class PendulumTest {
   /** A double pendulum is chaotic, but its energy isn't. */
   @Test
   void aDoublePendulumKeepsItsEnergy() {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     Body<String> a = disc(w, 1, 0, .1, M);
     Body<String> b = disc(w, 2, 0, .1, M);
     w.createJoint(JointDef.revolute(null, a, 0, 0));
@@ -187,7 +187,7 @@ final class PendulumTest {
   /** Ballistic pendulum: h = (m v / (m + M))^2 / 2g. */
   @Test
   void aBallisticPendulumRisesByTheMomentumItCaught() {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     Body<String> block = upright(w, new Box(.5f, .5f), 0, 3);
     w.createJoint(JointDef.distance(null, block, 0, 0, 0, -4));
     Body<String> bullet = upright(w, new Circle(.1f), -.65, 30);

@@ -109,7 +109,7 @@ final class SpringTest {
   @ParameterizedTest
   @CsvSource({"1,1", "1,100", "2,0.01", "5,1", "8,50"})
   void aWeightSinksByGravityOverOmegaSquared(double hertz, double mass) {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     Body<String> b = ball(w, 0, 0, mass, M);
     Joint<String> j =
         w.createJoint(JointDef.prismatic(null, b, 0, 0, 0, 1).spring((float) hertz, .8f));
