@@ -1,0 +1,41 @@
+package carom.physics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.lang.reflect.RecordComponent;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** {@code docs/PHYSICS.md} names every constant of a world with its default. */
+class PhysicsDocTest {
+  @Test
+  void constantsAreThoseOfTheCode() throws Exception {
+    List<String> expected = new ArrayList<>();
+    WorldDef def = new WorldDef();
+    for (RecordComponent c : WorldDef.class.getRecordComponents()) {
+      String value = String.valueOf(c.getAccessor().invoke(def));
+      expected.add(c.getName() + " = " + (value.endsWith(".0") ? value.replace(".0", "") : value));
+    }
+    List<String> actual = new ArrayList<>();
+    boolean inTable = false;
+    for (String line : Files.readAllLines(page())) {
+      inTable = line.startsWith("| constant |") || (inTable && line.startsWith("|"));
+      String[] cells = line.split("\\|");
+      if (inTable && line.startsWith("| `")) {
+        actual.add(cells[1].replace("`", "").trim() + " = " + cells[2].trim());
+      }
+    }
+    assertEquals(expected, actual);
+  }
+
+  private static Path page() {
+    Path directory = Path.of("").toAbsolutePath();
+    while (!Files.exists(directory.resolve("docs/PHYSICS.md"))) {
+      directory = directory.getParent();
+    }
+    return directory.resolve("docs/PHYSICS.md");
+  }
+}
