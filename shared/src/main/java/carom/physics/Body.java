@@ -35,7 +35,7 @@ public final class Body<T> {
   private final int index;
   private final int generation;
   private final BodyType type;
-  private final ShapeDef[] shapes;
+  private final ShapeDef[] firstShapes;
   private final T user;
 
   Body(
@@ -51,7 +51,7 @@ public final class Body<T> {
     this.index = index;
     this.generation = generation;
     this.type = type;
-    this.shapes = shapes;
+    firstShapes = shapes;
     this.user = user;
   }
 
@@ -225,7 +225,12 @@ public final class Body<T> {
   }
 
   ShapeSpec[] specs() {
-    return World.specs(shapes);
+    return World.specs(shapes());
+  }
+
+  /** Of a destroyed body, what it was made of. */
+  ShapeDef[] shapes() {
+    return isValid() ? world.shapes(index) : firstShapes;
   }
 
   /**
@@ -591,12 +596,92 @@ public final class Body<T> {
   }
 
   /**
+   * The centre of mass in the body frame.
+   *
+   * @return x, m; 0 if not dynamic
+   */
+  public float localCenterX() {
+    check();
+    return store.localX[index];
+  }
+
+  /**
+   * The centre of mass in the body frame.
+   *
+   * @return y, m; 0 if not dynamic
+   */
+  public float localCenterY() {
+    check();
+    return store.localY[index];
+  }
+
+  /**
+   * Sets what the body weighs while it is dynamic, instead of what its shapes and densities say.
+   * The body's origin, and the velocity there, stay. Wakes it. In a callback this takes effect at
+   * the end of the step.
+   *
+   * @param kilograms 1e-9 to 1e15
+   * @param inertia moment of inertia about the centre of mass, kg m^2, 1e-20 to 1e20; 0 for a body
+   *     that no force turns
+   * @param centerX centre of mass in the body frame, m
+   * @param centerY centre of mass in the body frame, m
+   * @throws IllegalStateException during a query
+   */
+  public void setMass(float kilograms, float inertia, float centerX, float centerY) {
+    check();
+    world.changeMass(this, BodyDef.checkedMass(kilograms, inertia, centerX, centerY));
+  }
+
+  /**
+   * Goes back to the mass that shapes and densities say, see {@link #setMass}.
+   *
+   * @throws IllegalArgumentException if the body is dynamic and its shapes have no mass
+   * @throws IllegalStateException during a query
+   */
+  public void computeMass() {
+    check();
+    world.changeMass(this, null);
+  }
+
+  /**
+   * Whether mass is what {@link #setMass} or {@link BodyDef#mass} said.
+   *
+   * @return false if it is computed from the shapes
+   */
+  public boolean hasOwnMass() {
+    check();
+    return world.ownMass(index) != null;
+  }
+
+  /**
+   * Whether no force turns the body.
+   *
+   * @return see {@link BodyDef#fixedRotation}
+   */
+  public boolean isFixedRotation() {
+    check();
+    return (store.flags[index] & BodyStore.FIXED_ROTATION) != 0;
+  }
+
+  /**
+   * Fixes the rotation, which stops, or frees it. Wakes the body. In a callback this takes effect
+   * at the end of the step.
+   *
+   * @param fixed true if no force shall turn the body
+   * @throws IllegalStateException during a query
+   */
+  public void setFixedRotation(boolean fixed) {
+    check();
+    world.fixRotation(this, fixed);
+  }
+
+  /**
    * The number of shapes.
    *
    * @return as many as were given
    */
   public int shapeCount() {
-    return shapes.length;
+    return firstShapes.length;
   }
 
   /**
@@ -606,7 +691,7 @@ public final class Body<T> {
    * @return in the body frame, as it was given
    */
   public Shape shape(int i) {
-    return shapes[i].shape();
+    return shapes()[i].shape();
   }
 
   /**
@@ -616,7 +701,21 @@ public final class Body<T> {
    * @return its material
    */
   public Material material(int i) {
-    return shapes[i].material();
+    return shapes()[i].material();
+  }
+
+  /**
+   * Makes a shape of another material. Mass, inertia and centre of mass are computed anew, unless
+   * {@link #hasOwnMass}. Wakes the body and what it touches. In a callback this takes effect at the
+   * end of the step. Allocates.
+   *
+   * @param i below {@link #shapeCount}
+   * @param newMaterial what it is made of from now on
+   * @throws IllegalStateException during a query
+   */
+  public void setMaterial(int i, Material newMaterial) {
+    check();
+    world.changeShape(this, i, shape -> shape.withMaterial(newMaterial));
   }
 
   /**
@@ -626,7 +725,21 @@ public final class Body<T> {
    * @return its filter
    */
   public Filter filter(int i) {
-    return shapes[i].filter();
+    return shapes()[i].filter();
+  }
+
+  /**
+   * Sets whom a shape meets. Contacts that it no longer allows end in the next step, those that it
+   * newly allows begin there. Wakes the body and what it touches. In a callback this takes effect
+   * at the end of the step. Allocates.
+   *
+   * @param i below {@link #shapeCount}
+   * @param newFilter whom it meets from now on
+   * @throws IllegalStateException during a query
+   */
+  public void setFilter(int i, Filter newFilter) {
+    check();
+    world.changeShape(this, i, shape -> shape.withFilter(newFilter));
   }
 
   /**
@@ -636,7 +749,21 @@ public final class Body<T> {
    * @return true if it pushes nothing
    */
   public boolean sensor(int i) {
-    return shapes[i].sensor();
+    return shapes()[i].sensor();
+  }
+
+  /**
+   * Makes a shape a sensor, or solid. If it wasn't already, all contacts of the body end, and begin
+   * again in the next step. Wakes the body and what it touches. In a callback this takes effect at
+   * the end of the step. Allocates.
+   *
+   * @param i below {@link #shapeCount}
+   * @param sensor whether it only notices from now on
+   * @throws IllegalStateException during a query
+   */
+  public void setSensor(int i, boolean sensor) {
+    check();
+    world.changeShape(this, i, shape -> shape.withSensor(sensor));
   }
 
   /**

@@ -1,6 +1,7 @@
 package carom.physics;
 
 import carom.physics.dynamics.Checks;
+import carom.physics.geometry.MassData;
 import carom.physics.geometry.Shape;
 import java.util.ArrayList;
 import java.util.List;
@@ -27,6 +28,7 @@ public final class BodyDef {
   boolean bullet;
   boolean sleepAllowed = true;
   boolean awake = true;
+  MassData mass;
   final List<ShapeDef> shapes = new ArrayList<>();
 
   /** A static body at the origin, without shapes. */
@@ -100,6 +102,31 @@ public final class BodyDef {
   public BodyDef angularVelocity(float radPerSecond) {
     angularVelocity = Checks.velocity("angularVelocity", radPerSecond);
     return this;
+  }
+
+  /**
+   * Sets what a dynamic body weighs, instead of what its shapes and densities say.
+   *
+   * @param kilograms 1e-9 to 1e15
+   * @param inertia moment of inertia about the centre of mass, kg m^2, 1e-20 to 1e20; 0 for a body
+   *     that no force turns
+   * @param centerX centre of mass in the body frame, m
+   * @param centerY centre of mass in the body frame, m
+   * @return this
+   */
+  public BodyDef mass(float kilograms, float inertia, float centerX, float centerY) {
+    mass = checkedMass(kilograms, inertia, centerX, centerY);
+    return this;
+  }
+
+  static MassData checkedMass(float kilograms, float inertia, float centerX, float centerY) {
+    Checks.range("mass", kilograms, 1e-9f, 1e15f);
+    if (inertia != 0) {
+      Checks.range("inertia", inertia, 1e-20f, 1e20f);
+    }
+    Checks.coordinate("centerX", centerX);
+    Checks.coordinate("centerY", centerY);
+    return new MassData(kilograms, centerX, centerY, inertia);
   }
 
   /**

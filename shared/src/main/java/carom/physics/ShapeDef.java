@@ -49,6 +49,16 @@ public record ShapeDef(Shape shape, Material material, Filter filter, boolean se
   }
 
   /**
+   * The same of another material.
+   *
+   * @param newMaterial what it is made of
+   * @return a changed copy
+   */
+  public ShapeDef withMaterial(Material newMaterial) {
+    return new ShapeDef(shape, newMaterial, filter, sensor);
+  }
+
+  /**
    * The same with another filter.
    *
    * @param newFilter whom it meets

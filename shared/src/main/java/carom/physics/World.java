@@ -13,11 +13,13 @@ import carom.physics.dynamics.JointStore;
 import carom.physics.dynamics.Settings;
 import carom.physics.dynamics.ShapeSpec;
 import carom.physics.dynamics.Stamp;
+import carom.physics.geometry.MassData;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
 import carom.physics.math.Trig;
 import java.util.Arrays;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 
 /**
  * A rigid-body world: create bodies, step, look.
@@ -37,6 +39,20 @@ public final class World<T> {
   /** Plus the new type's code. */
   private static final byte CHANGE_TYPE = 4;
 
+  private static final byte CHANGE_SHAPE = 7;
+  private static final byte CHANGE_MASS = 8;
+  private static final byte FIX_ROTATION = 9;
+  private static final byte FREE_ROTATION = 10;
+
+  /** Another material, filter or kind for one of a body's shapes. */
+  private record ShapeChange(int shape, UnaryOperator<ShapeDef> how) {
+    ShapeDef[] of(ShapeDef[] shapes) {
+      ShapeDef[] changed = shapes.clone();
+      changed[shape] = how.apply(shapes[shape]);
+      return changed;
+    }
+  }
+
   private final WorldDef def;
   private final Dynamics dynamics;
   private final BodyStore store;
@@ -48,6 +64,11 @@ public final class World<T> {
 
   /** Handles by slot; those of free slots are null. */
   private Object[] handles = new Object[64];
+
+  /** What bodies consist of, by slot, and what they weigh if it isn't computed from that. */
+  private ShapeDef[][] shapes = new ShapeDef[64][];
+
+  private MassData[] ownMasses = new MassData[64];
 
   private Object[] jointHandles = new Object[0];
 
@@ -68,6 +89,7 @@ public final class World<T> {
 
   private int[] pendingSlot = new int[8];
   private int[] pendingGeneration = new int[8];
+  private Object[] pendingValue = new Object[8];
   private int pendingCount;
 
   private final Aabb box = new Aabb();
@@ -151,8 +173,9 @@ public final class World<T> {
    */
   public Body<T> createBody(BodyDef bodyDef, T user) {
     refuseDuringQuery("createBody");
-    ShapeDef[] shapes = bodyDef.shapes.toArray(new ShapeDef[0]);
-    int slot = dynamics.create(code(bodyDef.type), specs(shapes), bodyDef.fixedRotation);
+    ShapeDef[] given = bodyDef.shapes.toArray(new ShapeDef[0]);
+    int slot =
+        dynamics.create(code(bodyDef.type), specs(given), bodyDef.mass, bodyDef.fixedRotation);
     store.setOriginPose(
         slot, bodyDef.x, bodyDef.y, Trig.cos(bodyDef.angle), Trig.sin(bodyDef.angle));
     if (bodyDef.type != BodyType.STATIC) {
@@ -170,9 +193,12 @@ public final class World<T> {
     dynamics.enter(slot, bodyDef.awake);
     if (slot >= handles.length) {
       handles = Arrays.copyOf(handles, Math.max(slot + 1, handles.length * 2));
+      shapes = Arrays.copyOf(shapes, handles.length);
+      ownMasses = Arrays.copyOf(ownMasses, handles.length);
     }
-    Body<T> body =
-        new Body<>(this, store, slot, store.generation[slot], bodyDef.type, shapes, user);
+    shapes[slot] = given;
+    ownMasses[slot] = bodyDef.mass;
+    Body<T> body = new Body<>(this, store, slot, store.generation[slot], bodyDef.type, given, user);
     handles[slot] = body;
     structure.change();
     return body;
@@ -217,18 +243,20 @@ public final class World<T> {
   public void destroyBody(Body<T> body) {
     refuseDuringQuery("destroyBody");
     own(body);
-    request(DESTROY_BODY, body.index(), body.generation());
+    request(DESTROY_BODY, body.index(), body.generation(), null);
   }
 
   /** Has something done now, or at the end of the step. */
-  private void request(byte what, int slot, int generation) {
+  private void request(byte what, int slot, int generation, Object value) {
     if (pendingCount == pending.length) {
       pending = Arrays.copyOf(pending, pendingCount * 2);
       pendingSlot = Arrays.copyOf(pendingSlot, pendingCount * 2);
       pendingGeneration = Arrays.copyOf(pendingGeneration, pendingCount * 2);
+      pendingValue = Arrays.copyOf(pendingValue, pendingCount * 2);
     }
     pending[pendingCount] = what;
     pendingSlot[pendingCount] = slot;
+    pendingValue[pendingCount] = value;
     pendingGeneration[pendingCount++] = generation;
     if (!stepping) {
       stepping = true;
@@ -251,38 +279,89 @@ public final class World<T> {
             removeJoint(slot);
           }
         } else if (store.alive(slot, generation)) {
-          carryOut(pending[i], slot);
+          carryOut(pending[i], slot, pendingValue[i]);
         }
       }
     } finally {
+      Arrays.fill(pendingValue, 0, pendingCount, null);
       pendingCount = 0;
     }
   }
 
-  private void carryOut(byte what, int slot) {
-    if (what == DESTROY_BODY) {
-      removeBody(slot);
-      return;
-    }
-    if (what == ENABLE || what == DISABLE) {
-      dynamics.setEnabled(slot, what == ENABLE);
-    } else {
-      dynamics.setType(slot, (byte) (what - CHANGE_TYPE), body(slot).specs());
+  private void carryOut(byte what, int slot, Object value) {
+    switch (what) {
+      case DESTROY_BODY -> removeBody(slot);
+      case ENABLE, DISABLE -> dynamics.setEnabled(slot, what == ENABLE);
+      case CHANGE_SHAPE -> changeShape(slot, (ShapeChange) value);
+      case CHANGE_MASS -> {
+        dynamics.change(slot, specs(shapes[slot]), (MassData) value);
+        ownMasses[slot] = (MassData) value;
+      }
+      case FIX_ROTATION, FREE_ROTATION -> {
+        dynamics.setFixedRotation(slot, what == FIX_ROTATION);
+        dynamics.change(slot, specs(shapes[slot]), ownMasses[slot]);
+      }
+      default ->
+          dynamics.setType(slot, (byte) (what - CHANGE_TYPE), specs(shapes[slot]), ownMasses[slot]);
     }
     structure.change();
   }
 
+  private void changeShape(int slot, ShapeChange change) {
+    ShapeDef[] changed = change.of(shapes[slot]);
+    if (changed[change.shape].sensor() != shapes[slot][change.shape].sensor()) {
+      dynamics.endContacts(slot, listener == null ? null : events);
+    }
+    dynamics.change(slot, specs(changed), ownMasses[slot]);
+    shapes[slot] = changed;
+  }
+
   void enable(Body<T> body, boolean enabled) {
     refuseDuringQuery("setEnabled");
-    request(enabled ? ENABLE : DISABLE, body.index(), body.generation());
+    request(enabled ? ENABLE : DISABLE, body.index(), body.generation(), null);
   }
 
   void changeType(Body<T> body, BodyType type) {
     refuseDuringQuery("setType");
     if (type == BodyType.DYNAMIC) {
-      Dynamics.checkMass(body.specs());
+      Dynamics.checkMass(body.specs(), ownMass(body.index()));
     }
-    request((byte) (CHANGE_TYPE + code(type)), body.index(), body.generation());
+    request((byte) (CHANGE_TYPE + code(type)), body.index(), body.generation(), null);
+  }
+
+  void changeShape(Body<T> body, int shape, UnaryOperator<ShapeDef> how) {
+    refuseDuringQuery("changing a shape");
+    if (shape < 0 || shape >= body.shapeCount()) {
+      throw new IndexOutOfBoundsException(
+          "shape=" + shape + " is outside 0.." + (body.shapeCount() - 1) + "; see shapeCount()");
+    }
+    ShapeChange change = new ShapeChange(shape, how);
+    ShapeDef[] changed = change.of(shapes(body.index()));
+    if (body.type() == BodyType.DYNAMIC) {
+      Dynamics.checkMass(specs(changed), ownMass(body.index()));
+    }
+    request(CHANGE_SHAPE, body.index(), body.generation(), change);
+  }
+
+  void changeMass(Body<T> body, MassData ownOrNull) {
+    refuseDuringQuery("setMass");
+    if (body.type() == BodyType.DYNAMIC) {
+      Dynamics.checkMass(body.specs(), ownOrNull);
+    }
+    request(CHANGE_MASS, body.index(), body.generation(), ownOrNull);
+  }
+
+  void fixRotation(Body<T> body, boolean fixed) {
+    refuseDuringQuery("setFixedRotation");
+    request(fixed ? FIX_ROTATION : FREE_ROTATION, body.index(), body.generation(), null);
+  }
+
+  ShapeDef[] shapes(int slot) {
+    return shapes[slot];
+  }
+
+  MassData ownMass(int slot) {
+    return ownMasses[slot];
   }
 
   private void removeBody(int slot) {
@@ -291,7 +370,8 @@ public final class World<T> {
     }
     dynamics.destroy(slot, listener == null ? null : events);
     handles[slot] = null;
-    structure.change();
+    shapes[slot] = null;
+    ownMasses[slot] = null;
   }
 
   private void removeJoint(int slot) {
@@ -390,7 +470,7 @@ public final class World<T> {
     if (joint.world() != this) {
       throw new IllegalArgumentException("joint=" + joint + " belongs to another world");
     }
-    request(DESTROY_JOINT, joint.index(), joint.generation());
+    request(DESTROY_JOINT, joint.index(), joint.generation(), null);
   }
 
   /**
@@ -451,7 +531,7 @@ public final class World<T> {
     if (jointListener != null) {
       jointListener.broke(joint);
     }
-    request(DESTROY_JOINT, slot, joint.generation());
+    request(DESTROY_JOINT, slot, joint.generation(), null);
   }
 
   /**
@@ -539,10 +619,16 @@ public final class World<T> {
       int slots = store.slots();
       if (s.handles.length < slots) {
         s.handles = new Object[handles.length];
+        s.shapes = new ShapeDef[handles.length][];
+        s.ownMasses = new MassData[handles.length];
       } else if (s.slots > slots) {
         Arrays.fill(s.handles, slots, s.slots, null);
+        Arrays.fill(s.shapes, slots, s.slots, null);
+        Arrays.fill(s.ownMasses, slots, s.slots, null);
       }
       System.arraycopy(handles, 0, s.handles, 0, slots);
+      System.arraycopy(shapes, 0, s.shapes, 0, slots);
+      System.arraycopy(ownMasses, 0, s.ownMasses, 0, slots);
       s.slots = slots;
       structure.copyTo(s.structure);
     }
@@ -578,6 +664,10 @@ public final class World<T> {
       int slots = store.slots();
       System.arraycopy(s.handles, 0, handles, 0, slots);
       Arrays.fill(handles, slots, handles.length, null);
+      System.arraycopy(s.shapes, 0, shapes, 0, slots);
+      Arrays.fill(shapes, slots, shapes.length, null);
+      System.arraycopy(s.ownMasses, 0, ownMasses, 0, slots);
+      Arrays.fill(ownMasses, slots, ownMasses.length, null);
       s.structure.copyTo(structure);
     }
     if (!jointStructure.same(s.jointStructure)) {

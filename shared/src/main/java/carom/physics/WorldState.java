@@ -2,6 +2,7 @@ package carom.physics;
 
 import carom.physics.dynamics.Dynamics;
 import carom.physics.dynamics.Stamp;
+import carom.physics.geometry.MassData;
 
 /**
  * A world at one moment: a handful of arrays, made by {@link World#save} and taken over by {@link
@@ -14,6 +15,8 @@ public final class WorldState {
   final Object owner;
   final Dynamics.State dynamics = new Dynamics.State();
   Object[] handles = new Object[0];
+  ShapeDef[][] shapes = new ShapeDef[0][];
+  MassData[] ownMasses = new MassData[0];
   int slots;
   Object[] jointHandles = new Object[0];
   int jointSlots;

@@ -536,11 +536,28 @@ public final class ContactTable {
     points[row] = 0;
     id0[row] = 0;
     id1[row] = 0;
+    mix(row, parts);
+  }
+
+  /** Mixes the materials of a row's parts. */
+  private void mix(int row, ShapeTable parts) {
+    int a = partA[row];
+    int b = partB[row];
     friction[row] = (float) Math.sqrt(parts.friction[a] * parts.friction[b]);
     restitution[row] = Math.max(parts.restitution[a], parts.restitution[b]);
     float radius = Math.max(parts.convex[a].radius(), parts.convex[b].radius());
     rolling[row] = Math.max(parts.rolling[a], parts.rolling[b]) * radius;
     surface[row] = parts.tangentSpeed[a] + parts.tangentSpeed[b];
+  }
+
+  /** Must be called when materials of a body changed. */
+  void mixAgain(int body, ShapeTable parts) {
+    rowsChanged();
+    for (int row = 0; row < count; row++) {
+      if (bodyA(row) == body || bodyB(row) == body) {
+        mix(row, parts);
+      }
+    }
   }
 
   private void move(int from, int to) {

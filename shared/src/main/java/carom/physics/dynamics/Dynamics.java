@@ -179,10 +179,11 @@ public final class Dynamics {
    *
    * @param type one of {@link BodyStore}'s types
    * @param shapes what it consists of
+   * @param own its mass, null to compute it from the shapes
    * @param fixedRotation whether only {@code setAngularVelocity} turns it
    * @return the slot
    */
-  public int create(byte type, ShapeSpec[] shapes, boolean fixedRotation) {
+  public int create(byte type, ShapeSpec[] shapes, MassData own, boolean fixedRotation) {
     int count = 0;
     for (ShapeSpec spec : shapes) {
       count += spec.shape().parts().size();
@@ -195,12 +196,12 @@ public final class Dynamics {
               + ContactKey.MAX_PARTS
               + " convex parts one body can have; split it into several bodies");
     }
-    MassData total = type == BodyStore.DYNAMIC ? massOf(shapes) : NO_MASS;
+    MassData total = type == BodyStore.DYNAMIC ? massOf(shapes, own) : NO_MASS;
     int body = bodies.allocate(type);
     bodies.flags[body] = fixedRotation ? BodyStore.FIXED_ROTATION : 0;
     bodies.firstPart[body] = parts.allocate(body, count);
     bodies.partCount[body] = count;
-    fill(body, shapes, total);
+    fill(body, shapes, own, total);
     if (activeIndex.length <= body) {
       activeIndex = Arrays.copyOf(activeIndex, Math.max(body + 1, activeIndex.length * 2));
     }
@@ -230,7 +231,7 @@ public final class Dynamics {
   }
 
   /** Takes mass and shapes over. */
-  private void fill(int body, ShapeSpec[] shapes, MassData total) {
+  private void fill(int body, ShapeSpec[] shapes, MassData own, MassData total) {
     boolean dynamic = bodies.type[body] == BodyStore.DYNAMIC;
     boolean turns = dynamic && (bodies.flags[body] & BodyStore.FIXED_ROTATION) == 0;
     turns = turns && total.inertia() > 0;
@@ -243,6 +244,10 @@ public final class Dynamics {
     bodies.localY[body] = total.centerY();
     int part = bodies.firstPart[body];
     long hash = StateHash.SEED;
+    if (own != null) {
+      hash = StateHash.mix(hash, own.mass(), own.inertia());
+      hash = StateHash.mix(hash, own.centerX(), own.centerY());
+    }
     float inner = Float.POSITIVE_INFINITY;
     float reach = 0;
     poseA.setIdentity();
@@ -252,7 +257,7 @@ public final class Dynamics {
         Convex local = convex.moved(-bodies.localX[body], -bodies.localY[body]);
         parts.set(part, local, i, spec);
         hash = StateHash.mix(hash, spec.friction(), spec.restitution());
-        hash = spec.mix(hash, dynamic);
+        hash = spec.mix(hash, dynamic && own == null);
         hash = ShapeHash.mix(hash, local);
         local.aabb(poseA, box);
         if (!spec.sensor()) {
@@ -274,10 +279,11 @@ public final class Dynamics {
    * Checks that a dynamic body could be made of some shapes.
    *
    * @param shapes what it would consist of
+   * @param own its mass, null to compute it from the shapes
    * @throws IllegalArgumentException if they have no mass, or too much
    */
-  public static void checkMass(ShapeSpec[] shapes) {
-    massOf(shapes);
+  public static void checkMass(ShapeSpec[] shapes, MassData own) {
+    massOf(shapes, own);
   }
 
   /**
@@ -286,32 +292,25 @@ public final class Dynamics {
    *
    * @param body the slot
    * @param type one of {@link BodyStore}'s types
-   * @param shapes what it consists of, as when it was made
+   * @param shapes what it consists of
+   * @param own its mass, null to compute it from the shapes
    */
-  public void setType(int body, byte type, ShapeSpec[] shapes) {
+  public void setType(int body, byte type, ShapeSpec[] shapes, MassData own) {
     if (bodies.type[body] == type) {
       return;
     }
-    MassData total = type == BodyStore.DYNAMIC ? massOf(shapes) : NO_MASS;
+    MassData total = type == BodyStore.DYNAMIC ? massOf(shapes, own) : NO_MASS;
     disturb(body);
     boolean enabled = !bodies.disabled(body);
     if (enabled) {
       leave(body);
     }
-    float oldX = bodies.x[body];
-    float oldY = bodies.y[body];
-    float originX = bodies.originX(body);
-    float originY = bodies.originY(body);
     bodies.type[body] = type;
-    fill(body, shapes, total);
-    bodies.setOriginPose(body, originX, originY, bodies.cos[body], bodies.sin[body]);
+    refill(body, shapes, own, total);
     if (type == BodyStore.STATIC) {
       bodies.vx[body] = 0;
       bodies.vy[body] = 0;
       bodies.w[body] = 0;
-    } else {
-      bodies.vx[body] -= bodies.w[body] * (bodies.y[body] - oldY);
-      bodies.vy[body] += bodies.w[body] * (bodies.x[body] - oldX);
     }
     bodies.clearForces(body);
     if (enabled) {
@@ -345,7 +344,64 @@ public final class Dynamics {
     rulesStale = true;
   }
 
-  private static MassData massOf(ShapeSpec[] shapes) {
+  /**
+   * Gives a body other materials, filters, sensors or another mass; its shapes stay. Its origin,
+   * and the velocity there, stay, too.
+   *
+   * @param body the slot
+   * @param shapes what it consists of
+   * @param own its mass, null to compute it from the shapes
+   */
+  public void change(int body, ShapeSpec[] shapes, MassData own) {
+    boolean dynamic = bodies.type[body] == BodyStore.DYNAMIC;
+    MassData total = dynamic ? massOf(shapes, own) : NO_MASS;
+    disturb(body);
+    mergeWoken();
+    refill(body, shapes, own, total);
+    contacts.mixAgain(body, parts);
+    wakeOverlapped(body);
+    rulesStale = true;
+  }
+
+  /**
+   * Fixes a body's rotation, or frees it; {@link #change} must follow.
+   *
+   * @param body the slot
+   * @param fixed whether nothing but {@code setAngularVelocity} turns it; it then stops turning
+   */
+  public void setFixedRotation(int body, boolean fixed) {
+    if (fixed) {
+      bodies.flags[body] |= BodyStore.FIXED_ROTATION;
+      bodies.w[body] = 0;
+    } else {
+      bodies.flags[body] &= ~BodyStore.FIXED_ROTATION;
+    }
+  }
+
+  /** Takes mass and shapes over where the body is. */
+  private void refill(int body, ShapeSpec[] shapes, MassData own, MassData total) {
+    float oldX = bodies.x[body];
+    float oldY = bodies.y[body];
+    float oldLocalX = bodies.localX[body];
+    float oldLocalY = bodies.localY[body];
+    float originX = bodies.originX(body);
+    float originY = bodies.originY(body);
+    fill(body, shapes, own, total);
+    if (bodies.localX[body] == oldLocalX && bodies.localY[body] == oldLocalY) {
+      return;
+    }
+    bodies.setOriginPose(body, originX, originY, bodies.cos[body], bodies.sin[body]);
+    bodies.vx[body] -= bodies.w[body] * (bodies.y[body] - oldY);
+    bodies.vy[body] += bodies.w[body] * (bodies.x[body] - oldX);
+  }
+
+  private static MassData massOf(ShapeSpec[] shapes, MassData own) {
+    if (own != null) {
+      for (ShapeSpec spec : shapes) {
+        Checks.refuseLines(spec.shape());
+      }
+      return own;
+    }
     if (shapes.length == 0) {
       return new MassData(1, 0, 0, 0);
     }
@@ -429,12 +485,12 @@ public final class Dynamics {
   }
 
   /**
-   * Removes a body; its touching contacts end first.
+   * Ends a body's contacts now; what still touches begins again in the next step.
    *
    * @param body the slot
    * @param events is told, null for nobody
    */
-  public void destroy(int body, ContactEvents events) {
+  public void endContacts(int body, ContactEvents events) {
     disturb(body);
     mergeWoken();
     if (events != null) {
@@ -450,6 +506,17 @@ public final class Dynamics {
       }
     }
     contacts.removeBody(body);
+    searchAll = true;
+  }
+
+  /**
+   * Removes a body; its touching contacts end first.
+   *
+   * @param body the slot
+   * @param events is told, null for nobody
+   */
+  public void destroy(int body, ContactEvents events) {
+    endContacts(body, events);
     if (!bodies.disabled(body)) {
       leave(body);
     }
