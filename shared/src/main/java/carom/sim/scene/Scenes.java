@@ -11,6 +11,10 @@ public final class Scenes {
 
   static {
     benchmark();
+    StackScenes.all().forEach(Scenes::add);
+    JointScenes.all().forEach(Scenes::add);
+    SurfaceScenes.all().forEach(Scenes::add);
+    MixedScenes.all().forEach(Scenes::add);
   }
 
   private Scenes() {}

@@ -1,0 +1,68 @@
+package carom.sim.scene;
+
+import carom.physics.Material;
+
+/**
+ * The colours of the scenes. A material's tag is its colour, 0xRRGGBB; tag 0 leaves the choice to
+ * whoever draws.
+ */
+public final class Palette {
+  /** What doesn't move. */
+  public static final int STONE = 0x46566e;
+
+  /** Metal. */
+  public static final int STEEL = 0x9fb0c6;
+
+  /** Planks and crates. */
+  public static final int WOOD = 0xd9a566;
+
+  /** Paper and cards. */
+  public static final int PAPER = 0xf1ebdd;
+
+  /** Liquids. */
+  public static final int WATER = 0x3d8bd4;
+
+  static final int AMBER = 0xffb340;
+  static final int CORAL = 0xff6f61;
+  static final int TEAL = 0x36c5b0;
+  static final int SKY = 0x5aa9ff;
+  static final int VIOLET = 0xa58bff;
+  static final int LEAF = 0x7ed67e;
+
+  private static final int[] BRIGHT = {AMBER, CORAL, VIOLET, SKY, TEAL, LEAF};
+
+  private Palette() {}
+
+  /**
+   * A bright colour.
+   *
+   * @param i any number; neighbours differ
+   * @return 0xRRGGBB
+   */
+  public static int bright(int i) {
+    return BRIGHT[Math.floorMod(i, BRIGHT.length)];
+  }
+
+  /**
+   * A colour between two others.
+   *
+   * @param from 0xRRGGBB
+   * @param to 0xRRGGBB
+   * @param share 0 = the first, 1 = the second
+   * @return 0xRRGGBB
+   */
+  public static int mix(int from, int to, float share) {
+    int rgb = 0;
+    for (int shift = 16; shift >= 0; shift -= 8) {
+      int a = from >> shift & 0xff;
+      int b = to >> shift & 0xff;
+      rgb |= Math.round(a + (b - a) * share) << shift;
+    }
+    return rgb;
+  }
+
+  /** {@link Material#DEFAULT} in a colour. */
+  static Material of(int rgb) {
+    return Material.DEFAULT.withTag(rgb);
+  }
+}

@@ -1,0 +1,69 @@
+package carom.sim.scene;
+
+import carom.physics.Body;
+import carom.physics.BodyDef;
+import carom.physics.BodyType;
+import carom.physics.Material;
+import carom.physics.World;
+import carom.physics.geometry.Box;
+import carom.physics.geometry.Circle;
+import carom.physics.geometry.Polygon;
+import carom.physics.geometry.Shape;
+import java.util.ArrayList;
+import java.util.List;
+
+/** What many show scenes are made of. Lengths in metres, angles in radians. */
+final class Props {
+  static final float PI = (float) Math.PI;
+  static final Material STONE = Palette.of(Palette.STONE);
+
+  private Props() {}
+
+  /** A floor whose surface is y = 0. */
+  static void floor(Stage<?> s, float halfWidth) {
+    fixed(s, new Box(halfWidth, 0.5f), 0, -0.5f, 0, STONE);
+  }
+
+  /** A floor with a wall at either end. */
+  static void trough(Stage<?> s, float halfWidth, float wallHeight) {
+    floor(s, halfWidth + 0.5f);
+    for (int side = -1; side <= 1; side += 2) {
+      float x = side * (halfWidth + 0.25f);
+      fixed(s, new Box(0.25f, wallHeight / 2), x, wallHeight / 2, 0, STONE);
+    }
+  }
+
+  static <T> Body<T> fixed(Stage<T> s, Shape shape, float x, float y, float angle, Material m) {
+    return s.body(new BodyDef().shape(shape, m).position(x, y).angle(angle));
+  }
+
+  static <T> Body<T> free(Stage<T> s, Shape shape, float x, float y, Material m) {
+    return s.body(new BodyDef(BodyType.DYNAMIC).shape(shape, m).position(x, y));
+  }
+
+  static <T> Body<T> free(Stage<T> s, Shape shape, float x, float y, int rgb) {
+    return free(s, shape, x, y, Palette.of(rgb));
+  }
+
+  /** One of four shapes of about half a metre. */
+  static Shape some(int k) {
+    return switch (Math.floorMod(k, 4)) {
+      case 0 -> new Circle(0.27f);
+      case 1 -> new Box(0.25f, 0.25f);
+      case 2 -> Polygon.regular(5, 0.3f);
+      default -> new Box(0.34f, 0.17f);
+    };
+  }
+
+  /** Removes dynamic bodies that fell below a height, so that an emitter can go on for ever. */
+  static <T> void sweep(World<T> world, float minY) {
+    List<Body<T>> gone = new ArrayList<>();
+    world.forEachBody(
+        body -> {
+          if (body.type() == BodyType.DYNAMIC && body.y() < minY) {
+            gone.add(body);
+          }
+        });
+    gone.forEach(world::destroyBody);
+  }
+}
