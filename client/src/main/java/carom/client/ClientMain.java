@@ -3,6 +3,8 @@ package carom.client;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.protocol.PlayerName;
 import carom.net.transport.ClientTransport;
+import carom.sim.Suggestion;
+import carom.sim.scene.Scenes;
 import java.util.Locale;
 import java.util.ServiceLoader;
 import java.util.concurrent.Callable;
@@ -19,6 +21,7 @@ import picocli.CommandLine.Option;
     sortOptions = false,
     description = "Plays on a Carom server.")
 public final class ClientMain implements Callable<Integer> {
+  private static final String LIST = "list";
   private static final long SECOND = 1_000_000_000L;
   private static final long FRAME_NS = SECOND / 120;
 
@@ -63,6 +66,13 @@ public final class ClientMain implements Callable<Integer> {
       defaultValue = "")
   private String screenshot = "";
 
+  @Option(
+      names = "--scene",
+      paramLabel = "NAME",
+      description = "look at a scene of the library, without a server; list = show their names",
+      defaultValue = "")
+  private String scene = "";
+
   @CommandLine.Spec private CommandLine.Model.CommandSpec spec;
 
   private ClientMain() {}
@@ -89,8 +99,16 @@ public final class ClientMain implements Callable<Integer> {
     } else if (!(seconds >= 0 && seconds <= 1e6)) {
       problem = "--seconds=" + seconds + " is outside 0..1000000";
     }
+    if (problem == null && !scene.isEmpty()) {
+      problem = sceneProblem();
+    }
     if (problem != null) {
       throw new CommandLine.ParameterException(spec.commandLine(), problem);
+    }
+    if (scene.equals(LIST)) {
+      Scenes.all()
+          .forEach(s -> System.out.printf(Locale.ROOT, "%-18s %s%n", s.name(), s.description()));
+      return 0;
     }
     network.startLogging();
     ClientConfig config = network.config(name).withPrediction(prediction);
@@ -106,12 +124,31 @@ public final class ClientMain implements Callable<Integer> {
             || spec.commandLine().getParseResult().hasMatchedOption("--tcp-port");
     ClientOptions options =
         new ClientOptions(
-            config, network.impairment(), named, seconds, netGraph, debug, screenshot);
+            config,
+            network.impairment(),
+            named,
+            seconds,
+            netGraph,
+            debug,
+            screenshot,
+            scene.isEmpty() ? null : Scenes.get(scene));
     for (Window window : ServiceLoader.load(Window.class)) {
       return window.launch(options);
     }
     System.err.println("This build has no window; start with --headless.");
     return 1;
+  }
+
+  private String sceneProblem() {
+    if (headless) {
+      return "--scene and --headless exclude each other: a scene is there to be looked at";
+    }
+    return scene.equals(LIST) || Scenes.names().contains(scene)
+        ? null
+        : "--scene: unknown scene="
+            + scene
+            + Suggestion.didYouMean(scene, Scenes.names())
+            + "; --scene list shows all";
   }
 
   private int playHeadless(GameClient client, StopSignal stop) {

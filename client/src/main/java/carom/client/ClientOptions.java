@@ -1,6 +1,7 @@
 package carom.client;
 
 import carom.net.transport.Impairment;
+import carom.sim.scene.Scene;
 
 /**
  * What the command line of {@code carom-client} asked for.
@@ -13,6 +14,7 @@ import carom.net.transport.Impairment;
  * @param debug whether the window starts with debug drawing ({@code --debug})
  * @param screenshot PNG file for the window's last picture, written when {@code seconds} are over
  *     ({@code --screenshot FILE}); empty = none
+ * @param scene what to look at instead of playing ({@code --scene NAME}); null to play
  */
 public record ClientOptions(
     ClientConfig config,
@@ -21,4 +23,5 @@ public record ClientOptions(
     double seconds,
     boolean netGraph,
     boolean debug,
-    String screenshot) {}
+    String screenshot,
+    Scene scene) {}

@@ -246,6 +246,85 @@ public final class Joint<T> {
   }
 
   /**
+   * Whether the coordinate is limited.
+   *
+   * @return see {@link #setLimits}
+   */
+  public boolean isLimited() {
+    return has(JointStore.LIMITED);
+  }
+
+  /**
+   * Whether a spring acts on the coordinate, or on the point of a weld, motor or mouse joint.
+   *
+   * @return see {@link #setSpring}
+   */
+  public boolean isSprung() {
+    return has(JointStore.SPRUNG)
+        || (!JointDef.hasCoordinateSpring(type) && store.hertz[index] > 0);
+  }
+
+  /**
+   * Whether a motor drives the coordinate.
+   *
+   * @return see {@link #setMotor}
+   */
+  public boolean isDriven() {
+    return has(JointStore.DRIVEN);
+  }
+
+  /**
+   * The lower limit of the coordinate.
+   *
+   * @return m or rad; without a meaning unless {@link #isLimited}
+   */
+  public float lower() {
+    check();
+    return store.lower[index];
+  }
+
+  /**
+   * The upper limit of the coordinate.
+   *
+   * @return m or rad; without a meaning unless {@link #isLimited}
+   */
+  public float upper() {
+    check();
+    return store.upper[index];
+  }
+
+  /**
+   * Direction of the axis of a prismatic or wheel joint, now; it turns with A.
+   *
+   * @return x of the unit vector, world
+   */
+  public float axisX() {
+    check();
+    int one = store.bodyA[index];
+    return one < 0
+        ? store.axisX[index]
+        : world.store().cos[one] * store.axisX[index] - world.store().sin[one] * store.axisY[index];
+  }
+
+  /**
+   * Direction of the axis of a prismatic or wheel joint, now; it turns with A.
+   *
+   * @return y of the unit vector, world
+   */
+  public float axisY() {
+    check();
+    int one = store.bodyA[index];
+    return one < 0
+        ? store.axisY[index]
+        : world.store().sin[one] * store.axisX[index] + world.store().cos[one] * store.axisY[index];
+  }
+
+  private boolean has(byte flag) {
+    check();
+    return (store.flags[index] & flag) != 0;
+  }
+
+  /**
    * Starts the motor, or changes its goal.
    *
    * @param speed m/s or rad/s, see {@link JointDef#motor(float, float)}

@@ -32,7 +32,12 @@ final class CaromWindow extends ApplicationAdapter {
   public void create() {
     fonts = new Fonts();
     canvas = new Canvas();
-    if (options.connectAtOnce()) {
+    if (options.scene() != null) {
+      SceneScreen viewer = new SceneScreen(canvas, fonts, () -> Gdx.app.exit());
+      viewer.debug(options.debug());
+      viewer.open(options.scene());
+      show(viewer);
+    } else if (options.connectAtOnce()) {
       play();
     } else {
       ask("");

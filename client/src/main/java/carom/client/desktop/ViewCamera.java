@@ -71,6 +71,45 @@ final class ViewCamera {
     camera.update();
   }
 
+  /** Shows at least a rectangle of metres around a point, whatever the window's shape. */
+  void fit(float x, float y, float widthM, float heightM, int screenWidth, int screenHeight) {
+    float aspect = screenWidth / (float) screenHeight;
+    camera.viewportHeight = Math.max(heightM, widthM / aspect);
+    camera.viewportWidth = camera.viewportHeight * aspect;
+    camera.position.set(x, y, 0);
+    camera.update();
+  }
+
+  /** Keeps height and centre when the window changes its shape. */
+  void resize(int screenWidth, int screenHeight) {
+    camera.viewportWidth = camera.viewportHeight * screenWidth / screenHeight;
+    camera.update();
+  }
+
+  /** Moves the picture from one pixel to another (origin top left). */
+  void pan(float fromX, float fromY, float toX, float toY) {
+    Vector3 from = toWorld(fromX, fromY);
+    float x = from.x;
+    float y = from.y;
+    Vector3 to = toWorld(toX, toY);
+    camera.position.add(x - to.x, y - to.y, 0);
+    camera.update();
+  }
+
+  /** Shows {@code factor} times as many metres, with the same point under a pixel. */
+  void zoom(float screenX, float screenY, float factor) {
+    Vector3 at = toWorld(screenX, screenY);
+    float x = at.x;
+    float y = at.y;
+    float height = MathUtils.clamp(camera.viewportHeight * factor, 0.05f, 1e4f);
+    factor = height / camera.viewportHeight;
+    camera.viewportHeight = height;
+    camera.viewportWidth *= factor;
+    camera.position.set(
+        x + (camera.position.x - x) * factor, y + (camera.position.y - y) * factor, 0);
+    camera.update();
+  }
+
   /** World position under a pixel (origin top left, as devices report it). The result is reused. */
   Vector3 toWorld(float screenX, float screenY) {
     return camera.unproject(scratch.set(screenX, screenY, 0));

@@ -263,12 +263,12 @@ final class JointScenes {
   }
 
   private static <T> void ropes(Stage<T> s) {
-    fixed(s, new Box(10, 0.2f), 0, 9.2f, 0, Props.STONE);
+    fixed(s, new Box(11, 0.2f), 0, 10.2f, 0, Props.STONE);
     floor(s, 20);
     for (int k = 0; k < 5; k++) {
-      float x = -8 + 3 * k;
+      float x = -9.5f + 3.6f * k;
       Body<T> last = null;
-      int links = 9;
+      int links = 7;
       for (int i = 0; i < links; i++) {
         float lx = x + 0.35f * i;
         Body<T> link =

@@ -143,10 +143,11 @@ final class MixedScenes {
           new Capsule(0.3f, -0.3f, 0.5f, 0.4f, 0.12f)),
     };
     for (int i = 0; i < 90; i++) {
+      int row = i / 9;
       s.body(
           new BodyDef(BodyType.DYNAMIC)
               .shape(kinds[i % kinds.length], Palette.of(Palette.bright(i % kinds.length)))
-              .position((i % 9 - 4) * 2 + 0.3f * (i / 9 % 2), 2 + 1.4f * (i / 9))
+              .position((i % 9 - 4) * 2 + 0.3f * (row % 2), 2 + 1.4f * row)
               .angle(0.7f * i));
     }
   }
@@ -162,7 +163,7 @@ final class MixedScenes {
                 .shape(new ShapeDef(new Box(1.6f, 5), air).withSensor(true))
                 .position(0, 5));
     for (int i = 0; i < 40; i++) {
-      free(s, Props.some(i), (i % 10 - 4.5f) * 1.6f, 4 + i / 10, Palette.bright(i));
+      free(s, Props.some(i), (i % 10 - 4.5f) * 1.6f, 4 + i / 10f, Palette.bright(i));
     }
     s.eachTick(
         tick ->
@@ -209,15 +210,11 @@ final class MixedScenes {
             .shape(new ShapeDef(new Box(12, 2.25f), water).withSensor(true))
             .position(0, 2.25f));
     for (int i = 0; i < 30; i++) {
+      int row = i / 10;
       float density = 0.15f + 0.06f * i;
       int rgb = Palette.mix(Palette.PAPER, 0x4a3b32, i / 29f);
       Shape shape = i % 5 == 4 ? new Box(1, 0.2f) : Props.some(i);
-      free(
-          s,
-          shape,
-          (i % 10 - 4.5f) * 2.2f,
-          6 + 1.3f * (i / 10),
-          Palette.of(rgb).withDensity(density));
+      free(s, shape, (i % 10 - 4.5f) * 2.2f, 6 + 1.3f * row, Palette.of(rgb).withDensity(density));
     }
     Buoyancy fluid = new Buoyancy(pool, 1).drag(1.5f).angularDrag(1).flow(0.6f, 0);
     s.eachTick(tick -> fluid.apply(s.world(), 1f / Scene.DEFAULT_TICK_RATE));

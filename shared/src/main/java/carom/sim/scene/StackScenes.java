@@ -27,12 +27,12 @@ final class StackScenes {
         new Scene(
             "pyramid",
             "20 rows of crates stand still until a heavy ball comes",
-            new View(0, 9, 36, 21),
+            new View(0, 10.5f, 40, 24),
             StackScenes::pyramid),
         new Scene(
             "dominoes",
             "each domino topples one that is a sixth larger",
-            new View(2, 3.2f, 24, 9),
+            new View(2, 4, 26, 11),
             StackScenes::dominoes),
         new Scene(
                 "newton_cradle",
@@ -92,8 +92,8 @@ final class StackScenes {
     floor(s, 40);
     float x = -8;
     float half = 0.25f;
-    for (int i = 0; i < 20; i++) {
-      int rgb = Palette.mix(Palette.SKY, Palette.VIOLET, i / 19f);
+    for (int i = 0; i < 17; i++) {
+      int rgb = Palette.mix(Palette.SKY, Palette.VIOLET, i / 16f);
       Body<?> domino = free(s, new Box(half * 0.14f, half), x, half, rgb);
       if (i == 0) {
         domino.setAngularVelocity(-3.5f);

@@ -208,7 +208,8 @@ final class SurfaceScenes {
             .position(0, 6.5f)
             .angularVelocity(0.8f));
     for (int i = 0; i < 24; i++) {
-      free(s, Props.some(i), -1.4f + 0.7f * (i % 5), 5.6f + 0.6f * (i / 5), Palette.bright(i));
+      int row = i / 5;
+      free(s, Props.some(i), -1.4f + 0.7f * (i % 5), 5.6f + 0.6f * row, Palette.bright(i));
     }
     for (int i = 0; i < 10; i++) {
       int side = i % 2 == 0 ? -1 : 1;

@@ -1,0 +1,252 @@
+package carom.client.desktop;
+
+import carom.physics.Body;
+import carom.physics.BodyType;
+import carom.physics.Joint;
+import carom.physics.JointType;
+import carom.physics.World;
+import carom.physics.geometry.Circle;
+import carom.physics.geometry.Convex;
+import carom.physics.geometry.Segment;
+import carom.physics.geometry.Shape;
+import carom.physics.math.Aabb;
+import carom.sim.scene.Palette;
+import com.badlogic.gdx.graphics.Color;
+import com.badlogic.gdx.graphics.OrthographicCamera;
+import com.badlogic.gdx.math.MathUtils;
+
+/**
+ * Draws the world of a scene, in metres: what the materials' tags say in colour, see {@link
+ * Palette}. Render thread only.
+ */
+final class ScenePainter {
+  private static final float SHADOW_X = 0.12f;
+  private static final float SHADOW_Y = -0.16f;
+  private static final float EDGE_M = 0.045f;
+  private static final float GROUND_M = 0.4f;
+
+  /** Smaller bodies have no edges and no shadows, px. */
+  private static final float SMALL_PX = 7;
+
+  private final Canvas canvas;
+  private final ShapePainter shapes;
+  private final Color fill = new Color();
+  private final Color edge = new Color();
+  private final Color lower = Theme.rgb(0x0e1420);
+  private final Color upper = Theme.rgb(0x1d2838);
+  private final Color gridLine = new Color(0.6f, 0.75f, 1, 0.05f);
+  private final Color rope = Theme.rgb(0xc9d4e4);
+  private final Aabb box = new Aabb();
+  private final Aabb seen = new Aabb();
+  private final float[] band = new float[8];
+  private float pixelsPerMetre;
+  private float edgeM;
+
+  ScenePainter(Canvas canvas) {
+    this.canvas = canvas;
+    shapes = new ShapePainter(canvas);
+  }
+
+  /** Draws everything that the camera sees. */
+  <T> void draw(World<T> world, OrthographicCamera camera, float scale) {
+    pixelsPerMetre = scale;
+    edgeM = Math.min(EDGE_M, 2.2f / scale);
+    float halfWidth = camera.viewportWidth / 2;
+    float halfHeight = camera.viewportHeight / 2;
+    seen.set(
+        camera.position.x - halfWidth,
+        camera.position.y - halfHeight,
+        camera.position.x + halfWidth,
+        camera.position.y + halfHeight);
+    canvas.begin(camera.combined, scale);
+    backdrop();
+    world.forEachBody(this::shadow);
+    world.forEachBody(body -> body(body, true));
+    world.forEachBody(body -> body(body, false));
+    world.forEachJoint(this::joint);
+    canvas.end();
+  }
+
+  private void backdrop() {
+    canvas.gradient(seen.minX, seen.minY, seen.width(), seen.height(), lower, upper);
+    float step = 1;
+    while (step * pixelsPerMetre < 40) {
+      step *= 5;
+    }
+    float width = 1.2f / pixelsPerMetre;
+    for (float x = MathUtils.ceil(seen.minX / step) * step; x <= seen.maxX; x += step) {
+      canvas.line(x, seen.minY, x, seen.maxY, width, gridLine);
+    }
+    for (float y = MathUtils.ceil(seen.minY / step) * step; y <= seen.maxY; y += step) {
+      canvas.line(seen.minX, y, seen.maxX, y, width, gridLine);
+    }
+  }
+
+  private <T> boolean visible(Body<T> body) {
+    body.aabb(box);
+    return box.overlaps(seen);
+  }
+
+  private boolean small() {
+    return Math.max(box.width(), box.height()) * pixelsPerMetre < SMALL_PX;
+  }
+
+  private <T> void shadow(Body<T> body) {
+    if (!visible(body) || small()) {
+      return;
+    }
+    shapes.pose(body.x() + SHADOW_X, body.y() + SHADOW_Y, body.cos(), body.sin());
+    for (int i = 0; i < body.shapeCount(); i++) {
+      if (!body.sensor(i)) {
+        shapes.fill(body.shape(i), Theme.SHADOW);
+      }
+    }
+  }
+
+  /** Sensors and what stands behind everything first. */
+  private <T> void body(Body<T> body, boolean behind) {
+    if (!visible(body)) {
+      return;
+    }
+    shapes.pose(body.x(), body.y(), body.cos(), body.sin());
+    for (int i = 0; i < body.shapeCount(); i++) {
+      boolean back = body.sensor(i) || body.type() == BodyType.STATIC;
+      if (back == behind) {
+        shape(body, i);
+      }
+    }
+  }
+
+  private <T> void shape(Body<T> body, int i) {
+    Shape shape = body.shape(i);
+    int rgb = body.material(i).tag();
+    if (rgb == 0) {
+      rgb = untagged(body);
+    }
+    if (body.sensor(i)) {
+      shapes.fill(shape, Theme.shade(rgb, 1, 0.22f, fill));
+      shapes.outline(shape, edgeM, Theme.shade(rgb, 1.2f, 0.6f, edge));
+      return;
+    }
+    boolean still = body.type() == BodyType.STATIC;
+    Theme.shade(rgb, 1, 1, fill);
+    Theme.shade(rgb, still ? 1.25f : 0.62f, 1, edge);
+    if (small()) {
+      shapes.fill(shape, fill);
+      return;
+    }
+    for (Convex part : shape.parts()) {
+      if (part instanceof Segment segment) {
+        line(segment, rgb);
+      }
+    }
+    if (shape.area() > 0) {
+      shapes.fill(shape, fill);
+      shapes.outline(shape, edgeM, edge);
+    }
+    if (shape instanceof Circle circle && !still) {
+      spoke(circle);
+    }
+  }
+
+  /** So that rolling shows. */
+  private void spoke(Circle circle) {
+    float x = circle.centerX();
+    float y = circle.centerY();
+    canvas.line(
+        shapes.worldX(x, y),
+        shapes.worldY(x, y),
+        shapes.worldX(x + circle.radius() * 0.85f, y),
+        shapes.worldY(x + circle.radius() * 0.85f, y),
+        edgeM,
+        edge);
+  }
+
+  /** A line, and ground behind it if it is solid from one side. */
+  private void line(Segment s, int rgb) {
+    float x0 = s.vertexX(0);
+    float y0 = s.vertexY(0);
+    float x1 = s.vertexX(1);
+    float y1 = s.vertexY(1);
+    if (s.isOneSided()) {
+      // The front is on the left.
+      float length = (float) Math.sqrt((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0));
+      float bx = (y1 - y0) / length * GROUND_M;
+      float by = -(x1 - x0) / length * GROUND_M;
+      corner(0, x0, y0);
+      corner(1, x0 + bx, y0 + by);
+      corner(2, x1 + bx, y1 + by);
+      corner(3, x1, y1);
+      canvas.convex(band, 4, Theme.shade(rgb, 0.75f, 1, fill));
+    }
+    canvas.line(
+        shapes.worldX(x0, y0),
+        shapes.worldY(x0, y0),
+        shapes.worldX(x1, y1),
+        shapes.worldY(x1, y1),
+        2.5f * edgeM,
+        Theme.shade(rgb, 1.3f, 1, fill));
+    Theme.shade(rgb, 1, 1, fill);
+  }
+
+  private void corner(int i, float x, float y) {
+    band[2 * i] = shapes.worldX(x, y);
+    band[2 * i + 1] = shapes.worldY(x, y);
+  }
+
+  /** A colour that tells neighbours apart, for scenes that don't choose. */
+  private static int untagged(Body<?> body) {
+    if (body.type() == BodyType.STATIC) {
+      return Palette.STONE;
+    }
+    if (body.type() == BodyType.KINEMATIC) {
+      return Palette.STEEL;
+    }
+    int base =
+        Palette.bright(
+            body.shape(0) instanceof Circle ? 3 : body.shape(0).parts().get(0).vertexCount());
+    return Palette.mix(base, Palette.PAPER, body.index() * 7 % 11 / 30f);
+  }
+
+  /** Rods, ropes and springs; other joints don't show. */
+  private <T> void joint(Joint<T> joint) {
+    if (joint.type() != JointType.DISTANCE && joint.type() != JointType.MOUSE) {
+      return;
+    }
+    float ax = joint.anchorAX();
+    float ay = joint.anchorAY();
+    float bx = joint.anchorBX();
+    float by = joint.anchorBY();
+    float dx = bx - ax;
+    float dy = by - ay;
+    float length = (float) Math.sqrt(dx * dx + dy * dy);
+    float width = Math.max(1.2f / pixelsPerMetre, 0.035f);
+    if (joint.type() == JointType.MOUSE) {
+      canvas.line(ax, ay, bx, by, width, Theme.ACCENT);
+      canvas.disc(ax, ay, 4 / pixelsPerMetre, Theme.ACCENT);
+    } else if (!joint.isSprung() || length < 0.3f) {
+      canvas.line(ax, ay, bx, by, width, rope);
+    } else {
+      spring(ax, ay, dx, dy, length, joint.rest(), width);
+    }
+  }
+
+  /** A zigzag of a fixed number of turns, wider when it is compressed. */
+  private void spring(
+      float ax, float ay, float dx, float dy, float length, float rest, float width) {
+    int turns = 12;
+    float amplitude = MathUtils.clamp(0.09f * rest * rest / length, 0.04f, 0.25f);
+    float px = ax;
+    float py = ay;
+    for (int i = 1; i <= turns; i++) {
+      boolean end = i == 1 || i == turns;
+      float side = end ? 0 : i % 2 == 0 ? amplitude : -amplitude;
+      float t = i / (float) turns;
+      float x = ax + dx * t - dy / length * side;
+      float y = ay + dy * t + dx / length * side;
+      canvas.line(px, py, x, y, width, rope);
+      px = x;
+      py = y;
+    }
+  }
+}
