@@ -250,6 +250,74 @@ public final class KdTree implements SpatialIndex {
   }
 
   /**
+   * Adds boxes as {@link #add} does. When there are many, the tree is built anew, O(n log n).
+   *
+   * @param newIds indexes of boxes in the box array, each once
+   * @param count how many
+   * @throws IllegalArgumentException if an id is in the tree already or a box isn't valid; the
+   *     boxes before it may be in the tree then
+   */
+  public void addAll(int[] newIds, int count) {
+    if (count <= size / REBUILD_SHARE) {
+      for (int i = 0; i < count; i++) {
+        add(newIds[i]);
+      }
+      return;
+    }
+    for (int i = 0; i < count; i++) {
+      boxes.check(newIds[i]);
+      ensureId(newIds[i]);
+      if (slotOf[newIds[i]] >= 0) {
+        throw new IllegalArgumentException("id=" + newIds[i] + " is in the tree already");
+      }
+    }
+    ensureWork(size + count);
+    int to = gather(0, leaves);
+    for (int i = 0; i < count; i++) {
+      fetch(to + i, newIds[i]);
+    }
+    size += count;
+    buildAll(size);
+  }
+
+  /**
+   * Removes boxes as {@link #remove} does. When there are many, the tree is built anew.
+   *
+   * @param oldIds which
+   * @param count how many
+   */
+  public void removeAll(int[] oldIds, int count) {
+    if (count <= size / REBUILD_SHARE) {
+      for (int i = 0; i < count; i++) {
+        remove(oldIds[i]);
+      }
+      return;
+    }
+    for (int i = 0; i < count; i++) {
+      if (contains(oldIds[i])) {
+        takeOut(oldIds[i]);
+      }
+    }
+    if (size == 0) {
+      clear();
+    } else {
+      ensureWork(size);
+      buildAll(gather(0, leaves));
+    }
+  }
+
+  /** Takes a box out of its leaf, whose bounds stay as they are; answers the leaf. */
+  private int takeOut(int id) {
+    int slot = slotOf[id];
+    int leaf = slot / SLOTS;
+    int last = leaf * SLOTS + --fill[leaf];
+    moveSlot(last, slot);
+    slotOf[id] = -1;
+    size--;
+    return leaf;
+  }
+
+  /**
    * Removes a box. O(log n); bounds stay tight.
    *
    * @param id which; any number
@@ -259,12 +327,7 @@ public final class KdTree implements SpatialIndex {
     if (!contains(id)) {
       return false;
     }
-    int slot = slotOf[id];
-    int leaf = slot / SLOTS;
-    int last = leaf * SLOTS + --fill[leaf];
-    moveSlot(last, slot);
-    slotOf[id] = -1;
-    size--;
+    int leaf = takeOut(id);
     fitLeaf(leaf);
     fitAncestors(leaf + leaves);
     return true;

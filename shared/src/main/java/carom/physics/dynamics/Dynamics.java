@@ -139,6 +139,11 @@ public final class Dynamics {
 
   private int gatheredCount;
 
+  /** Their parts. */
+  private int[] partList = new int[FIRST_CAPACITY];
+
+  private int partListCount;
+
   /** What was asked for in a callback: body * ASKED + what. */
   private long[] asked = new long[8];
 
@@ -808,8 +813,25 @@ public final class Dynamics {
         }
       }
     }
+    listParts();
+    resting.removeAll(partList, partListCount);
+    moving.addAll(partList, partListCount);
     for (int i = 0; i < gatheredCount; i++) {
       refreshJoints(gathered[i]);
+    }
+  }
+
+  /** Lists the parts of the gathered bodies. */
+  private void listParts() {
+    partListCount = 0;
+    for (int i = 0; i < gatheredCount; i++) {
+      int first = bodies.firstPart[gathered[i]];
+      for (int part = first; part < first + bodies.partCount[gathered[i]]; part++) {
+        if (partListCount == partList.length) {
+          partList = Arrays.copyOf(partList, partListCount * 2);
+        }
+        partList[partListCount++] = part;
+      }
     }
   }
 
@@ -821,14 +843,11 @@ public final class Dynamics {
 
   private void rouse(int body) {
     gather(body);
-    leave(body);
     bodies.flags[body] &= ~BodyStore.ASLEEP;
     bodies.sleepTime[body] = bodies.sleepTime[body] == MOVED ? MOVED : 0;
+    asleepCount--;
+    sleep.change();
     activate(body);
-    int first = bodies.firstPart[body];
-    for (int part = first; part < first + bodies.partCount[body]; part++) {
-      moving.add(part);
-    }
     markBodyMoved(body);
     boxesStale = true;
   }
@@ -1060,9 +1079,11 @@ public final class Dynamics {
     if (gatheredCount == 0) {
       return;
     }
+    listParts();
+    moving.removeAll(partList, partListCount);
     for (int i = 0; i < gatheredCount; i++) {
       int body = gathered[i];
-      leave(body);
+      deactivate(body);
       bodies.flags[body] |= BodyStore.ASLEEP;
       bodies.sleepTime[body] = settings.sleepDelay();
       bodies.vx[body] = 0;
@@ -1075,10 +1096,11 @@ public final class Dynamics {
       for (int part = first; part < first + bodies.partCount[body]; part++) {
         if (!holds(part)) {
           widen(part, 0, 0);
+          markMoved(part);
         }
-        resting.add(part);
       }
     }
+    resting.addAll(partList, partListCount);
     sleep.change();
     for (int i = 0; i < gatheredCount; i++) {
       refreshJoints(gathered[i]);

@@ -62,6 +62,39 @@ class KdTreeTest {
 
   @ParameterizedTest
   @EnumSource(Layout.class)
+  void crowdsMayComeAndGoAtOnce(Layout layout) {
+    Boxes boxes = new Boxes(layout, 300, 8);
+    for (int id = 0; id < 300; id++) {
+      boxes.setPresent(id, id < 150);
+    }
+    KdTree tree = treeOf(boxes);
+    int[] crowd = new int[300];
+    for (int tick = 0; tick < 60; tick++) {
+      boxes.drift(0.05);
+      tree.refit();
+      boolean come = tick % 2 == 0;
+      int share = tick % 3 == 0 ? 100 : 1 + boxes.below(30);
+      int n = 0;
+      for (int id = 0; id < 300; id++) {
+        if (boxes.isPresent(id) != come && boxes.below(100) < share) {
+          boxes.setPresent(id, come);
+          crowd[n++] = id;
+        }
+      }
+      if (come) {
+        tree.addAll(crowd, n);
+      } else {
+        tree.removeAll(crowd, n);
+      }
+      String where = boxes + " tick=" + tick;
+      assertEquals(boxes.ids().length, tree.size(), where);
+      assertArrayEquals(oracle(boxes), Pairs.of(tree), where);
+      TreeCheck.check(tree, boxes.array, where);
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource(Layout.class)
   void refitIsRightAfterAnyMotion(Layout layout) {
     Boxes boxes = new Boxes(layout, 257, 5);
     KdTree tree = treeOf(boxes);
