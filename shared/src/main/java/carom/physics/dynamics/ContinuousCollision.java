@@ -38,6 +38,9 @@ import java.util.Arrays;
  * Bullets are settled after all others and in the order of their slots, each against the corrected
  * motion of those before.
  *
+ * <p>A sensor that a body crosses within one step hears nothing of it: only what is inside at the
+ * start of a step counts.
+ *
  * <p>The result depends on the state alone: candidates are tested in the order in which their boxes
  * can be met, which has nothing to do with the trees. Nothing is allocated in a steady world.
  */
@@ -219,10 +222,12 @@ public final class ContinuousCollision {
     activeIndex = indexOfActive;
     solverBodies = solved;
     count = 0;
+    moving = false;
     float[] s = solved.state;
     for (int i = 0; i < activeCount; i++) {
       int body = active[i];
       if (bodies.type[body] != BodyStore.DYNAMIC) {
+        moving = true;
         continue;
       }
       int at = (i + 1) * SolverBodies.STRIDE;
@@ -319,7 +324,6 @@ public final class ContinuousCollision {
     if (order.length < count) {
       order = new long[flights.length];
     }
-    moving = false;
     for (int k = 0; k < count; k++) {
       int body = flights[k].body;
       flightOf[body] = k;
@@ -328,9 +332,6 @@ public final class ContinuousCollision {
       order[k] = (last ? 1L << 32 : 0) | body;
     }
     order = sorter.sort(order, count);
-    for (int i = 0; i < activeCount && !moving; i++) {
-      moving = bodies.type[active[i]] == BodyStore.KINEMATIC;
-    }
     drift = 0;
     for (int i = 0; i < activeCount && moving; i++) {
       int body = active[i];
