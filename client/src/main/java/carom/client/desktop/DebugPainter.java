@@ -43,6 +43,7 @@ final class DebugPainter {
   private static final Color SHAPE = new Color(1, 1, 1, 0.9f);
   private static final Color STATIC = new Color(0.6f, 0.7f, 0.85f, 0.9f);
   private static final Color DISABLED = new Color(0.5f, 0.5f, 0.5f, 0.5f);
+  private static final Color ASLEEP = new Color(0.55f, 0.6f, 0.9f, 0.8f);
   private static final Color BULLET = new Color(1, 0.4f, 0.9f, 1);
   private static final Color SENSOR = new Color(0.5f, 1, 0.5f, 0.7f);
   private static final Color AABB = new Color(0.35f, 0.85f, 1, 0.45f);
@@ -137,21 +138,22 @@ final class DebugPainter {
     if (!body.isEnabled()) {
       return DISABLED;
     }
+    if (body.type() == BodyType.DYNAMIC && !body.awake()) {
+      return ASLEEP;
+    }
     return body.isBullet() ? BULLET : body.type() == BodyType.DYNAMIC ? SHAPE : STATIC;
   }
 
-  /** A tick on the left, where the line is solid. */
+  /** A tick on the side where the line is solid. */
   private void front(Segment s) {
     float x = (s.vertexX(0) + s.vertexX(1)) / 2;
     float y = (s.vertexY(0) + s.vertexY(1)) / 2;
-    float dx = s.vertexX(1) - s.vertexX(0);
-    float dy = s.vertexY(1) - s.vertexY(0);
-    float tick = 6 * lineM / (float) Math.sqrt(dx * dx + dy * dy);
+    float tick = 6 * lineM;
     canvas.line(
         shapes.worldX(x, y),
         shapes.worldY(x, y),
-        shapes.worldX(x - dy * tick, y + dx * tick),
-        shapes.worldY(x - dy * tick, y + dx * tick),
+        shapes.worldX(x + s.normalX(0) * tick, y + s.normalY(0) * tick),
+        shapes.worldY(x + s.normalX(0) * tick, y + s.normalY(0) * tick),
         lineM,
         SENSOR);
   }

@@ -25,6 +25,9 @@ final class ScenePainter {
   private static final float EDGE_M = 0.045f;
   private static final float GROUND_M = 0.4f;
 
+  /** What sleeping bodies fade to. */
+  private static final int ASLEEP = 0x2b3646;
+
   /** Smaller bodies have no edges and no shadows, px. */
   private static final float SMALL_PX = 7;
 
@@ -129,6 +132,9 @@ final class ScenePainter {
       return;
     }
     boolean still = body.type() == BodyType.STATIC;
+    if (body.type() == BodyType.DYNAMIC && !body.awake()) {
+      rgb = Palette.mix(rgb, ASLEEP, 0.5f);
+    }
     Theme.shade(rgb, 1, 1, fill);
     Theme.shade(rgb, still ? 1.25f : 0.62f, 1, edge);
     if (small()) {
@@ -169,10 +175,9 @@ final class ScenePainter {
     float x1 = s.vertexX(1);
     float y1 = s.vertexY(1);
     if (s.isOneSided()) {
-      // The front is on the left.
-      float length = (float) Math.sqrt((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0));
-      float bx = (y1 - y0) / length * GROUND_M;
-      float by = -(x1 - x0) / length * GROUND_M;
+      // The first edge's normal points to the front.
+      float bx = -s.normalX(0) * GROUND_M;
+      float by = -s.normalY(0) * GROUND_M;
       corner(0, x0, y0);
       corner(1, x0 + bx, y0 + by);
       corner(2, x1 + bx, y1 + by);

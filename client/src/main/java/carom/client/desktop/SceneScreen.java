@@ -182,7 +182,9 @@ final class SceneScreen extends ScreenAdapter {
     int height = Gdx.graphics.getHeight();
     if (!fitted) {
       View view = player.scene().view();
-      camera.fit(view.x(), view.y(), view.width(), view.height(), width, height);
+      // The title covers the top.
+      float sky = Math.max(view.height(), view.width() * height / width) * 0.06f;
+      camera.fit(view.x(), view.y() + sky, view.width(), view.height() + 2 * sky, width, height);
       fitted = true;
     }
     camera.resize(width, height);

@@ -257,8 +257,8 @@ final class JointScenes {
               new BodyDef(BodyType.DYNAMIC)
                   .shape(new Box(0.5f, 0.5f), Palette.of(Palette.bright(i)))
                   .fixedRotation(true)
-                  .position(x, 5.5f));
-      s.joint(JointDef.distance(null, weight, x, 8, x, 5.5f).spring(0.8f, ratios[i]));
+                  .position(x, 3.5f));
+      s.joint(JointDef.distance(null, weight, x, 8, x, 3.5f).rest(2.5f).spring(0.8f, ratios[i]));
     }
   }
 
