@@ -12,6 +12,7 @@ import carom.sim.scene.SceneRun;
 import carom.sim.scene.Scenes;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.LongSupplier;
 
 /**
  * Runs a scene in steps of its own length, however long frames take, and lets one body be dragged.
@@ -41,6 +42,12 @@ final class ScenePlayer {
   private double stepMs;
   private Joint<String> hand;
   private final Transform pose = new Transform();
+  private final LongSupplier clock;
+
+  /** A player that measures its steps by a clock, ns. */
+  ScenePlayer(LongSupplier clock) {
+    this.clock = clock;
+  }
 
   /** Starts a scene from the beginning, with sleep and continuous collision as users have them. */
   void open(Scene newScene) {
@@ -107,11 +114,11 @@ final class ScenePlayer {
       return;
     }
     due += Math.min(seconds, LONGEST_FRAME) * speed();
-    long start = System.nanoTime();
+    long start = clock.getAsLong();
     while (due >= run.tickSeconds()) {
       step();
       due -= run.tickSeconds();
-      if (System.nanoTime() - start > FRAME_BUDGET_NS) {
+      if (clock.getAsLong() - start > FRAME_BUDGET_NS) {
         due = 0;
       }
     }
@@ -121,9 +128,9 @@ final class ScenePlayer {
     if (hand != null && !hand.isValid()) {
       hand = null;
     }
-    long start = System.nanoTime();
+    long start = clock.getAsLong();
     run.step();
-    double ms = (System.nanoTime() - start) / 1e6;
+    double ms = (clock.getAsLong() - start) / 1e6;
     stepMs = stepMs == 0 ? ms : stepMs + SMOOTH * (ms - stepMs);
   }
 

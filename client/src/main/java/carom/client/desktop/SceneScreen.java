@@ -46,7 +46,7 @@ final class SceneScreen extends ScreenAdapter {
   private final SpriteBatch batch = new SpriteBatch();
   private final Matrix4 pixels = new Matrix4();
   private final ViewCamera camera = new ViewCamera();
-  private final ScenePlayer player = new ScenePlayer();
+  private final ScenePlayer player = new ScenePlayer(System::nanoTime);
   private final ScenePainter painter;
   private final DebugPainter debug;
   private final Fonts fonts;

@@ -5,6 +5,9 @@
  * touches the simulation, the link or the decoder. May use {@code carom.client}, {@code carom.sim}
  * and {@code carom.physics} for what it draws.
  *
+ * <p>{@code SceneScreen} is the exception: it looks at a scene of {@code carom.sim.scene}, and
+ * steps it itself.
+ *
  * <p>Read first: {@link carom.client.desktop.DesktopLauncher}, {@link
  * carom.client.desktop.GameScreen}, {@link carom.client.desktop.WorldPainter}.
  */

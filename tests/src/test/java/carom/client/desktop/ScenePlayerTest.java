@@ -15,7 +15,9 @@ import org.junit.jupiter.api.Test;
 
 /** The viewer's clock and hand, without a window. */
 final class ScenePlayerTest {
-  private final ScenePlayer player = new ScenePlayer();
+  private long now;
+  private long stepNs;
+  private final ScenePlayer player = new ScenePlayer(() -> now += stepNs);
 
   @BeforeEach
   void open() {
@@ -52,6 +54,15 @@ final class ScenePlayerTest {
   }
 
   @Test
+  void aSceneThatIsTooSlowRunsInSlowMotion() {
+    stepNs = 40_000_000;
+    for (int i = 0; i < 5; i++) {
+      player.advance(0.1);
+    }
+    assertEquals(5, player.run().tick());
+  }
+
+  @Test
   void aBodyUnderTheMouseIsHeldMovedAndFlung() {
     assertFalse(player.grab(0, -0.5f), "the floor is not dynamic");
     assertTrue(player.grab(0.1f, 19.6f));
@@ -62,6 +73,10 @@ final class ScenePlayerTest {
       player.single();
     }
     assertTrue(top.y() > before + 1, "y=" + top.y());
+    player.drag(0.1f, 35);
+    for (int i = 0; i < 3; i++) {
+      player.single();
+    }
     player.release();
     assertNull(player.held());
     assertTrue(top.velocityY() > 1, "it keeps its speed: " + top.velocityY());
