@@ -21,82 +21,44 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Equal calls give equal bits, wherever and however they are made. */
 final class DeterminismTest {
-  /** Hashes after so many steps; a change here is a decision that the commit message explains. */
+  /**
+   * State and events of each scene after its steps; a change here is a decision that the commit
+   * message explains.
+   */
   private static final String GOLDEN =
-      "stack 6732c48da8486058 pyramid a2ef4f83845400b8 pile badcd63e976f4c6f gas 52ed0c1a501cc3a8"
-          + " spin 3a730ae71718a96b net 77ae10dec9308a76 joints 190955602e3b892a"
-          + " belts c92b8f79ee0795b6";
-
-  /** Prints the hashes of all scenes; also run in other processes and on other JDKs. */
-  static final class Hashes {
-    private Hashes() {}
-
-    /** Steps the scenes; "small" makes it short enough for the interpreter. */
-    public static void main(String[] args) {
-      System.out.println(args.length > 0 ? small() : all());
-    }
-
-    static String all() {
-      return "stack "
-          + hash(Scenes.stack(10), 300)
-          + " pyramid "
-          + hash(Scenes.pyramid(12), 200)
-          + " pile "
-          + hash(Scenes.pile(120, 5), 400)
-          + " gas "
-          + hash(Scenes.gas(12, 9, 1), 300)
-          + " spin "
-          + hash(spinner(), 300)
-          + " net "
-          + hash(JointTest.grid(20), 200)
-          + " joints "
-          + hash(JointLifeTest.zoo(3), 300)
-          + " belts "
-          + hash(SurfaceTest.belts(), 300);
-    }
-
-    static String small() {
-      return "pile "
-          + hash(Scenes.pile(16, 5), 150)
-          + " spin "
-          + hash(spinner(), 60)
-          + " net "
-          + hash(JointTest.grid(6), 60);
-    }
-
-    private static String hash(World<?> w, int n) {
-      steps(w, n);
-      return Long.toHexString(w.stateHash());
-    }
-
-    /** A turning kinematic cross stirs discs. */
-    private static World<String> spinner() {
-      World<String> w = Scenes.floor(Material.DEFAULT);
-      w.createBody(
-          new BodyDef(BodyType.KINEMATIC)
-              .shape(new Box(3, .2f))
-              .shape(new Box(.2f, 3))
-              .position(0, 3.5f)
-              .angularVelocity(2),
-          null);
-      for (int i = 0; i < 30; i++) {
-        w.createBody(
-            new BodyDef(BodyType.DYNAMIC)
-                .shape(new Circle(.2f), new Material(1, .3f, .5f))
-                .position(-2 + (i % 10) * .45f, 7 + .5f * Math.floorDiv(i, 10)),
-            null);
-      }
-      return w;
-    }
-  }
+      """
+      STACK 6732c48da8486058 3f1f2db811dd3990
+      PYRAMID a2ef4f83845400b8 aa0b3c66809a58cd
+      PILE badcd63e976f4c6f 81438b6946b9f1de
+      GAS 52ed0c1a501cc3a8 7bb38e875891588c
+      SPIN 3a730ae71718a96b 7ba2a9ef120a4f35
+      NET 863e5d633be069c3 11
+      JOINTS f5d204a1dbe671f8 61fc57ae9c9a675d
+      BELTS c92b8f79ee0795b6 2c0781c8e43b4df9
+      CHAINS fa7c0e1982cc9858 ae937946a3908ab2
+      ROUND 2d97948d3fdf80a0 3fa6e7d85afbeb8b
+      BULLETS c50f7c6d7ed8b058 e2e5b5b304bc0e27
+      SLEEPERS ef0c6409fc5a4b6f b9739c9512676df0
+      EDITS 66c0a8c8259c515 61f3722c5f08ae5
+      WATER 3211cbf36dced960 755595f14ea23160
+      EULER 1277760e3ebb4c35 8d05b2b64f654513
+      """;
 
   @Test
   void goldenHashesHaveNotChanged() {
-    assertEquals(GOLDEN, Hashes.all());
+    assertEquals(GOLDEN, GoldenScenes.results(false));
+  }
+
+  /** The same process once more, now with compiled code. */
+  @Test
+  void everyRunAgrees() {
+    assertEquals(GOLDEN, GoldenScenes.results(false));
+    assertEquals(GoldenScenes.results(true), GoldenScenes.results(true));
   }
 
   @Test
@@ -106,13 +68,20 @@ final class DeterminismTest {
 
   @Test
   void interpreterAgrees() throws Exception {
-    assertEquals(Hashes.small(), child(javaHome().resolve("bin/java"), List.of("-Xint"), true));
+    assertEquals(
+        GoldenScenes.results(true), child(javaHome().resolve("bin/java"), List.of("-Xint"), true));
   }
 
-  @Test
-  void firstCompilerAgrees() throws Exception {
-    assertEquals(
-        GOLDEN, child(javaHome().resolve("bin/java"), List.of("-XX:TieredStopAtLevel=1"), false));
+  /** C1 alone, C2 alone, and with the module of the vector kernels. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "-XX:TieredStopAtLevel=1",
+        "-XX:-TieredCompilation",
+        "--add-modules=jdk.incubator.vector"
+      })
+  void everyCompilerAgrees(String option) throws Exception {
+    assertEquals(GOLDEN, child(javaHome().resolve("bin/java"), List.of(option), false));
   }
 
   /** Looks for JDKs that are installed side by side. */
@@ -151,14 +120,45 @@ final class DeterminismTest {
       throws IOException, InterruptedException {
     List<String> command = new ArrayList<>(List.of(java.toString(), "-Xmx256m"));
     command.addAll(options);
-    command.addAll(List.of("-cp", System.getProperty("java.class.path"), Hashes.class.getName()));
+    command.addAll(
+        List.of("-cp", System.getProperty("java.class.path"), GoldenScenes.class.getName()));
     if (small) {
       command.add("small");
     }
     Process p = new ProcessBuilder(command).redirectError(new File("/dev/null")).start();
-    String out = new String(p.getInputStream().readAllBytes(), StandardCharsets.UTF_8).trim();
+    String out = new String(p.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     assertEquals(0, p.waitFor(), command.toString());
     return out;
+  }
+
+  /** Every scene, restored at a random tick, goes on as it did. */
+  @ParameterizedTest
+  @EnumSource(GoldenScenes.class)
+  void everySceneGoesOnAfterRestore(GoldenScenes golden) {
+    World<String> w = golden.start();
+    Scenes.Rng r = new Scenes.Rng(golden.ordinal());
+    WorldState s = null;
+    int tick = 0;
+    for (int round = 0; round < 4; round++) {
+      for (int i = 10 + r.below(30); i > 0; i--) {
+        golden.step(w, tick++);
+      }
+      s = w.save(s);
+      long at = w.stateHash();
+      long[] expected = new long[20];
+      for (int i = 0; i < expected.length; i++) {
+        golden.step(w, tick + i);
+        expected[i] = w.stateHash();
+      }
+      w.restore(s);
+      String where = golden + " tick=" + tick;
+      assertEquals(at, w.stateHash(), where);
+      for (int i = 0; i < expected.length; i++) {
+        golden.step(w, tick + i);
+        assertEquals(expected[i], w.stateHash(), where + " step=" + i);
+      }
+      tick += expected.length;
+    }
   }
 
   /** Restores at random ticks, with bodies created and destroyed in between. */

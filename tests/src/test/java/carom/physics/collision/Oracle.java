@@ -17,10 +17,15 @@ final class Oracle {
   private Oracle() {}
 
   static Convex shape(int kind, SplittableRandom random) {
-    float cx = (float) random.nextDouble(-0.3, 0.3);
-    float cy = (float) random.nextDouble(-0.3, 0.3);
-    float w = (float) random.nextDouble(0.2, 1);
-    float h = (float) random.nextDouble(0.2, 1);
+    return shape(kind, random, 1);
+  }
+
+  /** A shape of about a given size, m. */
+  static Convex shape(int kind, SplittableRandom random, double size) {
+    float cx = (float) (size * random.nextDouble(-0.3, 0.3));
+    float cy = (float) (size * random.nextDouble(-0.3, 0.3));
+    float w = (float) (size * random.nextDouble(0.2, 1));
+    float h = (float) (size * random.nextDouble(0.2, 1));
     if (kind == 0) {
       return new Circle(w, cx, cy);
     }
@@ -35,7 +40,7 @@ final class Oracle {
     }
     float[] xy = new float[2 * random.nextInt(5, 12)];
     for (int i = 0; i < xy.length; i++) {
-      xy[i] = (float) random.nextDouble(-1, 1);
+      xy[i] = (float) (size * random.nextDouble(-1, 1));
     }
     return kind == 5 ? Polygon.rounded(0.2f * w, xy) : Polygon.of(xy);
   }
@@ -72,6 +77,11 @@ final class Oracle {
 
   /** Largest gap over all directions from A to B: the distance, or minus the least overlap. */
   static double separation(Convex a, Transform ta, Convex b, Transform tb) {
+    return separation(a, ta, b, tb, 1);
+  }
+
+  /** The same for shapes of about a given size, m. */
+  static double separation(Convex a, Transform ta, Convex b, Transform tb, double size) {
     int steps = 1440;
     double step = 2 * Math.PI / steps;
     double[] gaps = new double[steps];
@@ -82,7 +92,9 @@ final class Oracle {
     }
     double coarse = best;
     for (int i = 0; i < steps; i++) {
-      if (gaps[i] > coarse - 0.03) {
+      double before = gaps[(i + steps - 1) % steps];
+      boolean peak = gaps[i] >= before && gaps[i] >= gaps[(i + 1) % steps];
+      if (peak && gaps[i] > coarse - 0.03 * size) {
         double low = (i - 1) * step;
         double high = (i + 1) * step;
         for (int k = 0; k < 40; k++) {
