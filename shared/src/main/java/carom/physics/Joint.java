@@ -165,10 +165,16 @@ public final class Joint<T> {
    * Angle of B relative to A, 0 as it was when the joint was made; of a motor joint relative to its
    * target.
    *
-   * @return rad, -pi to pi
+   * @return rad, -pi to pi, unless full turns are counted, see {@link JointDef#revolute}
    */
   public float angle() {
     check();
+    float angle = wrappedAngle();
+    boolean winds = (store.flags[index] & JointStore.WINDS) != 0 && type != JointType.GEAR;
+    return winds ? (float) store.woundB(index, angle) : angle;
+  }
+
+  private float wrappedAngle() {
     BodyStore b = world.store();
     int one = store.bodyA[index];
     int two = store.bodyB[index];
@@ -191,7 +197,7 @@ public final class Joint<T> {
     float dx = anchorBX() - anchorAX();
     float dy = anchorBY() - anchorAY();
     return switch (type) {
-      case DISTANCE -> (float) Math.sqrt(dx * dx + dy * dy);
+      case DISTANCE -> length(dx, dy);
       case PRISMATIC, WHEEL -> {
         BodyStore b = world.store();
         int one = store.bodyA[index];
@@ -202,7 +208,58 @@ public final class Joint<T> {
         yield (c * x - s * y) * dx + (s * x + c * y) * dy;
       }
       case REVOLUTE, WELD, MOTOR, MOUSE -> angle();
+      case GEAR -> {
+        BodyStore b = world.store();
+        int two = store.bodyB[index];
+        float x = store.baseBx[index];
+        float y = store.baseBy[index];
+        float c = b.cos[two] * x + b.sin[two] * y;
+        float s = b.sin[two] * x - b.cos[two] * y;
+        yield (float) store.woundB(index, Trig.atan2(s, c));
+      }
+      case RACK -> {
+        BodyStore b = world.store();
+        int two = store.bodyB[index];
+        float x = b.cos[two] * store.axisX[index] - b.sin[two] * store.axisY[index];
+        float y = b.sin[two] * store.axisX[index] + b.cos[two] * store.axisY[index];
+        yield x * dx + y * dy - store.rest[index];
+      }
+      case PULLEY -> lengthA() + ratio() * lengthB();
     };
+  }
+
+  /**
+   * What B does by what A does, of a gear, a rack or a pulley.
+   *
+   * @return as it was made; 0 for all others
+   */
+  public float ratio() {
+    check();
+    return store.ratio[index];
+  }
+
+  /**
+   * The length of A's rope of a pulley.
+   *
+   * @return m
+   */
+  public float lengthA() {
+    refuseUnless(type == JointType.PULLEY, "lengthA");
+    return length(anchorAX() - store.baseAx[index], anchorAY() - store.baseAy[index]);
+  }
+
+  /**
+   * The length of B's rope of a pulley.
+   *
+   * @return m
+   */
+  public float lengthB() {
+    refuseUnless(type == JointType.PULLEY, "lengthB");
+    return length(anchorBX() - store.baseBx[index], anchorBY() - store.baseBy[index]);
+  }
+
+  private static float length(float x, float y) {
+    return (float) Math.sqrt(x * x + y * y);
   }
 
   /**
@@ -358,6 +415,8 @@ public final class Joint<T> {
     Checks.range("upper", upper, lower, JointDef.most(type));
     set(store.lower, lower);
     set(store.upper, upper);
+    wind(lower);
+    wind(upper);
     raise(JointStore.LIMITED);
   }
 
@@ -377,7 +436,7 @@ public final class Joint<T> {
    * @param dampingRatio 0 to 100
    */
   public void setSpring(float hertz, float dampingRatio) {
-    check();
+    refuseUnless(JointDef.canSpring(type), "setSpring");
     Checks.range("hertz", hertz, 0, 1e3f);
     Checks.range("dampingRatio", dampingRatio, 0, 100);
     set(store.hertz, hertz);
@@ -402,6 +461,7 @@ public final class Joint<T> {
   public void setRest(float coordinate) {
     refuseUnless(JointDef.hasLimits(type), "setRest");
     set(store.rest, Checks.range("rest", coordinate, JointDef.least(type), JointDef.most(type)));
+    wind(coordinate);
   }
 
   /**
@@ -438,6 +498,13 @@ public final class Joint<T> {
     Checks.range("angle", angleRad, -1e5f, 1e5f);
     set(store.refCos, Trig.cos(angleRad));
     set(store.refSin, Trig.sin(angleRad));
+  }
+
+  /** Has full turns counted from now on if a hinge shall get to an angle beyond half a turn. */
+  private void wind(float angle) {
+    if (type == JointType.REVOLUTE && JointDef.windsBeyond(angle)) {
+      raise(JointStore.WINDS);
+    }
   }
 
   private void raise(byte flag) {

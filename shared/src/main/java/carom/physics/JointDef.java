@@ -22,6 +22,11 @@ public final class JointDef<T> {
   private static final float MAX_LENGTH = 1e6f;
   private static final float MAX_HERTZ = 1e3f;
 
+  /** Largest angle of a hinge, rad; a float still tells a thousandth of a radian there. */
+  private static final float MAX_ANGLE = 1e4f;
+
+  private static final float MAX_RATIO = 1e4f;
+
   final JointType type;
   final Body<T> bodyA;
   final Body<T> bodyB;
@@ -35,6 +40,11 @@ public final class JointDef<T> {
   boolean limited;
   boolean driven;
   boolean sprung;
+  float ratio;
+  float baseAx;
+  float baseAy;
+  float baseBx;
+  float baseBy;
   float rest;
   boolean restGiven;
   float lower;
@@ -84,7 +94,8 @@ public final class JointDef<T> {
 
   /**
    * A hinge. {@link #limits}, {@link #motor} and {@link #spring} act on the angle of B relative to
-   * A, 0 as it is now, within -pi to pi.
+   * A, 0 as it is now. It goes from -pi to pi and from there to -pi again, unless {@link #limits}
+   * or {@link #rest} ask for more: then full turns are counted.
    *
    * @param bodyA a body, or null for the world
    * @param bodyB the other one
@@ -224,8 +235,102 @@ public final class JointDef<T> {
   }
 
   /**
-   * Limits the coordinate: the angle of a revolute joint (rad, within -pi to pi), the distance of a
-   * distance joint, the translation of a prismatic or wheel joint (m).
+   * Two gears: from now on B turns {@code ratio} times what A turns. Two wheels that mesh have the
+   * ratio -radiusA / radiusB, a belt between them the positive one. Each needs a hinge of its own
+   * that holds it. Full turns are counted, so nothing drifts. {@link Joint#torque} is that on B; A
+   * feels -ratio times that.
+   *
+   * @param bodyA the one that counts
+   * @param bodyB the other one
+   * @param ratio within 1e4, not 0
+   * @param <T> the user's type
+   * @return a definition
+   */
+  public static <T> JointDef<T> gear(Body<T> bodyA, Body<T> bodyB, float ratio) {
+    return coupled(JointType.GEAR, bodyA, bodyB, ratio);
+  }
+
+  /**
+   * Rack and pinion: from now on B moves {@code ratio} metres along an axis per radian that A
+   * turns. A wheel of radius r that runs on top of a rack moves it by r along x, one that runs
+   * below it by -r. A needs a hinge and B a slider that hold them.
+   *
+   * @param bodyA the pinion
+   * @param bodyB the rack; the axis turns with it
+   * @param axisX direction, world; any length
+   * @param axisY direction, world
+   * @param ratio m/rad, within 1e4, not 0
+   * @param <T> the user's type
+   * @return a definition
+   */
+  public static <T> JointDef<T> rack(
+      Body<T> bodyA, Body<T> bodyB, float axisX, float axisY, float ratio) {
+    JointDef<T> d = coupled(JointType.RACK, bodyA, bodyB, ratio);
+    return d.anchors(bodyA.centerX(), bodyA.centerY(), bodyB.centerX(), bodyB.centerY())
+        .axis(axisX, axisY);
+  }
+
+  /**
+   * A pulley: a rope from A up to a point of the world, over to another one, and down to B. The sum
+   * {@code lengthA + ratio lengthB} stays as it is now; with a ratio of n, B hangs in n strands.
+   * Without limits it is a rod that also pushes; {@code limits(0, length)} makes it a rope, which
+   * only pulls, {@link #spring} makes it elastic. {@link Joint#forceX} is the force on B, A's rope
+   * pulls with 1 / ratio of it. The bodies collide unless {@link #collideConnected} says otherwise.
+   *
+   * @param bodyA a body
+   * @param bodyB the other one
+   * @param ax where the rope holds A, m, world
+   * @param ay where the rope holds A, m, world
+   * @param bx where the rope holds B, m, world
+   * @param by where the rope holds B, m, world
+   * @param groundAx where A's rope goes, m, world
+   * @param groundAy where A's rope goes, m, world
+   * @param groundBx where B's rope goes, m, world
+   * @param groundBy where B's rope goes, m, world
+   * @param ratio more than 0, within 1e4
+   * @param <T> the user's type
+   * @return a definition
+   */
+  public static <T> JointDef<T> pulley(
+      Body<T> bodyA,
+      Body<T> bodyB,
+      float ax,
+      float ay,
+      float bx,
+      float by,
+      float groundAx,
+      float groundAy,
+      float groundBx,
+      float groundBy,
+      float ratio) {
+    Checks.range("ratio", ratio, 0, MAX_RATIO);
+    JointDef<T> d = coupled(JointType.PULLEY, bodyA, bodyB, ratio).anchors(ax, ay, bx, by);
+    d.baseAx = Checks.coordinate("groundAX", groundAx);
+    d.baseAy = Checks.coordinate("groundAY", groundAy);
+    d.baseBx = Checks.coordinate("groundBX", groundBx);
+    d.baseBy = Checks.coordinate("groundBY", groundBy);
+    return d.collideConnected(true);
+  }
+
+  private static <T> JointDef<T> coupled(
+      JointType type, Body<T> bodyA, Body<T> bodyB, float ratio) {
+    if (bodyA == null) {
+      throw new IllegalArgumentException("bodyA=null; a joint of type=" + type + " needs two");
+    }
+    Checks.range("ratio", ratio, -MAX_RATIO, MAX_RATIO);
+    if (Math.abs(ratio) < 1 / MAX_RATIO) {
+      throw new IllegalArgumentException(
+          "ratio=" + ratio + " couples nothing, its size must be at least " + 1 / MAX_RATIO);
+    }
+    JointDef<T> d = new JointDef<>(type, bodyA, bodyB);
+    d.ratio = ratio;
+    return d;
+  }
+
+  /**
+   * Limits the coordinate: the angle of a revolute joint (rad, within 1e4; beyond pi full turns are
+   * counted), the distance of a distance joint, the translation of a prismatic or wheel joint, the
+   * length of a pulley (m).
    *
    * @param newLower lower limit
    * @param newUpper upper limit, not below the lower one
@@ -265,6 +370,7 @@ public final class JointDef<T> {
    * @return this
    */
   public JointDef<T> spring(float newHertz, float dampingRatio) {
+    refuseUnless(canSpring(type), "spring");
     hertz = Checks.range("hertz", newHertz, 0, MAX_HERTZ);
     damping = Checks.range("dampingRatio", dampingRatio, 0, 100);
     sprung = hasCoordinateSpring(type);
@@ -329,31 +435,49 @@ public final class JointDef<T> {
         ((collideConnected ? JointStore.COLLIDE : 0)
             | (limited ? JointStore.LIMITED : 0)
             | (driven ? JointStore.DRIVEN : 0)
-            | (sprung ? JointStore.SPRUNG : 0));
+            | (sprung ? JointStore.SPRUNG : 0)
+            | (winds() ? JointStore.WINDS : 0));
+  }
+
+  private boolean winds() {
+    return switch (type) {
+      case GEAR, RACK -> true;
+      case REVOLUTE -> windsBeyond(lower) || windsBeyond(upper) || windsBeyond(rest);
+      default -> false;
+    };
+  }
+
+  /** Whether a hinge must count turns to get to an angle. */
+  static boolean windsBeyond(float angle) {
+    return Math.abs(angle) > Trig.PI;
   }
 
   /** Largest coordinate that can be asked for. */
   static float most(JointType type) {
-    return type == JointType.REVOLUTE ? Trig.PI : MAX_LENGTH;
+    return type == JointType.REVOLUTE ? MAX_ANGLE : MAX_LENGTH;
   }
 
   /** Smallest coordinate that can be asked for. */
   static float least(JointType type) {
-    return type == JointType.DISTANCE ? 0 : -most(type);
+    return type == JointType.DISTANCE || type == JointType.PULLEY ? 0 : -most(type);
   }
 
   static boolean hasLimits(JointType type) {
     return switch (type) {
-      case REVOLUTE, DISTANCE, PRISMATIC, WHEEL -> true;
-      case WELD, MOTOR, MOUSE -> false;
+      case REVOLUTE, DISTANCE, PRISMATIC, WHEEL, PULLEY -> true;
+      case WELD, MOTOR, MOUSE, GEAR, RACK -> false;
     };
   }
 
   static boolean hasMotor(JointType type) {
     return switch (type) {
       case REVOLUTE, PRISMATIC, WHEEL -> true;
-      case DISTANCE, WELD, MOTOR, MOUSE -> false;
+      case DISTANCE, WELD, MOTOR, MOUSE, GEAR, RACK, PULLEY -> false;
     };
+  }
+
+  static boolean canSpring(JointType type) {
+    return type != JointType.GEAR && type != JointType.RACK;
   }
 
   /** Whether the spring is one of several things on the coordinate that can be missing. */

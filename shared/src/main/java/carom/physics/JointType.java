@@ -15,5 +15,14 @@ public enum JointType {
   /** B is drawn to a pose relative to A with limited force. The coordinate is the angle, rad. */
   MOTOR,
   /** A point of B is drawn to a point of the world. The coordinate is the angle, rad. */
-  MOUSE
+  MOUSE,
+  /** B turns by a ratio of what A turns. The coordinate is the angle of B, rad. */
+  GEAR,
+  /** B moves along an axis by a ratio of what A turns. The coordinate is the translation, m. */
+  RACK,
+  /**
+   * Two ropes from points of the world to A and B that share one length. The coordinate is {@code
+   * lengthA + ratio lengthB}, m.
+   */
+  PULLEY
 }

@@ -409,10 +409,9 @@ public final class World<T> {
     joints.refCos[j] = store.cos[b] * cA + store.sin[b] * sA;
     joints.refSin[j] = store.sin[b] * cA - store.cos[b] * sA;
     joints.rest[j] = d.rest;
+    couple(d, j);
     if (!d.restGiven && d.type == JointType.DISTANCE) {
-      float dx = d.bx - d.ax;
-      float dy = d.by - d.ay;
-      joints.rest[j] = (float) Math.sqrt(dx * dx + dy * dy);
+      joints.rest[j] = length(d.bx - d.ax, d.by - d.ay);
     }
     joints.lower[j] = d.lower;
     joints.upper[j] = d.upper;
@@ -436,6 +435,35 @@ public final class World<T> {
     jointHandles[j] = joint;
     jointStructure.change();
     return joint;
+  }
+
+  /** Takes over where the coordinates of gear, rack and pulley count from. */
+  private void couple(JointDef<T> d, int j) {
+    joints.ratio[j] = d.ratio;
+    joints.baseAx[j] = d.baseAx;
+    joints.baseAy[j] = d.baseAy;
+    joints.baseBx[j] = d.baseBx;
+    joints.baseBy[j] = d.baseBy;
+    if (d.type == JointType.GEAR) {
+      joints.baseAx[j] = d.bodyA.cos();
+      joints.baseAy[j] = d.bodyA.sin();
+      joints.baseBx[j] = d.bodyB.cos();
+      joints.baseBy[j] = d.bodyB.sin();
+    } else if (d.type == JointType.RACK) {
+      float c = d.bodyB.cos();
+      float s = d.bodyB.sin();
+      joints.axisX[j] = c * d.axisX + s * d.axisY;
+      joints.axisY[j] = c * d.axisY - s * d.axisX;
+      joints.rest[j] = (d.bx - d.ax) * d.axisX + (d.by - d.ay) * d.axisY;
+    } else if (d.type == JointType.PULLEY && !d.restGiven) {
+      joints.rest[j] =
+          length(d.ax - d.baseAx, d.ay - d.baseAy)
+              + d.ratio * length(d.bx - d.baseBx, d.by - d.baseBy);
+    }
+  }
+
+  private static float length(float x, float y) {
+    return (float) Math.sqrt(x * x + y * y);
   }
 
   private void own(Body<T> body) {

@@ -51,6 +51,12 @@ import java.util.Arrays;
  * {@value #SYMPLECTIC_LIMIT} (19 hertz at 60 ticks and 4 substeps) use t = 1, implicit Euler, which
  * is stable always and damps by itself.
  *
+ * <p><b>Coupled</b> coordinates are rows, too: of a gear {@code q = angleB - r angleA}, so u = 0,
+ * sA = r, sB = 1; of a rack {@code q = u . (pB - pA) - r (angleA - angleB)} with an axis u of B,
+ * since what rolls off is the turning of A seen from B; of a pulley {@code q = lengthA + r
+ * lengthB}, a row with two directions: A moves along its rope and B along its own, r times. Angles
+ * are counted over full turns, and the error is measured from poses, so that nothing drifts.
+ *
  * <p>Lever arms turn with the bodies in each substep, other than those of contacts: a pendulum
  * turns much between two ticks. The row for the spring follows Erin Catto's GDC 2011 talk; written
  * from the algebra above.
@@ -68,6 +74,7 @@ final class JointSolver {
   private static final float MAX_HERTZ_PER_RATE = 0.25f;
 
   private JointStore store;
+  private BodyStore bodies;
   private int count;
   private int capacity;
 
@@ -131,6 +138,12 @@ final class JointSolver {
   private float sB;
   private float mass;
 
+  /** Of a pulley's row: direction for A, in which it is pushed back; u is that for B. */
+  private float wx;
+
+  private float wy;
+  private boolean split;
+
   int count() {
     return count;
   }
@@ -139,6 +152,7 @@ final class JointSolver {
   void prepare(
       JointStore j, BodyStore bodies, int[] activeIndex, Settings s, float substep, float[] state) {
     store = j;
+    this.bodies = bodies;
     v = state;
     h = substep;
     inverseH = 1 / substep;
@@ -221,6 +235,10 @@ final class JointSolver {
           lengthRow();
           apply(axial + j.impulseX[slot]);
         }
+        case JointStore.GEAR, JointStore.RACK, JointStore.PULLEY -> {
+          coupledRow(k, slot);
+          apply(axial + j.impulseX[slot]);
+        }
         case JointStore.PRISMATIC -> {
           axisRow(k);
           apply(axial);
@@ -258,12 +276,24 @@ final class JointSolver {
           int flags = j.flags[slot];
           if ((flags & (JointStore.LIMITED | JointStore.DRIVEN | JointStore.SPRUNG)) != 0) {
             angleRow();
-            coordinate(slot, angle(k), bias);
+            float angle = angle(k);
+            coordinate(slot, j.winds(slot) ? (float) j.windB(slot, angle) : angle, bias);
           }
           point(slot, bias);
         }
         case JointStore.DISTANCE -> {
           float length = lengthRow();
+          coordinate(slot, length, bias);
+          if ((j.flags[slot] & (JointStore.LIMITED | JointStore.SPRUNG)) == 0) {
+            j.impulseX[slot] += held(length - j.rest[slot], j.impulseX[slot], bias);
+          }
+        }
+        case JointStore.GEAR, JointStore.RACK -> {
+          float error = coupledRow(k, slot);
+          j.impulseX[slot] += held(error, j.impulseX[slot], bias);
+        }
+        case JointStore.PULLEY -> {
+          float length = coupledRow(k, slot);
           coordinate(slot, length, bias);
           if ((j.flags[slot] & (JointStore.LIMITED | JointStore.SPRUNG)) == 0) {
             j.impulseX[slot] += held(length - j.rest[slot], j.impulseX[slot], bias);
@@ -341,6 +371,17 @@ final class JointSolver {
           y = p * uy;
           torque = 0;
         }
+        case JointStore.GEAR -> {
+          torque = x;
+          x = 0;
+        }
+        case JointStore.RACK, JointStore.PULLEY -> {
+          coupledRow(k, slot);
+          float p = axial + x;
+          x = p * ux;
+          y = p * uy;
+          torque = 0;
+        }
         case JointStore.PRISMATIC, JointStore.WHEEL -> {
           boolean wheel = j.type[slot] == JointStore.WHEEL;
           torque = wheel ? j.motorImpulse[slot] : y;
@@ -389,7 +430,85 @@ final class JointSolver {
     return Trig.atan2(angleSin[k] * c + angleCos[k] * s, angleCos[k] * c - angleSin[k] * s);
   }
 
+  /** The row of a gear, a rack or a pulley; answers error, error, or length. */
+  private float coupledRow(int k, int slot) {
+    return switch (store.type[slot]) {
+      case JointStore.GEAR -> gearRow(slot);
+      case JointStore.RACK -> rackRow(k, slot);
+      default -> pulleyRow(slot);
+    };
+  }
+
+  private float gearRow(int slot) {
+    JointStore j = store;
+    float r = j.ratio[slot];
+    row(0, 0, r, 1, iA * r * r + iB);
+    double angleA = j.windA(slot, turned(j.bodyA[slot], a, j.baseAx[slot], j.baseAy[slot]));
+    double angleB = j.windB(slot, turned(j.bodyB[slot], b, j.baseBx[slot], j.baseBy[slot]));
+    return (float) (angleB - r * angleA);
+  }
+
+  /** How far a body has turned from a rotation, -pi to pi. */
+  private float turned(int body, int offset, float fromCos, float fromSin) {
+    float c = bodies.cos[body] * v[offset + COS] - bodies.sin[body] * v[offset + SIN];
+    float s = bodies.sin[body] * v[offset + COS] + bodies.cos[body] * v[offset + SIN];
+    return Trig.atan2(s * fromCos - c * fromSin, c * fromCos + s * fromSin);
+  }
+
+  private float rackRow(int k, int slot) {
+    JointStore j = store;
+    int body = j.bodyB[slot];
+    float c = bodies.cos[body] * v[b + COS] - bodies.sin[body] * v[b + SIN];
+    float s = bodies.sin[body] * v[b + COS] + bodies.cos[body] * v[b + SIN];
+    float x = c * j.axisX[slot] - s * j.axisY[slot];
+    float y = s * j.axisX[slot] + c * j.axisY[slot];
+    float r = j.ratio[slot];
+    float armA = rAx * y - rAy * x + r;
+    float armB = (rBx - dx) * y - (rBy - dy) * x + r;
+    row(x, y, armA, armB, mA + mB + iA * armA * armA + iB * armB * armB);
+    double angle = -j.windB(slot, angle(k));
+    return (float) (x * dx + y * dy - j.rest[slot] - r * angle);
+  }
+
+  /** The ropes run from points of the world to the anchors. */
+  private float pulleyRow(int slot) {
+    JointStore j = store;
+    float r = j.ratio[slot];
+    int one = j.bodyA[slot];
+    int two = j.bodyB[slot];
+    float ropeAx = bodies.x[one] - j.baseAx[slot] + (v[a + DX] + rAx);
+    float ropeAy = bodies.y[one] - j.baseAy[slot] + (v[a + DY] + rAy);
+    float ropeBx = bodies.x[two] - j.baseBx[slot] + (v[b + DX] + rBx);
+    float ropeBy = bodies.y[two] - j.baseBy[slot] + (v[b + DY] + rBy);
+    float lengthA = (float) Math.sqrt(ropeAx * ropeAx + ropeAy * ropeAy);
+    float lengthB = (float) Math.sqrt(ropeBx * ropeBx + ropeBy * ropeBy);
+    float inverseA = lengthA > 1e-9f ? 1 / lengthA : 0;
+    float inverseB = lengthB > 1e-9f ? r / lengthB : 0;
+    float x = ropeBx * inverseB;
+    float y = ropeBy * inverseB;
+    float backX = -ropeAx * inverseA;
+    float backY = -ropeAy * inverseA;
+    float armA = rAx * backY - rAy * backX;
+    float armB = rBx * y - rBy * x;
+    float inverse = mA * (backX * backX + backY * backY) + mB * (x * x + y * y);
+    row(x, y, armA, armB, inverse + iA * armA * armA + iB * armB * armB);
+    wx = backX;
+    wy = backY;
+    split = true;
+    return lengthA + r * lengthB;
+  }
+
+  private void row(float x, float y, float armA, float armB, float inverseMass) {
+    ux = x;
+    uy = y;
+    sA = armA;
+    sB = armB;
+    mass = inverseMass > 0 ? 1 / inverseMass : 0;
+    split = false;
+  }
+
   private void angleRow() {
+    split = false;
     ux = 0;
     uy = 0;
     sA = 1;
@@ -426,6 +545,7 @@ final class JointSolver {
   }
 
   private void direction(float x, float y) {
+    split = false;
     ux = x;
     uy = y;
     sA = (rAx + dx) * y - (rAy + dy) * x;
@@ -435,6 +555,11 @@ final class JointSolver {
   }
 
   private float speed() {
+    if (split) {
+      return (ux * v[b + VX] + uy * v[b + VY])
+          - (wx * v[a + VX] + wy * v[a + VY])
+          + (sB * v[b + W] - sA * v[a + W]);
+    }
     return ux * (v[b + VX] - v[a + VX])
         + uy * (v[b + VY] - v[a + VY])
         + (sB * v[b + W] - sA * v[a + W]);
@@ -442,8 +567,8 @@ final class JointSolver {
 
   /** An impulse along the row. */
   private void apply(float p) {
-    v[a + VX] -= mA * p * ux;
-    v[a + VY] -= mA * p * uy;
+    v[a + VX] -= mA * p * (split ? wx : ux);
+    v[a + VY] -= mA * p * (split ? wy : uy);
     v[a + W] -= iA * p * sA;
     v[b + VX] += mB * p * ux;
     v[b + VY] += mB * p * uy;

@@ -38,6 +38,15 @@ public final class JointStore {
   /** A point of B is drawn to a point of the world with limited force. */
   public static final byte MOUSE = 6;
 
+  /** The angles of two bodies are coupled by a ratio. */
+  public static final byte GEAR = 7;
+
+  /** A translation of B is coupled to the angle of A by a ratio. */
+  public static final byte RACK = 8;
+
+  /** The lengths to two points of the world are coupled by a ratio. */
+  public static final byte PULLEY = 9;
+
   /** Flag: the bodies collide with each other. */
   public static final byte COLLIDE = 1;
 
@@ -49,6 +58,11 @@ public final class JointStore {
 
   /** Flag: there is a spring on the coordinate. */
   public static final byte SPRUNG = 8;
+
+  /** Flag: full turns are counted. */
+  public static final byte WINDS = 16;
+
+  private static final double TWO_PI = 2 * Math.PI;
 
   private static final int FIRST_CAPACITY = 16;
 
@@ -163,6 +177,34 @@ public final class JointStore {
   /** Torque on B in the last substep, N m. */
   public float[] torque = new float[FIRST_CAPACITY];
 
+  /** Gear, rack and pulley: what B does by what A does. */
+  public float[] ratio = new float[FIRST_CAPACITY];
+
+  /**
+   * Where A's length or angle counts from: of a pulley a point of the world, m; of a gear the
+   * rotation that counts as angle 0.
+   */
+  public float[] baseAx = new float[FIRST_CAPACITY];
+
+  /** See {@link #baseAx}. */
+  public float[] baseAy = new float[FIRST_CAPACITY];
+
+  /** Where B's length or angle counts from; see {@link #baseAx}. */
+  public float[] baseBx = new float[FIRST_CAPACITY];
+
+  /** See {@link #baseBx}. */
+  public float[] baseBy = new float[FIRST_CAPACITY];
+
+  /** Full turns of A, if they are counted, and its angle when they last were, rad. */
+  int[] turnsA = new int[FIRST_CAPACITY];
+
+  float[] lastA = new float[FIRST_CAPACITY];
+
+  /** Full turns of B, or of B relative to A, and the angle when they last were counted, rad. */
+  int[] turnsB = new int[FIRST_CAPACITY];
+
+  float[] lastB = new float[FIRST_CAPACITY];
+
   private float[][] floats = gather();
 
   /** Per end: the next end of a joint of the same body, -1 for none. */
@@ -255,6 +297,15 @@ public final class JointStore {
     for (float[] field : floats) {
       field[slot] = 0;
     }
+    ratio[slot] = 0;
+    baseAx[slot] = 0;
+    baseAy[slot] = 0;
+    baseBx[slot] = 0;
+    baseBy[slot] = 0;
+    turnsA[slot] = 0;
+    lastA[slot] = 0;
+    turnsB[slot] = 0;
+    lastB[slot] = 0;
     type[slot] = newType;
     flags[slot] = 0;
     bodyA[slot] = a;
@@ -361,6 +412,53 @@ public final class JointStore {
     return false;
   }
 
+  /** Whether full turns are counted. */
+  boolean winds(int slot) {
+    return (flags[slot] & WINDS) != 0;
+  }
+
+  /** Counts full turns of A; answers its angle over all of them. */
+  double windA(int slot, float angle) {
+    turnsA[slot] += turn(lastA[slot], angle);
+    lastA[slot] = angle;
+    return angle + TWO_PI * turnsA[slot];
+  }
+
+  /** Counts full turns of B; answers its angle over all of them. */
+  double windB(int slot, float angle) {
+    turnsB[slot] += turn(lastB[slot], angle);
+    lastB[slot] = angle;
+    return angle + TWO_PI * turnsB[slot];
+  }
+
+  /**
+   * The angle of A over all turns, without counting.
+   *
+   * @param slot of a joint that counts turns
+   * @param angle rad, -pi to pi
+   * @return rad
+   */
+  public double woundA(int slot, float angle) {
+    return angle + TWO_PI * (turnsA[slot] + turn(lastA[slot], angle));
+  }
+
+  /**
+   * The angle of B, or of B relative to A, over all turns, without counting.
+   *
+   * @param slot of a joint that counts turns
+   * @param angle rad, -pi to pi
+   * @return rad
+   */
+  public double woundB(int slot, float angle) {
+    return angle + TWO_PI * (turnsB[slot] + turn(lastB[slot], angle));
+  }
+
+  /** Bodies turn less than half a turn between two looks; a larger jump is the seam at pi. */
+  private static int turn(float before, float now) {
+    double way = (double) now - before;
+    return way > Math.PI ? -1 : way < -Math.PI ? 1 : 0;
+  }
+
   /** Starts cold. */
   void forget(int slot) {
     impulseX[slot] = 0;
@@ -394,6 +492,15 @@ public final class JointStore {
       for (int f = 0; f < floats.length; f += 2) {
         h = StateHash.mix(h, floats[f][i], floats[f + 1][i]);
       }
+      if (ratio[i] != 0) {
+        h = StateHash.mix(h, ratio[i], 0);
+        h = StateHash.mix(h, baseAx[i], baseAy[i]);
+        h = StateHash.mix(h, baseBx[i], baseBy[i]);
+      }
+      if (winds(i)) {
+        h = StateHash.mix(h, ((long) turnsA[i] << 32) | (turnsB[i] & 0xffffffffL));
+        h = StateHash.mix(h, lastA[i], lastB[i]);
+      }
     }
     for (int end : first) {
       for (int e = end; e >= 0; e = next[e]) {
@@ -415,7 +522,11 @@ public final class JointStore {
     for (int f = HOT; f < floats.length - 1; f++) {
       System.arraycopy(floats[f], 0, to.floats[f], 0, slots);
     }
-    long bytes = (long) slots * Float.BYTES * (floats.length - 1 - HOT);
+    System.arraycopy(turnsA, 0, to.turnsA, 0, slots);
+    System.arraycopy(turnsB, 0, to.turnsB, 0, slots);
+    System.arraycopy(lastA, 0, to.lastA, 0, slots);
+    System.arraycopy(lastB, 0, to.lastB, 0, slots);
+    long bytes = (long) slots * Float.BYTES * (floats.length - 1 - HOT + 4);
     return cold.same(to.cold) ? bytes : bytes + copyColdTo(to);
   }
 
@@ -427,6 +538,11 @@ public final class JointStore {
     System.arraycopy(bodyB, 0, to.bodyB, 0, slots);
     System.arraycopy(next, 0, to.next, 0, 2 * slots);
     System.arraycopy(freeSlots, 0, to.freeSlots, 0, freeCount);
+    System.arraycopy(ratio, 0, to.ratio, 0, slots);
+    System.arraycopy(baseAx, 0, to.baseAx, 0, slots);
+    System.arraycopy(baseAy, 0, to.baseAy, 0, slots);
+    System.arraycopy(baseBx, 0, to.baseBx, 0, slots);
+    System.arraycopy(baseBy, 0, to.baseBy, 0, slots);
     for (int f = 0; f < HOT; f++) {
       System.arraycopy(floats[f], 0, to.floats[f], 0, slots);
     }
@@ -440,7 +556,7 @@ public final class JointStore {
     to.slots = slots;
     to.count = count;
     cold.copyTo(to.cold);
-    int perSlot = 2 + 5 * Integer.BYTES + Float.BYTES * HOT;
+    int perSlot = 2 + 5 * Integer.BYTES + Float.BYTES * (HOT + 5);
     return (long) slots * perSlot + (long) (freeCount + first.length) * Integer.BYTES;
   }
 
@@ -484,6 +600,15 @@ public final class JointStore {
     forceX = Arrays.copyOf(forceX, capacity);
     forceY = Arrays.copyOf(forceY, capacity);
     torque = Arrays.copyOf(torque, capacity);
+    ratio = Arrays.copyOf(ratio, capacity);
+    baseAx = Arrays.copyOf(baseAx, capacity);
+    baseAy = Arrays.copyOf(baseAy, capacity);
+    baseBx = Arrays.copyOf(baseBx, capacity);
+    baseBy = Arrays.copyOf(baseBy, capacity);
+    turnsA = Arrays.copyOf(turnsA, capacity);
+    lastA = Arrays.copyOf(lastA, capacity);
+    turnsB = Arrays.copyOf(turnsB, capacity);
+    lastB = Arrays.copyOf(lastB, capacity);
     floats = gather();
   }
 

@@ -208,13 +208,13 @@ final class BadInputTest {
     entry("motor.maxTorque", (s, v) -> JointDef.motor(s.body, s.other, 0, v), -1);
     entry("mouse.anchorAX", (s, v) -> JointDef.mouse(s.body, v, 0, 1));
     entry("mouse.maxForce", (s, v) -> JointDef.mouse(s.body, 0, 0, v), -1);
-    entry("hinge.lower", (s, v) -> hinge(s).limits(v, 1), -4);
-    entry("hinge.upper", (s, v) -> hinge(s).limits(0, v), 4, -1);
+    entry("hinge.lower", (s, v) -> hinge(s).limits(v, 1), -2e4f);
+    entry("hinge.upper", (s, v) -> hinge(s).limits(0, v), 2e4f, -1);
     entry("hinge.speed", (s, v) -> hinge(s).motor(v, 1), 2e5f);
     entry("hinge.max", (s, v) -> hinge(s).motor(1, v), -1);
     entry("hinge.hertz", (s, v) -> hinge(s).spring(v, 1), -1, 2e3f);
     entry("hinge.dampingRatio", (s, v) -> hinge(s).spring(1, v), -1, 200);
-    entry("hinge.rest", (s, v) -> hinge(s).rest(v), 4);
+    entry("hinge.rest", (s, v) -> hinge(s).rest(v), 2e4f);
     entry("weld.hertz", (s, v) -> JointDef.weld(s.body, s.other, 0, 0).angularSpring(v, 1), -1);
   }
 
