@@ -54,6 +54,7 @@ final class ArchitectureTest {
         "carom.physics.broadphase");
     allow("carom.physics", "carom.physics..");
     allow("carom.physics.effects", "carom.physics..");
+    allow("carom.physics.particles", "carom.physics..");
     allow("carom.sim", "carom.physics..");
     allow("carom.sim.scene", "carom.physics..", "carom.sim");
     allow("carom.game", "carom.physics..", "carom.sim");

@@ -132,7 +132,7 @@ public final class AreaEffect {
     nearby.find(world, area);
     for (int i = 0; i < nearby.count(); i++) {
       Body<?> body = nearby.get(i);
-      if (Nearby.isAwake(body)
+      if (body.awake()
           && area.contains(body.centerX(), body.centerY())
           && Nearby.isOf(body, categories)) {
         act(body, dtSeconds);
@@ -153,7 +153,7 @@ public final class AreaEffect {
     nearby.findInside(sensor);
     for (int i = 0; i < nearby.count(); i++) {
       Body<?> body = nearby.get(i);
-      if (Nearby.isAwake(body) && Nearby.isOf(body, categories)) {
+      if (body.awake() && Nearby.isOf(body, categories)) {
         act(body, dtSeconds);
       }
     }

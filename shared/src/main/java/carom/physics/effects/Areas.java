@@ -21,7 +21,7 @@ final class Areas {
   static void wake(Nearby nearby, World<?> world, Aabb area) {
     nearby.find(world, area);
     for (int i = 0; i < nearby.count(); i++) {
-      Nearby.wake(nearby.get(i));
+      nearby.get(i).wake();
     }
     nearby.clear();
   }

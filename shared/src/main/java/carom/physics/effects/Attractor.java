@@ -123,7 +123,7 @@ public final class Attractor {
     nearby.find(world, area);
     for (int i = 0; i < nearby.count(); i++) {
       Body<?> body = nearby.get(i);
-      if (Nearby.isAwake(body) && Nearby.isOf(body, categories)) {
+      if (body.awake() && Nearby.isOf(body, categories)) {
         pull(body, ahead);
       }
     }

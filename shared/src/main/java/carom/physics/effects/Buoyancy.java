@@ -170,7 +170,7 @@ public final class Buoyancy {
     float ahead = Lookahead.seconds(world.def(), dt);
     for (int i = 0; i < nearby.count(); i++) {
       Body<?> body = nearby.get(i);
-      if (Nearby.isAwake(body)) {
+      if (body.awake()) {
         lift(world, body, bounds, ahead, dt);
       }
     }

@@ -67,13 +67,4 @@ final class Nearby {
     }
     return false;
   }
-
-  /** Whether forces would change anything for a body: until bodies sleep, always. */
-  static boolean isAwake(Body<?> body) {
-    return body.isEnabled();
-  }
-
-  static void wake(Body<?> body) {
-    body.applyForce(0, 0);
-  }
 }

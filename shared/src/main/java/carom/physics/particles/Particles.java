@@ -1,0 +1,423 @@
+package carom.physics.particles;
+
+import carom.physics.World;
+import carom.physics.dynamics.Checks;
+import carom.physics.geometry.Shape;
+import carom.physics.math.Aabb;
+import carom.physics.math.Transform;
+
+/**
+ * Many small particles of one kind, water or sand, that move by themselves, hold each other off,
+ * and collide with a world's bodies.
+ *
+ * <pre>
+ *   Particles water = new Particles(new ParticleDef(ParticleDef.Kind.WATER, 0.1f));
+ *   water.fill(new Box(2, 1), new Transform(0, 1, 0), 0, 0);
+ *   ...
+ *   water.step(world, dt); // then:
+ *   world.step(dt);
+ * </pre>
+ *
+ * <p><b>Model.</b> Position-based dynamics in substeps (M&uuml;ller and others 2007; Macklin and
+ * others 2019): positions are corrected until constraints hold, and every correction over the
+ * substep is also a change of velocity. Water: a particle's density, the sum of {@code (1 - r /
+ * h)^2} over its neighbours, may not exceed that of rest (Macklin and M&uuml;ller 2013, with one
+ * kernel for density and gradient). Sand: grains may not overlap, and rub by Coulomb's law (Macklin
+ * and others 2014). Corrections of a pair are opposite, so momentum is kept to rounding.
+ *
+ * <p><b>Bodies.</b> A particle is a disc of the spacing's diameter. It is moved out of bodies along
+ * their surface's normal, never bounces, and never passes through a wall however fast it is. Bodies
+ * are pushed back (unless {@link ParticleDef#twoWay} says no), by one impulse per step that takes
+ * effect in the next {@code World.step}; hence the order above. Bodies that touch particles stay
+ * awake.
+ *
+ * <p><b>Order and ids.</b> Particles 0 to count() - 1 are sorted by place, anew in every step; who
+ * needs a particle again keeps its id. Equal calls in equal order give equal bits.
+ *
+ * <p>Not part of a world's state: save and restore both. One thread at a time. A steady step
+ * allocates nothing. At 10,000 particles a step with four substeps costs a few milliseconds.
+ */
+public final class Particles {
+  /** What {@link #add} answers when there is no room for more. */
+  public static final long NONE = -1;
+
+  private final ParticleDef def;
+  private final ParticleStore store;
+  private final Neighbours neighbours = new Neighbours();
+  private final BodyContacts contacts = new BodyContacts();
+  private final PairSolver pairs;
+  private float[] oldX = new float[0];
+  private float[] oldY = new float[0];
+
+  /**
+   * Makes an empty system.
+   *
+   * @param def what the particles are made of, copied
+   */
+  public Particles(ParticleDef def) {
+    this.def = def.copy();
+    store = new ParticleStore(Math.min(def.maxCount, 256));
+    pairs = def.kind == ParticleDef.Kind.WATER ? new Water(this.def) : new Sand(this.def);
+  }
+
+  /**
+   * The number of particles.
+   *
+   * @return 0 or more
+   */
+  public int count() {
+    return store.count;
+  }
+
+  /**
+   * A particle's diameter.
+   *
+   * @return m
+   */
+  public float spacing() {
+    return def.spacing;
+  }
+
+  /**
+   * A particle's mass.
+   *
+   * @return kg
+   */
+  public float mass() {
+    return def.density * def.spacing * def.spacing;
+  }
+
+  /**
+   * Adds a particle.
+   *
+   * @param x m, within 1e7 of the origin
+   * @param y m
+   * @param vx m/s, within 1e5
+   * @param vy m/s
+   * @return its id, or {@link #NONE} if there are as many as there may be
+   */
+  public long add(float x, float y, float vx, float vy) {
+    Checks.coordinate("x", x);
+    Checks.coordinate("y", y);
+    Checks.velocity("vx", vx);
+    Checks.velocity("vy", vy);
+    return store.count < def.maxCount ? store.add(x, y, vx, vy, def.maxCount) : NONE;
+  }
+
+  /**
+   * Fills a shape with particles at rest density, in rows.
+   *
+   * @param area the shape
+   * @param at its pose, read only
+   * @param vx their velocity, m/s
+   * @param vy their velocity, m/s
+   * @return how many were added, fewer than fit if there are as many as there may be
+   */
+  public int fill(Shape area, Transform at, float vx, float vy) {
+    Aabb box = new Aabb();
+    area.aabb(at, box);
+    float pitch = pairs.pitch();
+    float rise = pitch * HALF_ROOT_3;
+    int rows = (int) (box.height() / rise);
+    int columns = (int) (box.width() / pitch);
+    int before = store.count;
+    for (int row = 0; row <= rows; row++) {
+      float y = box.minY + 0.5f * (box.height() - rows * rise) + row * rise;
+      float left = box.minX + 0.25f * pitch + (row % 2) * 0.5f * pitch;
+      for (int column = 0; column <= columns; column++) {
+        float x = left + column * pitch;
+        if (area.containsPoint(at, x, y)) {
+          add(x, y, vx, vy);
+        }
+      }
+    }
+    return store.count - before;
+  }
+
+  private static final float HALF_ROOT_3 = 0.8660254f;
+
+  /**
+   * Removes a particle.
+   *
+   * @param id as given by {@link #add} or {@link #id}
+   * @return false if it was gone already
+   */
+  public boolean remove(long id) {
+    int gone = store.indexOf(id);
+    if (gone < 0) {
+      return false;
+    }
+    store.release(gone);
+    for (int i = gone + 1; i < store.count; i++) {
+      store.move(i, i - 1);
+    }
+    store.count--;
+    return true;
+  }
+
+  /**
+   * Removes the particles whose centre is in a box, borders included.
+   *
+   * @param area m, read only
+   * @return how many
+   */
+  public int removeInside(Aabb area) {
+    int kept = 0;
+    for (int i = 0; i < store.count; i++) {
+      if (area.contains(store.x[i], store.y[i])) {
+        store.release(i);
+      } else {
+        store.move(i, kept++);
+      }
+    }
+    return shrink(kept);
+  }
+
+  /**
+   * Removes the particles whose centre is in a shape, borders included.
+   *
+   * @param area the shape
+   * @param at its pose, read only
+   * @return how many
+   */
+  public int removeInside(Shape area, Transform at) {
+    int kept = 0;
+    for (int i = 0; i < store.count; i++) {
+      if (area.containsPoint(at, store.x[i], store.y[i])) {
+        store.release(i);
+      } else {
+        store.move(i, kept++);
+      }
+    }
+    return shrink(kept);
+  }
+
+  /** Removes all particles; their ids stay invalid. */
+  public void clear() {
+    for (int i = 0; i < store.count; i++) {
+      store.release(i);
+    }
+    store.count = 0;
+  }
+
+  private int shrink(int kept) {
+    int gone = store.count - kept;
+    store.count = kept;
+    return gone;
+  }
+
+  /**
+   * Where a particle is in the order.
+   *
+   * @param id as given by {@link #add} or {@link #id}
+   * @return 0 to count() - 1 until the next step, addition or removal; -1 if it is gone
+   */
+  public int indexOf(long id) {
+    return store.indexOf(id);
+  }
+
+  /**
+   * A particle's name for life.
+   *
+   * @param i below {@link #count}
+   * @return its id
+   */
+  public long id(int i) {
+    return store.id(check(i));
+  }
+
+  /**
+   * A particle's centre.
+   *
+   * @param i below {@link #count}
+   * @return x, m
+   */
+  public float x(int i) {
+    return store.x[check(i)];
+  }
+
+  /**
+   * A particle's centre.
+   *
+   * @param i below {@link #count}
+   * @return y, m
+   */
+  public float y(int i) {
+    return store.y[check(i)];
+  }
+
+  /**
+   * A particle's velocity.
+   *
+   * @param i below {@link #count}
+   * @return x, m/s
+   */
+  public float velocityX(int i) {
+    return store.vx[check(i)];
+  }
+
+  /**
+   * A particle's velocity.
+   *
+   * @param i below {@link #count}
+   * @return y, m/s
+   */
+  public float velocityY(int i) {
+    return store.vy[check(i)];
+  }
+
+  /**
+   * Sets a particle's velocity.
+   *
+   * @param i below {@link #count}
+   * @param vx m/s, within 1e5
+   * @param vy m/s
+   */
+  public void setVelocity(int i, float vx, float vy) {
+    check(i);
+    store.vx[i] = Checks.velocity("vx", vx);
+    store.vy[i] = Checks.velocity("vy", vy);
+  }
+
+  /**
+   * How long a particle has been here.
+   *
+   * @param i below {@link #count}
+   * @return s
+   */
+  public float age(int i) {
+    return store.age[check(i)];
+  }
+
+  /**
+   * Copies all centres, for drawing.
+   *
+   * @param xy receives x0, y0, x1, y1, ..., 2 count() floats
+   * @return count()
+   * @throws IllegalArgumentException if the array is too short
+   */
+  public int copyPositions(float[] xy) {
+    if (xy.length < 2 * store.count) {
+      throw new IllegalArgumentException(
+          "xy.length=" + xy.length + " must be at least 2 count()=" + 2 * store.count);
+    }
+    for (int i = 0; i < store.count; i++) {
+      xy[2 * i] = store.x[i];
+      xy[2 * i + 1] = store.y[i];
+    }
+    return store.count;
+  }
+
+  private int check(int i) {
+    if (i < 0 || i >= store.count) {
+      throw new IndexOutOfBoundsException("particle=" + i + " is outside 0.." + (store.count - 1));
+    }
+    return i;
+  }
+
+  /**
+   * Advances the particles by one tick, and pushes the bodies they touch. Call before {@code
+   * World.step}, outside of callbacks and queries.
+   *
+   * @param world whose bodies and gravity they feel; only its bodies' pending impulses change
+   * @param dtSeconds s, more than 0, at most 0.1; use the world's
+   */
+  public void step(World<?> world, float dtSeconds) {
+    Checks.timeStep(dtSeconds);
+    retire(dtSeconds);
+    if (store.count == 0) {
+      return;
+    }
+    if (oldX.length < store.capacity()) {
+      oldX = new float[store.capacity()];
+      oldY = new float[store.capacity()];
+    }
+    float gx = def.gravityScale * world.gravityX();
+    float gy = def.gravityScale * world.gravityY();
+    neighbours.find(store, 0.5f * dtSeconds, pairs.reach());
+    contacts.find(world, store, def, gx, gy, dtSeconds);
+    pairs.begin(store, neighbours, dtSeconds);
+    float h = dtSeconds / def.substeps;
+    for (int i = 0; i < def.substeps; i++) {
+      move(gx * h, gy * h, h);
+      contacts.bodies.move(world.gravityX(), world.gravityY(), h);
+      pairs.solve(store, neighbours, h);
+      contacts.confine(store);
+      contacts.solve(store, oldX, oldY, h);
+    }
+    contacts.bodies.end();
+  }
+
+  private void move(float dvx, float dvy, float h) {
+    int n = store.count;
+    float[] x = store.x;
+    float[] y = store.y;
+    float[] vx = store.vx;
+    float[] vy = store.vy;
+    for (int i = 0; i < n; i++) {
+      oldX[i] = x[i];
+      oldY[i] = y[i];
+      vx[i] += dvx;
+      vy[i] += dvy;
+      x[i] += vx[i] * h;
+      y[i] += vy[i] * h;
+    }
+  }
+
+  /** Takes away who is too old, or was lost: too far or too fast for the numbers. */
+  private void retire(float dt) {
+    int kept = 0;
+    for (int i = 0; i < store.count; i++) {
+      store.age[i] += dt;
+      boolean here =
+          Math.abs(store.x[i]) + Math.abs(store.y[i]) < 0.5f * Checks.MAX_COORDINATE
+              && Math.abs(store.vx[i]) + Math.abs(store.vy[i]) < 3 * Checks.MAX_VELOCITY;
+      if (here && store.age[i] <= def.lifetime) {
+        store.move(i, kept++);
+      } else {
+        store.release(i);
+      }
+    }
+    store.count = kept;
+  }
+
+  /**
+   * Copies the state out.
+   *
+   * @param reuseOrNull a state of these particles to overwrite, or null for a new one
+   * @return the state
+   */
+  public ParticleState save(ParticleState reuseOrNull) {
+    ParticleState s = reuseOrNull == null ? new ParticleState(this) : reuseOrNull;
+    checkOwner(s);
+    s.store.copy(store);
+    return s;
+  }
+
+  /**
+   * Takes a saved state over, bit for bit.
+   *
+   * @param s made by {@link #save} of these particles; stays as it is
+   */
+  public void restore(ParticleState s) {
+    checkOwner(s);
+    store.copy(s.store);
+  }
+
+  private void checkOwner(ParticleState s) {
+    if (s.owner != this) {
+      throw new IllegalArgumentException(
+          "the state was saved by other particles; restore it there");
+    }
+  }
+
+  /**
+   * 64 bits that are equal if two systems of equal definitions will behave equally in equal worlds:
+   * places, velocities, ages, ids, and their order.
+   *
+   * @return the hash
+   */
+  public long stateHash() {
+    return store.hash();
+  }
+}
