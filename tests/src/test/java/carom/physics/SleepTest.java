@@ -94,6 +94,9 @@ class SleepTest {
       wakes(type, "moved", w -> w.body(0).setPose(50, 0, 0));
       wakes(type, "lowered", w -> w.body(0).setPose(0, -.51f, 0));
       wakes(type, "disabled", w -> w.body(0).setEnabled(false));
+      wakes(type, "filtered out", w -> w.body(0).setFilter(0, Filter.NOTHING));
+      wakes(type, "filters out", w -> w.body(1).setFilter(0, Filter.NOTHING));
+      wakes(type, "sensor now", w -> w.body(0).setSensor(0, true));
     }
     wakes(BodyType.STATIC, "let go", w -> w.body(0).setType(BodyType.DYNAMIC));
     wakes(BodyType.KINEMATIC, "let go", w -> w.body(0).setType(BodyType.DYNAMIC));
