@@ -36,7 +36,7 @@ final class StackScenes {
             StackScenes::dominoes),
         new Scene(
                 "newton_cradle",
-                "two balls in, two balls out: perfectly elastic collisions",
+                "elastic balls on rods hand their momentum on",
                 new View(0, 4, 14, 9),
                 StackScenes::cradle)
             .with(new WorldDef().withRestitutionThreshold(0.05f).withSubsteps(8)),
