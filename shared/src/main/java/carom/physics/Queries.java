@@ -219,6 +219,17 @@ public final class Queries<T> {
   }
 
   /**
+   * Whether the bounding box of anything is in the way of a moving box. Parameters as {@link
+   * #boxClosest}.
+   *
+   * @return true if there is
+   */
+  public boolean boxAny(Aabb area, float wayX, float wayY, QueryFilter<T> whom) {
+    askBox(Mode.ANY, area, wayX, wayY, whom);
+    return bestKey != NONE;
+  }
+
+  /**
    * Every body whose bounding box a moving box meets, from near to far, until the visitor returns
    * false. Parameters as {@link #boxClosest}.
    *

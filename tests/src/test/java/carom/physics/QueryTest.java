@@ -212,6 +212,9 @@ final class QueryTest {
     Scenes.disc(w, 5, 0, 1, Material.DEFAULT);
     Aabb area = new Aabb(-1, 0.95f, 0, 2);
     assertTrue(w.queries().boxClosest(area, 10, 0, null, hit), "the disc itself is missed");
+    assertTrue(w.queries().boxAny(area, 10, 0, null));
+    assertFalse(w.queries().boxAny(area, 3.9f, 0, null), "the way ends before it");
+    assertFalse(w.queries().boxAny(area, -10, 0, null));
     assertEquals(0.4f, hit.fraction(), 1e-6f);
     assertEquals("-1.0 0.0", hit.normalX() + " " + hit.normalY());
     assertEquals(4, hit.x(), 1e-6);
