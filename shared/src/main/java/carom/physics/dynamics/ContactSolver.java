@@ -200,7 +200,12 @@ final class ContactSolver {
   private static final int BOUNCE_FIRST = PULL + LANES;
 
   private static final int BOUNCE_SECOND = BOUNCE_FIRST + LANES;
-  private static final int EXTRA = BOUNCE_SECOND + LANES;
+
+  /** How much further the bounce's impulse along the normal, and that of its friction, are. */
+  private static final int BOUNCED = 2 * LANES;
+
+  private static final int RUBBED = BOUNCED + 2 * LANES;
+  private static final int EXTRA = BOUNCE_FIRST + RUBBED + 2 * LANES;
 
   /** Number of contacts, and of blocks. */
   private int count;
@@ -445,6 +450,9 @@ final class ContactSolver {
       d[at + SECOND + YIELD] = other * SHARE;
     }
     float e = t.restitution[r];
+    for (int i = BOUNCED; i < RUBBED + 2 * LANES; i += LANES) {
+      extra[more + BOUNCE_FIRST + i] = 0;
+    }
     extra[more + BOUNCE_FIRST] = 0;
     extra[more + BOUNCE_SECOND] = 0;
     if (e > 0) {
@@ -841,6 +849,44 @@ final class ContactSolver {
     d[p + NORMAL] += impulse;
     d[p + TOTAL] += impulse;
     apply(v, bodyA[lane], bodyB[lane], at, point, impulse * d[at + NX], impulse * d[at + NY]);
+    if (d[at + FRICTION] != 0 && isCentral(at, p)) {
+      rub(lane, point, more + speed, impulse, v);
+    }
+  }
+
+  /** Whether impulses along the normal turn neither body. */
+  private boolean isCentral(int at, int p) {
+    float[] d = data;
+    float turnA = d[p + AX] * d[at + NY] - d[p + AY] * d[at + NX];
+    float turnB = d[p + BX] * d[at + NY] - d[p + BY] * d[at + NX];
+    float turning = d[at + INERTIA_A] * turnA * turnA + d[at + INERTIA_B] * turnB * turnB;
+    return turning <= 1e-6f * (d[at + MASS_A] + d[at + MASS_B]);
+  }
+
+  /**
+   * Friction of the bounce: a blow of (1 + e) m v along the normal rubs with up to mu times that,
+   * of which the share of m v has been had. Only where the blow goes through both centres, as
+   * between discs: elsewhere friction changes the normal speed, and with Newton's restitution that
+   * can add energy (Kane and Levinson, "Dynamics", 1985).
+   */
+  private void rub(int lane, int point, int at, float impulse, float[] v) {
+    float[] d = data;
+    int contact = lane / LANES * RECORD + lane % LANES;
+    int p = contact + point;
+    int a = bodyA[lane];
+    int b = bodyB[lane];
+    float nx = d[contact + NX];
+    float ny = d[contact + NY];
+    extra[at + BOUNCED] += impulse;
+    float limit = d[contact + FRICTION] * Math.max(extra[at + BOUNCED], 0);
+    float dvx = v[b + VX] - v[b + W] * d[p + BY] - v[a + VX] + v[a + W] * d[p + AY];
+    float dvy = v[b + VY] + v[b + W] * d[p + BX] - v[a + VY] - v[a + W] * d[p + AX];
+    float vt = dvy * nx - dvx * ny + d[contact + SURFACE];
+    float old = extra[at + RUBBED];
+    float sum = Math.max(-limit, Math.min(old - d[p + TANGENT_MASS] * vt, limit));
+    extra[at + RUBBED] = sum;
+    d[p + SLIDE] += sum - old;
+    apply(v, a, b, contact, point, (old - sum) * ny, (sum - old) * nx);
   }
 
   /** Hands the impulses back to the table. */

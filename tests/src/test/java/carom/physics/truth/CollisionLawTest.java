@@ -225,7 +225,7 @@ final class CollisionLawTest {
     List<Arguments> all = new ArrayList<>();
     for (double mu : new double[] {0, .05, .1, .2, .4, 1}) {
       for (double slip : new double[] {-3, 0, 2}) {
-        for (double e : new double[] {0}) {
+        for (double e : new double[] {0, .5, 1}) {
           all.add(Arguments.of(mu, slip, e));
         }
       }
