@@ -76,6 +76,10 @@ public final class Collider {
   private int faceEdge;
   private int faceSupport;
 
+  // Results of the last call of boxFaces.
+  private int boxEdgeA;
+  private int boxEdgeB;
+
   /** Makes a collider with its own scratch memory. */
   public Collider() {}
 
@@ -311,14 +315,19 @@ public final class Collider {
 
   private void polygons(
       Convex a, Transform ta, Convex b, Transform tb, float speculative, Manifold out) {
-    int countA = a.copyTo(ax, ay, anx, any);
-    int countB = b.copyTo(bx, by, bnx, bny);
     float worldX = tb.x - ta.x;
     float worldY = tb.y - ta.y;
     float x = ta.cos * worldX + ta.sin * worldY;
     float y = ta.cos * worldY - ta.sin * worldX;
     float cos = ta.cos * tb.cos + ta.sin * tb.sin;
     float sin = ta.cos * tb.sin - ta.sin * tb.cos;
+    boolean boxes = a instanceof Box && b instanceof Box;
+    if (boxes && boxFaces((Box) a, (Box) b, x, y, cos, sin) > speculative) {
+      out.clear();
+      return;
+    }
+    int countA = a.copyTo(ax, ay, anx, any);
+    int countB = b.copyTo(bx, by, bnx, bny);
     for (int i = 0; i < countB; i++) {
       float vx = bx[i];
       float vy = by[i];
@@ -329,7 +338,11 @@ public final class Collider {
       bnx[i] = cos * nx - sin * ny;
       bny[i] = sin * nx + cos * ny;
     }
-    bestFace(ax, ay, anx, any, countA, bx, by, countB);
+    if (boxes) {
+      support(boxEdgeA, ax, ay, anx, any, bx, by, countB);
+    } else {
+      bestFace(ax, ay, anx, any, countA, bx, by, countB);
+    }
     float separationA = faceSeparation;
     int edgeA = faceEdge;
     int supportB = faceSupport;
@@ -337,7 +350,11 @@ public final class Collider {
       out.clear();
       return;
     }
-    bestFace(bx, by, bnx, bny, countB, ax, ay, countA);
+    if (boxes) {
+      support(boxEdgeB, bx, by, bnx, bny, ax, ay, countA);
+    } else {
+      bestFace(bx, by, bnx, bny, countB, ax, ay, countA);
+    }
     if (!(faceSeparation <= speculative)) {
       out.clear();
       return;
@@ -411,28 +428,78 @@ public final class Collider {
     int edge = 0;
     int support = 0;
     for (int i = 0; i < count; i++) {
-      float nx = nxs[i];
-      float ny = nys[i];
-      float vx = xs[i];
-      float vy = ys[i];
-      float low = Float.POSITIVE_INFINITY;
-      int lowest = 0;
-      for (int j = 0; j < otherCount; j++) {
-        float s = nx * (otherXs[j] - vx) + ny * (otherYs[j] - vy);
-        if (s < low) {
-          low = s;
-          lowest = j;
-        }
-      }
-      if (low > best) {
-        best = low;
+      support(i, xs, ys, nxs, nys, otherXs, otherYs, otherCount);
+      if (faceSeparation > best) {
+        best = faceSeparation;
         edge = i;
-        support = lowest;
+        support = faceSupport;
       }
     }
     faceSeparation = best;
     faceEdge = edge;
     faceSupport = support;
+  }
+
+  /** The vertex of the other polygon that is lowest above a face, and how high it is. */
+  private void support(
+      int edge,
+      float[] xs,
+      float[] ys,
+      float[] nxs,
+      float[] nys,
+      float[] otherXs,
+      float[] otherYs,
+      int otherCount) {
+    float nx = nxs[edge];
+    float ny = nys[edge];
+    float vx = xs[edge];
+    float vy = ys[edge];
+    float low = Float.POSITIVE_INFINITY;
+    int lowest = 0;
+    for (int j = 0; j < otherCount; j++) {
+      float s = nx * (otherXs[j] - vx) + ny * (otherYs[j] - vy);
+      if (s < low) {
+        low = s;
+        lowest = j;
+      }
+    }
+    faceSeparation = low;
+    faceEdge = edge;
+    faceSupport = lowest;
+  }
+
+  /**
+   * The best face of each of two boxes, without looking at vertices: along a box's axis the other
+   * one reaches as far as the projections of its half sizes. Answers the larger of both
+   * separations.
+   *
+   * @param x B's position in A's frame, and so on
+   */
+  private float boxFaces(Box a, Box b, float x, float y, float cos, float sin) {
+    float dx = x + cos * b.centerX() - sin * b.centerY() - a.centerX();
+    float dy = y + sin * b.centerX() + cos * b.centerY() - a.centerY();
+    float c = Math.abs(cos);
+    float s = Math.abs(sin);
+    float aw = a.halfWidth();
+    float ah = a.halfHeight();
+    float bw = b.halfWidth();
+    float bh = b.halfHeight();
+    float gapAx = Math.abs(dx) - aw - (c * bw + s * bh);
+    float gapAy = Math.abs(dy) - ah - (s * bw + c * bh);
+    boxEdgeA = boxEdge(gapAx, gapAy, dx, dy);
+    float ex = -(cos * dx + sin * dy);
+    float ey = sin * dx - cos * dy;
+    float gapBx = Math.abs(ex) - bw - (c * aw + s * ah);
+    float gapBy = Math.abs(ey) - bh - (s * aw + c * ah);
+    boxEdgeB = boxEdge(gapBx, gapBy, ex, ey);
+    return Math.max(Math.max(gapAx, gapAy), Math.max(gapBx, gapBy));
+  }
+
+  /** The edge that faces the other box; of equally good ones that of the lowest index. */
+  private static int boxEdge(float gapX, float gapY, float dx, float dy) {
+    int sideways = dx >= 0 ? 1 : 3;
+    int upright = dy <= 0 ? 0 : 2;
+    return gapX > gapY ? sideways : gapY > gapX ? upright : Math.min(sideways, upright);
   }
 
   /**
