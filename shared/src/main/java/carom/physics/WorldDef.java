@@ -29,7 +29,8 @@ import java.util.function.Consumer;
  * @param maxSpeed no body moves faster, m/s; default 2000, twice the speed of a rifle bullet. A
  *     safety net only: what keeps fast bodies from passing through others is {@code continuous}
  * @param maxAngularSpeed no body spins faster, rad/s; default 250, one radian per substep at 60
- *     ticks a second
+ *     ticks a second. Above two radians per substep the rotation can't be followed: there speeds
+ *     end whatever this says
  * @param jointHertz how fast joints close what opened, as the frequency of a spring, 1/s; default
  *     60, capped at a quarter of the substep rate. It is also how far they yield: softer nets and
  *     cantilevers sag (at 30 twice as far as at 60)

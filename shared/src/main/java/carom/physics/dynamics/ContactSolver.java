@@ -163,6 +163,11 @@ final class ContactSolver {
   /** What an impulse at one point does to the other's speed along the normal, 1/kg. */
   static final int CROSS = SOFT_CROSS + LANES;
 
+  /** Radii of the parts' rounding, m. */
+  static final int ROUND_A = CROSS + LANES;
+
+  static final int ROUND_B = ROUND_A + LANES;
+
   // of each of its two points, relative to FIRST or SECOND,
   static final int AX = 0;
   static final int AY = AX + LANES;
@@ -184,7 +189,7 @@ final class ContactSolver {
   static final int SLIDE = TOTAL + LANES;
   static final int POINT = SLIDE + LANES;
 
-  static final int FIRST = CROSS + LANES;
+  static final int FIRST = ROUND_B + LANES;
   static final int SECOND = FIRST + POINT;
   static final int RECORD = SECOND + POINT;
 
@@ -413,6 +418,8 @@ final class ContactSolver {
     d[at + NY] = t.ny[r];
     d[at + FRICTION] = t.friction[r];
     d[at + SURFACE] = t.surface[r];
+    d[at + ROUND_A] = t.roundA[r];
+    d[at + ROUND_B] = t.roundB[r];
     d[at + MASS_A] = ma;
     d[at + MASS_B] = mb;
     d[at + INERTIA_A] = b.invInertia[a];
@@ -776,7 +783,12 @@ final class ContactSolver {
     v[b + W] += d[at + INERTIA_B] * (d[p + BX] * py - d[p + BY] * px);
   }
 
-  /** The gap at a point now. */
+  /**
+   * The gap at a point now: that of the start, plus how far the two anchors moved and turned apart.
+   * Rounding doesn't turn: the lowest point of a rolling disc is always another one. So the anchor
+   * of a round part is a radius inside, {@code r - R n}, which makes a difference of {@code R (cos
+   * - 1)}. Without it a fast disc would seem to lift off while it turns, and sink in.
+   */
   private float separation(int lane, int point, float[] v) {
     float[] d = data;
     int at = lane / LANES * RECORD + lane % LANES;
@@ -791,7 +803,8 @@ final class ContactSolver {
     float movedY = v[b + DY] - v[a + DY];
     movedX += (cb * d[p + BX] - sb * d[p + BY]) - (ca * d[p + AX] - sa * d[p + AY]);
     movedY += (sb * d[p + BX] + cb * d[p + BY]) - (sa * d[p + AX] + ca * d[p + AY]);
-    return d[p + SEPARATION] + movedX * d[at + NX] + movedY * d[at + NY];
+    float round = d[at + ROUND_A] * ca + d[at + ROUND_B] * cb;
+    return d[p + SEPARATION] + movedX * d[at + NX] + movedY * d[at + NY] + round;
   }
 
   /**
@@ -889,7 +902,7 @@ final class ContactSolver {
     apply(v, a, b, contact, point, (old - sum) * ny, (sum - old) * nx);
   }
 
-  /** Hands the impulses back to the table. */
+  /** Hands the impulses back to the table, but for those that overflowed. */
   void store(ContactTable t) {
     float[] d = data;
     for (int block = 0; block < blocks; block++) {
@@ -906,6 +919,9 @@ final class ContactSolver {
           t.tangent1[r] = d[at + SECOND + TANGENT];
           t.total1[r] = d[at + SECOND + TOTAL];
           t.slide1[r] = d[at + SECOND + SLIDE];
+        }
+        if (!(t.normal0[r] + t.normal1[r] + Math.abs(t.roll[r]) <= Float.MAX_VALUE)) {
+          t.forget(r);
         }
       }
     }

@@ -76,6 +76,11 @@ public final class ContactTable {
   /** Speed of both surfaces together, along the normal turned right, m/s. */
   float[] surface = new float[FIRST_CAPACITY];
 
+  /** Radii of the parts' rounding, m. */
+  float[] roundA = new float[FIRST_CAPACITY];
+
+  float[] roundB = new float[FIRST_CAPACITY];
+
   /** Unit normal from A to B. */
   float[] nx = new float[FIRST_CAPACITY];
 
@@ -100,7 +105,7 @@ public final class ContactTable {
   private float[][] floats = gather();
 
   /** The first of the float arrays change with the rows only. */
-  private static final int COLD = 4;
+  private static final int COLD = 6;
 
   private final Stamp rows = new Stamp();
   private int count;
@@ -545,7 +550,9 @@ public final class ContactTable {
     int b = partB[row];
     friction[row] = (float) Math.sqrt(parts.friction[a] * parts.friction[b]);
     restitution[row] = Math.max(parts.restitution[a], parts.restitution[b]);
-    float radius = Math.max(parts.convex[a].radius(), parts.convex[b].radius());
+    roundA[row] = parts.convex[a].radius();
+    roundB[row] = parts.convex[b].radius();
+    float radius = Math.max(roundA[row], roundB[row]);
     rolling[row] = Math.max(parts.rolling[a], parts.rolling[b]) * radius;
     surface[row] = parts.tangentSpeed[a] + parts.tangentSpeed[b];
   }
@@ -661,6 +668,8 @@ public final class ContactTable {
     restitution = Arrays.copyOf(restitution, grown);
     rolling = Arrays.copyOf(rolling, grown);
     surface = Arrays.copyOf(surface, grown);
+    roundA = Arrays.copyOf(roundA, grown);
+    roundB = Arrays.copyOf(roundB, grown);
     nx = Arrays.copyOf(nx, grown);
     ny = Arrays.copyOf(ny, grown);
     x0 = Arrays.copyOf(x0, grown);
@@ -682,6 +691,8 @@ public final class ContactTable {
       restitution,
       rolling,
       surface,
+      roundA,
+      roundB,
       normal0,
       normal1,
       tangent0,

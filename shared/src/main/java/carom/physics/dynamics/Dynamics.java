@@ -1451,7 +1451,7 @@ public final class Dynamics {
     solver.restitution(state);
     solver.store(contacts);
     jointSolver.store();
-    solverBodies.store(bodies, active);
+    solverBodies.store(bodies, active, settings);
   }
 
   /**

@@ -223,12 +223,16 @@ final class SolverBodies {
     }
   }
 
-  /** Writes velocities and poses back. A body at the edge of the world stops there. */
-  void store(BodyStore b, int[] active) {
+  /**
+   * Writes velocities, speeds above the limits cut, and poses back. A body at the edge of the world
+   * stops there.
+   */
+  void store(BodyStore b, int[] active, Settings limits) {
     float[] s = state;
     for (int i = 1; i < count; i++) {
       int body = active[i - 1];
       int at = i * STRIDE;
+      limit(s, at, limits.maxSpeed(), limits.maxAngularSpeed());
       b.vx[body] = s[at + VX];
       b.vy[body] = s[at + VY];
       b.w[body] = s[at + W];

@@ -18,6 +18,8 @@ import static carom.physics.dynamics.ContactSolver.NORMAL;
 import static carom.physics.dynamics.ContactSolver.NX;
 import static carom.physics.dynamics.ContactSolver.NY;
 import static carom.physics.dynamics.ContactSolver.RECORD;
+import static carom.physics.dynamics.ContactSolver.ROUND_A;
+import static carom.physics.dynamics.ContactSolver.ROUND_B;
 import static carom.physics.dynamics.ContactSolver.SECOND;
 import static carom.physics.dynamics.ContactSolver.SEPARATION;
 import static carom.physics.dynamics.ContactSolver.SLIDE;
@@ -348,6 +350,9 @@ final class VectorLanes extends ContactLanes {
         FloatVector.fromArray(LANE, d, p + SEPARATION)
             .add(movedX.mul(FloatVector.fromArray(LANE, d, at + NX)))
             .add(movedY.mul(FloatVector.fromArray(LANE, d, at + NY)));
+    FloatVector roundA = FloatVector.fromArray(LANE, d, at + ROUND_A);
+    FloatVector roundB = FloatVector.fromArray(LANE, d, at + ROUND_B);
+    gap = gap.add(roundA.mul(ca).add(roundB.mul(cb)));
     gap.intoArray(d, p + GAP);
     FloatVector zero = FloatVector.zero(LANE);
     zero.blend(gap.mul(inverseH), gap.compare(VectorOperators.GT, 0)).intoArray(s, PUSH + point);
