@@ -438,7 +438,7 @@ public final class Body<T> {
     Checks.force("forceX", fx);
     Checks.force("forceY", fy);
     if (acts() && (fx != 0 || fy != 0)) {
-      rouse();
+      dynamics().wake(index);
       store.forceX[index] += fx;
       store.forceY[index] += fy;
     }
@@ -462,6 +462,27 @@ public final class Body<T> {
   }
 
   /**
+   * Pulls during the next step, as gravity does: by something that is always there, such as a fluid
+   * or a wind. Other than by {@link #applyForce} the body may fall asleep in spite of it; a
+   * sleeping body is left alone.
+   *
+   * @param fx N
+   * @param fy N
+   * @param torque N m, counter-clockwise
+   */
+  public void applyAmbientForce(float fx, float fy, float torque) {
+    check();
+    Checks.force("forceX", fx);
+    Checks.force("forceY", fy);
+    Checks.force("torque", torque);
+    if (acts() && !store.asleep(index)) {
+      store.forceX[index] += fx;
+      store.forceY[index] += fy;
+      store.torque[index] += torque;
+    }
+  }
+
+  /**
    * Kicks the centre of mass: at the start of the next step the velocity changes by J / m.
    *
    * @param jx N s
@@ -472,7 +493,7 @@ public final class Body<T> {
     Checks.force("impulseX", jx);
     Checks.force("impulseY", jy);
     if (acts() && (jx != 0 || jy != 0)) {
-      rouse();
+      dynamics().wake(index);
       store.impulseX[index] += jx;
       store.impulseY[index] += jy;
     }
@@ -504,7 +525,7 @@ public final class Body<T> {
     check();
     Checks.force("torque", torque);
     if (acts() && torque != 0) {
-      rouse();
+      dynamics().wake(index);
       store.torque[index] += torque;
     }
   }
@@ -518,7 +539,7 @@ public final class Body<T> {
     check();
     Checks.force("angularImpulse", j);
     if (acts() && j != 0) {
-      rouse();
+      dynamics().wake(index);
       store.impulseW[index] += j;
     }
   }

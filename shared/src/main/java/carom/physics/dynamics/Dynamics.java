@@ -921,9 +921,6 @@ public final class Dynamics {
     for (int i = 0; i < activeCount; i++) {
       int body = active[i];
       if (bodies.type[body] == BodyStore.DYNAMIC) {
-        if (bodies.pushed(body)) {
-          bodies.sleepTime[body] = 0;
-        }
         bodies.applyImpulses(body);
       } else if (drives(body)) {
         teleported |= bodies.sleepTime[body] == MOVED;

@@ -171,16 +171,16 @@ public final class AreaEffect {
 
   private void act(Body<?> body, float dt) {
     if (kind == Kind.FORCE) {
-      body.applyForce(x, y);
+      body.applyAmbientForce(x, y, 0);
     } else if (kind == Kind.ACCELERATION) {
-      body.applyForce(body.mass() * x, body.mass() * y);
+      body.applyAmbientForce(body.mass() * x, body.mass() * y, 0);
     } else {
       float pull = body.mass() * rate / (1 + rate * dt);
-      body.applyForce(pull * (x - body.velocityX()), pull * (y - body.velocityY()));
-      if (angularRate > 0) {
-        float brake = body.inertia() * angularRate / (1 + angularRate * dt);
-        body.applyTorque(-brake * body.angularVelocity());
-      }
+      float brake = body.inertia() * angularRate / (1 + angularRate * dt);
+      body.applyAmbientForce(
+          pull * (x - body.velocityX()),
+          pull * (y - body.velocityY()),
+          -brake * body.angularVelocity());
     }
   }
 }

@@ -154,7 +154,7 @@ public final class Attractor {
           case INVERSE_SQUARE -> minimum * (double) minimum / (at * at);
         };
     double k = body.mass() * factor / at;
-    body.applyForce(
-        (float) (k * (strength * dx + swirl * dy)), (float) (k * (strength * dy - swirl * dx)));
+    body.applyAmbientForce(
+        (float) (k * (strength * dx + swirl * dy)), (float) (k * (strength * dy - swirl * dx)), 0);
   }
 }

@@ -203,8 +203,7 @@ public final class Buoyancy {
     double fy = -mass * world.gravityY() + pull * (flowY - (body.velocityY() + w * rx));
     double turn = angularDrag * density * submerged.second;
     double brake = turn / (1 + dt * turn * inverseInertia);
-    body.applyForce((float) fx, (float) fy);
-    body.applyTorque((float) (rx * fy - ry * fx - brake * w));
+    body.applyAmbientForce((float) fx, (float) fy, (float) (rx * fy - ry * fx - brake * w));
   }
 
   private void measure(Body<?> body, Aabb bounds, float ahead) {

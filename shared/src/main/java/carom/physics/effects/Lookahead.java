@@ -1,5 +1,6 @@
 package carom.physics.effects;
 
+import carom.physics.Integrator;
 import carom.physics.WorldDef;
 
 /**
@@ -10,13 +11,15 @@ import carom.physics.WorldDef;
  * feed energy: per step the area of phase space grows by {@code 1 + (1 - c) o^2 dt^2}, with c = (n
  * + 1) / (2 n) and o the angular frequency. Measured at {@code x + t v dt} the factor is {@code 1 +
  * (1 - c - t) o^2 dt^2}: exactly 1 for t = (n - 1) / (2 n), and the oscillation is that of
- * symplectic Euler with the step dt, whose frequency is {@code 2 asin(o dt / 2) / dt}.
+ * symplectic Euler with the step dt, whose frequency is {@code 2 asin(o dt / 2) / dt}. Explicit
+ * Euler moves by {@code v dt + a dt^2 (n - 1) / (2 n)}, and t is {@code (n + 1) / (2 n)}.
  */
 final class Lookahead {
   private Lookahead() {}
 
   /** How far ahead to measure, s. */
   static float seconds(WorldDef def, float dt) {
-    return dt * (def.substeps() - 1) / (2f * def.substeps());
+    int more = def.integrator() == Integrator.EXPLICIT_EULER ? 1 : -1;
+    return dt * (def.substeps() + more) / (2f * def.substeps());
   }
 }

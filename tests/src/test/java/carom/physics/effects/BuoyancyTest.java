@@ -42,7 +42,7 @@ final class BuoyancyTest {
   @Test
   void floatingBoxSettlesAtTheDepthOfItsDensity() {
     for (float ratio : new float[] {0.1f, 0.3f, 0.5f, 0.9f}) {
-      World<String> w = new World<>(new WorldDef());
+      World<String> w = new World<>(new WorldDef().withSleeping(false));
       Body<String> box = body(w, new Box(1, .5f), 1000 * ratio, 1);
       run(w, new Buoyancy(SEA, 1000).drag(3).angularDrag(3), 1200);
       assertEquals(0.5 - ratio, box.y(), 1e-4, "ratio=" + ratio);
@@ -53,7 +53,7 @@ final class BuoyancyTest {
 
   @Test
   void discOfHalfTheDensityIsHalfSubmerged() {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     Body<String> disc = body(w, new Circle(.7f), 500, .5f);
     Body<String> capsule = body(w, new Capsule(-1, 0, 1, 0, .5f), 500, .5f);
     capsule.setPose(20, .2f, 0);
@@ -65,7 +65,7 @@ final class BuoyancyTest {
   /** Heave of a box: o^2 = g / draught; the discrete frequency is 2 asin(o dt / 2) / dt. */
   @Test
   void boxBobsWithTheFrequencyOfItsDraughtAndNeverTires() {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     float amplitude = 0.1f;
     Body<String> box = body(w, new Box(1, .5f), 500, amplitude);
     Buoyancy sea = new Buoyancy(SEA, 1000).drag(0).angularDrag(0);
@@ -89,7 +89,7 @@ final class BuoyancyTest {
    */
   @Test
   void wideRaftRightsItselfWithTheMomentOfItsMetacentre() {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     float heel = 0.01f;
     Body<String> raft = body(w, new Box(2, .5f), 500, 0);
     raft.setPose(0, 0, heel);
@@ -102,7 +102,7 @@ final class BuoyancyTest {
 
   @Test
   void tallBoxTipsOverAndARaftDoesNot() {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     Body<String> pole = body(w, new Box(.3f, 1.5f), 500, 0);
     pole.setPose(-10, 0, 0.02f);
     Body<String> raft = body(w, new Box(1.5f, .3f), 500, 0);
@@ -195,7 +195,7 @@ final class BuoyancyTest {
 
   @Test
   void sensorBoundsTheFluid() {
-    World<String> w = new World<>(new WorldDef());
+    World<String> w = new World<>(new WorldDef().withSleeping(false));
     Body<String> pool =
         w.createBody(
             new BodyDef().shape(new ShapeDef(new Box(5, 2)).withSensor(true)).position(0, -2),
@@ -207,6 +207,21 @@ final class BuoyancyTest {
       w.step(DT);
     }
     assertEquals(0, box.y(), 1e-3);
+  }
+
+  @Test
+  void floatingBoxFallsAsleepAndWakesWhenTheFluidIsToldToChange() {
+    World<String> w = new World<>(new WorldDef());
+    Body<String> box = body(w, new Box(1, .5f), 500, .2f);
+    Buoyancy sea = new Buoyancy(SEA, 1000).drag(3).angularDrag(3);
+    run(w, sea, 900);
+    assertTrue(!box.awake());
+    assertEquals(0, box.y(), 2e-2);
+    sea.surface(0, -1, 0, 1).wake(w);
+    run(w, sea, 900);
+    assertEquals(-1, box.y(), 2e-2);
+    box.applyForce(0, 1);
+    assertTrue(box.awake());
   }
 
   @Test
