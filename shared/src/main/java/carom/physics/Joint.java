@@ -258,6 +258,46 @@ public final class Joint<T> {
     return length(anchorBX() - store.baseBx[index], anchorBY() - store.baseBy[index]);
   }
 
+  /**
+   * Where A's rope of a pulley goes.
+   *
+   * @return x, m, world
+   */
+  public float groundAX() {
+    refuseUnless(type == JointType.PULLEY, "groundAX");
+    return store.baseAx[index];
+  }
+
+  /**
+   * Where A's rope of a pulley goes.
+   *
+   * @return y, m, world
+   */
+  public float groundAY() {
+    refuseUnless(type == JointType.PULLEY, "groundAY");
+    return store.baseAy[index];
+  }
+
+  /**
+   * Where B's rope of a pulley goes.
+   *
+   * @return x, m, world
+   */
+  public float groundBX() {
+    refuseUnless(type == JointType.PULLEY, "groundBX");
+    return store.baseBx[index];
+  }
+
+  /**
+   * Where B's rope of a pulley goes.
+   *
+   * @return y, m, world
+   */
+  public float groundBY() {
+    refuseUnless(type == JointType.PULLEY, "groundBY");
+    return store.baseBy[index];
+  }
+
   private static float length(float x, float y) {
     return (float) Math.sqrt(x * x + y * y);
   }

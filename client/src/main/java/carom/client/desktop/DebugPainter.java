@@ -3,6 +3,7 @@ package carom.client.desktop;
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.physics.Joint;
+import carom.physics.JointType;
 import carom.physics.World;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.Segment;
@@ -181,7 +182,12 @@ final class DebugPainter {
     if (a != null) {
       canvas.line(a.centerX(), a.centerY(), ax, ay, lineM, JOINT);
     }
-    canvas.line(ax, ay, bx, by, lineM, JOINT);
+    if (joint.type() == JointType.PULLEY) {
+      canvas.line(ax, ay, joint.groundAX(), joint.groundAY(), lineM, JOINT);
+      canvas.line(joint.groundBX(), joint.groundBY(), bx, by, lineM, JOINT);
+    } else {
+      canvas.line(ax, ay, bx, by, lineM, JOINT);
+    }
     canvas.line(bx, by, b.centerX(), b.centerY(), lineM, JOINT);
     canvas.disc(ax, ay, 2 * lineM, JOINT);
     canvas.disc(bx, by, 2 * lineM, JOINT);

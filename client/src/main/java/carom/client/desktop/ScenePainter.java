@@ -10,7 +10,10 @@ import carom.physics.geometry.Convex;
 import carom.physics.geometry.Segment;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
+import carom.physics.particles.Particles;
 import carom.sim.scene.Palette;
+import carom.sim.scene.SceneParticles;
+import carom.sim.scene.SceneRun;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.graphics.OrthographicCamera;
 import com.badlogic.gdx.math.MathUtils;
@@ -24,6 +27,12 @@ final class ScenePainter {
   private static final float SHADOW_Y = -0.16f;
   private static final float EDGE_M = 0.045f;
   private static final float GROUND_M = 0.4f;
+
+  /** Diameter of a particle, of its spacing: water has no holes. */
+  private static final float PARTICLE = 1.25f;
+
+  /** Share of white per m/s. */
+  private static final float FOAM = 0.05f;
 
   /** What sleeping bodies fade to. */
   private static final int ASLEEP = 0x2b3646;
@@ -51,7 +60,8 @@ final class ScenePainter {
   }
 
   /** Draws everything that the camera sees. */
-  <T> void draw(World<T> world, OrthographicCamera camera, float scale) {
+  void draw(SceneRun run, OrthographicCamera camera, float scale) {
+    World<String> world = run.world();
     pixelsPerMetre = scale;
     edgeM = Math.min(EDGE_M, 2.2f / scale);
     float halfWidth = camera.viewportWidth / 2;
@@ -65,6 +75,7 @@ final class ScenePainter {
     backdrop();
     world.forEachBody(this::shadow);
     world.forEachBody(body -> body(body, true));
+    run.particles().forEach(this::particles);
     world.forEachBody(body -> body(body, false));
     world.forEachJoint(this::joint);
     canvas.end();
@@ -102,6 +113,28 @@ final class ScenePainter {
     for (int i = 0; i < body.shapeCount(); i++) {
       if (!body.sensor(i)) {
         shapes.fill(body.shape(i), Theme.SHADOW);
+      }
+    }
+  }
+
+  /** Fast ones are lighter, like foam. */
+  private void particles(SceneParticles some) {
+    Particles all = some.particles();
+    float size = PARTICLE * all.spacing();
+    boolean small = size * pixelsPerMetre < SMALL_PX;
+    for (int i = 0; i < all.count(); i++) {
+      float x = all.x(i);
+      float y = all.y(i);
+      if (!seen.contains(x, y)) {
+        continue;
+      }
+      float speed = Math.abs(all.velocityX(i)) + Math.abs(all.velocityY(i));
+      int rgb = Palette.mix(some.rgb(), Palette.PAPER, Math.min(0.6f, speed * FOAM));
+      Theme.shade(rgb, 1, 1, fill);
+      if (small) {
+        canvas.rect(x - size / 2, y - size / 2, size, size, fill);
+      } else {
+        canvas.disc(x, y, size / 2, fill);
       }
     }
   }
@@ -215,6 +248,10 @@ final class ScenePainter {
 
   /** Rods, ropes and springs; other joints don't show. */
   private <T> void joint(Joint<T> joint) {
+    if (joint.type() == JointType.PULLEY) {
+      pulley(joint);
+      return;
+    }
     if (joint.type() != JointType.DISTANCE && joint.type() != JointType.MOUSE) {
       return;
     }
@@ -234,6 +271,17 @@ final class ScenePainter {
     } else {
       spring(ax, ay, dx, dy, length, joint.rest(), width);
     }
+  }
+
+  private <T> void pulley(Joint<T> joint) {
+    float width = Math.max(1.2f / pixelsPerMetre, 0.035f);
+    float ax = joint.groundAX();
+    float ay = joint.groundAY();
+    float bx = joint.groundBX();
+    float by = joint.groundBY();
+    canvas.line(joint.anchorAX(), joint.anchorAY(), ax, ay, width, rope);
+    canvas.line(ax, ay, bx, by, width, rope);
+    canvas.line(bx, by, joint.anchorBX(), joint.anchorBY(), width, rope);
   }
 
   /** A zigzag of a fixed number of turns, wider when it is compressed. */

@@ -192,7 +192,7 @@ final class SceneScreen extends ScreenAdapter {
     pixels.setToOrtho2D(0, 0, width, height);
     batch.setProjectionMatrix(pixels);
     float pixelsPerMetre = camera.pixelsPerMetre(height);
-    painter.draw(player.run().world(), camera.gdx(), pixelsPerMetre);
+    painter.draw(player.run(), camera.gdx(), pixelsPerMetre);
     if (!layers.isEmpty()) {
       debug.draw(player.run().world(), camera.gdx(), pixelsPerMetre, layers);
     }
@@ -221,7 +221,7 @@ final class SceneScreen extends ScreenAdapter {
             Gdx.graphics.getFramesPerSecond());
     StringBuilder text = new StringBuilder();
     text.append("tick ").append(player.run().tick());
-    text.append("   hash ").append(String.format("%016x", player.run().world().stateHash()));
+    text.append("   hash ").append(String.format("%016x", player.run().stateHash()));
     text.append(player.paused() ? "   paused" : "");
     if (player.speed() != 1) {
       text.append("   speed ").append(player.speed());

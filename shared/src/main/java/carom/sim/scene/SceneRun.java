@@ -2,7 +2,7 @@ package carom.sim.scene;
 
 import carom.physics.World;
 import carom.physics.WorldDef;
-import carom.physics.WorldState;
+import java.util.List;
 
 /**
  * A scene that is running: its world and the number of steps made. One thread at a time; a steady
@@ -43,6 +43,15 @@ public final class SceneRun {
   }
 
   /**
+   * The scene's particles.
+   *
+   * @return in the order they were made, unmodifiable; none in most scenes
+   */
+  public List<SceneParticles> particles() {
+    return stage.particles();
+  }
+
+  /**
    * The number of steps made.
    *
    * @return 0 at the start
@@ -62,7 +71,7 @@ public final class SceneRun {
 
   /** Advances the scene by one tick. */
   public void step() {
-    stage.beforeStep(tick);
+    stage.beforeStep(tick, tickSeconds);
     world.step(tickSeconds);
     tick++;
   }
@@ -79,13 +88,44 @@ public final class SceneRun {
   }
 
   /**
+   * 64 bits of everything that decides the future: world, particles and tick.
+   *
+   * @return equal for equal runs
+   */
+  public long stateHash() {
+    long h = world.stateHash() ^ tick;
+    for (SceneParticles some : particles()) {
+      h = Long.rotateLeft(h * 0x9e3779b97f4a7c15L, 29) ^ some.particles().stateHash();
+    }
+    return h;
+  }
+
+  /**
+   * Copies the state out.
+   *
+   * @param reuseOrNull a state of this run to overwrite, or null for a new one
+   * @return the state
+   */
+  public SceneState save(SceneState reuseOrNull) {
+    SceneState s = reuseOrNull == null ? new SceneState(particles().size()) : reuseOrNull;
+    s.world = world.save(s.world);
+    for (int i = 0; i < s.particles.length; i++) {
+      s.particles[i] = particles().get(i).particles().save(s.particles[i]);
+    }
+    s.tick = tick;
+    return s;
+  }
+
+  /**
    * Goes back (or forth) to a saved state.
    *
-   * @param state of this run's world
-   * @param atTick what {@link #tick} was when it was saved
+   * @param state of this run; stays as it is
    */
-  public void restore(WorldState state, int atTick) {
-    world.restore(state);
-    tick = atTick;
+  public void restore(SceneState state) {
+    world.restore(state.world);
+    for (int i = 0; i < state.particles.length; i++) {
+      particles().get(i).particles().restore(state.particles[i]);
+    }
+    tick = state.tick;
   }
 }

@@ -15,6 +15,8 @@ public final class Scenes {
     JointScenes.all().forEach(Scenes::add);
     SurfaceScenes.all().forEach(Scenes::add);
     MixedScenes.all().forEach(Scenes::add);
+    CoupledScenes.all().forEach(Scenes::add);
+    ParticleScenes.all().forEach(Scenes::add);
   }
 
   private Scenes() {}

@@ -6,7 +6,10 @@ import carom.physics.CollisionListener;
 import carom.physics.Joint;
 import carom.physics.JointDef;
 import carom.physics.World;
+import carom.physics.particles.ParticleDef;
+import carom.physics.particles.Particles;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.function.Function;
 
@@ -19,6 +22,7 @@ public final class Stage<T> {
   private final World<T> world;
   private final Function<BodyDef, Body<T>> maker;
   private final List<TickAction> actions = new ArrayList<>();
+  private final List<SceneParticles> particles = new ArrayList<>();
   private CollisionListener<T> listener;
 
   /**
@@ -71,6 +75,28 @@ public final class Stage<T> {
   }
 
   /**
+   * Makes a system of particles, which moves by itself before every step, after the actions.
+   *
+   * @param def what they are made of, copied
+   * @param rgb their colour, 0xRRGGBB
+   * @return still empty
+   */
+  public Particles particles(ParticleDef def, int rgb) {
+    Particles made = new Particles(def);
+    particles.add(new SceneParticles(made, rgb));
+    return made;
+  }
+
+  /**
+   * All systems of particles.
+   *
+   * @return in the order they were made, unmodifiable, live
+   */
+  public List<SceneParticles> particles() {
+    return Collections.unmodifiableList(particles);
+  }
+
+  /**
    * Has something done before every step, after what was given earlier.
    *
    * @param action what to do
@@ -98,13 +124,17 @@ public final class Stage<T> {
   }
 
   /**
-   * Does what the scene does by itself before a step.
+   * Does what the scene does by itself before a step: actions, then particles.
    *
    * @param tick number of the step that follows, 0 for the first
+   * @param dtSeconds length of that step, s
    */
-  public void beforeStep(int tick) {
+  public void beforeStep(int tick, float dtSeconds) {
     for (int i = 0; i < actions.size(); i++) {
       actions.get(i).run(tick);
+    }
+    for (int i = 0; i < particles.size(); i++) {
+      particles.get(i).particles().step(world, dtSeconds);
     }
   }
 }

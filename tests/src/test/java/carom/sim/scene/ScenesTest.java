@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.physics.WorldState;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -48,17 +47,17 @@ final class ScenesTest {
   void aSceneRunsTwiceTheSameWayAndFromASavedState(Scene scene) {
     SceneRun one = scene.start();
     SceneRun two = scene.start();
-    assertEquals(one.world().stateHash(), two.world().stateHash(), scene.name());
+    assertEquals(one.stateHash(), two.stateHash(), scene.name());
     one.steps(TICKS / 2);
     two.steps(TICKS / 2);
-    WorldState middle = one.world().save(null);
+    SceneState middle = one.save(null);
     one.steps(TICKS / 2);
     two.steps(TICKS / 2);
-    long end = one.world().stateHash();
-    assertEquals(end, two.world().stateHash(), scene.name());
-    one.restore(middle, TICKS / 2);
+    long end = one.stateHash();
+    assertEquals(end, two.stateHash(), scene.name());
+    one.restore(middle);
     one.steps(TICKS / 2);
-    assertEquals(end, one.world().stateHash(), scene.name() + " after it was restored");
+    assertEquals(end, one.stateHash(), scene.name() + " after it was restored");
     assertEquals(TICKS, one.tick());
 
     SceneReport report = SceneReport.of(one.world());
