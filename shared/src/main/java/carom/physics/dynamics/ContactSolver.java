@@ -47,9 +47,13 @@ import java.util.Arrays;
  *   (k + g) P' = -q      g = k / a     a = h o (2 z + h o)
  * </pre>
  *
- * Limits: for o to infinity g = 0 and b = 1 / h, a rigid contact that removes s in a substep; for o
- * to 0 no spring. The constants a and b don't contain the mass: a light and a heavy contact relax
- * alike.
+ * <p>For the spring's mass m the sum of the bodies' inverse masses counts, {@code g = (1/mA + 1/mB)
+ * / a}, not the whole yield: a corner that can turn away would yield more under the same load, and
+ * piles of tilted bodies would sink into each other.
+ *
+ * <p>Limits: for o to infinity g = 0 and b = 1 / h, a rigid contact that removes s in a substep;
+ * for o to 0 no spring. The constants a and b don't contain the mass: a light and a heavy contact
+ * relax alike.
  *
  * <p><b>Two points</b> are solved together: two such equations with the cross term k12, the speed
  * that an impulse at one point gives the other. With P >= 0 this is a linear complementarity
@@ -122,6 +126,16 @@ final class ContactSolver {
    * How far the springs of two points act as one: 0 not at all, 1 as a single spring in the middle.
    */
   private static final float COUPLING = 0.75f;
+
+  /**
+   * How much more two points give way than their bodies' masses say, and how much stiffer (in o) a
+   * single point is. Chosen together with the hertz: the pyramid of 100 rows comes to rest (18 J
+   * after 260 ticks), and the pile of 2,000 has 23 overlaps deeper than 2 cm; it had 192 when the
+   * whole yield counted.
+   */
+  private static final float PAIR_SOFTNESS = 1.3f;
+
+  private static final float SINGLE_STIFFNESS = 1.3f;
 
   /** Two points yield that much more, so that points in one place share the load. */
   private static final float SHARE = 1 + 1 / 1024f;
@@ -425,6 +439,9 @@ final class ContactSolver {
     d[at + INERTIA_A] = b.invInertia[a];
     d[at + INERTIA_B] = b.invInertia[o];
     float stiff = ma == 0 || mb == 0 ? 2 * omega : omega;
+    if (!two[block]) {
+      stiff *= SINGLE_STIFFNESS;
+    }
     float twiceZeta = 2 * s.contactDampingRatio();
     d[at + BIAS_RATE] = stiff / (twiceZeta + h * stiff);
     float gapX = b.x[o] - b.x[a];
@@ -443,13 +460,13 @@ final class ContactSolver {
     float yield = packPoint(at, FIRST, t.x0[r], t.y0[r], gapX, gapY, t.separation0[r]);
     d[at + FIRST + NORMAL] = t.normal0[r];
     d[at + FIRST + TANGENT] = t.tangent0[r];
-    float perYield = 1 / (h * stiff * (twiceZeta + h * stiff));
-    d[at + SOFT] = yield * perYield;
+    float perMass = 1 / (h * stiff * (twiceZeta + h * stiff));
+    d[at + SOFT] = (ma + mb) * perMass;
     if (two[block]) {
       float other = packPoint(at, SECOND, t.x1[r], t.y1[r], gapX, gapY, t.separation1[r]);
       d[at + SECOND + NORMAL] = t.normal1[r];
       d[at + SECOND + TANGENT] = t.tangent1[r];
-      float soft = 0.5f * (yield + other) * perYield / (1 + COUPLING);
+      float soft = PAIR_SOFTNESS * (ma + mb) * perMass / (1 + COUPLING);
       d[at + SOFT] = soft;
       d[at + SOFT_CROSS] = soft * COUPLING;
       d[at + CROSS] = cross(at);

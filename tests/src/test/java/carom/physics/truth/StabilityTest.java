@@ -216,8 +216,8 @@ final class StabilityTest {
     SceneRun run = Scenes.get("pile_2k").start();
     run.steps(480);
     Sanity.Overlaps overlaps = Sanity.overlaps(run.world());
-    assertTrue(overlaps.deep() < 300, overlaps.toString());
-    assertTrue(overlaps.deepest() < .08, overlaps.toString());
+    assertTrue(overlaps.deep() < 50, overlaps.toString());
+    assertTrue(overlaps.deepest() < .05, overlaps.toString());
     assertTrue(Sanity.lowest(run.world()) > 0, "lowest=" + Sanity.lowest(run.world()));
     assertTrue(Lab.kinetic(run.world()) < 50, "energy=" + Lab.kinetic(run.world()));
   }
