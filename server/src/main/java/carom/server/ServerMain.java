@@ -11,6 +11,11 @@ import carom.server.config.ServerConfig;
 import carom.sim.Game;
 import carom.sim.Level;
 import carom.sim.LevelException;
+import carom.sim.Suggestion;
+import carom.sim.scene.Scene;
+import carom.sim.scene.SceneGame;
+import carom.sim.scene.SceneRun;
+import carom.sim.scene.Scenes;
 import ch.qos.logback.classic.LoggerContext;
 import java.io.Console;
 import java.io.PrintStream;
@@ -100,6 +105,12 @@ public final class ServerMain implements Callable<Integer> {
       paramLabel = "FILE",
       description = "Level file, or the name of one that comes with the program (the game's own).")
   private String level;
+
+  @Option(
+      names = "--scene",
+      paramLabel = "NAME",
+      description = "Scene of the library to watch, instead of a game; players have no bodies.")
+  private String scene;
 
   @Option(
       names = "--tick-rate",
@@ -272,7 +283,7 @@ public final class ServerMain implements Callable<Integer> {
 
   @Override
   public Integer call() throws InterruptedException {
-    Level chosenLevel = chooseLevel();
+    Level chosenLevel = scene == null ? chooseLevel() : SceneGame.level(chooseScene());
     String chosenGame = chooseGame(chosenLevel);
     Supplier<Game> games = () -> Games.create(chosenGame);
     requireRange("--tcp-port", tcpPort, MAX_PORT);
@@ -297,6 +308,14 @@ public final class ServerMain implements Callable<Integer> {
         config.rooms() == 1 ? "" : config.rooms() + " rooms of ",
         config.maxPlayers(),
         Runtime.version().feature());
+    if (scene != null) {
+      SceneRun run = Scenes.get(scene).start();
+      log.info(
+          "scene: players watch {} bodies; {} joints and {} kinds of particles aren't sent",
+          run.world().bodyCount(),
+          run.world().jointCount(),
+          run.particles().size());
+    }
     ServerTransport transport;
     try {
       transport = new KryoServerTransport(tcpPort, udpPort, limits());
@@ -377,6 +396,27 @@ public final class ServerMain implements Callable<Integer> {
     } catch (ReflectiveOperationException e) {
       return false;
     }
+  }
+
+  /** Its actions are made for its own tick rate. */
+  private Scene chooseScene() {
+    if (game != null || level != null) {
+      throw bad(
+          "--scene and %s exclude each other: a scene is a world of its own"
+              .formatted(game != null ? "--game" : "--level"));
+    }
+    if (!Scenes.names().contains(scene)) {
+      throw bad(
+          "--scene: unknown scene=%s%s; carom-client --scene list shows all"
+              .formatted(scene, Suggestion.didYouMean(scene, Scenes.names())));
+    }
+    Scene chosen = Scenes.get(scene);
+    if (tickRate != chosen.tickRate()) {
+      throw bad(
+          "--tick-rate=%d doesn't fit --scene=%s, which runs at %d Hz"
+              .formatted(tickRate, scene, chosen.tickRate()));
+    }
+    return chosen;
   }
 
   private Level chooseLevel() {

@@ -4,6 +4,7 @@ import carom.physics.dynamics.Checks;
 import carom.physics.geometry.MassData;
 import carom.physics.geometry.Shape;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 
 /**
@@ -54,6 +55,24 @@ public final class BodyDef {
   public BodyDef type(BodyType newType) {
     type = newType;
     return this;
+  }
+
+  /**
+   * What kind of body this makes.
+   *
+   * @return static unless set
+   */
+  public BodyType type() {
+    return type;
+  }
+
+  /**
+   * The shapes so far.
+   *
+   * @return in the order they were added, unmodifiable, live
+   */
+  public List<ShapeDef> shapes() {
+    return Collections.unmodifiableList(shapes);
   }
 
   /**

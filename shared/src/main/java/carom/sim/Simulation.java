@@ -202,6 +202,28 @@ public final class Simulation {
    *     #MAX_ENTITIES}
    */
   public Entity spawn(Archetype archetype, float x, float y, float angle, Player owner) {
+    int id = freeId(archetype);
+    int ownerId = owner == null ? Entity.NO_OWNER : owner.id();
+    return add(new Entity(id, generations[id] & 0xff, archetype, ownerId), x, y, angle);
+  }
+
+  /**
+   * Creates an entity of nobody under the smallest free id, whose body is more than its archetype
+   * says: filters, velocities, a bullet. Clients that foresee it know the archetype only.
+   *
+   * @param archetype its kind, with the same shapes; its path is ignored
+   * @param def what the body is made from
+   * @throws IllegalStateException on {@link Role#PREDICTION}, during the physics, or beyond {@value
+   *     #MAX_ENTITIES}
+   */
+  public Entity spawn(Archetype archetype, BodyDef def) {
+    int id = freeId(archetype);
+    Entity entity = new Entity(id, generations[id] & 0xff, archetype, Entity.NO_OWNER);
+    entity.body = world.createBody(def, entity);
+    return enlist(entity);
+  }
+
+  private int freeId(Archetype archetype) {
     requireAuthority("spawn");
     int id = firstFree;
     while (id < entityCapacity && entities[id] != null) {
@@ -213,8 +235,7 @@ public final class Simulation {
           "archetype=" + archetype + " can't be spawned: entities=" + id + " is the limit");
     }
     grow(id);
-    int ownerId = owner == null ? Entity.NO_OWNER : owner.id();
-    return add(new Entity(id, generations[id] & 0xff, archetype, ownerId), x, y, angle);
+    return id;
   }
 
   /**
@@ -576,13 +597,17 @@ public final class Simulation {
   }
 
   private Entity add(Entity entity, float x, float y, float angle) {
-    int id = entity.id();
     Motion motion = entity.archetype().motion();
     if (motion == null) {
       embody(entity, x, y, angle);
     } else {
       embody(entity, motion.x(tick, tickRate), motion.y(tick, tickRate), angle);
     }
+    return enlist(entity);
+  }
+
+  private Entity enlist(Entity entity) {
+    int id = entity.id();
     entities[id] = entity;
     generations[id] = (byte) entity.generation();
     entityCapacity = Math.max(entityCapacity, id + 1);

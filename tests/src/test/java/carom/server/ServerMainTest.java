@@ -76,6 +76,9 @@ class ServerMainTest {
     assertTrue(fails(2, "--tcp-port", "x").contains("'x' is not a whole number"), err());
     assertTrue(fails(2, "--udp-port", "65536").contains("--udp-port=65536 is outside"), err());
     assertTrue(fails(2, "--game", "arean").contains("arena"), err());
+    assertTrue(fails(2, "--scene", "piramid").contains("did you mean \"pyramid\""), err());
+    assertTrue(fails(2, "--scene", "car", "--game", "arena").contains("exclude"), err());
+    assertTrue(fails(2, "--scene", "car", "--tick-rate", "30").contains("runs at 60 Hz"), err());
     assertTrue(fails(2, "--rooms", "65").contains("rooms=65 is outside 1..64"), err());
     assertTrue(fails(2, "--rooms", "64", "--max-players", "256").contains("at most 4096"), err());
     assertTrue(fails(2, "--log-level", "loud").contains("none of [off, error"), err());

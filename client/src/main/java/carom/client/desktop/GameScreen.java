@@ -139,7 +139,7 @@ final class GameScreen extends ScreenAdapter {
       hud.scores(view, width, height, Gdx.input.isKeyPressed(Keys.TAB));
       hud.notices(view, nowNs, width, height);
       hud.hints(view, secondsPlayed, width);
-      if (own == null && secondsPlayed > 1) {
+      if (own == null && camera.hasFollowed() && secondsPlayed > 1) {
         hud.bodiless(width, height);
       }
     }

@@ -234,16 +234,10 @@ final class ScenePainter {
 
   /** A colour that tells neighbours apart, for scenes that don't choose. */
   private static int untagged(Body<?> body) {
-    if (body.type() == BodyType.STATIC) {
-      return Palette.STONE;
-    }
-    if (body.type() == BodyType.KINEMATIC) {
-      return Palette.STEEL;
-    }
-    int base =
-        Palette.bright(
-            body.shape(0) instanceof Circle ? 3 : body.shape(0).parts().get(0).vertexCount());
-    return Palette.mix(base, Palette.PAPER, body.index() * 7 % 11 / 30f);
+    int rgb = Palette.untagged(body.type(), body.shape(0));
+    return body.type() == BodyType.DYNAMIC
+        ? Palette.mix(rgb, Palette.PAPER, body.index() * 7 % 11 / 30f)
+        : rgb;
   }
 
   /** Rods, ropes and springs; other joints don't show. */

@@ -31,6 +31,11 @@ final class ViewCamera {
     return camera;
   }
 
+  /** Whether there ever was somebody to follow; spectators have nobody. */
+  boolean hasFollowed() {
+    return placed;
+  }
+
   /** Pixels per metre. */
   float pixelsPerMetre(int screenHeight) {
     return screenHeight / camera.viewportHeight;
@@ -38,7 +43,7 @@ final class ViewCamera {
 
   /**
    * Fits the view to the window and moves it towards the player; with nobody to follow it stays,
-   * and before there ever was anybody it shows the centre of the level.
+   * and before there ever was anybody it shows the whole level.
    */
   void update(
       Level.Bounds bounds,
@@ -52,7 +57,9 @@ final class ViewCamera {
     float levelHeight = bounds.maxY() - bounds.minY() + 2 * MARGIN_M;
     float aspect = width / (float) height;
     float whole = Math.max(levelHeight, levelWidth / aspect);
-    float shown = whole <= WHOLE_HEIGHT_M ? whole : Math.min(levelHeight, FOLLOW_HEIGHT_M);
+    boolean follows = placed || followed;
+    float shown =
+        whole <= WHOLE_HEIGHT_M || !follows ? whole : Math.min(levelHeight, FOLLOW_HEIGHT_M);
     camera.viewportHeight = shown;
     camera.viewportWidth = shown * aspect;
 

@@ -27,6 +27,9 @@ final class WorldPainter {
   private static final float SHADOW_Y_M = -0.14f;
   private static final float EDGE_M = 0.07f;
 
+  /** What only notices is seen through. */
+  private static final float SENSOR = 0.25f;
+
   /** Something static: it stands where the level put it. */
   private record Scenery(Archetype archetype, float x, float y, float cos, float sin) {}
 
@@ -143,6 +146,9 @@ final class WorldPainter {
 
   private void paint(Archetype archetype, float alpha, float seconds) {
     Appearance look = archetype.appearance();
+    if (archetype.sensor() && look.look() == Appearance.Look.PLAIN) {
+      alpha *= SENSOR;
+    }
     Theme.shade(look.rgb(), 1, alpha, fill);
     Theme.shade(look.outlineRgb(), 1, alpha, edge);
     for (Shape shape : archetype.shapes()) {

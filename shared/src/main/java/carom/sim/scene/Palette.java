@@ -1,6 +1,9 @@
 package carom.sim.scene;
 
+import carom.physics.BodyType;
 import carom.physics.Material;
+import carom.physics.geometry.Circle;
+import carom.physics.geometry.Shape;
 
 /**
  * The colours of the scenes. A material's tag is its colour, 0xRRGGBB; tag 0 leaves the choice to
@@ -59,6 +62,21 @@ public final class Palette {
       rgb |= Math.round(a + (b - a) * share) << shift;
     }
     return rgb;
+  }
+
+  /**
+   * The colour of what has tag 0.
+   *
+   * @param type the body's
+   * @param shape the body's first
+   * @return 0xRRGGBB
+   */
+  public static int untagged(BodyType type, Shape shape) {
+    return switch (type) {
+      case STATIC -> STONE;
+      case KINEMATIC -> STEEL;
+      case DYNAMIC -> bright(shape instanceof Circle ? 3 : shape.parts().get(0).vertexCount());
+    };
   }
 
   /** {@link Material#DEFAULT} in a colour. */

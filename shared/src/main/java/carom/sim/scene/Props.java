@@ -4,7 +4,6 @@ import carom.physics.Body;
 import carom.physics.BodyDef;
 import carom.physics.BodyType;
 import carom.physics.Material;
-import carom.physics.World;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Polygon;
@@ -56,14 +55,15 @@ final class Props {
   }
 
   /** Removes dynamic bodies that fell below a height, so that an emitter can go on for ever. */
-  static <T> void sweep(World<T> world, float minY) {
+  static <T> void sweep(Stage<T> s, float minY) {
     List<Body<T>> gone = new ArrayList<>();
-    world.forEachBody(
-        body -> {
-          if (body.type() == BodyType.DYNAMIC && body.y() < minY) {
-            gone.add(body);
-          }
-        });
-    gone.forEach(world::destroyBody);
+    s.world()
+        .forEachBody(
+            body -> {
+              if (body.type() == BodyType.DYNAMIC && body.y() < minY) {
+                gone.add(body);
+              }
+            });
+    gone.forEach(s::remove);
   }
 }

@@ -11,6 +11,7 @@ import carom.physics.particles.Particles;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
@@ -21,6 +22,7 @@ import java.util.function.Function;
 public final class Stage<T> {
   private final World<T> world;
   private final Function<BodyDef, Body<T>> maker;
+  private final Consumer<Body<T>> remover;
   private final List<TickAction> actions = new ArrayList<>();
   private final List<SceneParticles> particles = new ArrayList<>();
   private CollisionListener<T> listener;
@@ -35,14 +37,26 @@ public final class Stage<T> {
   }
 
   /**
-   * A stage.
+   * A stage from which bodies simply vanish.
    *
    * @param world where to build
    * @param maker makes the bodies in that world, and gives them their users
    */
   public Stage(World<T> world, Function<BodyDef, Body<T>> maker) {
+    this(world, maker, world::destroyBody);
+  }
+
+  /**
+   * A stage.
+   *
+   * @param world where to build
+   * @param maker makes the bodies in that world, and gives them their users
+   * @param remover takes them out of it again
+   */
+  public Stage(World<T> world, Function<BodyDef, Body<T>> maker, Consumer<Body<T>> remover) {
     this.world = world;
     this.maker = maker;
+    this.remover = remover;
   }
 
   /**
@@ -62,6 +76,15 @@ public final class Stage<T> {
    */
   public Body<T> body(BodyDef def) {
     return maker.apply(def);
+  }
+
+  /**
+   * Removes a body.
+   *
+   * @param body made by {@link #body}
+   */
+  public void remove(Body<T> body) {
+    remover.accept(body);
   }
 
   /**
@@ -130,11 +153,16 @@ public final class Stage<T> {
    * @param dtSeconds length of that step, s
    */
   public void beforeStep(int tick, float dtSeconds) {
-    for (int i = 0; i < actions.size(); i++) {
-      actions.get(i).run(tick);
-    }
+    act(tick);
     for (int i = 0; i < particles.size(); i++) {
       particles.get(i).particles().step(world, dtSeconds);
+    }
+  }
+
+  /** The actions without the particles. */
+  void act(int tick) {
+    for (int i = 0; i < actions.size(); i++) {
+      actions.get(i).run(tick);
     }
   }
 }

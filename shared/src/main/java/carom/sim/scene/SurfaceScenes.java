@@ -78,7 +78,7 @@ final class SurfaceScenes {
           if (tick % 40 == 0) {
             int k = tick / 40;
             free(s, Props.some(k), -6 + 0.3f * (k % 3), 11, Palette.bright(k));
-            Props.sweep(s.world(), -8);
+            Props.sweep(s, -8);
           }
         });
   }

@@ -1,0 +1,193 @@
+package carom.sim.scene;
+
+import carom.physics.Body;
+import carom.physics.BodyDef;
+import carom.physics.BodyType;
+import carom.physics.Collision;
+import carom.physics.ShapeDef;
+import carom.physics.World;
+import carom.physics.WorldDef;
+import carom.physics.geometry.Convex;
+import carom.sim.Appearance;
+import carom.sim.Archetype;
+import carom.sim.ArchetypeDef;
+import carom.sim.Entity;
+import carom.sim.Game;
+import carom.sim.Input;
+import carom.sim.Level;
+import carom.sim.LevelException;
+import carom.sim.Player;
+import carom.sim.Role;
+import carom.sim.Simulation;
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * A scene as a game that players only watch: they have no bodies, and their inputs mean nothing.
+ * The server's world is that of {@link Scene#start} with sleep and continuous collision, bit for
+ * bit.
+ *
+ * <p>Every body is an entity; bodies that look the same share an archetype. Joints and particles
+ * are not sent: one sees what they do. Both sides learn the archetypes by running the scene's
+ * actions {@value #FORESEEN_TICKS} ticks ahead in a world that stands still; a body that looks like
+ * none of those so far exists, but isn't seen.
+ */
+public final class SceneGame implements Game {
+  /** What the names of these games start with; the scene's name follows. */
+  public static final String PREFIX = "scene:";
+
+  private static final int FORESEEN_TICKS = 1800;
+
+  private final Scene scene;
+  private final Map<String, Archetype> kinds = new TreeMap<>();
+  private Stage<Entity> stage;
+
+  /**
+   * A game to watch.
+   *
+   * @param scene what there is to see
+   */
+  public SceneGame(Scene scene) {
+    this.scene = scene;
+  }
+
+  /**
+   * The level that goes with a scene: empty, and as large as what should be seen.
+   *
+   * @param scene what there is to see
+   * @return made for the game of that scene
+   */
+  public static Level level(Scene scene) {
+    View v = scene.view();
+    String json =
+        String.format(
+            Locale.ROOT,
+            "{\"name\":\"%s\",\"game\":\"%s\",\"gravity\":[%s,%s],"
+                + "\"bounds\":{\"min\":[%s,%s],\"max\":[%s,%s]},"
+                + "\"theme\":{\"background\":\"#0e1420\",\"sky\":\"#1d2838\"}}",
+            scene.name(),
+            PREFIX + scene.name(),
+            scene.def().gravityX(),
+            scene.def().gravityY(),
+            v.x() - v.width() / 2,
+            v.y() - v.height() / 2,
+            v.x() + v.width() / 2,
+            v.y() + v.height() / 2);
+    try {
+      return Level.parse(scene.name() + ".json", json.getBytes(StandardCharsets.UTF_8));
+    } catch (LevelException e) {
+      throw new IllegalStateException("scene=" + scene.name() + " makes no level", e);
+    }
+  }
+
+  @Override
+  public String name() {
+    return PREFIX + scene.name();
+  }
+
+  @Override
+  public String defaultLevel() {
+    return scene.name();
+  }
+
+  @Override
+  public String description() {
+    return scene.description();
+  }
+
+  @Override
+  public WorldDef world(Level level) {
+    return scene.def().withSleeping(true).withContinuous(true);
+  }
+
+  @Override
+  public void setUp(Simulation s) {
+    World<Entity> still = new World<>(world(s.level()));
+    Stage<Entity> preview =
+        new Stage<>(
+            still,
+            def -> {
+              kinds.computeIfAbsent(look(def), key -> s.archetypes().add(kind(def)));
+              return still.createBody(def, null);
+            });
+    scene.build(preview);
+    for (int tick = 0; tick < FORESEEN_TICKS; tick++) {
+      preview.act(tick);
+    }
+    if (s.role() == Role.AUTHORITY) {
+      stage = new Stage<>(s.world(), def -> enter(s, def), body -> leave(s, body));
+      scene.build(stage);
+    }
+  }
+
+  private Body<Entity> enter(Simulation s, BodyDef def) {
+    Archetype kind = kinds.get(look(def));
+    return kind == null ? s.world().createBody(def, null) : s.spawn(kind, def).body();
+  }
+
+  private static void leave(Simulation s, Body<Entity> body) {
+    if (body.user() == null) {
+      s.world().destroyBody(body);
+    } else {
+      s.despawn(body.user());
+    }
+  }
+
+  /** Equal for bodies that look the same. */
+  private static String look(BodyDef def) {
+    StringBuilder key = new StringBuilder(def.type().name());
+    for (ShapeDef shape : def.shapes()) {
+      key.append(' ').append(shape.material().tag()).append(shape.sensor() ? 's' : 'b');
+      for (Convex part : shape.shape().parts()) {
+        key.append(' ').append(part.radius());
+        for (int i = 0; i < part.vertexCount(); i++) {
+          key.append(' ').append(part.vertexX(i)).append(',').append(part.vertexY(i));
+        }
+      }
+    }
+    return key.toString();
+  }
+
+  private ArchetypeDef kind(BodyDef def) {
+    ShapeDef first = def.shapes().get(0);
+    int tag = first.material().tag();
+    int rgb = tag == 0 ? Palette.untagged(def.type(), first.shape()) : tag;
+    boolean wall = def.type() == BodyType.STATIC && !first.sensor();
+    Appearance appearance =
+        wall
+            // Lines have nothing but their edge, which must be seen.
+            ? new Appearance(rgb, Palette.mix(rgb, Palette.STEEL, 0.5f), Appearance.Look.WALL)
+            : Appearance.of(rgb);
+    ArchetypeDef kind =
+        new ArchetypeDef(scene.name() + "." + kinds.size())
+            .type(def.type())
+            .sensor(first.sensor())
+            .appearance(appearance);
+    for (ShapeDef shape : def.shapes()) {
+      kind.shape(shape.shape(), shape.material());
+    }
+    return kind;
+  }
+
+  @Override
+  public void join(Simulation s, Player p) {
+    // Whoever comes has no body.
+  }
+
+  @Override
+  public void input(Simulation s, Player p, Input in) {
+    // There is nothing to steer.
+  }
+
+  @Override
+  public void beforeStep(Simulation s) {
+    stage.beforeStep(s.tick() - 1, s.tickSeconds());
+  }
+
+  @Override
+  public boolean collision(Simulation s, Collision<Entity> c) {
+    return stage == null || stage.listener() == null || stage.listener().preSolve(c);
+  }
+}
