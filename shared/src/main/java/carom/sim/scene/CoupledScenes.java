@@ -81,7 +81,7 @@ final class CoupledScenes {
       int row = i / 2;
       free(s, new Box(0.4f, 0.4f), x + 1.5f + i % 2, y - 1.4f + 0.8f * row, Palette.bright(i));
     }
-    s.eachTick(tick -> drive.hinge.setMotor(tick % 360 < 180 ? 1.5f : -1.5f, 3000));
+    s.eachTick(tick -> drive.hinge.setMotor(tick % 300 < 150 ? -1.2f : 1.2f, 3000));
   }
 
   private static <T> Wheel<T> wheel(
