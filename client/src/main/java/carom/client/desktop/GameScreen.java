@@ -131,7 +131,7 @@ final class GameScreen extends ScreenAdapter {
           height,
           deltaSeconds);
       float pixelsPerMetre = camera.pixelsPerMetre(height);
-      world.draw(view, camera.gdx(), pixelsPerMetre, seconds);
+      world.draw(view, camera.gdx(), pixelsPerMetre, seconds, deltaSeconds);
       if (showDebug && view.predictedWorld() != null) {
         debug.draw(view.predictedWorld().world(), camera.gdx(), pixelsPerMetre);
       }

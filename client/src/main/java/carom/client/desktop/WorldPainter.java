@@ -30,11 +30,21 @@ final class WorldPainter {
   /** What only notices is seen through. */
   private static final float SENSOR = 0.25f;
 
+  /** From this speed on, what moves draws a streak behind it, m/s. */
+  private static final float STREAK_M_S = 10.5f;
+
+  /** Speed of the most visible streak, m/s. */
+  private static final float STREAK_FULL_M_S = 20;
+
+  private static final float STREAK_SECONDS = 0.11f; // of its way
+
   /** Something static: it stands where the level put it. */
   private record Scenery(Archetype archetype, float x, float y, float cos, float sin) {}
 
   private final Canvas canvas;
   private final ShapePainter shapes;
+  private final Impacts impacts = new Impacts();
+  private final float[] streak = new float[6];
   private final Color fill = new Color();
   private final Color edge = new Color();
   private final Color detail = new Color();
@@ -46,10 +56,19 @@ final class WorldPainter {
     shapes = new ShapePainter(canvas);
   }
 
-  /** Draws the picture of this moment. {@code seconds} runs on steadily, for what pulses. */
-  void draw(ClientView view, OrthographicCamera camera, float pixelsPerMetre, float seconds) {
+  /**
+   * Draws the picture of this moment. {@code seconds} runs on steadily, for what pulses; {@code
+   * deltaSeconds} have passed since the last picture.
+   */
+  void draw(
+      ClientView view,
+      OrthographicCamera camera,
+      float pixelsPerMetre,
+      float seconds,
+      float deltaSeconds) {
     Level level = view.level();
     gather(level);
+    impacts.update(view, deltaSeconds);
     canvas.begin(camera.combined, pixelsPerMetre);
     backdrop(level, camera);
     for (Scenery s : scenery) {
@@ -63,18 +82,53 @@ final class WorldPainter {
     }
     for (Scenery s : scenery) {
       shapes.pose(s.x, s.y, s.cos, s.sin);
-      paint(s.archetype, 1, seconds);
+      boolean glows = s.archetype.appearance().look() == Appearance.Look.BUMPER;
+      paint(s.archetype, 1, seconds, glows ? glow(s.archetype, s.x, s.y) : 0);
+    }
+    for (int i = 0; i < view.entityCount(); i++) {
+      streak(view.entity(i));
     }
     Drawn own = view.own();
     for (int i = 0; i < view.entityCount(); i++) {
       Drawn drawn = view.entity(i);
       pose(drawn, 0, 0);
-      paint(drawn.archetype(), drawn.alpha(), seconds);
+      paint(
+          drawn.archetype(), drawn.alpha(), seconds, glow(drawn.archetype(), drawn.x(), drawn.y()));
       if (drawn.archetype().appearance().look() == Appearance.Look.PLAYER) {
         face(drawn, drawn == own, view, seconds);
       }
     }
+    impacts.draw(canvas);
     canvas.end();
+  }
+
+  private float glow(Archetype archetype, float x, float y) {
+    return impacts.glow(x, y, extent(archetype));
+  }
+
+  /** A fading wedge over the way a fast ball or a dashing player just came. */
+  private void streak(Drawn drawn) {
+    Appearance look = drawn.archetype().appearance();
+    float vx = drawn.velocityX();
+    float vy = drawn.velocityY();
+    float speed = (float) Math.sqrt(vx * vx + vy * vy);
+    boolean shows = look.look() == Appearance.Look.BALL || look.look() == Appearance.Look.PLAYER;
+    if (!shows || speed < STREAK_M_S) {
+      return;
+    }
+    float radius = 0.9f * extent(drawn.archetype());
+    float nx = -vy / speed * radius;
+    float ny = vx / speed * radius;
+    float share = Math.min(1, 0.3f + 0.7f * (speed - STREAK_M_S) / (STREAK_FULL_M_S - STREAK_M_S));
+    for (int layer = 1; layer <= 2; layer++) {
+      streak[0] = drawn.x() + nx;
+      streak[1] = drawn.y() + ny;
+      streak[2] = drawn.x() - vx * STREAK_SECONDS * layer;
+      streak[3] = drawn.y() - vy * STREAK_SECONDS * layer;
+      streak[4] = drawn.x() - nx;
+      streak[5] = drawn.y() - ny;
+      canvas.convex(streak, 3, Theme.shade(look.rgb(), 1.2f, 0.22f * share * drawn.alpha(), fill));
+    }
   }
 
   /** The statics are what the simulation makes of the level, whoever predicts or not. */
@@ -84,6 +138,7 @@ final class WorldPainter {
     }
     sceneryOf = level;
     scenery.clear();
+    impacts.clear();
     Simulation still =
         new Simulation(Games.create(level.gameName()), level, 0, 60, Role.PREDICTION);
     still.world().forEachBody(this::gather);
@@ -144,12 +199,12 @@ final class WorldPainter {
     }
   }
 
-  private void paint(Archetype archetype, float alpha, float seconds) {
+  private void paint(Archetype archetype, float alpha, float seconds, float glow) {
     Appearance look = archetype.appearance();
     if (archetype.sensor() && look.look() == Appearance.Look.PLAIN) {
       alpha *= SENSOR;
     }
-    Theme.shade(look.rgb(), 1, alpha, fill);
+    Theme.shade(look.rgb(), 1 + 0.6f * glow, alpha, fill);
     Theme.shade(look.outlineRgb(), 1, alpha, edge);
     for (Shape shape : archetype.shapes()) {
       shapes.fill(shape, fill);
@@ -211,7 +266,7 @@ final class WorldPainter {
 
   /** Two eyes that look where the player goes or aims, and a halo around one's own body. */
   private void face(Drawn drawn, boolean own, ClientView view, float seconds) {
-    float radius = extent(drawn.archetype().shapes().get(0).parts().get(0));
+    float radius = extent(drawn.archetype());
     float angle = own ? view.input().aim() : drawn.angle();
     if (!own
         && drawn.velocityX() * drawn.velocityX() + drawn.velocityY() * drawn.velocityY() > 0.3f) {
@@ -243,6 +298,11 @@ final class WorldPainter {
         shapes.outline(shape, EDGE_M, detail);
       }
     }
+  }
+
+  /** Half of the smaller side of what this kind of entity starts with, metres. */
+  static float extent(Archetype archetype) {
+    return extent(archetype.shapes().get(0).parts().get(0));
   }
 
   private static float extent(Convex part) {
