@@ -33,8 +33,8 @@ final class DeterminismTest {
   private static final String GOLDEN =
       """
       STACK 8c4e8c6ccda23aca 42223eb725546a0f
-      PYRAMID a07a0090a7c9b818 5a990e00d6e2645
-      PILE 500e486cb96f0721 983f6f60888ed5cd
+      PYRAMID a2ef4cc100152af2 deb5ca4067362b45
+      PILE 1fa5a40f0375fd4b c2cc285477180bd3
       GAS 2bd4ddb5f2801857 89e11990a1559b51
       SPIN 802e6a57794cf94a f155bac9984c3f8d
       NET 863e5d633be069c3 11
@@ -44,9 +44,9 @@ final class DeterminismTest {
       ROUND cf489c41ef87bf45 1d80a27adf27598b
       BULLETS f77e6617f03b92bb 99567c95a9ea7cc3
       SLEEPERS 2f000de5875c60d3 353a6a9e718b2842
-      EDITS 4bae06cde1acddf9 f8167e5f903b67f2
+      EDITS 8d1dc014d7ec7308 56f104673cb9b330
       WATER eb78ad979f1ff4dd a1ca60dc6b9d45e9
-      EULER d0debe94b1ed650d 45d1fffe736aad77
+      EULER 3965aaed9e17c627 aca82554f04c0f18
       """;
 
   @Test

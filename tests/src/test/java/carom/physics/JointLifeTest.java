@@ -316,6 +316,37 @@ final class JointLifeTest {
     w.forEachJoint(j -> assertTrue(Float.isFinite(j.forceX() + j.torque()), j.toString()));
   }
 
+  /** A link that is teleported far away comes back, and the chain doesn't blow up. */
+  @ParameterizedTest
+  @ValueSource(strings = {"weld", "hinge", "rod"})
+  void tornChainCloses(String kind) {
+    World<String> w = Scenes.space();
+    List<Body<String>> links = new ArrayList<>();
+    for (int i = 0; i < 5; i++) {
+      links.add(Scenes.box(w, i, 0, .5f, .3f, M));
+      if (i > 0) {
+        Body<String> a = links.get(i - 1);
+        Body<String> b = links.get(i);
+        w.createJoint(
+            switch (kind) {
+              case "weld" -> JointDef.weld(a, b, i - .5f, 0);
+              case "hinge" -> JointDef.revolute(a, b, i - .5f, 0);
+              default -> JointDef.distance(a, b, i - .75f, 0, i - .25f, 0);
+            });
+      }
+    }
+    links.get(2).setPose(-60, 55, 2);
+    for (int i = 0; i < 900; i++) {
+      w.step(DT);
+      w.forEachBody(b -> assertTrue(Math.abs(b.x()) + Math.abs(b.y()) < 200, b.toString()));
+    }
+    for (int i = 1; i < 5; i++) {
+      float dx = links.get(i).x() - links.get(i - 1).x();
+      float dy = links.get(i).y() - links.get(i - 1).y();
+      assertTrue(dx * dx + dy * dy < 1.6 * 1.6, kind + " link=" + i + " dx=" + dx + " dy=" + dy);
+    }
+  }
+
   @Test
   void refusesWhatMakesNoSense() {
     World<String> w = Scenes.space();

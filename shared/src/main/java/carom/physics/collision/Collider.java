@@ -60,6 +60,9 @@ public final class Collider {
    */
   private static final float RELATIVE_FACE_BIAS = 0.01f;
 
+  /** Faces of two boxes that differ by less than this part of the boxes' sizes are equally good. */
+  private static final float ROUNDING = 1e-6f;
+
   private final float[] ax = new float[Convex.MAX_VERTICES];
   private final float[] ay = new float[Convex.MAX_VERTICES];
   private final float[] anx = new float[Convex.MAX_VERTICES];
@@ -75,10 +78,6 @@ public final class Collider {
   private float faceSeparation;
   private int faceEdge;
   private int faceSupport;
-
-  // Results of the last call of boxFaces.
-  private int boxEdgeA;
-  private int boxEdgeB;
 
   /** Makes a collider with its own scratch memory. */
   public Collider() {}
@@ -113,6 +112,8 @@ public final class Collider {
         && ta.isUnrotated()
         && tb.isUnrotated()) {
       boxes(boxA, ta, boxB, tb, speculativeDistance, out);
+    } else if (a instanceof Box boxA && b instanceof Box boxB) {
+      turnedBoxes(boxA, ta, boxB, tb, speculativeDistance, out);
     } else {
       polygons(a, ta, b, tb, speculativeDistance, out);
     }
@@ -321,11 +322,6 @@ public final class Collider {
     float y = ta.cos * worldY - ta.sin * worldX;
     float cos = ta.cos * tb.cos + ta.sin * tb.sin;
     float sin = ta.cos * tb.sin - ta.sin * tb.cos;
-    boolean boxes = a instanceof Box && b instanceof Box;
-    if (boxes && boxFaces((Box) a, (Box) b, x, y, cos, sin) > speculative) {
-      out.clear();
-      return;
-    }
     int countA = a.copyTo(ax, ay, anx, any);
     int countB = b.copyTo(bx, by, bnx, bny);
     for (int i = 0; i < countB; i++) {
@@ -338,11 +334,7 @@ public final class Collider {
       bnx[i] = cos * nx - sin * ny;
       bny[i] = sin * nx + cos * ny;
     }
-    if (boxes) {
-      support(boxEdgeA, ax, ay, anx, any, bx, by, countB);
-    } else {
-      bestFace(ax, ay, anx, any, countA, bx, by, countB);
-    }
+    bestFace(ax, ay, anx, any, countA, bx, by, countB);
     float separationA = faceSeparation;
     int edgeA = faceEdge;
     int supportB = faceSupport;
@@ -350,11 +342,7 @@ public final class Collider {
       out.clear();
       return;
     }
-    if (boxes) {
-      support(boxEdgeB, bx, by, bnx, bny, ax, ay, countA);
-    } else {
-      bestFace(bx, by, bnx, bny, countB, ax, ay, countA);
-    }
+    bestFace(bx, by, bnx, bny, countB, ax, ay, countA);
     if (!(faceSeparation <= speculative)) {
       out.clear();
       return;
@@ -365,37 +353,40 @@ public final class Collider {
       bias = Math.min(FACE_BIAS, RELATIVE_FACE_BIAS * edge);
     }
     if (faceSeparation > separationA + bias) {
+      int edge = faceEdge;
+      float nx = bnx[edge];
+      float ny = bny[edge];
+      int facing = facing(anx, any, countA, faceSupport, nx, ny);
       clip(
           bx,
           by,
-          bnx,
-          bny,
-          countB,
-          faceEdge,
+          edge,
+          edge + 1 == countB ? 0 : edge + 1,
+          nx,
+          ny,
           ax,
           ay,
-          anx,
-          any,
-          countA,
-          faceSupport,
+          facing,
+          facing + 1 == countA ? 0 : facing + 1,
           faceSeparation,
           true,
           speculative,
           out);
     } else {
+      float nx = anx[edgeA];
+      float ny = any[edgeA];
+      int facing = facing(bnx, bny, countB, supportB, nx, ny);
       clip(
           ax,
           ay,
-          anx,
-          any,
-          countA,
           edgeA,
+          edgeA + 1 == countA ? 0 : edgeA + 1,
+          nx,
+          ny,
           bx,
           by,
-          bnx,
-          bny,
-          countB,
-          supportB,
+          facing,
+          facing + 1 == countB ? 0 : facing + 1,
           separationA,
           false,
           speculative,
@@ -428,11 +419,23 @@ public final class Collider {
     int edge = 0;
     int support = 0;
     for (int i = 0; i < count; i++) {
-      support(i, xs, ys, nxs, nys, otherXs, otherYs, otherCount);
-      if (faceSeparation > best) {
-        best = faceSeparation;
+      float nx = nxs[i];
+      float ny = nys[i];
+      float vx = xs[i];
+      float vy = ys[i];
+      float low = Float.POSITIVE_INFINITY;
+      int lowest = 0;
+      for (int j = 0; j < otherCount; j++) {
+        float s = nx * (otherXs[j] - vx) + ny * (otherYs[j] - vy);
+        if (s < low) {
+          low = s;
+          lowest = j;
+        }
+      }
+      if (low > best) {
+        best = low;
         edge = i;
-        support = faceSupport;
+        support = lowest;
       }
     }
     faceSeparation = best;
@@ -440,42 +443,19 @@ public final class Collider {
     faceSupport = support;
   }
 
-  /** The vertex of the other polygon that is lowest above a face, and how high it is. */
-  private void support(
-      int edge,
-      float[] xs,
-      float[] ys,
-      float[] nxs,
-      float[] nys,
-      float[] otherXs,
-      float[] otherYs,
-      int otherCount) {
-    float nx = nxs[edge];
-    float ny = nys[edge];
-    float vx = xs[edge];
-    float vy = ys[edge];
-    float low = Float.POSITIVE_INFINITY;
-    int lowest = 0;
-    for (int j = 0; j < otherCount; j++) {
-      float s = nx * (otherXs[j] - vx) + ny * (otherYs[j] - vy);
-      if (s < low) {
-        low = s;
-        lowest = j;
-      }
-    }
-    faceSeparation = low;
-    faceEdge = edge;
-    faceSupport = lowest;
-  }
-
   /**
-   * The best face of each of two boxes, without looking at vertices: along a box's axis the other
-   * one reaches as far as the projections of its half sizes. Answers the larger of both
-   * separations.
-   *
-   * @param x B's position in A's frame, and so on
+   * Two boxes, at least one of them turned: the same decisions as {@link #polygons}, but the faces
+   * are found without looking at vertices, as along a box's axis the other one reaches as far as
+   * the projections of its half sizes. Only the two edges that face each other are then made.
    */
-  private float boxFaces(Box a, Box b, float x, float y, float cos, float sin) {
+  private void turnedBoxes(
+      Box a, Transform ta, Box b, Transform tb, float speculative, Manifold out) {
+    float worldX = tb.x - ta.x;
+    float worldY = tb.y - ta.y;
+    float x = ta.cos * worldX + ta.sin * worldY;
+    float y = ta.cos * worldY - ta.sin * worldX;
+    float cos = ta.cos * tb.cos + ta.sin * tb.sin;
+    float sin = ta.cos * tb.sin - ta.sin * tb.cos;
     float dx = x + cos * b.centerX() - sin * b.centerY() - a.centerX();
     float dy = y + sin * b.centerX() + cos * b.centerY() - a.centerY();
     float c = Math.abs(cos);
@@ -486,13 +466,107 @@ public final class Collider {
     float bh = b.halfHeight();
     float gapAx = Math.abs(dx) - aw - (c * bw + s * bh);
     float gapAy = Math.abs(dy) - ah - (s * bw + c * bh);
-    boxEdgeA = boxEdge(gapAx, gapAy, dx, dy);
+    float separationA = Math.max(gapAx, gapAy);
+    if (!(separationA <= speculative)) {
+      out.clear();
+      return;
+    }
     float ex = -(cos * dx + sin * dy);
     float ey = sin * dx - cos * dy;
     float gapBx = Math.abs(ex) - bw - (c * aw + s * ah);
     float gapBy = Math.abs(ey) - bh - (s * aw + c * ah);
-    boxEdgeB = boxEdge(gapBx, gapBy, ex, ey);
-    return Math.max(Math.max(gapAx, gapAy), Math.max(gapBx, gapBy));
+    float separationB = Math.max(gapBx, gapBy);
+    if (!(separationB <= speculative)) {
+      out.clear();
+      return;
+    }
+    float bias = ROUNDING * (aw + ah + bw + bh);
+    if (separationB <= TOUCHING) {
+      bias += Math.min(FACE_BIAS, RELATIVE_FACE_BIAS * 2 * Math.min(aw, bw));
+    }
+    if (separationB > separationA + bias) {
+      int edge = boxEdge(gapBx, gapBy, ex, ey);
+      // A's faces in B's frame are turned by the opposite angle.
+      int facing = facingEdge(edge, cos, -sin);
+      boxCorner(b, edge, cos, sin, x, y, bx, by);
+      boxCorner(b, edge + 1 & 3, cos, sin, x, y, bx, by);
+      ax[facing] = a.vertexX(facing);
+      ay[facing] = a.vertexY(facing);
+      int after = facing + 1 & 3;
+      ax[after] = a.vertexX(after);
+      ay[after] = a.vertexY(after);
+      float nx = cos * b.normalX(edge) - sin * b.normalY(edge);
+      float ny = sin * b.normalX(edge) + cos * b.normalY(edge);
+      clip(
+          bx,
+          by,
+          edge,
+          edge + 1 & 3,
+          nx,
+          ny,
+          ax,
+          ay,
+          facing,
+          after,
+          separationB,
+          true,
+          speculative,
+          out);
+    } else {
+      int edge = boxEdge(gapAx, gapAy, dx, dy);
+      int facing = facingEdge(edge, cos, sin);
+      boxCorner(b, facing, cos, sin, x, y, bx, by);
+      boxCorner(b, facing + 1 & 3, cos, sin, x, y, bx, by);
+      ax[edge] = a.vertexX(edge);
+      ay[edge] = a.vertexY(edge);
+      int after = edge + 1 & 3;
+      ax[after] = a.vertexX(after);
+      ay[after] = a.vertexY(after);
+      clip(
+          ax,
+          ay,
+          edge,
+          after,
+          a.normalX(edge),
+          a.normalY(edge),
+          bx,
+          by,
+          facing,
+          facing + 1 & 3,
+          separationA,
+          false,
+          speculative,
+          out);
+    }
+    if (out.count > 0) {
+      toWorldAxes(ta, out);
+    }
+  }
+
+  /** Writes a corner of a box, turned and moved, to its place in the arrays. */
+  private static void boxCorner(
+      Box box, int i, float cos, float sin, float x, float y, float[] xs, float[] ys) {
+    float vx = box.vertexX(i);
+    float vy = box.vertexY(i);
+    xs[i] = cos * vx - sin * vy + x;
+    ys[i] = sin * vx + cos * vy + y;
+  }
+
+  /**
+   * The edge of a box, turned by an angle, whose normal is most against that of an edge of another
+   * box; of equally good ones that of the lower index.
+   */
+  private static int facingEdge(int edge, float cos, float sin) {
+    // Edge normals are a quarter turn apart: the opposite one is edge + 2, less the quarters by
+    // which
+    // the box is turned.
+    int quarters;
+    if (Math.abs(cos) >= Math.abs(sin)) {
+      quarters = cos > 0 ? 0 : 2;
+    } else {
+      quarters = sin > 0 ? 1 : 3;
+    }
+    return edge + 2 - quarters & 3;
   }
 
   /** The edge that faces the other box; of equally good ones that of the lowest index. */
@@ -502,35 +576,33 @@ public final class Collider {
     return gapX > gapY ? sideways : gapY > gapX ? upright : Math.min(sideways, upright);
   }
 
+  /** Of the two edges at the support vertex that with the normal more against n. */
+  private static int facing(float[] nxs, float[] nys, int count, int support, float nx, float ny) {
+    int before = support == 0 ? count - 1 : support - 1;
+    float against = nxs[support] * nx + nys[support] * ny;
+    return nxs[before] * nx + nys[before] * ny < against ? before : support;
+  }
+
   /**
-   * Builds the manifold from reference edge v1 v2 of polygon R and the edge w1 w2 of polygon I that
-   * faces it. Everything is in A's frame; when {@code flipped}, R is B and I is A.
+   * Builds the manifold from reference edge v1 v2 of polygon R, with its normal, and the edge w1 w2
+   * of polygon I that faces it. Everything is in A's frame; when {@code flipped}, R is B and I is
+   * A.
    */
   private static void clip(
       float[] rx,
       float[] ry,
-      float[] rnx,
-      float[] rny,
-      int rCount,
       int v1,
+      int v2,
+      float nx,
+      float ny,
       float[] ix,
       float[] iy,
-      float[] inx,
-      float[] iny,
-      int iCount,
-      int support,
+      int w1,
+      int w2,
       float faceSeparation,
       boolean flipped,
       float speculative,
       Manifold out) {
-    int v2 = v1 + 1 == rCount ? 0 : v1 + 1;
-    float nx = rnx[v1];
-    float ny = rny[v1];
-    // The facing edge is one of the two at the support vertex: that with the normal more against n.
-    int before = support == 0 ? iCount - 1 : support - 1;
-    boolean useBefore = inx[before] * nx + iny[before] * ny < inx[support] * nx + iny[support] * ny;
-    int w1 = useBefore ? before : support;
-    int w2 = w1 + 1 == iCount ? 0 : w1 + 1;
     float facing = flipped ? -1 : 1;
 
     // Positions along the reference edge, from v1 at 0 to v2 at span. The facing edge runs from w2

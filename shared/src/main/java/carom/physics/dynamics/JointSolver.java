@@ -64,8 +64,13 @@ import java.util.Arrays;
 final class JointSolver {
   private static final float TWO_PI = 6.2831855f;
 
-  /** What is further apart than this, m, was torn by absurd forces: arms that long overflow. */
-  private static final float TORN = 1000;
+  /**
+   * What is further apart than this, m, was torn: by a teleport or by absurd forces. It is drawn
+   * together as if it were that far apart, at some 100 m/s, and each impulse acts at its own
+   * anchor; at full speed and with arms that long, a chain of which one link is teleported by 80 m
+   * blew up instead of closing.
+   */
+  private static final float TORN = 4;
 
   /** Beyond this angle per substep a spring is integrated implicitly. */
   private static final float SYMPLECTIC_LIMIT = 0.5f;
@@ -639,7 +644,8 @@ final class JointSolver {
   private float held(float error, float sum, boolean bias) {
     float p;
     if (bias) {
-      p = -mass * massScale * (speed() + biasRate * error) - impulseScale * sum;
+      float near = Math.max(-TORN, Math.min(error, TORN));
+      p = -mass * massScale * (speed() + biasRate * near) - impulseScale * sum;
     } else {
       p = -mass * speed();
     }
@@ -685,8 +691,10 @@ final class JointSolver {
     float scale = 1;
     float leak = 0;
     if (bias) {
-      vx += biasRate * dx;
-      vy += biasRate * dy;
+      float far = Math.abs(dx) + Math.abs(dy);
+      float rate = far > TORN ? biasRate * TORN / far : biasRate;
+      vx += rate * dx;
+      vy += rate * dy;
       scale = massScale;
       leak = impulseScale;
     }

@@ -113,6 +113,63 @@ final class ColliderTest {
     }
   }
 
+  /** Boxes have code of their own; the same corners as a polygon don't. */
+  @Test
+  void turnedBoxesGetTheAnswerOfEqualPolygons() {
+    int touching = 0;
+    int alike = 0;
+    for (long seed = 1; seed <= 20000; seed++) {
+      SplittableRandom random = new SplittableRandom(seed);
+      Box a = (Box) Oracle.shape(1, random);
+      Box b = (Box) Oracle.shape(1, random);
+      Transform ta = new Transform(0.5f, 0.25f, (float) random.nextDouble(-4, 4));
+      float x = (float) random.nextDouble(-1.5, 1.5);
+      float y = (float) random.nextDouble(-1.5, 1.5);
+      // Every fourth pair is turned by quarters, where faces are equally good.
+      double turn =
+          seed % 4 == 0 ? random.nextInt(4) * Math.PI / 2 : random.nextDouble(-Math.PI, Math.PI);
+      Transform tb = new Transform(x, y, (float) (ta.angle() + turn));
+      collider.collide(a, ta, b, tb, SPECULATIVE, m);
+      collider.collide(polygon(a), ta, polygon(b), tb, SPECULATIVE, swapped);
+      String message = "seed=" + seed + " " + m + " " + swapped;
+      boolean near = m.count > 0 && m.separation0 > SPECULATIVE - 1e-5f;
+      if (near || (swapped.count > 0 && swapped.separation0 > SPECULATIVE - 1e-5f)) {
+        continue;
+      }
+      assertEquals(swapped.count > 0, m.count > 0, message);
+      if (m.count > 0) {
+        float deepest = deepest(m);
+        assertEquals(deepest(swapped), deepest, 2e-3, message);
+        touching++;
+        // Of nearly equally good faces either may be chosen.
+        if (m.normalX * swapped.normalX + m.normalY * swapped.normalY > .9999f) {
+          alike++;
+          assertEquals(swapped.count, m.count, message);
+          assertEquals(middleX(swapped), middleX(m), 1e-4, message);
+          assertEquals(deepest(swapped), deepest, 1e-4, message);
+        }
+      }
+    }
+    assertTrue(touching > 5000 && alike > .95 * touching, alike + " of " + touching);
+  }
+
+  private static float middleX(Manifold m) {
+    return m.count > 1 ? (m.x0 + m.x1) / 2 : m.x0;
+  }
+
+  private static float deepest(Manifold m) {
+    return m.count > 1 ? Math.min(m.separation0, m.separation1) : m.separation0;
+  }
+
+  private static Polygon polygon(Box box) {
+    float[] xy = new float[8];
+    for (int i = 0; i < 4; i++) {
+      xy[2 * i] = box.vertexX(i);
+      xy[2 * i + 1] = box.vertexY(i);
+    }
+    return Polygon.of(xy);
+  }
+
   @Test
   void aRestingBoxKeepsFaceAndIdsWhileItJitters() {
     Box ground = new Box(10, 1);
