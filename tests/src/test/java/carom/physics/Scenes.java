@@ -4,6 +4,9 @@ import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Compound;
 import carom.physics.geometry.Polygon;
+import carom.sim.SimRandom;
+import carom.sim.scene.BenchmarkScenes;
+import carom.sim.scene.Stage;
 
 /** Worlds that several tests step. */
 final class Scenes {
@@ -65,12 +68,8 @@ final class Scenes {
   }
 
   static World<String> pyramid(int rows, WorldDef def) {
-    World<String> w = floor(Material.DEFAULT, def);
-    for (int i = 0; i < rows; i++) {
-      for (int j = i; j < rows; j++) {
-        box(w, (i + 1) * .5f + (j - i) - .5f * rows, (2 * i + 1) * .5f, .5f, .5f, Material.DEFAULT);
-      }
-    }
+    World<String> w = new World<>(def);
+    BenchmarkScenes.pyramid(rows).build(new Stage<>(w, d -> w.createBody(d, d.type().name())));
     return w;
   }
 
@@ -131,23 +130,20 @@ final class Scenes {
     return w;
   }
 
-  /** Splitmix64. */
+  /** The simulation's random numbers, by short names. */
   static final class Rng {
-    private long state;
+    private final SimRandom random;
 
     Rng(long seed) {
-      state = seed;
+      random = new SimRandom(seed);
     }
 
     long next() {
-      state += 0x9E3779B97F4A7C15L;
-      long z = (state ^ (state >>> 30)) * 0xBF58476D1CE4E5B9L;
-      z = (z ^ (z >>> 27)) * 0x94D049BB133111EBL;
-      return z ^ (z >>> 31);
+      return random.nextLong();
     }
 
     float in(float min, float max) {
-      return min + (max - min) * ((next() >>> 40) * 0x1p-24f);
+      return random.between(min, max);
     }
 
     int below(int n) {
