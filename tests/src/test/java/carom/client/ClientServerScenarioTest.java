@@ -153,6 +153,9 @@ final class ClientServerScenarioTest {
       assertEquals(0, client.stats().reconnects(), what);
       assertEquals(0, client.stats().malformed(), what);
       assertEquals(conditions.length, client.view().players().size(), what);
+      for (int wait = 0; wait < 15 && client.view().own() == null; wait++) {
+        run(0.1); // who fell is back a second later
+      }
       assertNotNull(client.view().own(), what);
     }
     assertTrue(compared > 5_000, "compared " + compared);
