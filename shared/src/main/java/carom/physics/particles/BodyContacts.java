@@ -124,15 +124,24 @@ final class BodyContacts {
   }
 
   /**
-   * Pushes particles out of bodies, in the order of the particles.
+   * Pushes particles out of bodies, in the order of the particles: first out of what is dynamic,
+   * then out of the rest, so that nothing is pressed through a floor.
    *
    * @param oldX where the particles were before the substep
    */
   void solve(ParticleStore p, float[] oldX, float[] oldY, float h) {
+    solve(p, oldX, oldY, h, true);
+    solve(p, oldX, oldY, h, false);
+  }
+
+  private void solve(ParticleStore p, float[] oldX, float[] oldY, float h, boolean movable) {
     for (int c = 0; c < count; c++) {
       int i = particle[c];
       int k = part[c];
       int b = bodies.owner[k];
+      if (bodies.movable[b] != movable) {
+        continue;
+      }
       float cos = bodies.cos[b];
       float sin = bodies.sin[b];
       float dx = p.x[i] - bodies.x[b];

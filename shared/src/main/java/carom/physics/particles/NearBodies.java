@@ -26,6 +26,10 @@ final class NearBodies {
   float[] vy = new float[16];
   float[] w = new float[16];
   float[] invMass = new float[16];
+
+  /** Whether the body is dynamic; if not, it has the last word. */
+  boolean[] movable = new boolean[16];
+
   float[] invInertia = new float[16];
   private float[] gravity = new float[16];
   private float[] impulseX = new float[16];
@@ -137,7 +141,8 @@ final class NearBodies {
     vx[i] = b.velocityX();
     vy[i] = b.velocityY();
     w[i] = b.angularVelocity();
-    boolean pushed = twoWay && b.type() == BodyType.DYNAMIC;
+    movable[i] = b.type() == BodyType.DYNAMIC;
+    boolean pushed = twoWay && movable[i];
     invMass[i] = pushed ? 1 / b.mass() : 0;
     invInertia[i] = pushed && b.inertia() > 0 ? 1 / b.inertia() : 0;
     gravity[i] = pushed ? b.gravityScale() : 0;
@@ -189,6 +194,7 @@ final class NearBodies {
     vy = Arrays.copyOf(vy, n);
     w = Arrays.copyOf(w, n);
     invMass = Arrays.copyOf(invMass, n);
+    movable = Arrays.copyOf(movable, n);
     invInertia = Arrays.copyOf(invInertia, n);
     gravity = Arrays.copyOf(gravity, n);
     impulseX = Arrays.copyOf(impulseX, n);

@@ -332,4 +332,33 @@ final class ParticlesTest {
     String message = assertThrows(IllegalArgumentException.class, call::run).getMessage();
     assertTrue(message.contains(what), message);
   }
+
+  /** Bodies that feel no push back press water as hard as they like, but not through the floor. */
+  @Test
+  void oneWayBodiesDontPressWaterThroughTheFloor() {
+    World<String> world = new World<>(new WorldDef());
+    world.createBody(
+        new BodyDef()
+            .shape(new Box(30, 1, 0, -1))
+            .shape(new Box(1, 30, -11, 30))
+            .shape(new Box(1, 30, 11, 30)),
+        "room");
+    for (int i = 0; i < 20; i++) {
+      world.createBody(
+          new BodyDef(BodyType.DYNAMIC).position(i - 9.5f, 3).shape(new Box(.4f, .4f)), "box");
+    }
+    Particles water =
+        new Particles(new ParticleDef(ParticleDef.Kind.WATER, .1f).twoWay(false).maxCount(2000));
+    for (int i = 0; i < 2000; i++) {
+      int row = i / 190;
+      water.add(-9.5f + i % 190 * .1f, .1f + row * .1f, 0, 0);
+    }
+    for (int tick = 0; tick < 240; tick++) {
+      world.step(1 / 60f);
+      water.step(world, 1 / 60f);
+    }
+    for (int i = 0; i < water.count(); i++) {
+      assertTrue(water.y(i) > -.2f && Math.abs(water.x(i)) < 10.2f, water.x(i) + " " + water.y(i));
+    }
+  }
 }
