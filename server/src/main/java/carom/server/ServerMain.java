@@ -7,6 +7,7 @@ import carom.net.kryo.KryoServerTransport;
 import carom.net.kryo.PortUnavailableException;
 import carom.net.protocol.Protocol;
 import carom.net.transport.ServerTransport;
+import carom.server.bench.BenchCommand;
 import carom.server.config.ServerConfig;
 import carom.sim.Game;
 import carom.sim.Level;
@@ -57,6 +58,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
     sortOptions = false,
     usageHelpAutoWidth = true,
     versionProvider = ServerMain.Version.class,
+    subcommands = BenchCommand.class,
     description = {"Runs a Carom game server: physics worlds that players join.", ""},
     footer = {
       "",

@@ -1,10 +1,10 @@
-package carom.testkit;
+package carom.server.bench;
 
 import carom.physics.broadphase.KdTree;
 import carom.physics.broadphase.PairVisitor;
 import carom.physics.broadphase.QuadTree;
+import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
-import java.lang.management.ThreadMXBean;
 import java.util.Arrays;
 import java.util.Locale;
 
@@ -22,7 +22,12 @@ public final class BroadphaseBench {
     /** KD-tree, refitted every tick, as the engine uses it. */
     KD_REFIT,
     /** Quadtree, built anew every tick. */
-    QUAD_REBUILD
+    QUAD_REBUILD;
+
+    @Override
+    public String toString() {
+      return name().toLowerCase(Locale.ROOT);
+    }
   }
 
   /**
@@ -33,7 +38,11 @@ public final class BroadphaseBench {
    * @param clustered whether the boxes were clustered
    * @param updateNs ns per box and tick to update the index (median)
    * @param pairsNs ns per box and tick to report all pairs (median)
+   * @param sumNs ns per box and tick, update and pairs (median)
+   * @param p99Ns the same, slower than 99 of 100 ticks
    * @param worstNs ns per box of the slowest tick, update and pairs
+   * @param ticks number of ticks measured
+   * @param allocatedBytes per tick
    * @param pairs number of pairs in the last tick
    * @param hash order-independent hash of the pairs of the first three ticks
    */
@@ -43,7 +52,11 @@ public final class BroadphaseBench {
       boolean clustered,
       double updateNs,
       double pairsNs,
+      double sumNs,
+      double p99Ns,
       double worstNs,
+      int ticks,
+      double allocatedBytes,
       long pairs,
       long hash) {
     @Override
@@ -57,7 +70,7 @@ public final class BroadphaseBench {
           boxes,
           updateNs,
           pairsNs,
-          updateNs + pairsNs,
+          sumNs,
           worstNs,
           (double) pairs / boxes,
           hash);
@@ -92,10 +105,12 @@ public final class BroadphaseBench {
     KdTree kd = new KdTree(scene.boxes());
     QuadTree quad = new QuadTree();
     kd.rebuild(scene.boxes(), scene.ids(), n);
-    ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+    ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    long me = Thread.currentThread().getId();
     double[] update = new double[100_000];
     double[] pairs = new double[update.length];
-    double worst = 0;
+    double[] sum = new double[update.length];
+    long allocated = 0;
     long hash = 0;
     Tally tally = new Tally();
     long begin = System.nanoTime();
@@ -106,6 +121,7 @@ public final class BroadphaseBench {
       scene.step();
       tally.count = 0;
       tally.hash = 0;
+      long bytes = threads.getThreadAllocatedBytes(me);
       long t0 = threads.getCurrentThreadCpuTime();
       switch (method) {
         case KD_REBUILD -> kd.rebuild(scene.boxes(), scene.ids(), n);
@@ -123,12 +139,25 @@ public final class BroadphaseBench {
       if (tick >= 3 && System.nanoTime() >= warm) {
         update[rows] = (double) (t1 - t0) / n;
         pairs[rows] = (double) (t2 - t1) / n;
-        worst = Math.max(worst, update[rows] + pairs[rows]);
+        sum[rows] = update[rows] + pairs[rows];
+        allocated += threads.getThreadAllocatedBytes(me) - bytes;
         rows++;
       }
     }
+    Arrays.sort(sum, 0, rows);
     return new Row(
-        method, n, clustered, median(update, rows), median(pairs, rows), worst, tally.count, hash);
+        method,
+        n,
+        clustered,
+        median(update, rows),
+        median(pairs, rows),
+        sum[rows / 2],
+        sum[(int) Math.ceil(0.99 * rows) - 1],
+        sum[rows - 1],
+        rows,
+        (double) allocated / rows,
+        tally.count,
+        hash);
   }
 
   private static double median(double[] values, int count) {

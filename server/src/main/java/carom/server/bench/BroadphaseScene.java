@@ -1,4 +1,4 @@
-package carom.testkit;
+package carom.server.bench;
 
 import carom.physics.broadphase.AabbArray;
 
