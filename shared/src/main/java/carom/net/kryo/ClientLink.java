@@ -183,7 +183,7 @@ final class ClientLink extends KryoLink {
         lose(blocked());
       } // else the server's UDP port has just gone, and TCP will tell why
     } catch (IOException x) {
-      lose(tcpRegistered ? "the server closed the connection" : notCarom());
+      lose(tcpRegistered ? gone() : notCarom());
     } catch (KryoNetException x) {
       lose(tcpRegistered ? "the server sent what is no frame: " + x.getMessage() : notCarom());
     } finally {
@@ -195,10 +195,7 @@ final class ClientLink extends KryoLink {
     long now = System.nanoTime();
     if (state() == State.CONNECTING) {
       if (now - start > connectMillis * 1_000_000L && tcpRegistered) {
-        lose(
-            udpRegistered
-                ? "server reachable, but its answers from UDP port " + udpPort + " are blocked"
-                : blocked());
+        lose(stuck());
       }
       return;
     }
@@ -212,6 +209,20 @@ final class ClientLink extends KryoLink {
   private void lose(String reason) {
     finish(reason);
     disconnected = true;
+  }
+
+  /**
+   * Why the connection ended; a server that waits in vain for datagrams gives up without a word.
+   */
+  private String gone() {
+    boolean waited = state() == State.CONNECTING && tcpRegistered;
+    return waited ? stuck() : "the server closed the connection";
+  }
+
+  private String stuck() {
+    return udpRegistered
+        ? "server reachable, but its answers from UDP port " + udpPort + " are blocked"
+        : blocked();
   }
 
   private String blocked() {
@@ -339,7 +350,7 @@ final class ClientLink extends KryoLink {
         super.close();
       } else if (datagramSender
           != Thread.currentThread()) { // a datagram that can't be sent is just lost
-        lose("the server closed the connection");
+        lose(gone());
       }
     }
 
