@@ -12,6 +12,7 @@ import carom.physics.dynamics.JointEvents;
 import carom.physics.dynamics.JointStore;
 import carom.physics.dynamics.Settings;
 import carom.physics.dynamics.ShapeSpec;
+import carom.physics.dynamics.StageListener;
 import carom.physics.dynamics.Stamp;
 import carom.physics.geometry.MassData;
 import carom.physics.math.Aabb;
@@ -591,6 +592,15 @@ public final class World<T> {
    */
   public void listener(CollisionListener<T> newListener) {
     listener = newListener;
+  }
+
+  /**
+   * Sets who is told of the stages of a step, to measure them; not part of the state.
+   *
+   * @param newListener null for nobody, as at the start
+   */
+  public void stageListener(StageListener newListener) {
+    dynamics.stageListener(newListener);
   }
 
   /** Hands the rows of the contact table to the listener. */

@@ -160,6 +160,9 @@ public final class Dynamics {
   /** Per row: approach speed if this may be an impact worth telling, else 0. */
   private float[] hitSpeeds = new float[0];
 
+  /** Null, unless somebody measures. */
+  private StageListener stages;
+
   /**
    * Makes an empty world.
    *
@@ -914,6 +917,7 @@ public final class Dynamics {
    * @param jointEvents is told what breaks
    */
   public void step(float dt, ContactEvents events, JointEvents jointEvents) {
+    begins(StepStage.BEGIN);
     lastStep = dt;
     busy = false;
     doAsked();
@@ -930,11 +934,14 @@ public final class Dynamics {
     mergeWoken();
     boxesStale = true;
     refilter();
+    begins(StepStage.BOXES);
     refreshBoxes();
     undecided = false;
     boolean all = true;
     do {
+      begins(StepStage.PAIRS);
       findPairs();
+      begins(StepStage.COLLIDE);
       collide(all);
       all = false;
     } while (wakeTouched());
@@ -942,6 +949,7 @@ public final class Dynamics {
       forgetMoves();
     }
     busy = true;
+    begins(StepStage.EVENTS);
     if (events != null) {
       announce(events);
       measureHits();
@@ -951,7 +959,9 @@ public final class Dynamics {
     }
     solve(dt);
     boxesStale = true;
+    begins(StepStage.CONTINUOUS);
     stopFast();
+    begins(StepStage.EVENTS);
     if (events != null) {
       for (int row = 0; row < contacts.count(); row++) {
         if (contacts.points[row] > 0
@@ -968,8 +978,27 @@ public final class Dynamics {
     }
     busy = false;
     doAsked();
+    begins(StepStage.SLEEP);
     if (settings.sleeping()) {
       rest(dt);
+    }
+    if (stages != null) {
+      stages.done();
+    }
+  }
+
+  /**
+   * Sets who is told of the stages of a step; not part of the state.
+   *
+   * @param listener null for nobody, as at the start
+   */
+  public void stageListener(StageListener listener) {
+    stages = listener;
+  }
+
+  private void begins(StepStage stage) {
+    if (stages != null) {
+      stages.begins(stage);
     }
   }
 
@@ -1429,23 +1458,35 @@ public final class Dynamics {
   private void solve(float dt) {
     int substeps = settings.substeps();
     float h = dt / substeps;
+    begins(StepStage.PREPARE);
     solverBodies.load(bodies, active, activeCount, settings, h);
     solver.prepare(contacts, bodies, solverBodies, activeIndex, settings, h);
     float[] state = solverBodies.state;
     int n = solver.blocks();
+    begins(StepStage.JOINTS);
     jointSolver.prepare(joints, bodies, activeIndex, settings, h, state);
     int m = jointSolver.count();
     for (int i = 0; i < substeps; i++) {
+      begins(StepStage.INTEGRATE);
       solverBodies.integrateVelocities(h, settings.maxSpeed(), settings.maxAngularSpeed());
+      begins(StepStage.JOINTS);
       jointSolver.warmStart(0, m);
+      begins(StepStage.WARM);
       solver.warmStart(state, 0, n);
+      begins(StepStage.JOINTS);
       jointSolver.solve(0, m, true);
+      begins(StepStage.SOLVE);
       solver.solve(state, 0, n, true);
+      begins(StepStage.INTEGRATE);
       solverBodies.integratePositions(h);
+      begins(StepStage.JOINTS);
       jointSolver.solve(0, m, false);
+      begins(StepStage.RELAX);
       solver.solve(state, 0, n, false);
     }
+    begins(StepStage.BOUNCE);
     solver.restitution(state);
+    begins(StepStage.FINISH);
     solver.store(contacts);
     jointSolver.store();
     solverBodies.store(bodies, active, settings);
