@@ -6,7 +6,9 @@ import carom.net.kryo.KryoMessageCodec;
 import carom.net.kryo.KryoServerTransport;
 import carom.net.kryo.PortUnavailableException;
 import carom.net.protocol.Protocol;
+import carom.net.transport.ImpairedServerTransport;
 import carom.net.transport.ServerTransport;
+import carom.options.NetworkConditions;
 import carom.server.bench.BenchCommand;
 import carom.server.config.ServerConfig;
 import carom.sim.Game;
@@ -37,6 +39,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -159,6 +162,8 @@ public final class ServerMain implements Callable<Integer> {
           "Seconds the body of a player who lost the connection waits, 0..600 (${DEFAULT-VALUE}).")
   private int graceS;
 
+  @Mixin private final NetworkConditions network = new NetworkConditions();
+
   @Option(
       names = "--status-interval",
       paramLabel = "S",
@@ -251,6 +256,7 @@ public final class ServerMain implements Callable<Integer> {
     commandLine.registerConverter(int.class, ServerMain::wholeNumber);
     commandLine.registerConverter(Long.class, ServerMain::longNumber);
     commandLine.registerConverter(LogLevel.class, LogLevel::of);
+    commandLine.setCaseInsensitiveEnumValuesAllowed(true);
     commandLine.setParameterExceptionHandler(ServerMain::explain);
     // After a signal this waits for the end of the shutdown hook, and the signal's exit code wins.
     System.exit(commandLine.execute(args));
@@ -291,6 +297,9 @@ public final class ServerMain implements Callable<Integer> {
     requireRange("--tcp-port", tcpPort, MAX_PORT);
     requireRange("--udp-port", udpPort, MAX_PORT);
     requireRange("--grace", graceS, MAX_GRACE_S);
+    if (network.problem() != null) {
+      throw bad(network.problem());
+    }
     ServerConfig config = config(chosenGame);
     LoggerContext logging = (LoggerContext) LoggerFactory.getILoggerFactory();
     ch.qos.logback.classic.Logger root = logging.getLogger(Logger.ROOT_LOGGER_NAME);
@@ -324,6 +333,12 @@ public final class ServerMain implements Callable<Integer> {
     } catch (PortUnavailableException e) {
       logging.stop();
       return refuse(e.getMessage(), FAILED);
+    }
+    if (network.isBad()) {
+      log.warn("network: made bad on purpose, each way: {}", network.impairment());
+      transport =
+          new ImpairedServerTransport(
+              transport, network.impairment(), new KryoMessageCodec(), System::nanoTime);
     }
     return run(new Server(config, games, chosenLevel, transport, System::nanoTime), logging);
   }

@@ -3,14 +3,15 @@ package carom.testkit;
 import carom.client.ClientConfig;
 import carom.client.ClientView;
 import carom.client.GameClient;
-import carom.client.ImpairedTransport;
 import carom.client.InputSource;
 import carom.client.NetStats;
+import carom.net.kryo.KryoMessageCodec;
 import carom.net.snapshot.EntityHistory;
 import carom.net.snapshot.FrameRing;
 import carom.net.snapshot.FrameState;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.transport.ClientTransport;
+import carom.net.transport.ImpairedClientTransport;
 import carom.net.transport.ImpairedLink;
 import carom.net.transport.Impairment;
 import carom.net.transport.Link;
@@ -50,12 +51,13 @@ public final class SimulatedClient {
     this.name = config.name();
     this.impairment = impairment;
     this.script = script;
-    ImpairedTransport impaired = new ImpairedTransport(transport, impairment, clock);
+    ImpairedClientTransport impaired =
+        new ImpairedClientTransport(transport, impairment, new KryoMessageCodec(), clock);
     ClientTransport remembering =
         new ClientTransport() {
           @Override
           public Link connect(String host, int tcpPort, int udpPort) {
-            link = (ImpairedLink) impaired.connect(host, tcpPort, udpPort);
+            link = impaired.connect(host, tcpPort, udpPort);
             return link;
           }
 

@@ -63,10 +63,12 @@ final class ArchitectureTest {
     allow("carom.net.protocol", "carom.net.codec");
     allow("carom.net.transport", "carom.net.protocol");
     allow("carom.net.kryo", "carom.net.protocol", "carom.net.transport", "carom.net.codec");
+    allow("carom.options", "carom.net.transport");
     allow(
         "carom.server..",
         "carom.server..",
         "carom.net..",
+        "carom.options",
         "carom.sim..",
         "carom.game",
         "carom.physics..");
@@ -74,6 +76,7 @@ final class ArchitectureTest {
         "carom.client..",
         "carom.client..",
         "carom.net..",
+        "carom.options",
         "carom.sim..",
         "carom.game",
         "carom.physics..");

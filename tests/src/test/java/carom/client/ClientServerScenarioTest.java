@@ -10,6 +10,7 @@ import carom.net.kryo.KryoMessageCodec;
 import carom.net.snapshot.EntityHistory;
 import carom.net.snapshot.FrameState;
 import carom.net.transport.ClientTransport;
+import carom.net.transport.ImpairedClientTransport;
 import carom.net.transport.Impairment;
 import carom.net.transport.InProcessNetwork;
 import carom.net.transport.Link;
@@ -65,7 +66,8 @@ final class ClientServerScenarioTest {
     GameClient client =
         new GameClient(
             ClientConfig.of("player" + clients.size()).withServer("memory", 0, 0),
-            new ImpairedTransport(remember, impairment.withSeed(seed), () -> now),
+            new ImpairedClientTransport(
+                remember, impairment.withSeed(seed), new KryoMessageCodec(), () -> now),
             input);
     clients.add(client);
     return client;

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.transport.ClientTransport;
+import carom.net.transport.ImpairedClientTransport;
 import carom.net.transport.Impairment;
 import carom.net.transport.InProcessNetwork;
 import carom.physics.Body;
@@ -75,7 +76,9 @@ final class PredictionScenarioTest {
 
   private void start(Level level, Impairment impairment, InputSource input) {
     server = new ScriptedServer(network.server(), level);
-    ClientTransport transport = new ImpairedTransport(network.client(), impairment, () -> now);
+    ClientTransport transport =
+        new ImpairedClientTransport(
+            network.client(), impairment, new KryoMessageCodec(), () -> now);
     client = new GameClient(config(), transport, input);
   }
 

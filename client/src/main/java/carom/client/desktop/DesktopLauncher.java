@@ -1,10 +1,11 @@
 package carom.client.desktop;
 
 import carom.client.ClientOptions;
-import carom.client.ImpairedTransport;
 import carom.client.Window;
 import carom.net.kryo.KryoClientTransport;
+import carom.net.kryo.KryoMessageCodec;
 import carom.net.transport.ClientTransport;
+import carom.net.transport.ImpairedClientTransport;
 import com.badlogic.gdx.backends.lwjgl3.Lwjgl3Application;
 import com.badlogic.gdx.backends.lwjgl3.Lwjgl3ApplicationConfiguration;
 import com.badlogic.gdx.utils.GdxRuntimeException;
@@ -33,7 +34,11 @@ public final class DesktopLauncher implements Window {
     window.setForegroundFPS(MAX_FPS);
     window.disableAudio(true);
     try (ClientTransport transport =
-        new ImpairedTransport(new KryoClientTransport(), options.impairment(), System::nanoTime)) {
+        new ImpairedClientTransport(
+            new KryoClientTransport(),
+            options.impairment(),
+            new KryoMessageCodec(),
+            System::nanoTime)) {
       new Lwjgl3Application(new CaromWindow(options, transport), window);
       return 0;
     } catch (GdxRuntimeException | UnsatisfiedLinkError e) {

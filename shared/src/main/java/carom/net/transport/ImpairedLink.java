@@ -2,6 +2,7 @@ package carom.net.transport;
 
 import carom.net.protocol.Limits;
 import java.util.function.LongSupplier;
+import java.util.function.ToIntFunction;
 
 /**
  * A bad network around any link, in both directions, in the time of a clock it is given: wrap the
@@ -18,18 +19,20 @@ public final class ImpairedLink implements Link {
 
   private final Link link;
   private final LongSupplier nowNs;
+  private final ToIntFunction<Object> messageBytes;
   private final LinkCounters counters = new LinkCounters();
   private final Lane out;
   private final Lane in;
   private boolean innerClosed;
   private long closedDueNs;
   private boolean closeReported;
+  private long waitedNs;
 
   private final LinkHandler collector =
       new LinkHandler() {
         @Override
         public void message(Link from, Object message) {
-          in.addMessage(message, nowNs.getAsLong());
+          in.addMessage(message, messageBytes.applyAsInt(message), nowNs.getAsLong());
         }
 
         @Override
@@ -56,10 +59,29 @@ public final class ImpairedLink implements Link {
     this(link, impairment, impairment, nowNs);
   }
 
-  /** Wraps a link with one impairment for what is sent and one for what is received. */
+  /** Wraps a link; messages weigh nothing on a line with a bandwidth. */
   public ImpairedLink(Link link, Impairment outgoing, Impairment incoming, LongSupplier nowNs) {
+    this(link, outgoing, incoming, nowNs, message -> 0);
+  }
+
+  /**
+   * Wraps a link.
+   *
+   * @param link the real one; owned by this from now on
+   * @param outgoing for what is sent
+   * @param incoming for what is received
+   * @param nowNs the clock, nanoseconds; virtual or {@code System::nanoTime}
+   * @param messageBytes how many bytes a message weighs on a line with a bandwidth
+   */
+  public ImpairedLink(
+      Link link,
+      Impairment outgoing,
+      Impairment incoming,
+      LongSupplier nowNs,
+      ToIntFunction<Object> messageBytes) {
     this.link = link;
     this.nowNs = nowNs;
+    this.messageBytes = messageBytes;
     out = new Lane(outgoing, 0);
     in = new Lane(incoming, 1);
   }
@@ -84,7 +106,7 @@ public final class ImpairedLink implements Link {
       return false;
     }
     long now = nowNs.getAsLong();
-    out.addMessage(message, now);
+    out.addMessage(message, messageBytes.applyAsInt(message), now);
     counters.messagesOut.incrementAndGet();
     flush(now);
     return link.state() == State.OPEN;
@@ -127,6 +149,7 @@ public final class ImpairedLink implements Link {
       } else {
         counters.datagramsIn.incrementAndGet();
         counters.datagramBytesIn.addAndGet(item.length);
+        waitedNs = now - item.dueNs;
         handler.datagram(this, item.bytes, item.length);
       }
       in.recycle(item);
@@ -137,6 +160,11 @@ public final class ImpairedLink implements Link {
       handler.closed(this, link.closeReason());
     }
     return count;
+  }
+
+  @Override
+  public long waitedNs() {
+    return waitedNs;
   }
 
   private void flush(long now) {

@@ -14,6 +14,9 @@ package carom.net.transport;
  * @param reorderPercent 0..100, share of datagrams that are held back by twice the jitter, at least
  *     25 ms, so that later ones overtake them
  * @param duplicatePercent 0..100, share of datagrams that arrive twice
+ * @param bandwidthKbit what the line carries, kbit/s, 1..1,000,000, headers included; 0 = any
+ *     amount. What comes faster waits in front of the line, and a datagram that would wait longer
+ *     than {@value Lane#MAX_QUEUE_MS} ms is lost
  */
 public record Impairment(
     long seed,
@@ -23,7 +26,8 @@ public record Impairment(
     double jitterMs,
     boolean jitterReorders,
     double reorderPercent,
-    double duplicatePercent) {
+    double duplicatePercent,
+    double bandwidthKbit) {
 
   /** Checks the ranges. */
   public Impairment {
@@ -33,10 +37,13 @@ public record Impairment(
     check("jitterMs", jitterMs, 0, 60_000);
     check("reorderPercent", reorderPercent, 0, 100);
     check("duplicatePercent", duplicatePercent, 0, 100);
+    if (bandwidthKbit != 0) {
+      check("bandwidthKbit", bandwidthKbit, 1, 1_000_000);
+    }
   }
 
   /** A perfect network. */
-  public static final Impairment NONE = new Impairment(1, 0, 1, 0, 0, true, 0, 0);
+  public static final Impairment NONE = new Impairment(1, 0, 1, 0, 0, true, 0, 0, 0);
 
   /** This, with another seed. */
   public Impairment withSeed(long seed) {
@@ -48,7 +55,8 @@ public record Impairment(
         jitterMs,
         jitterReorders,
         reorderPercent,
-        duplicatePercent);
+        duplicatePercent,
+        bandwidthKbit);
   }
 
   /** This, with loss of single datagrams. */
@@ -66,7 +74,8 @@ public record Impairment(
         jitterMs,
         jitterReorders,
         reorderPercent,
-        duplicatePercent);
+        duplicatePercent,
+        bandwidthKbit);
   }
 
   /** This, with a one-way delay of {@code latencyMs} plus or minus {@code jitterMs}. */
@@ -79,7 +88,8 @@ public record Impairment(
         jitterMs,
         jitterReorders,
         reorderPercent,
-        duplicatePercent);
+        duplicatePercent,
+        bandwidthKbit);
   }
 
   /** This, with or without overtaking by jitter. */
@@ -92,7 +102,8 @@ public record Impairment(
         jitterMs,
         jitterReorders,
         reorderPercent,
-        duplicatePercent);
+        duplicatePercent,
+        bandwidthKbit);
   }
 
   /** This, with reordering and duplicates. */
@@ -105,7 +116,22 @@ public record Impairment(
         jitterMs,
         jitterReorders,
         reorderPercent,
-        duplicatePercent);
+        duplicatePercent,
+        bandwidthKbit);
+  }
+
+  /** This, over a line that carries {@code bandwidthKbit} kbit/s; 0 = any amount. */
+  public Impairment withBandwidth(double bandwidthKbit) {
+    return new Impairment(
+        seed,
+        lossPercent,
+        burst,
+        latencyMs,
+        jitterMs,
+        jitterReorders,
+        reorderPercent,
+        duplicatePercent,
+        bandwidthKbit);
   }
 
   private static void check(String name, double value, double min, double max) {

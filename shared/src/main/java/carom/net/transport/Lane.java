@@ -13,6 +13,12 @@ final class Lane {
   /** Datagrams on their way at most; more are lost. */
   static final int MAX_DATAGRAMS = 8_192;
 
+  /** Longest wait in front of a line that is too slow, milliseconds; a home router's buffer. */
+  static final int MAX_QUEUE_MS = 250;
+
+  /** Bytes that IP and UDP add to each datagram on the line. */
+  static final int HEADER_BYTES = 28;
+
   /** Something on its way. */
   static final class Item implements Comparable<Item> {
     long dueNs;
@@ -34,6 +40,7 @@ final class Lane {
 
   private static final byte[] NO_BYTES = {};
   private static final double NS_PER_MS = 1e6;
+  private static final long MAX_QUEUE_NS = MAX_QUEUE_MS * 1_000_000L;
   private static final double MIN_HOLD_BACK_MS = 25;
 
   private final SplitMix random;
@@ -42,6 +49,8 @@ final class Lane {
   private final ArrayDeque<Item> spare = new ArrayDeque<>();
   private Impairment impairment;
   private boolean inBurst;
+  private boolean lineUsed;
+  private long lineFreeNs;
   private boolean anyMessage;
   private boolean anyDatagram;
   private long lastMessageDueNs;
@@ -67,10 +76,10 @@ final class Lane {
     double reorder = random.unit();
     double duplicate = random.unit();
     double duplicateJitter = random.unit();
-    if (lost(loss) || datagrams.size() >= MAX_DATAGRAMS) {
+    if (lost(loss) || datagrams.size() >= MAX_DATAGRAMS || queueNs(nowNs) > MAX_QUEUE_NS) {
       return 1;
     }
-    long dueNs = nowNs + delayNs(jitter);
+    long dueNs = passLine(length + HEADER_BYTES, nowNs) + delayNs(jitter);
     if (!impairment.jitterReorders()) {
       if (anyDatagram && dueNs - lastDatagramDueNs < 0) {
         dueNs = lastDatagramDueNs;
@@ -108,6 +117,22 @@ final class Lane {
     return inBurst;
   }
 
+  /** How long something that comes now waits in front of the line. */
+  private long queueNs(long nowNs) {
+    return impairment.bandwidthKbit() == 0 || !lineUsed ? 0 : Math.max(0, lineFreeNs - nowNs);
+  }
+
+  /** Puts bytes on the line, behind those before; returns when the last of them has passed. */
+  private long passLine(int bytes, long nowNs) {
+    if (impairment.bandwidthKbit() == 0) {
+      return nowNs;
+    }
+    double bits = 8.0 * bytes;
+    lineFreeNs = nowNs + queueNs(nowNs) + (long) (bits * NS_PER_MS / impairment.bandwidthKbit());
+    lineUsed = true;
+    return lineFreeNs;
+  }
+
   private long delayNs(double dice) {
     double ms = impairment.latencyMs() + (2 * dice - 1) * impairment.jitterMs();
     return (long) (Math.max(0, ms) * NS_PER_MS);
@@ -125,10 +150,13 @@ final class Lane {
     datagrams.add(item);
   }
 
-  void addMessage(Object message, long nowNs) {
+  /**
+   * @param bytes its weight on a line with a bandwidth
+   */
+  void addMessage(Object message, int bytes, long nowNs) {
     Item item = new Item(NO_BYTES);
     item.message = message;
-    item.dueNs = messageDue(nowNs);
+    item.dueNs = messageDue(passLine(bytes + HEADER_BYTES, nowNs));
     item.order = nextOrder++;
     messages.add(item);
   }

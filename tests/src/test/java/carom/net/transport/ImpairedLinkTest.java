@@ -206,4 +206,88 @@ class ImpairedLinkTest {
     assertThrows(IllegalArgumentException.class, () -> Impairment.NONE.withLatency(-1, 0));
     assertThrows(IllegalArgumentException.class, () -> Impairment.NONE.withReorder(0, Double.NaN));
   }
+
+  @Test
+  void aSlowLineCarriesItsBandwidthAndLosesWhatWouldWaitTooLong() {
+    // 64 kbit/s = 8 bytes a millisecond; datagrams of 72 + 28 bytes take 12.5 ms each.
+    ImpairedLink link = impaired(Impairment.NONE.withBandwidth(64));
+    int sent = 1_000;
+    for (int i = 0; i < sent; i++) {
+      link.sendDatagram(new byte[72], 0, 72);
+      tick(link, 5);
+    }
+    int after5Seconds = atServer.datagrams.size();
+    assertEquals(5_000 / 12.5, after5Seconds, 1);
+    tick(link, 1_000);
+    int waiting = atServer.datagrams.size() - after5Seconds;
+    assertEquals(Lane.MAX_QUEUE_MS / 12.5, waiting, 2);
+    assertEquals(sent - atServer.datagrams.size(), link.counters().datagramsDropped.get());
+  }
+
+  @Test
+  void messagesWaitForASlowLineAndAreNeverLost() {
+    ImpairedLink link =
+        new ImpairedLink(
+            client,
+            Impairment.NONE.withBandwidth(8),
+            Impairment.NONE,
+            () -> now,
+            message -> 1_000 - Lane.HEADER_BYTES);
+    for (int i = 0; i < 4; i++) {
+      link.send("message " + i); // a second each
+    }
+    tick(link, 999);
+    assertEquals(0, atServer.messages.size());
+    tick(link, 1);
+    assertEquals(1, atServer.messages.size());
+    tick(link, 3_000);
+    assertEquals(4, atServer.messages.size());
+    assertEquals("message 3", atServer.messages.get(3));
+  }
+
+  @Test
+  void whoIsHandedADatagramKnowsHowLongItWaitedForThePoll() {
+    ImpairedLink link = impaired(Impairment.NONE.withLatency(20, 0));
+    server.sendDatagram(new byte[1], 0, 1);
+    tick(link, 0);
+    now += 27 * MS;
+    long[] waited = {-1};
+    link.poll(
+        new LinkHandler() {
+          @Override
+          public void message(Link from, Object message) {}
+
+          @Override
+          public void datagram(Link from, byte[] bytes, int length) {
+            waited[0] = from.waitedNs();
+          }
+
+          @Override
+          public void closed(Link from, String reason) {}
+        },
+        1);
+    assertEquals(7 * MS, waited[0]);
+  }
+
+  @Test
+  void aServersTransportImpairsEachLinkWithASeedOfItsOwn() {
+    InProcessNetwork inner = new InProcessNetwork(new TextCodec());
+    ServerTransport bad =
+        new ImpairedServerTransport(
+            inner.server(), Impairment.NONE.withLoss(50), new TextCodec(), () -> now);
+    List<List<Integer>> fates = new ArrayList<>();
+    for (int n = 0; n < 2; n++) {
+      Link peer = inner.client().connect("anywhere", 1, 2);
+      Link accepted = bad.accept();
+      Recorder recorder = new Recorder();
+      for (int i = 0; i < 200; i++) {
+        accepted.sendDatagram(numbered(i), 0, 3);
+        peer.poll(recorder, 10);
+      }
+      fates.add(recorder.datagrams.stream().map(ImpairedLinkTest::number).toList());
+      assertEquals(100, recorder.datagrams.size(), 30);
+    }
+    assertNotEquals(fates.get(0), fates.get(1));
+    assertEquals(null, bad.accept());
+  }
 }

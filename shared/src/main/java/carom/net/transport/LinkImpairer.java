@@ -1,0 +1,30 @@
+package carom.net.transport;
+
+import java.util.function.LongSupplier;
+
+/**
+ * Puts the same bad network around one link after the other, each with random numbers of its own.
+ */
+final class LinkImpairer {
+  private final Impairment impairment;
+  private final MessageCodec codec;
+  private final LongSupplier nowNs;
+  private long links;
+
+  LinkImpairer(Impairment impairment, MessageCodec codec, LongSupplier nowNs) {
+    this.impairment = impairment;
+    this.codec = codec;
+    this.nowNs = nowNs;
+  }
+
+  ImpairedLink impair(Link link) {
+    long seed = impairment.seed() + 2 * links++;
+    return new ImpairedLink(
+        link, impairment.withSeed(seed), impairment.withSeed(seed + 1), nowNs, this::messageBytes);
+  }
+
+  /** Encoding a message once more is only worth it where bytes matter. */
+  private int messageBytes(Object message) {
+    return impairment.bandwidthKbit() == 0 ? 0 : codec.encode(message).length;
+  }
+}

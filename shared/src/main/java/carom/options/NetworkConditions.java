@@ -1,0 +1,172 @@
+package carom.options;
+
+import carom.net.transport.Impairment;
+import java.util.Locale;
+import picocli.CommandLine.Option;
+
+/**
+ * A bad network on purpose, as flags of every program: {@code --network NAME} chooses a usual one,
+ * the other flags change single conditions of it. All hold for each direction of each link. The
+ * same seed and the same traffic give each datagram the same fate.
+ */
+public final class NetworkConditions {
+  private static final double MAX_DELAY_MS = 10_000;
+  private static final double MAX_BURST = 1_000;
+  private static final double MAX_KBIT = 1_000_000;
+
+  /** Usual networks, by name. Delays are one way; losses, too. */
+  public enum Preset {
+    /** Nothing on purpose. */
+    NONE(Impairment.NONE),
+    /** A busy wireless network at home. */
+    WIFI(
+        Impairment.NONE
+            .withBursts(1, 3)
+            .withLatency(8, 6)
+            .withReorder(0.5, 0.2)
+            .withBandwidth(20_000)),
+    /** A telephone on the move. */
+    MOBILE(
+        Impairment.NONE
+            .withBursts(2, 4)
+            .withLatency(45, 20)
+            .withReorder(1, 0.5)
+            .withBandwidth(2_000)),
+    /** Europe to America over good lines. */
+    TRANSATLANTIC(
+        Impairment.NONE.withLoss(0.5).withLatency(50, 4).withReorder(0.1, 0).withBandwidth(10_000)),
+    /** What a player still puts up with. */
+    BAD(
+        Impairment.NONE
+            .withBursts(10, 5)
+            .withLatency(100, 50)
+            .withReorder(5, 2)
+            .withBandwidth(512));
+
+    private final Impairment impairment;
+
+    Preset(Impairment impairment) {
+      this.impairment = impairment;
+    }
+
+    /** The conditions, with seed 1. */
+    public Impairment impairment() {
+      return impairment;
+    }
+
+    @Override
+    public String toString() {
+      return name().toLowerCase(Locale.ROOT);
+    }
+  }
+
+  @Option(
+      names = "--network",
+      paramLabel = "NAME",
+      description = {
+        "A bad network on purpose, each way, for every link: ${COMPLETION-CANDIDATES} (none).",
+        "The flags that follow change single conditions of it."
+      })
+  private Preset preset = Preset.NONE;
+
+  @Option(
+      names = "--loss",
+      paramLabel = "PERCENT",
+      description = "Drop this share of the datagrams, 0..100.")
+  private Double loss;
+
+  @Option(
+      names = "--burst",
+      paramLabel = "N",
+      description = "Lose that many datagrams in a row on average, 1..1000.")
+  private Double burst;
+
+  @Option(
+      names = "--latency",
+      paramLabel = "MS",
+      description = "Delay everything by this, 0..10000.")
+  private Double latency;
+
+  @Option(
+      names = "--jitter",
+      paramLabel = "MS",
+      description = "Vary the delay by plus or minus this, 0..10000.")
+  private Double jitter;
+
+  @Option(
+      names = "--reorder",
+      paramLabel = "PERCENT",
+      description = "Hold back this share of the datagrams, so that others overtake, 0..100.")
+  private Double reorder;
+
+  @Option(
+      names = "--duplicate",
+      paramLabel = "PERCENT",
+      description = "Deliver this share of the datagrams twice, 0..100.")
+  private Double duplicate;
+
+  @Option(
+      names = "--bandwidth",
+      paramLabel = "KBIT",
+      description = "Carry that many kbit/s, 1..1000000; 0 = any amount.")
+  private Double bandwidth;
+
+  @Option(
+      names = "--network-seed",
+      paramLabel = "N",
+      description = "Start of the bad network's random numbers (${DEFAULT-VALUE}).",
+      defaultValue = "1")
+  private long seed = 1;
+
+  /** Creates the defaults; the command line fills them in. */
+  public NetworkConditions() {}
+
+  /** What is wrong with the flags, in words that name flag, value and range; null when nothing. */
+  public String problem() {
+    String[] problems = {
+      outside("--loss", loss, 0, 100),
+      outside("--burst", burst, 1, MAX_BURST),
+      outside("--latency", latency, 0, MAX_DELAY_MS),
+      outside("--jitter", jitter, 0, MAX_DELAY_MS),
+      outside("--reorder", reorder, 0, 100),
+      outside("--duplicate", duplicate, 0, 100),
+      bandwidth != null && bandwidth == 0 ? null : outside("--bandwidth", bandwidth, 1, MAX_KBIT)
+    };
+    for (String problem : problems) {
+      if (problem != null) {
+        return problem;
+      }
+    }
+    return null;
+  }
+
+  private static String outside(String flag, Double value, double min, double max) {
+    return value == null || (value >= min && value <= max)
+        ? null
+        : String.format(Locale.ROOT, "%s=%s is outside %.0f..%.0f", flag, value, min, max);
+  }
+
+  /**
+   * The bad network asked for; {@link Impairment#NONE} with the seed when none was.
+   *
+   * @throws IllegalArgumentException when there is a {@link #problem}
+   */
+  public Impairment impairment() {
+    Impairment base = preset.impairment();
+    return base.withSeed(seed)
+        .withBursts(or(loss, base.lossPercent()), or(burst, base.burst()))
+        .withLatency(or(latency, base.latencyMs()), or(jitter, base.jitterMs()))
+        .withReorder(or(reorder, base.reorderPercent()), or(duplicate, base.duplicatePercent()))
+        .withBandwidth(or(bandwidth, base.bandwidthKbit()));
+  }
+
+  /** Whether any bad condition was asked for. */
+  public boolean isBad() {
+    Impairment asked = impairment();
+    return !asked.equals(Impairment.NONE.withSeed(seed).withBursts(0, asked.burst()));
+  }
+
+  private static double or(Double value, double otherwise) {
+    return value == null ? otherwise : value;
+  }
+}
