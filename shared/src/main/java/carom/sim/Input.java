@@ -123,6 +123,36 @@ public final class Input {
     aim = (int) (packed >>> 32) & 0xffff;
   }
 
+  /**
+   * What to take for an input that isn't known, from the last one that is: who held a key probably
+   * still holds it, and who steered probably steers a little less each tick. Full for the first
+   * third of the time, then the movement shrinks in a straight line; buttons and aim stay. After
+   * that, neutral.
+   *
+   * @param last the last known input, packed
+   * @param ticks how long ago that was, at least 0
+   * @param holdTicks how long an input is repeated, at least 0
+   * @return a packed input; 0 when {@code ticks} is more than {@code holdTicks}
+   */
+  public static long faded(long last, int ticks, int holdTicks) {
+    if (ticks > holdTicks) {
+      return 0;
+    }
+    int full = holdTicks / 3;
+    if (ticks <= full) {
+      return last;
+    }
+    int left = holdTicks - ticks + 1;
+    int whole = holdTicks - full + 1;
+    long x = shrunk((byte) (last >>> 16), left, whole);
+    long y = shrunk((byte) (last >>> 24), left, whole);
+    return last & ~0xffff0000L | (x & 0xff) << 16 | (y & 0xff) << 24;
+  }
+
+  private static int shrunk(int steps, int left, int whole) {
+    return steps * left / whole;
+  }
+
   @Override
   public boolean equals(Object other) {
     return other instanceof Input in && in.pack() == pack();

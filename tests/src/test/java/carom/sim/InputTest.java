@@ -26,6 +26,28 @@ class InputTest {
   }
 
   @Test
+  void anUnknownInputIsTheLastOneFading() {
+    Input last = new Input().move(1, -0.5f).aim(2).hold(Input.JUMP, true);
+    Input guess = new Input();
+    float before = 1;
+    for (int ticks = 0; ticks <= 30; ticks++) {
+      guess.unpack(Input.faded(last.pack(), ticks, 30));
+      assertTrue(guess.held(Input.JUMP));
+      assertEquals(last.aim(), guess.aim());
+      assertTrue(guess.moveX() <= before && guess.moveX() > 0, "ticks=" + ticks);
+      assertEquals(-0.5f, guess.moveY() / guess.moveX(), ticks < 25 ? 0.1f : 0.5f);
+      before = guess.moveX();
+      if (ticks <= 10) {
+        assertEquals(last, guess);
+      }
+    }
+    assertTrue(before < 0.1f);
+    assertEquals(0, Input.faded(last.pack(), 31, 30));
+    assertEquals(last.pack(), Input.faded(last.pack(), 0, 0));
+    assertEquals(0, Input.faded(last.pack(), 1, 0));
+  }
+
+  @Test
   void anyBitsAreALegalInput() {
     SimRandom random = new SimRandom(2);
     for (int i = 0; i < 1000; i++) {

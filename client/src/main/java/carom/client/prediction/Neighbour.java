@@ -33,6 +33,11 @@ final class Neighbour {
    */
   boolean held;
 
+  /** The owner's newest known input, packed, and its tick; -1 when none is known. */
+  long input;
+
+  int inputTick = -1;
+
   private float weight;
 
   Neighbour(int id, int generation, Archetype archetype, int ownerId, float weight) {

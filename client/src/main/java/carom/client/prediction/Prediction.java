@@ -6,6 +6,7 @@ import carom.client.interpolation.States;
 import carom.net.codec.Quantizer;
 import carom.net.snapshot.EntityHistory;
 import carom.net.snapshot.OwnState;
+import carom.net.snapshot.RelayedInputs;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.physics.Body;
 import carom.physics.BodyType;
@@ -14,6 +15,7 @@ import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
 import carom.sim.Archetype;
 import carom.sim.Entity;
+import carom.sim.Input;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.SimState;
@@ -28,8 +30,8 @@ import java.util.List;
  *
  * <p>The predicted simulation holds the level's statics, the own body from the server's exact bits,
  * and the bodies near it from their decoded states. Alone among statics the prediction is what the
- * server will compute, bit by bit. Among others it is a good guess: their players' inputs are not
- * known here.
+ * server will compute, bit by bit. Among others it is a good guess: their players do what the
+ * server last relayed, until the next snapshot says otherwise.
  *
  * <p>When the server's state after tick T arrives, it is compared with what was predicted for T. If
  * the own body is the same in every bit and the neighbours are within what quantisation hides,
@@ -53,6 +55,9 @@ public final class Prediction {
   /** Longest time a neighbour's last known state is moved on in a straight line, ticks. */
   private static final int LONGEST_COAST = 9;
 
+  /** For how long a player's last known input is repeated, fading. */
+  private static final int REPEAT_TICKS = 30;
+
   private static final float POSITION_TOLERANCE = 1.0f / Quantizer.POSITION_STEPS;
   private static final float VELOCITY_TOLERANCE = 1.0f / Quantizer.VELOCITY_STEPS;
   private static final float ANGLE_TOLERANCE = (float) (2 * Math.PI / Quantizer.ANGLE_STEPS);
@@ -70,6 +75,7 @@ public final class Prediction {
   private final int[] inputTick = new int[RING];
   private final float[] reachOf;
   private final OwnState server = new OwnState();
+  private RelayedInputs relayed;
   private final HistoryStates states = new HistoryStates();
   private final Pose scratch = new Pose();
   private final Pose target = new Pose();
@@ -186,12 +192,47 @@ public final class Prediction {
       n.pose(n.previous);
     }
     player.input().unpack(input);
+    steerOthers(next);
     simulation.step();
     for (int i = 0; i < others.size(); i++) {
       others.get(i).holdCourse(simulation.tickSeconds());
     }
     tick = next;
     keep();
+  }
+
+  /** Gives the other players the inputs they had, or probably have. */
+  private void steerOthers(int next) {
+    for (int i = 0; i < others.size(); i++) {
+      Neighbour n = others.get(i);
+      Player owner = simulation.player(n.ownerId);
+      if (owner == null || relayed == null) {
+        continue;
+      }
+      int known = Math.min(next, relayed.newestTick(n.ownerId));
+      if (known < 0) {
+        owner.input().clear();
+      } else {
+        long last = relayed.at(n.ownerId, known);
+        owner.input().unpack(Input.faded(last, next - known, REPEAT_TICKS));
+      }
+    }
+  }
+
+  /** Whether a player turned out to do something else than was foreseen. */
+  private boolean inputsAgree() {
+    boolean agree = true;
+    for (int i = 0; i < others.size(); i++) {
+      Neighbour n = others.get(i);
+      int newest = n.ownerId < 0 ? -1 : relayed.newestTick(n.ownerId);
+      if (newest > n.inputTick) {
+        long guess = Input.faded(n.input, newest - n.inputTick, REPEAT_TICKS);
+        agree &= n.inputTick >= 0 && guess == relayed.at(n.ownerId, newest);
+        n.inputTick = newest;
+        n.input = relayed.at(n.ownerId, newest);
+      }
+    }
+    return agree;
   }
 
   private void keep() {
@@ -240,6 +281,7 @@ public final class Prediction {
     }
     confirmed = stateTick;
     server.set(newest);
+    relayed = decoder.inputs();
     if (!sameBody(decoder)) {
       return;
     }
@@ -258,7 +300,8 @@ public final class Prediction {
     exact = known && ownAt[stateTick & (RING - 1)].sameAs(server);
     compared = known;
     boolean same = choose(decoder, stateTick);
-    if (exact && same && neighboursAgree(stateTick, decoder)) {
+    boolean foreseen = inputsAgree();
+    if (exact && same && foreseen && neighboursAgree(stateTick, decoder)) {
       return;
     }
     setRight(stateTick, decoder, known);
@@ -429,6 +472,9 @@ public final class Prediction {
     n.entity = simulation.entity(n.id);
     if (n.entity != null) {
       return true;
+    }
+    if (n.ownerId >= 0 && simulation.player(n.ownerId) == null) {
+      simulation.joinAs(n.ownerId, "");
     }
     n.entity = simulation.spawnAs(n.id, n.generation, n.archetype, x, y, angle, n.ownerId);
     return false;

@@ -5,6 +5,7 @@ import carom.net.snapshot.FrameRing;
 import carom.net.snapshot.FrameState;
 import carom.physics.Body;
 import carom.sim.Entity;
+import carom.sim.Player;
 import carom.sim.Simulation;
 
 /**
@@ -42,6 +43,12 @@ public final class FrameCapture {
           body.velocityX(),
           body.velocityY(),
           body.angularVelocity());
+    }
+    for (int id = 0, count = simulation.playerCapacity(); id < count; id++) {
+      Player player = simulation.player(id);
+      if (player != null) {
+        frame.putInput(id, player.input().pack());
+      }
     }
     ring.end();
     return frame;

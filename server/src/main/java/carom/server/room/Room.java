@@ -10,6 +10,7 @@ import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.replication.FrameCapture;
+import carom.server.replication.OwnCapture;
 import carom.server.session.PartingLinks;
 import carom.server.session.Seats;
 import carom.server.session.Session;
@@ -66,6 +67,7 @@ public final class Room {
   private final GuardedGame game;
   private final Simulation simulation;
   private final FrameCapture capture;
+  private final OwnCapture ownCapture;
   private final TickLoop loop;
   private final ArrayBlockingQueue<Admission> arrivals;
   private final List<Session> sessions = new ArrayList<>();
@@ -107,6 +109,7 @@ public final class Room {
     this.game = new GuardedGame(gameRules, counters, label);
     this.simulation = new Simulation(game, level, seed, config.tickRateHz(), Role.AUTHORITY);
     this.capture = new FrameCapture(simulation);
+    this.ownCapture = new OwnCapture(simulation);
     this.loop = new TickLoop(config.tickRateHz(), config.catchUpTicks());
     this.arrivals = new ArrayBlockingQueue<>(2 * seats.count());
     this.bySeat = new Session[seats.count()];
@@ -252,7 +255,7 @@ public final class Room {
     boolean resumed = session != null;
     if (session == null) {
       Player player = simulation.join(id, a.seat().name());
-      session = new Session(a.seat(), player, config, capture.frames(), counters);
+      session = new Session(a.seat(), player, config, capture.frames(), ownCapture, counters);
       sessions.add(session);
       bySeat[id] = session;
     } else if (session.state() == SessionState.PLAYING) {

@@ -1,5 +1,6 @@
 package carom.server.session;
 
+import carom.sim.Input;
 import java.util.Arrays;
 
 /**
@@ -12,9 +13,10 @@ import java.util.Arrays;
  * hack).
  *
  * <p>When a tick's input is missing, the last one is repeated, because a player who held a key
- * probably still holds it; after {@code holdTicks} missing in a row the player counts as neutral.
+ * probably still holds it; its movement fades, see {@link Input#faded}, and after {@code holdTicks}
+ * missing in a row the player counts as neutral.
  *
- * <p>Inputs are packed longs whose meaning is the game's; 0 is neutral. One thread; no allocation.
+ * <p>Inputs are packed, see {@link Input#pack}; 0 is neutral. One thread; no allocation.
  */
 public final class InputBuffer {
   /** What became of an offered input. */
@@ -38,7 +40,7 @@ public final class InputBuffer {
   private int lastConsumedTick;
   private int newestTick;
   private boolean anyArrived;
-  private long current;
+  private long last;
   private int missingInARow;
   private boolean lastMissing;
   private long consumed;
@@ -69,7 +71,7 @@ public final class InputBuffer {
     this.lastConsumedTick = lastConsumedTick;
     newestTick = lastConsumedTick;
     anyArrived = false;
-    current = 0;
+    last = 0;
     missingInARow = holdTicks;
     Arrays.fill(tickOf, lastConsumedTick); // consumed, hence never matched again
   }
@@ -126,21 +128,17 @@ public final class InputBuffer {
     consumed++;
     int slot = tick & (SIZE - 1);
     if (tickOf[slot] == tick) {
-      current = packed[slot];
+      last = packed[slot];
       missingInARow = 0;
       lastMissing = false;
-      return current;
+      return last;
     }
     lastMissing = true;
     if (anyArrived) {
       missing++; // before the first input there is nothing to miss
     }
-    if (missingInARow >= holdTicks) {
-      current = 0;
-    } else {
-      missingInARow++;
-    }
-    return current;
+    missingInARow = Math.min(missingInARow + 1, holdTicks + 1);
+    return Input.faded(last, missingInARow, holdTicks);
   }
 
   /** Whether the last consumed tick had no input of its own. */

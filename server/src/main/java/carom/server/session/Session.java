@@ -11,12 +11,11 @@ import carom.net.snapshot.InputFeedback;
 import carom.net.snapshot.OwnState;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
-import carom.physics.Body;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
+import carom.server.replication.OwnCapture;
 import carom.server.replication.SnapshotSender;
-import carom.sim.Entity;
 import carom.sim.Player;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -56,6 +55,7 @@ public final class Session implements LinkHandler {
   private final ServerConfig config;
   private final Counters counters;
   private final FrameRing frames;
+  private final OwnCapture capture;
   private final InputBuffer inputs;
   private final InputDatagram datagram = new InputDatagram();
   private final InputFeedback feedback = new InputFeedback();
@@ -82,13 +82,20 @@ public final class Session implements LinkHandler {
    *
    * @param player the player in the room's simulation
    * @param frames the room's frames
+   * @param capture reads the player's own section
    */
   public Session(
-      Seats.Seat seat, Player player, ServerConfig config, FrameRing frames, Counters counters) {
+      Seats.Seat seat,
+      Player player,
+      ServerConfig config,
+      FrameRing frames,
+      OwnCapture capture,
+      Counters counters) {
     this.seat = seat;
     this.player = player;
     this.config = config;
     this.frames = frames;
+    this.capture = capture;
     this.counters = counters;
     this.inputs = new InputBuffer(config.inputWindowTicks(), config.inputHoldTicks());
   }
@@ -230,36 +237,13 @@ public final class Session implements LinkHandler {
 
   /** Sends the newest frame if it is time to; call once per tick while playing. */
   public void replicate(long timeNs) {
-    fillOwn();
+    capture.capture(player, own);
     if (!sender.isDue(own)) {
       return;
     }
     long holdMs = (timeNs - sequenceArrivalNs) / NS_PER_MS;
     feedback.holdMs = (int) Math.max(0, Math.min(MAX_HOLD_MS, holdMs));
     sender.send(link, feedback, own);
-  }
-
-  private void fillOwn() {
-    Entity entity = player.body();
-    if (entity == null) {
-      own.clearBody();
-    } else {
-      Body<Entity> body = entity.body();
-      own.setBody(
-          entity.id(),
-          entity.generation(),
-          body.centerX(),
-          body.centerY(),
-          body.cos(),
-          body.sin(),
-          body.velocityX(),
-          body.velocityY(),
-          body.angularVelocity());
-    }
-    int[] memory = player.memory();
-    for (int i = 0; i < OwnState.MEMORY; i++) {
-      own.setMemory(i, memory[i]);
-    }
   }
 
   /**

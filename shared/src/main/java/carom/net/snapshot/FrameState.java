@@ -29,6 +29,8 @@ public final class FrameState {
   private int[] omega = {};
   private int[] changedTick = {};
   private long[] changed = {};
+  private final PlayerSet players = new PlayerSet();
+  private long[] inputs = {};
 
   FrameState(int capacity) {
     this.capacity = capacity;
@@ -39,6 +41,7 @@ public final class FrameState {
     count = 0;
     Arrays.fill(kind, 0, limit, FREE);
     limit = 0;
+    players.clear();
     filling = true;
     hashed = false;
   }
@@ -104,6 +107,20 @@ public final class FrameState {
     this.vx[slot] = vx;
     this.vy[slot] = vy;
     this.omega[slot] = omega;
+  }
+
+  /**
+   * Puts the input into the frame that a player's step to this tick consumed.
+   *
+   * @param player id, 0..255
+   * @param packed 48 bits, higher ones are dropped
+   */
+  public void putInput(int player, long packed) {
+    players.add(player);
+    if (player >= inputs.length) {
+      inputs = Arrays.copyOf(inputs, Math.max(16, Math.max(player + 1, 2 * inputs.length)));
+    }
+    inputs[player] = packed & RelayCodec.INPUT_MASK;
   }
 
   private void identify(int slot, int generation, int archetype, int owner) {
@@ -285,6 +302,16 @@ public final class FrameState {
   private static long mix(long hash, int a, int b) {
     long h = (hash ^ ((long) a << 32 | (b & 0xffffffffL))) * 0x9e3779b97f4a7c15L;
     return h ^ (h >>> 29);
+  }
+
+  /** Whether the frame holds the input of a player. */
+  public boolean hasInput(int player) {
+    return players.has(player);
+  }
+
+  /** The packed input that a player's step to this tick consumed; 0 when there is none. */
+  public long input(int player) {
+    return players.has(player) ? inputs[player] : 0;
   }
 
   /** Whether a slot is of the same entity, owner and archetype in both frames, and alive. */

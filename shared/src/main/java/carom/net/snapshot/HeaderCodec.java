@@ -44,7 +44,7 @@ final class HeaderCodec {
 
   /** Own state against a baseline; the all-zero state is the baseline of the first. */
   static void writeOwn(BitWriter w, OwnState baseline, OwnState own) {
-    boolean changed = !own.sameAs(baseline);
+    boolean changed = !own.sameSection(baseline);
     w.write(changed);
     if (!changed) {
       return;
@@ -61,6 +61,11 @@ final class HeaderCodec {
     for (int i = 0; i < own.values.length; i++) {
       writeDifference(w, form(i, own.values[i]) - form(i, baseline.values[i]));
     }
+    boolean others = !own.relayed.sameAs(baseline.relayed);
+    w.write(others);
+    if (others) {
+      RelayCodec.writePlayers(w, own.relayed);
+    }
   }
 
   static void readOwn(BitReader r, OwnState baseline, OwnState own) {
@@ -75,6 +80,9 @@ final class HeaderCodec {
     }
     for (int i = 0; i < own.values.length; i++) {
       own.values[i] = form(i, form(i, baseline.values[i]) + readDifference(r));
+    }
+    if (r.readBit()) {
+      RelayCodec.readPlayers(r, own.relayed);
     }
   }
 

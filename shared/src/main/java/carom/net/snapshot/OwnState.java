@@ -13,9 +13,13 @@ public final class OwnState {
   /** Number of memory ints. */
   public static final int MEMORY = 4;
 
+  /** Most players whose inputs are relayed to one client. */
+  public static final int MAX_RELAYED = RelayCodec.MAX_PLAYERS;
+
   int slot = -1;
   int generation;
   final int[] values = new int[FLOATS + MEMORY];
+  final PlayerSet relayed = new PlayerSet();
 
   /** Creates the state of a player without a body. */
   public OwnState() {}
@@ -49,6 +53,11 @@ public final class OwnState {
     for (int i = 0; i < FLOATS; i++) {
       values[i] = 0;
     }
+  }
+
+  /** The other players whose inputs are told to this client; at most {@value #MAX_RELAYED}. */
+  public PlayerSet relayed() {
+    return relayed;
   }
 
   /** Sets one of the player's memory ints. */
@@ -111,9 +120,15 @@ public final class OwnState {
     slot = other.slot;
     generation = other.generation;
     System.arraycopy(other.values, 0, values, 0, values.length);
+    relayed.set(other.relayed);
   }
 
-  /** Whether all bits are the same. */
+  /** Whether body, memory and relayed players are the same, bit by bit. */
+  boolean sameSection(OwnState other) {
+    return sameAs(other) && relayed.sameAs(other.relayed);
+  }
+
+  /** Whether all bits of body and memory are the same. */
   public boolean sameAs(OwnState other) {
     return slot == other.slot
         && generation == other.generation

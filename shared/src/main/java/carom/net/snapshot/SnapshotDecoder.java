@@ -40,9 +40,13 @@ public final class SnapshotDecoder {
   private final InputFeedback feedback = new InputFeedback();
   private boolean hasOwn;
   private OwnState own = nothing;
+  private final RelayedInputs inputs = new RelayedInputs();
 
   // A datagram is read into these first and counts only when all of it was good.
   private final OwnState readOwn = new OwnState();
+  private final long[] readInputs = new long[RelayCodec.maxInputs()];
+  private final PlayerSet readKnown = new PlayerSet();
+  private int readWindow;
   private final InputFeedback readFeedback = new InputFeedback();
   private int[] slots = {};
   private byte[] kinds = {};
@@ -122,6 +126,9 @@ public final class SnapshotDecoder {
         return DecodeStatus.NO_BASELINE;
       }
       HeaderCodec.readOwn(r, baseline, readOwn);
+      readWindow = RelayCodec.window(age);
+      readKnown.set(baseline.relayed);
+      RelayCodec.read(r, inputs, datagramTick, readWindow, readKnown, readOwn.relayed, readInputs);
     }
     DecodeStatus status = readRecords(r, datagramTick);
     if (status == DecodeStatus.OK) {
@@ -226,6 +233,7 @@ public final class SnapshotDecoder {
       owns[at].set(readOwn);
       ownTicks[at] = datagramTick;
       own = owns[at];
+      keepInputs(datagramTick);
     }
     for (int i = 0; i < count; i++) {
       EntityHistory history = historyFor(slots[i]);
@@ -241,6 +249,17 @@ public final class SnapshotDecoder {
     }
     System.arraycopy(slots, 0, touchedSlots, 0, count);
     touched = count;
+  }
+
+  private void keepInputs(int datagramTick) {
+    PlayerSet players = readOwn.relayed;
+    int at = 0;
+    for (int p = players.next(0); p >= 0; p = players.next(p + 1)) {
+      int ticks = readWindow > 0 && readKnown.has(p) ? readWindow : 1;
+      for (int back = ticks - 1; back >= 0; back--) {
+        inputs.put(p, datagramTick - back, readInputs[at++]);
+      }
+    }
   }
 
   private EntityHistory historyFor(int slot) {
@@ -281,6 +300,11 @@ public final class SnapshotDecoder {
    */
   public OwnState own() {
     return own;
+  }
+
+  /** Inputs of other players as far as the server told them. The same object for ever. */
+  public RelayedInputs inputs() {
+    return inputs;
   }
 
   /** Records in the last decoded datagram. */

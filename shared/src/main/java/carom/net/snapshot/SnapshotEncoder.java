@@ -161,11 +161,29 @@ public final class SnapshotEncoder {
     if (newest == null) {
       return true;
     }
-    if (own != null && (ownAckedTick < 0 || !own.sameAs(ownAcked))) {
+    if (own != null && !isKnown(own, newest)) {
       return false;
     }
     see(newest);
     return collect(newest) == 0;
+  }
+
+  /** Whether the client has acked all of the own section, with the inputs that belong to it. */
+  private boolean isKnown(OwnState own, FrameState newest) {
+    if (ownAckedTick < 0 || !own.sameSection(ownAcked)) {
+      return false;
+    }
+    int window = newest.tick() - ownAckedTick;
+    PlayerSet relayed = own.relayed;
+    if (window > RelayCodec.MAX_WINDOW && relayed.next(0) >= 0) {
+      return false;
+    }
+    for (int p = relayed.next(0); p >= 0; p = relayed.next(p + 1)) {
+      if (!RelayCodec.isUnchanged(ring, newest, window, p)) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /**
@@ -377,8 +395,11 @@ public final class SnapshotEncoder {
       int age = frame.tick() - ownAckedTick;
       boolean known = ownAckedTick >= 0 && age > 0 && age < FrameRing.SIZE;
       w.write(known ? age : 0, RecordCodec.AGE_BITS);
-      HeaderCodec.writeOwn(
-          w, known ? ownAcked : nothing, ownSent[frame.tick() & (FrameRing.SIZE - 1)]);
+      OwnState baseline = known ? ownAcked : nothing;
+      OwnState own = ownSent[frame.tick() & (FrameRing.SIZE - 1)];
+      HeaderCodec.writeOwn(w, baseline, own);
+      int window = known ? RelayCodec.window(age) : 0;
+      RelayCodec.write(w, ring, window, baseline.relayed, own.relayed);
     }
   }
 

@@ -44,6 +44,7 @@ final class Channel {
   long records;
   int maxBytesPerTick;
   int maxWaiting;
+  long inputsKnown;
 
   private final List<Delayed> down = new ArrayList<>();
   private final List<Delayed> up = new ArrayList<>();
@@ -143,7 +144,22 @@ final class Channel {
     }
     if (decoder.hasOwn()) {
       Scene.own(tick, expectedOwn);
-      assertTrue(decoder.own().sameAs(expectedOwn), name + " own state of tick " + tick);
+      assertTrue(decoder.own().sameSection(expectedOwn), name + " own state of tick " + tick);
+      checkInputs(tick, decoder.own().relayed());
+    }
+  }
+
+  private void checkInputs(int tick, PlayerSet relayed) {
+    RelayedInputs inputs = decoder.inputs();
+    for (int p = relayed.next(0); p >= 0; p = relayed.next(p + 1)) {
+      assertTrue(inputs.knows(p, tick), name + " input of player=" + p + " tick=" + tick);
+      for (int back = 0; back < RelayedInputs.TICKS && back <= tick; back++) {
+        if (inputs.knows(p, tick - back)) {
+          inputsKnown++;
+          long truth = Scene.input(p, tick - back);
+          assertEquals(truth, inputs.at(p, tick - back), name + " player=" + p + " back=" + back);
+        }
+      }
     }
   }
 

@@ -10,6 +10,7 @@ import java.util.List;
  */
 final class Scene {
 
+  static final int PLAYERS = 256;
   static final int TICK_RATE = 60;
   static final int FIELDS = 9;
 
@@ -129,6 +130,9 @@ final class Scene {
         copy[slot] = b.clone();
       }
     }
+    for (int player = 0; player < PLAYERS; player++) {
+      frame.putInput(player, input(player, tick));
+    }
     ring.end();
     past.add(copy);
   }
@@ -136,6 +140,17 @@ final class Scene {
   /** What a slot was at a tick: null when free. */
   int[] truth(int slot, int atTick) {
     return past.get(atTick - firstTick)[slot];
+  }
+
+  /** The input of a player at a tick, made up: held for a while, then another. */
+  static long input(int player, int tick) {
+    long held = tick / (1 + player % 9) * 0x9e3779b97f4a7c15L ^ player;
+    return switch (player % 4) {
+      case 0 -> held & 0x1f;
+      case 1 -> held & 0xffff_0000L;
+      case 2 -> held & RelayCodec.INPUT_MASK;
+      default -> player;
+    };
   }
 
   /** The exact own state a player would have at a tick, made up from the tick. */
@@ -154,6 +169,10 @@ final class Scene {
           still % 7 - 3.3f,
           -0.0f,
           still % 3 == 0 ? Float.MIN_VALUE : 1e30f * still);
+    }
+    own.relayed().clear();
+    for (int i = 0; i < tick / 30 % 32; i++) {
+      own.relayed().add((tick / 60 + 7 * i) % PLAYERS);
     }
     own.setMemory(0, tick / 50);
     own.setMemory(1, -1);

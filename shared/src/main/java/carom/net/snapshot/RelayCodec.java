@@ -1,0 +1,163 @@
+package carom.net.snapshot;
+
+import carom.net.codec.BitReader;
+import carom.net.codec.BitWriter;
+
+/**
+ * Inputs of other players, as the server consumed them: of all ticks since the baseline, so that
+ * whoever holds the baseline knows them all, however many datagrams were lost in between. Pairs of
+ * write and read that mirror each other.
+ */
+final class RelayCodec {
+  /** Bits of a packed input. */
+  static final long INPUT_MASK = (1L << 48) - 1;
+
+  /** A baseline that is older tells nothing; then only the newest inputs are sent. */
+  static final int MAX_WINDOW = 16;
+
+  /** Most players relayed to one client. */
+  static final int MAX_PLAYERS = 31;
+
+  private static final int COUNT_BITS = 5;
+  private static final int PLAYER_BITS = 8;
+  private static final int COMMON_BUTTONS = 5;
+
+  private RelayCodec() {}
+
+  /**
+   * How many ticks of inputs are sent to a client whose baseline is so old; 0 = the newest only.
+   */
+  static int window(int age) {
+    return age <= MAX_WINDOW ? age : 0;
+  }
+
+  static void writePlayers(BitWriter w, PlayerSet players) {
+    w.write(players.size(), COUNT_BITS);
+    for (int p = players.next(0); p >= 0; p = players.next(p + 1)) {
+      w.write(p, PLAYER_BITS);
+    }
+  }
+
+  static void readPlayers(BitReader r, PlayerSet players) {
+    players.clear();
+    for (int n = r.read(COUNT_BITS); n > 0; n--) {
+      players.add(r.read(PLAYER_BITS));
+    }
+  }
+
+  /** Whether a relayed player had the same input in all ticks of a window. */
+  static boolean isUnchanged(FrameRing ring, FrameState newest, int window, int player) {
+    long base = inputAt(ring, newest.tick() - window, player);
+    for (int back = 0; back < window; back++) {
+      if (inputAt(ring, newest.tick() - back, player) != base) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private static long inputAt(FrameRing ring, int tick, int player) {
+    FrameState frame = ring.at(tick);
+    return frame == null ? 0 : frame.input(player);
+  }
+
+  /**
+   * Writes the inputs of the relayed players, in ascending order of their ids.
+   *
+   * @param known players that the client knows the input of at the baseline
+   */
+  static void write(BitWriter w, FrameRing ring, int window, PlayerSet known, PlayerSet players) {
+    FrameState newest = ring.newest();
+    for (int p = players.next(0); p >= 0; p = players.next(p + 1)) {
+      if (window == 0 || !known.has(p)) {
+        writeInput(w, 0, newest.input(p));
+        continue;
+      }
+      boolean changed = !isUnchanged(ring, newest, window, p);
+      w.write(changed);
+      if (!changed) {
+        continue;
+      }
+      long before = inputAt(ring, newest.tick() - window, p);
+      for (int back = window - 1; back >= 0; back--) {
+        long now = inputAt(ring, newest.tick() - back, p);
+        w.write(now != before);
+        if (now != before) {
+          writeInput(w, before, now);
+        }
+        before = now;
+      }
+    }
+  }
+
+  /** Reads what {@link #write} wrote; the inputs of a known player's whole window. */
+  static void read(
+      BitReader r,
+      RelayedInputs inputs,
+      int tick,
+      int window,
+      PlayerSet known,
+      PlayerSet players,
+      long[] out) {
+    int at = 0;
+    for (int p = players.next(0); p >= 0; p = players.next(p + 1)) {
+      if (window == 0 || !known.has(p)) {
+        out[at++] = readInput(r, 0);
+        continue;
+      }
+      boolean changed = r.readBit();
+      long before = inputs.at(p, tick - window);
+      for (int back = window - 1; back >= 0; back--) {
+        if (changed && r.readBit()) {
+          before = readInput(r, before);
+        }
+        out[at++] = before;
+      }
+    }
+  }
+
+  /** Most inputs {@link #read} gives out. */
+  static int maxInputs() {
+    return MAX_PLAYERS * MAX_WINDOW;
+  }
+
+  private static void writeInput(BitWriter w, long before, long input) {
+    long changed = before ^ input;
+    int buttons = (int) changed & 0xffff;
+    w.write(buttons != 0);
+    if (buttons != 0) {
+      boolean wide = buttons >> COMMON_BUTTONS != 0;
+      w.write(wide);
+      w.write(buttons, wide ? 16 : COMMON_BUTTONS);
+    }
+    writeField(w, changed, input, 16, 8);
+    writeField(w, changed, input, 24, 8);
+    writeField(w, changed, input, 32, 16);
+  }
+
+  private static void writeField(BitWriter w, long changed, long input, int from, int bits) {
+    boolean differs = (changed >>> from & (1L << bits) - 1) != 0;
+    w.write(differs);
+    if (differs) {
+      w.write((int) (input >>> from), bits);
+    }
+  }
+
+  private static long readInput(BitReader r, long before) {
+    long input = before;
+    if (r.readBit()) {
+      input ^= r.readBit() ? r.read(16) : r.read(COMMON_BUTTONS);
+    }
+    input = readField(r, input, 16, 8);
+    input = readField(r, input, 24, 8);
+    return readField(r, input, 32, 16);
+  }
+
+  private static long readField(BitReader r, long input, int from, int bits) {
+    if (!r.readBit()) {
+      return input;
+    }
+    long mask = (1L << bits) - 1;
+    return input & ~(mask << from) | (r.read(bits) & mask) << from;
+  }
+}
