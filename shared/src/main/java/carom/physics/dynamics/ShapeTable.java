@@ -52,6 +52,7 @@ public final class ShapeTable {
   /** Per block size: the first free block's part, -1 if none; the next one is in {@link #body}. */
   private final int[] freeBlocks = new int[ContactKey.MAX_PARTS + 1];
 
+  private final ShapePool pool = new ShapePool();
   private int[] nextFree = new int[FIRST_CAPACITY];
   private int used;
 
@@ -92,7 +93,7 @@ public final class ShapeTable {
 
   /** Fills a part in. */
   void set(int part, Convex local, int shape, ShapeSpec spec) {
-    convex[part] = local;
+    convex[part] = pool.share(local);
     shapeIndex[part] = shape;
     friction[part] = spec.friction();
     restitution[part] = spec.restitution();

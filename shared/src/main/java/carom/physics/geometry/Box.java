@@ -109,6 +109,16 @@ public final class Box extends Convex {
   }
 
   @Override
+  public boolean isSame(Convex other) {
+    return super.isSame(other)
+        && other instanceof Box box
+        && halfWidth == box.halfWidth
+        && halfHeight == box.halfHeight
+        && Float.compare(centerX, box.centerX) == 0
+        && Float.compare(centerY, box.centerY) == 0;
+  }
+
+  @Override
   public boolean containsPoint(float x, float y) {
     return vx[0] <= x && x <= vx[2] && vy[0] <= y && y <= vy[2];
   }

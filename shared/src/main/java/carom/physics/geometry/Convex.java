@@ -2,6 +2,7 @@ package carom.physics.geometry;
 
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -131,6 +132,22 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon, 
   /** True for discs and for polygons with sharp corners, for which collision has a cheaper way. */
   public final boolean isSimple() {
     return simple;
+  }
+
+  /**
+   * Tells whether two shapes can't be told apart: of one class, with the same bits. Costs a look at
+   * every vertex.
+   *
+   * @param other another shape, may be this one
+   * @return true if one can stand in for the other
+   */
+  public boolean isSame(Convex other) {
+    return other.getClass() == getClass()
+        && other.radius() == radius()
+        && Arrays.equals(vx, other.vx)
+        && Arrays.equals(vy, other.vy)
+        && Arrays.equals(nx, other.nx)
+        && Arrays.equals(ny, other.ny);
   }
 
   /** One component of the unit normals of both sides of a line, from (component, other). */

@@ -1,5 +1,7 @@
 package carom.physics.geometry;
 
+import java.util.Arrays;
+
 /**
  * A line from one point to another, without thickness and without mass: for bodies that don't move
  * by forces. Bodies touch a segment from both sides, those of a {@link Chain} only from the front.
@@ -97,6 +99,16 @@ public final class Segment extends Convex {
         linked,
         new float[] {ghostX[0] + dx, ghostX[1] + dx},
         new float[] {ghostY[0] + dy, ghostY[1] + dy});
+  }
+
+  @Override
+  public boolean isSame(Convex other) {
+    return super.isSame(other)
+        && other instanceof Segment s
+        && oneSided == s.oneSided
+        && Arrays.equals(linked, s.linked)
+        && Arrays.equals(ghostX, s.ghostX)
+        && Arrays.equals(ghostY, s.ghostY);
   }
 
   /** False nearly everywhere: only points exactly on the line are in it. */
