@@ -57,6 +57,8 @@ public final class Dyn4jEngine extends PeerEngine<org.dyn4j.dynamics.Body> {
     peer.translate(body.x(), body.y());
     peer.setLinearVelocity(body.velocityX(), body.velocityY());
     peer.setAngularVelocity(body.angularVelocity());
+    peer.setGravityScale(body.gravityScale());
+    peer.setAtRest(!body.awake());
     world.addBody(peer);
     return peer;
   }

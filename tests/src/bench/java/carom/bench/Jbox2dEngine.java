@@ -49,6 +49,8 @@ public final class Jbox2dEngine extends PeerEngine<org.jbox2d.dynamics.Body> {
     def.angle = (float) Math.atan2(body.sin(), body.cos());
     def.linearVelocity.set(body.velocityX(), body.velocityY());
     def.angularVelocity = body.angularVelocity();
+    def.gravityScale = body.gravityScale();
+    def.awake = body.awake();
     org.jbox2d.dynamics.Body peer = world.createBody(def);
     for (int i = 0; i < body.shapeCount(); i++) {
       for (Convex part : body.shape(i).parts()) {
