@@ -2,6 +2,7 @@ package carom.server;
 
 import carom.net.protocol.GoodbyeReason;
 import carom.net.transport.ServerTransport;
+import carom.physics.threads.WorkerThreads;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.room.Room;
@@ -43,6 +44,10 @@ public final class Server implements AutoCloseable {
   private final ServerConfig config;
   private final ServerTransport transport;
   private final LongSupplier clock;
+
+  /** Threads that help rooms to step their worlds, null without. */
+  private final WorkerThreads helpers;
+
   private final List<Room> rooms;
   private final Lobby lobby;
   private final StatusLine status;
@@ -73,11 +78,14 @@ public final class Server implements AutoCloseable {
     this.config = config;
     this.transport = transport;
     this.clock = clock;
+    this.helpers = config.threads() == 1 ? null : new WorkerThreads(config.threads());
     SecureRandom random = new SecureRandom();
     List<Room> built = new ArrayList<>();
     for (int number = 1; number <= config.rooms(); number++) {
       Seats seats = new Seats(config.maxPlayers(), random::nextLong);
-      built.add(new Room(config, number, games.get(), level, clock, seats));
+      Room room = new Room(config, number, games.get(), level, clock, seats);
+      room.helpedBy(helpers);
+      built.add(room);
     }
     this.rooms = List.copyOf(built);
     this.lobby = new Lobby(config, transport, rooms, level, random::nextLong);
@@ -250,6 +258,9 @@ public final class Server implements AutoCloseable {
       rooms.forEach(room -> room.close(GoodbyeReason.SERVER_STOPPING, "", nowNs));
       lobby.closeLinks();
       rooms.forEach(Room::closeLinks);
+    }
+    if (helpers != null) {
+      helpers.close();
     }
     transport.close();
     ended.countDown();

@@ -147,6 +147,15 @@ public final class ServerMain implements Callable<Integer> {
   private int rooms;
 
   @Option(
+      names = "--threads",
+      paramLabel = "N",
+      defaultValue = "1",
+      description =
+          "Threads that may step one world together, 1..64: the room's own and helpers that all"
+              + " rooms share; for worlds of thousands of bodies (${DEFAULT-VALUE}).")
+  private int threads;
+
+  @Option(
       names = "--max-players",
       paramLabel = "N",
       defaultValue = "64",
@@ -488,6 +497,7 @@ public final class ServerMain implements Callable<Integer> {
           .withSeed(seed == null ? new SecureRandom().nextLong() : seed)
           .withMaxPlayers(maxPlayers)
           .withRooms(rooms)
+          .withThreads(threads)
           .withGraceMs(graceS * 1_000)
           .withInputHoldTicks(tickRate / 2)
           .withSnapshotRateHz(tickRate)

@@ -18,6 +18,7 @@ import carom.physics.geometry.MassData;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
 import carom.physics.math.Trig;
+import carom.physics.threads.Workers;
 import java.util.Arrays;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
@@ -583,6 +584,20 @@ public final class World<T> {
       stepping = false;
       pendingCount = 0;
     }
+  }
+
+  /**
+   * Sets who helps the thread that calls {@link #step}; not part of the state. Results are the same
+   * bit for bit, with any number of workers or none. Callbacks stay on the calling thread. Worlds
+   * of less than some hundred contacts are stepped by the caller alone.
+   *
+   * @param newWorkers null (the default) for nobody; see {@link
+   *     carom.physics.threads.WorkerThreads}. Isn't closed by the world
+   * @throws IllegalStateException in a callback of a step
+   */
+  public void workers(Workers newWorkers) {
+    refuseDuringStep("workers");
+    dynamics.workers(newWorkers);
   }
 
   /**

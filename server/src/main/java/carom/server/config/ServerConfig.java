@@ -1,5 +1,6 @@
 package carom.server.config;
 
+import carom.physics.threads.WorkerThreads;
 import java.util.Objects;
 import java.util.function.Consumer;
 
@@ -17,6 +18,9 @@ import java.util.function.Consumer;
  *     seed and the same inputs give the same game
  * @param rooms how many rooms play at once, 1..64: each is a world, a set of players and a thread
  *     of its own, all with the same game and level
+ * @param threads how many threads may step one world together, 1..64: the room's own, and helpers
+ *     that all rooms share. 1 has no helpers. They pay for worlds of a thousand bodies and more,
+ *     and change no result
  * @param maxPlayers seats of each room, 1..256 (the protocol numbers players in 8 bits); whoever
  *     finds all rooms full is refused politely. All rooms together have at most 4,096 seats
  * @param handshakeTimeoutMs how long a link may take from its opening to a valid Hello, and how
@@ -49,6 +53,7 @@ public record ServerConfig(
     int tickRateHz,
     long seed,
     int rooms,
+    int threads,
     int maxPlayers,
     int handshakeTimeoutMs,
     int loadTimeoutMs,
@@ -80,6 +85,7 @@ public record ServerConfig(
     }
     check("tickRateHz", tickRateHz, 10, 240, "--tick-rate");
     check("rooms", rooms, 1, 64, "--rooms");
+    check("threads", threads, 1, WorkerThreads.MAX_COUNT, "--threads");
     check("maxPlayers", maxPlayers, 1, 256, "--max-players");
     if (rooms * maxPlayers > MAX_PLACES) {
       throw new IllegalArgumentException(
@@ -120,7 +126,7 @@ public record ServerConfig(
   /** The settings of a server that is started without any flag. */
   public static ServerConfig defaults() {
     return new ServerConfig(
-        "arena", "Carom", 60, 1, 1, 64, 5_000, 20_000, 5_000, 30_000, 15, 32, 30, 60, 10, 64_000,
+        "arena", "Carom", 60, 1, 1, 1, 64, 5_000, 20_000, 5_000, 30_000, 15, 32, 30, 60, 10, 64_000,
         250, 60);
   }
 
@@ -157,6 +163,11 @@ public record ServerConfig(
   /** A copy with this many rooms. */
   public ServerConfig withRooms(int value) {
     return with(draft -> draft.rooms = value);
+  }
+
+  /** A copy in which this many threads may step one world together. */
+  public ServerConfig withThreads(int value) {
+    return with(draft -> draft.threads = value);
   }
 
   /** A copy with this many seats in each room. */
@@ -237,6 +248,7 @@ public record ServerConfig(
     private int tickRateHz;
     private long seed;
     private int rooms;
+    private int threads;
     private int maxPlayers;
     private int handshakeTimeoutMs;
     private int loadTimeoutMs;
@@ -257,6 +269,7 @@ public record ServerConfig(
       tickRateHz = from.tickRateHz;
       seed = from.seed;
       rooms = from.rooms;
+      threads = from.threads;
       maxPlayers = from.maxPlayers;
       handshakeTimeoutMs = from.handshakeTimeoutMs;
       loadTimeoutMs = from.loadTimeoutMs;
@@ -279,6 +292,7 @@ public record ServerConfig(
           tickRateHz,
           seed,
           rooms,
+          threads,
           maxPlayers,
           handshakeTimeoutMs,
           loadTimeoutMs,

@@ -6,6 +6,7 @@ import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.snapshot.FrameRing;
 import carom.net.transport.Link;
+import carom.physics.threads.Workers;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
@@ -115,6 +116,15 @@ public final class Room {
     this.bySeat = new Session[seats.count()];
     this.rosterScores = new int[seats.count()];
     capture.capture();
+  }
+
+  /**
+   * Has other threads help with stepping the world, before the first turn.
+   *
+   * @param helpers null for nobody; may be shared with other rooms
+   */
+  public void helpedBy(Workers helpers) {
+    simulation.world().workers(helpers);
   }
 
   /**

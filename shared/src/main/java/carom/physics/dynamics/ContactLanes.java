@@ -24,11 +24,14 @@ abstract class ContactLanes {
     return true;
   }
 
-  abstract void warmStart(ContactSolver solver, float[] v, int block);
+  /** How long the scratch array of each worker must be. */
+  abstract int scratchSize();
 
-  abstract void push(ContactSolver solver, float[] v, int block);
+  abstract void warmStart(ContactSolver solver, float[] v, float[] scratch, int block);
 
-  abstract void relax(ContactSolver solver, float[] v, int block);
+  abstract void push(ContactSolver solver, float[] v, float[] scratch, int block);
+
+  abstract void relax(ContactSolver solver, float[] v, float[] scratch, int block);
 
   /**
    * The kernels made with the Vector API, an incubating module that the JVM only has if it was

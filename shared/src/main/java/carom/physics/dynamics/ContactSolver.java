@@ -155,6 +155,11 @@ final class ContactSolver {
    */
   private static final int WARM_UP_BLOCKS = 4;
 
+  /** Blocks that are worth a piece of work for a worker: to solve, and to pack or store. */
+  private static final int SOLVE_AT_LEAST = 16;
+
+  private static final int PACK_AT_LEAST = 16;
+
   /** Every colour has a group of contacts with one point, and one of those with two. */
   private static final int GROUPS = 2 * 2 * (LAST_COLOUR + 1);
 
@@ -265,7 +270,41 @@ final class ContactSolver {
 
   private boolean[] wide = new boolean[0];
 
+  /** Of each worker. */
+  private float[][] scratch = new float[0][];
+
+  /**
+   * Which blocks are with static or kinematic bodies: several may touch the same, none moves it.
+   */
+  boolean[] fixed = new boolean[0];
+
+  /** First block of each colour. */
+  private final int[] colourStart = new int[2 * (LAST_COLOUR + 1) + 1];
+
+  private final Crew crew;
+
+  // The stages, made once so that a step allocates nothing.
+  private final Crew.Range packing = (from, to, worker) -> packBlocks(from, to);
+  private final Crew.Range warming = this::warmStart;
+  private final Crew.Range pushing = (from, to, worker) -> solve(from, to, worker, true);
+  private final Crew.Range relaxing = (from, to, worker) -> solve(from, to, worker, false);
+  private final Crew.Range bouncing = (from, to, worker) -> bounce(from, to);
+  private final Crew.Range bounceEnding = (from, to, worker) -> endBounces(from, to);
+  private final Crew.Range storing = (from, to, worker) -> store(from, to);
+
+  // What the step is about.
+  private ContactTable table;
+  private BodyStore store;
+  private SolverBodies bodies;
+  private int[] activeIndex;
+  private Settings settings;
+
+  /** {@link SolverBodies#state}. */
+  private float[] v;
+
   /** Constants of the step. */
+  private float omega;
+
   private float h;
 
   float inverseH;
@@ -276,34 +315,41 @@ final class ContactSolver {
    * Makes a solver.
    *
    * @param lanes kernels for whole blocks, null for none
+   * @param crew does colours
    */
-  ContactSolver(ContactLanes lanes) {
+  ContactSolver(ContactLanes lanes, Crew crew) {
     this.lanes = lanes;
-  }
-
-  int blocks() {
-    return blocks;
+    this.crew = crew;
   }
 
   /** Collects, colours and packs the touching, not vetoed contacts of the table. */
   void prepare(
-      ContactTable t,
-      BodyStore b,
-      SolverBodies bodies,
-      int[] activeIndex,
-      Settings s,
+      ContactTable contacts,
+      BodyStore bodyStore,
+      SolverBodies solverBodies,
+      int[] activeIndices,
+      Settings constants,
       float substep) {
+    table = contacts;
+    store = bodyStore;
+    bodies = solverBodies;
+    activeIndex = activeIndices;
+    settings = constants;
+    v = solverBodies.state;
     h = substep;
     inverseH = 1 / substep;
-    maxPush = s.maxPushSpeed();
-    slop = s.slop();
-    paint(t, b, bodies.count(), activeIndex);
-    layOut();
-    float omega = TWO_PI * Math.min(s.contactHertz(), MAX_HERTZ_PER_RATE / h);
-    for (int k = 0; k < count; k++) {
-      int lane = next[group[k]]++;
-      pack(t, touching[k], lane, b, bodies, activeIndex, s, omega);
+    maxPush = constants.maxPushSpeed();
+    slop = constants.slop();
+    omega = TWO_PI * Math.min(constants.contactHertz(), MAX_HERTZ_PER_RATE / h);
+    if (lanes != null && scratch.length != crew.count()) {
+      scratch = new float[crew.count()][lanes.scratchSize()];
     }
+    paint(contacts, bodyStore, solverBodies.count(), activeIndices);
+    layOut();
+    for (int k = 0; k < count; k++) {
+      row[next[group[k]]++] = touching[k];
+    }
+    crew.run(0, blocks, PACK_AT_LEAST, packing);
   }
 
   /** Finds the contacts to solve and gives each its colour. */
@@ -368,6 +414,7 @@ final class ContactSolver {
       used = new byte[capacity];
       two = new boolean[capacity];
       wide = new boolean[capacity];
+      fixed = new boolean[capacity];
       rolls = new boolean[capacity];
       bounces = new boolean[capacity];
       row = new int[capacity * LANES];
@@ -380,6 +427,7 @@ final class ContactSolver {
         lanes == null || blocks < FEWEST_BLOCKS ? 0 : lanes.ready() ? blocks : WARM_UP_BLOCKS;
     int block = 0;
     for (int g = 0; g < GROUPS; g++) {
+      colourStart[g >> 1] = (g & 1) == 0 ? block : colourStart[g >> 1];
       int left = next[g];
       next[g] = block * LANES;
       for (; left > 0; left -= LANES) {
@@ -389,9 +437,31 @@ final class ContactSolver {
         if (left < LANES) {
           clear(block);
         }
+        fixed[block] = g >> 1 > LAST_COLOUR;
         rolls[block] = false;
         bounces[block] = false;
         block++;
+      }
+    }
+    colourStart[GROUPS >> 1] = blocks;
+  }
+
+  /** Does a stage colour by colour; what found no colour is done by the caller alone. */
+  private void byColours(Crew.Range stage) {
+    if (crew.count() == 1) {
+      stage.run(0, blocks, 0);
+      return;
+    }
+    for (int c = 0; c < GROUPS >> 1; c++) {
+      int least = (c & LAST_COLOUR) == LAST_COLOUR ? Integer.MAX_VALUE : SOLVE_AT_LEAST;
+      crew.run(colourStart[c], colourStart[c + 1], least, stage);
+    }
+  }
+
+  private void packBlocks(int from, int to) {
+    for (int block = from; block < to; block++) {
+      for (int i = 0; i < used[block]; i++) {
+        pack(block * LANES + i);
       }
     }
   }
@@ -406,15 +476,10 @@ final class ContactSolver {
     Arrays.fill(bodyB, block * LANES, (block + 1) * LANES, 0);
   }
 
-  private void pack(
-      ContactTable t,
-      int r,
-      int lane,
-      BodyStore b,
-      SolverBodies bodies,
-      int[] activeIndex,
-      Settings s,
-      float omega) {
+  private void pack(int lane) {
+    ContactTable t = table;
+    BodyStore b = store;
+    int r = row[lane];
     float[] d = data;
     int block = lane / LANES;
     int at = block * RECORD + lane % LANES;
@@ -423,7 +488,6 @@ final class ContactSolver {
     int o = ContactKey.bodyB(t.key[r]);
     int slotA = activeIndex[a] + 1;
     int slotB = activeIndex[o] + 1;
-    row[lane] = r;
     bodyA[lane] = slotA * STRIDE;
     bodyB[lane] = slotB * STRIDE;
     float ma = b.invMass[a];
@@ -442,7 +506,7 @@ final class ContactSolver {
     if (!two[block]) {
       stiff *= SINGLE_STIFFNESS;
     }
-    float twiceZeta = 2 * s.contactDampingRatio();
+    float twiceZeta = 2 * settings.contactDampingRatio();
     d[at + BIAS_RATE] = stiff / (twiceZeta + h * stiff);
     float gapX = b.x[o] - b.x[a];
     float gapY = b.y[o] - b.y[a];
@@ -480,10 +544,9 @@ final class ContactSolver {
     extra[more + BOUNCE_FIRST] = 0;
     extra[more + BOUNCE_SECOND] = 0;
     if (e > 0) {
-      float[] v = bodies.state;
-      float threshold = s.restitutionThreshold();
-      extra[more + BOUNCE_FIRST] = e * approach(lane, FIRST, v, threshold);
-      extra[more + BOUNCE_SECOND] = two[block] ? e * approach(lane, SECOND, v, threshold) : 0;
+      float threshold = settings.restitutionThreshold();
+      extra[more + BOUNCE_FIRST] = e * approach(lane, FIRST, threshold);
+      extra[more + BOUNCE_SECOND] = two[block] ? e * approach(lane, SECOND, threshold) : 0;
       bounces[block] |= extra[more + BOUNCE_FIRST] != 0 || extra[more + BOUNCE_SECOND] != 0;
     }
   }
@@ -538,10 +601,10 @@ final class ContactSolver {
    * bounce. Without these terms a perfectly elastic ball would lose 2 % of its height with every
    * bounce.
    */
-  private float approach(int lane, int point, float[] v, float threshold) {
+  private float approach(int lane, int point, float threshold) {
     int at = lane / LANES * RECORD + lane % LANES;
     float pull = extra[lane / LANES * EXTRA + lane % LANES + PULL];
-    float speed = 0.5f * h * pull - normalSpeed(lane, point, v);
+    float speed = 0.5f * h * pull - normalSpeed(lane, point);
     if (!(speed > threshold)) {
       return 0;
     }
@@ -549,7 +612,7 @@ final class ContactSolver {
     return square > 0 ? (float) Math.sqrt(square) : 0;
   }
 
-  private float normalSpeed(int lane, int point, float[] v) {
+  private float normalSpeed(int lane, int point) {
     float[] d = data;
     int at = lane / LANES * RECORD + lane % LANES;
     int p = at + point;
@@ -561,88 +624,99 @@ final class ContactSolver {
   }
 
   /** Applies the impulses remembered from the last substep, or the last step. */
-  void warmStart(float[] v, int from, int to) {
+  void warmStart() {
+    byColours(warming);
+  }
+
+  private void warmStart(int from, int to, int worker) {
     for (int block = from; block < to; block++) {
       if (wide[block]) {
-        lanes.warmStart(this, v, block);
+        lanes.warmStart(this, v, scratch[worker], block);
         continue;
       }
       int end = block * LANES + used[block];
       for (int lane = block * LANES; lane < end; lane++) {
-        warm(v, lane, FIRST);
+        warm(lane, FIRST);
         if (two[block]) {
-          warm(v, lane, SECOND);
+          warm(lane, SECOND);
         }
         if (rolls[block]) {
           int at = block * RECORD + lane % LANES;
-          float turn = extra[block * EXTRA + lane % LANES + ROLL];
-          v[bodyA[lane] + W] -= data[at + INERTIA_A] * turn;
-          v[bodyB[lane] + W] += data[at + INERTIA_B] * turn;
+          turn(lane, at, extra[block * EXTRA + lane % LANES + ROLL]);
         }
       }
     }
   }
 
-  private void warm(float[] v, int lane, int point) {
+  private void warm(int lane, int point) {
     int at = lane / LANES * RECORD + lane % LANES;
     float nx = data[at + NX];
     float ny = data[at + NY];
     float pn = data[at + point + NORMAL];
     float pt = data[at + point + TANGENT];
-    apply(v, bodyA[lane], bodyB[lane], at, point, pn * nx - pt * ny, pn * ny + pt * nx);
+    apply(bodyA[lane], bodyB[lane], at, point, pn * nx - pt * ny, pn * ny + pt * nx);
   }
 
-  /** One visit of each contact; with bias it also pushes overlap apart. */
-  void solve(float[] v, int from, int to, boolean bias) {
+  /** One visit of each contact, with its spring. */
+  void push() {
+    byColours(pushing);
+  }
+
+  /** One visit of each contact, rigid. */
+  void relax() {
+    byColours(relaxing);
+  }
+
+  private void solve(int from, int to, int worker, boolean bias) {
     for (int block = from; block < to; block++) {
       if (wide[block]) {
         if (bias) {
-          lanes.push(this, v, block);
+          lanes.push(this, v, scratch[worker], block);
         } else {
-          lanes.relax(this, v, block);
+          lanes.relax(this, v, scratch[worker], block);
         }
         continue;
       }
       int end = block * LANES + used[block];
       for (int lane = block * LANES; lane < end; lane++) {
         if (bias) {
-          visitAndPush(v, lane);
+          visitAndPush(lane);
         } else {
-          relax(v, lane);
+          relax(lane);
         }
       }
     }
   }
 
-  private void visitAndPush(float[] v, int lane) {
+  private void visitAndPush(int lane) {
     int block = lane / LANES;
     if (rolls[block]) {
-      solveRolling(v, lane);
+      solveRolling(lane);
     }
-    solveFriction(v, lane, FIRST);
+    solveFriction(lane, FIRST);
     if (two[block]) {
-      solveFriction(v, lane, SECOND);
+      solveFriction(lane, SECOND);
     }
     if (two[block]) {
-      pushBoth(v, lane);
+      pushBoth(lane);
     } else {
-      push(v, lane);
+      push(lane);
     }
   }
 
-  private void relax(float[] v, int lane) {
+  private void relax(int lane) {
     int block = lane / LANES;
     if (two[block]) {
-      holdBoth(v, lane);
+      holdBoth(lane);
     } else {
-      hold(v, lane);
+      hold(lane);
     }
-    solveFriction(v, lane, FIRST);
+    solveFriction(lane, FIRST);
     if (two[block]) {
-      solveFriction(v, lane, SECOND);
+      solveFriction(lane, SECOND);
     }
     if (rolls[block]) {
-      solveRolling(v, lane);
+      solveRolling(lane);
     }
     addUp(lane, FIRST);
     if (two[block]) {
@@ -657,14 +731,14 @@ final class ContactSolver {
   }
 
   /** The normal with its spring; the gap is still that of the last relaxing visit. */
-  private void push(float[] v, int lane) {
+  private void push(int lane) {
     float[] d = data;
     int at = lane / LANES * RECORD + lane % LANES;
     float gap = d[at + FIRST + GAP];
-    solveOne(v, lane, push(at, gap), gap > 0 ? 0 : d[at + SOFT]);
+    solveOne(lane, push(at, gap), gap > 0 ? 0 : d[at + SOFT]);
   }
 
-  private void pushBoth(float[] v, int lane) {
+  private void pushBoth(int lane) {
     float[] d = data;
     int at = lane / LANES * RECORD + lane % LANES;
     float gap1 = d[at + FIRST + GAP];
@@ -672,7 +746,7 @@ final class ContactSolver {
     float soft1 = gap1 > 0 ? 0 : d[at + SOFT];
     float soft2 = gap2 > 0 ? 0 : d[at + SOFT];
     float softCross = gap1 > 0 || gap2 > 0 ? 0 : d[at + SOFT_CROSS];
-    solveBoth(v, lane, push(at, gap1), push(at, gap2), soft1, soft2, softCross);
+    solveBoth(lane, push(at, gap1), push(at, gap2), soft1, soft2, softCross);
   }
 
   /** Speed by which a gap may close, or at which overlap is pushed apart (negative), m/s. */
@@ -686,34 +760,34 @@ final class ContactSolver {
   }
 
   /** The normal as a rigid contact, after the bodies have moved. */
-  private void hold(float[] v, int lane) {
-    solveOne(v, lane, room(v, lane, FIRST), 0);
+  private void hold(int lane) {
+    solveOne(lane, room(lane, FIRST), 0);
   }
 
-  private void holdBoth(float[] v, int lane) {
-    solveBoth(v, lane, room(v, lane, FIRST), room(v, lane, SECOND), 0, 0, 0);
+  private void holdBoth(int lane) {
+    solveBoth(lane, room(lane, FIRST), room(lane, SECOND), 0, 0, 0);
   }
 
   /** Measures the gap at a point, and answers the speed by which it may close, m/s. */
-  private float room(float[] v, int lane, int point) {
-    float gap = separation(lane, point, v);
+  private float room(int lane, int point) {
+    float gap = separation(lane, point);
     data[lane / LANES * RECORD + lane % LANES + point + GAP] = gap;
     return gap > 0 ? gap * inverseH : 0;
   }
 
-  private void solveOne(float[] v, int lane, float push, float soft) {
+  private void solveOne(int lane, float push, float soft) {
     float[] d = data;
     int at = lane / LANES * RECORD + lane % LANES;
     float old = d[at + FIRST + NORMAL];
     float yield = d[at + FIRST + YIELD];
-    float q = normalSpeed(lane, FIRST, v) + push - yield * old;
+    float q = normalSpeed(lane, FIRST) + push - yield * old;
     float sum = q < 0 ? -q / (yield + soft) : 0;
     d[at + FIRST + NORMAL] = sum;
-    give(v, lane, FIRST, sum - old);
+    give(lane, FIRST, sum - old);
   }
 
   private void solveBoth(
-      float[] v, int lane, float push1, float push2, float soft1, float soft2, float softCross) {
+      int lane, float push1, float push2, float soft1, float soft2, float softCross) {
     float[] d = data;
     int at = lane / LANES * RECORD + lane % LANES;
     float old1 = d[at + FIRST + NORMAL];
@@ -721,8 +795,8 @@ final class ContactSolver {
     float k1 = d[at + FIRST + YIELD];
     float k2 = d[at + SECOND + YIELD];
     float k = d[at + CROSS];
-    float q1 = normalSpeed(lane, FIRST, v) + push1 - k1 * old1 - k * old2;
-    float q2 = normalSpeed(lane, SECOND, v) + push2 - k2 * old2 - k * old1;
+    float q1 = normalSpeed(lane, FIRST) + push1 - k1 * old1 - k * old2;
+    float q2 = normalSpeed(lane, SECOND) + push2 - k2 * old2 - k * old1;
     k1 += soft1;
     k2 += soft2;
     k += softCross;
@@ -739,18 +813,18 @@ final class ContactSolver {
     }
     d[at + FIRST + NORMAL] = sum1;
     d[at + SECOND + NORMAL] = sum2;
-    give(v, lane, FIRST, sum1 - old1);
-    give(v, lane, SECOND, sum2 - old2);
+    give(lane, FIRST, sum1 - old1);
+    give(lane, SECOND, sum2 - old2);
   }
 
-  private void give(float[] v, int lane, int point, float impulse) {
+  private void give(int lane, int point, float impulse) {
     int at = lane / LANES * RECORD + lane % LANES;
     float px = impulse * data[at + NX];
     float py = impulse * data[at + NY];
-    apply(v, bodyA[lane], bodyB[lane], at, point, px, py);
+    apply(bodyA[lane], bodyB[lane], at, point, px, py);
   }
 
-  private void solveFriction(float[] v, int lane, int point) {
+  private void solveFriction(int lane, int point) {
     float[] d = data;
     int at = lane / LANES * RECORD + lane % LANES;
     int p = at + point;
@@ -767,10 +841,10 @@ final class ContactSolver {
     sum = sum < limit ? sum : limit;
     sum = sum > -limit ? sum : -limit;
     d[p + TANGENT] = sum;
-    apply(v, a, b, at, point, (old - sum) * ny, (sum - old) * nx);
+    apply(a, b, at, point, (old - sum) * ny, (sum - old) * nx);
   }
 
-  private void solveRolling(float[] v, int lane) {
+  private void solveRolling(int lane) {
     float[] d = data;
     int at = lane / LANES * RECORD + lane % LANES;
     int more = lane / LANES * EXTRA + lane % LANES;
@@ -785,19 +859,34 @@ final class ContactSolver {
     float w = v[b + W] - v[a + W];
     float sum = Math.max(-limit, Math.min(old - extra[more + ROLL_MASS] * w, limit));
     extra[more + ROLL] = sum;
-    v[a + W] -= d[at + INERTIA_A] * (sum - old);
-    v[b + W] += d[at + INERTIA_B] * (sum - old);
+    turn(lane, at, sum - old);
   }
 
-  private void apply(float[] v, int a, int b, int at, int point, float px, float py) {
+  private void turn(int lane, int at, float impulse) {
+    if (data[at + INERTIA_A] != 0) {
+      v[bodyA[lane] + W] -= data[at + INERTIA_A] * impulse;
+    }
+    if (data[at + INERTIA_B] != 0) {
+      v[bodyB[lane] + W] += data[at + INERTIA_B] * impulse;
+    }
+  }
+
+  /** Writes nothing to what can't be moved: other workers may be reading it. */
+  private void apply(int a, int b, int at, int point, float px, float py) {
     float[] d = data;
     int p = at + point;
-    v[a + VX] -= d[at + MASS_A] * px;
-    v[a + VY] -= d[at + MASS_A] * py;
-    v[a + W] -= d[at + INERTIA_A] * (d[p + AX] * py - d[p + AY] * px);
-    v[b + VX] += d[at + MASS_B] * px;
-    v[b + VY] += d[at + MASS_B] * py;
-    v[b + W] += d[at + INERTIA_B] * (d[p + BX] * py - d[p + BY] * px);
+    float massA = d[at + MASS_A];
+    float massB = d[at + MASS_B];
+    if (massA != 0) {
+      v[a + VX] -= massA * px;
+      v[a + VY] -= massA * py;
+      v[a + W] -= d[at + INERTIA_A] * (d[p + AX] * py - d[p + AY] * px);
+    }
+    if (massB != 0) {
+      v[b + VX] += massB * px;
+      v[b + VY] += massB * py;
+      v[b + W] += d[at + INERTIA_B] * (d[p + BX] * py - d[p + BY] * px);
+    }
   }
 
   /**
@@ -806,7 +895,7 @@ final class ContactSolver {
    * of a round part is a radius inside, {@code r - R n}, which makes a difference of {@code R (cos
    * - 1)}. Without it a fast disc would seem to lift off while it turns, and sink in.
    */
-  private float separation(int lane, int point, float[] v) {
+  private float separation(int lane, int point) {
     float[] d = data;
     int at = lane / LANES * RECORD + lane % LANES;
     int p = at + point;
@@ -830,19 +919,39 @@ final class ContactSolver {
    * another, as when a body is hit from two sides, more rounds settle it; impulses never pull.
    * Warm-start impulses end here, as the points fly apart.
    */
-  void restitution(float[] v) {
+  void restitution() {
+    if (!anyBounces()) {
+      return;
+    }
     for (int round = 0; round < BOUNCE_ROUNDS; round++) {
-      for (int block = 0; block < blocks; block++) {
-        int end = bounces[block] ? block * LANES + used[block] : 0;
-        for (int lane = block * LANES; lane < end; lane++) {
-          bounce(lane, FIRST, BOUNCE_FIRST, v);
-          if (two[block]) {
-            bounce(lane, SECOND, BOUNCE_SECOND, v);
-          }
+      byColours(bouncing);
+    }
+    crew.run(0, blocks, SOLVE_AT_LEAST, bounceEnding);
+  }
+
+  private boolean anyBounces() {
+    for (int block = 0; block < blocks; block++) {
+      if (bounces[block]) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private void bounce(int from, int to) {
+    for (int block = from; block < to; block++) {
+      int end = bounces[block] ? block * LANES + used[block] : 0;
+      for (int lane = block * LANES; lane < end; lane++) {
+        bounce(lane, FIRST, BOUNCE_FIRST);
+        if (two[block]) {
+          bounce(lane, SECOND, BOUNCE_SECOND);
         }
       }
     }
-    for (int block = 0; block < blocks; block++) {
+  }
+
+  private void endBounces(int from, int to) {
+    for (int block = from; block < to; block++) {
       int end = bounces[block] ? block * LANES + used[block] : 0;
       for (int lane = block * LANES; lane < end; lane++) {
         endBounce(lane, FIRST, BOUNCE_FIRST);
@@ -862,7 +971,7 @@ final class ContactSolver {
     }
   }
 
-  private void bounce(int lane, int point, int speed, float[] v) {
+  private void bounce(int lane, int point, int speed) {
     float[] d = data;
     int at = lane / LANES * RECORD + lane % LANES;
     int more = lane / LANES * EXTRA + lane % LANES;
@@ -872,15 +981,15 @@ final class ContactSolver {
       return;
     }
     float pull = extra[more + PULL];
-    float square = bounce * bounce - 2 * pull * separation(lane, point, v);
+    float square = bounce * bounce - 2 * pull * separation(lane, point);
     float wanted = square > 0 ? (float) Math.sqrt(square) + 0.5f * h * pull : 0;
-    float impulse = (Math.max(wanted, 0) - normalSpeed(lane, point, v)) / d[p + YIELD];
+    float impulse = (Math.max(wanted, 0) - normalSpeed(lane, point)) / d[p + YIELD];
     impulse = Math.max(impulse, -d[p + NORMAL]);
     d[p + NORMAL] += impulse;
     d[p + TOTAL] += impulse;
-    apply(v, bodyA[lane], bodyB[lane], at, point, impulse * d[at + NX], impulse * d[at + NY]);
+    apply(bodyA[lane], bodyB[lane], at, point, impulse * d[at + NX], impulse * d[at + NY]);
     if (d[at + FRICTION] != 0 && isCentral(at, p)) {
-      rub(lane, point, more + speed, impulse, v);
+      rub(lane, point, more + speed, impulse);
     }
   }
 
@@ -899,7 +1008,7 @@ final class ContactSolver {
    * between discs: elsewhere friction changes the normal speed, and with Newton's restitution that
    * can add energy (Kane and Levinson, "Dynamics", 1985).
    */
-  private void rub(int lane, int point, int at, float impulse, float[] v) {
+  private void rub(int lane, int point, int at, float impulse) {
     float[] d = data;
     int contact = lane / LANES * RECORD + lane % LANES;
     int p = contact + point;
@@ -916,13 +1025,18 @@ final class ContactSolver {
     float sum = Math.max(-limit, Math.min(old - d[p + TANGENT_MASS] * vt, limit));
     extra[at + RUBBED] = sum;
     d[p + SLIDE] += sum - old;
-    apply(v, a, b, contact, point, (old - sum) * ny, (sum - old) * nx);
+    apply(a, b, contact, point, (old - sum) * ny, (sum - old) * nx);
   }
 
   /** Hands the impulses back to the table, but for those that overflowed. */
-  void store(ContactTable t) {
+  void store() {
+    crew.run(0, blocks, PACK_AT_LEAST, storing);
+  }
+
+  private void store(int from, int to) {
+    ContactTable t = table;
     float[] d = data;
-    for (int block = 0; block < blocks; block++) {
+    for (int block = from; block < to; block++) {
       for (int i = 0; i < used[block]; i++) {
         int at = block * RECORD + i;
         int r = row[block * LANES + i];

@@ -12,6 +12,7 @@ import carom.physics.geometry.Convex;
 import carom.physics.geometry.MassData;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
+import carom.physics.threads.Workers;
 import java.util.Arrays;
 
 /**
@@ -60,8 +61,9 @@ public final class Dynamics {
   private final ShapeTable parts = new ShapeTable();
   private final ContactTable contacts = new ContactTable();
   private final JointStore joints = new JointStore();
-  private final SolverBodies solverBodies = new SolverBodies();
-  private final ContactSolver solver = new ContactSolver(ContactLanes.find());
+  private final Crew crew = new Crew();
+  private final SolverBodies solverBodies = new SolverBodies(crew);
+  private final ContactSolver solver = new ContactSolver(ContactLanes.find(), crew);
   private final JointSolver jointSolver = new JointSolver();
   private final ContinuousCollision continuous;
   private final Collider collider = new Collider();
@@ -171,6 +173,15 @@ public final class Dynamics {
   public Dynamics(Settings settings) {
     this.settings = settings;
     continuous = new ContinuousCollision(this, settings, bodies, parts, contacts);
+  }
+
+  /**
+   * Has steps share their work, or no longer.
+   *
+   * @param workers null for the caller alone
+   */
+  public void workers(Workers workers) {
+    crew.hire(workers);
   }
 
   /**
@@ -1461,35 +1472,33 @@ public final class Dynamics {
     begins(StepStage.PREPARE);
     solverBodies.load(bodies, active, activeCount, settings, h);
     solver.prepare(contacts, bodies, solverBodies, activeIndex, settings, h);
-    float[] state = solverBodies.state;
-    int n = solver.blocks();
     begins(StepStage.JOINTS);
-    jointSolver.prepare(joints, bodies, activeIndex, settings, h, state);
+    jointSolver.prepare(joints, bodies, activeIndex, settings, h, solverBodies.state);
     int m = jointSolver.count();
     for (int i = 0; i < substeps; i++) {
       begins(StepStage.INTEGRATE);
-      solverBodies.integrateVelocities(h, settings.maxSpeed(), settings.maxAngularSpeed());
+      solverBodies.integrateVelocities();
       begins(StepStage.JOINTS);
       jointSolver.warmStart(0, m);
       begins(StepStage.WARM);
-      solver.warmStart(state, 0, n);
+      solver.warmStart();
       begins(StepStage.JOINTS);
       jointSolver.solve(0, m, true);
       begins(StepStage.SOLVE);
-      solver.solve(state, 0, n, true);
+      solver.push();
       begins(StepStage.INTEGRATE);
-      solverBodies.integratePositions(h);
+      solverBodies.integratePositions();
       begins(StepStage.JOINTS);
       jointSolver.solve(0, m, false);
       begins(StepStage.RELAX);
-      solver.solve(state, 0, n, false);
+      solver.relax();
     }
     begins(StepStage.BOUNCE);
-    solver.restitution(state);
+    solver.restitution();
     begins(StepStage.FINISH);
-    solver.store(contacts);
+    solver.store();
     jointSolver.store();
-    solverBodies.store(bodies, active, settings);
+    solverBodies.store();
   }
 
   /**

@@ -49,6 +49,28 @@ final class SolverBodies {
   private boolean explicit;
   private int count;
 
+  /** Bodies that are worth a piece of work for a worker. */
+  private static final int AT_LEAST = 256;
+
+  private final Crew crew;
+
+  // What the step is about.
+  private BodyStore bodies;
+  private int[] active;
+  private Settings settings;
+  private float h;
+
+  // The stages, made once so that a step allocates nothing.
+  private final Crew.Range loading = (from, to, worker) -> load(from, to);
+  private final Crew.Range accelerating = (from, to, worker) -> accelerate(from, to);
+  private final Crew.Range moving = (from, to, worker) -> move(from, to);
+  private final Crew.Range storing = (from, to, worker) -> store(from, to);
+
+  /** Makes it empty; the crew does the stages. */
+  SolverBodies(Crew crew) {
+    this.crew = crew;
+  }
+
   /** Slots in use, the static one included. */
   int count() {
     return count;
@@ -63,7 +85,11 @@ final class SolverBodies {
   }
 
   /** Loads the moving bodies, speeds above the limits cut; their forces are used up. */
-  void load(BodyStore b, int[] active, int activeCount, Settings s, float h) {
+  void load(BodyStore b, int[] activeBodies, int activeCount, Settings s, float substep) {
+    bodies = b;
+    active = activeBodies;
+    settings = s;
+    h = substep;
     count = activeCount + 1;
     if (ax.length < count) {
       int capacity = Math.max(count, ax.length * 2);
@@ -82,7 +108,13 @@ final class SolverBodies {
     }
     Arrays.fill(state, 0, STRIDE, 0);
     state[COS] = 1;
-    for (int i = 1; i < count; i++) {
+    crew.run(1, count, AT_LEAST, loading);
+  }
+
+  private void load(int from, int to) {
+    BodyStore b = bodies;
+    Settings s = settings;
+    for (int i = from; i < to; i++) {
       int body = active[i - 1];
       int at = i * STRIDE;
       boolean dynamic = b.type[body] == BodyStore.DYNAMIC;
@@ -121,20 +153,26 @@ final class SolverBodies {
    * any rate. Speeds above the limits are cut; what isn't a number becomes zero, so that one broken
    * body stays one.
    */
-  void integrateVelocities(float h, float maxSpeed, float maxSpin) {
-    float[] s = state;
+  void integrateVelocities() {
     if (explicit) {
-      System.arraycopy(s, 0, before, 0, count * STRIDE);
+      System.arraycopy(state, 0, before, 0, count * STRIDE);
     }
-    for (int i = 1; i < count; i++) {
+    crew.run(1, count, AT_LEAST, accelerating);
+    if (explicit) {
+      System.arraycopy(state, 0, free, 0, count * STRIDE);
+    }
+  }
+
+  private void accelerate(int from, int to) {
+    float[] s = state;
+    float maxSpeed = settings.maxSpeed();
+    float maxSpin = settings.maxAngularSpeed();
+    for (int i = from; i < to; i++) {
       int at = i * STRIDE;
       s[at + VX] = (s[at + VX] + h * ax[i]) * keep[i];
       s[at + VY] = (s[at + VY] + h * ay[i]) * keep[i];
       s[at + W] = (s[at + W] + h * aw[i]) * keepW[i];
       limit(s, at, maxSpeed, maxSpin);
-    }
-    if (explicit) {
-      System.arraycopy(s, 0, free, 0, count * STRIDE);
     }
   }
 
@@ -143,9 +181,9 @@ final class SolverBodies {
    * what constraints changed since. Constraints so act on positions at once; else what overlaps
    * would never be pushed apart.
    */
-  void integratePositions(float h) {
+  void integratePositions() {
     if (!explicit) {
-      move(h);
+      crew.run(1, count, AT_LEAST, moving);
       return;
     }
     float[] s = state;
@@ -155,7 +193,7 @@ final class SolverBodies {
       s[at + VY] = before[at + VY] + (solved[at + VY] - free[at + VY]);
       s[at + W] = before[at + W] + (solved[at + W] - free[at + W]);
     }
-    move(h);
+    crew.run(1, count, AT_LEAST, moving);
     for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
       s[at + VX] = finite(solved[at + VX]);
       s[at + VY] = finite(solved[at + VY]);
@@ -189,9 +227,9 @@ final class SolverBodies {
    * <p>Constraints that were torn far apart may ask for any speed here; what is absurd or not a
    * number is cut, so that it never gets into a pose.
    */
-  private void move(float h) {
+  private void move(int from, int to) {
     float[] s = state;
-    for (int i = 1; i < count; i++) {
+    for (int i = from; i < to; i++) {
       int at = i * STRIDE;
       float moveX = h * s[at + VX];
       float moveY = h * s[at + VY];
@@ -227,9 +265,15 @@ final class SolverBodies {
    * Writes velocities, speeds above the limits cut, and poses back. A body at the edge of the world
    * stops there.
    */
-  void store(BodyStore b, int[] active, Settings limits) {
+  void store() {
+    crew.run(1, count, AT_LEAST, storing);
+  }
+
+  private void store(int from, int to) {
+    BodyStore b = bodies;
+    Settings limits = settings;
     float[] s = state;
-    for (int i = 1; i < count; i++) {
+    for (int i = from; i < to; i++) {
       int body = active[i - 1];
       int at = i * STRIDE;
       limit(s, at, limits.maxSpeed(), limits.maxAngularSpeed());

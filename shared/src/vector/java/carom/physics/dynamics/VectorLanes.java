@@ -83,7 +83,8 @@ final class VectorLanes extends ContactLanes {
   /** Softness that both points share. */
   private static final int YIELDS_CROSS = CHANGE + 2 * LANES;
 
-  private final float[] scratch = new float[YIELDS_CROSS + LANES];
+  /** And room behind, so that no two workers' arrays share a line of the cache. */
+  private static final int SCRATCH = YIELDS_CROSS + 3 * LANES;
 
   /** Loaded by name, see { link ContactLanes#find}. */
   VectorLanes() {
@@ -93,9 +94,13 @@ final class VectorLanes extends ContactLanes {
   }
 
   @Override
-  void push(ContactSolver solver, float[] v, int block) {
+  int scratchSize() {
+    return SCRATCH;
+  }
+
+  @Override
+  void push(ContactSolver solver, float[] v, float[] s, int block) {
     float[] d = solver.data;
-    float[] s = scratch;
     int at = block * RECORD;
     gather(s, v, solver.bodyA, solver.bodyB, block * LANES);
     friction(s, d, at, FIRST);
@@ -108,13 +113,12 @@ final class VectorLanes extends ContactLanes {
     } else {
       normal(s, d, at);
     }
-    scatter(s, v, solver.bodyA, solver.bodyB, block * LANES);
+    scatter(s, v, solver, block);
   }
 
   @Override
-  void relax(ContactSolver solver, float[] v, int block) {
+  void relax(ContactSolver solver, float[] v, float[] s, int block) {
     float[] d = solver.data;
-    float[] s = scratch;
     int at = block * RECORD;
     gather(s, v, solver.bodyA, solver.bodyB, block * LANES);
     gatherMotion(s, v, solver.bodyA, solver.bodyB, block * LANES);
@@ -131,12 +135,11 @@ final class VectorLanes extends ContactLanes {
       friction(s, d, at, FIRST);
     }
     addUp(d, at + FIRST);
-    scatter(s, v, solver.bodyA, solver.bodyB, block * LANES);
+    scatter(s, v, solver, block);
   }
 
   @Override
-  void warmStart(ContactSolver solver, float[] v, int block) {
-    float[] s = scratch;
+  void warmStart(ContactSolver solver, float[] v, float[] s, int block) {
     int at = block * RECORD;
     gather(s, v, solver.bodyA, solver.bodyB, block * LANES);
     warm(s, solver.data, at, at + FIRST);
@@ -145,7 +148,7 @@ final class VectorLanes extends ContactLanes {
       warm(s, solver.data, at, at + SECOND);
       apply(s, solver.data, at, at + SECOND);
     }
-    scatter(s, v, solver.bodyA, solver.bodyB, block * LANES);
+    scatter(s, v, solver, block);
   }
 
   private static void gather(float[] s, float[] v, int[] bodyA, int[] bodyB, int lane) {
@@ -174,7 +177,15 @@ final class VectorLanes extends ContactLanes {
     }
   }
 
-  private static void scatter(float[] s, float[] v, int[] bodyA, int[] bodyB, int lane) {
+  private static void scatter(float[] s, float[] v, ContactSolver solver, int block) {
+    if (solver.fixed[block]) {
+      scatterMoved(s, v, solver, block);
+    } else {
+      scatterBoth(s, v, solver.bodyA, solver.bodyB, block * LANES);
+    }
+  }
+
+  private static void scatterBoth(float[] s, float[] v, int[] bodyA, int[] bodyB, int lane) {
     for (int i = 0; i < LANES; i++) {
       int a = bodyA[lane + i];
       int b = bodyB[lane + i];
@@ -184,6 +195,25 @@ final class VectorLanes extends ContactLanes {
       v[b + SolverBodies.VX] = s[VBX + i];
       v[b + SolverBodies.VY] = s[VBY + i];
       v[b + SolverBodies.W] = s[WB + i];
+    }
+  }
+
+  /** Writes nothing to bodies that can't be moved: other workers may be reading them. */
+  private static void scatterMoved(float[] s, float[] v, ContactSolver solver, int block) {
+    float[] d = solver.data;
+    for (int i = 0; i < LANES; i++) {
+      int a = solver.bodyA[block * LANES + i];
+      int b = solver.bodyB[block * LANES + i];
+      if (d[block * RECORD + MASS_A + i] != 0) {
+        v[a + SolverBodies.VX] = s[VAX + i];
+        v[a + SolverBodies.VY] = s[VAY + i];
+        v[a + SolverBodies.W] = s[WA + i];
+      }
+      if (d[block * RECORD + MASS_B + i] != 0) {
+        v[b + SolverBodies.VX] = s[VBX + i];
+        v[b + SolverBodies.VY] = s[VBY + i];
+        v[b + SolverBodies.W] = s[WB + i];
+      }
     }
   }
 

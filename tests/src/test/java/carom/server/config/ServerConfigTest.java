@@ -25,6 +25,8 @@ class ServerConfigTest {
     assertThrows(IllegalArgumentException.class, () -> c.withRooms(0));
     assertThrows(IllegalArgumentException.class, () -> c.withRooms(65));
     assertThrows(IllegalArgumentException.class, () -> c.withRooms(64).withMaxPlayers(65));
+    assertThrows(IllegalArgumentException.class, () -> c.withThreads(0));
+    assertThrows(IllegalArgumentException.class, () -> c.withThreads(65));
     assertThrows(IllegalArgumentException.class, () -> c.withMaxPlayers(257));
     assertThrows(IllegalArgumentException.class, () -> c.withHandshakeTimeoutMs(0));
     assertThrows(IllegalArgumentException.class, () -> c.withLoadTimeoutMs(0));

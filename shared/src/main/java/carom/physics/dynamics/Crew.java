@@ -1,0 +1,71 @@
+package carom.physics.dynamics;
+
+import carom.physics.threads.Workers;
+
+/**
+ * Cuts a stage of the step into pieces for a world's {@link Workers}, or does it at once where
+ * there are none or too little is to do.
+ */
+final class Crew implements Workers.Task {
+  /** Pieces per worker: a few, so that who is held up leaves some to the others. */
+  private static final int PIECES = 4;
+
+  private Workers workers;
+  private int count = 1;
+
+  // The run at hand.
+  private Range range;
+  private int begin;
+  private int size;
+  private int pieces;
+
+  /** A stage that can be done for a part of its elements. */
+  @FunctionalInterface
+  interface Range {
+    /**
+     * Does it.
+     *
+     * @param from first element
+     * @param to behind the last
+     * @param worker number below {@link #count} that chooses scratch memory
+     */
+    void run(int from, int to, int worker);
+  }
+
+  /** Hires, or lets go with null. */
+  void hire(Workers hired) {
+    workers = hired;
+    count = hired == null ? 1 : hired.count();
+  }
+
+  /** Threads, the caller included. */
+  int count() {
+    return count;
+  }
+
+  /**
+   * Does a stage whose elements touch nothing in common.
+   *
+   * @param least how many elements are worth a piece: some microseconds of work
+   */
+  void run(int from, int to, int least, Range stage) {
+    size = to - from;
+    pieces = Math.min(size / least, PIECES * count);
+    if (count == 1 || pieces < 2) {
+      if (size > 0) {
+        stage.run(from, to, 0);
+      }
+      return;
+    }
+    begin = from;
+    range = stage;
+    workers.run(pieces, this);
+  }
+
+  @Override
+  public void run(int task, int worker) {
+    int from = (int) ((long) size * task / pieces);
+    int to = (int) ((long) size * (task + 1) / pieces);
+    range.run(begin + from, begin + to, worker);
+  }
+}

@@ -1,0 +1,43 @@
+package carom.physics.threads;
+
+/**
+ * Threads that carry out parts of a step side by side; given to a world by {@code World.workers}.
+ * The engine makes no threads and decides nothing by them: tasks of one run touch nothing in
+ * common, so every result is the same, bit for bit, for any number of workers and whoever does
+ * which task when.
+ *
+ * <p>A step makes some hundred runs, most of a few microseconds: an implementation should keep its
+ * threads spinning for a while between two runs. {@link WorkerThreads} is one.
+ */
+public interface Workers {
+  /**
+   * How many threads may carry out tasks at once.
+   *
+   * @return the caller included, at least 1; always the same
+   */
+  int count();
+
+  /**
+   * Carries out every task once, on the calling thread and perhaps on others, in any order, and
+   * returns when all are done. What the caller wrote before is visible to the tasks, and what they
+   * wrote is visible to the caller afterwards. Must not allocate, and isn't called by tasks.
+   *
+   * @param tasks their number, at least 0
+   * @param task what to do for each
+   * @throws RuntimeException what one of the tasks threw, after all have ended; likewise errors
+   */
+  void run(int tasks, Task task);
+
+  /** A piece of work that consists of independent tasks. */
+  @FunctionalInterface
+  interface Task {
+    /**
+     * Carries out one of them.
+     *
+     * @param task which, from 0
+     * @param worker which thread this is, 0 to {@link Workers#count} - 1, 0 being the caller; no
+     *     two at once have the same, so it may choose scratch memory, but nothing that shows
+     */
+    void run(int task, int worker);
+  }
+}

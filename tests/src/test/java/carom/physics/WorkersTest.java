@@ -1,0 +1,219 @@
+package carom.physics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.physics.threads.WorkerThreads;
+import carom.physics.threads.Workers;
+import carom.sim.scene.BenchmarkScenes;
+import carom.sim.scene.Scene;
+import carom.sim.scene.SceneRun;
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** A step that is shared by threads gives the bits of one that isn't. */
+final class WorkersTest {
+  private static final int STEPS = 40;
+
+  /** Scenes in which every stage has enough to share. */
+  private enum Busy {
+    PYRAMID(BenchmarkScenes.pyramid(45)),
+    PILE(BenchmarkScenes.pile(1200, 25, 16)),
+    TUMBLER(BenchmarkScenes.tumbler(30)),
+    SMASH(BenchmarkScenes.smash(60, 20)),
+    GAS(BenchmarkScenes.gas(2000)),
+    NET(BenchmarkScenes.jointGrid(40)),
+    SLEEPY(BenchmarkScenes.pile(900, 25, 16).with(new WorldDef()));
+
+    private final Scene scene;
+
+    Busy(Scene scene) {
+      this.scene = scene;
+    }
+
+    /** Hash of every tenth state. */
+    String run(Workers workers) {
+      SceneRun run = scene.start();
+      run.world().workers(workers);
+      StringBuilder hashes = new StringBuilder();
+      for (int i = 1; i <= STEPS; i++) {
+        run.step();
+        if (i % 10 == 0) {
+          hashes.append(Long.toHexString(run.world().stateHash())).append(' ');
+        }
+      }
+      return hashes.toString();
+    }
+  }
+
+  /** One thread that does the tasks in an order of its own, as many workers might. */
+  private static final class Shuffled implements Workers {
+    private final int count;
+    private int runs;
+
+    Shuffled(int count) {
+      this.count = count;
+    }
+
+    @Override
+    public int count() {
+      return count;
+    }
+
+    @Override
+    public void run(int tasks, Task task) {
+      Scenes.Rng r = new Scenes.Rng(runs++);
+      int[] order = new int[tasks];
+      for (int i = 0; i < tasks; i++) {
+        int j = r.below(i + 1);
+        order[i] = order[j];
+        order[j] = i;
+      }
+      for (int i : order) {
+        task.run(i, r.below(count));
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource(Busy.class)
+  void anyOrderOfTheTasksGivesTheSameBits(Busy busy) {
+    String alone = busy.run(null);
+    Shuffled two = new Shuffled(2);
+    assertEquals(alone, busy.run(two));
+    assertEquals(alone, busy.run(new Shuffled(7)));
+    assertTrue(two.runs > STEPS, "nothing was shared");
+  }
+
+  @ParameterizedTest
+  @EnumSource(Busy.class)
+  void twoAndThreeThreadsGiveTheSameBits(Busy busy) {
+    String alone = busy.run(null);
+    try (WorkerThreads two = new WorkerThreads(2);
+        WorkerThreads three = new WorkerThreads(3)) {
+      assertEquals(alone, busy.run(two));
+      assertEquals(alone, busy.run(three));
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource(GoldenScenes.class)
+  void goldenScenesGiveTheSameBits(GoldenScenes golden) {
+    World<String> alone = golden.start();
+    World<String> shared = golden.start();
+    try (WorkerThreads workers = new WorkerThreads(2)) {
+      shared.workers(workers);
+      for (int i = 0; i < 100; i++) {
+        golden.step(alone, i);
+        golden.step(shared, i);
+        if (i == 50) {
+          WorldState state = shared.save(null);
+          shared.restore(state);
+        }
+      }
+      assertEquals(alone.stateHash(), shared.stateHash());
+    }
+  }
+
+  @Test
+  void smallWorldsAreSteppedByTheCallerAlone() {
+    World<String> w = Scenes.stack(10);
+    w.workers(
+        new Workers() {
+          @Override
+          public int count() {
+            return 2;
+          }
+
+          @Override
+          public void run(int tasks, Task task) {
+            throw new AssertionError("a world of ten boxes was shared");
+          }
+        });
+    Scenes.steps(w, 30);
+  }
+
+  @Test
+  void whatAWorkerThrowsLeavesTheStep() {
+    SceneRun run = Busy.PYRAMID.scene.start();
+    IllegalStateException thrown = new IllegalStateException("as planned");
+    run.world()
+        .workers(
+            new Workers() {
+              @Override
+              public int count() {
+                return 2;
+              }
+
+              @Override
+              public void run(int tasks, Task task) {
+                throw thrown;
+              }
+            });
+    assertSame(thrown, assertThrows(IllegalStateException.class, run::step));
+  }
+
+  @Test
+  void workersMayComeAndGo() {
+    SceneRun alone = Busy.PILE.scene.start();
+    SceneRun shared = Busy.PILE.scene.start();
+    try (WorkerThreads workers = new WorkerThreads(2)) {
+      for (int i = 0; i < STEPS; i++) {
+        shared.world().workers(i % 3 == 0 ? workers : null);
+        alone.step();
+        shared.step();
+      }
+    }
+    assertEquals(alone.world().stateHash(), shared.world().stateHash());
+  }
+
+  @Test
+  void callbacksStayOnTheCallingThread() {
+    SceneRun run = Busy.PILE.scene.start();
+    Thread me = Thread.currentThread();
+    int[] heard = {0};
+    run.world()
+        .listener(
+            new CollisionListener<>() {
+              @Override
+              public void postSolve(Collision<String> c) {
+                assertSame(me, Thread.currentThread());
+                heard[0]++;
+              }
+            });
+    try (WorkerThreads workers = new WorkerThreads(2)) {
+      run.world().workers(workers);
+      for (int i = 0; i < STEPS; i++) {
+        run.step();
+      }
+    }
+    assertTrue(heard[0] > 0);
+  }
+
+  @Test
+  void aSharedStepAllocatesNothing() {
+    ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    long me = Thread.currentThread().getId();
+    SceneRun run = Busy.PYRAMID.scene.start();
+    try (WorkerThreads workers = new WorkerThreads(2)) {
+      run.world().workers(workers);
+      for (int i = 0; i < 300; i++) {
+        run.step();
+      }
+      long least = Long.MAX_VALUE;
+      for (int attempt = 0; attempt < 50 && least > 200; attempt++) { // vectors until compiled
+        long before = threads.getThreadAllocatedBytes(me);
+        for (int i = 0; i < 30; i++) {
+          run.step();
+        }
+        least = Math.min(least, threads.getThreadAllocatedBytes(me) - before);
+      }
+      assertTrue(least < 200, "bytes in 30 steps: " + least);
+    }
+  }
+}

@@ -1,0 +1,245 @@
+package carom.physics.threads;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import java.util.Arrays;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicIntegerArray;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Every task once, whoever does it. */
+final class WorkerThreadsTest {
+  @ParameterizedTest
+  @ValueSource(ints = {1, 2, 3, 5})
+  void everyTaskIsDoneOnceAndSeenByTheCaller(int count) {
+    try (WorkerThreads workers = new WorkerThreads(count)) {
+      assertEquals(count, workers.count());
+      for (int tasks : new int[] {0, 1, 2, 3, 7, 64, 1023, 1024, 1025, 5000}) {
+        for (int round = 1; round <= 50; round++) {
+          int[] done = new int[tasks]; // plain memory: run must order it
+          workers.run(tasks, (task, worker) -> done[task]++);
+          int[] once = new int[tasks];
+          Arrays.fill(once, 1);
+          assertArrayEquals(once, done, "tasks=" + tasks);
+        }
+      }
+    }
+  }
+
+  @Test
+  void whatOneRunWroteTheNextOneReads() {
+    try (WorkerThreads workers = new WorkerThreads(3)) {
+      int size = 60;
+      long[][] rows = new long[2][size];
+      Arrays.setAll(rows[0], i -> i);
+      for (int round = 0; round < 20_000; round++) {
+        long[] from = rows[round & 1];
+        long[] to = rows[1 - (round & 1)];
+        workers.run(
+            size, (i, worker) -> to[i] = from[(i + 1) % size] * 31 + from[(i + size - 1) % size]);
+      }
+      long[][] alone = new long[2][size];
+      Arrays.setAll(alone[0], i -> i);
+      for (int round = 0; round < 20_000; round++) {
+        for (int i = 0; i < size; i++) {
+          alone[1 - (round & 1)][i] =
+              alone[round & 1][(i + 1) % size] * 31 + alone[round & 1][(i + size - 1) % size];
+        }
+      }
+      assertArrayEquals(alone[0], rows[0]);
+    }
+  }
+
+  @Test
+  void noTwoTasksAtOnceHaveTheSameWorker() {
+    try (WorkerThreads workers = new WorkerThreads(3)) {
+      AtomicIntegerArray busy = new AtomicIntegerArray(3);
+      AtomicInteger clashes = new AtomicInteger();
+      for (int round = 0; round < 2000; round++) {
+        workers.run(
+            30,
+            (task, worker) -> {
+              if (busy.incrementAndGet(worker) > 1) {
+                clashes.incrementAndGet();
+              }
+              busy.decrementAndGet(worker);
+            });
+      }
+      assertEquals(0, clashes.get());
+    }
+  }
+
+  /** Both tasks must be under way before either may end. */
+  @Test
+  void threadsHelp() {
+    try (WorkerThreads workers = new WorkerThreads(2)) {
+      CountDownLatch both = new CountDownLatch(2);
+      Thread[] who = new Thread[2];
+      workers.run(
+          2,
+          (task, worker) -> {
+            who[task] = Thread.currentThread();
+            both.countDown();
+            awaitQuietly(both);
+          });
+      assertFalse(who[0] == who[1]);
+      assertTrue(who[0] == Thread.currentThread() || who[1] == Thread.currentThread());
+    }
+  }
+
+  @Test
+  void parkedThreadsWakeAndParkedCallersToo() throws InterruptedException {
+    try (WorkerThreads workers = new WorkerThreads(2)) {
+      for (int round = 0; round < 20; round++) {
+        Thread.sleep(2);
+        CountDownLatch both = new CountDownLatch(2);
+        workers.run(
+            2,
+            (task, worker) -> {
+              both.countDown();
+              awaitQuietly(both);
+              if (worker == 1) {
+                sleepQuietly();
+              }
+            });
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {0, 40, 79})
+  void anExceptionSurfacesAfterAllTasksHaveEnded(int bad) {
+    try (WorkerThreads workers = new WorkerThreads(2)) {
+      IllegalStateException thrown = new IllegalStateException("as planned");
+      AtomicInteger begun = new AtomicInteger();
+      AtomicInteger ended = new AtomicInteger();
+      IllegalStateException caught =
+          assertThrows(
+              IllegalStateException.class,
+              () ->
+                  workers.run(
+                      80,
+                      (task, worker) -> {
+                        begun.incrementAndGet();
+                        if (task == bad) {
+                          throw thrown;
+                        }
+                        ended.incrementAndGet();
+                      }));
+      assertSame(thrown, caught);
+      assertEquals(80, begun.get());
+      assertEquals(79, ended.get());
+      AtomicInteger after = new AtomicInteger();
+      workers.run(80, (task, worker) -> after.incrementAndGet());
+      assertEquals(80, after.get());
+    }
+  }
+
+  @Test
+  void anErrorSurfaces() {
+    try (WorkerThreads workers = new WorkerThreads(2)) {
+      assertThrows(
+          StackOverflowError.class,
+          () ->
+              workers.run(
+                  9,
+                  (task, worker) -> {
+                    throw new StackOverflowError();
+                  }));
+    }
+  }
+
+  /** The second caller finds the threads busy and does its tasks alone. */
+  @Test
+  void callersShare() throws InterruptedException {
+    try (WorkerThreads workers = new WorkerThreads(2)) {
+      AtomicInteger wrong = new AtomicInteger();
+      Runnable caller =
+          () -> {
+            for (int round = 0; round < 5000; round++) {
+              int[] done = new int[8];
+              workers.run(8, (task, worker) -> done[task]++);
+              for (int d : done) {
+                wrong.addAndGet(d - 1);
+              }
+            }
+          };
+      Thread other = new Thread(caller);
+      other.start();
+      caller.run();
+      other.join();
+      assertEquals(0, wrong.get());
+    }
+  }
+
+  @Test
+  void afterClosingTheCallerIsAlone() {
+    WorkerThreads workers = new WorkerThreads(3);
+    workers.close();
+    Thread me = Thread.currentThread();
+    int[] done = {0};
+    workers.run(
+        100,
+        (task, worker) -> {
+          assertSame(me, Thread.currentThread());
+          assertEquals(0, worker);
+          done[0]++;
+        });
+    assertEquals(100, done[0]);
+    workers.close();
+  }
+
+  @Test
+  void runsAllocateNothing() {
+    ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    long me = Thread.currentThread().getId();
+    int[] done = new int[64];
+    Workers.Task task = (i, worker) -> done[i]++;
+    try (WorkerThreads workers = new WorkerThreads(2)) {
+      for (int i = 0; i < 2000; i++) {
+        workers.run(64, task);
+      }
+      long before = threads.getThreadAllocatedBytes(me);
+      for (int i = 0; i < 2000; i++) {
+        workers.run(64, task);
+      }
+      assertTrue(threads.getThreadAllocatedBytes(me) - before < 2000);
+    }
+  }
+
+  @Test
+  void countHasLimits() {
+    IllegalArgumentException e =
+        assertThrows(IllegalArgumentException.class, () -> new WorkerThreads(0));
+    assertEquals(
+        "count=0 is outside 1..64; it is the number of threads, the caller included",
+        e.getMessage());
+    assertThrows(IllegalArgumentException.class, () -> new WorkerThreads(65));
+  }
+
+  private static void awaitQuietly(CountDownLatch latch) {
+    try {
+      latch.await();
+    } catch (InterruptedException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  private static void sleepQuietly() {
+    try {
+      Thread.sleep(2);
+    } catch (InterruptedException e) {
+      throw new AssertionError(e);
+    }
+  }
+}
