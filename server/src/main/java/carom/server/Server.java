@@ -5,10 +5,14 @@ import carom.net.transport.ServerTransport;
 import carom.physics.threads.WorkerThreads;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
+import carom.server.recording.RecordingFile;
 import carom.server.room.Room;
 import carom.server.session.Seats;
 import carom.sim.Game;
 import carom.sim.Level;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.util.ArrayList;
 import java.util.List;
@@ -51,6 +55,7 @@ public final class Server implements AutoCloseable {
   private final List<Room> rooms;
   private final Lobby lobby;
   private final StatusLine status;
+  private final List<RecordingFile> recordings = new ArrayList<>();
   private final List<Worker> workers = new ArrayList<>();
   private final CountDownLatch ended = new CountDownLatch(1);
   private long nextStatusNs;
@@ -90,6 +95,29 @@ public final class Server implements AutoCloseable {
     this.rooms = List.copyOf(built);
     this.lobby = new Lobby(config, transport, rooms, level, random::nextLong);
     this.status = new StatusLine(rooms, config, clock.getAsLong());
+  }
+
+  /**
+   * Records every room from its first tick on; before the first {@link #tick} or {@link #start}.
+   *
+   * @param target a file that is not there yet, or a folder, which then gets one file for each room
+   * @return the files
+   * @throws IOException when a file can't be created
+   * @throws IllegalArgumentException when the target is a file and there are several rooms
+   */
+  public List<Path> record(Path target) throws IOException {
+    if (rooms.size() > 1 && !Files.isDirectory(target)) {
+      throw new IllegalArgumentException(
+          "target=" + target + " is no folder; rooms=" + rooms.size() + " need one");
+    }
+    for (Room room : rooms) {
+      int number = rooms.size() == 1 ? 0 : room.number();
+      RecordingFile file =
+          new RecordingFile(RecordingFile.fileFor(target, config.gameName(), number));
+      recordings.add(file);
+      room.record(file);
+    }
+    return recordings.stream().map(RecordingFile::path).toList();
   }
 
   /**
@@ -262,6 +290,7 @@ public final class Server implements AutoCloseable {
     if (helpers != null) {
       helpers.close();
     }
+    recordings.forEach(RecordingFile::close);
     transport.close();
     ended.countDown();
   }

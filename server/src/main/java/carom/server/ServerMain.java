@@ -21,10 +21,12 @@ import carom.sim.scene.SceneRun;
 import carom.sim.scene.Scenes;
 import ch.qos.logback.classic.LoggerContext;
 import java.io.Console;
+import java.io.IOException;
 import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -171,6 +173,14 @@ public final class ServerMain implements Callable<Integer> {
           "Seconds the body of a player who lost the connection waits, 0..600 (${DEFAULT-VALUE}).")
   private int graceS;
 
+  @Option(
+      names = "--record",
+      paramLabel = "FILE",
+      description =
+          "Record the game to this new file, or to a new file in this folder; 'carom replay FILE'"
+              + " computes it again.")
+  private Path record;
+
   @Mixin private final NetworkConditions network = new NetworkConditions();
 
   @Option(
@@ -306,6 +316,9 @@ public final class ServerMain implements Callable<Integer> {
     requireRange("--tcp-port", tcpPort, MAX_PORT);
     requireRange("--udp-port", udpPort, MAX_PORT);
     requireRange("--grace", graceS, MAX_GRACE_S);
+    if (record != null && rooms > 1 && !Files.isDirectory(record)) {
+      throw bad("--record=" + record + " is no folder; --rooms=" + rooms + " need one");
+    }
     if (network.problem() != null) {
       throw bad(network.problem());
     }
@@ -349,7 +362,21 @@ public final class ServerMain implements Callable<Integer> {
           new ImpairedServerTransport(
               transport, network.impairment(), new KryoMessageCodec(), System::nanoTime);
     }
-    return run(new Server(config, games, chosenLevel, transport, System::nanoTime), logging);
+    Server server = new Server(config, games, chosenLevel, transport, System::nanoTime);
+    if (record != null) {
+      try {
+        server.record(record).forEach(file -> log.info("recording: {}", file));
+      } catch (FileAlreadyExistsException e) {
+        server.close();
+        logging.stop();
+        throw bad("--record=" + record + " is there already; name a new file or a folder");
+      } catch (IOException e) {
+        server.close();
+        logging.stop();
+        return refuse("--record=" + record + " can't be written: " + e, FAILED);
+      }
+    }
+    return run(server, logging);
   }
 
   private int run(Server server, LoggerContext logging) throws InterruptedException {

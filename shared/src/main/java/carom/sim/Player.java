@@ -8,11 +8,18 @@ public final class Player {
   /** Ints of {@link #memory}. */
   public static final int MEMORY_SIZE = 4;
 
+  /** Parts of a tick in which {@link #viewDelay} counts. */
+  public static final int VIEW_STEPS = 16;
+
+  /** Largest {@link #viewDelay}: 255 ticks. */
+  public static final int MAX_VIEW_DELAY = 255 * VIEW_STEPS;
+
   private final Simulation simulation;
   private final int id;
   private final String name;
   private final Input input = new Input();
   private final int[] memory = new int[MEMORY_SIZE];
+  private int viewDelay;
   private int score;
   private int team;
   Entity body;
@@ -41,6 +48,20 @@ public final class Player {
   /** The commands for the next step; whoever drives the simulation sets them before each step. */
   public Input input() {
     return input;
+  }
+
+  /**
+   * How old the picture of the others is that the player acts upon, in 1/{@value #VIEW_STEPS} of a
+   * tick behind the tick that the input is for: what travels from the server and waits to be
+   * interpolated on the client, and how far the client's inputs run ahead. Part of the input.
+   */
+  public int viewDelay() {
+    return viewDelay;
+  }
+
+  /** Sets how old the picture is; whoever drives the simulation does, clamped to 0..255 ticks. */
+  public void viewDelay(int steps) {
+    viewDelay = Math.max(0, Math.min(MAX_VIEW_DELAY, steps));
   }
 
   /**
@@ -82,10 +103,11 @@ public final class Player {
     team = value;
   }
 
-  void restore(int savedScore, int savedTeam, long savedInput) {
+  void restore(int savedScore, int savedTeam, long savedInput, int savedViewDelay) {
     score = savedScore;
     team = savedTeam;
     input.unpack(savedInput);
+    viewDelay = savedViewDelay;
   }
 
   @Override

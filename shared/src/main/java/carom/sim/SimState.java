@@ -18,6 +18,7 @@ public final class SimState {
   final int[] scores = new int[Simulation.MAX_PLAYERS];
   final int[] teams = new int[Simulation.MAX_PLAYERS];
   final long[] inputs = new long[Simulation.MAX_PLAYERS];
+  final int[] viewDelays = new int[Simulation.MAX_PLAYERS];
   final int[] playerMemory = new int[Simulation.MAX_PLAYERS * Player.MEMORY_SIZE];
   int entityCount;
   int entityCapacity;

@@ -66,6 +66,7 @@ public final class Simulation {
   private int tick;
   private long droppedNotices;
   private boolean stepping;
+  private Journal journal;
 
   /**
    * Builds the level and sets the game up, up to tick 0.
@@ -113,6 +114,15 @@ public final class Simulation {
     }
     game.setUp(this);
     archetypes.close();
+  }
+
+  /**
+   * Sets who hears what enters from now on; not part of the state.
+   *
+   * @param newJournal null for nobody
+   */
+  public void journal(Journal newJournal) {
+    journal = newJournal;
   }
 
   /** The physics. */
@@ -351,6 +361,9 @@ public final class Simulation {
     if (id < 0 || id >= MAX_PLAYERS || players[id] != null) {
       throw new IllegalStateException("player id=" + id + " is taken or outside 0..255");
     }
+    if (journal != null) {
+      journal.joining(this, id, name);
+    }
     Player player = newPlayer(id, name);
     game.join(this, player);
     return player;
@@ -377,6 +390,9 @@ public final class Simulation {
     int id = player.id();
     if (players[id] != player) {
       return;
+    }
+    if (journal != null) {
+      journal.leaving(this, id);
     }
     if (role == Role.AUTHORITY) {
       game.leave(this, player);
@@ -421,8 +437,13 @@ public final class Simulation {
     return droppedNotices;
   }
 
-  /** Computes the next tick from each player's {@link Player#input}. */
+  /**
+   * Computes the next tick from each player's {@link Player#input} and {@link Player#viewDelay}.
+   */
   public void step() {
+    if (journal != null) {
+      journal.stepping(this);
+    }
     tick++;
     movePaths();
     if (role == Role.AUTHORITY) {
@@ -443,6 +464,9 @@ public final class Simulation {
     if (role == Role.AUTHORITY) {
       game.afterStep(this);
     }
+    if (journal != null) {
+      journal.stepped(this);
+    }
   }
 
   /**
@@ -461,7 +485,7 @@ public final class Simulation {
       if (p != null) {
         h = mix(h, ((long) i << 32) | ((p.body == null ? -1 : p.body.id()) & 0xffffffffL));
         h = mix(h, ((long) p.score() << 32) | (p.team() & 0xffffffffL));
-        h = mix(h, p.input().pack());
+        h = mix(h, p.input().pack() | (long) p.viewDelay() << Input.PACKED_BITS);
         for (int value : p.memory()) {
           h = mix(h, value);
         }
@@ -504,6 +528,7 @@ public final class Simulation {
         s.scores[i] = p.score();
         s.teams[i] = p.team();
         s.inputs[i] = p.input().pack();
+        s.viewDelays[i] = p.viewDelay();
         System.arraycopy(p.memory(), 0, s.playerMemory, i * Player.MEMORY_SIZE, Player.MEMORY_SIZE);
       }
     }
@@ -543,7 +568,7 @@ public final class Simulation {
       players[i] = p;
       if (p != null) {
         p.body = s.bodies[i];
-        p.restore(s.scores[i], s.teams[i], s.inputs[i]);
+        p.restore(s.scores[i], s.teams[i], s.inputs[i], s.viewDelays[i]);
         System.arraycopy(s.playerMemory, i * Player.MEMORY_SIZE, p.memory(), 0, Player.MEMORY_SIZE);
       }
     }

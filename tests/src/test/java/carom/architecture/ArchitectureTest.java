@@ -36,7 +36,9 @@ final class ArchitectureTest {
           .importPackages("carom");
 
   /** Everything a simulation's next state depends on. */
-  private static final String[] EXACT = {"carom.physics..", "carom.sim..", "carom.game.."};
+  private static final String[] EXACT = {
+    "carom.physics..", "carom.sim..", "carom.game..", "carom.replay.."
+  };
 
   private static final DescribedPredicate<JavaClass> NOT_THREADS =
       DescribedPredicate.describe(
@@ -71,11 +73,13 @@ final class ArchitectureTest {
     allow("carom.net.transport", "carom.net.protocol");
     allow("carom.net.kryo", "carom.net.protocol", "carom.net.transport", "carom.net.codec");
     allow("carom.options", "carom.net.transport");
+    allow("carom.replay", "carom.sim", "carom.physics", "carom.game");
     allow(
         "carom.server..",
         "carom.server..",
         "carom.net..",
         "carom.options",
+        "carom.replay",
         "carom.sim..",
         "carom.game",
         "carom.physics..");
@@ -84,6 +88,7 @@ final class ArchitectureTest {
         "carom.client..",
         "carom.net..",
         "carom.options",
+        "carom.replay",
         "carom.sim..",
         "carom.game",
         "carom.physics..");

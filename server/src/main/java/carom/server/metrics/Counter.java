@@ -47,5 +47,7 @@ public enum Counter {
   /** Inputs refused because they were for a tick too far ahead. */
   INPUTS_EARLY,
   /** Exceptions thrown by the game's callbacks. */
-  GAME_FAILURES
+  GAME_FAILURES,
+  /** Recordings that ended early, because the disk was too slow or failed. */
+  RECORDINGS_CUT
 }

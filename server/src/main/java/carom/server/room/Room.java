@@ -2,11 +2,15 @@ package carom.server.room;
 
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.Limits;
+import carom.net.protocol.Protocol;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.snapshot.FrameRing;
 import carom.net.transport.Link;
 import carom.physics.threads.Workers;
+import carom.replay.BlockSink;
+import carom.replay.Recorder;
+import carom.replay.RecordingHeader;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
@@ -16,6 +20,7 @@ import carom.server.session.PartingLinks;
 import carom.server.session.Seats;
 import carom.server.session.Session;
 import carom.sim.Game;
+import carom.sim.GuardedGame;
 import carom.sim.Level;
 import carom.sim.Player;
 import carom.sim.Role;
@@ -65,7 +70,7 @@ public final class Room {
   private final LongSupplier clock;
   private final Counters counters = new Counters();
   private final Seats seats;
-  private final GuardedGame game;
+  private final GameFailures failures;
   private final Simulation simulation;
   private final FrameCapture capture;
   private final OwnCapture ownCapture;
@@ -77,6 +82,7 @@ public final class Room {
   private final Consumer<String> broadcastNotice = this::broadcast;
   private final int[] rosterScores;
   private final AtomicInteger seatsAskedFor = new AtomicInteger();
+  private Recorder recorder;
   private int failedTicks;
   private int announcedTick;
   private float announcements = MAX_ANNOUNCEMENTS;
@@ -107,7 +113,8 @@ public final class Room {
     this.label = config.rooms() == 1 ? "" : "room " + number + ": ";
     this.clock = clock;
     this.seats = seats;
-    this.game = new GuardedGame(gameRules, counters, label);
+    this.failures = new GameFailures(gameRules.name(), counters, label);
+    GuardedGame game = new GuardedGame(gameRules, failures);
     this.simulation = new Simulation(game, level, seed, config.tickRateHz(), Role.AUTHORITY);
     this.capture = new FrameCapture(simulation);
     this.ownCapture = new OwnCapture(simulation);
@@ -125,6 +132,19 @@ public final class Room {
    */
   public void helpedBy(Workers helpers) {
     simulation.world().workers(helpers);
+  }
+
+  /**
+   * Records the game from its first tick on, before the first {@link #doWork}. The last block tells
+   * why it ended when the room closes.
+   *
+   * @param sink takes the blocks, on the room's thread; stays the caller's to close
+   */
+  public void record(BlockSink sink) {
+    recorder =
+        new Recorder(
+            simulation, RecordingHeader.of(simulation, seed, Protocol.physicsDigest()), sink);
+    simulation.journal(recorder);
   }
 
   /**
@@ -218,13 +238,28 @@ public final class Room {
     }
     tick = simulation.tick();
     counters.add(Counter.TICKS, 1);
+    watchRecorder();
     long tookNs = clock.getAsLong() - beginNs;
     counters.tickTook(tookNs);
     if (tookNs > loop.periodNs()) {
       counters.add(Counter.TICKS_OVERRUN, 1);
     }
-    if (game.endTick() >= config.tickRateHz()) {
-      fail("game " + game.name() + " failed in each of the last " + config.tickRateHz() + " ticks");
+    if (failures.endTick() >= config.tickRateHz()) {
+      fail(
+          "game "
+              + simulation.game().name()
+              + " failed in each of the last "
+              + config.tickRateHz()
+              + " ticks");
+    }
+  }
+
+  private void watchRecorder() {
+    if (recorder != null && recorder.isCut()) {
+      recorder = null;
+      simulation.journal(null);
+      counters.add(Counter.RECORDINGS_CUT, 1);
+      LOG.error("{}the recording ends at tick {}; the game goes on", label, tick);
     }
   }
 
@@ -512,6 +547,9 @@ public final class Room {
       return;
     }
     closed = true;
+    if (recorder != null) {
+      recorder.end(reason.name());
+    }
     for (Session session : sessions) {
       session.sayGoodbye(reason, text);
       part(session.end(), reason.name(), nowNs);

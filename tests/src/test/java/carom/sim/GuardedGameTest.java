@@ -1,8 +1,7 @@
-package carom.server.room;
+package carom.sim;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import carom.sim.Game;
 import java.lang.reflect.Method;
 import org.junit.jupiter.api.Test;
 

@@ -1,0 +1,112 @@
+package carom.server;
+
+import carom.net.protocol.Protocol;
+import carom.replay.RecordingException;
+import carom.replay.RecordingHeader;
+import carom.replay.RecordingReader;
+import carom.replay.Replay;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code carom replay FILE}: computes a recorded game again and compares every tick. */
+@Command(
+    name = "replay",
+    sortOptions = false,
+    usageHelpAutoWidth = true,
+    mixinStandardHelpOptions = true,
+    description = {
+      "Computes a recorded game again, as fast as it can, and compares the state of every tick.",
+      ""
+    },
+    footer = {
+      "",
+      "Exit codes: 0 every tick is equal, 1 it diverged, 2 bad flag, or a file that can't be"
+          + " played."
+    })
+final class ReplayCommand implements Callable<Integer> {
+  private static final int DIVERGED = 1;
+  private static final int BAD_FILE = 2;
+
+  @Spec private CommandSpec spec;
+
+  @Parameters(paramLabel = "FILE", description = "What carom-server --record has written.")
+  private Path file;
+
+  @Option(
+      names = "--any-physics",
+      description = "Play even what another build's arithmetic has recorded.")
+  private boolean anyPhysics;
+
+  @Override
+  public Integer call() {
+    PrintWriter out = spec.commandLine().getOut();
+    PrintWriter err = spec.commandLine().getErr();
+    try (RecordingReader reader = RecordingReader.open(file)) {
+      RecordingHeader header = reader.header();
+      out.println(header);
+      out.flush();
+      if (!anyPhysics) {
+        Replay.requirePhysics(header, Protocol.physicsDigest());
+      }
+      return play(reader, new Replay(reader), out, err);
+    } catch (IOException e) {
+      String message = e instanceof RecordingException ? e.getMessage() : e.toString();
+      err.println("carom replay: " + message);
+      err.flush();
+      return BAD_FILE;
+    }
+  }
+
+  private static int play(RecordingReader reader, Replay replay, PrintWriter out, PrintWriter err)
+      throws IOException {
+    long beginNs = System.nanoTime();
+    Replay.Progress progress;
+    try {
+      do {
+        progress = replay.step();
+      } while (progress == Replay.Progress.TICK && !replay.isDecided());
+    } catch (RecordingException e) {
+      out.println(verdict(replay, System.nanoTime() - beginNs) + "; then the file is unusable");
+      out.flush();
+      throw e;
+    }
+    out.println(verdict(replay, System.nanoTime() - beginNs));
+    if (progress == Replay.Progress.END && reader.isCut()) {
+      out.println("The recording was cut here: " + reader.reason());
+    } else if (progress == Replay.Progress.END) {
+      out.println("End of the recording: " + reader.reason());
+    } else if (progress == Replay.Progress.WAIT) {
+      out.printf(
+          "The file ends here, %d bytes into a block: it is torn, or still being written.%n",
+          reader.tornBytes());
+    }
+    out.flush();
+    err.flush();
+    return replay.divergence() == null ? 0 : DIVERGED;
+  }
+
+  private static String verdict(Replay replay, long tookNs) {
+    if (replay.divergence() != null) {
+      return replay.divergence().toString();
+    }
+    int ticks = replay.simulation().tick();
+    double seconds = Math.max(1e-9, tookNs / 1e9);
+    return String.format(
+        Locale.ROOT,
+        "OK: %d ticks equal in %.2f s, %.0f ticks/s, %.0f times as fast as played, final hash"
+            + " %016x",
+        ticks,
+        seconds,
+        ticks / seconds,
+        ticks / seconds / replay.simulation().tickRate(),
+        replay.simulation().stateHash());
+  }
+}

@@ -1,0 +1,153 @@
+package carom.server.recording;
+
+import carom.replay.Block;
+import carom.replay.BlockSink;
+import carom.replay.BlockWriter;
+import carom.replay.Recorder;
+import java.io.IOException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.time.LocalDateTime;
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
+import java.util.concurrent.ArrayBlockingQueue;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * A recording's file, written by a thread of its own so that no disk can hold up a tick: a block is
+ * copied into a queue of {@value #QUEUE} and written as soon as the disk takes it. When the queue
+ * is full or the disk fails, the recording is cut: it ends there, and its last block says so if it
+ * still can be written.
+ *
+ * <p>{@link #take} belongs to the room's thread, {@link #close} to anybody.
+ */
+public final class RecordingFile implements BlockSink, AutoCloseable {
+  /** Ending of a recording's file name. */
+  public static final String SUFFIX = ".carom";
+
+  /** Blocks that may wait for the disk; a room makes one or two a second. */
+  static final int QUEUE = 16;
+
+  private static final Logger LOG = LoggerFactory.getLogger(RecordingFile.class);
+  private static final DateTimeFormatter STAMP = DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss");
+  private static final long CLOSE_MS = 5_000;
+
+  private static final class Item {
+    private Block type;
+    private byte[] bytes = {};
+    private int length;
+  }
+
+  private final Path path;
+  private final BlockWriter writer;
+  private final ArrayBlockingQueue<Item> waiting = new ArrayBlockingQueue<>(QUEUE + 1);
+  private final ArrayBlockingQueue<Item> spare = new ArrayBlockingQueue<>(QUEUE);
+  private final Item stop = new Item();
+  private final Thread thread;
+  private volatile String cut;
+
+  /**
+   * Creates the file and starts the thread.
+   *
+   * @throws FileAlreadyExistsException when there is such a file
+   * @throws IOException when it can't be created
+   */
+  public RecordingFile(Path path) throws IOException {
+    this.path = path;
+    writer = new BlockWriter(Files.newOutputStream(path, StandardOpenOption.CREATE_NEW));
+    for (int i = 0; i < QUEUE; i++) {
+      spare.add(new Item());
+    }
+    thread = new Thread(this::run, "carom-recording");
+    thread.start();
+  }
+
+  /**
+   * The file that a room records to.
+   *
+   * @param target a file, or a folder, which then gets a file with a name of its own
+   * @param game name of the game
+   * @param room the room's number; 0 when there is only one
+   */
+  public static Path fileFor(Path target, String game, int room) {
+    if (!Files.isDirectory(target)) {
+      return target;
+    }
+    String number = room == 0 ? "" : "-room" + room;
+    String name = game.replaceAll("[^A-Za-z0-9_-]", "-");
+    return target.resolve(
+        name + "-" + LocalDateTime.now(ZoneId.systemDefault()).format(STAMP) + number + SUFFIX);
+  }
+
+  @Override
+  public boolean take(Block type, byte[] bytes, int length) {
+    if (cut != null) {
+      return false;
+    }
+    Item item = spare.poll();
+    if (item == null) {
+      cut = "the disk is too slow: " + QUEUE + " blocks wait";
+      return false;
+    }
+    if (item.bytes.length < length) {
+      item.bytes = new byte[Math.max(length, 2 * item.bytes.length)];
+    }
+    System.arraycopy(bytes, 0, item.bytes, 0, length);
+    item.type = type;
+    item.length = length;
+    waiting.add(item); // there is room: QUEUE items exist, and the one that stops
+    return true;
+  }
+
+  private void run() {
+    try (writer) {
+      for (Item item; (item = waiting.take()) != stop; ) {
+        writer.write(item.type, item.bytes, item.length);
+        spare.add(item);
+      }
+      if (cut != null) {
+        byte[] end = Recorder.cutBlock(cut);
+        writer.write(Block.END, end, end.length);
+      }
+    } catch (IOException e) {
+      cut = "can't write " + path + ": " + e;
+      LOG.error("recording {} is cut: {}", path, e.toString());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  /** Why the recording ended early, or null when it didn't. Any thread. */
+  public String cutReason() {
+    return cut;
+  }
+
+  /** Where it is written to. */
+  public Path path() {
+    return path;
+  }
+
+  /** Writes what waits, for at most 5 s, and closes the file. Closing twice does nothing. */
+  @Override
+  public void close() {
+    if (thread.isAlive()) {
+      waiting.offer(stop);
+      try {
+        thread.join(CLOSE_MS);
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+      }
+      if (thread.isAlive()) {
+        LOG.error("recording {} is incomplete: the disk did not take it in time", path);
+      }
+    }
+  }
+
+  @Override
+  public String toString() {
+    return path + (cut == null ? "" : ", cut: " + cut);
+  }
+}

@@ -1,0 +1,58 @@
+package carom.server.room;
+
+import carom.server.metrics.Counter;
+import carom.server.metrics.Counters;
+import carom.sim.GuardedGame;
+import carom.sim.Simulation;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Counts the exceptions of a room's game and logs the 1st, 10th, 100th... of them. The room closes
+ * when each tick of a second has failed.
+ */
+final class GameFailures implements GuardedGame.Watch {
+  private static final Logger LOG = LoggerFactory.getLogger(GameFailures.class);
+
+  private final String game;
+  private final Counters counters;
+  private final String label;
+  private boolean failedThisTick;
+  private int failedTicksInARow;
+  private long nextLogged = 1;
+
+  /**
+   * @param game its name
+   * @param label begins each log line
+   */
+  GameFailures(String game, Counters counters, String label) {
+    this.game = game;
+    this.counters = counters;
+    this.label = label;
+  }
+
+  /** Call after each tick. Returns how many ticks in a row, up to this one, had a failure. */
+  int endTick() {
+    failedTicksInARow = failedThisTick ? failedTicksInARow + 1 : 0;
+    failedThisTick = false;
+    return failedTicksInARow;
+  }
+
+  @Override
+  public void failed(String callback, Simulation s, Throwable failure) {
+    counters.add(Counter.GAME_FAILURES, 1);
+    failedThisTick = true;
+    long total = counters.get(Counter.GAME_FAILURES);
+    if (total == nextLogged) {
+      nextLogged *= 10;
+      LOG.error(
+          "{}game {} failed in {} at tick {} (failure {}); the room goes on unless each tick fails",
+          label,
+          game,
+          callback,
+          s.tick(),
+          total,
+          failure);
+    }
+  }
+}

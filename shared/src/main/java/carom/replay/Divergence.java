@@ -1,0 +1,206 @@
+package carom.replay;
+
+import carom.sim.Entity;
+import carom.sim.Simulation;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+
+/** Where a replay went another way than the recording. */
+public final class Divergence {
+  /** Most bodies that a report lists. */
+  private static final int MAX_LISTED = 8;
+
+  /** An entity in both worlds. States are x, y, cos, sin, vx, vy, omega; metres, m/s, rad/s. */
+  public static final class Difference {
+    private final int id;
+    private final String name;
+    private final float[] recorded;
+    private final float[] replayed;
+
+    Difference(int id, String name, int[] recorded, int[] replayed) {
+      this.id = id;
+      this.name = name;
+      this.recorded = floats(recorded);
+      this.replayed = floats(replayed);
+    }
+
+    private static float[] floats(int[] bits) {
+      float[] values = new float[bits.length];
+      for (int i = 0; i < bits.length; i++) {
+        values[i] = Float.intBitsToFloat(bits[i]);
+      }
+      return values;
+    }
+
+    /** Its slot. */
+    public int id() {
+      return id;
+    }
+
+    /** Its kind, generation and owner as replayed. */
+    public String name() {
+      return name;
+    }
+
+    /** A copy of its state in the recording; empty when it is missing there. */
+    public float[] recorded() {
+      return recorded.clone();
+    }
+
+    /** A copy of its state as replayed; empty when it is missing there. */
+    public float[] replayed() {
+      return replayed.clone();
+    }
+
+    @Override
+    public String toString() {
+      return String.format(
+          Locale.ROOT,
+          "entity %d, %s%n    recorded %s%n    replayed %s",
+          id,
+          name,
+          describe(recorded),
+          describe(replayed));
+    }
+
+    private static String describe(float[] s) {
+      if (s.length == 0) {
+        return "not there";
+      }
+      return "x=" + s[0] + " y=" + s[1] + " cos=" + s[2] + " sin=" + s[3] + " vx=" + s[4] + " vy="
+          + s[5] + " omega=" + s[6];
+    }
+  }
+
+  private final int tick;
+  private final long recordedHash;
+  private final long replayedHash;
+  private int bodyTick = -1;
+  private boolean exact;
+  private int differing;
+  private final List<Difference> differences = new ArrayList<>();
+
+  Divergence(int tick, long recordedHash, long replayedHash) {
+    this.tick = tick;
+    this.recordedHash = recordedHash;
+    this.replayedHash = replayedHash;
+  }
+
+  void oneBody(int when, Simulation s, int id, int[] recorded) {
+    int[] replayed = new int[Fingerprint.FIELDS];
+    Entity e = s.entity(id);
+    Fingerprint.read(e, replayed);
+    bodyTick = when;
+    exact = true;
+    differing = 1;
+    differences.add(new Difference(id, name(e), recorded.clone(), replayed));
+  }
+
+  /** Several at once, or an entity that only one side has: the sums don't tell which. */
+  void severalBodies(int when) {
+    bodyTick = when;
+  }
+
+  /** Compares everything with a keyframe. */
+  void keyframe(Simulation s, RecordingReader r) {
+    int[] recorded = new int[Fingerprint.FIELDS];
+    int[] replayed = new int[Fingerprint.FIELDS];
+    for (int id = 0; id < Math.max(s.entityCapacity(), r.keyframeLimit()); id++) {
+      Entity e = s.entity(id);
+      boolean there = r.kind(id) >= 0;
+      if (there) {
+        r.keyState(id, recorded);
+      }
+      if (e != null) {
+        Fingerprint.read(e, replayed);
+      }
+      boolean same =
+          e == null
+              ? !there
+              : there
+                  && e.archetype().index() == r.kind(id)
+                  && e.generation() == r.generation(id)
+                  && Arrays.equals(recorded, replayed);
+      if (!same) {
+        differing++;
+        if (differences.size() < MAX_LISTED) {
+          differences.add(
+              new Difference(
+                  id,
+                  e == null ? "archetype " + r.kind(id) : name(e),
+                  there ? recorded.clone() : new int[0],
+                  e == null ? new int[0] : replayed.clone()));
+        }
+      }
+    }
+    if (differing > 0 && bodyTick < 0) {
+      bodyTick = s.tick();
+    }
+  }
+
+  private static String name(Entity e) {
+    String owner = e.ownerId() == Entity.NO_OWNER ? "" : " of player " + e.ownerId();
+    return e.archetype().name() + " generation " + e.generation() + owner;
+  }
+
+  /** The first tick whose state hash differs. */
+  public int tick() {
+    return tick;
+  }
+
+  /** The recorded hash of that tick. */
+  public long recordedHash() {
+    return recordedHash;
+  }
+
+  /** The hash computed here. */
+  public long replayedHash() {
+    return replayedHash;
+  }
+
+  /**
+   * The first tick at which a body differs; -1 when none did as long as the replay went on: then it
+   * is inputs, scores, memory, random numbers, contacts or joints.
+   */
+  public int bodyTick() {
+    return bodyTick;
+  }
+
+  /**
+   * What differs: at {@link #bodyTick} the one body that was first, or, if there were several, what
+   * a later keyframe shows, at most {@value #MAX_LISTED}.
+   */
+  public List<Difference> differences() {
+    return List.copyOf(differences);
+  }
+
+  /** Several lines for people. */
+  @Override
+  public String toString() {
+    StringBuilder text = new StringBuilder();
+    text.append(
+        String.format(
+            Locale.ROOT,
+            "diverged at tick %d: hash recorded %016x, replayed %016x",
+            tick,
+            recordedHash,
+            replayedHash));
+    if (bodyTick < 0) {
+      text.append(
+          "\n"
+              + "  no body differs yet: it is an input, a score, memory, a random number, a contact"
+              + " or a joint");
+    } else if (exact) {
+      text.append("\n  first body, at tick ").append(bodyTick);
+    } else {
+      text.append("\n  several bodies at once, at tick ").append(bodyTick);
+      text.append("; ").append(differing).append(" differ at the next keyframe");
+    }
+    for (Difference difference : differences) {
+      text.append("\n  ").append(difference);
+    }
+    return text.toString();
+  }
+}

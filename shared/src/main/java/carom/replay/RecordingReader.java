@@ -1,0 +1,455 @@
+package carom.replay;
+
+import carom.sim.Simulation;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.SeekableByteChannel;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.zip.CRC32;
+import java.util.zip.DataFormatException;
+import java.util.zip.Inflater;
+
+/**
+ * Reads a recording event by event, also one that is still being written or was torn off. Trusts
+ * nothing: whatever the bytes are, memory stays below about 12 MiB, and the answer is an event or a
+ * {@link RecordingException} that says what is wrong at which byte. One thread.
+ */
+public final class RecordingReader implements AutoCloseable {
+  /** Longest name of a player, bytes. */
+  private static final int MAX_NAME_BYTES = 256;
+
+  private static final int MAX_REASON_BYTES = 1_024;
+
+  /** What the file tells next. */
+  public enum Event {
+    /** The player {@link #playerId} called {@link #playerName} comes in. */
+    JOIN,
+    /** The player {@link #playerId} goes. */
+    LEAVE,
+    /** A step begins: {@link #input} and {@link #viewDelay} are what it reads. */
+    TICK,
+    /** It has ended: {@link #hash}. */
+    STEPPED,
+    /** The state of every body after {@link #keyframeTick}. */
+    KEYFRAME,
+    /** The recording ends here: {@link #isCut}, {@link #reason}. */
+    END,
+    /** The file ends here, without a whole block; ask again when it may have grown. */
+    WAIT
+  }
+
+  /** A place between two blocks to come back to, with what the reader knew there. */
+  public static final class Mark {
+    private final long position;
+    private final long[] inputs;
+    private final int[] viewDelays;
+    private final Fingerprint sums = new Fingerprint();
+    private final int[] keyStates;
+
+    private Mark(RecordingReader r) {
+      position = r.position;
+      inputs = r.inputs.clone();
+      viewDelays = r.viewDelays.clone();
+      sums.set(r.sums);
+      keyStates = r.keyStates.clone();
+    }
+  }
+
+  private final SeekableByteChannel file;
+  private final String name;
+  private final Inflater inflater = new Inflater();
+  private final CRC32 crc = new CRC32();
+  private final ByteSource block = new ByteSource();
+  private final ByteBuffer head = ByteBuffer.allocate(Block.HEAD_BYTES);
+  private byte[] stored = {};
+  private byte[] content = {};
+  private Block type = Block.HEADER;
+  private long position;
+  private long blockPosition;
+  private boolean ended;
+
+  private final RecordingHeader header;
+  private int playerId;
+  private String playerName = "";
+  private final long[] inputs = new long[Simulation.MAX_PLAYERS];
+  private final int[] viewDelays = new int[Simulation.MAX_PLAYERS];
+  private final int[] changedIds = new int[Simulation.MAX_PLAYERS];
+  private int changedCount;
+  private long hash;
+  private final Fingerprint sums = new Fingerprint();
+  private int keyframeTick;
+  private int keyframeLimit;
+  private int[] kinds = {};
+  private int[] generations = {};
+  private int[] keyStates = {};
+  private boolean cut;
+  private String reason = "";
+
+  private RecordingReader(SeekableByteChannel file, String name) throws IOException {
+    this.file = file;
+    this.name = name;
+    ByteBuffer preamble = ByteBuffer.allocate(Block.PREAMBLE_BYTES);
+    if (!fill(preamble, 0) || preamble.getLong(0) != Block.MAGIC) {
+      throw new RecordingException(name + " is no recording: it doesn't begin with CAROMREC");
+    }
+    int version = preamble.getInt(8);
+    if (version != Block.VERSION) {
+      throw new RecordingException(
+          name
+              + " has format version="
+              + version
+              + ", this build reads "
+              + Block.VERSION
+              + "; play it with the build that recorded it");
+    }
+    position = Block.PREAMBLE_BYTES;
+    if (!nextBlock()) {
+      throw new RecordingException(name + " ends before its header does; nothing can be played");
+    }
+    if (type != Block.HEADER) {
+      throw damaged("the first block is " + type + " instead of HEADER");
+    }
+    try {
+      header = RecordingHeader.read(block);
+    } catch (RecordingException e) {
+      throw damaged(e.getMessage());
+    }
+    requireBlockEnd();
+  }
+
+  /**
+   * Opens a recording and reads its header.
+   *
+   * @throws RecordingException when it is none, has another version or is damaged
+   * @throws IOException when it can't be read
+   */
+  public static RecordingReader open(Path file) throws IOException {
+    SeekableByteChannel channel;
+    try {
+      channel = Files.newByteChannel(file);
+    } catch (NoSuchFileException e) {
+      throw new RecordingException("there is no file " + file);
+    }
+    try {
+      return new RecordingReader(channel, String.valueOf(file.getFileName()));
+    } catch (IOException | RuntimeException e) {
+      channel.close();
+      throw e;
+    }
+  }
+
+  /** What the recording begins with. */
+  public RecordingHeader header() {
+    return header;
+  }
+
+  /**
+   * Reads on.
+   *
+   * @throws RecordingException when the file is damaged here; what was told before holds
+   */
+  public Event next() throws IOException {
+    if (ended) {
+      return Event.END;
+    }
+    while (block.isEmpty()) {
+      if (!nextBlock()) {
+        return Event.WAIT;
+      }
+    }
+    try {
+      return switch (type) {
+        case HEADER -> throw new RecordingException("damaged: a second header");
+        case TICKS -> readTicks();
+        case KEYFRAME -> readKeyframe();
+        case END -> readEnd();
+      };
+    } catch (RecordingException e) {
+      throw damaged(e.getMessage());
+    }
+  }
+
+  private Event readTicks() throws RecordingException {
+    int tag = block.u8();
+    switch (tag) {
+      case Block.JOIN:
+        playerId = block.u8();
+        playerName = block.text("player name", MAX_NAME_BYTES);
+        inputs[playerId] = 0;
+        viewDelays[playerId] = 0;
+        return Event.JOIN;
+      case Block.LEAVE:
+        playerId = block.u8();
+        return Event.LEAVE;
+      case Block.TICK:
+        changedCount = block.varint("changed inputs", 0, Simulation.MAX_PLAYERS);
+        for (int i = 0; i < changedCount; i++) {
+          int id = block.u8();
+          changedIds[i] = id;
+          inputs[id] ^= block.varint();
+          long delay = block.varint();
+          viewDelays[id] += (int) (delay >>> 1) ^ -((int) delay & 1);
+        }
+        return Event.TICK;
+      case Block.STEPPED:
+        hash = block.i64();
+        sums.weight ^= block.varint();
+        sums.moment ^= block.varint();
+        for (int f = 0; f < Fingerprint.FIELDS; f++) {
+          sums.fields[f] ^= (int) block.varint();
+        }
+        return Event.STEPPED;
+      default:
+        throw new RecordingException("damaged: unknown entry=" + tag);
+    }
+  }
+
+  private Event readKeyframe() throws RecordingException {
+    keyframeTick = block.varint("tick", 0, Integer.MAX_VALUE);
+    hash = block.i64();
+    keyframeLimit = block.varint("entities", 0, Simulation.MAX_ENTITIES);
+    if (kinds.length < keyframeLimit) {
+      kinds = new int[keyframeLimit];
+      generations = new int[keyframeLimit];
+      keyStates = Arrays.copyOf(keyStates, keyframeLimit * Fingerprint.FIELDS);
+    }
+    for (int id = 0; id < keyframeLimit; id++) {
+      kinds[id] = block.varint("archetype", 0, 65_536) - 1;
+      generations[id] = block.u8();
+    }
+    for (int f = 0; f < Fingerprint.FIELDS; f++) {
+      for (int id = 0; id < keyframeLimit; id++) {
+        if (kinds[id] >= 0) {
+          keyStates[id * Fingerprint.FIELDS + f] ^= block.i32();
+        }
+      }
+    }
+    if (!block.isEmpty()) {
+      throw new RecordingException("damaged: a keyframe has bytes left over");
+    }
+    return Event.KEYFRAME;
+  }
+
+  private Event readEnd() throws RecordingException {
+    cut = block.u8() != 0;
+    reason = block.text("reason", MAX_REASON_BYTES);
+    ended = true;
+    return Event.END;
+  }
+
+  /** Reads the next block as a whole; false when the file ends before it does. */
+  private boolean nextBlock() throws IOException {
+    blockPosition = position;
+    if (!fill(head.clear(), position)) {
+      return false;
+    }
+    long size = file.size();
+    Block found = Block.of(head.get(0));
+    int length = head.getInt(1);
+    int count = head.getInt(5);
+    if (found == null || length < 1 || length > Block.MAX_BYTES || count < 1 || count > bound()) {
+      if (isEmptyFrom(position + Block.HEAD_BYTES, size)) {
+        return false;
+      }
+      throw damaged(
+          "damaged: a block of type=" + head.get(0) + " length=" + length + " stored=" + count);
+    }
+    long end = position + Block.HEAD_BYTES + count;
+    if (end > size) {
+      return false;
+    }
+    if (stored.length < count) {
+      stored = new byte[count];
+    }
+    if (!fill(ByteBuffer.wrap(stored, 0, count), position + Block.HEAD_BYTES)) {
+      return false;
+    }
+    crc.reset();
+    crc.update(head.array(), 0, Block.HEAD_BYTES - 4);
+    crc.update(stored, 0, count);
+    if ((int) crc.getValue() != head.getInt(Block.HEAD_BYTES - 4)) {
+      if (isEmptyFrom(end, size)) {
+        return false; // the last block, half on the disk
+      }
+      throw damaged("damaged: a block's checksum is wrong");
+    }
+    inflate(length, count);
+    type = found;
+    position = end;
+    return true;
+  }
+
+  /** Whether only zeros follow: the disk was told of the length, but not yet of the bytes. */
+  private boolean isEmptyFrom(long from, long size) throws IOException {
+    ByteBuffer chunk = ByteBuffer.allocate(1 << 13);
+    for (long at = from; at < size; at += chunk.limit()) {
+      chunk.clear().limit((int) Math.min(chunk.capacity(), size - at));
+      if (!fill(chunk, at)) {
+        return true;
+      }
+      for (int i = 0; i < chunk.limit(); i++) {
+        if (chunk.get(i) != 0) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  private static int bound() {
+    return Block.MAX_BYTES + Block.MAX_BYTES / 1_000 + 64;
+  }
+
+  private void inflate(int length, int count) throws RecordingException {
+    if (content.length < length) {
+      content = new byte[length];
+    }
+    inflater.reset();
+    inflater.setInput(stored, 0, count);
+    try {
+      int got = inflater.inflate(content, 0, length);
+      boolean whole = got == length && (inflater.finished() || isFinished());
+      if (!whole) {
+        throw damaged("damaged: a block has not the length=" + length + " it says");
+      }
+    } catch (DataFormatException e) {
+      throw damaged("damaged: a block can't be decompressed");
+    }
+    block.set(content, length);
+  }
+
+  /** The end mark may still be unread when all bytes are there. */
+  private boolean isFinished() throws DataFormatException {
+    return inflater.inflate(new byte[1]) == 0 && inflater.finished();
+  }
+
+  private boolean fill(ByteBuffer to, long from) throws IOException {
+    file.position(from);
+    while (to.hasRemaining()) {
+      if (file.read(to) < 0) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private void requireBlockEnd() throws RecordingException {
+    if (!block.isEmpty()) {
+      throw damaged("damaged: the header has bytes left over");
+    }
+  }
+
+  private RecordingException damaged(String what) {
+    return new RecordingException(name + ", block at byte " + blockPosition + ": " + what);
+  }
+
+  /** Who comes or goes. */
+  public int playerId() {
+    return playerId;
+  }
+
+  /** Who comes. */
+  public String playerName() {
+    return playerName;
+  }
+
+  /** How many players' inputs or view delays changed at {@link Event#TICK}. */
+  public int changedCount() {
+    return changedCount;
+  }
+
+  /** The i-th player whose input or view delay changed. */
+  public int changedId(int i) {
+    return changedIds[i];
+  }
+
+  /** A player's input, see {@link carom.sim.Input#pack}. */
+  public long input(int player) {
+    return inputs[player];
+  }
+
+  /** A player's view delay. */
+  public int viewDelay(int player) {
+    return viewDelays[player];
+  }
+
+  /** The state hash after the step, or of the keyframe. */
+  public long hash() {
+    return hash;
+  }
+
+  Fingerprint sums() {
+    return sums;
+  }
+
+  /** The tick of the last keyframe read. */
+  public int keyframeTick() {
+    return keyframeTick;
+  }
+
+  /** Entity ids of the keyframe are below. */
+  int keyframeLimit() {
+    return keyframeLimit;
+  }
+
+  /** Archetype index of an entity in the keyframe; -1 when there is none. */
+  int kind(int id) {
+    return id < keyframeLimit ? kinds[id] : -1;
+  }
+
+  int generation(int id) {
+    return generations[id];
+  }
+
+  /** An entity's exact state in the keyframe. */
+  void keyState(int id, int[] out) {
+    System.arraycopy(keyStates, id * Fingerprint.FIELDS, out, 0, Fingerprint.FIELDS);
+  }
+
+  /** Whether the recording ended because the recorder could not keep up. */
+  public boolean isCut() {
+    return cut;
+  }
+
+  /** Why the recording ended. */
+  public String reason() {
+    return reason;
+  }
+
+  /** Bytes behind the last whole block, at {@link Event#WAIT}. */
+  public long tornBytes() throws IOException {
+    return file.size() - position;
+  }
+
+  /**
+   * Remembers this place; allowed between two blocks, as after a keyframe.
+   *
+   * @throws IllegalStateException in the middle of a block
+   */
+  public Mark mark() {
+    if (!block.isEmpty()) {
+      throw new IllegalStateException("a mark can be set between two blocks only");
+    }
+    return new Mark(this);
+  }
+
+  /** Goes back to a mark of this reader. */
+  public void reset(Mark mark) {
+    position = mark.position;
+    System.arraycopy(mark.inputs, 0, inputs, 0, inputs.length);
+    System.arraycopy(mark.viewDelays, 0, viewDelays, 0, viewDelays.length);
+    sums.set(mark.sums);
+    keyStates = Arrays.copyOf(mark.keyStates, keyStates.length);
+    block.set(content, 0);
+    ended = false;
+  }
+
+  @Override
+  public void close() throws IOException {
+    inflater.end();
+    file.close();
+  }
+}

@@ -1,0 +1,195 @@
+package carom.replay;
+
+import carom.sim.Player;
+import carom.sim.Simulation;
+import java.io.IOException;
+
+/**
+ * Simulates a recorded game once more, and finds out where it goes another way. One thread.
+ *
+ * <p>The state hash is compared after each tick. From the first difference on, the replay goes on
+ * until it can name a body, which is in the same tick if one body's motion is what differs, and at
+ * the next keyframe at the latest; see {@link #isDecided}.
+ */
+public final class Replay {
+  /** What a call of {@link #step} did. */
+  public enum Progress {
+    /** One more tick is computed. */
+    TICK,
+    /** The recording has ended. */
+    END,
+    /** The file ends in the middle: it is torn, or still being written. */
+    WAIT
+  }
+
+  private final RecordingReader reader;
+  private final Simulation simulation;
+  private final Fingerprint own = new Fingerprint();
+  private final int[] located = new int[Fingerprint.FIELDS];
+  private Divergence divergence;
+  private boolean decided;
+  private boolean inTick;
+
+  /**
+   * Builds the simulation at tick 0.
+   *
+   * @param reader where the recording comes from, just opened; stays the caller's to close
+   * @throws RecordingException when this build can't play the game
+   */
+  public Replay(RecordingReader reader) throws RecordingException {
+    this.reader = reader;
+    simulation = reader.header().start();
+  }
+
+  /** Says clearly why recordings of another arithmetic can't be expected to be equal. */
+  public static void requirePhysics(RecordingHeader header, long digest) throws RecordingException {
+    if (header.physicsDigest() != digest) {
+      throw new RecordingException(
+          String.format(
+              "recorded with physics=%016x, this build has %016x: the same inputs give other"
+                  + " states; play it with the build that recorded it",
+              header.physicsDigest(), digest));
+    }
+  }
+
+  /**
+   * Goes on by one tick, if the file has it.
+   *
+   * @throws RecordingException when the file is damaged or contradicts itself
+   */
+  public Progress step() throws IOException {
+    while (true) {
+      switch (reader.next()) {
+        case JOIN -> join();
+        case LEAVE -> leave();
+        case TICK -> begin();
+        case STEPPED -> {
+          end();
+          return Progress.TICK;
+        }
+        case KEYFRAME -> keyframe();
+        case END -> {
+          return Progress.END;
+        }
+        case WAIT -> {
+          return Progress.WAIT;
+        }
+      }
+    }
+  }
+
+  private void join() throws RecordingException {
+    if (simulation.player(reader.playerId()) != null) {
+      throw contradicts("player " + reader.playerId() + " joins twice");
+    }
+    simulation.join(reader.playerId(), reader.playerName());
+  }
+
+  private void leave() throws RecordingException {
+    simulation.leave(player(reader.playerId(), "leaves"));
+  }
+
+  private Player player(int id, String what) throws RecordingException {
+    Player player = simulation.player(id);
+    if (player == null) {
+      throw contradicts("player " + id + " " + what + " without having joined");
+    }
+    return player;
+  }
+
+  private void begin() throws RecordingException {
+    if (inTick) {
+      throw contradicts("a tick has no end");
+    }
+    for (int i = 0; i < reader.changedCount(); i++) {
+      int id = reader.changedId(i);
+      Player player = player(id, "acts");
+      player.input().unpack(reader.input(id));
+      player.viewDelay(reader.viewDelay(id));
+    }
+    inTick = true;
+    try {
+      simulation.step();
+    } catch (RuntimeException | AssertionError e) {
+      throw contradicts("the physics fails where they did not while recording: " + e);
+    }
+  }
+
+  private void end() throws RecordingException {
+    if (!inTick) {
+      throw contradicts("a tick has no beginning");
+    }
+    inTick = false;
+    if (divergence == null) {
+      long hash = simulation.stateHash();
+      if (hash == reader.hash()) {
+        return;
+      }
+      divergence = new Divergence(simulation.tick(), reader.hash(), hash);
+    }
+    if (divergence.bodyTick() < 0 && !decided) {
+      findBody();
+    }
+  }
+
+  private void findBody() {
+    own.take(simulation);
+    if (own.sameAs(reader.sums())) {
+      return;
+    }
+    int id = own.locate(simulation, reader.sums(), located);
+    if (id < 0) {
+      divergence.severalBodies(simulation.tick());
+    } else {
+      divergence.oneBody(simulation.tick(), simulation, id, located);
+      decided = true;
+    }
+  }
+
+  private void keyframe() throws RecordingException {
+    if (reader.keyframeTick() != simulation.tick()) {
+      throw contradicts("a keyframe of tick " + reader.keyframeTick() + " comes");
+    }
+    if (divergence == null && reader.hash() != simulation.stateHash()) {
+      divergence = new Divergence(simulation.tick(), reader.hash(), simulation.stateHash());
+    }
+    if (divergence != null && !decided) {
+      divergence.keyframe(simulation, reader);
+      decided = true;
+    }
+  }
+
+  private RecordingException contradicts(String what) {
+    return new RecordingException(
+        "damaged: after tick " + simulation.tick() + " the recording says that " + what);
+  }
+
+  /** The world, for reading. */
+  public Simulation simulation() {
+    return simulation;
+  }
+
+  /** What the recording began with. */
+  public RecordingHeader header() {
+    return reader.header();
+  }
+
+  /** The first difference, or null when there has been none. */
+  public Divergence divergence() {
+    return divergence;
+  }
+
+  /** Whether {@link #divergence} tells all that can be found out: going on makes no sense. */
+  public boolean isDecided() {
+    return decided;
+  }
+
+  RecordingReader reader() {
+    return reader;
+  }
+
+  /** After the simulation was restored and the reader reset to the same tick. */
+  void moved() {
+    inTick = false;
+  }
+}

@@ -1,0 +1,122 @@
+package carom.sim;
+
+import carom.physics.Collision;
+import carom.physics.WorldDef;
+
+/**
+ * A game whose exceptions stop nobody: a callback that throws is reported, and the step goes on as
+ * if it had returned. What the callback changed before it threw stays, so that a run with failures
+ * is as repeatable as any other.
+ *
+ * <p>Set-up is not guarded: a game that can't be set up must not start.
+ */
+public final class GuardedGame implements Game {
+  /** Hears about failures. */
+  @FunctionalInterface
+  public interface Watch {
+    /**
+     * A callback threw.
+     *
+     * @param callback its name, and whom it was about
+     */
+    void failed(String callback, Simulation s, Throwable failure);
+  }
+
+  private final Game game;
+  private final Watch watch;
+
+  /**
+   * Guards a game.
+   *
+   * @param watch hears about each failure, during the step
+   */
+  public GuardedGame(Game game, Watch watch) {
+    this.game = game;
+    this.watch = watch;
+  }
+
+  @Override
+  public String name() {
+    return game.name();
+  }
+
+  @Override
+  public String defaultLevel() {
+    return game.defaultLevel();
+  }
+
+  @Override
+  public String description() {
+    return game.description();
+  }
+
+  @Override
+  public WorldDef world(Level level) {
+    return game.world(level);
+  }
+
+  @Override
+  public int memorySize(Level level) {
+    return game.memorySize(level);
+  }
+
+  @Override
+  public void setUp(Simulation s) {
+    game.setUp(s);
+  }
+
+  @Override
+  public void join(Simulation s, Player p) {
+    try {
+      game.join(s, p);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("join of player " + p.id(), s, e);
+    }
+  }
+
+  @Override
+  public void leave(Simulation s, Player p) {
+    try {
+      game.leave(s, p);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("leave of player " + p.id(), s, e);
+    }
+  }
+
+  @Override
+  public void input(Simulation s, Player p, Input in) {
+    try {
+      game.input(s, p, in);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("input of player " + p.id(), s, e);
+    }
+  }
+
+  @Override
+  public void beforeStep(Simulation s) {
+    try {
+      game.beforeStep(s);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("beforeStep", s, e);
+    }
+  }
+
+  @Override
+  public void afterStep(Simulation s) {
+    try {
+      game.afterStep(s);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("afterStep", s, e);
+    }
+  }
+
+  @Override
+  public boolean collision(Simulation s, Collision<Entity> c) {
+    try {
+      return game.collision(s, c);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("collision", s, e);
+      return true;
+    }
+  }
+}

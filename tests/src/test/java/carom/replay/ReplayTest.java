@@ -1,0 +1,231 @@
+package carom.replay;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.client.ClientConfig;
+import carom.client.PredictionMode;
+import carom.client.bots.Bot;
+import carom.game.Games;
+import carom.net.transport.Impairment;
+import carom.sim.Input;
+import carom.sim.Level;
+import carom.sim.Player;
+import carom.sim.Role;
+import carom.sim.Simulation;
+import carom.testkit.SimulatedClient;
+import carom.testkit.Stepper;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Goal: what was played can be computed again, bit for bit, and what was changed is found. Method:
+ * whole servers with bots on bad networks, in virtual time, recorded into memory; the oracle is the
+ * server's own hash.
+ */
+final class ReplayTest {
+  private static final Impairment BAD =
+      Impairment.NONE
+          .withBursts(10, 4)
+          .withLatency(60, 30)
+          .withReorder(5, 5)
+          .withSeed(Stepper.SEED);
+
+  @TempDir private Path folder;
+
+  /** Twenty bots, of whom some go and others come, and one is cut off for a while. */
+  private static Blocks play(String game, List<Long> hashes) {
+    Blocks blocks = new Blocks();
+    try (Stepper stepper = Stepper.of(game)) {
+      stepper.room().record(blocks);
+      List<SimulatedClient> bots = new ArrayList<>();
+      for (int i = 0; i < 20; i++) {
+        bots.add(stepper.add(bot(i), BAD, new Bot(Stepper.SEED + i)));
+      }
+      stepper.run(4);
+      bots.get(3).leave();
+      bots.get(8).leave();
+      stepper.blackout(bots.get(11), 2);
+      stepper.run(2);
+      for (int i = 20; i < 23; i++) {
+        stepper.add(bot(i), BAD, new Bot(Stepper.SEED + i));
+      }
+      stepper.run(5);
+      hashes.add((long) stepper.room().simulation().tick());
+      hashes.add(stepper.room().simulation().stateHash());
+    }
+    return blocks;
+  }
+
+  private static ClientConfig bot(int i) {
+    return ClientConfig.of("bot" + i)
+        .withServer("localhost", 0, 0)
+        .withPrediction(PredictionMode.NONE);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"arena", "platformer"})
+  void whatTwentyBotsPlayedOnABadNetworkIsComputedAgain(String game) throws Exception {
+    List<Long> hashes = new ArrayList<>();
+    Path file = play(game, hashes).write(folder.resolve("game.carom"));
+    try (RecordingReader reader = RecordingReader.open(file)) {
+      Replay replay = new Replay(reader);
+      Replay.Progress progress;
+      do {
+        progress = replay.step();
+        assertNull(replay.divergence(), () -> "seed=" + Stepper.SEED + " " + replay.divergence());
+      } while (progress == Replay.Progress.TICK);
+      assertEquals(Replay.Progress.END, progress);
+      assertEquals("SERVER_STOPPING", reader.reason());
+      assertFalse(reader.isCut());
+      assertEquals(hashes.get(0), replay.simulation().tick());
+      assertEquals(hashes.get(1), replay.simulation().stateHash());
+      assertTrue(replay.simulation().tick() > 600);
+    }
+  }
+
+  private static Simulation start() throws Exception {
+    return new Simulation(Games.create("arena"), Level.builtIn("arena"), 7, 60, Role.AUTHORITY);
+  }
+
+  /** A simulation that two players play, recorded; with no network around it. */
+  private static Blocks duel(int ticks) throws Exception {
+    Blocks blocks = new Blocks();
+    Simulation s = start();
+    Recorder recorder = new Recorder(s, RecordingHeader.of(s, 7, 99), blocks);
+    s.journal(recorder);
+    Player one = s.join("one");
+    Player two = s.join("two");
+    for (int tick = 1; tick <= ticks; tick++) {
+      one.input().move(tick % 90 < 45 ? 0.2f : -0.2f, 0.1f);
+      two.input().move(0, tick % 80 < 40 ? 0.2f : -0.2f);
+      s.step();
+    }
+    recorder.end("done");
+    return blocks;
+  }
+
+  private static void playOn(Replay replay) throws Exception {
+    Replay.Progress progress;
+    do {
+      progress = replay.step();
+    } while (progress == Replay.Progress.TICK && !replay.isDecided());
+  }
+
+  private Replay replay(Blocks blocks) throws Exception {
+    RecordingReader reader = RecordingReader.open(blocks.write(folder.resolve("x.carom")));
+    Replay replay = new Replay(reader);
+    try (reader) {
+      playOn(replay);
+    }
+    return replay;
+  }
+
+  @Test
+  void oneFlippedBitOfAnInputIsFoundAtItsTickAndBody() throws Exception {
+    Blocks blocks = duel(400);
+    assertNull(replay(blocks).divergence());
+    long lowestBitOfMoveX = 1L << 16;
+    Replay replay = replay(blocks.withInput(217, 1, lowestBitOfMoveX));
+    Divergence found = replay.divergence();
+    assertNotNull(found);
+    assertEquals(217, found.tick());
+    assertEquals(217, found.bodyTick());
+    assertEquals(1, found.differences().size());
+    Divergence.Difference body = found.differences().get(0);
+    assertEquals(replay.simulation().player(1).body().id(), body.id());
+
+    // The recorded state of that body, which the file doesn't hold, is told exactly all the same.
+    Simulation truth = start();
+    Player one = truth.join("one");
+    Player two = truth.join("two");
+    for (int tick = 1; tick <= 217; tick++) {
+      one.input().move(tick % 90 < 45 ? 0.2f : -0.2f, 0.1f);
+      two.input().move(0, tick % 80 < 40 ? 0.2f : -0.2f);
+      truth.step();
+    }
+    int[] bits = new int[Fingerprint.FIELDS];
+    Fingerprint.read(two.body(), bits);
+    assertArrayEquals(new Divergence.Difference(0, "", bits, bits).recorded(), body.recorded());
+    assertEquals(truth.stateHash(), found.recordedHash());
+  }
+
+  @Test
+  void anInputThatMovesNothingYetIsFoundAtItsTickToo() throws Exception {
+    // Nobody reads the highest button in this game: only the hash knows.
+    Replay replay = replay(duel(400).withInput(100, 0, 1L << 15));
+    assertEquals(100, replay.divergence().tick());
+    assertEquals(-1, replay.divergence().bodyTick());
+    assertTrue(replay.divergence().toString().contains("no body differs"));
+  }
+
+  @Test
+  void severalBodiesThatDifferAtOnceAreListedAtTheNextKeyframe() throws Exception {
+    long aimAndDash = Input.ACTION;
+    Blocks changed = duel(700).withInput(217, 0, 1L << 20).withInput(217, 1, aimAndDash | 1L << 20);
+    Divergence found = replay(changed).divergence();
+    assertEquals(217, found.tick());
+    assertEquals(217, found.bodyTick());
+    assertEquals(2, found.differences().size(), found::toString);
+    assertTrue(found.toString().contains("several bodies at once, at tick 217"), found::toString);
+  }
+
+  @Test
+  void whoeverSetsTheGameUpDifferentlyDivergesAtTickZero() throws Exception {
+    Blocks blocks = duel(10);
+    RecordingHeader h = RecordingHeader.of(start(), 8, 99); // another seed
+    ByteSink header = new ByteSink();
+    h.write(header);
+    blocks.blocks.set(
+        0, new Blocks.Raw(Block.HEADER, Arrays.copyOf(header.array(), header.length())));
+    Divergence found = replay(blocks).divergence();
+    assertEquals(0, found.tick());
+    assertEquals(-1, found.bodyTick());
+  }
+
+  @Test
+  void aSinkThatCannotKeepUpCutsTheRecording() throws Exception {
+    Blocks blocks = new Blocks();
+    blocks.capacity = 4; // header, keyframe, two seconds
+    Simulation s = start();
+    Recorder recorder = new Recorder(s, RecordingHeader.of(s, 7, 99), blocks);
+    s.journal(recorder);
+    s.join("one");
+    for (int tick = 1; tick <= 200; tick++) {
+      s.step();
+    }
+    assertTrue(recorder.isCut());
+    blocks.blocks.add(new Blocks.Raw(Block.END, Recorder.cutBlock("too slow")));
+    RecordingReader reader = RecordingReader.open(blocks.write(folder.resolve("cut.carom")));
+    Replay replay = new Replay(reader);
+    try (reader) {
+      playOn(replay);
+      assertEquals(120, replay.simulation().tick());
+      assertNull(replay.divergence());
+      assertTrue(reader.isCut());
+      assertEquals("too slow", reader.reason());
+    }
+  }
+
+  @Test
+  void aRecordingBeginsAtTickZero() throws Exception {
+    Simulation s = start();
+    s.step();
+    IllegalArgumentException e =
+        assertThrows(
+            IllegalArgumentException.class,
+            () -> new Recorder(s, RecordingHeader.of(s, 7, 99), new Blocks()));
+    assertTrue(e.getMessage().contains("tick=1"), e.getMessage());
+  }
+}
