@@ -416,6 +416,12 @@ final class Connection implements LinkHandler {
     end("You left the game.");
   }
 
+  void send(ClientMessage message) {
+    if (link != null && stage == Stage.PLAYING) {
+      link.send(message);
+    }
+  }
+
   boolean sendDatagram(byte[] bytes, int length) {
     return link != null && stage == Stage.PLAYING && link.sendDatagram(bytes, 0, length);
   }

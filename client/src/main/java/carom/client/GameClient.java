@@ -7,11 +7,13 @@ import carom.client.interpolation.Interpolator;
 import carom.client.interpolation.Pose;
 import carom.client.prediction.Prediction;
 import carom.game.Games;
+import carom.net.protocol.ClientMessage;
 import carom.net.protocol.InputDatagram;
 import carom.net.protocol.Limits;
 import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.DecodeStatus;
 import carom.net.snapshot.EntityHistory;
+import carom.net.snapshot.FrameState;
 import carom.net.snapshot.InputFeedback;
 import carom.net.snapshot.OwnState;
 import carom.net.snapshot.SnapshotDecoder;
@@ -39,6 +41,12 @@ public final class GameClient implements AutoCloseable {
 
   /** What is there when a player joins doesn't fade in, all at once would. */
   private static final long JOIN_GRACE_NS = 1_000_000_000L;
+
+  /** The server is told what is shown at most this often. */
+  private static final long LOOK_GAP_NS = 200_000_000L;
+
+  /** More is asked for than is shown, so that nothing appears at the edge of the screen. */
+  private static final float LOOK_MARGIN = 1.2f;
 
   private final ClientConfig config;
   private final InputSource source;
@@ -68,6 +76,9 @@ public final class GameClient implements AutoCloseable {
   private final int[] seenTick = new int[RING];
   private int ownTick;
   private long firstSnapshotNs;
+  private ClientMessage.Look look;
+  private ClientMessage.Look lookSent;
+  private long lookSentNs;
   private int key;
   private int sequence;
   private int firstTick;
@@ -112,6 +123,7 @@ public final class GameClient implements AutoCloseable {
           runTick(clock.next());
         }
         correct();
+        sendLook();
       }
       if (prediction != null) {
         prediction.advance(seconds);
@@ -164,6 +176,15 @@ public final class GameClient implements AutoCloseable {
     sentSequence[slot] = sequence;
     sequence = (sequence + 1) & 0xffff;
     connection.sendDatagram(buffer, length);
+  }
+
+  private void sendLook() {
+    boolean due = lookSentNs == 0 || nowNs - lookSentNs >= LOOK_GAP_NS;
+    if (look != null && due && (lookSentNs == 0 || !look.equals(lookSent))) {
+      connection.send(look);
+      lookSent = look;
+      lookSentNs = nowNs;
+    }
   }
 
   private void correct() {
@@ -225,6 +246,8 @@ public final class GameClient implements AutoCloseable {
     int rate = welcome.tickRate();
     key = welcome.datagramKey();
     decoder = new SnapshotDecoder(Limits.MAX_ENTITIES, key, welcome.tick(), rate);
+    decoder.level(FrameState.of(Limits.MAX_ENTITIES, frame -> level.forEachBody(frame::put)));
+    lookSentNs = 0;
     clock = new TickClock(rate);
     renderClock = new RenderClock(rate);
     interpolator = new Interpolator(rate);
@@ -405,6 +428,22 @@ public final class GameClient implements AutoCloseable {
   /** What the player sees; the same object for ever. */
   public ClientView view() {
     return view;
+  }
+
+  /**
+   * Says what is shown, so that the server tells about that: it bounds the size, and follows the
+   * own body by itself. Never called: as much as the server allows.
+   *
+   * @param x middle of the picture while there is no own body, metres
+   * @param y middle of the picture while there is no own body, metres
+   * @param width of the picture, metres
+   * @param height of the picture, metres
+   */
+  public void look(float x, float y, float width, float height) {
+    boolean follows = view.own() != null;
+    look =
+        new ClientMessage.Look(
+            follows ? 0 : x, follows ? 0 : y, width / 2 * LOOK_MARGIN, height / 2 * LOOK_MARGIN);
   }
 
   /**

@@ -166,6 +166,28 @@ public final class ServerMain implements Callable<Integer> {
   private int maxPlayers;
 
   @Option(
+      names = "--snapshot-rate",
+      paramLabel = "HZ",
+      description = "Snapshots per second and player, 1..240, at most one a tick (one a tick).")
+  private Integer snapshotRate;
+
+  @Option(
+      names = "--budget",
+      paramLabel = "KBIT",
+      defaultValue = "512",
+      description = "Snapshots for one player, kbit/s of payload, 16..80000 (${DEFAULT-VALUE}).")
+  private int budget;
+
+  @Option(
+      names = "--view",
+      paramLabel = "METRES",
+      defaultValue = "0",
+      description =
+          "Largest half width and half height a player is told about, up to 4096;"
+              + " 0 = 64, and everything in small worlds (${DEFAULT-VALUE}).")
+  private int view;
+
+  @Option(
       names = "--grace",
       paramLabel = "S",
       defaultValue = "30",
@@ -523,11 +545,13 @@ public final class ServerMain implements Callable<Integer> {
           .withTickRateHz(tickRate)
           .withSeed(seed == null ? new SecureRandom().nextLong() : seed)
           .withMaxPlayers(maxPlayers)
+          .withSnapshotBitsPerSecond(1_000 * Math.max(0, Math.min(1_000_000, budget)))
+          .withViewMetres(view)
           .withRooms(rooms)
           .withThreads(threads)
           .withGraceMs(graceS * 1_000)
           .withInputHoldTicks(tickRate / 2)
-          .withSnapshotRateHz(tickRate)
+          .withSnapshotRateHz(snapshotRate == null ? tickRate : snapshotRate)
           .withStatusIntervalS(statusIntervalS);
     } catch (IllegalArgumentException e) {
       throw bad(e.getMessage());

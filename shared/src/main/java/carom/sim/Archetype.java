@@ -5,6 +5,8 @@ import carom.physics.BodyType;
 import carom.physics.Material;
 import carom.physics.ShapeDef;
 import carom.physics.geometry.Shape;
+import carom.physics.math.Aabb;
+import carom.physics.math.Transform;
 import java.util.List;
 
 /**
@@ -18,12 +20,27 @@ public final class Archetype {
   private final ArchetypeDef def;
   private final List<Shape> shapes;
   private final List<Material> materials;
+  private final float reach;
 
   Archetype(int index, ArchetypeDef def) {
     this.index = index;
     this.def = new ArchetypeDef(def);
     shapes = List.copyOf(def.shapes);
     materials = List.copyOf(def.materials);
+    reach = reachOf(shapes);
+  }
+
+  private static float reachOf(List<Shape> shapes) {
+    Aabb box = new Aabb();
+    Transform identity = new Transform();
+    float reach = 0;
+    for (Shape shape : shapes) {
+      shape.aabb(identity, box);
+      float w = Math.max(Math.abs(box.minX), Math.abs(box.maxX));
+      float h = Math.max(Math.abs(box.minY), Math.abs(box.maxY));
+      reach = Math.max(reach, (float) Math.sqrt(w * w + h * h));
+    }
+    return reach;
   }
 
   /** Position among the simulation's {@link Archetypes}, from 0. */
@@ -44,6 +61,11 @@ public final class Archetype {
   /** The shapes in the body's frame, unmodifiable. */
   public List<Shape> shapes() {
     return shapes;
+  }
+
+  /** Radius of a circle around the body's origin that holds all shapes at any angle, metres. */
+  public float reach() {
+    return reach;
   }
 
   /** The material of each shape, unmodifiable. */

@@ -71,4 +71,21 @@ public interface Game {
   default boolean collision(Simulation s, Collision<Entity> c) {
     return OneWay.responds(s, c);
   }
+
+  /**
+   * {@link Role#AUTHORITY} only, after each tick for each entity: who is told about it. Players
+   * always know their own body. What nobody is told about costs nothing, and no client can cheat it
+   * out of the wire.
+   */
+  default Audience audience(Simulation s, Entity e) {
+    return Audience.NEAR;
+  }
+
+  /**
+   * {@link Role#AUTHORITY} only, often: whether a player is told about everything everywhere, as a
+   * referee or a spectator may be. It costs as much as the whole world.
+   */
+  default boolean seesAll(Simulation s, Player p) {
+    return false;
+  }
 }

@@ -2,6 +2,7 @@ package carom.sim;
 
 import carom.physics.Collision;
 import carom.physics.WorldDef;
+import java.util.Objects;
 
 /**
  * A game whose exceptions stop nobody: a callback that throws is reported, and the step goes on as
@@ -117,6 +118,26 @@ public final class GuardedGame implements Game {
     } catch (RuntimeException | AssertionError | StackOverflowError e) {
       watch.failed("collision", s, e);
       return true;
+    }
+  }
+
+  @Override
+  public Audience audience(Simulation s, Entity e) {
+    try {
+      return Objects.requireNonNull(game.audience(s, e), "audience");
+    } catch (RuntimeException | AssertionError | StackOverflowError failure) {
+      watch.failed("audience of " + e, s, failure);
+      return Audience.NOBODY;
+    }
+  }
+
+  @Override
+  public boolean seesAll(Simulation s, Player p) {
+    try {
+      return game.seesAll(s, p);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("seesAll of player " + p.id(), s, e);
+      return false;
     }
   }
 }

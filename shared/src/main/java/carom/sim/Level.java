@@ -1,5 +1,6 @@
 package carom.sim;
 
+import carom.physics.BodyType;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -24,6 +25,35 @@ public final class Level {
    * @param angle radians, counterclockwise
    */
   public record Placement(int archetype, float x, float y, float angle) {}
+
+  /** Receives the bodies of a level as entities; see {@link Level#forEachBody}. */
+  public interface BodyVisitor {
+    /**
+     * Called once per body, by ascending id.
+     *
+     * @param id of the entity
+     * @param generation of the entity
+     * @param archetype index
+     * @param owner {@link Entity#NO_OWNER}
+     * @param x metres
+     * @param y metres
+     * @param angle radians
+     * @param vx m/s
+     * @param vy m/s
+     * @param omega rad/s
+     */
+    void body(
+        int id,
+        int generation,
+        int archetype,
+        int owner,
+        float x,
+        float y,
+        float angle,
+        float vx,
+        float vy,
+        float omega);
+  }
 
   /**
    * A point with a purpose.
@@ -212,6 +242,20 @@ public final class Level {
    */
   public List<Placement> bodies() {
     return bodies;
+  }
+
+  /**
+   * Visits the dynamic ones of {@link #bodies} as the entities they become at tick 0, at rest, so
+   * that server and client agree on the beginning without a word. Kinematic ones are never at rest.
+   */
+  public void forEachBody(BodyVisitor visitor) {
+    for (int id = 0; id < bodies.size(); id++) {
+      Placement p = bodies.get(id);
+      if (archetypes.get(p.archetype()).type != BodyType.DYNAMIC) {
+        continue;
+      }
+      visitor.body(id, 0, p.archetype(), Entity.NO_OWNER, p.x(), p.y(), p.angle(), 0, 0, 0);
+    }
   }
 
   /** All spawn points in file order, unmodifiable. */

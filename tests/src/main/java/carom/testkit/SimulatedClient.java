@@ -101,6 +101,9 @@ public final class SimulatedClient {
       EntityHistory history = decoder.history(slot);
       for (int i = 0; history != null && i < history.size() && history.tick(i) > from; i++) {
         FrameState frame = truth.at(history.tick(i));
+        if (history.outOfSight(i)) {
+          continue; // says nothing about the entity
+        }
         if (frame == null) {
           unverified++;
         } else {
@@ -148,6 +151,9 @@ public final class SimulatedClient {
     for (int slot = 0; slot < limit; slot++) {
       EntityHistory history = decoder.history(slot);
       boolean known = history != null && history.size() > 0;
+      if (known && history.outOfSight(0)) {
+        continue;
+      }
       if (known) {
         requireEqual(frame, slot, history, 0);
       } else if (frame.alive(slot)) {

@@ -97,6 +97,7 @@ class ProtocolDocTest {
     golden.put("level-request", ClientMessageCodec.encode(new ClientMessage.LevelRequest(4096)));
     golden.put("ready", ClientMessageCodec.encode(new ClientMessage.Ready()));
     golden.put("leave", ClientMessageCodec.encode(new ClientMessage.Leave()));
+    golden.put("look", ClientMessageCodec.encode(new ClientMessage.Look(-1.5f, 2, 16, 9)));
     serverMessages(golden);
     inputs(golden);
     snapshots(golden);

@@ -93,7 +93,7 @@ class EdgeScenarioTest {
   void theSmallestBudgetStillTellsEverything() throws Exception {
     // Goal: too few bytes make things late, never wrong or forgotten. Method: 2,000 bytes a second
     // for a full arena; then one idle player at a level that comes to rest.
-    ServerConfig config = ServerConfig.defaults().withSnapshotBytesPerSecond(2_000);
+    ServerConfig config = ServerConfig.defaults().withSnapshotBitsPerSecond(16_000);
     try (Stepper stepper = Stepper.of(arena(), config)) {
       for (int i = 0; i < 6; i++) {
         stepper.add("bot" + i, FAR, new Bot(i));

@@ -6,11 +6,14 @@ import carom.net.protocol.Limits;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.DecodeStatus;
+import carom.net.snapshot.FrameState;
 import carom.net.snapshot.OwnState;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.sim.Input;
+import carom.sim.Level;
+import carom.sim.LevelException;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -108,6 +111,7 @@ final class FakeClient implements LinkHandler {
       if (loaded < level.length) {
         link.send(new ClientMessage.LevelRequest(loaded));
       } else {
+        decoder.level(start(level));
         link.send(new ClientMessage.Ready());
         ready = true;
       }
@@ -117,6 +121,15 @@ final class FakeClient implements LinkHandler {
       goodbye = g;
     } else if (message instanceof ServerMessage.Roster r) {
       roster = r;
+    }
+  }
+
+  private static FrameState start(byte[] json) {
+    try {
+      Level parsed = Level.parse("level", json);
+      return FrameState.of(Limits.MAX_ENTITIES, frame -> parsed.forEachBody(frame::put));
+    } catch (LevelException e) {
+      throw new AssertionError(e);
     }
   }
 

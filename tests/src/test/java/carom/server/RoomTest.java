@@ -402,7 +402,7 @@ class RoomTest {
 
   @Test
   void budgetIsKeptAndEveryEntityArrivesAllTheSame() {
-    try (Rig rig = new Rig(CONFIG.withSnapshotBytesPerSecond(12_000), new TestGame(400))) {
+    try (Rig rig = new Rig(CONFIG.withSnapshotBitsPerSecond(96_000), new TestGame(400))) {
       FakeClient client = rig.join("Ann");
       rig.seconds(2);
       long before = client.bytes;

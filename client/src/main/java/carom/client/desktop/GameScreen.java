@@ -130,6 +130,7 @@ final class GameScreen extends ScreenAdapter {
           width,
           height,
           deltaSeconds);
+      camera.tell(client);
       float pixelsPerMetre = camera.pixelsPerMetre(height);
       world.draw(view, camera.gdx(), pixelsPerMetre, seconds, deltaSeconds);
       if (showDebug && view.predictedWorld() != null) {

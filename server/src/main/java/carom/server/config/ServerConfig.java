@@ -42,8 +42,10 @@ import java.util.function.Consumer;
  *     per tick
  * @param keepAliveRateHz datagrams per second and session while nothing is new, 1..60: acks, clock
  *     and RTT live on them
- * @param snapshotBytesPerSecond budget of one session's snapshots, 2,000..10,000,000; what does not
- *     fit waits, oldest first
+ * @param snapshotBitsPerSecond budget of one session's snapshots, bits of payload, 16,000 to
+ *     80,000,000; what does not fit waits and collects priority
+ * @param viewMetres largest half width and half height of what a player is told about, 0..4,096; in
+ *     levels that are no larger everything is in sight. 0 = 64, and everything in small worlds
  * @param rosterIntervalMs shortest time between two rosters (names and scores), 0..10,000
  * @param statusIntervalS seconds between two status lines in the log, 0..86,400; 0 = none
  */
@@ -64,7 +66,8 @@ public record ServerConfig(
     int inputHoldTicks,
     int snapshotRateHz,
     int keepAliveRateHz,
-    int snapshotBytesPerSecond,
+    int snapshotBitsPerSecond,
+    int viewMetres,
     int rosterIntervalMs,
     int statusIntervalS) {
 
@@ -104,14 +107,10 @@ public record ServerConfig(
     check("catchUpTicks", catchUpTicks, 1, 60, "withCatchUpTicks");
     check("inputWindowTicks", inputWindowTicks, 4, 64, "withInputWindowTicks");
     check("inputHoldTicks", inputHoldTicks, 0, 240, "withInputHoldTicks");
-    check("snapshotRateHz", snapshotRateHz, 1, 240, "withSnapshotRateHz");
+    check("snapshotRateHz", snapshotRateHz, 1, 240, "--snapshot-rate");
     check("keepAliveRateHz", keepAliveRateHz, 1, 60, "withKeepAliveRateHz");
-    check(
-        "snapshotBytesPerSecond",
-        snapshotBytesPerSecond,
-        2_000,
-        10_000_000,
-        "withSnapshotBytesPerSecond");
+    check("snapshotBitsPerSecond", snapshotBitsPerSecond, 16_000, 80_000_000, "--budget");
+    check("viewMetres", viewMetres, 0, 4_096, "--view");
     check("rosterIntervalMs", rosterIntervalMs, 0, 10_000, "withRosterIntervalMs");
     check("statusIntervalS", statusIntervalS, 0, 86_400, "--status-interval");
   }
@@ -126,8 +125,8 @@ public record ServerConfig(
   /** The settings of a server that is started without any flag. */
   public static ServerConfig defaults() {
     return new ServerConfig(
-        "arena", "Carom", 60, 1, 1, 1, 64, 5_000, 20_000, 5_000, 30_000, 15, 32, 30, 60, 10, 64_000,
-        250, 60);
+        "arena", "Carom", 60, 1, 1, 1, 64, 5_000, 20_000, 5_000, 30_000, 15, 32, 30, 60, 10,
+        512_000, 0, 250, 60);
   }
 
   /** Nanoseconds of one tick, rounded down; use a tick loop for exact deadlines. */
@@ -221,8 +220,13 @@ public record ServerConfig(
   }
 
   /** A copy with this snapshot budget. */
-  public ServerConfig withSnapshotBytesPerSecond(int value) {
-    return with(draft -> draft.snapshotBytesPerSecond = value);
+  public ServerConfig withSnapshotBitsPerSecond(int value) {
+    return with(draft -> draft.snapshotBitsPerSecond = value);
+  }
+
+  /** A copy with this largest view. */
+  public ServerConfig withViewMetres(int value) {
+    return with(draft -> draft.viewMetres = value);
   }
 
   /** A copy with this roster interval. */
@@ -259,7 +263,8 @@ public record ServerConfig(
     private int inputHoldTicks;
     private int snapshotRateHz;
     private int keepAliveRateHz;
-    private int snapshotBytesPerSecond;
+    private int snapshotBitsPerSecond;
+    private int viewMetres;
     private int rosterIntervalMs;
     private int statusIntervalS;
 
@@ -280,7 +285,8 @@ public record ServerConfig(
       inputHoldTicks = from.inputHoldTicks;
       snapshotRateHz = from.snapshotRateHz;
       keepAliveRateHz = from.keepAliveRateHz;
-      snapshotBytesPerSecond = from.snapshotBytesPerSecond;
+      snapshotBitsPerSecond = from.snapshotBitsPerSecond;
+      viewMetres = from.viewMetres;
       rosterIntervalMs = from.rosterIntervalMs;
       statusIntervalS = from.statusIntervalS;
     }
@@ -303,7 +309,8 @@ public record ServerConfig(
           inputHoldTicks,
           snapshotRateHz,
           keepAliveRateHz,
-          snapshotBytesPerSecond,
+          snapshotBitsPerSecond,
+          viewMetres,
           rosterIntervalMs,
           statusIntervalS);
     }

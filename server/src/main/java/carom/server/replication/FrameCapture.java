@@ -4,6 +4,7 @@ import carom.net.protocol.Limits;
 import carom.net.snapshot.FrameRing;
 import carom.net.snapshot.FrameState;
 import carom.physics.Body;
+import carom.sim.Audience;
 import carom.sim.Entity;
 import carom.sim.Player;
 import carom.sim.Simulation;
@@ -14,13 +15,20 @@ import carom.sim.Simulation;
  * <p>The room's thread; no allocation but for frames that grow with the highest entity id.
  */
 public final class FrameCapture {
+  private static final int TEAM_SHIFT = 3;
+  private static final Audience[] AUDIENCES = Audience.values();
+
   private final Simulation simulation;
   private final FrameRing ring;
+  private final InterestIndex index;
 
-  /** Creates an empty ring for a simulation's entities. */
+  /** Creates an empty ring for a simulation's entities, which starts from the level's bodies. */
   public FrameCapture(Simulation simulation) {
     this.simulation = simulation;
     this.ring = new FrameRing(Limits.MAX_ENTITIES);
+    this.index = new InterestIndex(simulation);
+    ring.level(
+        FrameState.of(Limits.MAX_ENTITIES, frame -> simulation.level().forEachBody(frame::put)));
   }
 
   /** Captures the state after the simulation's last step. */
@@ -43,6 +51,12 @@ public final class FrameCapture {
           body.velocityX(),
           body.velocityY(),
           body.angularVelocity());
+      Audience audience = simulation.game().audience(simulation, entity);
+      if (audience != Audience.NEAR) {
+        Player owner = simulation.owner(entity);
+        int team = audience == Audience.TEAM && owner != null ? owner.team() : 0;
+        frame.setAudience(id, team << TEAM_SHIFT | audience.ordinal());
+      }
     }
     for (int id = 0, count = simulation.playerCapacity(); id < count; id++) {
       Player player = simulation.player(id);
@@ -57,5 +71,20 @@ public final class FrameCapture {
   /** The captured frames. */
   public FrameRing frames() {
     return ring;
+  }
+
+  /** Who is told about an entity of a captured frame. */
+  static Audience audience(FrameState frame, int slot) {
+    return AUDIENCES[frame.audience(slot) & ((1 << TEAM_SHIFT) - 1)];
+  }
+
+  /** The team of {@link Audience#TEAM}. */
+  static int team(FrameState frame, int slot) {
+    return frame.audience(slot) >> TEAM_SHIFT;
+  }
+
+  /** Where the entities of the newest frame are. */
+  InterestIndex index() {
+    return index;
   }
 }

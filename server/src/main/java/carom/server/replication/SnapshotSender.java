@@ -8,6 +8,7 @@ import carom.net.transport.Link;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
+import carom.sim.Player;
 
 /**
  * Sends one session's snapshots over one link: when (the snapshot rate, or the slower keep-alive
@@ -19,6 +20,8 @@ public final class SnapshotSender {
   /** The bucket's depth: so many full datagrams may leave in one tick after a quiet time. */
   private static final int BURST_DATAGRAMS = 4;
 
+  private final FrameRing frames;
+  private final SessionView view;
   private final SnapshotEncoder encoder;
   private final Counters counters;
   private final byte[] buffer = new byte[SnapshotEncoder.MAX_DATAGRAM_BYTES];
@@ -32,18 +35,26 @@ public final class SnapshotSender {
   private int ticksSinceSent;
 
   /**
-   * Creates the sender for a client that knows nothing.
+   * Creates the sender for a client that knows nothing but the level.
    *
-   * @param ring the room's frames
+   * @param capture the room's frames
+   * @param player whose client it is
    * @param datagramKey the key in the session's Welcome
    */
-  public SnapshotSender(FrameRing ring, int datagramKey, ServerConfig config, Counters counters) {
-    this.encoder = new SnapshotEncoder(ring, datagramKey, config.tickRateHz());
+  public SnapshotSender(
+      FrameCapture capture,
+      Player player,
+      int datagramKey,
+      ServerConfig config,
+      Counters counters) {
+    this.frames = capture.frames();
+    this.view = new SessionView(capture.index(), player, config.viewMetres(), config.tickRateHz());
+    this.encoder = new SnapshotEncoder(frames, datagramKey, config.tickRateHz(), view);
     this.counters = counters;
     this.tickRateHz = config.tickRateHz();
     this.snapshotRateHz = Math.min(config.snapshotRateHz(), tickRateHz);
     this.keepAliveTicks = Math.max(1, tickRateHz / config.keepAliveRateHz());
-    this.bytesPerSecond = config.snapshotBytesPerSecond();
+    this.bytesPerSecond = config.snapshotBitsPerSecond() / 8;
     this.bucketDepth = (long) BURST_DATAGRAMS * SnapshotEncoder.MAX_DATAGRAM_BYTES * tickRateHz;
     this.bucket = bucketDepth;
     this.rateAccumulator = tickRateHz; // the first tick sends
@@ -53,6 +64,11 @@ public final class SnapshotSender {
   /** Takes a client's acks as they are; see {@link SnapshotEncoder#receiveAck}. */
   public void receiveAck(int ackSequence, long ackBits) {
     encoder.receiveAck(ackSequence, ackBits);
+  }
+
+  /** Takes over what the client says it shows; see {@link SessionView#look}. */
+  public void look(float x, float y, float halfWidth, float halfHeight) {
+    view.look(x, y, halfWidth, halfHeight);
   }
 
   /** Whether {@link #send} may send at this tick; call once per tick, before it. */
@@ -65,6 +81,7 @@ public final class SnapshotSender {
     if (rateAccumulator < tickRateHz) {
       return false;
     }
+    view.update(frames.newest(), encoder);
     if (ticksSinceSent >= keepAliveTicks) {
       return true;
     }

@@ -300,7 +300,7 @@ public final class Room {
     boolean resumed = session != null;
     if (session == null) {
       Player player = simulation.join(id, a.seat().name());
-      session = new Session(a.seat(), player, config, capture.frames(), ownCapture, counters);
+      session = new Session(a.seat(), player, config, capture, ownCapture, counters);
       sessions.add(session);
       bySeat[id] = session;
     } else if (session.state() == SessionState.PLAYING) {

@@ -6,7 +6,6 @@ import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.InputDatagram;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
-import carom.net.snapshot.FrameRing;
 import carom.net.snapshot.InputFeedback;
 import carom.net.snapshot.OwnState;
 import carom.net.transport.Link;
@@ -14,6 +13,7 @@ import carom.net.transport.LinkHandler;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
+import carom.server.replication.FrameCapture;
 import carom.server.replication.OwnCapture;
 import carom.server.replication.SnapshotSender;
 import carom.sim.Player;
@@ -54,7 +54,7 @@ public final class Session implements LinkHandler {
   private final Player player;
   private final ServerConfig config;
   private final Counters counters;
-  private final FrameRing frames;
+  private final FrameCapture frames;
   private final OwnCapture capture;
   private final InputBuffer inputs;
   private final InputDatagram datagram = new InputDatagram();
@@ -88,7 +88,7 @@ public final class Session implements LinkHandler {
       Seats.Seat seat,
       Player player,
       ServerConfig config,
-      FrameRing frames,
+      FrameCapture frames,
       OwnCapture capture,
       Counters counters) {
     this.seat = seat;
@@ -111,7 +111,7 @@ public final class Session implements LinkHandler {
     state = state.become(SessionState.PLAYING);
     link = newLink;
     datagramKey = key;
-    sender = new SnapshotSender(frames, key, config, counters);
+    sender = new SnapshotSender(frames, player, key, config, counters);
     inputs.reset(tick);
     feedback.present = false;
     feedback.consumedTick = tick;
@@ -163,6 +163,8 @@ public final class Session implements LinkHandler {
     lastHeardNs = nowNs;
     if (message instanceof ClientMessage.Leave) {
       wish = Wish.LEAVE;
+    } else if (message instanceof ClientMessage.Look look) {
+      sender.look(look.x(), look.y(), look.halfWidth(), look.halfHeight());
     } else if (!(message instanceof ClientMessage.Ready) && wish == Wish.STAY) {
       wish = Wish.EXPEL;
       offence =
@@ -317,6 +319,11 @@ public final class Session implements LinkHandler {
   /** The peer for log lines. */
   public String remote() {
     return link == null ? "no link" : link.remote();
+  }
+
+  /** The session's snapshots, for inspection; null while it doesn't play. */
+  public SnapshotSender sender() {
+    return sender;
   }
 
   /** The input buffer, for inspection. */

@@ -25,6 +25,17 @@ public sealed interface ClientMessage {
   /** The level is loaded: give me a body. */
   record Ready() implements ClientMessage {}
 
+  /**
+   * What the client shows, when it changes: the server tells about entities in there. It bounds the
+   * size.
+   *
+   * @param x where it looks while the player has no body, metres
+   * @param y where it looks while the player has no body, metres
+   * @param halfWidth half of what it shows, metres
+   * @param halfHeight half of what it shows, metres
+   */
+  record Look(float x, float y, float halfWidth, float halfHeight) implements ClientMessage {}
+
   /** The player goes; no grace period. */
   record Leave() implements ClientMessage {}
 }

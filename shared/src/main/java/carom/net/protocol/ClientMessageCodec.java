@@ -16,6 +16,7 @@ public final class ClientMessageCodec {
   private static final byte LEVEL_REQUEST = 2;
   private static final byte READY = 3;
   private static final byte LEAVE = 4;
+  private static final byte LOOK = 5;
   private static final int HELLO_FIXED_BYTES = 1 + 4 + 8 + 8 + 1;
 
   private ClientMessageCodec() {}
@@ -53,6 +54,12 @@ public final class ClientMessageCodec {
       }
       buffer.put(LEVEL_REQUEST);
       buffer.putInt(request.offset());
+    } else if (message instanceof ClientMessage.Look look) {
+      buffer.put(LOOK);
+      buffer.putFloat(look.x());
+      buffer.putFloat(look.y());
+      buffer.putFloat(look.halfWidth());
+      buffer.putFloat(look.halfHeight());
     } else if (message instanceof ClientMessage.Ready) {
       buffer.put(READY);
     } else {
@@ -84,6 +91,7 @@ public final class ClientMessageCodec {
       case LEVEL_REQUEST -> decodeLevelRequest(buffer);
       case READY -> buffer.hasRemaining() ? null : new ClientMessage.Ready();
       case LEAVE -> buffer.hasRemaining() ? null : new ClientMessage.Leave();
+      case LOOK -> decodeLook(buffer);
       default -> null;
     };
   }
@@ -94,6 +102,27 @@ public final class ClientMessageCodec {
     }
     int offset = buffer.getInt();
     return validOffset(offset) ? new ClientMessage.LevelRequest(offset) : null;
+  }
+
+  /**
+   * Only numbers, and sizes that aren't negative: what else they mean is for the server to judge.
+   */
+  private static ClientMessage decodeLook(ByteBuffer buffer) {
+    if (buffer.remaining() != 4 * Float.BYTES) {
+      return null;
+    }
+    float x = buffer.getFloat();
+    float y = buffer.getFloat();
+    float halfWidth = buffer.getFloat();
+    float halfHeight = buffer.getFloat();
+    boolean numbers =
+        Float.isFinite(x)
+            && Float.isFinite(y)
+            && Float.isFinite(halfWidth)
+            && Float.isFinite(halfHeight);
+    return numbers && halfWidth >= 0 && halfHeight >= 0
+        ? new ClientMessage.Look(x, y, halfWidth, halfHeight)
+        : null;
   }
 
   private static ClientMessage decodeHello(ByteBuffer buffer) {

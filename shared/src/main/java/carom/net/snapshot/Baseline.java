@@ -6,14 +6,18 @@ public enum Baseline {
   QUIESCENT,
   /** Delta against a state that the client has acked. */
   ACKED,
-  /** Absolute: the client has acked nothing of this slot. */
+  /** Absolute: first seen, the client has acked nothing of this slot since it came into sight. */
   NEW,
-  /** Absolute: the acked state has left the ring. */
+  /** Absolute: too old, the acked state was left 64 ticks ago or more. */
   TOO_OLD,
+  /** Absolute: rolled out, the acked state is young enough but no frame of the ring has it. */
+  ROLLED_OUT,
   /** Absolute: the acked state is of another entity, owner or archetype. */
   IDENTITY,
   /** Absolute: asked for by {@link SnapshotEncoder#force}. */
   FORCED,
   /** The slot is free and the client may still see an entity there. */
-  GONE
+  GONE,
+  /** The entity has left the client's sight and the client may not know it yet. */
+  OUT_OF_SIGHT
 }

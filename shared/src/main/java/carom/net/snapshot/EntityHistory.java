@@ -11,8 +11,9 @@ public final class EntityHistory {
   /** Most states kept. */
   public static final int SIZE = 64;
 
-  private static final int MASK = SIZE - 1;
   private static final int FREE = -1;
+  private static final int OUT_OF_SIGHT = -2;
+  private static final int FIRST_ROOM = 4;
   private static final int TICK = 0;
   private static final int KIND = 1;
   private static final int OWNER = 2;
@@ -24,7 +25,9 @@ public final class EntityHistory {
   private static final int OMEGA = 8;
   private static final int FIELDS = 9;
 
-  private final int[] data = new int[SIZE * FIELDS];
+  // Most entities rest for good: room for a few states, doubled as needed.
+  private int[] data = new int[FIRST_ROOM * FIELDS];
+  private int mask = FIRST_ROOM - 1;
   private int newest;
   private int size;
 
@@ -55,9 +58,19 @@ public final class EntityHistory {
     return data[at(index) + TICK];
   }
 
-  /** Whether the slot held an entity then; if not, the entry's other values mean nothing. */
+  /**
+   * Whether the slot held an entity in sight then; if not, the entry's other values mean nothing.
+   */
   public boolean alive(int index) {
-    return data[at(index) + KIND] != FREE;
+    return data[at(index) + KIND] >= 0;
+  }
+
+  /**
+   * Whether the server stopped telling about the slot then: an entity may be there, or not, and
+   * nothing has happened to it that a player should notice.
+   */
+  public boolean outOfSight(int index) {
+    return data[at(index) + KIND] == OUT_OF_SIGHT;
   }
 
   /** Generation: entries of different generations are different entities. */
@@ -109,7 +122,7 @@ public final class EntityHistory {
     if (index < 0 || index >= size) {
       throw new IndexOutOfBoundsException("index=" + index + " is outside 0.." + (size - 1));
     }
-    return ((newest - index) & MASK) * FIELDS;
+    return ((newest - index) & mask) * FIELDS;
   }
 
   void motion(int index, Motion out) {
@@ -156,6 +169,14 @@ public final class EntityHistory {
     }
   }
 
+  /** Adds that the slot was out of sight. */
+  void addOutOfSight(int tick) {
+    int at = open(tick);
+    if (at >= 0) {
+      data[at + KIND] = OUT_OF_SIGHT;
+    }
+  }
+
   /**
    * Makes room for an entry in the order of ticks; -1 when the tick is there already or older than
    * a full history.
@@ -168,7 +189,10 @@ public final class EntityHistory {
     if (newer == SIZE || (newer < size && tick(newer) == tick)) {
       return -1;
     }
-    newest = (newest + 1) & MASK;
+    if (size > mask && size < SIZE) {
+      grow();
+    }
+    newest = (newest + 1) & mask;
     size = Math.min(SIZE, size + 1);
     for (int i = 0; i < newer; i++) {
       System.arraycopy(data, at(i + 1), data, at(i), FIELDS);
@@ -176,5 +200,15 @@ public final class EntityHistory {
     int at = at(newer);
     data[at + TICK] = tick;
     return at;
+  }
+
+  private void grow() {
+    int[] grown = new int[2 * data.length];
+    for (int i = 0; i < size; i++) {
+      System.arraycopy(data, at(i), grown, (size - 1 - i) * FIELDS, FIELDS);
+    }
+    data = grown;
+    mask = 2 * mask + 1;
+    newest = size - 1;
   }
 }

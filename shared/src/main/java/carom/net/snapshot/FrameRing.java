@@ -20,6 +20,9 @@ public final class FrameRing {
 
   private final int capacity;
   private final FrameState[] frames = new FrameState[SIZE];
+  private final SlotSet asLevel = new SlotSet();
+  private FrameState level;
+  private int firstTick = -1;
   private long ended;
   private boolean begun;
 
@@ -36,6 +39,35 @@ public final class FrameRing {
     for (int i = 0; i < SIZE; i++) {
       frames[i] = new FrameState(capacity);
     }
+  }
+
+  /**
+   * Says what every client knows before the first datagram: the entities as the level file places
+   * them. Those that are so in the ring's first frame cost nothing until they move.
+   *
+   * @param state made by {@link FrameState#of}; the clients' decoders must be given the same
+   * @throws IllegalStateException after the first frame
+   */
+  public void level(FrameState state) {
+    if (ended > 0 || begun) {
+      throw new IllegalStateException("level() after the first frame was begun");
+    }
+    level = state;
+  }
+
+  /** The state that all clients know from the level, or null. */
+  FrameState level() {
+    return level;
+  }
+
+  /** The slots that were in the first frame as the level has them. */
+  SlotSet asLevel() {
+    return asLevel;
+  }
+
+  /** Tick of the first frame that was ever ended; -1 before it. */
+  int firstTick() {
+    return firstTick;
   }
 
   /** Most entity slots of a frame. */
@@ -65,9 +97,23 @@ public final class FrameRing {
     if (!begun) {
       throw new IllegalStateException("end() without begin()");
     }
-    frames[(int) ended & MASK].end(newest());
+    FrameState frame = frames[(int) ended & MASK];
+    frame.end(newest());
+    if (ended == 0) {
+      firstTick = frame.tick();
+      compareWithLevel(frame);
+    }
     ended++;
     begun = false;
+  }
+
+  private void compareWithLevel(FrameState first) {
+    for (int slot = 0; level != null && slot < level.slotLimit(); slot++) {
+      if (level.sameState(first, slot)) {
+        asLevel.ensure(slot + 1);
+        asLevel.add(slot);
+      }
+    }
   }
 
   /** The newest ended frame, or null before the first. */

@@ -2,6 +2,7 @@ package carom.net.snapshot;
 
 import carom.net.codec.Quantizer;
 import java.util.Arrays;
+import java.util.function.Consumer;
 
 /**
  * A room's whole world at one tick, quantised once for all sessions: a structure of int arrays, by
@@ -28,12 +29,28 @@ public final class FrameState {
   private int[] vy = {};
   private int[] omega = {};
   private int[] changedTick = {};
-  private long[] changed = {};
   private final PlayerSet players = new PlayerSet();
   private long[] inputs = {};
+  private final SlotSet changed = new SlotSet();
+  private int[] audience = {};
 
   FrameState(int capacity) {
     this.capacity = capacity;
+  }
+
+  /**
+   * A frame of its own, outside of any ring, of tick 0: the state that a level file places its
+   * bodies in, which server and client know without a word.
+   *
+   * @param capacity most entity slots, 1..65,535
+   * @param fill puts the entities
+   */
+  public static FrameState of(int capacity, Consumer<FrameState> fill) {
+    FrameState frame = new FrameState(capacity);
+    frame.begin(0);
+    fill.accept(frame);
+    frame.end(null);
+    return frame;
   }
 
   void begin(int tick) {
@@ -137,8 +154,20 @@ public final class FrameState {
     }
     kind[slot] = archetype << 8 | generation;
     this.owner[slot] = owner;
+    audience[slot] = 0;
     count++;
     limit = Math.max(limit, slot + 1);
+  }
+
+  /**
+   * Says who is told about an entity of this frame, in the terms of whoever asks for {@link
+   * #audience}; 0 unless said. A change of it counts as a change of the entity.
+   */
+  public void setAudience(int slot, int audience) {
+    if (!filling || !alive(slot)) {
+      throw new IllegalStateException("setAudience() of slot=" + slot + " before its put()");
+    }
+    this.audience[slot] = audience;
   }
 
   private static void check(String name, int value, int min, int max) {
@@ -163,7 +192,8 @@ public final class FrameState {
     vy = Arrays.copyOf(vy, grown);
     omega = Arrays.copyOf(omega, grown);
     changedTick = Arrays.copyOf(changedTick, grown);
-    changed = Arrays.copyOf(changed, (grown + 63) >> 6);
+    audience = Arrays.copyOf(audience, grown);
+    changed.ensure(grown);
   }
 
   /** Finds what changed since {@code previous}, the frame before, or null for the first one. */
@@ -172,13 +202,13 @@ public final class FrameState {
       ensure(previous.limit);
       limit = Math.max(limit, previous.limit);
     }
-    Arrays.fill(changed, 0);
+    changed.clear();
     for (int slot = 0; slot < limit; slot++) {
       if (previous != null && slot < previous.limit && same(previous, slot)) {
         changedTick[slot] = previous.changedTick[slot];
       } else {
         changedTick[slot] = tick;
-        changed[slot >> 6] |= 1L << slot;
+        changed.add(slot);
       }
     }
     filling = false;
@@ -190,12 +220,17 @@ public final class FrameState {
     }
     return kind[slot] == FREE
         || (owner[slot] == other.owner[slot]
-            && x[slot] == other.x[slot]
-            && y[slot] == other.y[slot]
-            && angle[slot] == other.angle[slot]
-            && vx[slot] == other.vx[slot]
-            && vy[slot] == other.vy[slot]
-            && omega[slot] == other.omega[slot]);
+            && audience[slot] == other.audience[slot]
+            && sameMotion(other, slot));
+  }
+
+  private boolean sameMotion(FrameState other, int slot) {
+    return x[slot] == other.x[slot]
+        && y[slot] == other.y[slot]
+        && angle[slot] == other.angle[slot]
+        && vx[slot] == other.vx[slot]
+        && vy[slot] == other.vy[slot]
+        && omega[slot] == other.omega[slot];
   }
 
   /** The tick this frame is the state after. */
@@ -234,6 +269,11 @@ public final class FrameState {
   /** Player id of the owner, or -1. */
   public int owner(int slot) {
     return owner[slot];
+  }
+
+  /** Who is told about the slot's entity, as {@link #setAudience} said. */
+  public int audience(int slot) {
+    return audience[slot];
   }
 
   /** Position, steps. */
@@ -332,11 +372,13 @@ public final class FrameState {
     out.omega = omega[slot];
   }
 
-  /** Sets the bit of each slot that changed in this very tick. */
-  void addChanged(long[] bits) {
-    int words = (limit + 63) >> 6;
-    for (int i = 0; i < words; i++) {
-      bits[i] |= changed[i];
-    }
+  /** Whether a slot is the same entity in the same motion in both frames, and alive. */
+  boolean sameState(FrameState other, int slot) {
+    return sameIdentity(other, slot) && sameMotion(other, slot);
+  }
+
+  /** The slots that changed in this very tick. */
+  SlotSet changed() {
+    return changed;
   }
 }

@@ -16,6 +16,7 @@ final class RecordCodec {
 
   static final int ABSOLUTE = 1;
   static final int GONE = 2;
+  static final int OUT_OF_SIGHT = 3;
 
   /** Answer of {@link #readSlot} at the end of the records. */
   static final int END = -1;
@@ -101,7 +102,8 @@ final class RecordCodec {
     switch (kind) {
       case DELTA -> w.write(0, 1);
       case ABSOLUTE -> w.write(0b01, 2);
-      default -> w.write(0b11, 2);
+      case GONE -> w.write(0b011, 3);
+      default -> w.write(0b111, 3);
     }
   }
 
@@ -109,7 +111,10 @@ final class RecordCodec {
     if (!r.readBit()) {
       return DELTA;
     }
-    return r.readBit() ? GONE : ABSOLUTE;
+    if (!r.readBit()) {
+      return ABSOLUTE;
+    }
+    return r.readBit() ? OUT_OF_SIGHT : GONE;
   }
 
   static void writeAge(BitWriter w, int previousAge, int age) {

@@ -9,9 +9,9 @@ import java.util.Arrays;
  * The client's side: datagrams in, a history per entity out, and the acks to send back.
  *
  * <p>Total: any bytes give a {@link DecodeStatus}, never an exception, and a datagram counts as a
- * whole or not at all. Memory is bounded: about 2.3 KiB for each slot ever seen. One thread;
- * allocates only when a slot is seen for the first time, or when a datagram has more records than
- * any before.
+ * whole or not at all. Memory is bounded: at most 2.3 KiB for each slot ever seen. One thread;
+ * allocates only while a slot's history grows to that, or when a datagram has more records than any
+ * before.
  */
 public final class SnapshotDecoder {
 
@@ -79,6 +79,22 @@ public final class SnapshotDecoder {
       owns[i] = new OwnState();
     }
     growRecords(MIN_RECORDS);
+  }
+
+  /**
+   * Takes over what the level file places, before the first datagram: each entity has its place in
+   * the level as its state of tick 0 until the server says otherwise.
+   *
+   * @param state the same as the server's {@link FrameRing#level}
+   */
+  public void level(FrameState state) {
+    for (int slot = 0; slot < state.slotLimit(); slot++) {
+      if (state.alive(slot)) {
+        state.motion(slot, scratch);
+        historyFor(slot)
+            .add(0, state.generation(slot), state.archetype(slot), state.owner(slot), scratch);
+      }
+    }
   }
 
   /**
@@ -168,7 +184,8 @@ public final class SnapshotDecoder {
         owners[count] = RecordCodec.readOwner(r);
         RecordCodec.readAbsolute(r, motion);
       }
-      if (r.failed() || (kind != RecordCodec.GONE && !motion.inRange())) {
+      boolean moves = kind == RecordCodec.DELTA || kind == RecordCodec.ABSOLUTE;
+      if (r.failed() || (moves && !motion.inRange())) {
         return DecodeStatus.DAMAGED;
       }
       slots[count] = slot;
@@ -239,6 +256,10 @@ public final class SnapshotDecoder {
       EntityHistory history = historyFor(slots[i]);
       if (kinds[i] == RecordCodec.GONE) {
         history.addFree(datagramTick);
+        continue;
+      }
+      if (kinds[i] == RecordCodec.OUT_OF_SIGHT) {
+        history.addOutOfSight(datagramTick);
         continue;
       }
       if (kinds[i] == RecordCodec.DELTA) {

@@ -2,7 +2,6 @@ package carom.net.snapshot;
 
 import carom.net.codec.BitWriter;
 import carom.net.codec.Crc16;
-import java.util.Arrays;
 
 /**
  * One session's snapshots. Each send tick, after {@link FrameRing#end}:
@@ -14,9 +13,9 @@ import java.util.Arrays;
  * }</pre>
  *
  * <p>An entity whose quantised state hasn't changed since a tick that the client acked costs
- * nothing, neither bytes nor time. All others are sent, who waited longest first, as far as the
- * budget goes. Loss is never repaired by sending again what was lost: the newest state is sent
- * until one of its records is acked.
+ * nothing, neither bytes nor time. All others in sight are sent, who has collected most priority
+ * first, as far as the budget goes. Loss is never repaired by sending again what was lost: the
+ * newest state is sent until one of its records is acked.
  *
  * <p>One thread, no allocation in the steady state.
  */
@@ -25,38 +24,27 @@ public final class SnapshotEncoder {
   /** Largest datagram; the size of the array for {@link #next}. */
   public static final int MAX_DATAGRAM_BYTES = 1_200;
 
-  private static final int MIN_LENGTH = 64;
-
   /**
    * A further datagram is not begun for less: headers on the path would cost more than it holds.
    * Any record fits.
    */
   private static final int MIN_FURTHER_BYTES = 64;
 
-  /** No record is longer: an absolute one with all forms at their widest. */
-  private static final int MAX_RECORD_BYTES = 32;
-
-  private static final int MAX_WAIT = 255;
+  /**
+   * So many records that don't fit into the rest of a datagram are passed over for shorter ones.
+   */
+  private static final int MAX_PASSED_OVER = 16;
 
   private final FrameRing ring;
   private final int key;
   private final Predictor predictor;
   private final SentLog sent = new SentLog();
   private final BitWriter writer = new BitWriter();
-  private final BitWriter measure = new BitWriter();
-  private final byte[] measured = new byte[MAX_RECORD_BYTES + Long.BYTES];
   private final Motion old = new Motion();
   private final Motion residual = new Motion();
   private final Motion actual = new Motion();
 
-  private int[] acked = {};
-  private int[] lastSent = {};
-  private long[] candidates = {};
-  private long[] forced = {};
-  private long[] chosen = {};
-  private int[] order = {};
-  private final int[] waitCount = new int[MAX_WAIT + 1];
-  private int seenTick = -1;
+  private final Selection selection;
 
   private final InputFeedback feedback = new InputFeedback();
   private final OwnState[] ownSent = new OwnState[FrameRing.SIZE];
@@ -68,24 +56,25 @@ public final class SnapshotEncoder {
   private FrameState frame;
   private boolean first;
   private int budget;
-  private int cursor;
-  private int startSlot;
-  private int resumeSlot;
-  private boolean wrapped;
-  private int waiting;
+  private int headerBytes;
   private int previousAge;
+  private int beganTick = -1;
 
-  // The answer of chooseBaseline, besides its reason.
-  private FrameState baselineFrame;
+  /** As the other constructor, for a client that sees everything. */
+  public SnapshotEncoder(FrameRing ring, int key, int tickRate) {
+    this(ring, key, tickRate, Interest.EVERYTHING);
+  }
 
   /**
-   * Creates the encoder of a client that knows nothing.
+   * Creates the encoder of a client that knows nothing but the ring's {@link FrameRing#level}.
    *
    * @param ring the room's frames, shared by all sessions
    * @param key the session's datagram key; seeds the check that each datagram carries
    * @param tickRate ticks per second, for prediction; the client's decoder must be given the same
+   * @param interest what the client is told about
    */
-  public SnapshotEncoder(FrameRing ring, int key, int tickRate) {
+  public SnapshotEncoder(FrameRing ring, int key, int tickRate, Interest interest) {
+    selection = new Selection(ring, interest);
     this.ring = ring;
     this.key = key;
     predictor = new LinearPredictor(tickRate);
@@ -99,12 +88,7 @@ public final class SnapshotEncoder {
    * on.
    */
   public void reset() {
-    Arrays.fill(acked, -1);
-    Arrays.fill(lastSent, -1);
-    Arrays.fill(candidates, 0);
-    Arrays.fill(forced, 0);
-    Arrays.fill(chosen, 0);
-    seenTick = -1;
+    selection.reset();
     ownAckedTick = -1;
     sent.forget();
   }
@@ -130,8 +114,7 @@ public final class SnapshotEncoder {
     }
     int tick = sent.tickAt(at);
     for (int i = 0; i < sent.countAt(at); i++) {
-      int slot = sent.slotAt(at, i);
-      acked[slot] = Math.max(acked[slot], tick);
+      selection.ack(sent.slotAt(at, i), tick);
     }
     if (sent.ownAt(at) && tick > ownAckedTick && ring.newest().tick() - tick < FrameRing.SIZE) {
       ownAcked.set(ownSent[tick & (FrameRing.SIZE - 1)]);
@@ -145,9 +128,16 @@ public final class SnapshotEncoder {
       throw new IndexOutOfBoundsException(
           "slot=" + slot + " is outside 0.." + (ring.capacity() - 1));
     }
-    ensure(slot + 1);
-    forced[slot >> 6] |= 1L << slot;
-    candidates[slot >> 6] |= 1L << slot;
+    selection.force(slot);
+  }
+
+  /**
+   * Offers an entity that may have come into the client's view: if the {@link Interest} sees it, it
+   * is told about from the next {@link #begin} on. Needed for entities that the client doesn't
+   * know, unless everything is of interest.
+   */
+  public void notice(int slot) {
+    selection.notice(slot);
   }
 
   /**
@@ -164,8 +154,7 @@ public final class SnapshotEncoder {
     if (own != null && !isKnown(own, newest)) {
       return false;
     }
-    see(newest);
-    return collect(newest) == 0;
+    return selection.update(newest) == 0;
   }
 
   /** Whether the client has acked all of the own section, with the inputs that belong to it. */
@@ -206,114 +195,12 @@ public final class SnapshotEncoder {
     if (own != null) {
       ownSent[frame.tick() & (FrameRing.SIZE - 1)].set(own);
     }
-    see(frame);
-    waiting = collect(frame);
-    sent.reserve(waiting);
-    if ((long) waiting * MAX_RECORD_BYTES <= budgetBytes) {
-      System.arraycopy(candidates, 0, chosen, 0, chosen.length);
-    } else {
-      chooseLongestWaiting(budgetBytes);
-    }
+    int count = selection.update(frame);
+    sent.reserve(count);
+    selection.choose(frame, count, Math.max(0, budgetBytes - headerBytes));
     budget = budgetBytes;
-    startSlot = resumeSlot;
-    cursor = startSlot;
-    wrapped = false;
+    beganTick = frame.tick();
     first = true;
-  }
-
-  /** Makes everything a candidate that changed in frames since the last one seen. */
-  private void see(FrameState newest) {
-    ensure(newest.slotLimit());
-    if (seenTick == newest.tick()) {
-      return;
-    }
-    int back = 0;
-    FrameState old = newest;
-    while (old != null && old.tick() > seenTick) {
-      old.addChanged(candidates);
-      old = ring.back(++back);
-    }
-    if (old == null) {
-      // The last frame seen has left the ring, or there was none: anything may have changed.
-      for (int slot = 0; slot < newest.slotLimit(); slot++) {
-        candidates[slot >> 6] |= 1L << slot;
-      }
-    }
-    seenTick = newest.tick();
-  }
-
-  private void ensure(int length) {
-    if (length <= acked.length) {
-      return;
-    }
-    int old = acked.length;
-    int grown = Math.max(MIN_LENGTH, Math.max(length, 2 * old));
-    acked = Arrays.copyOf(acked, grown);
-    Arrays.fill(acked, old, grown, -1);
-    lastSent = Arrays.copyOf(lastSent, grown);
-    Arrays.fill(lastSent, old, grown, -1);
-    int words = (grown + 63) >> 6;
-    candidates = Arrays.copyOf(candidates, words);
-    forced = Arrays.copyOf(forced, words);
-    chosen = Arrays.copyOf(chosen, words);
-    order = new int[grown];
-  }
-
-  /** Drops candidates that have nothing to send any more and counts the rest. */
-  private int collect(FrameState now) {
-    int count = 0;
-    for (int word = 0; word < candidates.length; word++) {
-      for (long bits = candidates[word]; bits != 0; bits &= bits - 1) {
-        int slot = (word << 6) + Long.numberOfTrailingZeros(bits);
-        if (chooseBaseline(now, slot) == Baseline.QUIESCENT) {
-          candidates[word] &= ~(1L << slot);
-        } else {
-          count++;
-        }
-      }
-    }
-    return count;
-  }
-
-  /**
-   * Fills {@code chosen} with those candidates that fit the budget, by waiting time. Linear: a
-   * counting sort.
-   */
-  private void chooseLongestWaiting(int budgetBytes) {
-    Arrays.fill(chosen, 0);
-    Arrays.fill(waitCount, 0);
-    for (int slot = nextBit(candidates, 0); slot >= 0; slot = nextBit(candidates, slot + 1)) {
-      waitCount[MAX_WAIT - waited(slot)]++;
-    }
-    int at = 0;
-    for (int i = 0; i <= MAX_WAIT; i++) {
-      int count = waitCount[i];
-      waitCount[i] = at;
-      at += count;
-    }
-    for (int slot = nextBit(candidates, 0); slot >= 0; slot = nextBit(candidates, slot + 1)) {
-      order[waitCount[MAX_WAIT - waited(slot)]++] = slot;
-    }
-    long bitsLeft = 8L * budgetBytes;
-    for (int i = 0; i < at && bitsLeft > 0; i++) {
-      bitsLeft -= measure(order[i]);
-      chosen[order[i] >> 6] |= 1L << order[i];
-    }
-  }
-
-  /** Ticks since the slot was sent, 0..{@link #MAX_WAIT}; never sent counts as longest. */
-  private int waited(int slot) {
-    return lastSent[slot] < 0 ? MAX_WAIT : Math.min(MAX_WAIT, frame.tick() - lastSent[slot]);
-  }
-
-  /**
-   * Size of the slot's record in bits, next to its neighbour: written to be measured, so that the
-   * two can't differ.
-   */
-  private int measure(int slot) {
-    measure.reset(measured, 0, measured.length);
-    writeRecord(measure, slot - 1, slot);
-    return measure.bits();
   }
 
   /**
@@ -323,8 +210,7 @@ public final class SnapshotEncoder {
    * @return its length, or 0 when there is nothing more to send this tick
    */
   public int next(byte[] out) {
-    int slot = frame == null ? -1 : nextChosen(cursor);
-    if (!first && (slot < 0 || budget < MIN_FURTHER_BYTES)) {
+    if (!first && (frame == null || !selection.hasChosen() || budget < MIN_FURTHER_BYTES)) {
       frame = null;
       return 0;
     }
@@ -332,53 +218,34 @@ public final class SnapshotEncoder {
     BitWriter w = writer;
     w.reset(out, 0, MAX_DATAGRAM_BYTES);
     writeHeader(w, sent.begin(frame.tick(), withOwn), withOwn);
+    headerBytes = first ? w.bytes() : headerBytes;
     int limitBits = 8 * Math.min(MAX_DATAGRAM_BYTES, Math.max(budget, 0)) - RecordCodec.END_BITS;
     int previous = -1;
     previousAge = 0;
-    while (slot >= 0) {
+    int passedOver = 0;
+    selection.rewind();
+    for (int slot; passedOver <= MAX_PASSED_OVER && (slot = selection.next()) >= 0; ) {
       int mark = w.bits();
       int age = previousAge;
       writeRecord(w, previous, slot);
       if (w.overflow() || w.bits() > limitBits) {
         w.rewind(mark);
         previousAge = age;
-        break;
+        passedOver++;
+      } else {
+        sent.add(slot);
+        selection.wrote(slot, frame.tick(), w.bits() - mark);
+        previous = slot;
       }
-      sent.add(slot);
-      lastSent[slot] = frame.tick();
-      forced[slot >> 6] &= ~(1L << slot);
-      waiting--;
-      previous = slot;
-      slot = nextChosen(slot + 1);
     }
     RecordCodec.writeEnd(w);
     int length = w.bytes();
     int check = Crc16.of(key, out, 2, length - 2);
     out[0] = (byte) check;
     out[1] = (byte) (check >>> 8);
-    cursor = slot < 0 ? Integer.MAX_VALUE : slot;
-    resumeSlot = Math.max(slot, 0);
     budget -= length;
     first = false;
     return length;
-  }
-
-  /**
-   * The next chosen slot from a place on. A tick begins with the slot at which the budget cut the
-   * one before: if the order were always the same, it would always be the same slots that are cut.
-   */
-  private int nextChosen(int from) {
-    int begin = from;
-    if (!wrapped) {
-      int slot = nextBit(chosen, begin);
-      if (slot >= 0) {
-        return slot;
-      }
-      wrapped = true;
-      begin = 0;
-    }
-    int slot = nextBit(chosen, begin);
-    return slot < startSlot ? slot : -1;
   }
 
   private void writeHeader(BitWriter w, int sequence, boolean withOwn) {
@@ -404,16 +271,20 @@ public final class SnapshotEncoder {
   }
 
   private void writeRecord(BitWriter w, int previous, int slot) {
-    Baseline baseline = chooseBaseline(frame, slot);
+    Baseline baseline = selection.baseline(frame, slot);
     RecordCodec.writeSlot(w, previous, slot);
+    if (baseline == Baseline.OUT_OF_SIGHT) {
+      RecordCodec.writeKind(w, RecordCodec.OUT_OF_SIGHT);
+      return;
+    }
     if (baseline == Baseline.GONE) {
       RecordCodec.writeKind(w, RecordCodec.GONE);
       return;
     }
     frame.motion(slot, actual);
     if (baseline == Baseline.ACKED) {
-      int age = frame.tick() - baselineFrame.tick();
-      baselineFrame.motion(slot, old);
+      int age = frame.tick() - selection.held().tick();
+      selection.held().motion(slot, old);
       residual.setResidual(predictor, old, actual, age);
       RecordCodec.writeKind(w, RecordCodec.DELTA);
       RecordCodec.writeAge(w, previousAge, age);
@@ -428,82 +299,6 @@ public final class SnapshotEncoder {
   }
 
   /**
-   * The one place that decides what a slot's record is coded against. For {@link Baseline#ACKED}
-   * the frame is left in {@code baselineFrame}: the newest one in which the slot still is as it was
-   * in the acked tick. So a body that begins to move after a long rest is coded against the end of
-   * its rest, and the client learns when it began.
-   */
-  private Baseline chooseBaseline(FrameState now, int slot) {
-    int ackedTick = acked[slot];
-    boolean force = (forced[slot >> 6] & 1L << slot) != 0;
-    boolean alive = now.alive(slot);
-    if (ackedTick >= now.changedTick(slot) && !(force && alive)) {
-      return Baseline.QUIESCENT;
-    }
-    if (!alive) {
-      return lastSent[slot] < 0 ? Baseline.QUIESCENT : Baseline.GONE;
-    }
-    if (force) {
-      return Baseline.FORCED;
-    }
-    if (ackedTick < 0) {
-      return Baseline.NEW;
-    }
-    FrameState held = lastHolding(now, slot, ackedTick);
-    if (held == null) {
-      return Baseline.TOO_OLD;
-    }
-    if (!held.sameIdentity(now, slot)) {
-      return Baseline.IDENTITY;
-    }
-    baselineFrame = held;
-    return Baseline.ACKED;
-  }
-
-  /**
-   * The newest frame in which the slot is as in the acked tick, or null when none in the ring is
-   * young enough.
-   */
-  private FrameState lastHolding(FrameState now, int slot, int ackedTick) {
-    FrameState following = ring.at(ackedTick + 1);
-    if (following != null && following.changedTick(slot) > ackedTick) {
-      FrameState exact = ring.at(ackedTick);
-      return exact != null && now.tick() - ackedTick < FrameRing.SIZE ? exact : null;
-    }
-    // changedTick only grows from frame to frame: search the border between "still as acked" and
-    // "changed".
-    int holds = ring.count();
-    int differs = 0;
-    while (holds - differs > 1) {
-      int middle = (holds + differs) >>> 1;
-      FrameState candidate = ring.back(middle);
-      if (candidate.tick() >= ackedTick && candidate.changedTick(slot) > ackedTick) {
-        differs = middle;
-      } else {
-        holds = middle;
-      }
-    }
-    FrameState held = ring.back(holds);
-    boolean young = held != null && now.tick() - held.tick() < FrameRing.SIZE;
-    return young && held.tick() >= ackedTick ? held : null;
-  }
-
-  private static int nextBit(long[] bits, int from) {
-    int word = from >> 6;
-    if (word >= bits.length) {
-      return -1;
-    }
-    long rest = bits[word] & -1L << from;
-    while (rest == 0) {
-      if (++word == bits.length) {
-        return -1;
-      }
-      rest = bits[word];
-    }
-    return (word << 6) + Long.numberOfTrailingZeros(rest);
-  }
-
-  /**
    * What the slot's record would be coded against now, and why: the one place where that is
    * decided.
    *
@@ -514,18 +309,58 @@ public final class SnapshotEncoder {
     if (newest == null || slot >= newest.slotLimit()) {
       return Baseline.QUIESCENT;
     }
-    ensure(newest.slotLimit());
-    return chooseBaseline(newest, slot);
+    selection.update(newest);
+    return selection.baseline(newest, slot);
   }
 
-  /** Newest tick of the slot that the client has acked, or -1. */
+  /**
+   * Why the slot's entity was sent with the last snapshot, or wasn't. For people and tests;
+   * allocates.
+   *
+   * @param slot 0..capacity - 1
+   */
+  public Verdict explain(int slot) {
+    Baseline baseline = baseline(slot);
+    FrameState newest = ring.newest();
+    return new Verdict(
+        slot,
+        reason(newest, slot, baseline),
+        baseline,
+        newest == null ? -1 : newest.tick(),
+        ackedTick(slot),
+        sentTick(slot),
+        newest == null ? 0 : selection.priority(newest, slot),
+        selection.weight(slot),
+        selection.leastChosen(),
+        waiting());
+  }
+
+  private Verdict.Reason reason(FrameState newest, int slot, Baseline baseline) {
+    if (sentTick(slot) >= 0 && sentTick(slot) == beganTick) {
+      return Verdict.Reason.SENT;
+    }
+    if (baseline == Baseline.QUIESCENT) {
+      if (newest == null || !newest.alive(slot)) {
+        return Verdict.Reason.FREE;
+      }
+      return selection.isInSight(slot) ? Verdict.Reason.UP_TO_DATE : Verdict.Reason.OUT_OF_SIGHT;
+    }
+    if (newest.changedTick(slot) > beganTick) {
+      return Verdict.Reason.NOT_DUE;
+    }
+    return sentTick(slot) >= newest.changedTick(slot)
+        ? Verdict.Reason.UNACKED
+        : Verdict.Reason.OVER_BUDGET;
+  }
+
+  /** Newest tick of the slot that the client has acked since it came into sight, or -1. */
   public int ackedTick(int slot) {
-    return slot < acked.length ? acked[slot] : -1;
+    return selection.ackedTick(slot);
   }
 
   /** Last tick at which a record of the slot was sent, or -1. */
   public int sentTick(int slot) {
-    return slot < lastSent.length ? lastSent[slot] : -1;
+    return selection.sentTick(slot);
   }
 
   /**
@@ -533,7 +368,7 @@ public final class SnapshotEncoder {
    * those that must wait.
    */
   public int waiting() {
-    return waiting;
+    return selection.waiting();
   }
 
   /** Sequence number of the last datagram written. */

@@ -9,6 +9,8 @@ import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
 
 /**
  * An encoder and a decoder with a bad network between them, tick by tick. Every decoded datagram is
@@ -38,10 +40,14 @@ final class Channel {
   boolean withOwn = true;
   boolean alwaysConsumed;
 
+  /** What the client holds of earlier ticks is the level's word, which may be wrong. */
+  int firstTold = Integer.MIN_VALUE;
+
   final Map<DecodeStatus, Integer> statuses = new EnumMap<>(DecodeStatus.class);
   long datagrams;
   long bytes;
   long records;
+  final Set<Integer> touched = new TreeSet<>();
   int maxBytesPerTick;
   int maxWaiting;
   long inputsKnown;
@@ -58,10 +64,14 @@ final class Channel {
   }
 
   Channel(Scene scene, long seed, int tickRate) {
+    this(scene, seed, tickRate, Interest.EVERYTHING);
+  }
+
+  Channel(Scene scene, long seed, int tickRate, Interest interest) {
     this.scene = scene;
     dice = new Dice(seed);
     name = "seed=" + seed;
-    encoder = new SnapshotEncoder(scene.ring, KEY, tickRate);
+    encoder = new SnapshotEncoder(scene.ring, KEY, tickRate, interest);
     decoder = new SnapshotDecoder(scene.slots, KEY, scene.firstTick, tickRate);
   }
 
@@ -127,6 +137,7 @@ final class Channel {
     records += decoder.touchedCount();
     for (int i = 0; i < decoder.touchedCount(); i++) {
       int slot = decoder.touchedSlot(i);
+      touched.add(slot);
       EntityHistory history = decoder.history(slot);
       int index = history.indexAt(tick);
       assertEquals(tick, history.tick(index), name);
@@ -164,7 +175,13 @@ final class Channel {
   }
 
   void checkEntry(int slot, EntityHistory history, int index) {
+    if (history.outOfSight(index)) {
+      return; // says nothing about the entity
+    }
     int tick = history.tick(index);
+    if (tick < firstTold) {
+      return;
+    }
     int[] truth = scene.truth(slot, tick);
     String where = name + " slot=" + slot + " tick=" + tick;
     assertEquals(truth != null, history.alive(index), where);

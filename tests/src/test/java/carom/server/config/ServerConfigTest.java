@@ -37,7 +37,7 @@ class ServerConfigTest {
     assertThrows(IllegalArgumentException.class, () -> c.withInputHoldTicks(-1));
     assertThrows(IllegalArgumentException.class, () -> c.withSnapshotRateHz(0));
     assertThrows(IllegalArgumentException.class, () -> c.withKeepAliveRateHz(0));
-    assertThrows(IllegalArgumentException.class, () -> c.withSnapshotBytesPerSecond(1));
+    assertThrows(IllegalArgumentException.class, () -> c.withSnapshotBitsPerSecond(8));
     assertThrows(IllegalArgumentException.class, () -> c.withRosterIntervalMs(-1));
     assertThrows(IllegalArgumentException.class, () -> c.withStatusIntervalS(-1));
   }

@@ -1,0 +1,215 @@
+package carom.server.replication;
+
+import carom.net.codec.Quantizer;
+import carom.net.snapshot.FrameState;
+import carom.net.snapshot.Interest;
+import carom.net.snapshot.SnapshotEncoder;
+import carom.physics.BodyContactVisitor;
+import carom.physics.broadphase.IntVisitor;
+import carom.sim.Audience;
+import carom.sim.Entity;
+import carom.sim.Level;
+import carom.sim.Player;
+import carom.sim.Simulation;
+
+/**
+ * What one player looks at: a rectangle around the own body, or around the place that a spectator's
+ * client names. Entities enter at its border and leave a quarter further out. Everything is in
+ * sight in a level that is no larger than the largest view, in a world of few entities unless the
+ * operator has set a view, and for those who {@linkplain carom.sim.Game#seesAll see all}.
+ *
+ * <p>The room's thread; no allocation after construction.
+ */
+public final class SessionView implements Interest {
+  /** Leaving takes a view this much larger than entering. */
+  private static final float STAY = 1.25f;
+
+  /** Largest half width and half height unless the operator has set them, metres. */
+  private static final float DEFAULT_LIMIT = 64;
+
+  /** In a world of so few entities everything is in sight; of more, again when so few are left. */
+  private static final int FEW = 1_024;
+
+  private static final int FEW_AGAIN = 768;
+
+  /** The smallest half width and half height, metres. */
+  private static final float LEAST = 1;
+
+  /** Looks for newcomers so often. */
+  private static final int LOOKS_PER_SECOND = 10;
+
+  /** The own body, and what it touches, count so much more than others at the same place. */
+  private static final float OWN = 16;
+
+  private static final float TOUCHED = 8;
+  private static final int MAX_TOUCHED = 16;
+
+  /** At the border of the view an entity counts a quarter of what it counts in the middle. */
+  private static final float FAR = 3;
+
+  /** A speed that doubles what an entity counts, m/s, and the most that speed can do. */
+  private static final float SPEED = 4;
+
+  private static final float MAX_SPEED_FACTOR = 4;
+
+  /** An entity of this radius counts once, a larger one more, up to that many times, m. */
+  private static final float SIZE = 0.5f;
+
+  private static final float MAX_SIZE_FACTOR = 4;
+
+  private final InterestIndex index;
+  private final Player player;
+  private final float limit;
+  private final boolean smallLevel;
+  private final boolean automatic;
+  private boolean few = true;
+  private final int lookTicks;
+  private final int[] touched = new int[MAX_TOUCHED];
+  private int touchedCount;
+  private int ownSlot = -1;
+  private float x;
+  private float y;
+  private float halfWidth;
+  private float halfHeight;
+  private float spectatorX;
+  private float spectatorY;
+  private boolean everything;
+  private int nextLook;
+  private SnapshotEncoder encoder;
+
+  private final IntVisitor notice =
+      slot -> {
+        encoder.notice(slot);
+        return true;
+      };
+
+  private final BodyContactVisitor<Entity> touch =
+      (other, normalX, normalY, impulse) -> {
+        int slot = other.user().id();
+        if (slot >= 0 && touchedCount < MAX_TOUCHED) {
+          touched[touchedCount++] = slot;
+        }
+      };
+
+  /**
+   * Creates a view as large as allowed, in the middle of the level.
+   *
+   * @param viewMetres largest half width and half height; 0 = automatic
+   */
+  SessionView(InterestIndex index, Player player, int viewMetres, int tickRateHz) {
+    this.index = index;
+    this.player = player;
+    automatic = viewMetres == 0;
+    limit = automatic ? DEFAULT_LIMIT : viewMetres;
+    lookTicks = Math.max(1, tickRateHz / LOOKS_PER_SECOND);
+    nextLook = player.id() % lookTicks;
+    Level.Bounds bounds = index.simulation().level().bounds();
+    smallLevel =
+        bounds.maxX() - bounds.minX() <= 2 * limit && bounds.maxY() - bounds.minY() <= 2 * limit;
+    spectatorX = (bounds.minX() + bounds.maxX()) / 2;
+    spectatorY = (bounds.minY() + bounds.maxY()) / 2;
+    halfWidth = limit;
+    halfHeight = limit;
+  }
+
+  /**
+   * Takes over what the client says it shows; what is too large is cut.
+   *
+   * @param centreX where it looks while the player has no body, metres, finite
+   * @param centreY where it looks while the player has no body, metres, finite
+   * @param wantedHalfWidth half of what it shows, metres, finite
+   * @param wantedHalfHeight half of what it shows, metres, finite
+   */
+  void look(float centreX, float centreY, float wantedHalfWidth, float wantedHalfHeight) {
+    spectatorX = centreX;
+    spectatorY = centreY;
+    halfWidth = Math.max(LEAST, Math.min(limit, wantedHalfWidth));
+    halfHeight = Math.max(LEAST, Math.min(limit, wantedHalfHeight));
+  }
+
+  /** Moves to where the player is, and offers the encoder what may have come into view. */
+  void update(FrameState frame, SnapshotEncoder to) {
+    Entity own = player.body();
+    touchedCount = 0;
+    if (own == null) {
+      ownSlot = -1;
+      x = spectatorX;
+      y = spectatorY;
+    } else {
+      ownSlot = own.id();
+      x = own.body().x();
+      y = own.body().y();
+      spectatorX = x; // without a body the player goes on looking at where it was
+      spectatorY = y;
+      own.body().forEachContact(touch);
+    }
+    Simulation simulation = index.simulation();
+    few = automatic && frame.count() <= (few ? FEW : FEW_AGAIN);
+    everything = smallLevel || few || simulation.game().seesAll(simulation, player);
+    if (everything || frame.tick() < nextLook) {
+      return;
+    }
+    nextLook = frame.tick() + lookTicks;
+    encoder = to;
+    index.query(frame, x - halfWidth, y - halfHeight, x + halfWidth, y + halfHeight, notice);
+    index.special(frame, notice);
+    if (ownSlot >= 0) {
+      to.notice(ownSlot);
+    }
+  }
+
+  @Override
+  public boolean everything() {
+    return everything;
+  }
+
+  @Override
+  public boolean sees(FrameState frame, int slot, boolean known) {
+    if (slot == ownSlot) {
+      return true;
+    }
+    Audience audience = FrameCapture.audience(frame, slot);
+    if (audience == Audience.NEAR) {
+      return everything || distance(frame, slot) <= (known ? STAY : 1);
+    }
+    return switch (audience) {
+      case ALL -> true;
+      case TEAM -> FrameCapture.team(frame, slot) == player.team() || seesAll();
+      case OWNER -> frame.owner(slot) == player.id() || seesAll();
+      default -> seesAll();
+    };
+  }
+
+  private boolean seesAll() {
+    return index.simulation().game().seesAll(index.simulation(), player);
+  }
+
+  /** From the middle of the view to the entity's edge; 1 at the border of the view. */
+  private float distance(FrameState frame, int slot) {
+    float reach = index.reach(frame, slot);
+    float dx = Math.abs(Quantizer.positionOf(frame.x(slot)) - x) - reach;
+    float dy = Math.abs(Quantizer.positionOf(frame.y(slot)) - y) - reach;
+    return Math.max(0, Math.max(dx / halfWidth, dy / halfHeight));
+  }
+
+  @Override
+  public float priority(FrameState frame, int slot) {
+    float distance = distance(frame, slot);
+    float near = 1 / (1 + FAR * distance * distance);
+    float size = Math.min(MAX_SIZE_FACTOR, Math.max(1, index.reach(frame, slot) / SIZE));
+    int vx = Math.abs(frame.vx(slot));
+    int vy = Math.abs(frame.vy(slot));
+    float speed = Quantizer.velocityOf(Math.max(vx, vy));
+    float moving = Math.min(MAX_SPEED_FACTOR, 1 + speed / SPEED);
+    float priority = near * size * moving;
+    if (slot == ownSlot) {
+      return priority * OWN;
+    }
+    for (int i = 0; i < touchedCount; i++) {
+      if (touched[i] == slot) {
+        return priority * TOUCHED;
+      }
+    }
+    return priority;
+  }
+}
