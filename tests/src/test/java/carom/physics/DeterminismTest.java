@@ -301,6 +301,13 @@ final class DeterminismTest {
       thick.step(DT);
       assertEquals(thin.stateHash(), thick.stateHash(), "step " + i);
     }
+    thin = GoldenScenes.bullets(new WorldDef().withAabbMargin(0));
+    thick = GoldenScenes.bullets(new WorldDef().withAabbMargin(2));
+    for (int i = 0; i < 120; i++) {
+      thin.step(DT);
+      thick.step(DT);
+      assertEquals(thin.stateHash(), thick.stateHash(), "bullets, step " + i);
+    }
   }
 
   @Test

@@ -227,7 +227,11 @@ enum GoldenScenes {
 
   /** Bullets through thin walls, bodies and each other. */
   private static World<String> bullets() {
-    World<String> w = Scenes.floor(Material.DEFAULT);
+    return bullets(new WorldDef());
+  }
+
+  static World<String> bullets(WorldDef def) {
+    World<String> w = Scenes.floor(Material.DEFAULT, def);
     for (int i = 0; i < 6; i++) {
       w.createBody(new BodyDef().shape(new Box(.01f, 3)).position(6 + 4 * i, 3), "wall");
       Scenes.box(w, 4 + 4 * i, .5f, .3f, .5f, Material.DEFAULT);

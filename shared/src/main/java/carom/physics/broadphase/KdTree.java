@@ -40,6 +40,9 @@ public final class KdTree implements SpatialIndex {
   /** Rebuild all when more than this fraction (1 / n) of the boxes left their cells in one tick. */
   static final int REBUILD_SHARE = 8;
 
+  /** Refit all when more than this fraction (1 / n) of the boxes changed. */
+  static final int REFIT_SHARE = 3;
+
   /** A box may stray this fraction of its cell's width before it moves to another leaf. */
   static final float CELL_SLACK = 0.03125f;
 
@@ -71,6 +74,12 @@ public final class KdTree implements SpatialIndex {
 
   /** Per leaf: number of boxes in it. */
   private int[] fill = new int[1];
+
+  /** Per node: scratch, whether something in it is of interest; false outside of {@link #refit}. */
+  private boolean[] hot = new boolean[2];
+
+  /** Scratch: leaves whose boxes changed. */
+  private int[] touchedLeaf = new int[1];
 
   /** Per slot: the box's id. */
   private int[] ids = new int[SLOTS];
@@ -174,6 +183,7 @@ public final class KdTree implements SpatialIndex {
     meanX = 0;
     meanY = 0;
     riding = false;
+    cool();
     fitLeaf(0);
   }
 
@@ -452,21 +462,95 @@ public final class KdTree implements SpatialIndex {
       return;
     }
     ensureWork(size);
-    int strays = refitLeaves();
-    lastStrays = strays;
+    lastStrays = refitLeaves();
+    if (!placeStrays()) {
+      fitInner(1, leaves);
+    }
+  }
+
+  /**
+   * Takes over the new places of some boxes; all others must be where they were. O(changed), plus
+   * the repair of what left its cell. The frame of the cells stays, however the boxes move.
+   *
+   * @param changed ids, each once; those that aren't in the tree are passed over
+   * @param count how many
+   * @throws IllegalArgumentException if a box isn't finite with min &lt;= max; the tree is empty
+   *     then
+   */
+  public void refit(int[] changed, int count) {
+    if (count > size / REFIT_SHARE) {
+      refit();
+      return;
+    }
+    ensureWork(size);
+    lastStrays = 0;
+    float offX = (float) frameX;
+    float offY = (float) frameY;
+    int touched = 0;
+    for (int i = 0; i < count; i++) {
+      int id = changed[i];
+      if (!contains(id)) {
+        continue;
+      }
+      if (!AabbArray.valid(boxes.minX[id], boxes.minY[id], boxes.maxX[id], boxes.maxY[id])) {
+        clear();
+        throw boxes.invalid(id);
+      }
+      int slot = slotOf[id];
+      int leaf = slot / SLOTS;
+      if (!hot[leaf + leaves]) {
+        hot[leaf + leaves] = true;
+        touchedLeaf[touched++] = leaf;
+      }
+      float x = center(boxes.minX[id], boxes.maxX[id]) - offX;
+      float y = center(boxes.minY[id], boxes.maxY[id]) - offY;
+      int c = 4 * leaf;
+      if (x < cell[c] || y < cell[c + 1] || x > cell[c + 2] || y > cell[c + 3]) {
+        takeOut(id);
+        size++;
+        stray[lastStrays++] = id;
+      } else {
+        store(leaf, slot % SLOTS, id, boxes, id);
+      }
+    }
+    riding = false;
+    for (int i = 0; i < touched; i++) {
+      hot[touchedLeaf[i] + leaves] = false;
+      fitLeaf(touchedLeaf[i]);
+    }
+    if (placeStrays()) {
+      return;
+    }
+    if (touched > leaves / REFIT_SHARE) {
+      fitInner(1, leaves);
+      return;
+    }
+    for (int i = 0; i < touched; i++) {
+      fitAncestors(touchedLeaf[i] + leaves);
+    }
+    for (int i = 0; i < lastStrays; i++) {
+      fitAncestors(slotOf[stray[i]] / SLOTS + leaves);
+    }
+  }
+
+  /**
+   * Puts the boxes that left their cells where they belong; answers whether all was built anew, so
+   * that all bounds are right.
+   */
+  private boolean placeStrays() {
     boolean sparse = size < leaves;
-    if (leaves > 1 && (sparse || strays > size / REBUILD_SHARE)) {
+    if (leaves > 1 && (sparse || lastStrays > size / REBUILD_SHARE)) {
       int stayed = gather(0, leaves);
-      for (int i = 0; i < strays; i++) {
+      for (int i = 0; i < lastStrays; i++) {
         fetch(stayed + i, stray[i]);
       }
       buildAll(size);
-      return;
+      return true;
     }
-    for (int i = 0; i < strays; i++) {
+    for (int i = 0; i < lastStrays; i++) {
       insert(stray[i]);
     }
-    fitInner(1, leaves);
+    return false;
   }
 
   /** Reads all boxes, takes those that left their cells out ({@link #stray}); answers how many. */
@@ -785,6 +869,8 @@ public final class KdTree implements SpatialIndex {
       splitsY = new boolean[wanted];
       cell = new float[4 * wanted];
       fill = new int[wanted];
+      hot = new boolean[2 * wanted];
+      touchedLeaf = new int[wanted];
       ids = new int[SLOTS * wanted];
       slots = new float[BLOCK * wanted];
     }
@@ -909,11 +995,34 @@ public final class KdTree implements SpatialIndex {
 
   @Override
   public void pairs(PairVisitor visitor) {
+    pairs(false, visitor);
+  }
+
+  /**
+   * Visits the pairs of overlapping boxes that may be new: all with a marked box, each exactly
+   * once, and some others. Where nothing is marked costs little more than nothing.
+   *
+   * @param marked per id, whether its box changed
+   * @param visitor receives the pairs, idA &lt; idB
+   */
+  public void pairs(boolean[] marked, PairVisitor visitor) {
+    heat(marked);
+    try {
+      pairs(true, visitor);
+    } finally {
+      cool();
+    }
+  }
+
+  private void pairs(boolean selective, PairVisitor visitor) {
     int found = 0;
     int top = push(1, 1, 0);
     while (top > 0) {
       int b = stack[--top];
       int a = stack[--top];
+      if (selective && !hot[a] && !hot[b]) {
+        continue;
+      }
       if (a >= leaves) {
         if (a == b) {
           found = pairsInLeaf(a - leaves, found);
@@ -942,6 +1051,25 @@ public final class KdTree implements SpatialIndex {
       }
     }
     reportPairs(found, visitor);
+  }
+
+  /** Finds the nodes with marked boxes. */
+  private void heat(boolean[] marked) {
+    for (int leaf = 0; leaf < leaves; leaf++) {
+      boolean any = false;
+      int first = leaf * SLOTS;
+      for (int i = first; i < first + fill[leaf]; i++) {
+        any |= marked[ids[i]];
+      }
+      hot[leaf + leaves] = any;
+    }
+    for (int node = leaves - 1; node > 0; node--) {
+      hot[node] = hot[2 * node] || hot[2 * node + 1];
+    }
+  }
+
+  private void cool() {
+    Arrays.fill(hot, 0, 2 * leaves, false);
   }
 
   private int push(int a, int b, int top) {
@@ -1063,6 +1191,27 @@ public final class KdTree implements SpatialIndex {
    * @param visitor receives the pairs
    */
   public void join(KdTree other, PairVisitor visitor) {
+    join(other, false, visitor);
+  }
+
+  /**
+   * The same for pairs that may be new: all with a marked box of this tree, each exactly once, and
+   * some others. Nothing of the other tree is touched that isn't near one.
+   *
+   * @param other another tree
+   * @param marked per id, whether its box changed; that of boxes of the other tree doesn't count
+   * @param visitor receives the pairs
+   */
+  public void join(KdTree other, boolean[] marked, PairVisitor visitor) {
+    heat(marked);
+    try {
+      join(other, true, visitor);
+    } finally {
+      cool();
+    }
+  }
+
+  private void join(KdTree other, boolean selective, PairVisitor visitor) {
     float[] p = bounds;
     float[] q = other.bounds;
     int found = 0;
@@ -1070,6 +1219,9 @@ public final class KdTree implements SpatialIndex {
     while (top > 0) {
       int b = stack[--top];
       int a = stack[--top];
+      if (selective && !hot[a]) {
+        continue;
+      }
       boolean leafA = a >= leaves;
       boolean leafB = b >= other.leaves;
       if (leafA && leafB) {

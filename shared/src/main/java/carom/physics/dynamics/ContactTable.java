@@ -108,6 +108,7 @@ public final class ContactTable {
   private static final int COLD = 6;
 
   private final Stamp rows = new Stamp();
+  private final RowMoves moves = new RowMoves();
   private int count;
   private int version;
 
@@ -402,53 +403,72 @@ public final class ContactTable {
   }
 
   /**
-   * Drops the rows that neither touch nor have overlapping fat boxes, then merges new pairs in.
+   * Drops the rows that neither touch nor have overlapping fat boxes, and merges new pairs in.
+   * Every row moves at most once, runs of neighbours together.
    *
    * @param candidates keys in ascending order; those already present and repetitions are skipped
    * @param candidateCount number of keys
+   * @param all whether to look at every row, or only at those of parts that {@link
+   *     ShapeTable#moved}
    */
-  void merge(long[] candidates, int candidateCount, BodyStore bodies, ShapeTable parts) {
+  void merge(
+      long[] candidates, int candidateCount, BodyStore bodies, ShapeTable parts, boolean all) {
     version++;
-    int kept = 0;
-    for (int row = 0; row < count; row++) {
-      if ((flags[row] & TOUCHING) != 0
-          || ((flags[row] & IGNORED) == 0 && parts.fat.overlaps(partA[row], partB[row]))) {
-        move(row, kept++);
-      }
-    }
-    if (kept < count) {
-      rows.change();
-    }
-    count = kept;
+    RowMoves m = moves;
+    m.clear();
+    int to = 0;
+    int next = 0;
     int fresh = 0;
-    int row = 0;
-    for (int i = 0; i < candidateCount; i++) {
-      long k = candidates[i];
-      if (fresh > 0 && candidates[fresh - 1] == k) {
-        continue;
+    for (int row = 0; row <= count; row++) {
+      long own = row < count ? key[row] : Long.MAX_VALUE;
+      for (; next < candidateCount && candidates[next] <= own; next++) {
+        long k = candidates[next];
+        if (k != own && (fresh == 0 || candidates[fresh - 1] != k)) {
+          candidates[fresh] = k;
+          m.insert(fresh++, to++);
+        }
       }
-      while (row < count && key[row] < k) {
-        row++;
-      }
-      if (row == count || key[row] != k) {
-        candidates[fresh++] = k;
+      if (row < count && stays(row, parts, all)) {
+        m.keep(row, to++);
       }
     }
-    if (fresh == 0) {
+    if (fresh == 0 && to == count) {
       return;
     }
     rows.change();
-    ensure(count + fresh);
-    int to = count + fresh - 1;
-    int from = count - 1;
-    int next = fresh - 1;
-    count += fresh;
-    while (next >= 0) {
-      if (from >= 0 && key[from] > candidates[next]) {
-        move(from--, to--);
-      } else {
-        start(to--, candidates[next--], bodies, parts);
-      }
+    ensure(to);
+    count = to;
+    moveRows();
+    for (int i = 0; i < fresh; i++) {
+      start(m.inserted[i], candidates[i], bodies, parts);
+    }
+  }
+
+  private boolean stays(int row, ShapeTable parts, boolean all) {
+    if ((flags[row] & TOUCHING) != 0) {
+      return true;
+    }
+    if ((flags[row] & IGNORED) != 0) {
+      return false;
+    }
+    int a = partA[row];
+    int b = partB[row];
+    return !(all || parts.moved[a] || parts.moved[b]) || parts.fat.overlaps(a, b);
+  }
+
+  private void moveRows() {
+    if (moves.count() == 0) {
+      return;
+    }
+    moves.apply(key);
+    moves.apply(partA);
+    moves.apply(partB);
+    moves.apply(flags);
+    moves.apply(points);
+    moves.apply(id0);
+    moves.apply(id1);
+    for (float[] field : floats) {
+      moves.apply(field);
     }
   }
 
@@ -461,19 +481,23 @@ public final class ContactTable {
    */
   void insert(ContactTable from, int[] which, int n) {
     rowsChanged();
-    ensure(count + n);
-    int to = count + n - 1;
-    int own = count - 1;
-    int next = n - 1;
-    count += n;
-    while (next >= 0) {
-      if (own >= 0 && key[own] > from.key[which[next]]) {
-        move(own--, to--);
-      } else {
-        copyRow(from, which[next--], to);
-        flags[to] = (byte) ((flags[to] & ~DORMANT) | FRESH);
-        to--;
+    moves.clear();
+    int next = 0;
+    for (int row = 0; row <= count; row++) {
+      for (; next < n && (row == count || from.key[which[next]] < key[row]); next++) {
+        moves.insert(next, row + next);
       }
+      if (row < count) {
+        moves.keep(row, row + next);
+      }
+    }
+    ensure(count + n);
+    count += n;
+    moveRows();
+    for (int i = 0; i < n; i++) {
+      int to = moves.inserted[i];
+      copyRow(from, which[i], to);
+      flags[to] = (byte) ((flags[to] & ~DORMANT) | FRESH);
     }
   }
 
@@ -494,14 +518,16 @@ public final class ContactTable {
   /** Moves the touching rows without an awake body to another store, and drops the others. */
   void retire(int[] activeIndex, SleepingContacts to) {
     rowsChanged();
+    moves.clear();
     int kept = 0;
     for (int row = 0; row < count; row++) {
       if (activeIndex[bodyA(row)] >= 0 || activeIndex[bodyB(row)] >= 0) {
-        move(row, kept++);
+        moves.keep(row, kept++);
       } else if ((flags[row] & TOUCHING) != 0) {
         to.put(this, row);
       }
     }
+    moveRows();
     count = kept;
   }
 
@@ -518,13 +544,15 @@ public final class ContactTable {
 
   /** Drops all rows of a body. */
   void removeBody(int body) {
-    rowsChanged();
+    moves.clear();
     int kept = 0;
     for (int row = 0; row < count; row++) {
       if (ContactKey.bodyA(key[row]) != body && ContactKey.bodyB(key[row]) != body) {
-        move(row, kept++);
+        moves.keep(row, kept++);
       }
     }
+    rowsChanged();
+    moveRows();
     count = kept;
   }
 
@@ -564,12 +592,6 @@ public final class ContactTable {
       if (bodyA(row) == body || bodyB(row) == body) {
         mix(row, parts);
       }
-    }
-  }
-
-  private void move(int from, int to) {
-    if (from != to) {
-      copyRow(this, from, to);
     }
   }
 

@@ -397,6 +397,22 @@ public final class ContinuousCollision {
     float inverse = 1 / (float) Math.sqrt(endPose.cos * endPose.cos + endPose.sin * endPose.sin);
     bodies.cos[f.body] = endPose.cos * inverse;
     bodies.sin[f.body] = endPose.sin * inverse;
+    if (moving) {
+      strayed(f);
+    }
+  }
+
+  /** Widens later searches if a body that was carried along left the box the tree knows of it. */
+  private void strayed(Flight f) {
+    int first = bodies.firstPart[f.body];
+    for (int part = first; part < first + bodies.partCount[f.body]; part++) {
+      swept.setEmpty();
+      addSweep(part, f.second);
+      drift = Math.max(drift, parts.fat.minX[part] - swept.minX);
+      drift = Math.max(drift, parts.fat.minY[part] - swept.minY);
+      drift = Math.max(drift, swept.maxX - parts.fat.maxX[part]);
+      drift = Math.max(drift, swept.maxY - parts.fat.maxY[part]);
+    }
   }
 
   /** The end pose: the pose moved along with the target from the impact to the end of the step. */

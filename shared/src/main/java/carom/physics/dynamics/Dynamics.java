@@ -46,6 +46,15 @@ import java.util.Arrays;
 public final class Dynamics {
   private static final int FIRST_CAPACITY = 64;
 
+  /** More pairs than this per awake body are a crowd. */
+  private static final int CROWDED = 2;
+
+  /** For how many ticks fat boxes are meant to last where pairs are few. */
+  private static final int SPARSE_TICKS = 5;
+
+  /** Up to this fraction (1 / n) of moved parts, each is searched for itself. */
+  private static final int SEARCH_SHARE = 16;
+
   /** Sleep time of a kinematic body that was set somewhere else since the last step. */
   private static final float MOVED = -1;
 
@@ -1200,7 +1209,7 @@ public final class Dynamics {
       int end = first + bodies.partCount[body];
       for (int part = first; part < end; part++) {
         if (!holds(part)) {
-          widen(part, 2 * lastStep * bodies.vx[body], 2 * lastStep * bodies.vy[body]);
+          widen(part, lastStep * bodies.vx[body], lastStep * bodies.vy[body]);
           movingStale = true;
           markMoved(part);
         }
@@ -1216,15 +1225,28 @@ public final class Dynamics {
         part, box.minX - reach, box.minY - reach, box.maxX + reach, box.maxY + reach);
   }
 
-  /** Gives a part a new fat box around its box, with more room in one direction. */
-  private void widen(int part, float aheadX, float aheadY) {
-    float margin = 0.5f * settings.speculativeDistance() + settings.aabbMargin();
+  /**
+   * Gives a part a new fat box around its box, for some ticks of motion. Where there are few pairs
+   * a roomy box spares searches; in a crowd a needless pair costs more than a search, so the boxes
+   * of what moves fast are hardly larger than it.
+   */
+  private void widen(int part, float wayX, float wayY) {
+    int pairs = contacts.count();
+    float margin = settings.aabbMargin();
+    float ticks = SPARSE_TICKS;
+    if (pairs > CROWDED * activeCount) {
+      margin = Math.abs(wayX) + Math.abs(wayY) > margin ? 0 : margin;
+      ticks = 0;
+    } else if (2 * pairs > activeCount) {
+      ticks = 1;
+    }
+    margin += 0.5f * settings.speculativeDistance();
     parts.fat.set(
         part,
-        box.minX - margin + Math.min(aheadX, 0),
-        box.minY - margin + Math.min(aheadY, 0),
-        box.maxX + margin + Math.max(aheadX, 0),
-        box.maxY + margin + Math.max(aheadY, 0));
+        box.minX - margin + Math.min(ticks * wayX, 0),
+        box.minY - margin + Math.min(ticks * wayY, 0),
+        box.maxX + margin + Math.max(ticks * wayX, 0),
+        box.maxY + margin + Math.max(ticks * wayY, 0));
   }
 
   /** Has the pairs of all parts of a body searched in the next step. */
@@ -1283,7 +1305,7 @@ public final class Dynamics {
 
   private void refreshTrees() {
     if (movingStale) {
-      moving.refit();
+      moving.refit(movedParts, movedCount);
       movingStale = false;
     }
   }
@@ -1294,34 +1316,49 @@ public final class Dynamics {
     }
     refreshTrees();
     candidateCount = 0;
-    if (searchAll || movedCount * 4 > moving.size()) {
+    if (searchAll) {
       moving.pairs(onPair);
       moving.join(resting, onPair);
     } else {
+      boolean each = movedCount <= moving.size() / SEARCH_SHARE;
+      if (!each) {
+        moving.pairs(parts.moved, onPair);
+        moving.join(resting, parts.moved, onPair);
+      }
       for (int i = 0; i < movedCount; i++) {
         int part = movedParts[i];
-        if (parts.body[part] < 0 || bodies.disabled(parts.body[part])) {
-          continue;
+        boolean moves = moving.contains(part);
+        if ((each && moves) || resting.contains(part)) {
+          searchAround(part, moves);
         }
-        searchPart = part;
-        float minX = parts.fat.minX[part];
-        float minY = parts.fat.minY[part];
-        float maxX = parts.fat.maxX[part];
-        float maxY = parts.fat.maxY[part];
-        moving.query(minX, minY, maxX, maxY, onFound);
-        resting.query(minX, minY, maxX, maxY, onFound);
       }
     }
+    candidates = sorter.sort(candidates, candidateCount);
+    contacts.merge(candidates, candidateCount, bodies, parts, searchAll);
     for (int i = 0; i < movedCount; i++) {
       parts.moved[movedParts[i]] = false;
     }
     movedCount = 0;
     searchAll = false;
-    candidates = sorter.sort(candidates, candidateCount);
-    contacts.merge(candidates, candidateCount, bodies, parts);
+  }
+
+  /** Finds what a moved part's fat box overlaps; two parts that rest needn't find each other. */
+  private void searchAround(int part, boolean moves) {
+    searchPart = part;
+    float minX = parts.fat.minX[part];
+    float minY = parts.fat.minY[part];
+    float maxX = parts.fat.maxX[part];
+    float maxY = parts.fat.maxY[part];
+    moving.query(minX, minY, maxX, maxY, onFound);
+    if (moves) {
+      resting.query(minX, minY, maxX, maxY, onFound);
+    }
   }
 
   private void candidate(int p, int q) {
+    if (!searchAll && !parts.moved[p] && !parts.moved[q]) {
+      return;
+    }
     int a = parts.body[p];
     int b = parts.body[q];
     if (a == b || (activeIndex[a] < 0 && activeIndex[b] < 0) || !mayTouch(p, q)) {

@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.physics.broadphase.Boxes.Layout;
 import carom.server.bench.BroadphaseScene;
 import java.lang.management.ManagementFactory;
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -108,6 +109,61 @@ class KdTreeTest {
       assertArrayEquals(oracle(boxes), Pairs.of(tree), boxes + " tick=" + tick);
       TreeCheck.check(tree, boxes.array, boxes + " tick=" + tick);
     }
+  }
+
+  @ParameterizedTest
+  @EnumSource(Layout.class)
+  void onlyWhatMovedNeedBeLookedAt(Layout layout) {
+    for (long seed = 1; seed <= 3; seed++) {
+      Boxes boxes = new Boxes(layout, 400, seed);
+      KdTree tree = treeOf(boxes);
+      Boxes others = new Boxes(layout, 120, seed + 100);
+      KdTree other = treeOf(others);
+      int[] changed = new int[400];
+      for (int tick = 0; tick < 80; tick++) {
+        boolean[] marked = new boolean[400];
+        int n = 0;
+        int share = tick % 4 == 0 ? 60 : 1 + boxes.below(20);
+        float far = tick % 9 == 8 ? 300 : 0.3f;
+        for (int id = 0; id < 400; id++) {
+          if (boxes.below(100) < share) {
+            boxes.shift(id, boxes.between(-far, far), boxes.between(-far, far));
+            marked[id] = true;
+            changed[n++] = id;
+          }
+        }
+        tree.refit(changed, n);
+        String where = boxes + " seed=" + seed + " tick=" + tick;
+        TreeCheck.check(tree, boxes.array, where);
+        long[] all = oracle(boxes);
+        assertArrayEquals(all, Pairs.of(tree), where);
+        assertArrayEquals(
+            Arrays.stream(all).filter(p -> marked[(int) (p >> 32)] || marked[(int) p]).toArray(),
+            Arrays.stream(Pairs.of(v -> tree.pairs(marked, v)))
+                .filter(p -> marked[(int) (p >> 32)] || marked[(int) p])
+                .toArray(),
+            where);
+        assertArrayEquals(
+            Arrays.stream(Pairs.of(v -> tree.join(other, v)))
+                .filter(p -> marked[(int) (p >> 32)])
+                .toArray(),
+            Arrays.stream(Pairs.of(v -> tree.join(other, marked, v)))
+                .filter(p -> marked[(int) (p >> 32)])
+                .toArray(),
+            where);
+      }
+    }
+  }
+
+  @Test
+  void searchForNewPairsSkipsWhatRests() {
+    Boxes boxes = new Boxes(Layout.UNIFORM, 4000, 9);
+    KdTree tree = treeOf(boxes);
+    boolean[] marked = new boolean[4000];
+    assertEquals(0, Pairs.of(v -> tree.pairs(marked, v)).length);
+    marked[77] = true;
+    int few = Pairs.of(v -> tree.pairs(marked, v)).length;
+    assertTrue(few < oracle(boxes).length / 20, "pairs near one marked box=" + few);
   }
 
   @Test
@@ -274,6 +330,9 @@ class KdTreeTest {
     other.rebuild(scene.boxes(), scene.ids(), n / 10);
     tree.rebuild(scene.boxes(), scene.ids(), n);
     long[] count = new long[1];
+    int[] changed = {5, 50, 500};
+    boolean[] marked = new boolean[n];
+    marked[500] = true;
     PairVisitor pairs = (a, b) -> count[0]++;
     IntVisitor ids = id -> ++count[0] > 0;
     com.sun.management.ThreadMXBean threads =
@@ -289,6 +348,9 @@ class KdTreeTest {
         tree.add(tick);
         tree.pairs(pairs);
         tree.join(other, pairs);
+        tree.refit(changed, changed.length);
+        tree.pairs(marked, pairs);
+        tree.join(other, marked, pairs);
         tree.query(0, 0, 20, 20, ids);
         if (tick % 10 == 0) {
           tree.rebuild(scene.boxes(), scene.ids(), n);
@@ -340,6 +402,13 @@ class KdTreeTest {
     assertEquals(1, tree.size(), "a refused box leaves the tree as it was");
     boxes.set(1, 0, 0, Float.POSITIVE_INFINITY, 1);
     assertThrows(IllegalArgumentException.class, tree::refit);
+    assertEquals(0, tree.size(), "a refit that failed leaves an empty tree");
+    boxes.set(1, 0, 0, 1, 1);
+    for (int id = 0; id < 3; id++) {
+      tree.add(id);
+    }
+    boxes.set(1, 0, 0, Float.NaN, 1);
+    assertThrows(IllegalArgumentException.class, () -> tree.refit(new int[] {1}, 1));
     assertEquals(0, tree.size(), "a refit that failed leaves an empty tree");
   }
 
