@@ -21,6 +21,7 @@ import carom.net.transport.ClientTransport;
 import carom.sim.Archetype;
 import carom.sim.Input;
 import carom.sim.Level;
+import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import java.util.Arrays;
@@ -163,6 +164,7 @@ public final class GameClient implements AutoCloseable {
     datagram.ackSequence = decoder.hasAck() ? decoder.ackSequence() : 0;
     datagram.ackBits = decoder.hasAck() ? decoder.ackBits() : 0;
     datagram.newestTick = tick;
+    datagram.viewDelay = viewDelay(tick);
     int pending = Math.min(tick - ackedTick, tick - firstTick + 1);
     int least = Math.min(config.ticksPerInputDatagram(), tick - firstTick + 1);
     datagram.count = Math.max(least, Math.min(Limits.MAX_INPUTS, pending));
@@ -185,6 +187,13 @@ public final class GameClient implements AutoCloseable {
       lookSent = look;
       lookSentNs = nowNs;
     }
+  }
+
+  /** How far the picture of the others is behind the tick an input is for, in sixteenths. */
+  private int viewDelay(int tick) {
+    double ticks = renderClock.started() ? tick - renderClock.tick() : 0;
+    long steps = Math.round(ticks * Player.VIEW_STEPS);
+    return (int) Math.max(0, Math.min(InputDatagram.MAX_VIEW_DELAY, steps));
   }
 
   private void correct() {

@@ -4,6 +4,8 @@ import carom.physics.Body;
 import carom.physics.BodyContactVisitor;
 import carom.physics.BodyType;
 import carom.physics.Material;
+import carom.physics.QueryFilter;
+import carom.physics.QueryHit;
 import carom.physics.WorldDef;
 import carom.physics.geometry.Circle;
 import carom.physics.math.Trig;
@@ -22,9 +24,11 @@ import java.util.List;
 
 /**
  * The arena, seen from above: two teams of discs, balls, two goals. Discs glide towards the
- * velocity their player asks for, F = k (v_goal - v), and dash on {@link Input#ACTION}. A ball in
- * the other team's goal counts for the team and for whoever touched it last; the first team with
- * {@value #GOALS_TO_WIN} goals wins, then it starts again. There is one ball for every {@value
+ * velocity their player asks for, F = k (v_goal - v), dash on {@link Input#ACTION}, and on {@link
+ * Input#SECOND} give a jolt along their aim: the first ball, disc or crate within {@value
+ * #JOLT_RANGE} m is pushed away, judged by what the player saw when pressing. A ball in the other
+ * team's goal counts for the team and for whoever touched it last; the first team with {@value
+ * #GOALS_TO_WIN} goals wins, then it starts again. There is one ball for every {@value
  * #PLAYERS_PER_BALL} players.
  *
  * <p>What a level needs: zones {@code goal} and {@code home} for the teams 1 and 2 (the goal's team
@@ -47,6 +51,16 @@ public final class ArenaGame implements Game {
   /** Time from dash to dash, seconds. */
   public static final float DASH_COOLDOWN = 1.1f;
 
+  /** How far a jolt reaches from the disc's centre, metres. */
+  public static final float JOLT_RANGE = 12;
+
+  /** Time from jolt to jolt, seconds. */
+  public static final float JOLT_COOLDOWN = 1.5f;
+
+  /** Impulse of a jolt, N s: a ball leaves with 11 m/s. */
+  public static final float JOLT_IMPULSE = 6;
+
+  private static final float SPARK_SECONDS = 0.2f;
   private static final float DASH_SECONDS = 0.16f;
   private static final float STEER = 10; // k / mass, 1/s: most of the goal velocity in 0.1 s
   private static final float DASH_STEER = 30;
@@ -62,12 +76,14 @@ public final class ArenaGame implements Game {
   private static final String[] TEAM_NAMES = {"", "Red", "Blue"};
   private static final int[] TEAM_COLORS = {0, 0xff5d5d, 0x4da3ff};
 
-  // A player's memory: what its client needs to predict a dash.
-  private static final int COOLDOWN = 0;
-  private static final int DASH = 1; // ticks left, and HELD
+  // A player's memory: what its client needs to predict a dash or a jolt.
+  private static final int COOLDOWN = 0; // ticks until a dash, and, << 16, until a jolt
+  private static final int DASH = 1; // ticks left, and what follows
   private static final int DASH_X = 2; // float bits
   private static final int DASH_Y = 3;
   private static final int HELD = 1 << 16;
+  private static final int JOLT_HELD = 1 << 17;
+  private static final int JOLTS = 1 << 18; // in this very tick
 
   // The simulation's memory.
   private static final int GOALS = 0; // + team
@@ -82,11 +98,17 @@ public final class ArenaGame implements Game {
   private static final int BALL_PLACE_X = 5; // float bits
   private static final int BALL_PLACE_Y = 6;
   private static final int LAMPS = BALLS + MAX_BALLS * BALL_INTS; // entity id + 1
+  private static final int SPARKS = LAMPS + TEAMS * GOALS_TO_WIN; // entity id + 1, and ticks left
+  private static final int MAX_SPARKS = 16;
 
   private final Archetype[] discs = new Archetype[TEAMS + 1];
   private final Archetype[] lamps = new Archetype[TEAMS + 1];
   private final Level.Zone[] homes = new Level.Zone[TEAMS + 1];
   private final BodyContactVisitor<Entity> touch = this::touched;
+  private final QueryHit<Entity> hit = new QueryHit<>();
+  private final QueryFilter<Entity> inTheWay = this::isInTheWay;
+  private Body<Entity> jolter;
+  private Archetype spark;
   private Archetype ball;
   private List<Level.Zone> goals = List.of();
   private List<Level.Spawn> kickOffs = List.of();
@@ -112,7 +134,12 @@ public final class ArenaGame implements Game {
 
   @Override
   public int memorySize(Level level) {
-    return LAMPS + TEAMS * GOALS_TO_WIN;
+    return SPARKS + 2 * MAX_SPARKS;
+  }
+
+  @Override
+  public boolean looksBack() {
+    return true;
   }
 
   @Override
@@ -154,6 +181,14 @@ public final class ArenaGame implements Game {
                     .linearDamping(0.45f)
                     .angularDamping(0.8f)
                     .appearance(Appearance.of(0xffe08a, Appearance.Look.BALL)));
+    spark =
+        s.archetypes()
+            .add(
+                new ArchetypeDef("spark")
+                    .type(BodyType.STATIC)
+                    .shape(new Circle(0.25f), skin)
+                    .sensor(true)
+                    .appearance(Appearance.of(0xfff6c8, Appearance.Look.LAMP)));
     goals = s.level().zones("goal");
     kickOffs = s.level().spawns("ball");
     for (Level.Zone home : s.level().zones("home")) {
@@ -204,18 +239,25 @@ public final class ArenaGame implements Game {
       x /= length;
       y /= length;
     }
-    m[COOLDOWN] = Math.max(0, m[COOLDOWN] - 1);
+    int untilDash = Math.max(0, (m[COOLDOWN] & 0xffff) - 1);
+    int untilJolt = Math.max(0, (m[COOLDOWN] >>> 16) - 1);
+    boolean jolts = in.held(Input.SECOND) && (m[DASH] & JOLT_HELD) == 0 && untilJolt == 0;
+    if (jolts) {
+      untilJolt = s.ticks(JOLT_COOLDOWN);
+    }
     int dash = Math.max(0, (m[DASH] & 0xffff) - 1);
     boolean held = in.held(Input.ACTION);
-    if (held && (m[DASH] & HELD) == 0 && m[COOLDOWN] == 0) {
+    if (held && (m[DASH] & HELD) == 0 && untilDash == 0) {
       dash = s.ticks(DASH_SECONDS);
-      m[COOLDOWN] = s.ticks(DASH_COOLDOWN);
+      untilDash = s.ticks(DASH_COOLDOWN);
       boolean steered = length > 0.3f;
       float scale = Math.min(1, length);
       m[DASH_X] = Float.floatToIntBits(steered ? x / scale : Trig.cos(in.aim()));
       m[DASH_Y] = Float.floatToIntBits(steered ? y / scale : Trig.sin(in.aim()));
     }
-    m[DASH] = dash | (held ? HELD : 0);
+    m[COOLDOWN] = untilJolt << 16 | untilDash;
+    m[DASH] =
+        dash | (held ? HELD : 0) | (in.held(Input.SECOND) ? JOLT_HELD : 0) | (jolts ? JOLTS : 0);
     if (dash > 0) {
       float dashX = Float.intBitsToFloat(m[DASH_X]) * DASH_SPEED;
       float dashY = Float.intBitsToFloat(m[DASH_Y]) * DASH_SPEED;
@@ -264,6 +306,13 @@ public final class ArenaGame implements Game {
 
   @Override
   public void afterStep(Simulation s) {
+    for (int id = 0; id < s.playerCapacity(); id++) {
+      Player p = s.player(id);
+      if (p != null && p.body() != null && (p.memory()[DASH] & JOLTS) != 0) {
+        jolt(s, p);
+      }
+    }
+    fadeSparks(s);
     for (int i = 0; i < MAX_BALLS; i++) {
       Entity e = s.entity(ball(s, i, BALL_ENTITY) - 1);
       if (e != null) {
@@ -271,6 +320,60 @@ public final class ArenaGame implements Game {
       }
     }
     bringBack(s);
+  }
+
+  /** Pushes what the player saw in front of it, where it is now. */
+  private void jolt(Simulation s, Player p) {
+    jolter = p.body().body();
+    float wayX = JOLT_RANGE * Trig.cos(p.input().aim());
+    float wayY = JOLT_RANGE * Trig.sin(p.input().aim());
+    boolean any = s.asSeenBy(p).rayClosest(jolter.x(), jolter.y(), wayX, wayY, inTheWay, hit);
+    if (!any) {
+      return;
+    }
+    Body<Entity> target = hit.body();
+    if (target.type() == BodyType.DYNAMIC) {
+      float scale = JOLT_IMPULSE / JOLT_RANGE;
+      target.applyImpulse(wayX * scale, wayY * scale);
+    }
+    light(s, p, hit.x(), hit.y());
+  }
+
+  private boolean isInTheWay(Body<Entity> body, int shape) {
+    return body != jolter && !body.sensor(shape);
+  }
+
+  /**
+   * Shows everybody where a jolt has hit, for a moment or until the player leaves; when there are
+   * too many, the one longest there goes.
+   */
+  private void light(Simulation s, Player p, float x, float y) {
+    int[] m = s.memory();
+    int oldest = SPARKS;
+    for (int i = SPARKS; i < SPARKS + 2 * MAX_SPARKS; i += 2) {
+      oldest = m[i + 1] < m[oldest + 1] ? i : oldest;
+    }
+    putOut(s, oldest);
+    m[oldest] = s.spawn(spark, x, y, 0, p).id() + 1;
+    m[oldest + 1] = s.ticks(SPARK_SECONDS);
+  }
+
+  private static void fadeSparks(Simulation s) {
+    int[] m = s.memory();
+    for (int i = SPARKS; i < SPARKS + 2 * MAX_SPARKS; i += 2) {
+      if (m[i] != 0 && --m[i + 1] == 0) {
+        putOut(s, i);
+      }
+    }
+  }
+
+  private static void putOut(Simulation s, int i) {
+    Entity old = s.entity(s.memory()[i] - 1);
+    if (old != null) {
+      s.despawn(old);
+    }
+    s.memory()[i] = 0;
+    s.memory()[i + 1] = 0;
   }
 
   private void followBall(Simulation s, int i, Entity e) {

@@ -57,6 +57,7 @@ public final class Queries<T> {
   private static final long NONE = Long.MAX_VALUE;
 
   private final World<T> world;
+  private final Poses poses;
   private final Dynamics dynamics;
   private final BodyStore store;
   private final Cast cast = new Cast();
@@ -78,6 +79,7 @@ public final class Queries<T> {
   private Shape shape;
   private final Transform start = new Transform();
   private final Aabb startBox = new Aabb();
+  private final Aabb search = new Aabb();
   private float dx;
   private float dy;
 
@@ -92,8 +94,12 @@ public final class Queries<T> {
 
   private int question;
 
-  Queries(World<T> world) {
+  /**
+   * @param poses where the bodies are; null for where they are now
+   */
+  Queries(World<T> world, Poses poses) {
     this.world = world;
+    this.poses = poses;
     dynamics = world.dynamics();
     store = dynamics.bodies();
   }
@@ -339,15 +345,25 @@ public final class Queries<T> {
     dy = Checks.coordinate("wayY", wayY);
     begin(what, how, whom);
     try {
-      dynamics.cast(startBox.minX, startBox.minY, startBox.maxX, startBox.maxY, dx, dy, onCast);
+      widen();
+      dynamics.cast(search.minX, search.minY, search.maxX, search.maxY, dx, dy, onCast);
     } finally {
       world.endQuery();
     }
   }
 
+  /** The trees know where bodies are now: what is elsewhere is found by looking farther. */
+  private void widen() {
+    search.set(startBox.minX, startBox.minY, startBox.maxX, startBox.maxY);
+    if (poses != null) {
+      search.grow(poses.reach());
+    }
+  }
+
   private void searchBox() {
     try {
-      dynamics.query(startBox.minX, startBox.minY, startBox.maxX, startBox.maxY, onBox);
+      widen();
+      dynamics.query(search.minX, search.minY, search.maxX, search.maxY, onBox);
     } finally {
       world.endQuery();
     }
@@ -381,11 +397,15 @@ public final class Queries<T> {
   /** Where the question meets one part: fills {@link #hit}, the fraction being what sorts. */
   private boolean measure(int part, int slot) {
     Convex convex = dynamics.convexOf(part);
-    pose.set(store.x[slot], store.y[slot], store.cos[slot], store.sin[slot]);
+    if (poses == null) {
+      pose.set(store.x[slot], store.y[slot], store.cos[slot], store.sin[slot]);
+    } else if (!poses.place(slot, pose)) {
+      return false;
+    }
     return switch (kind) {
       case RAY -> cast.ray(convex, pose, startBox.minX, startBox.minY, dx, dy, 1, hit);
       case SHAPE -> measureShape(convex);
-      case BOX -> measureBox(part);
+      case BOX -> measureBox(part, convex);
       case NEAREST -> measurePoint(convex);
       case OVERLAP -> overlaps(convex);
     };
@@ -430,8 +450,12 @@ public final class Queries<T> {
   }
 
   /** Two slabs; the one entered last tells the side. */
-  private boolean measureBox(int part) {
-    dynamics.boxOf(part, false, box);
+  private boolean measureBox(int part, Convex convex) {
+    if (poses == null) {
+      dynamics.boxOf(part, false, box);
+    } else {
+      convex.aabb(pose, box);
+    }
     double enterX = enter(startBox.minX, startBox.maxX, box.minX, box.maxX, dx);
     double enterY = enter(startBox.minY, startBox.maxY, box.minY, box.maxY, dy);
     double at = Math.max(0, Math.max(enterX, enterY));

@@ -62,6 +62,7 @@ public final class World<T> {
   private final JointStore joints;
   private final Events events = new Events();
   private final Queries<T> queries;
+  private long moves;
   private final JointEvents onBroke = this::broke;
 
   /** Handles by slot; those of free slots are null. */
@@ -134,7 +135,7 @@ public final class World<T> {
     store = dynamics.bodies();
     joints = dynamics.joints();
     collision = new Collision<>(this, dynamics.contacts());
-    queries = new Queries<>(this);
+    queries = new Queries<>(this, null);
   }
 
   /**
@@ -578,6 +579,7 @@ public final class World<T> {
     refuseDuringQuery("step");
     stepping = true;
     try {
+      moves++;
       dynamics.step(dtSeconds, listener == null ? null : events, onBroke);
       carryOut();
     } finally {
@@ -712,6 +714,7 @@ public final class World<T> {
     refuseDuringStep("restore");
     refuseDuringQuery("restore");
     checkOwner(s);
+    moves++;
     dynamics.restore(s.dynamics, structure.same(s.structure));
     if (!structure.same(s.structure)) {
       int slots = store.slots();
@@ -983,6 +986,7 @@ public final class World<T> {
 
   void moved(int slot) {
     refuseDuringQuery("setPose");
+    moves++;
     dynamics.moved(slot);
   }
 
@@ -1006,6 +1010,27 @@ public final class World<T> {
    */
   public Queries<T> queries() {
     return queries;
+  }
+
+  /**
+   * A number that changes whenever a body may have come to another place: by a step, by being put
+   * there, by restoring.
+   *
+   * @return meaningful only compared with an earlier one of this world; not part of the state
+   */
+  public long moves() {
+    return moves;
+  }
+
+  /**
+   * Casts, overlaps, nearest points in this world with its bodies elsewhere. The shapes are those
+   * they have now. Allocates: make one and keep it.
+   *
+   * @param poses asked anew by each question
+   * @return who answers
+   */
+  public Queries<T> queries(Poses poses) {
+    return new Queries<>(this, poses);
   }
 
   void beginQuery(String what) {

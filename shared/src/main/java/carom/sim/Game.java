@@ -38,6 +38,14 @@ public interface Game {
   }
 
   /**
+   * Whether the game asks {@link Simulation#asSeenBy}: then every tick of the last quarter of a
+   * second is remembered.
+   */
+  default boolean looksBack() {
+    return false;
+  }
+
+  /**
    * Both roles, once: registers archetypes and remembers zones. The level's statics exist. On
    * {@link Role#AUTHORITY} it may spawn entities after registering; the level's own bodies exist
    * already.

@@ -62,6 +62,11 @@ public final class GuardedGame implements Game {
   }
 
   @Override
+  public boolean looksBack() {
+    return game.looksBack();
+  }
+
+  @Override
   public void setUp(Simulation s) {
     game.setUp(s);
   }

@@ -25,6 +25,7 @@ public final class SimState {
   Entity[] entities = {};
   int[] tags = {};
   byte[] generations = {};
+  PoseHistory history;
 
   SimState(Simulation owner) {
     this.owner = owner;

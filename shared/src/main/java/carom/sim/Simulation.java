@@ -4,6 +4,7 @@ import carom.physics.Body;
 import carom.physics.BodyDef;
 import carom.physics.Collision;
 import carom.physics.CollisionListener;
+import carom.physics.Queries;
 import carom.physics.World;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -68,6 +69,11 @@ public final class Simulation {
   private boolean stepping;
   private Journal journal;
 
+  /** On AUTHORITY, if the game looks back; else null. */
+  private final PoseHistory history;
+
+  private final Queries<Entity> past;
+
   /**
    * Builds the level and sets the game up, up to tick 0.
    *
@@ -96,6 +102,8 @@ public final class Simulation {
     memory = new int[memorySize];
     world = new World<>(game.world(level));
     world.listener(new Listener());
+    history = role == Role.AUTHORITY && game.looksBack() ? new PoseHistory(this) : null;
+    past = history == null ? world.queries() : world.queries(history);
     for (ArchetypeDef def : level.archetypes()) {
       archetypes.add(def);
     }
@@ -114,6 +122,9 @@ public final class Simulation {
     }
     game.setUp(this);
     archetypes.close();
+    if (history != null) {
+      history.capture();
+    }
   }
 
   /**
@@ -128,6 +139,29 @@ public final class Simulation {
   /** The physics. */
   public World<Entity> world() {
     return world;
+  }
+
+  /**
+   * Questions about the world as a player saw it when it gave the input for this tick: each body
+   * where that player's screen showed it, {@link Player#viewDelay} ago, at most a quarter of a
+   * second; bodies that came since then are not there, those that went since aren't either. What
+   * the player steers itself was where it is now on its screen: leave it out by a filter.
+   *
+   * <p>On {@link Role#PREDICTION} these are questions about the predicted world as it is: what the
+   * player sees, as far as it is predicted.
+   *
+   * @param player who saw it
+   * @return valid until the next call; allocates nothing
+   * @throws IllegalStateException on {@link Role#AUTHORITY}, when {@link Game#looksBack} says no
+   */
+  public Queries<Entity> asSeenBy(Player player) {
+    if (history != null) {
+      history.look(player.viewDelay());
+    } else if (role == Role.AUTHORITY) {
+      throw new IllegalStateException(
+          "game " + game.name() + " doesn't look back; let Game.looksBack return true");
+    }
+    return past;
   }
 
   /** The tick whose state stands here; during a step, the tick being computed. */
@@ -290,6 +324,9 @@ public final class Simulation {
     int id = entity.id();
     if (id < 0 || id >= entityCapacity || entities[id] != entity) {
       return;
+    }
+    if (history != null) {
+      history.forget(entity.body.index());
     }
     world.destroyBody(entity.body);
     entities[id] = null;
@@ -464,6 +501,9 @@ public final class Simulation {
     if (role == Role.AUTHORITY) {
       game.afterStep(this);
     }
+    if (history != null) {
+      history.capture();
+    }
     if (journal != null) {
       journal.stepped(this);
     }
@@ -545,6 +585,12 @@ public final class Simulation {
     for (int i = 0; i < entityCapacity; i++) {
       s.tags[i] = entities[i] == null ? 0 : entities[i].tag();
     }
+    if (history != null) {
+      if (s.history == null) {
+        s.history = new PoseHistory(this);
+      }
+      history.copyTo(s.history);
+    }
     return s;
   }
 
@@ -585,6 +631,9 @@ public final class Simulation {
       }
     }
     firstFree = 0;
+    if (history != null) {
+      s.history.copyTo(history);
+    }
   }
 
   void requireAuthority(String what) {

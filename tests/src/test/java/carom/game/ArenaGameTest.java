@@ -268,4 +268,79 @@ class ArenaGameTest {
     p.input().move(dx / length, dy / length);
     p.input().hold(Input.ACTION, behind && to < 3 && random.nextInt(4) == 0);
   }
+
+  @Test
+  void aJoltPushesTheFirstThingInItsWay() {
+    Player ann = s.join("ann");
+    Player ben = s.join("ben");
+    run(1);
+    put(ann.body(), -8, 0);
+    put(ball(), -3, 0.2f);
+    put(ben.body(), 0, 0);
+    ann.input().aim(0).hold(Input.SECOND, true);
+    run(1);
+    assertEquals(1, count("spark"));
+    run(1);
+    float mass = ball().body().mass();
+    assertEquals(ArenaGame.JOLT_IMPULSE / mass, ball().body().velocityX(), 0.2f);
+    assertEquals(0, ben.body().body().velocityX(), "it is behind the ball");
+    float speed = ball().body().velocityX();
+    run(20);
+    assertEquals(0, count("spark"));
+    assertTrue(ball().body().velocityX() < speed, "holding the button gives one jolt");
+  }
+
+  @Test
+  void aJoltNeedsTimeAndAFreshPress() {
+    Player ann = s.join("ann");
+    run(1);
+    put(ann.body(), -8, 0);
+    int jolts = 0;
+    int sparks = 0;
+    for (int tick = 0; tick < s.ticks(ArenaGame.JOLT_COOLDOWN) * 2; tick++) {
+      ann.input().aim((float) Math.PI / 2).hold(Input.SECOND, tick % 4 < 2);
+      run(1);
+      int now = count("spark");
+      jolts += now > sparks ? 1 : 0;
+      sparks = now;
+    }
+    assertEquals(2, jolts, "walls light up too");
+  }
+
+  @Test
+  void aJoltMeetsWhatThePlayerSaw() {
+    Player ann = s.join("ann");
+    Player ben = s.join("ben");
+    run(1);
+    put(ball(), 0, -6);
+    put(ann.body(), -8, 0);
+    put(ben.body(), -2, -5);
+    ben.input().move(0, 1);
+    float seenY = 0;
+    for (int tick = 0; tick < 60; tick++) {
+      if (ben.body().body().y() < 0) {
+        seenY = ben.body().body().y();
+      } else {
+        break;
+      }
+      run(1);
+    }
+    run(9); // ben is more than a metre farther now
+    assertTrue(ben.body().body().y() - seenY > 1, "ben moves");
+    ann.input().aim((float) Math.atan2(seenY, 6)).hold(Input.SECOND, true);
+    ann.viewDelay(11 * Player.VIEW_STEPS); // that of the picture with seenY
+    float before = ben.body().body().velocityX();
+    run(2);
+    assertTrue(ben.body().body().velocityX() > before + 1, "seen there, hit where he is");
+    run(100);
+    ann.input().hold(Input.SECOND, false);
+    run(1);
+    put(ann.body(), -8, 0);
+    put(ben.body(), -2, 5);
+    ann.viewDelay(0);
+    ann.input().aim(0).hold(Input.SECOND, true);
+    before = ben.body().body().velocityX();
+    run(2);
+    assertEquals(before, ben.body().body().velocityX(), 1, "nobody was there");
+  }
 }

@@ -135,6 +135,7 @@ class ProtocolDocTest {
     d.ackBits = 0x8000000000000001L;
     d.count = 3;
     d.newestTick = 1000;
+    d.viewDelay = 200;
     d.inputs[0] = 0x0000_aabb_ccdd_eeffL;
     d.inputs[1] = d.inputs[0];
     d.inputs[2] = 1;

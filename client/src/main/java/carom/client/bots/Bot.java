@@ -174,6 +174,7 @@ public final class Bot implements InputSource {
     held.move(dx / distance, dy / distance);
     held.aim((float) Math.atan2(dy, dx));
     held.hold(Input.ACTION, charge && distance < 3 && random.nextInt(5) == 0);
+    held.hold(Input.SECOND, charge && random.nextInt(8) == 0);
   }
 
   private void runAndJump(ClientView view, ClientView.Drawn own) {

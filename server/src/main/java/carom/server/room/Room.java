@@ -7,6 +7,7 @@ import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.snapshot.FrameRing;
 import carom.net.transport.Link;
+import carom.physics.Queries;
 import carom.physics.threads.Workers;
 import carom.replay.BlockSink;
 import carom.replay.Recorder;
@@ -19,6 +20,7 @@ import carom.server.replication.OwnCapture;
 import carom.server.session.PartingLinks;
 import carom.server.session.Seats;
 import carom.server.session.Session;
+import carom.sim.Entity;
 import carom.sim.Game;
 import carom.sim.GuardedGame;
 import carom.sim.Level;
@@ -610,6 +612,16 @@ public final class Room {
   /** The frame states of the last ticks, for reading. */
   public FrameRing frames() {
     return capture.frames();
+  }
+
+  /**
+   * Questions about the world as a session's client shows it: casts, overlaps, nearest points; see
+   * {@link Simulation#asSeenBy}. On the room's thread.
+   *
+   * @throws IllegalStateException when the game doesn't look back
+   */
+  public Queries<Entity> asSeenBy(Session session) {
+    return simulation.asSeenBy(session.player());
   }
 
   /** The session on a seat, or null. */

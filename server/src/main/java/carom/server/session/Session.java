@@ -63,6 +63,7 @@ public final class Session implements LinkHandler {
   private SessionState state = SessionState.LOADING;
   private Link link;
   private int datagramKey;
+  private int viewDelay;
   private SnapshotSender sender;
   private long nowNs;
   private long lastHeardNs;
@@ -113,6 +114,7 @@ public final class Session implements LinkHandler {
     datagramKey = key;
     sender = new SnapshotSender(frames, player, key, config, counters);
     inputs.reset(tick);
+    viewDelay = 0;
     feedback.present = false;
     feedback.consumedTick = tick;
     lastHeardNs = timeNs;
@@ -190,6 +192,9 @@ public final class Session implements LinkHandler {
       feedback.present = true;
       feedback.sequence = datagram.sequence;
       sequenceArrivalNs = nowNs - from.waitedNs();
+      if (datagram.count > 0) {
+        viewDelay = datagram.viewDelay;
+      }
     }
     if (datagram.hasAck) {
       sender.receiveAck(datagram.ackSequence, datagram.ackBits);
@@ -211,8 +216,10 @@ public final class Session implements LinkHandler {
   public void consumeInput(int tick) {
     if (state != SessionState.PLAYING) {
       player.input().clear();
+      player.viewDelay(0);
       return;
     }
+    player.viewDelay(viewDelay);
     player.input().unpack(inputs.consume(tick));
     if (!inputs.lastWasMissing()) {
       feedback.consumedTick = tick;

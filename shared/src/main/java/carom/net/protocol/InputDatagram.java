@@ -13,7 +13,11 @@ public final class InputDatagram {
   /** Largest encoded size in bytes. */
   public static final int MAX_BYTES = 128;
 
+  /** Largest {@link #viewDelay}. */
+  public static final int MAX_VIEW_DELAY = 4_095;
+
   private static final int INPUT_BITS = 48;
+  private static final int VIEW_DELAY_BITS = 12;
 
   /**
    * The key of {@link ServerMessage.Welcome}. The server drops datagrams with another one silently.
@@ -35,6 +39,12 @@ public final class InputDatagram {
   /** Tick of the newest input, {@code inputs[0]}. */
   public int newestTick;
 
+  /**
+   * How old the picture was that the player saw when it gave the newest input: ticks from the
+   * picture to {@link #newestTick} in sixteenths, 0..4,095. Only with inputs.
+   */
+  public int viewDelay;
+
   /** How many inputs follow, 0..{@link Limits#MAX_INPUTS}; 0 = keep-alive. */
   public int count;
 
@@ -55,12 +65,16 @@ public final class InputDatagram {
    *
    * @param out at least {@link #MAX_BYTES} from {@code offset} on
    * @return number of bytes written
-   * @throws IllegalArgumentException when {@link #count} is outside its range
+   * @throws IllegalArgumentException when {@link #count} or {@link #viewDelay} is outside its range
    */
   public int encode(byte[] out, int offset) {
     if (count < 0 || count > Limits.MAX_INPUTS) {
       throw new IllegalArgumentException(
           "inputs count=" + count + " is outside 0.." + Limits.MAX_INPUTS);
+    }
+    if (viewDelay < 0 || viewDelay > MAX_VIEW_DELAY) {
+      throw new IllegalArgumentException(
+          "viewDelay=" + viewDelay + " is outside 0.." + MAX_VIEW_DELAY);
     }
     BitWriter w = writer;
     w.reset(out, offset, MAX_BYTES);
@@ -74,6 +88,7 @@ public final class InputDatagram {
     w.write(count, 5);
     if (count > 0) {
       w.write(newestTick, 32);
+      w.write(viewDelay, VIEW_DELAY_BITS);
     }
     for (int i = 0; i < count; i++) {
       boolean same = i > 0 && ((inputs[i] ^ inputs[i - 1]) << (64 - INPUT_BITS)) == 0;
@@ -106,6 +121,7 @@ public final class InputDatagram {
       return false;
     }
     newestTick = count > 0 ? r.read(32) : 0;
+    viewDelay = count > 0 ? r.read(VIEW_DELAY_BITS) : 0;
     for (int i = 0; i < count; i++) {
       if (i > 0 && r.readBit()) {
         inputs[i] = inputs[i - 1];

@@ -22,6 +22,7 @@ class InputDatagramTest {
     d.ackBits = d.hasAck ? random.nextLong() : 0;
     d.count = random.nextInt(Limits.MAX_INPUTS + 1);
     d.newestTick = d.count > 0 ? random.nextInt() : 0;
+    d.viewDelay = random.nextInt(InputDatagram.MAX_VIEW_DELAY + 1);
     for (int i = 0; i < d.count; i++) {
       boolean same = i > 0 && random.nextBoolean();
       d.inputs[i] = same ? d.inputs[i - 1] : random.nextLong() & 0xffff_ffff_ffffL;
@@ -47,6 +48,7 @@ class InputDatagramTest {
       assertEquals(out.ackBits, in.ackBits);
       assertEquals(out.newestTick, in.newestTick);
       assertEquals(out.count, in.count);
+      assertEquals(out.count > 0 ? out.viewDelay : 0, in.viewDelay);
       assertArrayEquals(Arrays.copyOf(out.inputs, out.count), Arrays.copyOf(in.inputs, in.count));
     }
   }
@@ -87,6 +89,10 @@ class InputDatagramTest {
       }
     }
     assertEquals(0, InputDatagram.peekKey(bytes, 0, 3));
+    d.viewDelay = InputDatagram.MAX_VIEW_DELAY + 1;
+    d.count = 1;
+    assertThrows(IllegalArgumentException.class, () -> d.encode(bytes, 0));
+    d.viewDelay = 0;
     d.count = 17;
     assertThrows(IllegalArgumentException.class, () -> d.encode(bytes, 0));
   }
