@@ -63,10 +63,13 @@ public final class Collider {
   /** Faces of two boxes that differ by less than this part of the boxes' sizes are equally good. */
   private static final float ROUNDING = 1e-6f;
 
+  /** Bits of a vertex or edge in a hint. */
+  private static final int HINT_BITS = 8;
+
+  private static final int HINT_MASK = (1 << HINT_BITS) - 1;
+
   private final float[] ax = new float[Convex.MAX_VERTICES];
   private final float[] ay = new float[Convex.MAX_VERTICES];
-  private final float[] anx = new float[Convex.MAX_VERTICES];
-  private final float[] any = new float[Convex.MAX_VERTICES];
   private final float[] bx = new float[Convex.MAX_VERTICES];
   private final float[] by = new float[Convex.MAX_VERTICES];
   private final float[] bnx = new float[Convex.MAX_VERTICES];
@@ -74,10 +77,12 @@ public final class Collider {
 
   private final RoundCollider round = new RoundCollider();
 
-  // Results of the last call of bestFace.
+  // Results of the last search for a face.
   private float faceSeparation;
   private int faceEdge;
   private int faceSupport;
+
+  private int hint;
 
   /** Makes a collider with its own scratch memory. */
   public Collider() {}
@@ -96,6 +101,31 @@ public final class Collider {
    */
   public void collide(
       Convex a, Transform ta, Convex b, Transform tb, float speculativeDistance, Manifold out) {
+    collide(a, ta, b, tb, speculativeDistance, 0, out);
+  }
+
+  /**
+   * The same, faster for polygons if told where the last search for the same shapes in nearly the
+   * same poses ended.
+   *
+   * @param a shape A in its body's frame
+   * @param ta pose of A, read only, finite
+   * @param b shape B in its body's frame
+   * @param tb pose of B, read only, finite
+   * @param speculativeDistance points up to this far apart are reported too, metres, not negative
+   * @param startAt what {@link #hint} said then, 0 if unknown; whatever it is, no bit of the result
+   *     depends on it
+   * @param out receives the manifold; count 0 when the shapes are farther apart
+   */
+  public void collide(
+      Convex a,
+      Transform ta,
+      Convex b,
+      Transform tb,
+      float speculativeDistance,
+      int startAt,
+      Manifold out) {
+    hint = startAt;
     if (!(a.isSimple() && b.isSimple())) {
       round.collide(a, ta, b, tb, speculativeDistance, out);
     } else if (a instanceof Circle circleA) {
@@ -117,6 +147,22 @@ public final class Collider {
     } else {
       polygons(a, ta, b, tb, speculativeDistance, out);
     }
+  }
+
+  /**
+   * Where the last search ended: best edges and the vertices opposite, of A and of B. Any of them
+   * may be out of the range of other shapes.
+   *
+   * @return to be handed to {@code collide} for the same pair
+   */
+  public int hint() {
+    return hint;
+  }
+
+  /** One of the four numbers in a hint, 0 if there is no such vertex. */
+  private static int hinted(int hint, int place, int count) {
+    int index = hint >>> place * HINT_BITS & HINT_MASK;
+    return index < count ? index : 0;
   }
 
   private static void circles(
@@ -151,15 +197,19 @@ public final class Collider {
     float cy = ta.cos * worldY - ta.sin * worldX;
     float radius = b.radius();
     int count = a.vertexCount();
-    int edge = 0;
-    float best = Float.NEGATIVE_INFINITY;
-    for (int i = 0; i < count; i++) {
+    int edge = hinted(hint, 0, count);
+    float best =
+        a.normalX(edge) * (cx - a.vertexX(edge)) + a.normalY(edge) * (cy - a.vertexY(edge));
+    int i = edge;
+    for (int left = count; left > 1; left--) {
+      i = i + 1 == count ? 0 : i + 1;
       float s = a.normalX(i) * (cx - a.vertexX(i)) + a.normalY(i) * (cy - a.vertexY(i));
-      if (s > best) {
+      if (s >= best && (s > best || i < edge)) {
         best = s;
         edge = i;
       }
     }
+    hint = edge;
     if (!(best - radius <= speculative)) {
       out.clear();
       return;
@@ -322,41 +372,51 @@ public final class Collider {
     float y = ta.cos * worldY - ta.sin * worldX;
     float cos = ta.cos * tb.cos + ta.sin * tb.sin;
     float sin = ta.cos * tb.sin - ta.sin * tb.cos;
-    int countA = a.copyTo(ax, ay, anx, any);
-    int countB = b.copyTo(bx, by, bnx, bny);
+    int countA = a.vertexCount();
+    int countB = b.vertexCount();
     for (int i = 0; i < countB; i++) {
-      float vx = bx[i];
-      float vy = by[i];
+      float vx = b.vertexX(i);
+      float vy = b.vertexY(i);
       bx[i] = cos * vx - sin * vy + x;
       by[i] = sin * vx + cos * vy + y;
-      float nx = bnx[i];
-      float ny = bny[i];
-      bnx[i] = cos * nx - sin * ny;
-      bny[i] = sin * nx + cos * ny;
     }
-    bestFace(ax, ay, anx, any, countA, bx, by, countB);
+    int start = hint;
+    faceOfA(a, countA, countB, hinted(start, 0, countA), hinted(start, 1, countB), speculative);
     float separationA = faceSeparation;
     int edgeA = faceEdge;
     int supportB = faceSupport;
+    hint = start & ~0xffff | supportB << HINT_BITS | edgeA;
     if (!(separationA <= speculative)) {
       out.clear();
       return;
     }
-    bestFace(bx, by, bnx, bny, countB, ax, ay, countA);
+    for (int i = 0; i < countB; i++) {
+      float nx = b.normalX(i);
+      float ny = b.normalY(i);
+      bnx[i] = cos * nx - sin * ny;
+      bny[i] = sin * nx + cos * ny;
+    }
+    faceOfB(a, countA, countB, hinted(start, 2, countB), hinted(start, 3, countA), speculative);
+    hint = hint & 0xffff | faceSupport << 3 * HINT_BITS | faceEdge << 2 * HINT_BITS;
     if (!(faceSeparation <= speculative)) {
       out.clear();
       return;
     }
     float bias = 0;
     if (faceSeparation <= TOUCHING) {
-      float edge = Math.min(firstEdge(ax, ay), firstEdge(bx, by));
+      float edge = Math.min(firstEdge(a), firstEdge(bx, by));
       bias = Math.min(FACE_BIAS, RELATIVE_FACE_BIAS * edge);
     }
     if (faceSeparation > separationA + bias) {
       int edge = faceEdge;
       float nx = bnx[edge];
       float ny = bny[edge];
-      int facing = facing(anx, any, countA, faceSupport, nx, ny);
+      int facing = facing(a, countA, faceSupport, nx, ny);
+      int after = facing + 1 == countA ? 0 : facing + 1;
+      ax[facing] = a.vertexX(facing);
+      ay[facing] = a.vertexY(facing);
+      ax[after] = a.vertexX(after);
+      ay[after] = a.vertexY(after);
       clip(
           bx,
           by,
@@ -367,20 +427,25 @@ public final class Collider {
           ax,
           ay,
           facing,
-          facing + 1 == countA ? 0 : facing + 1,
+          after,
           faceSeparation,
           true,
           speculative,
           out);
     } else {
-      float nx = anx[edgeA];
-      float ny = any[edgeA];
+      float nx = a.normalX(edgeA);
+      float ny = a.normalY(edgeA);
       int facing = facing(bnx, bny, countB, supportB, nx, ny);
+      int after = edgeA + 1 == countA ? 0 : edgeA + 1;
+      ax[edgeA] = a.vertexX(edgeA);
+      ay[edgeA] = a.vertexY(edgeA);
+      ax[after] = a.vertexX(after);
+      ay[after] = a.vertexY(after);
       clip(
           ax,
           ay,
           edgeA,
-          edgeA + 1 == countA ? 0 : edgeA + 1,
+          after,
           nx,
           ny,
           bx,
@@ -397,50 +462,111 @@ public final class Collider {
     }
   }
 
+  private static float firstEdge(Convex a) {
+    return Math.abs(a.vertexX(1) - a.vertexX(0)) + Math.abs(a.vertexY(1) - a.vertexY(0));
+  }
+
   private static float firstEdge(float[] xs, float[] ys) {
     return Math.abs(xs[1] - xs[0]) + Math.abs(ys[1] - ys[0]);
   }
 
   /**
-   * The face of the first polygon with the largest separation from the second: over all faces, the
-   * smallest distance of a vertex of the second above the face is taken, and the largest of these
-   * wins; equal ones go to the lowest index.
+   * The face of A with the largest separation from B: over all faces, the smallest distance of a
+   * vertex of B above the face is taken, and the largest of these wins; equal ones go to the lowest
+   * index. A face above the speculative distance ends the search, whichever it is.
+   *
+   * <p>Starts where the last search ended and goes around from there. A face can't win if the
+   * vertex next to the best face is deeper below it than the best face is, so mostly one vertex
+   * decides, and hardly ever does a branch go another way than before.
    */
-  private void bestFace(
-      float[] xs,
-      float[] ys,
-      float[] nxs,
-      float[] nys,
-      int count,
-      float[] otherXs,
-      float[] otherYs,
-      int otherCount) {
-    float best = Float.NEGATIVE_INFINITY;
-    int edge = 0;
-    int support = 0;
-    for (int i = 0; i < count; i++) {
-      float nx = nxs[i];
-      float ny = nys[i];
-      float vx = xs[i];
-      float vy = ys[i];
-      float low = Float.POSITIVE_INFINITY;
-      int lowest = 0;
-      for (int j = 0; j < otherCount; j++) {
-        float s = nx * (otherXs[j] - vx) + ny * (otherYs[j] - vy);
-        if (s < low) {
-          low = s;
-          lowest = j;
+  private void faceOfA(
+      Convex a, int countA, int countB, int startEdge, int startSupport, float speculative) {
+    int edge = startEdge;
+    float best = lowestOfB(a, edge, countB, startSupport);
+    int support = faceSupport;
+    int i = edge;
+    for (int left = countA; left > 1 && best <= speculative; left--) {
+      i = i + 1 == countA ? 0 : i + 1;
+      float bound =
+          a.normalX(i) * (bx[support] - a.vertexX(i)) + a.normalY(i) * (by[support] - a.vertexY(i));
+      if (bound >= best) {
+        float low = lowestOfB(a, i, countB, support);
+        if (low > best || (low == best && i < edge)) {
+          best = low;
+          edge = i;
+          support = faceSupport;
         }
-      }
-      if (low > best) {
-        best = low;
-        edge = i;
-        support = lowest;
       }
     }
     faceSeparation = best;
     faceEdge = edge;
     faceSupport = support;
+  }
+
+  /** How far B's lowest vertex is above a face of A; of equally low ones the first is taken. */
+  private float lowestOfB(Convex a, int edge, int countB, int start) {
+    float nx = a.normalX(edge);
+    float ny = a.normalY(edge);
+    float vx = a.vertexX(edge);
+    float vy = a.vertexY(edge);
+    int lowest = start;
+    float low = nx * (bx[start] - vx) + ny * (by[start] - vy);
+    int j = start;
+    for (int left = countB; left > 1; left--) {
+      j = j + 1 == countB ? 0 : j + 1;
+      float s = nx * (bx[j] - vx) + ny * (by[j] - vy);
+      if (s <= low && (s < low || j < lowest)) {
+        low = s;
+        lowest = j;
+      }
+    }
+    faceSupport = lowest;
+    return low;
+  }
+
+  /** As {@link #faceOfA} with the shapes' parts swapped. */
+  private void faceOfB(
+      Convex a, int countA, int countB, int startEdge, int startSupport, float speculative) {
+    int edge = startEdge;
+    float best = lowestOfA(a, edge, countA, startSupport);
+    int support = faceSupport;
+    int i = edge;
+    for (int left = countB; left > 1 && best <= speculative; left--) {
+      i = i + 1 == countB ? 0 : i + 1;
+      float bound = bnx[i] * (a.vertexX(support) - bx[i]) + bny[i] * (a.vertexY(support) - by[i]);
+      if (bound >= best) {
+        float low = lowestOfA(a, i, countA, support);
+        if (low > best || (low == best && i < edge)) {
+          best = low;
+          edge = i;
+          support = faceSupport;
+        }
+      }
+    }
+    faceSeparation = best;
+    faceEdge = edge;
+    faceSupport = support;
+  }
+
+  /** How far A's lowest vertex is above a face of B. */
+  private float lowestOfA(Convex a, int edge, int countA, int start) {
+    float nx = bnx[edge];
+    float ny = bny[edge];
+    float vx = bx[edge];
+    float vy = by[edge];
+    int lowest = start;
+    float low = nx * (a.vertexX(start) - vx) + ny * (a.vertexY(start) - vy);
+    int j = start;
+    for (int left = countA; left > 1; left--) {
+      j = j + 1 == countA ? 0 : j + 1;
+      float s = nx * (a.vertexX(j) - vx) + ny * (a.vertexY(j) - vy);
+      if (s <= low && (s < low || j < lowest)) {
+        low = s;
+        lowest = j;
+      }
+    }
+    faceSupport = lowest;
+    return low;
   }
 
   /**
@@ -574,6 +700,12 @@ public final class Collider {
     int sideways = dx >= 0 ? 1 : 3;
     int upright = dy <= 0 ? 0 : 2;
     return gapX > gapY ? sideways : gapY > gapX ? upright : Math.min(sideways, upright);
+  }
+
+  private static int facing(Convex a, int count, int support, float nx, float ny) {
+    int before = support == 0 ? count - 1 : support - 1;
+    float against = a.normalX(support) * nx + a.normalY(support) * ny;
+    return a.normalX(before) * nx + a.normalY(before) * ny < against ? before : support;
   }
 
   /** Of the two edges at the support vertex that with the normal more against n. */

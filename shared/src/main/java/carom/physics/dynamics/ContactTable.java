@@ -55,6 +55,9 @@ public final class ContactTable {
 
   int[] id1 = new int[FIRST_CAPACITY];
 
+  /** Where the search for the best face ended; changes no result, so it isn't saved. */
+  int[] hint = new int[FIRST_CAPACITY];
+
   /** Impulses to start the next step with, N s per substep: normal and tangential of each point. */
   float[] normal0 = new float[FIRST_CAPACITY];
 
@@ -331,21 +334,25 @@ public final class ContactTable {
 
   /** Takes the manifold of this step, handing each point the impulses of its predecessor. */
   void update(int row, Manifold m) {
+    int n = m.count;
+    int old = flags[row];
+    int kept = old & (SENSOR | IGNORED);
+    if (n == 0 && kept == old) {
+      // Didn't touch for two steps, as most rows: everything is zero already.
+      return;
+    }
+    int before = ((old & TOUCHING) != 0 ? WAS_TOUCHING : 0) | (pushed(row) ? WAS_PUSHED : 0);
+    flags[row] = (byte) ((n > 0 ? TOUCHING : 0) | before | kept);
+    int oldPoints = points[row];
+    if ((kept & SENSOR) != 0 || (n == 0 && oldPoints == 0)) {
+      return;
+    }
     float oldNormal0 = normal0[row];
     float oldTangent0 = tangent0[row];
     float oldNormal1 = normal1[row];
     float oldTangent1 = tangent1[row];
-    int oldPoints = points[row];
     int oldId0 = id0[row];
     int oldId1 = id1[row];
-    int n = m.count;
-    boolean touched = (flags[row] & TOUCHING) != 0;
-    int kept = flags[row] & (SENSOR | IGNORED);
-    int before = (touched ? WAS_TOUCHING : 0) | (pushed(row) ? WAS_PUSHED : 0);
-    flags[row] = (byte) ((n > 0 ? TOUCHING : 0) | before | kept);
-    if ((kept & SENSOR) != 0) {
-      return;
-    }
     points[row] = (byte) n;
     normal0[row] = 0;
     tangent0[row] = 0;
@@ -385,6 +392,14 @@ public final class ContactTable {
         tangent1[row] = oldTangent0;
       }
     }
+  }
+
+  /** The smaller gap of the points, m; infinite without any. */
+  float leastSeparation(int row) {
+    if (points[row] == 0) {
+      return Float.POSITIVE_INFINITY;
+    }
+    return points[row] == 1 ? separation0[row] : Math.min(separation0[row], separation1[row]);
   }
 
   /** Leaves a row as it is for a step. */
@@ -569,6 +584,7 @@ public final class ContactTable {
     points[row] = 0;
     id0[row] = 0;
     id1[row] = 0;
+    hint[row] = 0;
     mix(row, parts);
   }
 
@@ -604,6 +620,7 @@ public final class ContactTable {
     points[to] = from.points[row];
     id0[to] = from.id0[row];
     id1[to] = from.id1[row];
+    hint[to] = from.hint[row];
     for (int f = 0; f < floats.length; f++) {
       floats[f][to] = from.floats[f][row];
     }
@@ -681,6 +698,7 @@ public final class ContactTable {
     points = Arrays.copyOf(points, grown);
     id0 = Arrays.copyOf(id0, grown);
     id1 = Arrays.copyOf(id1, grown);
+    hint = Arrays.copyOf(hint, grown);
     normal0 = Arrays.copyOf(normal0, grown);
     normal1 = Arrays.copyOf(normal1, grown);
     tangent0 = Arrays.copyOf(tangent0, grown);

@@ -6,8 +6,6 @@ import carom.physics.broadphase.CellVisitor;
 import carom.physics.broadphase.IntVisitor;
 import carom.physics.broadphase.KdTree;
 import carom.physics.broadphase.PairVisitor;
-import carom.physics.collision.Collider;
-import carom.physics.collision.Manifold;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.MassData;
 import carom.physics.math.Aabb;
@@ -75,10 +73,8 @@ public final class Dynamics {
   private final ContactSolver solver = new ContactSolver(ContactLanes.find(), crew);
   private final JointSolver jointSolver = new JointSolver();
   private final ContinuousCollision continuous;
-  private final Collider collider = new Collider();
-  private final Manifold manifold = new Manifold();
+  private final NarrowPhase narrowPhase;
   private final Transform poseA = new Transform();
-  private final Transform poseB = new Transform();
   private final Aabb box = new Aabb();
   private final Aabb around = new Aabb();
 
@@ -155,6 +151,11 @@ public final class Dynamics {
 
   private int partListCount;
 
+  /** Rows of sleeping bodies whose response was refused in the step before, ascending. */
+  private int[] vetoedRows = new int[FIRST_CAPACITY];
+
+  private int vetoedCount;
+
   /** What was asked for in a callback: body * ASKED + what. */
   private long[] asked = new long[8];
 
@@ -181,6 +182,7 @@ public final class Dynamics {
    */
   public Dynamics(Settings settings) {
     this.settings = settings;
+    narrowPhase = new NarrowPhase(settings, bodies, parts, contacts, crew);
     continuous = new ContinuousCollision(this, settings, bodies, parts, contacts);
   }
 
@@ -1386,38 +1388,54 @@ public final class Dynamics {
       continuous.begin();
     }
     contacts.flagsChanged();
-    float distance = settings.speculativeDistance();
-    for (int row = 0; row < contacts.count(); row++) {
-      if (!all && (contacts.flags[row] & ContactTable.FRESH) == 0) {
-        continue;
-      }
-      int sleeper = asleepCount == 0 ? -1 : sleeper(row);
-      if (sleeper >= 0 && dormant(row, sleeper)) {
-        contacts.sleepOn(row);
-        continue;
-      }
-      boolean vetoed = (contacts.flags[row] & ContactTable.VETOED) != 0;
-      int partA = contacts.partA[row];
-      int partB = contacts.partB[row];
-      place(parts.body[partA], poseA);
-      place(parts.body[partB], poseB);
-      boolean sensor = contacts.sensor(row);
-      float reach = sensor ? 0 : distance;
-      if ((contacts.flags[row] & ContactTable.IGNORED) != 0) {
-        manifold.count = 0;
-      } else {
-        collider.collide(parts.convex[partA], poseA, parts.convex[partB], poseB, reach, manifold);
-      }
-      contacts.update(row, manifold);
-      if (manifold.count > 0 && !sensor) {
-        touching++;
-        float overlap = -manifold.minSeparation();
-        if (overlap > settings.slop()) {
-          notePressed(parts.body[partA], parts.body[partB], overlap);
+    narrowPhase.begin();
+    if (!all) {
+      for (int row = 0; row < contacts.count(); row++) {
+        if ((contacts.flags[row] & ContactTable.FRESH) == 0) {
+          narrowPhase.leave(row);
         }
       }
-      if (sleeper >= 0 && !sensor) {
-        decide(row, sleeper, vetoed);
+    }
+    vetoedCount = 0;
+    if (asleepCount > 0) {
+      leaveDormant();
+    }
+    touching += narrowPhase.run();
+    if (asleepCount > 0) {
+      decide();
+    }
+    if (settings.continuous() && narrowPhase.pressed()) {
+      notePressed();
+    }
+  }
+
+  /** Leaves the rows out in which nothing can have changed; lists those that had a veto. */
+  private void leaveDormant() {
+    for (int row = 0; row < contacts.count(); row++) {
+      int sleeper = narrowPhase.isLeft(row) ? -1 : sleeper(row);
+      if (sleeper >= 0 && dormant(row, sleeper)) {
+        contacts.sleepOn(row);
+        narrowPhase.leave(row);
+      } else if (sleeper >= 0 && (contacts.flags[row] & ContactTable.VETOED) != 0) {
+        if (vetoedCount == vetoedRows.length) {
+          vetoedRows = Arrays.copyOf(vetoedRows, 2 * vetoedCount);
+        }
+        vetoedRows[vetoedCount++] = row;
+      }
+    }
+  }
+
+  /** Decides which of the updated contacts wake a sleeping body. */
+  private void decide() {
+    int next = 0;
+    for (int row = 0; row < contacts.count(); row++) {
+      boolean vetoed = next < vetoedCount && vetoedRows[next] == row;
+      next += vetoed ? 1 : 0;
+      if (!narrowPhase.isLeft(row) && !contacts.sensor(row)) {
+        int sleeper = sleeper(row);
+        if (sleeper >= 0) {
+          decide(row, sleeper, vetoed);
+        }
       }
     }
   }
@@ -1448,10 +1466,18 @@ public final class Dynamics {
     }
   }
 
-  private void notePressed(int a, int b, float overlap) {
-    boolean dynamic = bodies.type[a] == BodyStore.DYNAMIC;
-    if (dynamic != (bodies.type[b] == BodyStore.DYNAMIC)) {
-      continuous.pressed(dynamic ? a : b, overlap);
+  /** Tells which dynamic bodies are in others that give no way. */
+  private void notePressed() {
+    for (int row = 0; row < contacts.count(); row++) {
+      float overlap = -contacts.leastSeparation(row);
+      if (overlap > settings.slop() && !narrowPhase.isLeft(row)) {
+        int a = contacts.bodyA(row);
+        int b = contacts.bodyB(row);
+        boolean dynamic = bodies.type[a] == BodyStore.DYNAMIC;
+        if (dynamic != (bodies.type[b] == BodyStore.DYNAMIC)) {
+          continuous.pressed(dynamic ? a : b, overlap);
+        }
+      }
     }
   }
 

@@ -1,6 +1,8 @@
 package carom.physics.dynamics;
 
 import carom.physics.broadphase.AabbArray;
+import carom.physics.geometry.Box;
+import carom.physics.geometry.Circle;
 import carom.physics.geometry.Convex;
 import java.util.Arrays;
 
@@ -15,10 +17,16 @@ import java.util.Arrays;
  * ticks and the broadphase has nothing to do for quiet bodies.
  */
 public final class ShapeTable {
+  /** How many values {@link #kind} has. */
+  static final int KINDS = 4;
+
   private static final int FIRST_CAPACITY = 64;
 
   /** The part, relative to its body's centre of mass. */
   Convex[] convex = new Convex[FIRST_CAPACITY];
+
+  /** Whether it is a disc, a box, another polygon with sharp corners, or anything else. */
+  byte[] kind = new byte[FIRST_CAPACITY];
 
   /** The body that owns it, -1 if free. */
   int[] body = new int[FIRST_CAPACITY];
@@ -94,6 +102,7 @@ public final class ShapeTable {
   /** Fills a part in. */
   void set(int part, Convex local, int shape, ShapeSpec spec) {
     convex[part] = pool.share(local);
+    kind[part] = kind(local);
     shapeIndex[part] = shape;
     friction[part] = spec.friction();
     restitution[part] = spec.restitution();
@@ -104,6 +113,13 @@ public final class ShapeTable {
     group[part] = spec.group();
     sensor[part] = spec.sensor();
     selective |= !spec.plain();
+  }
+
+  private static byte kind(Convex part) {
+    if (!part.isSimple()) {
+      return 3;
+    }
+    return (byte) (part instanceof Circle ? 0 : part instanceof Box ? 1 : 2);
   }
 
   /** Takes a block of parts for a body; answers the first. */
@@ -142,6 +158,7 @@ public final class ShapeTable {
   void copyTo(ShapeTable to) {
     to.ensure(used);
     System.arraycopy(convex, 0, to.convex, 0, used);
+    System.arraycopy(kind, 0, to.kind, 0, used);
     if (to.used > used) {
       Arrays.fill(to.convex, used, to.used, null);
       Arrays.fill(to.body, used, to.used, -1);
@@ -167,6 +184,7 @@ public final class ShapeTable {
     if (capacity > body.length) {
       int grown = Math.max(capacity, body.length * 2);
       convex = Arrays.copyOf(convex, grown);
+      kind = Arrays.copyOf(kind, grown);
       body = Arrays.copyOf(body, grown);
       shapeIndex = Arrays.copyOf(shapeIndex, grown);
       friction = Arrays.copyOf(friction, grown);
