@@ -3,6 +3,7 @@ package carom.client;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.Limits;
+import carom.net.protocol.PackedLevel;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
@@ -99,7 +100,8 @@ final class Connection implements LinkHandler {
 
   private ServerMessage.Welcome welcome;
   private long secret;
-  private byte[] levelBytes;
+  private byte[] packedLevel;
+  private long packedHash;
   private int levelReceived;
   private int levelAsked;
   private Level level;
@@ -245,6 +247,8 @@ final class Connection implements LinkHandler {
     roundTrip();
     if (w.levelSize() < 1
         || w.levelSize() > Limits.MAX_LEVEL_BYTES
+        || w.packedSize() < 1
+        || w.packedSize() > Limits.MAX_LEVEL_BYTES
         || w.tickRate() < Limits.MIN_TICK_RATE
         || w.tickRate() > Limits.MAX_TICK_RATE) {
       fail("The server's welcome makes no sense: " + w);
@@ -258,9 +262,14 @@ final class Connection implements LinkHandler {
       return;
     }
     level = null;
-    levelBytes = new byte[w.levelSize()];
-    levelReceived = 0;
-    levelAsked = 0;
+    if (packedLevel == null
+        || packedHash != w.levelHash()
+        || packedLevel.length != w.packedSize()) {
+      packedLevel = new byte[w.packedSize()];
+      packedHash = w.levelHash();
+      levelReceived = 0;
+    } // else the last link broke while loading: go on where it was
+    levelAsked = levelReceived;
     if (!comingBack) {
       message = "Loading " + w.levelName() + " ...";
     }
@@ -269,7 +278,7 @@ final class Connection implements LinkHandler {
 
   private void ask() {
     int piece = Limits.MAX_LEVEL_CHUNK_BYTES;
-    while (levelAsked < levelBytes.length
+    while (levelAsked < packedLevel.length
         && levelAsked - levelReceived < PIECES_IN_FLIGHT * piece) {
       link.send(new ClientMessage.LevelRequest(levelAsked));
       levelAsked += piece;
@@ -278,9 +287,9 @@ final class Connection implements LinkHandler {
   }
 
   private void chunk(ServerMessage.LevelChunk chunk) {
-    int expected = Math.min(Limits.MAX_LEVEL_CHUNK_BYTES, levelBytes.length - levelReceived);
+    int expected = Math.min(Limits.MAX_LEVEL_CHUNK_BYTES, packedLevel.length - levelReceived);
     if (chunk.offset() != levelReceived || chunk.bytes().length != expected) {
-      fail(
+      unusable(
           "The level arrived in pieces that don't fit: offset="
               + chunk.offset()
               + " length="
@@ -291,14 +300,18 @@ final class Connection implements LinkHandler {
               + expected);
       return;
     }
-    System.arraycopy(chunk.bytes(), 0, levelBytes, levelReceived, expected);
+    System.arraycopy(chunk.bytes(), 0, packedLevel, levelReceived, expected);
     levelReceived += expected;
-    if (levelReceived < levelBytes.length) {
+    if (levelReceived < packedLevel.length) {
       ask();
       return;
     }
-    byte[] complete = levelBytes;
-    levelBytes = null;
+    byte[] complete = PackedLevel.unpack(packedLevel, welcome.levelSize());
+    packedLevel = null;
+    if (complete == null) {
+      unusable("The level was damaged on its way. Try again.");
+      return;
+    }
     try {
       level = Level.parse(welcome.levelName(), complete);
     } catch (LevelException e) {
@@ -308,10 +321,20 @@ final class Connection implements LinkHandler {
     levelHash = level.contentHash();
     if (levelHash != welcome.levelHash()) {
       level = null;
-      fail("The level was damaged on its way. Try again.");
+      unusable("The level was damaged on its way. Try again.");
       return;
     }
     ready();
+  }
+
+  /** What the server sent is of no use, and asking again would hardly bring something better. */
+  private void unusable(String why) {
+    packedLevel = null;
+    if (comingBack) {
+      fail(why);
+    } else {
+      end(why);
+    }
   }
 
   private void ready() {
@@ -364,14 +387,14 @@ final class Connection implements LinkHandler {
   }
 
   private void lost(String why) {
-    boolean wasPlaying = stage == Stage.PLAYING;
+    boolean wasIn = stage == Stage.PLAYING || (stage == Stage.LOADING && !comingBack);
     stop();
     message = why;
-    if (!config.reconnect() || !(wasPlaying || comingBack)) {
+    if (!config.reconnect() || !(wasIn || comingBack)) {
       stage = Stage.ENDED;
       return;
     }
-    if (wasPlaying) {
+    if (wasIn) {
       comingBack = true;
       lostNs = nowNs;
       attempts = 0;
@@ -465,7 +488,7 @@ final class Connection implements LinkHandler {
     if (stage == Stage.PLAYING) {
       return 1;
     }
-    return levelBytes == null ? 0 : (double) levelReceived / levelBytes.length;
+    return packedLevel == null ? 0 : (double) levelReceived / packedLevel.length;
   }
 
   /** Quickest answer to a message so far, nanoseconds; 0 before the first. */

@@ -3,6 +3,7 @@ package carom.server;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.Limits;
+import carom.net.protocol.PackedLevel;
 import carom.net.protocol.PlayerName;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.RefusalReason;
@@ -61,7 +62,8 @@ final class Lobby {
   private final Level level;
   private final String gameName;
   private final String levelName;
-  private final byte[] levelBytes;
+  private final int levelSize;
+  private final byte[] packedLevel;
   private final LongSupplier secrets;
   private final int maxVisitors;
   private final List<Visitor> visitors = new ArrayList<>();
@@ -85,7 +87,9 @@ final class Lobby {
     this.level = level;
     this.gameName = rooms.get(0).simulation().game().name();
     this.levelName = level.name();
-    this.levelBytes = level.source();
+    byte[] source = level.source();
+    this.levelSize = source.length;
+    this.packedLevel = PackedLevel.pack(source);
     this.secrets = secrets;
     this.maxVisitors = 2 * config.places() + 32;
   }
@@ -391,23 +395,24 @@ final class Lobby {
               gameName,
               levelName,
               level.contentHash(),
-              levelBytes.length));
+              levelSize,
+              packedLevel.length));
     }
 
     private void sendLevel(int offset) {
-      if (offset < 0 || offset >= levelBytes.length) {
+      if (offset < 0 || offset >= packedLevel.length) {
         refused(
             RefusalReason.BAD_REQUEST,
-            "LevelRequest.offset=%d is outside 0..%d.".formatted(offset, levelBytes.length - 1));
+            "LevelRequest.offset=%d is outside 0..%d.".formatted(offset, packedLevel.length - 1));
         return;
       }
-      int end = Math.min(levelBytes.length, offset + Limits.MAX_LEVEL_CHUNK_BYTES);
+      int end = Math.min(packedLevel.length, offset + Limits.MAX_LEVEL_CHUNK_BYTES);
       pulledBytes += end - offset;
-      if (pulledBytes > (long) MAX_LEVEL_PULLS * levelBytes.length) {
+      if (pulledBytes > (long) MAX_LEVEL_PULLS * packedLevel.length) {
         refused(RefusalReason.BAD_REQUEST, "The level was requested again and again.");
         return;
       }
-      link.send(new ServerMessage.LevelChunk(offset, Arrays.copyOfRange(levelBytes, offset, end)));
+      link.send(new ServerMessage.LevelChunk(offset, Arrays.copyOfRange(packedLevel, offset, end)));
     }
 
     private void enterRoom() {

@@ -14,7 +14,7 @@ import java.util.List;
  */
 public final class Level {
   /** Largest file, bytes. */
-  public static final int MAX_BYTES = 1 << 20;
+  public static final int MAX_BYTES = 1 << 22;
 
   /**
    * Where a body of an archetype stands.

@@ -25,7 +25,7 @@ import java.util.Map;
 final class LevelReader {
   static final int MAX_STATIC_ITEMS = 2048;
   static final int MAX_BODY_ITEMS = 1024;
-  static final int MAX_PLACEMENTS = 4096;
+  static final int MAX_PLACEMENTS = 16_384;
   static final int MAX_SPAWNS = 1024;
   static final int MAX_ZONES = 256;
   static final int MAX_PARTS = 32;

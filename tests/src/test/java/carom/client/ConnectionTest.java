@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.protocol.GoodbyeReason;
+import carom.net.protocol.PackedLevel;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
@@ -141,7 +142,7 @@ final class ConnectionTest {
         new ScriptedServer.Script() {
           @Override
           void level(ScriptedServer.Guest guest, int offset) {
-            byte[] bytes = guest.server().level.source();
+            byte[] bytes = PackedLevel.pack(guest.server().level.source());
             bytes[bytes.length - 2] = ' '; // after the last bracket: parses, but is another file
             bytes[9] ^= 1;
             guest.link.send(new ServerMessage.LevelChunk(0, bytes));

@@ -4,6 +4,7 @@ import carom.game.Games;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.InputDatagram;
 import carom.net.protocol.Limits;
+import carom.net.protocol.PackedLevel;
 import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.FrameRing;
 import carom.net.snapshot.FrameState;
@@ -89,11 +90,12 @@ final class ScriptedServer {
               level.gameName(),
               "test.json",
               level.contentHash(),
-              bytes.length));
+              bytes.length,
+              PackedLevel.pack(bytes).length));
     }
 
     void sendLevel(int offset) {
-      byte[] bytes = level.source();
+      byte[] bytes = PackedLevel.pack(level.source());
       int to = Math.min(bytes.length, offset + Limits.MAX_LEVEL_CHUNK_BYTES);
       link.send(new ServerMessage.LevelChunk(offset, Arrays.copyOfRange(bytes, offset, to)));
     }

@@ -110,7 +110,17 @@ class ProtocolDocTest {
         "welcome",
         codec.encode(
             new ServerMessage.Welcome(
-                0x0102030405060708L, 0x11223344, 3, 60, 1000, 42, "arena", "arena.json", -1, 300)));
+                0x0102030405060708L,
+                0x11223344,
+                3,
+                60,
+                1000,
+                42,
+                "arena",
+                "arena.json",
+                -1,
+                300,
+                200)));
     golden.put(
         "level-chunk", codec.encode(new ServerMessage.LevelChunk(4096, new byte[] {0x7b, 0x7d})));
     golden.put("refused", codec.encode(new ServerMessage.Refused(RefusalReason.SERVER_FULL, "")));

@@ -3,6 +3,7 @@ package carom.server;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.InputDatagram;
 import carom.net.protocol.Limits;
+import carom.net.protocol.PackedLevel;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.DecodeStatus;
@@ -99,7 +100,7 @@ final class FakeClient implements LinkHandler {
     messages.add((ServerMessage) message);
     if (message instanceof ServerMessage.Welcome w) {
       welcome = w;
-      level = new byte[w.levelSize()];
+      level = new byte[w.packedSize()];
       loaded = 0;
       decoder = new SnapshotDecoder(Limits.MAX_ENTITIES, w.datagramKey(), w.tick(), w.tickRate());
       if (loads) {
@@ -111,6 +112,7 @@ final class FakeClient implements LinkHandler {
       if (loaded < level.length) {
         link.send(new ClientMessage.LevelRequest(loaded));
       } else {
+        level = PackedLevel.unpack(level, welcome.levelSize());
         decoder.level(start(level));
         link.send(new ClientMessage.Ready());
         ready = true;

@@ -12,6 +12,7 @@ import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import java.nio.charset.StandardCharsets;
+import java.util.Random;
 
 /** Balls without gravity; players steer one each; breaks on demand. */
 final class TestGame implements Game {
@@ -41,9 +42,14 @@ final class TestGame implements Game {
     this.balls = balls;
   }
 
-  /** Longer than one chunk, so that loading takes several. */
+  /** Longer than one chunk when packed, so that loading takes several. */
   static Level level() {
-    return parse(LEVEL + " ".repeat(9_000));
+    Random random = new Random(1);
+    StringBuilder blank = new StringBuilder();
+    for (int i = 0; i < 30_000; i++) {
+      blank.append(" \n\t\r".charAt(random.nextInt(4)));
+    }
+    return parse(LEVEL + blank);
   }
 
   /** Fits one chunk. */

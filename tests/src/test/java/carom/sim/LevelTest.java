@@ -180,11 +180,14 @@ class LevelTest {
     c.add(
         meaning(
             "too many bodies",
-            "\"bodies\": [{\"at\": [0, 0], \"repeat\": {\"columns\": 100, \"rows\": 41, \"step\":"
+            "\"bodies\": [{\"at\": [0, 0], \"repeat\": {\"columns\": 100, \"rows\": 100, \"step\":"
+                + " [1, 1]}, "
+                + BOX
+                + "}, {\"at\": [0, 0], \"repeat\": {\"columns\": 100, \"rows\": 64, \"step\":"
                 + " [1, 1]}, "
                 + BOX
                 + "}]",
-            "4:12: bodies[0] brings the number of bodies to 4100, beyond the limit of 4096"));
+            "4:136: bodies[1] brings the number of bodies to 16400, beyond the limit of 16384"));
     c.add(
         field(
             "long name",
@@ -292,7 +295,7 @@ class LevelTest {
     LevelException e =
         assertThrows(
             LevelException.class, () -> Level.parse("t.json", new byte[Level.MAX_BYTES + 1]));
-    assertTrue(e.getMessage().contains("limit of 1048576 bytes"), e.getMessage());
+    assertTrue(e.getMessage().contains("limit of 4194304 bytes"), e.getMessage());
   }
 
   @Test

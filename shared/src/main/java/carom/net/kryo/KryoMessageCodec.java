@@ -188,6 +188,7 @@ public final class KryoMessageCodec implements MessageCodec {
       writeText(out, "levelName", m.levelName(), Limits.MAX_LEVEL_NAME_BYTES);
       out.writeLong(m.levelHash());
       out.writeVarInt(inRange("levelSize", m.levelSize(), 0, Limits.MAX_LEVEL_BYTES), true);
+      out.writeVarInt(inRange("packedSize", m.packedSize(), 0, Limits.MAX_LEVEL_BYTES), true);
     }
 
     @Override
@@ -202,7 +203,8 @@ public final class KryoMessageCodec implements MessageCodec {
           readText(in, "game", Limits.MAX_GAME_NAME_BYTES),
           readText(in, "levelName", Limits.MAX_LEVEL_NAME_BYTES),
           in.readLong(),
-          inRange("levelSize", in.readVarInt(true), 0, Limits.MAX_LEVEL_BYTES));
+          inRange("levelSize", in.readVarInt(true), 0, Limits.MAX_LEVEL_BYTES),
+          inRange("packedSize", in.readVarInt(true), 0, Limits.MAX_LEVEL_BYTES));
     }
   }
 

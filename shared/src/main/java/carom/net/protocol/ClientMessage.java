@@ -15,8 +15,8 @@ public sealed interface ClientMessage {
       implements ClientMessage {}
 
   /**
-   * Asks for the level's bytes from an offset on; the client asks for the next piece when it has
-   * this one.
+   * Asks for a piece of the packed level from an offset on. A client has several requests under
+   * way, so that the round trip doesn't set the pace, and goes on where it was when it comes back.
    *
    * @param offset 0..{@link Limits#MAX_LEVEL_BYTES} - 1
    */

@@ -34,11 +34,11 @@ public final class Limits {
   /** Longest level name in UTF-8 bytes. */
   public static final int MAX_LEVEL_NAME_BYTES = 128;
 
-  /** Bytes of level file in one {@link ServerMessage.LevelChunk}. */
+  /** Bytes of packed level file in one {@link ServerMessage.LevelChunk}. */
   public static final int MAX_LEVEL_CHUNK_BYTES = 4_096;
 
-  /** Largest level file in bytes. */
-  public static final int MAX_LEVEL_BYTES = 1_024 * 1_024;
+  /** Largest level file in bytes, packed or not: some 40,000 bodies with a line each. */
+  public static final int MAX_LEVEL_BYTES = 4 * 1_024 * 1_024;
 
   /** Players in a room; ids are 0..255. */
   public static final int MAX_PLAYERS = 256;

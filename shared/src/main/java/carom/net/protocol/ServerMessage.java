@@ -21,6 +21,8 @@ public sealed interface ServerMessage {
    * @param levelName file name of the level, for messages
    * @param levelHash content hash of the level file
    * @param levelSize size of the level file in bytes
+   * @param packedSize size of the {@linkplain PackedLevel packed} level file in bytes, which the
+   *     chunks are of
    */
   record Welcome(
       long sessionSecret,
@@ -32,11 +34,12 @@ public sealed interface ServerMessage {
       String game,
       String levelName,
       long levelHash,
-      int levelSize)
+      int levelSize,
+      int packedSize)
       implements ServerMessage {}
 
   /**
-   * A piece of the level file, the answer to a {@link ClientMessage.LevelRequest}.
+   * A piece of the packed level file, the answer to a {@link ClientMessage.LevelRequest}.
    *
    * @param offset of the first byte in the file
    * @param bytes 1..{@link Limits#MAX_LEVEL_CHUNK_BYTES}, owned by the message

@@ -258,6 +258,9 @@ final class Selection {
       return;
     }
     boolean known = inSight.has(slot);
+    if (known && isSettled(now, slot)) {
+      return; // what the client shows is true, wherever it looks
+    }
     if (interest.sees(now, slot, known) != known) {
       sightTick[slot] = now.tick();
       acked[slot] = UNKNOWN;

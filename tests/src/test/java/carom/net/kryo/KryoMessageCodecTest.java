@@ -32,7 +32,7 @@ final class KryoMessageCodecTest {
     Arrays.fill(chunk, (byte) 0xa5);
     return List.of(
         new ServerMessage.Welcome(
-            -2, 0x01020304, 255, 240, 77, Long.MIN_VALUE, "arena", "arena.json", 42, 12_345),
+            -2, 0x01020304, 255, 240, 77, Long.MIN_VALUE, "arena", "arena.json", 42, 12_345, 678),
         new ServerMessage.LevelChunk(4_096, chunk),
         new ServerMessage.Refused(RefusalReason.NAME_TAKEN, "Ünal is taken"),
         new ServerMessage.Roster(List.of()),
@@ -42,7 +42,8 @@ final class KryoMessageCodecTest {
         new ClientMessage.Hello(1, -5, "Ünal", 99),
         new ClientMessage.LevelRequest(1_000),
         new ClientMessage.Ready(),
-        new ClientMessage.Leave());
+        new ClientMessage.Leave(),
+        new ClientMessage.Look(1.5f, -2, 0, 1e30f));
   }
 
   @Test
@@ -84,7 +85,8 @@ final class KryoMessageCodecTest {
             + "056172656e61" // game
             + "0a6172656e612e6a736f6e" // levelName
             + "2a00000000000000" // levelHash
-            + "b960", // levelSize
+            + "b960" // levelSize
+            + "a605", // packedSize
         hex.formatHex(codec.encode(everyMessage().get(0))));
     assertEquals(
         "4180200201ff",
@@ -108,8 +110,8 @@ final class KryoMessageCodecTest {
             new ServerMessage.Notice("x".repeat(Limits.MAX_TEXT_BYTES + 1)),
             new ServerMessage.LevelChunk(0, new byte[0]),
             new ServerMessage.LevelChunk(-1, new byte[1]),
-            new ServerMessage.Welcome(1, 1, 256, 60, 0, 0, "g", "l", 0, 0),
-            new ServerMessage.Welcome(1, 1, 1, 0, 0, 0, "g", "l", 0, 0),
+            new ServerMessage.Welcome(1, 1, 256, 60, 0, 0, "g", "l", 0, 0, 0),
+            new ServerMessage.Welcome(1, 1, 1, 0, 0, 0, "g", "l", 0, 0, 0),
             "no message");
     for (Object message : wrong) {
       IllegalArgumentException x =

@@ -1,0 +1,78 @@
+package carom.scenario;
+
+import carom.sim.Level;
+import carom.sim.LevelException;
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import java.util.SplittableRandom;
+
+/** Arenas with many crates that lie about and don't move by themselves. */
+final class BigWorlds {
+  private static final int IN_A_ROW = 10;
+  private static final double ROW_METRES = 1.8;
+
+  private BigWorlds() {}
+
+  /**
+   * Rows of ten crates, each row with a place and an angle of its own; nothing touches.
+   *
+   * @param crates how many, a multiple of ten
+   * @param halfWidth of the arena, metres; the crates keep clear of the middle
+   */
+  static Level crates(int crates, int halfWidth, long seed) {
+    SplittableRandom random = new SplittableRandom(seed);
+    StringBuilder bodies = new StringBuilder();
+    int rows = crates / IN_A_ROW;
+    double gap = 2.0 * (halfWidth - 2) / IN_A_ROW;
+    for (int i = 0; i < rows; i++) {
+      bodies.append(i == 0 ? "" : ",\n");
+      bodies.append(
+          String.format(
+              Locale.ROOT,
+              "{\"name\":\"crate\",\"at\":[%.3f,%.3f],\"angle\":%.3f,\"material\":\"crate\","
+                  + "\"shape\":{\"type\":\"box\",\"width\":1,\"height\":1},"
+                  + "\"linearDamping\":3,\"angularDamping\":3,"
+                  + "\"repeat\":{\"columns\":%d,\"step\":[%.3f,0]}}",
+              -halfWidth + 2 + random.nextDouble(1, gap - 1),
+              20 + ROW_METRES * (i + random.nextDouble(-0.1, 0.1)),
+              random.nextDouble(0, 90),
+              IN_A_ROW,
+              gap));
+    }
+    String json =
+        """
+        {"name": "crates", "game": "arena", "gravity": [0, 0],
+         "bounds": {"min": [-%d, -%d], "max": [%d, %d]},
+         "materials": {"crate": {"density": 0.5, "friction": 0.4, "restitution": 0.2}},
+         "spawns": [{"name": "ball", "at": [0, -8]}],
+         "zones": [
+           {"name": "goal", "team": 1, "min": [-19.5, -1], "max": [-19, 1]},
+           {"name": "goal", "team": 2, "min": [19, -1], "max": [19.5, 1]},
+           {"name": "home", "team": 1, "min": [-7, -4], "max": [-3, 4]},
+           {"name": "home", "team": 2, "min": [3, -4], "max": [7, 4]}],
+         "bodies": [%s]}
+        """
+            .formatted(
+                halfWidth, 40, halfWidth, 40 + (int) (ROW_METRES * crates / IN_A_ROW), bodies);
+    return parse(json);
+  }
+
+  /** A level that packs to some 150 kB, though there is little in it. */
+  static Level heavy(long seed) {
+    SplittableRandom random = new SplittableRandom(seed);
+    StringBuilder json =
+        new StringBuilder(new String(crates(10, 20, seed).source(), StandardCharsets.UTF_8));
+    for (int i = 0; i < 600_000; i++) {
+      json.append(" \n\t\r".charAt(random.nextInt(4)));
+    }
+    return parse(json.toString());
+  }
+
+  private static Level parse(String json) {
+    try {
+      return Level.parse("crates.json", json.getBytes(StandardCharsets.UTF_8));
+    } catch (LevelException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+}
