@@ -11,6 +11,7 @@ import carom.net.transport.ServerTransport;
 import carom.options.NetworkConditions;
 import carom.server.bench.BenchCommand;
 import carom.server.config.ServerConfig;
+import carom.server.metrics.Counter;
 import carom.sim.Game;
 import carom.sim.Level;
 import carom.sim.LevelException;
@@ -414,6 +415,9 @@ public final class ServerMain implements Callable<Integer> {
             "carom-stop");
     Runtime.getRuntime().addShutdownHook(hook);
     server.start();
+    while (server.count(Counter.TICKS) == 0 && !server.hasFailed()) {
+      Thread.sleep(1); // a large level's first tick takes as long as many others
+    }
     PrintStream out = System.out;
     out.println("ready tcp=" + server.tcpPort() + " udp=" + server.udpPort());
     if (onTerminal()) {

@@ -94,6 +94,11 @@ public final class Dyn4jEngine extends PeerEngine<org.dyn4j.dynamics.Body> {
   }
 
   @Override
+  protected boolean awake(org.dyn4j.dynamics.Body peer) {
+    return !peer.isStatic() && !peer.isAtRest();
+  }
+
+  @Override
   protected void read(org.dyn4j.dynamics.Body from, Body<?> into) {
     double angle = from.getTransform().getRotationAngle();
     into.setPose(

@@ -38,9 +38,7 @@ public final class GdxBox2dEngine extends PeerEngine<Body> {
   protected void open(carom.physics.World<?> start) {
     GdxNativesLoader.load(); // buffers, which its bodies use; a window would have loaded them
     Box2D.init();
-    if (world != null) {
-      world.dispose(); // native memory, which no collector frees
-    }
+    close();
     world = new World(new Vector2(start.gravityX(), start.gravityY()), start.def().sleeping());
     world.setContinuousPhysics(false);
     world.setWarmStarting(true);
@@ -110,6 +108,20 @@ public final class GdxBox2dEngine extends PeerEngine<Body> {
   @Override
   protected void step(float dtSeconds) {
     world.step(dtSeconds, VELOCITY_ITERATIONS, POSITION_ITERATIONS);
+  }
+
+  @Override
+  protected boolean awake(Body peer) {
+    return peer.getType() != BodyType.StaticBody && peer.isAwake();
+  }
+
+  @Override
+  public void close() {
+    super.close();
+    if (world != null) {
+      world.dispose(); // native memory, which no collector frees
+      world = null;
+    }
   }
 
   @Override

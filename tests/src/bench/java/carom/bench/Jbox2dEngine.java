@@ -101,6 +101,11 @@ public final class Jbox2dEngine extends PeerEngine<org.jbox2d.dynamics.Body> {
   }
 
   @Override
+  protected boolean awake(org.jbox2d.dynamics.Body peer) {
+    return peer.getType() != BodyType.STATIC && peer.isAwake();
+  }
+
+  @Override
   protected void read(org.jbox2d.dynamics.Body from, Body<?> into) {
     Vec2 at = from.getPosition();
     into.setPose(at.x, at.y, (float) Math.cos(from.getAngle()), (float) Math.sin(from.getAngle()));

@@ -10,8 +10,10 @@ import java.lang.module.ModuleFinder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -21,22 +23,34 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /**
- * {@code carom-server bench}: measures the engine, each row in a process of its own, the engines of
- * a scene one right after the other.
+ * {@code carom-server bench}: measures the engine, each row in a process of its own, the entrants
+ * of a scene one right after the other.
  *
- * <p>The table goes to standard output, progress to standard error. Exit codes: 0 even if rows have
+ * <p>The tables go to standard output, progress to standard error; with {@code --json} and no file
+ * the rows go to standard output and the tables to standard error. Exit codes: 0 even if rows have
  * faults, which they tell; 1 if a file can't be written; 2 for bad flags.
  */
 @Command(
     name = "bench",
     sortOptions = false,
     usageHelpAutoWidth = true,
-    description = {"Measures the physics engine on its scenes, and the broadphase alone.", ""})
+    description = {
+      "Measures the physics engine on its scenes, beside other engines, and its parts alone.",
+      "Every row is measured in a process of its own; all of it takes about an hour.",
+      ""
+    },
+    footer = {
+      "",
+      "Progress goes to standard error. ! marks figures of a run that failed its sanity gate.",
+      "Exit codes: 1 a file can't be written, 2 bad flag."
+    })
 public final class BenchCommand implements Callable<Integer> {
   private static final String VECTOR = "vector";
   private static final String SCALAR = "scalar";
   private static final String VECTOR_MODULE = "jdk.incubator.vector";
   private static final double MAX_SECONDS = 3600;
+  private static final int MAX_THREADS = 64;
+  private static final String STANDARD_OUTPUT = "-";
 
   @Spec private CommandSpec spec;
 
@@ -44,14 +58,18 @@ public final class BenchCommand implements Callable<Integer> {
       names = "--scenes",
       paramLabel = "A,B",
       split = ",",
-      description = "Scenes by name; bp = the broadphase series (the benchmark set and bp).")
+      description =
+          "What to measure, by name: a scene of the library or a row, or the groups scenes, state,"
+              + " bp (the broadphase alone) and rebuild (all of them and startup_10k).")
   private List<String> scenes;
 
   @Option(
       names = "--peers",
       paramLabel = "A,B",
       split = ",",
-      description = "Other engines by name, or none (all on the class path).")
+      description =
+          "Other engines by name, or none (all there are: those that ./gradlew bench has on the"
+              + " class path, or the jars in lib/peers of an installation).")
   private List<String> peers;
 
   @Option(
@@ -62,10 +80,21 @@ public final class BenchCommand implements Callable<Integer> {
   private String kernels;
 
   @Option(
+      names = "--threads",
+      paramLabel = "N,M",
+      split = ",",
+      description =
+          "How many threads step a world, 1..64; a row for each. Several are timed by the clock"
+              + " (1,2 where there are two processors).")
+  private List<Integer> threads;
+
+  @Option(
       names = "--warm-up",
       paramLabel = "S",
       defaultValue = "3",
-      description = "Seconds of stepping before a row is measured, 0..3600 (${DEFAULT-VALUE}).")
+      description =
+          "Seconds of stepping before a row is measured, at least; it goes on until the scene no"
+              + " longer gets faster, 0..3600 (${DEFAULT-VALUE}).")
   private double warmUpSeconds;
 
   @Option(
@@ -73,22 +102,26 @@ public final class BenchCommand implements Callable<Integer> {
       paramLabel = "S",
       defaultValue = "20",
       description =
-          "Seconds after which slow engines stop early; their row says so, 0..3600"
+          "Seconds after which warm-up and slow engines stop early; their row says so, 0..3600"
               + " (${DEFAULT-VALUE}).")
   private double capSeconds;
 
   @Option(
       names = "--quick",
-      description = "A first look: short warm-up, a quarter of the timed steps.")
+      description = "A first look: a quarter of warm-up, cap and timed steps.")
   private boolean quick;
 
   @Option(
       names = "--json",
       paramLabel = "FILE",
-      description = "Writes the rows, a JSON object per line.")
+      arity = "0..1",
+      fallbackValue = STANDARD_OUTPUT,
+      description =
+          "Prints the rows to standard output, a JSON object per line, and the tables to standard"
+              + " error; with FILE writes them there.")
   private Path json;
 
-  @Option(names = "--markdown", paramLabel = "FILE", description = "Writes the table in Markdown.")
+  @Option(names = "--markdown", paramLabel = "FILE", description = "Writes the tables in Markdown.")
   private Path markdown;
 
   @Option(
@@ -128,8 +161,7 @@ public final class BenchCommand implements Callable<Integer> {
     requireRange("--warm-up", warmUpSeconds);
     requireRange("--cap", capSeconds);
     List<BenchJob> jobs = jobs();
-    List<String> others = others();
-    List<String> kinds = kinds();
+    BenchJob.Choice wanted = new BenchJob.Choice(kinds(), threadCounts(), others());
     PrintWriter out = spec.commandLine().getOut();
     PrintWriter err = spec.commandLine().getErr();
     Runtime.getRuntime().addShutdownHook(new Thread(this::endChild, "bench-stop"));
@@ -137,18 +169,19 @@ public final class BenchCommand implements Callable<Integer> {
       write(); // a file that can't be written is told before the work, not after
       for (int i = 0; i < jobs.size(); i++) {
         BenchJob job = jobs.get(i);
-        String progress = "[" + (i + 1) + "/" + jobs.size() + "] ";
-        if (job.isBroadphase()) {
-          for (String method : BenchJob.broadphases()) {
-            measure(job, method, "", progress, err);
-          }
-          continue;
+        List<BenchRow> ofJob = new ArrayList<>();
+        for (Entrant entrant : job.entrants(wanted)) {
+          err.print("[" + (i + 1) + "/" + jobs.size() + "] " + job.name() + ", " + entrant + ": ");
+          err.flush();
+          ofJob.add(runChild(job, entrant));
+          tell(ofJob.get(ofJob.size() - 1), err);
         }
-        for (String kind : kinds) {
-          measure(job, CaromEngine.NAME, kind, progress, err);
-        }
-        for (String peer : others) {
-          measure(job, peer, "", progress, err);
+        compare(job, ofJob);
+        rows.addAll(ofJob);
+        write();
+        if (jsonToOutput()) {
+          ofJob.forEach(row -> out.println(row.toJson()));
+          out.flush();
         }
       }
     } catch (IOException e) {
@@ -156,36 +189,60 @@ public final class BenchCommand implements Callable<Integer> {
       err.flush();
       return CommandLine.ExitCode.SOFTWARE;
     }
-    out.print(BenchTable.plain(rows));
-    out.flush();
+    PrintWriter tables = jsonToOutput() ? err : out;
+    tables.print(BenchTable.plain(rows));
+    tables.flush();
     return CommandLine.ExitCode.OK;
   }
 
-  private void measure(BenchJob job, String engine, String kind, String progress, PrintWriter err)
-      throws IOException, InterruptedException {
-    err.print(progress + job.name() + ", " + (engine + " " + kind).strip() + ": ");
-    err.flush();
-    BenchRow row = runChild(job, engine, kind);
-    rows.add(row);
-    err.println(
-        (row.isMeasured() ? String.format(Locale.ROOT, "%.3f ms ", row.medianMs()) : "")
-            + row.fault());
-    err.flush();
-    write();
+  private boolean jsonToOutput() {
+    return json != null && json.toString().equals(STANDARD_OUTPUT);
   }
 
-  private BenchRow runChild(BenchJob job, String engine, String kind)
+  private static void tell(BenchRow row, PrintWriter err) {
+    String time = row.isMeasured() ? String.format(Locale.ROOT, "%.3f ms ", row.medianMs()) : "";
+    err.println((time + row.fault()).strip());
+    err.flush();
+  }
+
+  /** Gives Carom's rows of a job the ratios, and finds out who should have agreed. */
+  private static void compare(BenchJob job, List<BenchRow> ofJob) {
+    BenchRow first = ofJob.get(0);
+    for (int i = 0; i < ofJob.size(); i++) {
+      BenchRow row = ofJob.get(i);
+      if (row.counts()
+          && first.counts()
+          && job.mustAgree(row.entrant())
+          && !row.hash().equals(first.hash())) {
+        row = row.withFault("ends differently from " + first.entrant());
+      }
+      ofJob.set(i, row.entrant().isCarom() ? row.withRatios(ratios(row, ofJob)) : row);
+    }
+  }
+
+  private static Map<String, Double> ratios(BenchRow row, List<BenchRow> ofJob) {
+    Map<String, Double> ratios = new LinkedHashMap<>();
+    for (BenchRow other : ofJob) {
+      if (row.isMeasured() && other.isMeasured() && !other.entrant().isCarom()) {
+        ratios.put(other.entrant().engine(), other.medianMs() / row.medianMs());
+      }
+    }
+    return ratios;
+  }
+
+  private BenchRow runChild(BenchJob job, Entrant entrant)
       throws IOException, InterruptedException {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-    command.addAll(List.of("-Xms256m", "-Xmx2g", "-XX:+UseSerialGC"));
-    if (kind.equals(VECTOR)) {
+    command.addAll(List.of("-Xms256m", "-Xmx3g", "-XX:+UseSerialGC"));
+    if (entrant.kernels().equals(VECTOR)) {
       command.addAll(List.of("--add-modules", VECTOR_MODULE));
     }
-    command.addAll(List.of("-cp", System.getProperty("java.class.path")));
-    command.addAll(List.of(BenchChild.class.getName(), engine, kind, job.name()));
+    command.addAll(List.of("-cp", Peers.classPath(), BenchChild.class.getName()));
+    command.addAll(List.of(entrant.engine(), entrant.kernels()));
+    command.addAll(List.of(Integer.toString(entrant.threads()), job.name()));
     command.add(Double.toString(quick ? warmUpSeconds / 4 : warmUpSeconds));
-    command.add(Double.toString(capSeconds));
+    command.add(Double.toString(quick ? capSeconds / 4 : capSeconds));
     command.add(Boolean.toString(quick));
     File errors = File.createTempFile("carom-bench", ".err");
     try {
@@ -199,7 +256,7 @@ public final class BenchCommand implements Callable<Integer> {
       int status = started.waitFor();
       return status == 0
           ? BenchRow.ofJson(last)
-          : BenchRow.failed(job.name(), engine, kind, fault(status, errors));
+          : BenchRow.failed(job.name(), entrant, fault(status, errors));
     } finally {
       child = null;
       Files.deleteIfExists(errors.toPath());
@@ -211,6 +268,7 @@ public final class BenchCommand implements Callable<Integer> {
     return Files.readAllLines(errors.toPath()).stream()
         .filter(line -> line.contains("Exception") || line.contains("Error"))
         .findFirst()
+        .map(line -> line.replaceFirst("^Exception in thread \"[^\"]*\" ", ""))
         .orElse("ended with status " + status);
   }
 
@@ -222,7 +280,7 @@ public final class BenchCommand implements Callable<Integer> {
   }
 
   private void write() throws IOException {
-    if (json != null) {
+    if (json != null && !jsonToOutput()) {
       StringBuilder text = new StringBuilder();
       rows.forEach(row -> text.append(row.toJson()).append('\n'));
       Files.writeString(json, text);
@@ -241,7 +299,7 @@ public final class BenchCommand implements Callable<Integer> {
   }
 
   private List<String> others() {
-    List<String> known = BenchChild.peers();
+    List<String> known = Peers.names();
     if (peers == null) {
       return known;
     }
@@ -255,11 +313,23 @@ public final class BenchCommand implements Callable<Integer> {
                 + peer
                 + Suggestion.didYouMean(peer, known)
                 + (known.isEmpty()
-                    ? ": this program brings no other engines; use ./gradlew bench"
+                    ? ": there are no other engines here; use ./gradlew bench"
                     : ": known are " + String.join(", ", known) + ", or none"));
       }
     }
     return peers;
+  }
+
+  private List<Integer> threadCounts() {
+    if (threads == null) {
+      return Runtime.getRuntime().availableProcessors() > 1 ? List.of(1, 2) : List.of(1);
+    }
+    for (int count : threads) {
+      if (count < 1 || count > MAX_THREADS) {
+        throw bad("--threads=" + count + " is outside 1.." + MAX_THREADS);
+      }
+    }
+    return threads.stream().distinct().sorted().toList();
   }
 
   private List<String> kinds() {

@@ -5,13 +5,13 @@ import carom.sim.scene.Scene;
 
 /**
  * A physics engine that can be measured. Other engines than Carom are found by {@link
- * java.util.ServiceLoader}, so that no program ships them. One thread at a time.
+ * java.util.ServiceLoader}, see {@link Peers}. One thread at a time.
  */
-public interface BenchEngine {
+public interface BenchEngine extends AutoCloseable {
   /**
    * What it is called in flags and tables.
    *
-   * @return small letters and digits
+   * @return small letters, digits and dashes
    */
   String name();
 
@@ -32,4 +32,15 @@ public interface BenchEngine {
    * @return Carom's world, or a copy of the other engine's one
    */
   World<?> world();
+
+  /**
+   * How many bodies are awake and not static now.
+   *
+   * @return a count
+   */
+  int awake();
+
+  /** Gives back what no collector does. */
+  @Override
+  void close();
 }

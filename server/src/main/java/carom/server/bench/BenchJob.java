@@ -5,53 +5,88 @@ import carom.sim.scene.Scenes;
 import java.util.ArrayList;
 import java.util.List;
 
-/**
- * Something to measure: a scene, or the broadphase alone on so many boxes.
- *
- * @param name of the scene, or like {@code bp_uniform_10k}
- * @param scene null for the broadphase
- * @param boxes number of boxes; 0 for a scene
- * @param clustered whether the boxes cluster
- */
-record BenchJob(String name, BenchScene scene, int boxes, boolean clustered) {
-  /** All of the broadphase; every single name starts with it. */
-  static final String BROADPHASE = "bp";
+/** Something to measure: one {@code scene} of the table, done by several entrants. */
+interface BenchJob {
+  /** The name in flags and tables, small letters, digits and underscores. */
+  String name();
 
-  private static final int[] THOUSANDS = {1, 10, 100, 1000};
+  /**
+   * Who can do it; the first one's time is what the others' are compared with.
+   *
+   * @param wanted what the flags ask for
+   */
+  List<Entrant> entrants(Choice wanted);
 
-  /** All jobs, in the order of the table. */
+  /** Whether an entrant must end with the very hash of the first one. */
+  default boolean mustAgree(Entrant entrant) {
+    return entrant.isCarom();
+  }
+
+  /**
+   * Measures it in this process.
+   *
+   * @param entrant one of {@link #entrants}
+   * @param measurement how long
+   * @throws UnsupportedOperationException if the engine lacks something
+   */
+  BenchRow run(Entrant entrant, Measurement measurement);
+
+  /**
+   * What the flags ask for.
+   *
+   * @param kernels of the solver: {@code vector}, {@code scalar}
+   * @param threads numbers of threads, ascending
+   * @param peers other engines by name
+   */
+  record Choice(List<String> kernels, List<Integer> threads, List<String> peers) {
+    /** Carom with each kernel and number of threads, one thread first. */
+    List<Entrant> carom() {
+      List<Entrant> all = new ArrayList<>();
+      for (String kernel : kernels) {
+        for (int count : threads) {
+          all.add(new Entrant(CaromEngine.NAME, kernel, count));
+        }
+      }
+      return all;
+    }
+  }
+
+  /** All jobs that run unless flags say otherwise, in the order of the table. */
   static List<BenchJob> all() {
     List<BenchJob> jobs = new ArrayList<>();
-    BenchScene.ALL.forEach(scene -> jobs.add(new BenchJob(scene.name(), scene, 0, false)));
-    jobs.addAll(broadphase());
+    BenchScene.ALL.forEach(scene -> jobs.add(new SceneJob(scene)));
+    jobs.addAll(StateJob.all());
+    jobs.add(new StartupJob());
+    jobs.addAll(BroadphaseJob.all());
+    jobs.addAll(RebuildJob.all());
     return jobs;
   }
 
-  private static List<BenchJob> broadphase() {
-    List<BenchJob> jobs = new ArrayList<>();
-    for (boolean clustered : new boolean[] {false, true}) {
-      for (int k : THOUSANDS) {
-        String size = k == 1000 ? "1m" : k + "k";
-        String name = BROADPHASE + (clustered ? "_clustered_" : "_uniform_") + size;
-        jobs.add(new BenchJob(name, null, 1000 * k, clustered));
-      }
-    }
-    return jobs;
+  /** Groups of jobs by name, for {@code --scenes}. */
+  static List<BenchJob> group(String name) {
+    return switch (name) {
+      case "scenes" -> BenchScene.ALL.stream().<BenchJob>map(SceneJob::new).toList();
+      case "state" -> StateJob.all();
+      case "bp" -> BroadphaseJob.all();
+      case "rebuild" -> RebuildJob.all();
+      default -> List.of();
+    };
   }
 
   /**
    * The jobs of the names.
    *
-   * @param names of scenes or broadphase rows, or {@link #BROADPHASE} for all of those
+   * @param names of jobs, groups, or any scene of the library
    * @throws IllegalArgumentException if there is none of a name, naming the nearest
    */
   static List<BenchJob> of(List<String> names) {
     List<BenchJob> jobs = new ArrayList<>();
     for (String name : names) {
-      if (name.equals(BROADPHASE)) {
-        jobs.addAll(broadphase());
-      } else {
+      List<BenchJob> group = group(name);
+      if (group.isEmpty()) {
         jobs.add(of(name));
+      } else {
+        jobs.addAll(group);
       }
     }
     return jobs;
@@ -64,58 +99,16 @@ record BenchJob(String name, BenchScene scene, int boxes, boolean clustered) {
    */
   static BenchJob of(String name) {
     List<String> known = new ArrayList<>(Scenes.names());
-    for (BenchJob job : broadphase()) {
-      if (job.name.equals(name)) {
+    for (BenchJob job : all()) {
+      if (job.name().equals(name)) {
         return job;
       }
-      known.add(job.name);
+      known.add(job.name());
     }
-    if (!known.contains(name)) {
+    if (!Scenes.names().contains(name)) {
       throw new IllegalArgumentException(
           "unknown scene=" + name + Suggestion.didYouMean(name, known));
     }
-    return new BenchJob(name, BenchScene.of(name), 0, false);
-  }
-
-  boolean isBroadphase() {
-    return scene == null;
-  }
-
-  /** The ways to do the broadphase, in the place of engines; the first is the engine's own. */
-  static List<String> broadphases() {
-    return List.of(
-        CaromEngine.NAME,
-        BroadphaseBench.Method.KD_REBUILD.toString(),
-        BroadphaseBench.Method.QUAD_REBUILD.toString());
-  }
-
-  /** Measures it in this process. */
-  BenchRow run(String engine, String kernels, Measurement measurement, boolean quick) {
-    if (!isBroadphase()) {
-      return measurement.run(quick ? scene.quick() : scene, BenchChild.engine(engine), kernels);
-    }
-    BroadphaseBench.Method method = BroadphaseBench.Method.KD_REFIT;
-    for (BroadphaseBench.Method m : BroadphaseBench.Method.values()) {
-      method = m.toString().equals(engine) ? m : method;
-    }
-    BroadphaseBench.Row row =
-        BroadphaseBench.run(method, boxes, clustered, measurement.warmUpSeconds());
-    double msPerNs = boxes * 1e-6;
-    return new BenchRow(
-        name,
-        engine,
-        kernels,
-        boxes,
-        0,
-        row.ticks(),
-        row.sumNs() * msPerNs,
-        row.p99Ns() * msPerNs,
-        row.allocatedBytes(),
-        "%016x".formatted(row.hash()),
-        Double.NaN,
-        Double.NaN,
-        0,
-        Double.NaN,
-        "");
+    return new SceneJob(BenchScene.of(name));
   }
 }

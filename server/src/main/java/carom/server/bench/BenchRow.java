@@ -1,5 +1,6 @@
 package carom.server.bench;
 
+import carom.sim.scene.SceneReport;
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
 import com.fasterxml.jackson.core.JsonParser;
@@ -11,56 +12,134 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * One line of results. Times are CPU times of the stepping thread.
+ * One line of results.
  *
- * @param scene what was stepped
- * @param engine by which engine
- * @param kernels {@code vector} or {@code scalar} for Carom, else empty
- * @param bodies dynamic bodies, or boxes
+ * @param scene name of the job
+ * @param entrant who did it
+ * @param bodies dynamic bodies and particles, or boxes
  * @param joints number of joints
- * @param steps how many were timed
- * @param medianMs time of a step, ms
- * @param p99Ms 99 of 100 steps took no longer, ms
- * @param allocatedBytesPerStep garbage of the stepping thread
- * @param hash of the last state; equal hashes mean equal bits
- * @param kineticEnergy of the last state, J
+ * @param awake bodies that are awake at the end
+ * @param times what a step cost
+ * @param hash of the last state, 16 hexadecimal digits; equal hashes mean equal bits
+ * @param kineticEnergy of the last state, J; this and what follows is NaN where it has no meaning
  * @param maxPenetration deepest overlap in the last state, m
  * @param deepPairs overlaps deeper than 2 cm
  * @param jointGap worst distance between the anchors of a hinge, m
+ * @param stages ms per step by name of the stage, empty if nobody looked
+ * @param ratios of other engines' times to this one, by who they are; above 1 this one is faster.
+ *     Only Carom's rows have them
  * @param fault why the run doesn't count, or empty
  */
 record BenchRow(
     String scene,
-    String engine,
-    String kernels,
+    Entrant entrant,
     int bodies,
     int joints,
-    int steps,
-    double medianMs,
-    double p99Ms,
-    double allocatedBytesPerStep,
+    int awake,
+    Times times,
     String hash,
     double kineticEnergy,
     double maxPenetration,
-    int deepPairs,
+    double deepPairs,
     double jointGap,
+    Map<String, Double> stages,
+    Map<String, Double> ratios,
     String fault) {
   private static final JsonFactory JSON = new JsonFactory();
 
-  /** A run that gave no figures. */
-  static BenchRow failed(String scene, String engine, String kernels, String fault) {
+  /** A row about so many bodies without a world to look at. */
+  static BenchRow of(String scene, Entrant entrant, int bodies, Times times) {
     return new BenchRow(
-        scene, engine, kernels, 0, 0, 0, Double.NaN, Double.NaN, 0, "", 0, 0, 0, 0, fault);
+        scene,
+        entrant,
+        bodies,
+        0,
+        0,
+        times,
+        "",
+        Double.NaN,
+        Double.NaN,
+        Double.NaN,
+        Double.NaN,
+        Map.of(),
+        Map.of(),
+        "");
+  }
+
+  /** A run that gave no figures. */
+  static BenchRow failed(String scene, Entrant entrant, String fault) {
+    return of(scene, entrant, 0, Times.NONE).withFault(fault);
+  }
+
+  /** The same with what the end state looks like. */
+  BenchRow withEnd(int jointCount, int awakeCount, SceneReport end) {
+    return new BenchRow(
+        scene,
+        entrant,
+        bodies,
+        jointCount,
+        awakeCount,
+        times,
+        hash,
+        end.kineticEnergy(),
+        end.maxDepth(),
+        end.deepOverlaps(),
+        end.worstJointGap(),
+        stages,
+        ratios,
+        fault);
+  }
+
+  BenchRow withHash(long newHash) {
+    return with("%016x".formatted(newHash), stages, ratios, fault);
+  }
+
+  BenchRow withStages(Map<String, Double> newStages) {
+    return with(hash, newStages, ratios, fault);
+  }
+
+  BenchRow withRatios(Map<String, Double> newRatios) {
+    return with(hash, stages, newRatios, fault);
+  }
+
+  BenchRow withFault(String newFault) {
+    return with(hash, stages, ratios, newFault);
+  }
+
+  private BenchRow with(
+      String newHash,
+      Map<String, Double> newStages,
+      Map<String, Double> newRatios,
+      String newFault) {
+    return new BenchRow(
+        scene,
+        entrant,
+        bodies,
+        joints,
+        awake,
+        times,
+        newHash,
+        kineticEnergy,
+        maxPenetration,
+        deepPairs,
+        jointGap,
+        newStages,
+        newRatios,
+        newFault);
   }
 
   /** Whether there are figures at all, good or bad. */
   boolean isMeasured() {
-    return steps > 0;
+    return times.steps() > 0;
   }
 
-  /** Engine and kernels, as tables have it. */
-  String who() {
-    return kernels.isEmpty() ? engine : engine + " " + kernels;
+  /** Whether its figures are results. */
+  boolean counts() {
+    return isMeasured() && fault.isEmpty();
+  }
+
+  double medianMs() {
+    return times.medianMs();
   }
 
   /** One object in one line; what wasn't measured is null. */
@@ -69,19 +148,29 @@ record BenchRow(
     try (JsonGenerator out = JSON.createGenerator(text)) {
       out.writeStartObject();
       out.writeStringField("scene", scene);
-      out.writeStringField("engine", engine);
-      out.writeStringField("kernels", kernels);
+      out.writeStringField("engine", entrant.engine());
+      out.writeStringField("kernels", entrant.kernels());
+      out.writeNumberField("threads", entrant.threads());
       out.writeNumberField("bodies", bodies);
       out.writeNumberField("joints", joints);
-      out.writeNumberField("steps", steps);
-      number(out, "medianMs", medianMs);
-      number(out, "p99Ms", p99Ms);
-      number(out, "allocatedBytesPerStep", allocatedBytesPerStep);
+      out.writeNumberField("awake", awake);
+      out.writeNumberField("steps", times.steps());
+      number(out, "medianMs", times.medianMs());
+      number(out, "p99Ms", times.p99Ms());
+      number(out, "wallMs", times.wallMs());
+      number(out, "allocatedBytesPerStep", times.allocatedBytes());
       out.writeStringField("hash", hash);
       number(out, "kineticEnergy", kineticEnergy);
       number(out, "maxPenetration", maxPenetration);
-      out.writeNumberField("deepPairs", deepPairs);
+      if (Double.isNaN(deepPairs)) {
+        out.writeNullField("deepPairs");
+      } else {
+        out.writeNumberField("deepPairs", (int) deepPairs);
+      }
       number(out, "jointGap", jointGap);
+      numbers(out, "stages", stages);
+      numbers(out, "ratios", ratios);
+      out.writeBooleanField("valid", counts());
       out.writeStringField("fault", fault);
       out.writeEndObject();
     } catch (IOException e) {
@@ -98,6 +187,15 @@ record BenchRow(
     }
   }
 
+  private static void numbers(JsonGenerator out, String name, Map<String, Double> values)
+      throws IOException {
+    out.writeObjectFieldStart(name);
+    for (Map.Entry<String, Double> value : values.entrySet()) {
+      number(out, value.getKey(), value.getValue());
+    }
+    out.writeEndObject();
+  }
+
   /**
    * What {@link #toJson} wrote.
    *
@@ -105,30 +203,46 @@ record BenchRow(
    */
   static BenchRow ofJson(String json) throws IOException {
     Map<String, String> fields = new LinkedHashMap<>();
+    Map<String, Map<String, Double>> maps = new LinkedHashMap<>();
     try (JsonParser in = JSON.createParser(json)) {
       in.nextToken();
       while (in.nextToken() == JsonToken.FIELD_NAME) {
         String name = in.currentName();
-        in.nextToken();
-        fields.put(name, in.getText());
+        if (in.nextToken() != JsonToken.START_OBJECT) {
+          fields.put(name, in.getText());
+          continue;
+        }
+        Map<String, Double> values = new LinkedHashMap<>();
+        while (in.nextToken() == JsonToken.FIELD_NAME) {
+          in.nextToken();
+          values.put(in.currentName(), in.getDoubleValue());
+        }
+        maps.put(name, values);
       }
     }
     try {
       return new BenchRow(
           text(fields, "scene"),
-          text(fields, "engine"),
-          text(fields, "kernels"),
+          new Entrant(
+              text(fields, "engine"),
+              text(fields, "kernels"),
+              Integer.parseInt(text(fields, "threads"))),
           Integer.parseInt(text(fields, "bodies")),
           Integer.parseInt(text(fields, "joints")),
-          Integer.parseInt(text(fields, "steps")),
-          number(fields, "medianMs"),
-          number(fields, "p99Ms"),
-          number(fields, "allocatedBytesPerStep"),
+          Integer.parseInt(text(fields, "awake")),
+          new Times(
+              Integer.parseInt(text(fields, "steps")),
+              number(fields, "medianMs"),
+              number(fields, "p99Ms"),
+              number(fields, "wallMs"),
+              number(fields, "allocatedBytesPerStep")),
           text(fields, "hash"),
           number(fields, "kineticEnergy"),
           number(fields, "maxPenetration"),
-          Integer.parseInt(text(fields, "deepPairs")),
+          number(fields, "deepPairs"),
           number(fields, "jointGap"),
+          maps.getOrDefault("stages", Map.of()),
+          maps.getOrDefault("ratios", Map.of()),
           text(fields, "fault"));
     } catch (NumberFormatException e) {
       throw new IOException("not a row: " + json, e);

@@ -1,5 +1,6 @@
 package carom.server.bench;
 
+import carom.physics.broadphase.BruteForce;
 import carom.physics.broadphase.KdTree;
 import carom.physics.broadphase.PairVisitor;
 import carom.physics.broadphase.QuadTree;
@@ -22,7 +23,9 @@ public final class BroadphaseBench {
     /** KD-tree, refitted every tick, as the engine uses it. */
     KD_REFIT,
     /** Quadtree, built anew every tick. */
-    QUAD_REBUILD;
+    QUAD_REBUILD,
+    /** Every box against every other. */
+    BRUTE_FORCE;
 
     @Override
     public String toString() {
@@ -104,6 +107,7 @@ public final class BroadphaseBench {
     BroadphaseScene scene = new BroadphaseScene(n, clustered);
     KdTree kd = new KdTree(scene.boxes());
     QuadTree quad = new QuadTree();
+    BruteForce brute = new BruteForce();
     kd.rebuild(scene.boxes(), scene.ids(), n);
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     long me = Thread.currentThread().getId();
@@ -127,12 +131,13 @@ public final class BroadphaseBench {
         case KD_REBUILD -> kd.rebuild(scene.boxes(), scene.ids(), n);
         case KD_REFIT -> kd.refit();
         case QUAD_REBUILD -> quad.rebuild(scene.boxes(), scene.ids(), n);
+        case BRUTE_FORCE -> brute.rebuild(scene.boxes(), scene.ids(), n);
       }
       long t1 = threads.getCurrentThreadCpuTime();
-      if (method == Method.QUAD_REBUILD) {
-        quad.pairs(tally);
-      } else {
-        kd.pairs(tally);
+      switch (method) {
+        case KD_REBUILD, KD_REFIT -> kd.pairs(tally);
+        case QUAD_REBUILD -> quad.pairs(tally);
+        case BRUTE_FORCE -> brute.pairs(tally);
       }
       long t2 = threads.getCurrentThreadCpuTime();
       hash += tick < 3 ? tally.hash : 0;

@@ -1,13 +1,25 @@
 package carom.server.bench;
 
 import carom.physics.World;
+import carom.physics.threads.WorkerThreads;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneRun;
 
 /** The engine of this program. */
 final class CaromEngine implements BenchEngine {
   static final String NAME = "carom";
+
+  private final WorkerThreads workers;
   private SceneRun run;
+
+  /**
+   * Makes one without a world.
+   *
+   * @param threads how many step a world together, 1..64
+   */
+  CaromEngine(int threads) {
+    workers = threads == 1 ? null : new WorkerThreads(threads);
+  }
 
   @Override
   public String name() {
@@ -17,6 +29,7 @@ final class CaromEngine implements BenchEngine {
   @Override
   public void start(Scene scene) {
     run = scene.start();
+    run.world().workers(workers);
   }
 
   @Override
@@ -27,5 +40,28 @@ final class CaromEngine implements BenchEngine {
   @Override
   public World<?> world() {
     return run.world();
+  }
+
+  /** The hash of the world, and of particles if there are any. */
+  long stateHash() {
+    return run.particles().isEmpty() ? run.world().stateHash() : run.stateHash();
+  }
+
+  /** How many there are in all systems together. */
+  int particles() {
+    return run.particles().stream().mapToInt(some -> some.particles().count()).sum();
+  }
+
+  @Override
+  public int awake() {
+    return run.world().profile().awake();
+  }
+
+  @Override
+  public void close() {
+    run = null;
+    if (workers != null) {
+      workers.close();
+    }
   }
 }

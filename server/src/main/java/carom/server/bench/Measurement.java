@@ -3,91 +3,132 @@ package carom.server.bench;
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.physics.World;
+import carom.physics.dynamics.StepStage;
+import carom.sim.scene.Scene;
 import carom.sim.scene.SceneReport;
-import com.sun.management.ThreadMXBean;
-import java.lang.management.ManagementFactory;
-import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
 
 /**
- * Measures one engine on one scene, on the calling thread.
+ * How long to measure; and how an engine is measured on a scene, on the calling thread.
  *
- * <p>First the scene is repeated in fresh worlds until the compiler has seen enough, then it runs
- * once more, some steps untimed, then the timed ones.
+ * <p>First the scene is repeated in fresh worlds until the compiler is done: for {@link
+ * #warmUpSeconds} and {@value #LEAST_STEPS} steps at least, and until a repeat is hardly faster
+ * than the one before. Then it runs once more, some steps untimed, then the timed ones. Carom runs
+ * a further time with its stages told, which must end in the same bits.
  *
- * @param warmUpSeconds CPU time of stepping before the run that counts
- * @param capSeconds CPU time after which the timed part ends early, and likewise the untimed part
+ * @param warmUpSeconds of stepping before the run that counts
+ * @param capSeconds after which the warm-up, the timed part, and likewise the untimed part end
+ *     early
+ * @param quick whether to time a quarter of the steps only
  */
-record Measurement(double warmUpSeconds, double capSeconds) {
+record Measurement(double warmUpSeconds, double capSeconds, boolean quick) {
   /** What a row that was cut short by {@link #capSeconds} says. */
   static final String CUT = "cut short";
 
-  private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+  /** What the compiler needs to have seen, whatever the clock says. */
+  private static final int LEAST_STEPS = 400;
 
-  /**
-   * Measures.
-   *
-   * @param kernels what the row says of them
-   */
-  BenchRow run(BenchScene scene, BenchEngine engine, String kernels) {
-    double[] times = new double[Math.max(scene.warm(), scene.measured())];
-    double spent = 0;
-    while (spent < warmUpSeconds) {
-      engine.start(scene.scene());
-      for (int i = 0; i < scene.warm() + scene.measured() && spent < capSeconds; i++) {
-        spent += timedStep(engine);
+  /** A repeat that takes this part of the one before, or more, is no longer getting faster. */
+  private static final double STEADY = 0.95;
+
+  /** Measures. */
+  BenchRow run(BenchScene given, BenchEngine engine, Entrant entrant) {
+    BenchScene how = quick ? given.quick() : given;
+    Scene scene = how.scene();
+    try {
+      warmUp(how, scene, engine);
+      boolean byClock = entrant.threads() > 1;
+      engine.start(scene);
+      Stopwatch untimed = steps(engine, how.warm(), byClock);
+      Stopwatch timed = new Stopwatch(how.measured(), byClock);
+      steps(engine, timed);
+      Times times = timed.times();
+      World<?> world = engine.world();
+      SceneReport end = SceneReport.of(world);
+      int bodies = dynamicBodies(world);
+      long hash = hash(world);
+      if (engine instanceof CaromEngine carom) {
+        bodies += carom.particles();
+        hash = carom.stateHash();
       }
-      spent = Math.max(spent, Double.MIN_NORMAL); // a clock that stands still must not hang us
-      if (spent >= capSeconds) {
-        break;
+      BenchRow row =
+          BenchRow.of(how.name(), entrant, bodies, times)
+              .withHash(hash)
+              .withEnd(world.jointCount(), engine.awake(), end);
+      String fault = how.gate().fault(end, engine.awake());
+      boolean cut = untimed.count() < how.warm() || timed.count() < how.measured();
+      if (engine instanceof CaromEngine carom && !cut) {
+        row = row.withStages(stages(how, scene, carom));
+        fault = carom.stateHash() == hash ? fault : "two runs of the same scene end differently";
       }
+      return row.withFault(fault.isEmpty() && cut ? CUT : fault);
+    } finally {
+      engine.close();
     }
-    engine.start(scene.scene());
-    int warm = steps(engine, scene.warm(), times);
-    long me = Thread.currentThread().getId();
-    long before = THREADS.getThreadAllocatedBytes(me);
-    int measured = steps(engine, scene.measured(), times);
-    long allocated = THREADS.getThreadAllocatedBytes(me) - before;
-    World<?> world = engine.world();
-    SceneReport end = SceneReport.of(world);
-    String fault = scene.gate().fault(end);
-    if (fault.isEmpty() && (warm < scene.warm() || measured < scene.measured())) {
-      fault = CUT;
-    }
-    Arrays.sort(times, 0, measured);
-    int[] dynamic = {0};
-    world.forEachBody(body -> dynamic[0] += body.type() == BodyType.DYNAMIC ? 1 : 0);
-    return new BenchRow(
-        scene.name(),
-        engine.name(),
-        kernels,
-        dynamic[0],
-        world.jointCount(),
-        measured,
-        times[measured / 2] * 1e3,
-        times[(int) Math.ceil(0.99 * measured) - 1] * 1e3,
-        (double) allocated / measured,
-        "%016x".formatted(engine instanceof CaromEngine ? world.stateHash() : hash(world)),
-        end.kineticEnergy(),
-        end.maxDepth(),
-        end.deepOverlaps(),
-        end.worstJointGap(),
-        fault);
   }
 
-  private int steps(BenchEngine engine, int wanted, double[] times) {
+  private void warmUp(BenchScene how, Scene scene, BenchEngine engine) {
     double spent = 0;
     int made = 0;
-    while (made < wanted && (made == 0 || spent < capSeconds)) {
-      times[made] = timedStep(engine);
-      spent += times[made++];
+    double before = Double.POSITIVE_INFINITY;
+    double last = 0;
+    double begin = Stopwatch.cpuSeconds();
+    while (Stopwatch.cpuSeconds() - begin < capSeconds // the making of worlds counts here
+        && (spent < warmUpSeconds || made < LEAST_STEPS || last < STEADY * before)) {
+      before = last == 0 ? Double.POSITIVE_INFINITY : last;
+      engine.start(scene);
+      Stopwatch watch = new Stopwatch(how.warm() + how.measured(), false);
+      while (!watch.isFull() && Stopwatch.cpuSeconds() - begin < capSeconds) {
+        step(engine, watch);
+      }
+      // A clock that stands still must not hang us.
+      last = Math.max(watch.spent(), 1e-6 * watch.count());
+      spent += last;
+      made += watch.count();
     }
-    return made;
   }
 
-  private static double timedStep(BenchEngine engine) {
-    long begin = THREADS.getCurrentThreadCpuTime();
+  private Map<String, Double> stages(BenchScene how, Scene scene, CaromEngine engine) {
+    engine.start(scene);
+    for (int i = 0; i < how.warm(); i++) {
+      engine.step();
+    }
+    StageClock clock = new StageClock(how.measured());
+    engine.world().stageListener(clock);
+    for (int i = 0; i < how.measured(); i++) {
+      engine.step();
+    }
+    Map<String, Double> named = new LinkedHashMap<>();
+    for (Map.Entry<StepStage, Double> stage : clock.medianMs().entrySet()) {
+      named.put(stage.getKey().toString(), stage.getValue());
+    }
+    return named;
+  }
+
+  private Stopwatch steps(BenchEngine engine, int wanted, boolean byClock) {
+    Stopwatch watch = new Stopwatch(wanted, byClock);
+    steps(engine, watch);
+    return watch;
+  }
+
+  /** At least one, if the watch has room. */
+  private void steps(BenchEngine engine, Stopwatch watch) {
+    while (!watch.isFull() && (watch.count() == 0 || watch.spent() < capSeconds)) {
+      step(engine, watch);
+    }
+  }
+
+  private static void step(BenchEngine engine, Stopwatch watch) {
+    watch.begin();
     engine.step();
-    return (THREADS.getCurrentThreadCpuTime() - begin) * 1e-9;
+    watch.end();
+  }
+
+  private static int dynamicBodies(World<?> world) {
+    int[] count = {0};
+    world.forEachBody(body -> count[0] += body.type() == BodyType.DYNAMIC ? 1 : 0);
+    return count[0];
   }
 
   /** Of the dynamic bodies' poses, for engines that have no hash of their own. */

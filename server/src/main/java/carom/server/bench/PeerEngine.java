@@ -65,6 +65,20 @@ public abstract class PeerEngine<B> implements BenchEngine {
     return copy;
   }
 
+  @Override
+  public final int awake() {
+    int count = 0;
+    for (B peer : peers) {
+      count += awake(peer) ? 1 : 0;
+    }
+    return count;
+  }
+
+  @Override
+  public void close() {
+    peers.clear();
+  }
+
   /**
    * Makes an empty world, in place of the one before.
    *
@@ -75,7 +89,8 @@ public abstract class PeerEngine<B> implements BenchEngine {
   /**
    * Makes a body.
    *
-   * @param body what to copy: type, pose, velocities, shapes with material and filter
+   * @param body what to copy: type, pose, velocities, gravity scale, whether it sleeps, shapes with
+   *     material and filter
    * @return the engine's own
    * @throws UnsupportedOperationException if a shape is neither circle, box nor polygon
    */
@@ -97,6 +112,14 @@ public abstract class PeerEngine<B> implements BenchEngine {
    * @param dtSeconds its length
    */
   protected abstract void step(float dtSeconds);
+
+  /**
+   * Whether a body is awake and not static.
+   *
+   * @param peer the engine's body
+   * @return true if steps move it
+   */
+  protected abstract boolean awake(B peer);
 
   /**
    * Copies a dynamic body's pose and velocities back.

@@ -2,8 +2,9 @@
  * Measures the engine on the scenes of {@code carom.sim.scene}, next to other engines if they are
  * on the class path: {@code carom-server bench}, {@code ./gradlew bench}.
  *
- * <p>Allowed imports: {@code carom.physics}, {@code carom.sim}, picocli, Jackson, the JDK. Read
- * first: {@link carom.server.bench.BenchCommand}, {@link carom.server.bench.Measurement}, {@link
- * carom.server.bench.BenchEngine}.
+ * <p>Allowed imports: {@code carom.physics}, {@code carom.sim}, {@code carom.net.snapshot}, {@code
+ * carom.server.replication}, picocli, Jackson, the JDK. Read first: {@link
+ * carom.server.bench.BenchCommand}, {@link carom.server.bench.Measurement}, {@link
+ * carom.server.bench.BenchJob}, {@link carom.server.bench.BenchEngine}.
  */
 package carom.server.bench;

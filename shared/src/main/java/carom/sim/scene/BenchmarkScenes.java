@@ -11,6 +11,9 @@ import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Polygon;
 import carom.physics.geometry.Shape;
+import carom.physics.math.Transform;
+import carom.physics.particles.ParticleDef;
+import carom.physics.particles.Particles;
 import carom.sim.SimRandom;
 import java.util.ArrayList;
 import java.util.List;
@@ -24,6 +27,9 @@ import java.util.function.Consumer;
  * measured; pass {@link Scene#with} a definition of your own to have both.
  */
 public final class BenchmarkScenes {
+  /** Boxes of a stack that sleeps. */
+  private static final int STACK = 5;
+
   private static final Material IDEAL = new Material(1, 0, 1);
 
   private BenchmarkScenes() {}
@@ -263,7 +269,7 @@ public final class BenchmarkScenes {
             new View(0, 0, (float) side + 2, (float) side + 2),
             s -> {
               closedSquare(s, side);
-              discs(s, new SimRandom(2), discs, side, 5);
+              discs(s, discs, side, 5, 1);
             });
     return scene.with(scene.def().withGravity(0, 0));
   }
@@ -278,7 +284,8 @@ public final class BenchmarkScenes {
     s.body(new BodyDef().shape(lying, IDEAL).position(0, far));
   }
 
-  private static void discs(Stage<?> s, SimRandom rng, int n, double side, double speed) {
+  private static void discs(Stage<?> s, int n, double side, double speed, float gravityScale) {
+    SimRandom rng = new SimRandom(2);
     int m = (int) Math.ceil(Math.sqrt(n));
     double pitch = side / m;
     double jitter = Math.max(0, pitch / 2 - 0.26);
@@ -294,9 +301,78 @@ public final class BenchmarkScenes {
           new BodyDef(BodyType.DYNAMIC)
               .shape(disc, IDEAL)
               .position((float) x, (float) y)
+              .gravityScale(gravityScale)
               .velocity(
                   (float) (v * StrictMath.cos(direction)),
                   (float) (v * StrictMath.sin(direction))));
     }
+  }
+
+  /**
+   * Stacks of five boxes, asleep from the start on shelves above each other, and next to them
+   * elastic discs without weight in a closed square, which are awake for good. Nothing else moves,
+   * so a step should cost what the discs cost.
+   *
+   * @param asleep boxes, a multiple of 5
+   * @param awake discs
+   * @return a scene
+   */
+  public static Scene asleep(int asleep, int awake) {
+    double side = 3.1333 * Math.sqrt(awake);
+    int stacks = asleep / STACK;
+    int perShelf = (int) Math.ceil(Math.sqrt(2.5 * stacks));
+    double width = 0.6 * perShelf;
+    Scene scene =
+        scene(
+            "asleep",
+            asleep + " boxes sleep, " + awake + " discs fly",
+            new View(0, 0, (float) side + 2, (float) side + 2),
+            s -> {
+              closedSquare(s, side);
+              discs(s, awake, side, 5, 0);
+              double left = side / 2 + 20;
+              Shape shelf = new Box((float) (width / 2), 0.1f);
+              for (int i = 0; i * perShelf < stacks; i++) {
+                double x = left + width / 2;
+                s.body(new BodyDef().shape(shelf).position((float) x, (float) (4 * i - 0.1)));
+              }
+              Shape box = new Box(0.25f, 0.25f);
+              for (int k = 0; k < stacks; k++) {
+                double x = left + 0.6 * (k % perShelf + 0.5);
+                int shelfBelow = k / perShelf;
+                double y = 4.0 * shelfBelow + 0.25;
+                for (int j = 0; j < STACK; j++) {
+                  s.body(
+                      new BodyDef(BodyType.DYNAMIC)
+                          .shape(box)
+                          .position((float) x, (float) (y + 0.5 * j))
+                          .awake(false));
+                }
+              }
+            });
+    return scene.with(new WorldDef().withContinuous(false));
+  }
+
+  /**
+   * Water that slumps in a tank.
+   *
+   * @param particles how many
+   * @return a scene
+   */
+  public static Scene water(int particles) {
+    float spacing = 0.1f;
+    float half = (float) (spacing * Math.sqrt(particles / 2.0));
+    return new Scene(
+        "water",
+        particles + " particles of water slump in a tank",
+        new View(0, half, 4 * half, 3 * half),
+        s -> {
+          bin(s, 4 * half, 6 * half);
+          Particles water =
+              s.particles(
+                  new ParticleDef(ParticleDef.Kind.WATER, spacing).maxCount(particles),
+                  Palette.WATER);
+          water.fill(new Box(half, half), new Transform(-half, half, 0), 0, 0);
+        });
   }
 }

@@ -1,0 +1,89 @@
+package carom.server.bench;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+
+/**
+ * Times pieces of work one by one: CPU time of the calling thread, the clock, and what is
+ * allocated.
+ */
+final class Stopwatch {
+  private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+
+  private final boolean byClock;
+  private final double[] cpu;
+  private final double[] wall;
+  private int count;
+  private double spent;
+  private final long allThreadsBegin;
+  private long bytes;
+  private long bytesBegin;
+  private long cpuBegin;
+  private long wallBegin;
+
+  /**
+   * Makes one that has measured nothing.
+   *
+   * @param most pieces it can time
+   * @param byClock whether several threads work: the clock counts instead of the CPU time of the
+   *     calling one, and what all of them allocate, also between the pieces
+   */
+  Stopwatch(int most, boolean byClock) {
+    this.byClock = byClock;
+    cpu = new double[most];
+    wall = new double[most];
+    allThreadsBegin = byAllThreads();
+  }
+
+  /** CPU time of the calling thread since it began, s. */
+  static double cpuSeconds() {
+    return THREADS.getCurrentThreadCpuTime() * 1e-9;
+  }
+
+  /** Begins a piece of work. */
+  void begin() {
+    bytesBegin = THREADS.getCurrentThreadAllocatedBytes();
+    wallBegin = System.nanoTime();
+    cpuBegin = THREADS.getCurrentThreadCpuTime();
+  }
+
+  /** Ends it. */
+  void end() {
+    cpu[count] = (THREADS.getCurrentThreadCpuTime() - cpuBegin) * 1e-9;
+    wall[count] = (System.nanoTime() - wallBegin) * 1e-9;
+    bytes += THREADS.getCurrentThreadAllocatedBytes() - bytesBegin;
+    spent += seconds()[count++];
+  }
+
+  private double[] seconds() {
+    return byClock ? wall : cpu;
+  }
+
+  /** How many pieces were timed. */
+  int count() {
+    return count;
+  }
+
+  /** How long they took together, s. */
+  double spent() {
+    return spent;
+  }
+
+  boolean isFull() {
+    return count == cpu.length;
+  }
+
+  /** The result; times are sorted by it, so ask once. */
+  Times times() {
+    long allocated = byClock ? byAllThreads() - allThreadsBegin : bytes;
+    return Times.of(seconds().clone(), wall, count, allocated);
+  }
+
+  private static long byAllThreads() {
+    long sum = 0;
+    for (long each : THREADS.getThreadAllocatedBytes(THREADS.getAllThreadIds())) {
+      sum += Math.max(each, 0); // -1 for one that has ended since
+    }
+    return sum;
+  }
+}
