@@ -107,6 +107,11 @@ public final class Dynamics {
   private int[] activeIndex = new int[FIRST_CAPACITY];
   private int activeCount;
 
+  /** Parts that are in no tree yet, though their bodies take part. */
+  private int[] newParts = new int[FIRST_CAPACITY];
+
+  private int newCount;
+
   private int[] movedParts = new int[FIRST_CAPACITY];
   private int movedCount;
 
@@ -472,11 +477,10 @@ public final class Dynamics {
     for (int part = first; part < first + bodies.partCount[body]; part++) {
       if (rests) {
         restingBox(body, part);
-        resting.add(part);
       } else {
         parts.fat.set(part, bodies.x[body], bodies.y[body], bodies.x[body], bodies.y[body]);
-        moving.add(part);
       }
+      expect(part);
     }
     searchAll |= isStatic;
     boxesStale = true;
@@ -512,6 +516,46 @@ public final class Dynamics {
     for (int part = first; part < first + bodies.partCount[body]; part++) {
       tree.remove(part);
     }
+  }
+
+  /** Has a part put into its tree before one is used, so that crowds come at once. */
+  private void expect(int part) {
+    if (parts.expected[part]) {
+      return;
+    }
+    parts.expected[part] = true;
+    if (newCount == newParts.length) {
+      newParts = Arrays.copyOf(newParts, newCount * 2);
+    }
+    newParts[newCount++] = part;
+  }
+
+  /** Puts the parts that came into the trees. */
+  private void admit() {
+    if (newCount > 0) {
+      admit(moving, true);
+      admit(resting, false);
+      newCount = 0;
+    }
+  }
+
+  private void admit(KdTree tree, boolean active) {
+    int others = 0;
+    partListCount = 0;
+    for (int i = 0; i < newCount; i++) {
+      int part = newParts[i];
+      int body = parts.body[part];
+      if (body < 0 || bodies.disabled(body)) {
+        parts.expected[part] = false;
+      } else if (activeIndex[body] >= 0 != active) {
+        newParts[others++] = part;
+      } else {
+        parts.expected[part] = false;
+        listPart(part);
+      }
+    }
+    newCount = others;
+    tree.addAll(partList, partListCount);
   }
 
   /**
@@ -634,7 +678,7 @@ public final class Dynamics {
       for (int part = first; part < first + bodies.partCount[body]; part++) {
         resting.remove(part);
         restingBox(body, part);
-        resting.add(part);
+        expect(part);
       }
       staticMoved = true;
       searchAll = true;
@@ -787,6 +831,7 @@ public final class Dynamics {
     if (asleepCount == 0 || bodies.type[body] != BodyStore.STATIC) {
       return;
     }
+    admit();
     int first = bodies.firstPart[body];
     for (int part = first; part < first + bodies.partCount[body]; part++) {
       searchPart = part;
@@ -815,6 +860,7 @@ public final class Dynamics {
     if (!bodies.asleep(body)) {
       return;
     }
+    admit();
     gatheredCount = 0;
     rouse(body);
     for (int i = 0; i < gatheredCount; i++) {
@@ -852,12 +898,16 @@ public final class Dynamics {
     for (int i = 0; i < gatheredCount; i++) {
       int first = bodies.firstPart[gathered[i]];
       for (int part = first; part < first + bodies.partCount[gathered[i]]; part++) {
-        if (partListCount == partList.length) {
-          partList = Arrays.copyOf(partList, partListCount * 2);
-        }
-        partList[partListCount++] = part;
+        listPart(part);
       }
     }
+  }
+
+  private void listPart(int part) {
+    if (partListCount == partList.length) {
+      partList = Arrays.copyOf(partList, partListCount * 2);
+    }
+    partList[partListCount++] = part;
   }
 
   private void rouseDynamic(int body) {
@@ -1127,6 +1177,7 @@ public final class Dynamics {
     if (gatheredCount == 0) {
       return;
     }
+    admit();
     listParts();
     moving.removeAll(partList, partListCount);
     for (int i = 0; i < gatheredCount; i++) {
@@ -1306,6 +1357,7 @@ public final class Dynamics {
   }
 
   private void refreshTrees() {
+    admit();
     if (movingStale) {
       moving.refit(movedParts, movedCount);
       movingStale = false;
@@ -1801,6 +1853,10 @@ public final class Dynamics {
       movedCount = 0;
       activeCount = 0;
       asleepCount = 0;
+      for (int i = 0; i < newCount; i++) {
+        parts.expected[newParts[i]] = false;
+      }
+      newCount = 0;
       moving.clear();
       resting.clear();
       Arrays.fill(activeIndex, -1);

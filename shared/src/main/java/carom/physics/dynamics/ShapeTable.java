@@ -54,6 +54,9 @@ public final class ShapeTable {
   /** Whether the box changed since pairs were last searched. */
   boolean[] moved = new boolean[FIRST_CAPACITY];
 
+  /** Whether the part waits to be put into a tree. */
+  boolean[] expected = new boolean[FIRST_CAPACITY];
+
   /** The boxes in the broadphase; never restored, only widened when they no longer contain. */
   final AabbArray fat = new AabbArray(FIRST_CAPACITY);
 
@@ -196,6 +199,7 @@ public final class ShapeTable {
       group = Arrays.copyOf(group, grown);
       sensor = Arrays.copyOf(sensor, grown);
       moved = Arrays.copyOf(moved, grown);
+      expected = Arrays.copyOf(expected, grown);
       nextFree = Arrays.copyOf(nextFree, grown);
     }
     fat.ensureCapacity(body.length);
