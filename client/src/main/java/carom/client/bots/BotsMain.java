@@ -25,6 +25,7 @@ import picocli.CommandLine.Option;
     versionProvider = ProgramVersion.class,
     sortOptions = false,
     description = "Connects headless clients that play.",
+    subcommands = CodecCommand.class,
     footer = "Exit code 0 only if all bots joined and stayed.")
 public final class BotsMain implements Callable<Integer> {
   private static final long SECOND = 1_000_000_000L;

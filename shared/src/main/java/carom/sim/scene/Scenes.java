@@ -17,6 +17,7 @@ public final class Scenes {
     MixedScenes.all().forEach(Scenes::add);
     CoupledScenes.all().forEach(Scenes::add);
     ParticleScenes.all().forEach(Scenes::add);
+    TrafficScenes.all().forEach(Scenes::add);
   }
 
   private Scenes() {}

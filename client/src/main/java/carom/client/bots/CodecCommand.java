@@ -1,0 +1,151 @@
+package carom.client.bots;
+
+import carom.net.trace.Trace;
+import carom.net.trace.TraceCodec;
+import carom.net.trace.TraceReport;
+import carom.physics.Body;
+import carom.physics.BodyType;
+import carom.sim.scene.Scene;
+import carom.sim.scene.SceneRun;
+import carom.sim.scene.Scenes;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/**
+ * {@code carom-bots codec}: what recorded motion costs on the wire, by the codec of {@link
+ * TraceCodec}. The last line of standard output is one JSON object, see {@link TraceReport}.
+ */
+@Command(
+    name = "codec",
+    mixinStandardHelpOptions = true,
+    sortOptions = false,
+    description = {
+      "Measures the snapshot codec on a recording of moving bodies.",
+      "The file: little-endian int32 bodies, ticks, hz; then float32 x, y, angle, vx, vy, omega for"
+          + " each tick and body."
+    },
+    footer = "Exit code 0 only if the decoder gave back exactly what was encoded.")
+final class CodecCommand implements Callable<Integer> {
+
+  private static final int MAX_SECONDS = 600;
+
+  @Option(
+      names = "--trace",
+      paramLabel = "FILE",
+      required = true,
+      description = "the recording; with --record, where it is written")
+  private Path trace;
+
+  @Option(
+      names = "--rate",
+      paramLabel = "HZ",
+      description = "snapshots per second, at most the recording's (default: the recording's)")
+  private Integer rate;
+
+  @Option(
+      names = "--lag",
+      paramLabel = "SNAPSHOTS",
+      description =
+          "how many snapshots the acknowledged baseline is old, 1..64 (default: 100 ms of them)")
+  private Integer lag;
+
+  @Option(names = "--full", description = "velocities too, not only poses")
+  private boolean full;
+
+  @Option(
+      names = "--record",
+      paramLabel = "SCENE",
+      description = "first record this scene of the library into the file")
+  private String scene;
+
+  @Option(
+      names = "--seconds",
+      paramLabel = "S",
+      description = "how long to record, 1..600 (default: ${DEFAULT-VALUE})",
+      defaultValue = "20")
+  private int seconds = 20;
+
+  @CommandLine.Spec private CommandLine.Model.CommandSpec spec;
+
+  CodecCommand() {}
+
+  @Override
+  public Integer call() {
+    try {
+      if (scene != null) {
+        record();
+      }
+      Trace read = Trace.read(trace);
+      int snapshotRate = rate == null ? read.hz() : rate;
+      int snapshotLag = lag == null ? Math.max(1, (snapshotRate + 5) / 10) : lag;
+      TraceReport report =
+          TraceReport.of(read, snapshotRate, snapshotLag, full ? TraceCodec.FULL : TraceCodec.POSE);
+      System.out.println(report.toJson());
+      return report.exact() ? 0 : 1;
+    } catch (NoSuchFileException e) {
+      throw problem("--trace=" + trace + ": no such file or directory");
+    } catch (IOException | UncheckedIOException e) {
+      throw problem("--trace=" + trace + ": " + e.getMessage());
+    } catch (IllegalArgumentException e) {
+      throw problem(e.getMessage());
+    }
+  }
+
+  private CommandLine.ParameterException problem(String what) {
+    return new CommandLine.ParameterException(spec.commandLine(), what);
+  }
+
+  /** Writes the dynamic and kinematic bodies that the scene begins with. */
+  private void record() throws IOException {
+    if (seconds < 1 || seconds > MAX_SECONDS) {
+      throw problem("--seconds=" + seconds + " is outside 1.." + MAX_SECONDS);
+    }
+    Scene recipe = Scenes.get(scene);
+    SceneRun run = recipe.start();
+    List<Body<String>> bodies = new ArrayList<>();
+    run.world()
+        .forEachBody(
+            body -> {
+              if (body.type() != BodyType.STATIC) {
+                bodies.add(body);
+              }
+            });
+    int ticks = seconds * recipe.tickRate();
+    long count = (long) bodies.size() * ticks * TraceCodec.FULL;
+    if (count == 0 || bodies.size() > TraceCodec.MAX_BODIES || count > Integer.MAX_VALUE / 4 - 16) {
+      throw problem(
+          "--record="
+              + scene
+              + ": bodies="
+              + bodies.size()
+              + " for seconds="
+              + seconds
+              + " don't fit into a trace of 2 GB; take fewer --seconds");
+    }
+    float[] numbers = new float[(int) count];
+    int at = 0;
+    for (int tick = 0; tick < ticks; tick++) {
+      run.step();
+      for (Body<String> body : bodies) {
+        if (!body.isValid()) {
+          throw problem("--record=" + scene + ": its bodies come and go; a trace's don't");
+        }
+        numbers[at++] = body.x();
+        numbers[at++] = body.y();
+        numbers[at++] = body.angle();
+        numbers[at++] = body.velocityX();
+        numbers[at++] = body.velocityY();
+        numbers[at++] = body.angularVelocity();
+      }
+    }
+    Trace.of(bodies.size(), recipe.tickRate(), numbers).write(trace);
+  }
+}

@@ -1,0 +1,121 @@
+package carom.sim.scene;
+
+import carom.physics.Body;
+import carom.physics.BodyDef;
+import carom.physics.BodyType;
+import carom.physics.Material;
+import carom.physics.WorldDef;
+import carom.physics.geometry.Box;
+import carom.physics.geometry.Circle;
+import carom.physics.geometry.Shape;
+import java.util.List;
+
+/**
+ * The scenes that the wire is measured on: many small bodies of which some move, as in the known
+ * comparisons of snapshot codecs.
+ */
+final class TrafficScenes {
+  private static final float SMALL = 0.2f;
+
+  private TrafficScenes() {}
+
+  static List<Scene> all() {
+    return List.of(
+        new Scene(
+            "plough",
+            "a big box is driven to and fro through 900 small ones",
+            new View(0, 6, 100, 38),
+            TrafficScenes::plough),
+        new Scene(
+                "plough_above",
+                "a big disc circles through 900 small boxes on a table, seen from above",
+                new View(0, 0, 44, 44),
+                TrafficScenes::ploughAbove)
+            .with(new WorldDef().withGravity(0, 0)),
+        new Scene(
+            "churn",
+            "600 small bodies in a turning drum: none of them ever rests",
+            new View(0, 0, 24, 24),
+            TrafficScenes::churn));
+  }
+
+  /** Turns round whenever it comes near an end, and hops now and then. */
+  private static <T> void plough(Stage<T> s) {
+    Props.trough(s, 47, 20);
+    Shape box = new Box(SMALL, SMALL);
+    for (int k = 0; k < 900; k++) {
+      int row = k / 150;
+      float x = (k % 150 - 74.5f) * 0.6f;
+      Props.free(s, box, x, SMALL + 2 * SMALL * row, Palette.bright(row));
+    }
+    Body<T> big =
+        s.body(
+            new BodyDef(BodyType.DYNAMIC)
+                .shape(new Box(1.5f, 1.5f), Palette.of(Palette.CORAL).withDensity(4))
+                .position(-46, 1.6f));
+    float[] goal = {5};
+    s.eachTick(
+        tick -> {
+          if (big.x() * goal[0] > 0 && Math.abs(big.x()) > 44) {
+            goal[0] = -goal[0];
+          }
+          float hop = tick % 240 == 239 ? 5 : big.velocityY();
+          big.setVelocity(big.velocityX() + 0.08f * (goal[0] - big.velocityX()), hop);
+        });
+  }
+
+  private static <T> void ploughAbove(Stage<T> s) {
+    Shape box = new Box(SMALL, SMALL);
+    for (int k = 0; k < 900; k++) {
+      int row = k / 30;
+      s.body(
+          new BodyDef(BodyType.DYNAMIC)
+              .shape(box, Palette.of(Palette.bright(row)))
+              .linearDamping(3)
+              .angularDamping(3)
+              .position((k % 30 - 14.5f) * 1.2f, (row - 14.5f) * 1.2f));
+    }
+    Body<T> big =
+        s.body(
+            new BodyDef(BodyType.DYNAMIC)
+                .shape(new Circle(1.5f), Palette.of(Palette.CORAL).withDensity(6))
+                .position(-20, 0));
+    // Round a circle whose centre walks round another: the tip of a compass that is being turned.
+    float[] heading = {1, 0, 1, 0};
+    s.eachTick(
+        tick -> {
+          turn(heading, 0, 0.006f);
+          turn(heading, 2, -0.014f);
+          float goalX = 11 * heading[0] + 6 * heading[2];
+          float goalY = 11 * heading[1] + 6 * heading[3];
+          float pull = Math.min(1, tick / 60f);
+          big.setVelocity(
+              0.9f * big.velocityX() + 0.3f * pull * (goalX - big.x()),
+              0.9f * big.velocityY() + 0.3f * pull * (goalY - big.y()));
+        });
+  }
+
+  /** Turns the unit vector at {@code at}, to first order and then made a unit again. */
+  private static void turn(float[] v, int at, float angle) {
+    float x = v[at] - angle * v[at + 1];
+    float y = v[at + 1] + angle * v[at];
+    float length = (float) Math.sqrt(x * x + y * y);
+    v[at] = x / length;
+    v[at + 1] = y / length;
+  }
+
+  private static void churn(Stage<?> s) {
+    Material wall = Props.STONE.withFriction(0.9f);
+    s.body(
+        new BodyDef(BodyType.KINEMATIC)
+            .shape(new Box(0.5f, 6, 6, 0), wall)
+            .shape(new Box(0.5f, 6, -6, 0), wall)
+            .shape(new Box(6, 0.5f, 0, 6), wall)
+            .shape(new Box(6, 0.5f, 0, -6), wall)
+            .angularVelocity(1.2f));
+    for (int k = 0; k < 600; k++) {
+      int row = k / 24;
+      Props.free(s, Props.some(k), (k % 24 - 11.5f) * 0.4f, (row - 12) * 0.4f, Palette.bright(k));
+    }
+  }
+}

@@ -1,0 +1,177 @@
+package carom.net.codec;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+
+/**
+ * The arithmetic coder: exact, close to the bits' surprise, and never at the mercy of its bytes.
+ */
+final class RangeCoderTest {
+  private static final long SEED = 20_261_122;
+
+  private final RangeEncoder encoder = new RangeEncoder();
+  private final RangeDecoder decoder = new RangeDecoder();
+  private final byte[] buffer = new byte[1 << 16];
+
+  /** Probabilities from evenly spread to extreme, and bits that follow them or defy them. */
+  private static int probability(Random random) {
+    return switch (random.nextInt(4)) {
+      case 0 -> 1;
+      case 1 -> 65_535;
+      case 2 -> 1 + random.nextInt(65_535);
+      default -> 1 << random.nextInt(16);
+    };
+  }
+
+  @Test
+  void whatWasWrittenIsReadAndEveryByteIsNeeded() {
+    Random random = new Random(SEED);
+    for (int round = 0; round < 3_000; round++) {
+      int n = random.nextInt(200);
+      int[] bits = new int[n];
+      int[] probabilities = new int[n];
+      encoder.reset(buffer, 0, buffer.length);
+      for (int i = 0; i < n; i++) {
+        probabilities[i] = probability(random);
+        boolean likely = random.nextInt(8) != 0;
+        bits[i] = likely == probabilities[i] > 32_768 ? 1 : 0;
+        assertEquals(bits[i], encoder.code(bits[i], probabilities[i]));
+      }
+      int length = encoder.finish();
+      assertFalse(encoder.overflow());
+      byte[] message = Arrays.copyOf(buffer, length);
+      assertTrue(reads(message, bits, probabilities), "seed " + SEED + " round " + round);
+      assertFalse(reads(Arrays.copyOf(message, length + 1), bits, probabilities));
+      if (length > 0) {
+        assertFalse(reads(Arrays.copyOf(message, length - 1), bits, probabilities));
+        message[random.nextInt(length)] ^= (byte) (1 << random.nextInt(8));
+        assertFalse(reads(message, bits, probabilities));
+      }
+    }
+  }
+
+  private boolean reads(byte[] message, int[] bits, int[] probabilities) {
+    decoder.reset(message, 0, message.length);
+    boolean equal = true;
+    for (int i = 0; i < bits.length; i++) {
+      equal &= decoder.code(0, probabilities[i]) == bits[i];
+    }
+    return equal && decoder.finished();
+  }
+
+  @Test
+  void whateverIsAcceptedIsWhatAnEncoderWrites() {
+    Random random = new Random(SEED);
+    int accepted = 0;
+    for (int round = 0; round < 20_000; round++) {
+      byte[] message = new byte[random.nextInt(4)];
+      random.nextBytes(message);
+      decoder.reset(message, 0, message.length);
+      int[] bits = new int[random.nextInt(24)];
+      for (int i = 0; i < bits.length; i++) {
+        bits[i] = decoder.code(0, 20_000);
+      }
+      if (decoder.finished()) {
+        accepted++;
+        encoder.reset(buffer, 0, buffer.length);
+        for (int bit : bits) {
+          encoder.code(bit, 20_000);
+        }
+        assertArrayEquals(message, Arrays.copyOf(buffer, encoder.finish()));
+      }
+    }
+    assertTrue(accepted > 100, "accepted=" + accepted);
+  }
+
+  @Test
+  void aMessageIsAsLongAsItsSurprise() {
+    Random random = new Random(SEED);
+    double surprise = 0;
+    encoder.reset(buffer, 0, buffer.length);
+    for (int i = 0; i < 100_000; i++) {
+      int p = 1 + random.nextInt(65_535);
+      int bit = random.nextInt(65_536) < p ? 1 : 0;
+      surprise -= Math.log((bit == 1 ? p : 65_536 - p) / 65_536.0) / Math.log(2);
+      encoder.code(bit, p);
+    }
+    assertEquals(surprise / 8, encoder.finish(), 2);
+  }
+
+  @Test
+  void noBitsAreNoBytesAndPlainNumbersKeepTheirBits() {
+    encoder.reset(buffer, 0, 0);
+    assertEquals(0, encoder.finish());
+    encoder.reset(buffer, 3, 100);
+    encoder.plain(0xdeadbeef, 32);
+    encoder.plain(5, 3);
+    encoder.plain(0, 0);
+    int length = encoder.finish();
+    assertTrue(length <= 5);
+    decoder.reset(buffer, 3, length);
+    assertEquals(0xdeadbeef, decoder.plain(0, 32));
+    assertEquals(5, decoder.plain(0, 3));
+    assertTrue(decoder.finished());
+    decoder.fail();
+    assertFalse(decoder.finished());
+  }
+
+  @Test
+  void writingPastTheRoomIsToldAndTouchesNothingElse() {
+    byte[] room = new byte[8];
+    Arrays.fill(room, (byte) 7);
+    encoder.reset(room, 2, 3);
+    encoder.plain(-1, 32);
+    encoder.plain(-1, 32);
+    encoder.finish();
+    assertTrue(encoder.overflow());
+    assertArrayEquals(new byte[] {7, 7}, Arrays.copyOf(room, 2));
+    assertArrayEquals(new byte[] {7, 7, 7}, Arrays.copyOfRange(room, 5, 8));
+    assertThrows(IndexOutOfBoundsException.class, () -> encoder.reset(room, 6, 3));
+    assertThrows(IndexOutOfBoundsException.class, () -> decoder.reset(room, -1, 3));
+  }
+
+  @Test
+  void numbersOfEverySizeComeBackAndLearningMakesThemShorter() {
+    Random random = new Random(SEED);
+    NumberModel writing = new NumberModel(2, 16, 2);
+    NumberModel reading = new NumberModel(2, 16, 2);
+    int[] lengths = new int[40];
+    for (int round = 0; round < lengths.length; round++) {
+      int[] values = new int[200];
+      int[] contexts = new int[values.length];
+      for (int i = 0; i < values.length; i++) {
+        contexts[i] = random.nextInt(16);
+        values[i] = (int) Math.round(random.nextGaussian() * contexts[i]);
+      }
+      values[0] = NumberModel.MAX;
+      values[1] = -NumberModel.MAX;
+      values[2] = random.nextInt() >> 5 + random.nextInt(27);
+      encoder.reset(buffer, 0, buffer.length);
+      for (int i = 0; i < values.length; i++) {
+        context(writing, contexts[i]);
+        writing.code(encoder, values[i], true);
+      }
+      lengths[round] = encoder.finish();
+      decoder.reset(buffer, 0, lengths[round]);
+      for (int i = 0; i < values.length; i++) {
+        context(reading, contexts[i]);
+        assertEquals(values[i], reading.code(decoder, 0, true), "round " + round + " value " + i);
+      }
+      assertTrue(decoder.finished());
+    }
+    assertTrue(lengths[39] < 0.9 * lengths[0], Arrays.toString(lengths));
+  }
+
+  private static void context(NumberModel model, int value) {
+    model.context(0, value);
+    model.context(1, 0);
+    model.situation(value >> 3);
+  }
+}
