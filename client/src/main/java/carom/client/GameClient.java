@@ -24,7 +24,9 @@ import carom.sim.Level;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 
 /**
  * A player's side of the game, without a window. Whoever owns it calls {@link #update} once per
@@ -37,6 +39,10 @@ import java.util.Arrays;
  */
 public final class GameClient implements AutoCloseable {
   private static final int RING = 256;
+
+  /** Reports of wrong predictions come no closer than this. */
+  private static final long DIVERGED_GAP_NS = 2_000_000_000L;
+
   private static final int RING_MASK = RING - 1;
   private static final float FADE_IN_NS = 150e6f;
 
@@ -76,6 +82,8 @@ public final class GameClient implements AutoCloseable {
   private int snapshotTick;
   private final int[] seenTick = new int[RING];
   private int ownTick;
+  private int equalTick;
+  private long divergedNs;
   private long firstSnapshotNs;
   private ClientMessage.Look look;
   private ClientMessage.Look lookSent;
@@ -202,7 +210,9 @@ public final class GameClient implements AutoCloseable {
     }
     int compare = ownTick;
     ownTick = -1;
+    boolean alone = prediction.alone();
     prediction.reconcile(own, compare, decoder);
+    prove(compare, alone && prediction.alone());
     if (prediction.compared()) {
       stats.compared(prediction.exact());
     }
@@ -210,6 +220,30 @@ public final class GameClient implements AutoCloseable {
       stats.corrected(prediction.correctionMetres());
     }
     stats.correction.add(prediction.correctionMetres());
+  }
+
+  /**
+   * Alone among statics, a prediction must be right in every bit. The server is told of one that
+   * wasn't, and knows better whether there was an ordinary reason.
+   */
+  private void prove(int tick, boolean alone) {
+    if (!prediction.compared() || !alone) {
+      equalTick = -1;
+    } else if (prediction.exact()) {
+      equalTick = tick;
+    } else if (equalTick >= 0) {
+      if (divergedNs == 0 || nowNs - divergedNs >= DIVERGED_GAP_NS) {
+        divergedNs = nowNs;
+        OwnState wrong = prediction.predicted();
+        List<Integer> bits = new ArrayList<>();
+        for (int i = 0; i < ClientMessage.Diverged.BITS; i++) {
+          bits.add(wrong.bits(i));
+        }
+        connection.send(
+            new ClientMessage.Diverged(tick, equalTick, wrong.slot(), wrong.generation(), bits));
+      }
+      equalTick = -1;
+    }
   }
 
   private final class Ears implements Connection.Listener {
@@ -273,6 +307,8 @@ public final class GameClient implements AutoCloseable {
     snapshotTick = -1;
     Arrays.fill(seenTick, -1);
     ownTick = -1;
+    equalTick = -1;
+    divergedNs = 0;
     firstSnapshotNs = 0;
     firstTick = -1;
     feedbackSequence = -1;

@@ -97,6 +97,11 @@ class ProtocolDocTest {
     golden.put("level-request", ClientMessageCodec.encode(new ClientMessage.LevelRequest(4096)));
     golden.put("ready", ClientMessageCodec.encode(new ClientMessage.Ready()));
     golden.put("leave", ClientMessageCodec.encode(new ClientMessage.Leave()));
+    golden.put(
+        "diverged",
+        ClientMessageCodec.encode(
+            new ClientMessage.Diverged(
+                1000, 998, 65_534, 255, List.of(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11))));
     golden.put("look", ClientMessageCodec.encode(new ClientMessage.Look(-1.5f, 2, 16, 9)));
     serverMessages(golden);
     inputs(golden);

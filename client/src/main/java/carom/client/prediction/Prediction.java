@@ -75,6 +75,7 @@ public final class Prediction {
   private final int[] inputTick = new int[RING];
   private final float[] reachOf;
   private final OwnState server = new OwnState();
+  private final OwnState predicted = new OwnState();
   private RelayedInputs relayed;
   private final HistoryStates states = new HistoryStates();
   private final Pose scratch = new Pose();
@@ -299,6 +300,9 @@ public final class Prediction {
     boolean known = savedTick[stateTick & (RING - 1)] == stateTick;
     exact = known && ownAt[stateTick & (RING - 1)].sameAs(server);
     compared = known;
+    if (known && !exact) {
+      predicted.set(ownAt[stateTick & (RING - 1)]);
+    }
     boolean same = choose(decoder, stateTick);
     boolean foreseen = inputsAgree();
     if (exact && same && foreseen && neighboursAgree(stateTick, decoder)) {
@@ -751,6 +755,16 @@ public final class Prediction {
   }
 
   // ---- what the last reconcile did
+
+  /** Whether nobody else was near, so that nothing but the own inputs and statics count. */
+  public boolean alone() {
+    return others.isEmpty();
+  }
+
+  /** What was predicted for the tick that was compared last; valid while {@link #compared}. */
+  public OwnState predicted() {
+    return predicted;
+  }
 
   /** Whether a prediction was there to compare with. */
   public boolean compared() {

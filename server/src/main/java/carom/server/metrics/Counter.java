@@ -48,6 +48,10 @@ public enum Counter {
   INPUTS_EARLY,
   /** Exceptions thrown by the game's callbacks. */
   GAME_FAILURES,
+  /** Predictions that clients reported as wrong for no reason they knew. */
+  DIVERGENCES_REPORTED,
+  /** Those for which the server knows no reason either: somebody computes wrongly. */
+  DIVERGENCES_UNEXPLAINED,
   /** Recordings that ended early, because the disk was too slow or failed. */
   RECORDINGS_CUT
 }

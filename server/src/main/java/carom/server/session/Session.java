@@ -10,12 +10,15 @@ import carom.net.snapshot.InputFeedback;
 import carom.net.snapshot.OwnState;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
+import carom.physics.BodyContactVisitor;
+import carom.physics.BodyType;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.replication.FrameCapture;
 import carom.server.replication.OwnCapture;
 import carom.server.replication.SnapshotSender;
+import carom.sim.Entity;
 import carom.sim.Player;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -37,6 +40,7 @@ public final class Session implements LinkHandler {
   private static final Logger LOG = LoggerFactory.getLogger(Session.class);
   private static final long NS_PER_MS = 1_000_000;
   private static final int MAX_HOLD_MS = 255;
+  private static final long DIVERGENCE_LOG_NS = 10_000_000_000L;
   private static final int MIN_MARGIN = -32;
   private static final int MAX_MARGIN = 31;
 
@@ -64,6 +68,13 @@ public final class Session implements LinkHandler {
   private Link link;
   private int datagramKey;
   private int viewDelay;
+  private int consumedTick;
+  private final PredictionAudit audit = new PredictionAudit();
+  private boolean touched;
+  private final BodyContactVisitor<Entity> touch =
+      (other, normalX, normalY, impulse) -> touched |= other.type() != BodyType.STATIC;
+  private boolean divergenceLogged;
+  private long divergenceLoggedNs;
   private SnapshotSender sender;
   private long nowNs;
   private long lastHeardNs;
@@ -115,6 +126,7 @@ public final class Session implements LinkHandler {
     sender = new SnapshotSender(frames, player, key, config, counters);
     inputs.reset(tick);
     viewDelay = 0;
+    audit.clear();
     feedback.present = false;
     feedback.consumedTick = tick;
     lastHeardNs = timeNs;
@@ -167,6 +179,8 @@ public final class Session implements LinkHandler {
       wish = Wish.LEAVE;
     } else if (message instanceof ClientMessage.Look look) {
       sender.look(look.x(), look.y(), look.halfWidth(), look.halfHeight());
+    } else if (message instanceof ClientMessage.Diverged report) {
+      judge(report);
     } else if (!(message instanceof ClientMessage.Ready) && wish == Wish.STAY) {
       wish = Wish.EXPEL;
       offence =
@@ -174,6 +188,33 @@ public final class Session implements LinkHandler {
               ? "an undecodable message"
               : message.getClass().getSimpleName() + " while playing";
     }
+  }
+
+  private void judge(ClientMessage.Diverged report) {
+    counters.add(Counter.DIVERGENCES_REPORTED, 1);
+    if (audit.judge(report) != PredictionAudit.Verdict.UNEXPLAINED) {
+      return;
+    }
+    counters.add(Counter.DIVERGENCES_UNEXPLAINED, 1);
+    if (!divergenceLogged || nowNs - divergenceLoggedNs >= DIVERGENCE_LOG_NS) {
+      divergenceLogged = true;
+      divergenceLoggedNs = nowNs;
+      LOG.warn(
+          "diverged: {} predicted tick {} otherwise, though equal at tick {} and alone since:{}",
+          this,
+          report.tick(),
+          report.equalTick(),
+          audit.describe(report));
+    }
+  }
+
+  /** What touched the body in the last step, see {@link PredictionAudit}. */
+  private boolean isTouched() {
+    touched = false;
+    if (player.body() != null) {
+      player.body().body().forEachContact(touch);
+    }
+    return touched;
   }
 
   @Override
@@ -219,6 +260,7 @@ public final class Session implements LinkHandler {
       player.viewDelay(0);
       return;
     }
+    consumedTick = tick;
     player.viewDelay(viewDelay);
     player.input().unpack(inputs.consume(tick));
     if (!inputs.lastWasMissing()) {
@@ -247,6 +289,7 @@ public final class Session implements LinkHandler {
   /** Sends the newest frame if it is time to; call once per tick while playing. */
   public void replicate(long timeNs) {
     capture.capture(player, own);
+    audit.keep(consumedTick, own, inputs.lastWasMissing(), isTouched());
     if (!sender.isDue(own)) {
       return;
     }

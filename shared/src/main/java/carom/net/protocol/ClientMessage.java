@@ -1,5 +1,7 @@
 package carom.net.protocol;
 
+import java.util.List;
+
 /** What a client sends reliably and in order. Encoded by {@link ClientMessageCodec}. */
 public sealed interface ClientMessage {
 
@@ -35,6 +37,28 @@ public sealed interface ClientMessage {
    * @param halfHeight half of what it shows, metres
    */
   record Look(float x, float y, float halfWidth, float halfHeight) implements ClientMessage {}
+
+  /**
+   * What the client predicted of its own body turned out wrong, and nothing it knows of explains
+   * it: nobody was near. Rare; the server judges whether that proves a fault.
+   *
+   * @param tick the first that differs
+   * @param equalTick the last one whose prediction was equal in every bit, before {@code tick}
+   * @param slot entity of the predicted body, 0..65534
+   * @param generation of that entity, 0..255
+   * @param bits what was predicted: the float bits of x, y, cos, sin, vx, vy, omega of the centre
+   *     of mass, and the player's four memory ints
+   */
+  record Diverged(int tick, int equalTick, int slot, int generation, List<Integer> bits)
+      implements ClientMessage {
+    /** Numbers in {@link #bits}. */
+    public static final int BITS = 11;
+
+    /** Copies the list. */
+    public Diverged {
+      bits = List.copyOf(bits);
+    }
+  }
 
   /** The player goes; no grace period. */
   record Leave() implements ClientMessage {}

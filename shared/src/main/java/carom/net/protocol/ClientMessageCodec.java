@@ -4,7 +4,9 @@ import java.nio.ByteBuffer;
 import java.nio.CharBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 
 /**
  * Fixed layout of what clients send: a tag byte, then the fields, big-endian, exact length. No
@@ -17,6 +19,7 @@ public final class ClientMessageCodec {
   private static final byte READY = 3;
   private static final byte LEAVE = 4;
   private static final byte LOOK = 5;
+  private static final byte DIVERGED = 6;
   private static final int HELLO_FIXED_BYTES = 1 + 4 + 8 + 8 + 1;
 
   private ClientMessageCodec() {}
@@ -60,6 +63,8 @@ public final class ClientMessageCodec {
       buffer.putFloat(look.y());
       buffer.putFloat(look.halfWidth());
       buffer.putFloat(look.halfHeight());
+    } else if (message instanceof ClientMessage.Diverged diverged) {
+      encodeDiverged(diverged, buffer);
     } else if (message instanceof ClientMessage.Ready) {
       buffer.put(READY);
     } else {
@@ -92,6 +97,7 @@ public final class ClientMessageCodec {
       case READY -> buffer.hasRemaining() ? null : new ClientMessage.Ready();
       case LEAVE -> buffer.hasRemaining() ? null : new ClientMessage.Leave();
       case LOOK -> decodeLook(buffer);
+      case DIVERGED -> decodeDiverged(buffer);
       default -> null;
     };
   }
@@ -122,6 +128,39 @@ public final class ClientMessageCodec {
             && Float.isFinite(halfHeight);
     return numbers && halfWidth >= 0 && halfHeight >= 0
         ? new ClientMessage.Look(x, y, halfWidth, halfHeight)
+        : null;
+  }
+
+  private static void encodeDiverged(ClientMessage.Diverged d, ByteBuffer buffer) {
+    if (d.bits().size() != ClientMessage.Diverged.BITS) {
+      throw new IllegalArgumentException(
+          "Diverged.bits has size="
+              + d.bits().size()
+              + " instead of "
+              + ClientMessage.Diverged.BITS);
+    }
+    buffer.put(DIVERGED);
+    buffer.putInt(d.tick()).putInt(d.equalTick());
+    buffer.putShort((short) d.slot()).put((byte) d.generation());
+    for (int value : d.bits()) {
+      buffer.putInt(value);
+    }
+  }
+
+  private static ClientMessage decodeDiverged(ByteBuffer buffer) {
+    if (buffer.remaining() != 4 + 4 + 2 + 1 + 4 * ClientMessage.Diverged.BITS) {
+      return null;
+    }
+    int tick = buffer.getInt();
+    int equalTick = buffer.getInt();
+    int slot = buffer.getShort() & 0xffff;
+    int generation = buffer.get() & 0xff;
+    List<Integer> bits = new ArrayList<>(ClientMessage.Diverged.BITS);
+    while (buffer.hasRemaining()) {
+      bits.add(buffer.getInt());
+    }
+    return equalTick >= 0 && equalTick < tick
+        ? new ClientMessage.Diverged(tick, equalTick, slot, generation, bits)
         : null;
   }
 

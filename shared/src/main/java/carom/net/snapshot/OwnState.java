@@ -115,6 +115,11 @@ public final class OwnState {
     return values[FLOATS + checked(index)];
   }
 
+  /** One of the {@link #FLOATS} floats' bits, then of the {@link #MEMORY} memory ints, 0..10. */
+  public int bits(int index) {
+    return values[index];
+  }
+
   /** Copies everything of another state into this one. */
   public void set(OwnState other) {
     slot = other.slot;

@@ -1,6 +1,7 @@
 package carom.net.protocol;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -63,7 +64,16 @@ class ClientMessageCodecTest {
     hello[hello.length - 4] = (byte) 0xff;
     assertNull(ClientMessageCodec.decode(hello, 0, hello.length), "a name that is no UTF-8");
     assertNull(ClientMessageCodec.decode(new byte[] {0}, 0, 1), "unknown tag 0");
-    assertNull(ClientMessageCodec.decode(new byte[] {5}, 0, 1), "unknown tag 5");
+    assertNull(ClientMessageCodec.decode(new byte[] {5}, 0, 1), "a look at nothing");
+    assertNull(ClientMessageCodec.decode(new byte[] {7}, 0, 1), "unknown tag 7");
+    byte[] report = new byte[56];
+    report[0] = 6;
+    assertNull(ClientMessageCodec.decode(report, 0, 56), "equal at the tick that differs");
+    report[4] = 1;
+    assertNotNull(ClientMessageCodec.decode(report, 0, 56));
+    assertNull(ClientMessageCodec.decode(report, 0, 55));
+    report[5] = (byte) 0x80;
+    assertNull(ClientMessageCodec.decode(report, 0, 56), "a negative tick");
   }
 
   @Test
@@ -74,7 +84,7 @@ class ClientMessageCodecTest {
       byte[] bytes = new byte[random.nextInt(70)];
       random.nextBytes(bytes);
       if (bytes.length > 0) {
-        bytes[0] = (byte) random.nextInt(6);
+        bytes[0] = (byte) random.nextInt(7);
       }
       if (bytes.length > 22) {
         bytes[21] = (byte) (bytes.length - 22 + random.nextInt(2));
