@@ -5,6 +5,8 @@ import carom.net.protocol.PlayerName;
 import carom.net.transport.ClientTransport;
 import carom.sim.Suggestion;
 import carom.sim.scene.Scenes;
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.Locale;
 import java.util.ServiceLoader;
 import java.util.concurrent.Callable;
@@ -73,6 +75,12 @@ public final class ClientMain implements Callable<Integer> {
       defaultValue = "")
   private String scene = "";
 
+  @Option(
+      names = "--replay",
+      paramLabel = "FILE",
+      description = "play what carom-server --record has written, also while it is being written")
+  private Path replay;
+
   @CommandLine.Spec private CommandLine.Model.CommandSpec spec;
 
   private ClientMain() {}
@@ -98,6 +106,9 @@ public final class ClientMain implements Callable<Integer> {
       problem = "--name: " + PlayerName.problem(name);
     } else if (!(seconds >= 0 && seconds <= 1e6)) {
       problem = "--seconds=" + seconds + " is outside 0..1000000";
+    }
+    if (problem == null && replay != null) {
+      problem = replayProblem();
     }
     if (problem == null && !scene.isEmpty()) {
       problem = sceneProblem();
@@ -131,12 +142,27 @@ public final class ClientMain implements Callable<Integer> {
             netGraph,
             debug,
             screenshot,
+            replay,
             scene.isEmpty() ? null : Scenes.get(scene));
     for (Window window : ServiceLoader.load(Window.class)) {
       return window.launch(options);
     }
     System.err.println("This build has no window; start with --headless.");
     return 1;
+  }
+
+  private String replayProblem() {
+    if (headless || !scene.isEmpty()) {
+      return "--replay and "
+          + (headless ? "--headless" : "--scene")
+          + " exclude each other; 'carom replay FILE' plays without a window";
+    }
+    try {
+      new ReplayClient(replay).close();
+      return null;
+    } catch (IOException e) {
+      return "--replay: " + e.getMessage();
+    }
   }
 
   private String sceneProblem() {

@@ -2,6 +2,7 @@ package carom.client;
 
 import carom.net.transport.Impairment;
 import carom.sim.scene.Scene;
+import java.nio.file.Path;
 
 /**
  * What the command line of {@code carom-client} asked for.
@@ -14,6 +15,8 @@ import carom.sim.scene.Scene;
  * @param debug whether the window starts with debug drawing ({@code --debug})
  * @param screenshot PNG file for the window's last picture, written when {@code seconds} are over
  *     ({@code --screenshot FILE}); empty = none
+ * @param replay a recording to play instead of playing oneself ({@code --replay FILE}); null to
+ *     play
  * @param scene what to look at instead of playing ({@code --scene NAME}); null to play
  */
 public record ClientOptions(
@@ -24,4 +27,5 @@ public record ClientOptions(
     boolean netGraph,
     boolean debug,
     String screenshot,
+    Path replay,
     Scene scene) {}

@@ -424,6 +424,11 @@ public final class RecordingReader implements AutoCloseable {
     return file.size() - position;
   }
 
+  /** Whether this is a place between two blocks, which {@link #mark} can remember. */
+  public boolean isBetweenBlocks() {
+    return block.isEmpty();
+  }
+
   /**
    * Remembers this place; allowed between two blocks, as after a keyframe.
    *

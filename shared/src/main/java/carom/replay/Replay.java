@@ -1,6 +1,7 @@
 package carom.replay;
 
 import carom.sim.Player;
+import carom.sim.SimState;
 import carom.sim.Simulation;
 import java.io.IOException;
 
@@ -184,12 +185,43 @@ public final class Replay {
     return decided;
   }
 
-  RecordingReader reader() {
-    return reader;
+  /** A tick to come back to: memory of the size of the world's state. */
+  public static final class Mark {
+    private final SimState state;
+    private final RecordingReader.Mark place;
+
+    private Mark(SimState state, RecordingReader.Mark place) {
+      this.state = state;
+      this.place = place;
+    }
+
+    /** The tick it stands for. */
+    public int tick() {
+      return state.tick();
+    }
   }
 
-  /** After the simulation was restored and the reader reset to the same tick. */
-  void moved() {
+  /** Whether {@link #mark} is possible after this tick; it is about once a second. */
+  public boolean canMark() {
+    return reader.isBetweenBlocks();
+  }
+
+  /**
+   * Remembers this tick.
+   *
+   * @throws IllegalStateException unless {@link #canMark}
+   */
+  public Mark mark() {
+    return new Mark(simulation.save(null), reader.mark());
+  }
+
+  /**
+   * Goes back, or forward, to a tick of this replay that was marked. A divergence found stays
+   * found.
+   */
+  public void reset(Mark mark) {
+    simulation.restore(mark.state);
+    reader.reset(mark.place);
     inTick = false;
   }
 }

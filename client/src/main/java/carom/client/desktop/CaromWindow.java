@@ -3,6 +3,7 @@ package carom.client.desktop;
 import carom.client.ClientConfig;
 import carom.client.ClientOptions;
 import carom.client.GameClient;
+import carom.client.ReplayClient;
 import carom.net.transport.ClientTransport;
 import com.badlogic.gdx.ApplicationAdapter;
 import com.badlogic.gdx.Gdx;
@@ -10,6 +11,8 @@ import com.badlogic.gdx.Input.Keys;
 import com.badlogic.gdx.Screen;
 import com.badlogic.gdx.graphics.Pixmap;
 import com.badlogic.gdx.graphics.PixmapIO;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 
 /** The application: shows the connect screen or a game, one at a time. Render thread only. */
@@ -32,7 +35,9 @@ final class CaromWindow extends ApplicationAdapter {
   public void create() {
     fonts = new Fonts();
     canvas = new Canvas();
-    if (options.scene() != null) {
+    if (options.replay() != null) {
+      replay();
+    } else if (options.scene() != null) {
       SceneScreen viewer = new SceneScreen(canvas, fonts, () -> Gdx.app.exit());
       viewer.debug(options.debug());
       viewer.open(options.scene());
@@ -41,6 +46,17 @@ final class CaromWindow extends ApplicationAdapter {
       play();
     } else {
       ask("");
+    }
+  }
+
+  private void replay() {
+    try {
+      ReplayClient recording = new ReplayClient(options.replay());
+      ReplayScreen player = new ReplayScreen(canvas, fonts, recording, () -> Gdx.app.exit());
+      player.debug(options.debug());
+      show(player);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e); // it could be opened a moment ago
     }
   }
 

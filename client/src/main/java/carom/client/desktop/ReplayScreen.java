@@ -1,0 +1,154 @@
+package carom.client.desktop;
+
+import carom.client.ClientView;
+import carom.client.ClientView.Drawn;
+import carom.client.ReplayClient;
+import com.badlogic.gdx.Gdx;
+import com.badlogic.gdx.Input.Keys;
+import com.badlogic.gdx.InputAdapter;
+import com.badlogic.gdx.ScreenAdapter;
+import com.badlogic.gdx.graphics.g2d.SpriteBatch;
+import com.badlogic.gdx.math.Matrix4;
+import com.badlogic.gdx.utils.ScreenUtils;
+import java.io.IOException;
+import java.util.Locale;
+
+/** A recorded game in the window, with the keys of a video player. Render thread only. */
+final class ReplayScreen extends ScreenAdapter {
+  private static final float PAD = 12;
+  private static final int JUMP_SECONDS = 5;
+  private static final String KEYS =
+      "Space: pause     .: one step     Left, Right: 5 s     - +: speed     Home, End     "
+          + "Tab: follow a player     F4: debug     Esc: leave";
+
+  private final SpriteBatch batch = new SpriteBatch();
+  private final Matrix4 pixels = new Matrix4();
+  private final ViewCamera camera = new ViewCamera();
+  private final WorldPainter world;
+  private final DebugPainter debug;
+  private final Hud hud;
+  private final Fonts fonts;
+  private final ReplayClient client;
+  private final Runnable exit;
+  private boolean showDebug;
+  private float seconds;
+
+  /**
+   * @param client closed with this screen
+   */
+  ReplayScreen(Canvas canvas, Fonts fonts, ReplayClient client, Runnable exit) {
+    this.fonts = fonts;
+    this.client = client;
+    this.exit = exit;
+    world = new WorldPainter(canvas);
+    debug = new DebugPainter(canvas);
+    hud = new Hud(canvas, batch, fonts);
+  }
+
+  /** Shows or hides what the physics sees. */
+  void debug(boolean shown) {
+    showDebug = shown;
+  }
+
+  @Override
+  public void show() {
+    Gdx.input.setInputProcessor(
+        new InputAdapter() {
+          @Override
+          public boolean keyDown(int key) {
+            return key(key);
+          }
+        });
+  }
+
+  private boolean key(int key) {
+    int jump = JUMP_SECONDS * client.view().tickRate();
+    switch (key) {
+      case Keys.SPACE -> client.pause(!client.paused());
+      case Keys.PERIOD -> client.single();
+      case Keys.LEFT -> client.seek(client.tick() - jump);
+      case Keys.RIGHT -> client.seek(client.tick() + jump);
+      case Keys.HOME -> client.seek(0);
+      case Keys.END -> client.seek(Integer.MAX_VALUE);
+      case Keys.MINUS, Keys.NUMPAD_SUBTRACT -> client.speedUp(-1);
+      case Keys.EQUALS, Keys.PLUS, Keys.NUMPAD_ADD -> client.speedUp(1);
+      case Keys.TAB -> client.followNext();
+      case Keys.F4 -> showDebug = !showDebug;
+      case Keys.ESCAPE -> exit.run();
+      default -> {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  @Override
+  public void render(float deltaSeconds) {
+    long nowNs = System.nanoTime();
+    client.update(nowNs);
+    seconds += deltaSeconds;
+    ClientView view = client.view();
+    int width = Gdx.graphics.getWidth();
+    int height = Gdx.graphics.getHeight();
+    ScreenUtils.clear(Theme.BACKDROP);
+    pixels.setToOrtho2D(0, 0, width, height);
+    batch.setProjectionMatrix(pixels);
+    Drawn own = view.own();
+    camera.update(
+        view.level().bounds(),
+        own != null,
+        own == null ? 0 : own.x(),
+        own == null ? 0 : own.y(),
+        width,
+        height,
+        deltaSeconds);
+    float pixelsPerMetre = camera.pixelsPerMetre(height);
+    world.draw(view, camera.gdx(), pixelsPerMetre, seconds, deltaSeconds);
+    if (showDebug) {
+      debug.draw(client.simulation().world(), camera.gdx(), pixelsPerMetre);
+    }
+    hud.names(view, camera, pixelsPerMetre);
+    hud.scores(view, width, height, false);
+    hud.notices(view, nowNs, width, height);
+    title(height);
+  }
+
+  private void title(int height) {
+    int rate = client.view().tickRate();
+    StringBuilder text = new StringBuilder("REPLAY   ");
+    text.append(time(client.tick(), rate)).append(" / ");
+    text.append(time(client.newestTick(), rate)).append("   tick ").append(client.tick());
+    text.append(client.paused() ? "   paused" : "");
+    text.append(client.seeking() ? "   seeking" : "");
+    text.append(client.ended() ? "   end" : "");
+    text.append(client.waiting() ? "   waiting for more" : "");
+    text.append(client.speed() == 1 ? "" : "   speed " + client.speed());
+    text.append(client.followed().isEmpty() ? "" : "   follows " + client.followed());
+    String trouble = client.problem();
+    if (trouble.isEmpty() && client.divergence() != null) {
+      trouble = "diverged from the recording at tick " + client.divergence().tick();
+    }
+    batch.begin();
+    hud.left(fonts.text, text.toString(), PAD, height - PAD, Theme.TEXT);
+    if (!trouble.isEmpty()) {
+      hud.left(fonts.text, trouble, PAD, height - PAD - 24, Theme.ACCENT);
+    }
+    hud.left(fonts.small, KEYS, PAD, PAD + 12, Theme.MUTED);
+    batch.end();
+  }
+
+  private static String time(int tick, int rate) {
+    int second = tick / rate;
+    return String.format(Locale.ROOT, "%d:%02d", second / 60, second % 60);
+  }
+
+  @Override
+  public void dispose() {
+    try {
+      client.close();
+    } catch (IOException e) {
+      System.err.println("carom-client: " + e);
+    }
+    batch.dispose();
+  }
+}
