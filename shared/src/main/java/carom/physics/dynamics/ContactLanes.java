@@ -5,29 +5,35 @@ package carom.physics.dynamics;
  * as {@link ContactSolver} does one after the other.
  */
 abstract class ContactLanes {
-  private static final int WARM_UP_STEPS = 300;
+  /**
+   * Blocks that must have been through the kernels before all may: the JIT compiler interprets them
+   * until it has seen them that often, hundreds of times slower.
+   */
+  private static final int WARM_UP = 1800;
 
-  /** Steps that used kernels, in all worlds of the JVM; needn't be exact. */
-  private static int steps;
+  /** Blocks per step until then; of large worlds a share, as their steps take longer anyway. */
+  private static final int FEW = 4;
+
+  private static final int SHARE = 64;
+
+  /** Blocks so far, in all worlds of the JVM; needn't be exact. */
+  private static int seen;
 
   /**
-   * Asked once per step. Until the JIT compiler has seen the kernels often enough it interprets
-   * them, hundreds of times slower.
-   *
-   * @return whether all blocks may be given to the kernels, or just a few
+   * How many of a step's blocks may be given to the kernels; asked once per step. Which blocks are
+   * solved how never shows in the result.
    */
-  boolean ready() {
-    if (steps < WARM_UP_STEPS) {
-      steps++;
-      return false;
+  int trusted(int blocks) {
+    if (seen >= WARM_UP) {
+      return blocks;
     }
-    return true;
+    int few = Math.max(FEW, blocks / SHARE);
+    seen += few;
+    return few;
   }
 
   /** How long the scratch array of each worker must be. */
   abstract int scratchSize();
-
-  abstract void warmStart(ContactSolver solver, float[] v, float[] scratch, int block);
 
   abstract void push(ContactSolver solver, float[] v, float[] scratch, int block);
 

@@ -55,6 +55,12 @@ import java.util.Arrays;
  * for o to 0 no spring. The constants a and b don't contain the mass: a light and a heavy contact
  * relax alike.
  *
+ * <p><b>In the contact's frame</b> a visit knows the relative velocity along normal and tangent,
+ * and both angular velocities. An impulse p along n changes the first by {@code (1/mA + 1/mB) p},
+ * and w by {@code p (r x n) / I}; along the tangent t, n turned left, the lever arm is {@code r x t
+ * = r . n}. So bodies are read once and written once per visit, however many points and rows it
+ * has.
+ *
  * <p><b>Two points</b> are solved together: two such equations with the cross term k12, the speed
  * that an impulse at one point gives the other. With P >= 0 this is a linear complementarity
  * problem of four cases (both push, one, the other, none), of which exactly one fits. A box that
@@ -125,13 +131,13 @@ final class ContactSolver {
   /**
    * How far the springs of two points act as one: 0 not at all, 1 as a single spring in the middle.
    */
-  private static final float COUPLING = 0.75f;
+  static final float COUPLING = 0.75f;
 
   /**
    * How much more two points give way than their bodies' masses say, and how much stiffer (in o) a
    * single point is. Chosen together with the hertz: the pyramid of 100 rows comes to rest (18 J
-   * after 260 ticks), and the pile of 2,000 has 13 overlaps deeper than 2 cm; it had 192 when the
-   * whole yield counted.
+   * after 260 ticks), and the pile of 2,000 has 13 to 18 overlaps deeper than 2 cm; it had 192 when
+   * the whole yield counted.
    */
   private static final float PAIR_SOFTNESS = 1.3f;
 
@@ -149,12 +155,6 @@ final class ContactSolver {
   /** Steps with fewer blocks don't use vectors. */
   private static final int FEWEST_BLOCKS = 64;
 
-  /**
-   * What the kernels get until they are {@link ContactLanes#ready}. Which blocks are solved how
-   * never shows in the result.
-   */
-  private static final int WARM_UP_BLOCKS = 4;
-
   /** Blocks that are worth a piece of work for a worker: to solve, and to pack or store. */
   private static final int SOLVE_AT_LEAST = 16;
 
@@ -167,53 +167,53 @@ final class ContactSolver {
   static final int NX = 0;
   static final int NY = NX + LANES;
   static final int FRICTION = NY + LANES;
-  static final int SURFACE = FRICTION + LANES;
-  static final int MASS_A = SURFACE + LANES;
+  static final int MASS_A = FRICTION + LANES;
   static final int MASS_B = MASS_A + LANES;
   static final int INERTIA_A = MASS_B + LANES;
   static final int INERTIA_B = INERTIA_A + LANES;
 
-  /** Softness: bias rate; what the spring adds to a point's yield, and to the points' cross. */
-  static final int BIAS_RATE = INERTIA_B + LANES;
-
-  static final int SOFT = BIAS_RATE + LANES;
-  static final int SOFT_CROSS = SOFT + LANES;
-
   /** What an impulse at one point does to the other's speed along the normal, 1/kg. */
-  static final int CROSS = SOFT_CROSS + LANES;
+  static final int CROSS = INERTIA_B + LANES;
 
-  /** Radii of the parts' rounding, m. */
-  static final int ROUND_A = CROSS + LANES;
+  // of each of its two points, relative to FIRST or SECOND: lever arms of impulses along the
+  // normal, r x n, and along the tangent, r x t = r . n, of both bodies, m,
+  static final int NORMAL_ARM_A = 0;
+  static final int NORMAL_ARM_B = NORMAL_ARM_A + LANES;
+  static final int TANGENT_ARM_A = NORMAL_ARM_B + LANES;
+  static final int TANGENT_ARM_B = TANGENT_ARM_A + LANES;
 
-  static final int ROUND_B = ROUND_A + LANES;
-
-  // of each of its two points, relative to FIRST or SECOND,
-  static final int AX = 0;
-  static final int AY = AX + LANES;
-  static final int BX = AY + LANES;
-  static final int BY = BX + LANES;
-
-  /** Gap when the step began, and now, m. */
-  static final int SEPARATION = BY + LANES;
+  /** gap when the step began, and now, m, */
+  static final int SEPARATION = TANGENT_ARM_B + LANES;
 
   static final int GAP = SEPARATION + LANES;
 
-  /** What an impulse does to the point's speed along the normal, 1/kg. */
+  /** what an impulse does to the point's speed along the normal, 1/kg, */
   static final int YIELD = GAP + LANES;
 
+  /** its inverse along the tangent, kg, */
   static final int TANGENT_MASS = YIELD + LANES;
+
+  /** impulses along normal and tangent, of the substep and of the whole step. */
   static final int NORMAL = TANGENT_MASS + LANES;
+
   static final int TANGENT = NORMAL + LANES;
   static final int TOTAL = TANGENT + LANES;
   static final int SLIDE = TOTAL + LANES;
   static final int POINT = SLIDE + LANES;
 
-  static final int FIRST = ROUND_B + LANES;
+  static final int FIRST = CROSS + LANES;
   static final int SECOND = FIRST + POINT;
   static final int RECORD = SECOND + POINT;
 
-  // and of what few contacts need, relative to the block in extra.
-  private static final int ROLLING = 0;
+  // What few contacts need, relative to the block in extra; each part is only valid if the block
+  // has the trait. Speed of moving surfaces, m/s:
+  static final int SURFACE = 0;
+
+  /** Radii of the parts' rounding, m. */
+  static final int ROUND_A = SURFACE + LANES;
+
+  static final int ROUND_B = ROUND_A + LANES;
+  private static final int ROLLING = ROUND_B + LANES;
   private static final int ROLL_MASS = ROLLING + LANES;
   private static final int ROLL = ROLL_MASS + LANES;
 
@@ -229,7 +229,27 @@ final class ContactSolver {
   private static final int BOUNCED = 2 * LANES;
 
   private static final int RUBBED = BOUNCED + 2 * LANES;
-  private static final int EXTRA = BOUNCE_FIRST + RUBBED + 2 * LANES;
+  static final int EXTRA = BOUNCE_FIRST + RUBBED + 2 * LANES;
+
+  // Traits of blocks.
+  /** Its contacts have two points. */
+  static final int TWO = 1;
+
+  /** They are with bodies that can't be moved: several touch the same, none writes to it. */
+  static final int FIXED = 2;
+
+  /** Some contact has a moving surface, a round part, rolling resistance, a bounce to come. */
+  static final int MOVING_SURFACE = 4;
+
+  static final int ROUND = 8;
+  private static final int ROLLS = 16;
+  private static final int BOUNCES = 32;
+
+  /** Solved by vectors. */
+  private static final int WIDE = 64;
+
+  /** The traits that softness depends on. */
+  private static final int SOFTNESS = TWO | FIXED;
 
   /** Number of contacts, and of blocks. */
   private int count;
@@ -249,12 +269,10 @@ final class ContactSolver {
   /** Per group: its contacts; then, while they are packed, its next lane. */
   private final int[] next = new int[GROUPS];
 
-  /** Per block: contacts in it, whether they have two points, and if one may roll or bounce. */
+  /** Per block: contacts in it, and its traits. */
   private byte[] used = new byte[0];
 
-  boolean[] two = new boolean[0];
-  private boolean[] rolls = new boolean[0];
-  private boolean[] bounces = new boolean[0];
+  byte[] traits = new byte[0];
 
   /** Per lane: row of the contact table; offsets of the two bodies in the solver's state. */
   private int[] row = new int[0];
@@ -263,20 +281,13 @@ final class ContactSolver {
   int[] bodyB = new int[0];
 
   float[] data = new float[0];
-  private float[] extra = new float[0];
+  float[] extra = new float[0];
 
-  /** The vector kernels, null without; and which blocks they take. */
+  /** The vector kernels, null without. */
   private final ContactLanes lanes;
-
-  private boolean[] wide = new boolean[0];
 
   /** Of each worker. */
   private float[][] scratch = new float[0][];
-
-  /**
-   * Which blocks are with static or kinematic bodies: several may touch the same, none moves it.
-   */
-  boolean[] fixed = new boolean[0];
 
   /** First block of each colour. */
   private final int[] colourStart = new int[2 * (LAST_COLOUR + 1) + 1];
@@ -285,10 +296,10 @@ final class ContactSolver {
 
   // The stages, made once so that a step allocates nothing.
   private final Crew.Range packing = (from, to, worker) -> packBlocks(from, to);
-  private final Crew.Range warming = this::warmStart;
-  private final Crew.Range pushing = (from, to, worker) -> solve(from, to, worker, true);
-  private final Crew.Range relaxing = (from, to, worker) -> solve(from, to, worker, false);
-  private final Crew.Range bouncing = (from, to, worker) -> bounce(from, to);
+  private final Crew.Range warming = (from, to, worker) -> warmBlocks(from, to);
+  private final Crew.Range pushing = this::pushBlocks;
+  private final Crew.Range relaxing = this::relaxBlocks;
+  private final Crew.Range bouncing = (from, to, worker) -> bounceBlocks(from, to);
   private final Crew.Range bounceEnding = (from, to, worker) -> endBounces(from, to);
   private final Crew.Range storing = (from, to, worker) -> store(from, to);
 
@@ -303,13 +314,16 @@ final class ContactSolver {
   private float[] v;
 
   /** Constants of the step. */
-  private float omega;
-
   private float h;
 
   float inverseH;
   float maxPush;
   float slop;
+
+  /** Softness by {@link #SOFTNESS}: bias rate; what a spring adds to the yield, by inverse mass. */
+  final float[] biasRate = new float[4];
+
+  final float[] soft = new float[4];
 
   /**
    * Makes a solver.
@@ -320,6 +334,10 @@ final class ContactSolver {
   ContactSolver(ContactLanes lanes, Crew crew) {
     this.lanes = lanes;
     this.crew = crew;
+  }
+
+  int blocks() {
+    return blocks;
   }
 
   /** Collects, colours and packs the touching, not vetoed contacts of the table. */
@@ -340,11 +358,11 @@ final class ContactSolver {
     inverseH = 1 / substep;
     maxPush = constants.maxPushSpeed();
     slop = constants.slop();
-    omega = TWO_PI * Math.min(constants.contactHertz(), MAX_HERTZ_PER_RATE / h);
+    soften();
     if (lanes != null && scratch.length != crew.count()) {
       scratch = new float[crew.count()][lanes.scratchSize()];
     }
-    paint(contacts, bodyStore, solverBodies.count(), activeIndices);
+    paint(solverBodies.count());
     layOut();
     for (int k = 0; k < count; k++) {
       row[next[group[k]]++] = touching[k];
@@ -352,8 +370,25 @@ final class ContactSolver {
     crew.run(0, blocks, PACK_AT_LEAST, packing);
   }
 
+  /** Contacts with what can't be moved are twice as stiff (in o). */
+  private void soften() {
+    float omega = TWO_PI * Math.min(settings.contactHertz(), MAX_HERTZ_PER_RATE / h);
+    float twiceZeta = 2 * settings.contactDampingRatio();
+    for (int kind = 0; kind < soft.length; kind++) {
+      float stiff = (kind & FIXED) != 0 ? 2 * omega : omega;
+      if ((kind & TWO) == 0) {
+        stiff *= SINGLE_STIFFNESS;
+      }
+      biasRate[kind] = stiff / (twiceZeta + h * stiff);
+      float perMass = 1 / (h * stiff * (twiceZeta + h * stiff));
+      soft[kind] = (kind & TWO) == 0 ? perMass : PAIR_SOFTNESS * perMass / (1 + COUPLING);
+    }
+  }
+
   /** Finds the contacts to solve and gives each its colour. */
-  private void paint(ContactTable t, BodyStore b, int slots, int[] activeIndex) {
+  private void paint(int slots) {
+    ContactTable t = table;
+    BodyStore b = store;
     if (touching.length < t.count()) {
       int capacity = Math.max(t.count(), touching.length * 2);
       touching = new int[capacity];
@@ -412,38 +447,44 @@ final class ContactSolver {
     if (used.length < blocks) {
       int capacity = Math.max(blocks, used.length * 2);
       used = new byte[capacity];
-      two = new boolean[capacity];
-      wide = new boolean[capacity];
-      fixed = new boolean[capacity];
-      rolls = new boolean[capacity];
-      bounces = new boolean[capacity];
+      traits = new byte[capacity];
       row = new int[capacity * LANES];
       bodyA = new int[capacity * LANES];
       bodyB = new int[capacity * LANES];
       data = new float[capacity * RECORD];
       extra = new float[capacity * EXTRA];
     }
-    int widest =
-        lanes == null || blocks < FEWEST_BLOCKS ? 0 : lanes.ready() ? blocks : WARM_UP_BLOCKS;
+    int widest = lanes == null || blocks < FEWEST_BLOCKS ? 0 : lanes.trusted(blocks);
     int block = 0;
     for (int g = 0; g < GROUPS; g++) {
-      colourStart[g >> 1] = (g & 1) == 0 ? block : colourStart[g >> 1];
+      int colour = g >> 1;
+      if ((g & 1) == 0) {
+        colourStart[colour] = block;
+      }
+      int kind = ((g & 1) != 0 ? TWO : 0) | (colour > LAST_COLOUR ? FIXED : 0);
       int left = next[g];
       next[g] = block * LANES;
       for (; left > 0; left -= LANES) {
         used[block] = (byte) Math.min(left, LANES);
-        two[block] = (g & 1) != 0;
-        wide[block] = block < widest && left >= FEWEST && (g >> 1 & LAST_COLOUR) != LAST_COLOUR;
+        boolean wide = block < widest && left >= FEWEST && (colour & LAST_COLOUR) != LAST_COLOUR;
+        traits[block] = (byte) (kind | (wide ? WIDE : 0));
         if (left < LANES) {
           clear(block);
         }
-        fixed[block] = g >> 1 > LAST_COLOUR;
-        rolls[block] = false;
-        bounces[block] = false;
         block++;
       }
     }
     colourStart[GROUPS >> 1] = blocks;
+  }
+
+  /** Makes the empty lanes of a block contacts of nothing with nothing. */
+  private void clear(int block) {
+    int at = block * RECORD;
+    Arrays.fill(data, at, at + RECORD, 0);
+    Arrays.fill(data, at + FIRST + YIELD, at + FIRST + YIELD + LANES, 1);
+    Arrays.fill(data, at + SECOND + YIELD, at + SECOND + YIELD + LANES, 1);
+    Arrays.fill(bodyA, block * LANES, (block + 1) * LANES, 0);
+    Arrays.fill(bodyB, block * LANES, (block + 1) * LANES, 0);
   }
 
   /** Does a stage colour by colour; what found no colour is done by the caller alone. */
@@ -461,137 +502,128 @@ final class ContactSolver {
   private void packBlocks(int from, int to) {
     for (int block = from; block < to; block++) {
       for (int i = 0; i < used[block]; i++) {
-        pack(block * LANES + i);
+        pack(block, i);
       }
     }
   }
 
-  /** Makes the empty lanes of a block contacts of nothing with nothing. */
-  private void clear(int block) {
-    int at = block * RECORD;
-    Arrays.fill(data, at, at + RECORD, 0);
-    Arrays.fill(data, at + FIRST + YIELD, at + FIRST + YIELD + LANES, 1);
-    Arrays.fill(data, at + SECOND + YIELD, at + SECOND + YIELD + LANES, 1);
-    Arrays.fill(bodyA, block * LANES, (block + 1) * LANES, 0);
-    Arrays.fill(bodyB, block * LANES, (block + 1) * LANES, 0);
-  }
-
-  private void pack(int lane) {
+  private void pack(int block, int i) {
     ContactTable t = table;
     BodyStore b = store;
-    int r = row[lane];
     float[] d = data;
-    int block = lane / LANES;
-    int at = block * RECORD + lane % LANES;
-    int more = block * EXTRA + lane % LANES;
+    int lane = block * LANES + i;
+    int at = block * RECORD + i;
+    int r = row[lane];
     int a = ContactKey.bodyA(t.key[r]);
     int o = ContactKey.bodyB(t.key[r]);
-    int slotA = activeIndex[a] + 1;
-    int slotB = activeIndex[o] + 1;
-    bodyA[lane] = slotA * STRIDE;
-    bodyB[lane] = slotB * STRIDE;
-    float ma = b.invMass[a];
-    float mb = b.invMass[o];
-    d[at + NX] = t.nx[r];
-    d[at + NY] = t.ny[r];
+    bodyA[lane] = (activeIndex[a] + 1) * STRIDE;
+    bodyB[lane] = (activeIndex[o] + 1) * STRIDE;
+    float nx = t.nx[r];
+    float ny = t.ny[r];
+    d[at + NX] = nx;
+    d[at + NY] = ny;
     d[at + FRICTION] = t.friction[r];
-    d[at + SURFACE] = t.surface[r];
-    d[at + ROUND_A] = t.roundA[r];
-    d[at + ROUND_B] = t.roundB[r];
-    d[at + MASS_A] = ma;
-    d[at + MASS_B] = mb;
+    d[at + MASS_A] = b.invMass[a];
+    d[at + MASS_B] = b.invMass[o];
     d[at + INERTIA_A] = b.invInertia[a];
     d[at + INERTIA_B] = b.invInertia[o];
-    float stiff = ma == 0 || mb == 0 ? 2 * omega : omega;
-    if (!two[block]) {
-      stiff *= SINGLE_STIFFNESS;
-    }
-    float twiceZeta = 2 * settings.contactDampingRatio();
-    d[at + BIAS_RATE] = stiff / (twiceZeta + h * stiff);
     float gapX = b.x[o] - b.x[a];
     float gapY = b.y[o] - b.y[a];
-    float turning = b.invInertia[a] + b.invInertia[o];
-    extra[more + ROLLING] = t.rolling[r];
-    extra[more + ROLL_MASS] = turning > 0 ? 1 / turning : 0;
-    extra[more + ROLL] = t.roll[r];
-    if (t.rolling[r] > 0) {
-      rolls[block] = true;
-      wide[block] = false;
-    }
-    extra[more + PULL] =
-        (bodies.ax(slotA) - bodies.ax(slotB)) * t.nx[r]
-            + (bodies.ay(slotA) - bodies.ay(slotB)) * t.ny[r];
-    float yield = packPoint(at, FIRST, t.x0[r], t.y0[r], gapX, gapY, t.separation0[r]);
+    packPoint(at, FIRST, t.x0[r], t.y0[r], gapX, gapY, t.separation0[r]);
     d[at + FIRST + NORMAL] = t.normal0[r];
     d[at + FIRST + TANGENT] = t.tangent0[r];
-    float perMass = 1 / (h * stiff * (twiceZeta + h * stiff));
-    d[at + SOFT] = (ma + mb) * perMass;
-    if (two[block]) {
-      float other = packPoint(at, SECOND, t.x1[r], t.y1[r], gapX, gapY, t.separation1[r]);
+    if ((traits[block] & TWO) != 0) {
+      packPoint(at, SECOND, t.x1[r], t.y1[r], gapX, gapY, t.separation1[r]);
       d[at + SECOND + NORMAL] = t.normal1[r];
       d[at + SECOND + TANGENT] = t.tangent1[r];
-      float soft = PAIR_SOFTNESS * (ma + mb) * perMass / (1 + COUPLING);
-      d[at + SOFT] = soft;
-      d[at + SOFT_CROSS] = soft * COUPLING;
       d[at + CROSS] = cross(at);
-      d[at + FIRST + YIELD] = yield * SHARE;
-      d[at + SECOND + YIELD] = other * SHARE;
+      d[at + FIRST + YIELD] *= SHARE;
+      d[at + SECOND + YIELD] *= SHARE;
     }
-    float e = t.restitution[r];
-    for (int i = BOUNCED; i < RUBBED + 2 * LANES; i += LANES) {
-      extra[more + BOUNCE_FIRST + i] = 0;
+    if (t.surface[r] != 0) {
+      has(block, MOVING_SURFACE, SURFACE, ROUND_A);
+      extra[block * EXTRA + i + SURFACE] = t.surface[r];
     }
-    extra[more + BOUNCE_FIRST] = 0;
-    extra[more + BOUNCE_SECOND] = 0;
-    if (e > 0) {
-      float threshold = settings.restitutionThreshold();
-      extra[more + BOUNCE_FIRST] = e * approach(lane, FIRST, threshold);
-      extra[more + BOUNCE_SECOND] = two[block] ? e * approach(lane, SECOND, threshold) : 0;
-      bounces[block] |= extra[more + BOUNCE_FIRST] != 0 || extra[more + BOUNCE_SECOND] != 0;
+    if (t.roundA[r] != 0 || t.roundB[r] != 0) {
+      has(block, ROUND, ROUND_A, ROLLING);
+      extra[block * EXTRA + i + ROUND_A] = t.roundA[r];
+      extra[block * EXTRA + i + ROUND_B] = t.roundB[r];
+    }
+    if (t.rolling[r] > 0) {
+      has(block, ROLLS, ROLLING, PULL);
+      float turning = b.invInertia[a] + b.invInertia[o];
+      extra[block * EXTRA + i + ROLLING] = t.rolling[r];
+      extra[block * EXTRA + i + ROLL_MASS] = turning > 0 ? 1 / turning : 0;
+      extra[block * EXTRA + i + ROLL] = t.roll[r];
+      traits[block] &= ~WIDE;
+    }
+    if (t.restitution[r] > 0) {
+      packBounce(block, i, t.restitution[r]);
     }
   }
 
-  /** Answers the point's yield. */
-  private float packPoint(
+  /** Gives a block a trait; its part of extra is zero for those lanes that don't have it. */
+  private void has(int block, int trait, int from, int to) {
+    if ((traits[block] & trait) == 0) {
+      traits[block] |= (byte) trait;
+      Arrays.fill(extra, block * EXTRA + from, block * EXTRA + to, 0);
+    }
+  }
+
+  private void packPoint(
       int at, int point, float x, float y, float gapX, float gapY, float separation) {
     float[] d = data;
     int p = at + point;
     float bx = x - gapX;
     float by = y - gapY;
-    d[p + AX] = x;
-    d[p + AY] = y;
-    d[p + BX] = bx;
-    d[p + BY] = by;
-    d[p + SEPARATION] = separation;
-    d[p + GAP] = separation;
     float nx = d[at + NX];
     float ny = d[at + NY];
     float masses = d[at + MASS_A] + d[at + MASS_B];
-    float iA = d[at + INERTIA_A];
-    float iB = d[at + INERTIA_B];
-    float rnA = x * ny - y * nx;
-    float rnB = bx * ny - by * nx;
-    float kn = masses + iA * rnA * rnA + iB * rnB * rnB;
-    d[p + YIELD] = kn;
-    float rtA = x * nx + y * ny;
-    float rtB = bx * nx + by * ny;
-    float kt = masses + iA * rtA * rtA + iB * rtB * rtB;
+    float inertiaA = d[at + INERTIA_A];
+    float inertiaB = d[at + INERTIA_B];
+    float normalA = x * ny - y * nx;
+    float normalB = bx * ny - by * nx;
+    float tangentA = x * nx + y * ny;
+    float tangentB = bx * nx + by * ny;
+    float kt = masses + inertiaA * tangentA * tangentA + inertiaB * tangentB * tangentB;
+    d[p + NORMAL_ARM_A] = normalA;
+    d[p + NORMAL_ARM_B] = normalB;
+    d[p + TANGENT_ARM_A] = tangentA;
+    d[p + TANGENT_ARM_B] = tangentB;
+    d[p + SEPARATION] = separation;
+    d[p + GAP] = separation;
+    d[p + YIELD] = masses + inertiaA * normalA * normalA + inertiaB * normalB * normalB;
     d[p + TANGENT_MASS] = kt > 0 ? 1 / kt : 0;
     d[p + TOTAL] = 0;
     d[p + SLIDE] = 0;
-    return kn;
   }
 
   private float cross(int at) {
     float[] d = data;
     int p = at + FIRST;
     int q = at + SECOND;
-    float nx = d[at + NX];
-    float ny = d[at + NY];
-    float turnA = (d[p + AX] * ny - d[p + AY] * nx) * (d[q + AX] * ny - d[q + AY] * nx);
-    float turnB = (d[p + BX] * ny - d[p + BY] * nx) * (d[q + BX] * ny - d[q + BY] * nx);
+    float turnA = d[p + NORMAL_ARM_A] * d[q + NORMAL_ARM_A];
+    float turnB = d[p + NORMAL_ARM_B] * d[q + NORMAL_ARM_B];
     float masses = d[at + MASS_A] + d[at + MASS_B];
     return masses + d[at + INERTIA_A] * turnA + d[at + INERTIA_B] * turnB;
+  }
+
+  private void packBounce(int block, int i, float restitution) {
+    int at = block * RECORD + i;
+    int lane = block * LANES + i;
+    int slotA = bodyA[lane] / STRIDE;
+    int slotB = bodyB[lane] / STRIDE;
+    float pull =
+        (bodies.ax(slotA) - bodies.ax(slotB)) * data[at + NX]
+            + (bodies.ay(slotA) - bodies.ay(slotB)) * data[at + NY];
+    float first = restitution * approach(lane, FIRST, pull);
+    float second = (traits[block] & TWO) == 0 ? 0 : restitution * approach(lane, SECOND, pull);
+    if (first != 0 || second != 0) {
+      has(block, BOUNCES, PULL, EXTRA);
+      extra[block * EXTRA + i + PULL] = pull;
+      extra[block * EXTRA + i + BOUNCE_FIRST] = first;
+      extra[block * EXTRA + i + BOUNCE_SECOND] = second;
+    }
   }
 
   /**
@@ -601,60 +633,71 @@ final class ContactSolver {
    * bounce. Without these terms a perfectly elastic ball would lose 2 % of its height with every
    * bounce.
    */
-  private float approach(int lane, int point, float threshold) {
+  private float approach(int lane, int point, float pull) {
     int at = lane / LANES * RECORD + lane % LANES;
-    float pull = extra[lane / LANES * EXTRA + lane % LANES + PULL];
-    float speed = 0.5f * h * pull - normalSpeed(lane, point);
-    if (!(speed > threshold)) {
+    float closing = 0.5f * h * pull - normalSpeed(lane, point);
+    if (!(closing > settings.restitutionThreshold())) {
       return 0;
     }
-    float square = speed * speed + 2 * pull * data[at + point + SEPARATION];
+    float square = closing * closing + 2 * pull * data[at + point + SEPARATION];
     return square > 0 ? (float) Math.sqrt(square) : 0;
   }
 
   private float normalSpeed(int lane, int point) {
     float[] d = data;
     int at = lane / LANES * RECORD + lane % LANES;
-    int p = at + point;
     int a = bodyA[lane];
     int b = bodyB[lane];
-    float dvx = v[b + VX] - v[b + W] * d[p + BY] - v[a + VX] + v[a + W] * d[p + AY];
-    float dvy = v[b + VY] + v[b + W] * d[p + BX] - v[a + VY] - v[a + W] * d[p + AX];
-    return dvx * d[at + NX] + dvy * d[at + NY];
+    float dvx = v[b + VX] - v[a + VX];
+    float dvy = v[b + VY] - v[a + VY];
+    float linear = dvx * d[at + NX] + dvy * d[at + NY];
+    float armA = d[at + point + NORMAL_ARM_A];
+    float armB = d[at + point + NORMAL_ARM_B];
+    return linear + (v[b + W] * armB - v[a + W] * armA);
   }
 
-  /** Applies the impulses remembered from the last substep, or the last step. */
+  /**
+   * Applies the impulses remembered from the last step; see {@link SolverBodies} for what happens
+   * in later substeps.
+   */
   void warmStart() {
     byColours(warming);
   }
 
-  private void warmStart(int from, int to, int worker) {
+  private void warmBlocks(int from, int to) {
     for (int block = from; block < to; block++) {
-      if (wide[block]) {
-        lanes.warmStart(this, v, scratch[worker], block);
-        continue;
-      }
-      int end = block * LANES + used[block];
-      for (int lane = block * LANES; lane < end; lane++) {
-        warm(lane, FIRST);
-        if (two[block]) {
-          warm(lane, SECOND);
-        }
-        if (rolls[block]) {
-          int at = block * RECORD + lane % LANES;
-          turn(lane, at, extra[block * EXTRA + lane % LANES + ROLL]);
-        }
+      for (int i = 0; i < used[block]; i++) {
+        warm(block, i);
       }
     }
   }
 
-  private void warm(int lane, int point) {
-    int at = lane / LANES * RECORD + lane % LANES;
-    float nx = data[at + NX];
-    float ny = data[at + NY];
-    float pn = data[at + point + NORMAL];
-    float pt = data[at + point + TANGENT];
-    apply(bodyA[lane], bodyB[lane], at, point, pn * nx - pt * ny, pn * ny + pt * nx);
+  private void warm(int block, int i) {
+    float[] d = data;
+    int lane = block * LANES + i;
+    int at = block * RECORD + i;
+    int p = at + FIRST;
+    float normal = d[p + NORMAL];
+    float tangent = d[p + TANGENT];
+    float turnA = d[p + NORMAL_ARM_A] * normal + d[p + TANGENT_ARM_A] * tangent;
+    float turnB = d[p + NORMAL_ARM_B] * normal + d[p + TANGENT_ARM_B] * tangent;
+    if ((traits[block] & TWO) != 0) {
+      int q = at + SECOND;
+      float normal2 = d[q + NORMAL];
+      float tangent2 = d[q + TANGENT];
+      turnA += d[q + NORMAL_ARM_A] * normal2 + d[q + TANGENT_ARM_A] * tangent2;
+      turnB += d[q + NORMAL_ARM_B] * normal2 + d[q + TANGENT_ARM_B] * tangent2;
+      normal += normal2;
+      tangent += tangent2;
+    }
+    if ((traits[block] & ROLLS) != 0) {
+      float roll = extra[block * EXTRA + i + ROLL];
+      turnA += roll;
+      turnB += roll;
+    }
+    float wa = v[bodyA[lane] + W] - d[at + INERTIA_A] * turnA;
+    float wb = v[bodyB[lane] + W] + d[at + INERTIA_B] * turnB;
+    give(lane, at, normal, tangent, wa, wb);
   }
 
   /** One visit of each contact, with its spring. */
@@ -662,141 +705,244 @@ final class ContactSolver {
     byColours(pushing);
   }
 
+  private void pushBlocks(int from, int to, int worker) {
+    for (int block = from; block < to; block++) {
+      if ((traits[block] & WIDE) != 0) {
+        lanes.push(this, v, scratch[worker], block);
+        continue;
+      }
+      for (int i = 0; i < used[block]; i++) {
+        push(block, i);
+      }
+    }
+  }
+
   /** One visit of each contact, rigid. */
   void relax() {
     byColours(relaxing);
   }
 
-  private void solve(int from, int to, int worker, boolean bias) {
+  private void relaxBlocks(int from, int to, int worker) {
     for (int block = from; block < to; block++) {
-      if (wide[block]) {
-        if (bias) {
-          lanes.push(this, v, scratch[worker], block);
-        } else {
-          lanes.relax(this, v, scratch[worker], block);
-        }
+      if ((traits[block] & WIDE) != 0) {
+        lanes.relax(this, v, scratch[worker], block);
         continue;
       }
-      int end = block * LANES + used[block];
-      for (int lane = block * LANES; lane < end; lane++) {
-        if (bias) {
-          visitAndPush(lane);
-        } else {
-          relax(lane);
-        }
+      for (int i = 0; i < used[block]; i++) {
+        relax(block, i);
       }
     }
   }
 
-  private void visitAndPush(int lane) {
-    int block = lane / LANES;
-    if (rolls[block]) {
-      solveRolling(lane);
+  /** Friction, then the normals with their springs; the gaps are those of the last relaxing. */
+  private void push(int block, int i) {
+    float[] d = data;
+    int lane = block * LANES + i;
+    int at = block * RECORD + i;
+    int a = bodyA[lane];
+    int b = bodyB[lane];
+    float nx = d[at + NX];
+    float ny = d[at + NY];
+    float dvx = v[b + VX] - v[a + VX];
+    float dvy = v[b + VY] - v[a + VY];
+    float speed = dvx * nx + dvy * ny;
+    float slip = dvy * nx - dvx * ny;
+    float wa = v[a + W];
+    float wb = v[b + W];
+    float masses = d[at + MASS_A] + d[at + MASS_B];
+    float inertiaA = d[at + INERTIA_A];
+    float inertiaB = d[at + INERTIA_B];
+    int trait = traits[block];
+    if ((trait & MOVING_SURFACE) != 0) {
+      slip += extra[block * EXTRA + i + SURFACE];
     }
-    solveFriction(lane, FIRST);
-    if (two[block]) {
-      solveFriction(lane, SECOND);
+    if ((trait & ROLLS) != 0) {
+      float turn = roll(block, i, wb - wa);
+      wa -= inertiaA * turn;
+      wb += inertiaB * turn;
     }
-    if (two[block]) {
-      pushBoth(lane);
+    int p = at + FIRST;
+    float rubbed = rub(at, p, slip, wa, wb);
+    slip += masses * rubbed;
+    wa -= inertiaA * (d[p + TANGENT_ARM_A] * rubbed);
+    wb += inertiaB * (d[p + TANGENT_ARM_B] * rubbed);
+    float tangent = 0 + rubbed; // -0 becomes 0, as in lanes
+    float gap = d[p + GAP];
+    float softness = soft[trait & SOFTNESS] * masses;
+    float rate = biasRate[trait & SOFTNESS];
+    float old = d[p + NORMAL];
+    float normal;
+    if ((trait & TWO) == 0) {
+      normal = press(p, speed, wa, wb, urge(gap, rate), gap > 0 ? 0 : softness) - old;
+      wa -= inertiaA * (d[p + NORMAL_ARM_A] * normal);
+      wb += inertiaB * (d[p + NORMAL_ARM_B] * normal);
     } else {
-      push(lane);
+      int q = at + SECOND;
+      rubbed = rub(at, q, slip, wa, wb);
+      wa -= inertiaA * (d[q + TANGENT_ARM_A] * rubbed);
+      wb += inertiaB * (d[q + TANGENT_ARM_B] * rubbed);
+      tangent += rubbed;
+      float gap2 = d[q + GAP];
+      float soft1 = gap > 0 ? 0 : softness;
+      float soft2 = gap2 > 0 ? 0 : softness;
+      float softCross = gap > 0 || gap2 > 0 ? 0 : softness * COUPLING;
+      float old2 = d[q + NORMAL];
+      pressBoth(at, speed, wa, wb, urge(gap, rate), urge(gap2, rate), soft1, soft2, softCross);
+      normal = d[p + NORMAL] - old;
+      float normal2 = d[q + NORMAL] - old2;
+      wa -= inertiaA * (d[p + NORMAL_ARM_A] * normal + d[q + NORMAL_ARM_A] * normal2);
+      wb += inertiaB * (d[p + NORMAL_ARM_B] * normal + d[q + NORMAL_ARM_B] * normal2);
+      normal += normal2;
     }
+    give(lane, at, normal, tangent, wa, wb);
   }
 
-  private void relax(int lane) {
-    int block = lane / LANES;
-    if (two[block]) {
-      holdBoth(lane);
+  /** The normals as a rigid contact, after the bodies have moved; then friction. */
+  private void relax(int block, int i) {
+    float[] d = data;
+    int lane = block * LANES + i;
+    int at = block * RECORD + i;
+    int a = bodyA[lane];
+    int b = bodyB[lane];
+    float nx = d[at + NX];
+    float ny = d[at + NY];
+    float dvx = v[b + VX] - v[a + VX];
+    float dvy = v[b + VY] - v[a + VY];
+    float speed = dvx * nx + dvy * ny;
+    float slip = dvy * nx - dvx * ny;
+    float wa = v[a + W];
+    float wb = v[b + W];
+    float masses = d[at + MASS_A] + d[at + MASS_B];
+    float inertiaA = d[at + INERTIA_A];
+    float inertiaB = d[at + INERTIA_B];
+    int trait = traits[block];
+    if ((trait & MOVING_SURFACE) != 0) {
+      slip += extra[block * EXTRA + i + SURFACE];
+    }
+    float moved = moved(block, i);
+    int p = at + FIRST;
+    int q = at + SECOND;
+    float gap = gap(p, moved, a, b);
+    d[p + GAP] = gap;
+    float old = d[p + NORMAL];
+    float normal;
+    if ((trait & TWO) == 0) {
+      normal = press(p, speed, wa, wb, gap > 0 ? gap * inverseH : 0, 0) - old;
+      wa -= inertiaA * (d[p + NORMAL_ARM_A] * normal);
+      wb += inertiaB * (d[p + NORMAL_ARM_B] * normal);
     } else {
-      hold(lane);
+      float gap2 = gap(q, moved, a, b);
+      d[q + GAP] = gap2;
+      float old2 = d[q + NORMAL];
+      float urge = gap > 0 ? gap * inverseH : 0;
+      float urge2 = gap2 > 0 ? gap2 * inverseH : 0;
+      pressBoth(at, speed, wa, wb, urge, urge2, 0, 0, 0);
+      normal = d[p + NORMAL] - old;
+      float normal2 = d[q + NORMAL] - old2;
+      wa -= inertiaA * (d[p + NORMAL_ARM_A] * normal + d[q + NORMAL_ARM_A] * normal2);
+      wb += inertiaB * (d[p + NORMAL_ARM_B] * normal + d[q + NORMAL_ARM_B] * normal2);
+      normal += normal2;
     }
-    solveFriction(lane, FIRST);
-    if (two[block]) {
-      solveFriction(lane, SECOND);
+    float rubbed = rub(at, p, slip, wa, wb);
+    slip += masses * rubbed;
+    wa -= inertiaA * (d[p + TANGENT_ARM_A] * rubbed);
+    wb += inertiaB * (d[p + TANGENT_ARM_B] * rubbed);
+    float tangent = 0 + rubbed; // -0 becomes 0, as in lanes
+    if ((trait & TWO) != 0) {
+      rubbed = rub(at, q, slip, wa, wb);
+      wa -= inertiaA * (d[q + TANGENT_ARM_A] * rubbed);
+      wb += inertiaB * (d[q + TANGENT_ARM_B] * rubbed);
+      tangent += rubbed;
+      addUp(q);
     }
-    if (rolls[block]) {
-      solveRolling(lane);
+    if ((trait & ROLLS) != 0) {
+      float turn = roll(block, i, wb - wa);
+      wa -= inertiaA * turn;
+      wb += inertiaB * turn;
     }
-    addUp(lane, FIRST);
-    if (two[block]) {
-      addUp(lane, SECOND);
-    }
+    addUp(p);
+    give(lane, at, normal, tangent, wa, wb);
   }
 
-  private void addUp(int lane, int point) {
-    int p = lane / LANES * RECORD + lane % LANES + point;
+  private void addUp(int p) {
     data[p + TOTAL] += data[p + NORMAL];
     data[p + SLIDE] += data[p + TANGENT];
   }
 
-  /** The normal with its spring; the gap is still that of the last relaxing visit. */
-  private void push(int lane) {
+  /** Friction at a point; answers the change of its impulse. */
+  private float rub(int at, int p, float slip, float wa, float wb) {
     float[] d = data;
-    int at = lane / LANES * RECORD + lane % LANES;
-    float gap = d[at + FIRST + GAP];
-    solveOne(lane, push(at, gap), gap > 0 ? 0 : d[at + SOFT]);
+    float limit = d[at + FRICTION] * d[p + NORMAL];
+    float old = d[p + TANGENT];
+    float sum =
+        old
+            - d[p + TANGENT_MASS]
+                * (slip + (wb * d[p + TANGENT_ARM_B] - wa * d[p + TANGENT_ARM_A]));
+    sum = sum < limit ? sum : limit;
+    sum = sum > -limit ? sum : -limit;
+    d[p + TANGENT] = sum;
+    return sum - old;
   }
 
-  private void pushBoth(int lane) {
-    float[] d = data;
-    int at = lane / LANES * RECORD + lane % LANES;
-    float gap1 = d[at + FIRST + GAP];
-    float gap2 = d[at + SECOND + GAP];
-    float soft1 = gap1 > 0 ? 0 : d[at + SOFT];
-    float soft2 = gap2 > 0 ? 0 : d[at + SOFT];
-    float softCross = gap1 > 0 || gap2 > 0 ? 0 : d[at + SOFT_CROSS];
-    solveBoth(lane, push(at, gap1), push(at, gap2), soft1, soft2, softCross);
+  /** Rolling resistance; answers the change of its impulse. */
+  private float roll(int block, int i, float w) {
+    int at = block * RECORD + i;
+    int more = block * EXTRA + i;
+    float load = data[at + FIRST + NORMAL];
+    if ((traits[block] & TWO) != 0) {
+      load += data[at + SECOND + NORMAL];
+    }
+    float limit = extra[more + ROLLING] * load;
+    float old = extra[more + ROLL];
+    float sum = Math.max(-limit, Math.min(old - extra[more + ROLL_MASS] * w, limit));
+    extra[more + ROLL] = sum;
+    return sum - old;
   }
 
   /** Speed by which a gap may close, or at which overlap is pushed apart (negative), m/s. */
-  private float push(int at, float gap) {
+  private float urge(float gap, float rate) {
     if (gap > 0) {
       return gap * inverseH;
     }
     float overlap = gap + slop;
-    float speed = data[at + BIAS_RATE] * (overlap < 0 ? overlap : 0);
-    return speed > -maxPush ? speed : -maxPush;
+    float apart = rate * (overlap < 0 ? overlap : 0);
+    return apart > -maxPush ? apart : -maxPush;
   }
 
-  /** The normal as a rigid contact, after the bodies have moved. */
-  private void hold(int lane) {
-    solveOne(lane, room(lane, FIRST), 0);
-  }
-
-  private void holdBoth(int lane) {
-    solveBoth(lane, room(lane, FIRST), room(lane, SECOND), 0, 0, 0);
-  }
-
-  /** Measures the gap at a point, and answers the speed by which it may close, m/s. */
-  private float room(int lane, int point) {
-    float gap = separation(lane, point);
-    data[lane / LANES * RECORD + lane % LANES + point + GAP] = gap;
-    return gap > 0 ? gap * inverseH : 0;
-  }
-
-  private void solveOne(int lane, float push, float soft) {
+  /** Solves the one point; answers its impulse. */
+  private float press(int p, float speed, float wa, float wb, float urge, float soft) {
     float[] d = data;
-    int at = lane / LANES * RECORD + lane % LANES;
-    float old = d[at + FIRST + NORMAL];
-    float yield = d[at + FIRST + YIELD];
-    float q = normalSpeed(lane, FIRST) + push - yield * old;
+    float old = d[p + NORMAL];
+    float yield = d[p + YIELD];
+    float q = speed + (wb * d[p + NORMAL_ARM_B] - wa * d[p + NORMAL_ARM_A]) + urge - yield * old;
     float sum = q < 0 ? -q / (yield + soft) : 0;
-    d[at + FIRST + NORMAL] = sum;
-    give(lane, FIRST, sum - old);
+    d[p + NORMAL] = sum;
+    return sum;
   }
 
-  private void solveBoth(
-      int lane, float push1, float push2, float soft1, float soft2, float softCross) {
+  /** Solves both points together. */
+  private void pressBoth(
+      int at,
+      float speed,
+      float wa,
+      float wb,
+      float urge1,
+      float urge2,
+      float soft1,
+      float soft2,
+      float softCross) {
     float[] d = data;
-    int at = lane / LANES * RECORD + lane % LANES;
-    float old1 = d[at + FIRST + NORMAL];
-    float old2 = d[at + SECOND + NORMAL];
-    float k1 = d[at + FIRST + YIELD];
-    float k2 = d[at + SECOND + YIELD];
+    int p = at + FIRST;
+    int q = at + SECOND;
+    float old1 = d[p + NORMAL];
+    float old2 = d[q + NORMAL];
+    float k1 = d[p + YIELD];
+    float k2 = d[q + YIELD];
     float k = d[at + CROSS];
-    float q1 = normalSpeed(lane, FIRST) + push1 - k1 * old1 - k * old2;
-    float q2 = normalSpeed(lane, SECOND) + push2 - k2 * old2 - k * old1;
+    float speed1 = speed + (wb * d[p + NORMAL_ARM_B] - wa * d[p + NORMAL_ARM_A]);
+    float speed2 = speed + (wb * d[q + NORMAL_ARM_B] - wa * d[q + NORMAL_ARM_A]);
+    float q1 = speed1 + urge1 - k1 * old1 - k * old2;
+    float q2 = speed2 + urge2 - k2 * old2 - k * old1;
     k1 += soft1;
     k2 += soft2;
     k += softCross;
@@ -811,106 +957,71 @@ final class ContactSolver {
         sum2 = q2 < 0 ? -q2 / k2 : 0;
       }
     }
-    d[at + FIRST + NORMAL] = sum1;
-    d[at + SECOND + NORMAL] = sum2;
-    give(lane, FIRST, sum1 - old1);
-    give(lane, SECOND, sum2 - old2);
+    d[p + NORMAL] = sum1;
+    d[q + NORMAL] = sum2;
   }
 
-  private void give(int lane, int point, float impulse) {
-    int at = lane / LANES * RECORD + lane % LANES;
-    float px = impulse * data[at + NX];
-    float py = impulse * data[at + NY];
-    apply(bodyA[lane], bodyB[lane], at, point, px, py);
-  }
-
-  private void solveFriction(int lane, int point) {
+  /**
+   * Gives B impulses along normal and tangent, and A their opposites; the angular velocities are
+   * already the new ones. Writes nothing to what can't be moved: other workers may be reading it.
+   */
+  private void give(int lane, int at, float normal, float tangent, float wa, float wb) {
     float[] d = data;
-    int at = lane / LANES * RECORD + lane % LANES;
-    int p = at + point;
-    int a = bodyA[lane];
-    int b = bodyB[lane];
     float nx = d[at + NX];
     float ny = d[at + NY];
-    float dvx = v[b + VX] - v[b + W] * d[p + BY] - v[a + VX] + v[a + W] * d[p + AY];
-    float dvy = v[b + VY] + v[b + W] * d[p + BX] - v[a + VY] - v[a + W] * d[p + AX];
-    float vt = dvy * nx - dvx * ny + d[at + SURFACE];
-    float limit = d[at + FRICTION] * d[p + NORMAL];
-    float old = d[p + TANGENT];
-    float sum = old - d[p + TANGENT_MASS] * vt;
-    sum = sum < limit ? sum : limit;
-    sum = sum > -limit ? sum : -limit;
-    d[p + TANGENT] = sum;
-    apply(a, b, at, point, (old - sum) * ny, (sum - old) * nx);
-  }
-
-  private void solveRolling(int lane) {
-    float[] d = data;
-    int at = lane / LANES * RECORD + lane % LANES;
-    int more = lane / LANES * EXTRA + lane % LANES;
-    float load = d[at + FIRST + NORMAL];
-    if (two[lane / LANES]) {
-      load += d[at + SECOND + NORMAL];
-    }
-    float limit = extra[more + ROLLING] * load;
-    float old = extra[more + ROLL];
-    int a = bodyA[lane];
-    int b = bodyB[lane];
-    float w = v[b + W] - v[a + W];
-    float sum = Math.max(-limit, Math.min(old - extra[more + ROLL_MASS] * w, limit));
-    extra[more + ROLL] = sum;
-    turn(lane, at, sum - old);
-  }
-
-  private void turn(int lane, int at, float impulse) {
-    if (data[at + INERTIA_A] != 0) {
-      v[bodyA[lane] + W] -= data[at + INERTIA_A] * impulse;
-    }
-    if (data[at + INERTIA_B] != 0) {
-      v[bodyB[lane] + W] += data[at + INERTIA_B] * impulse;
-    }
-  }
-
-  /** Writes nothing to what can't be moved: other workers may be reading it. */
-  private void apply(int a, int b, int at, int point, float px, float py) {
-    float[] d = data;
-    int p = at + point;
+    float px = normal * nx - tangent * ny;
+    float py = normal * ny + tangent * nx;
     float massA = d[at + MASS_A];
     float massB = d[at + MASS_B];
     if (massA != 0) {
+      int a = bodyA[lane];
       v[a + VX] -= massA * px;
       v[a + VY] -= massA * py;
-      v[a + W] -= d[at + INERTIA_A] * (d[p + AX] * py - d[p + AY] * px);
+      v[a + W] = wa;
     }
     if (massB != 0) {
+      int b = bodyB[lane];
       v[b + VX] += massB * px;
       v[b + VY] += massB * py;
-      v[b + W] += d[at + INERTIA_B] * (d[p + BX] * py - d[p + BY] * px);
+      v[b + W] = wb;
     }
   }
 
   /**
-   * The gap at a point now: that of the start, plus how far the two anchors moved and turned apart.
-   * Rounding doesn't turn: the lowest point of a rolling disc is always another one. So the anchor
-   * of a round part is a radius inside, {@code r - R n}, which makes a difference of {@code R (cos
-   * - 1)}. Without it a fast disc would seem to lift off while it turns, and sink in.
+   * How far B moved away from A along the normal since the step began, rotation of lever arms not
+   * counted. Rounding doesn't turn: the lowest point of a rolling disc is always another one. So
+   * the anchor of a round part is a radius inside, {@code r - R n}, which makes a difference of
+   * {@code R (cos - 1)}. Without it a fast disc would seem to lift off while it turns, and sink in.
    */
-  private float separation(int lane, int point) {
+  private float moved(int block, int i) {
     float[] d = data;
-    int at = lane / LANES * RECORD + lane % LANES;
-    int p = at + point;
-    int a = bodyA[lane];
-    int b = bodyB[lane];
+    int at = block * RECORD + i;
+    int a = bodyA[block * LANES + i];
+    int b = bodyB[block * LANES + i];
+    float movedX = v[b + DX] - v[a + DX];
+    float movedY = v[b + DY] - v[a + DY];
+    float moved = movedX * d[at + NX] + movedY * d[at + NY];
+    if ((traits[block] & ROUND) != 0) {
+      int more = block * EXTRA + i;
+      moved += extra[more + ROUND_A] * (v[a + COS] - 1) + extra[more + ROUND_B] * (v[b + COS] - 1);
+    }
+    return moved;
+  }
+
+  /**
+   * The gap at a point now: that of the start, plus how far the two anchors moved and turned apart.
+   * A lever arm r that turned by R moves along the normal by {@code (R r - r) . n = (cos - 1) (r .
+   * n) + sin (r x n)}.
+   */
+  private float gap(int p, float moved, int a, int b) {
+    float[] d = data;
     float ca = v[a + COS] - 1;
     float sa = v[a + SIN];
     float cb = v[b + COS] - 1;
     float sb = v[b + SIN];
-    float movedX = v[b + DX] - v[a + DX];
-    float movedY = v[b + DY] - v[a + DY];
-    movedX += (cb * d[p + BX] - sb * d[p + BY]) - (ca * d[p + AX] - sa * d[p + AY]);
-    movedY += (sb * d[p + BX] + cb * d[p + BY]) - (sa * d[p + AX] + ca * d[p + AY]);
-    float round = d[at + ROUND_A] * ca + d[at + ROUND_B] * cb;
-    return d[p + SEPARATION] + movedX * d[at + NX] + movedY * d[at + NY] + round;
+    float turnedA = ca * d[p + TANGENT_ARM_A] + sa * d[p + NORMAL_ARM_A];
+    float turnedB = cb * d[p + TANGENT_ARM_B] + sb * d[p + NORMAL_ARM_B];
+    return d[p + SEPARATION] + (moved + (turnedB - turnedA));
   }
 
   /**
@@ -931,20 +1042,20 @@ final class ContactSolver {
 
   private boolean anyBounces() {
     for (int block = 0; block < blocks; block++) {
-      if (bounces[block]) {
+      if ((traits[block] & BOUNCES) != 0) {
         return true;
       }
     }
     return false;
   }
 
-  private void bounce(int from, int to) {
+  private void bounceBlocks(int from, int to) {
     for (int block = from; block < to; block++) {
-      int end = bounces[block] ? block * LANES + used[block] : 0;
-      for (int lane = block * LANES; lane < end; lane++) {
-        bounce(lane, FIRST, BOUNCE_FIRST);
-        if (two[block]) {
-          bounce(lane, SECOND, BOUNCE_SECOND);
+      int end = (traits[block] & BOUNCES) != 0 ? used[block] : 0;
+      for (int i = 0; i < end; i++) {
+        bounce(block, i, FIRST, BOUNCE_FIRST);
+        if ((traits[block] & TWO) != 0) {
+          bounce(block, i, SECOND, BOUNCE_SECOND);
         }
       }
     }
@@ -952,52 +1063,56 @@ final class ContactSolver {
 
   private void endBounces(int from, int to) {
     for (int block = from; block < to; block++) {
-      int end = bounces[block] ? block * LANES + used[block] : 0;
-      for (int lane = block * LANES; lane < end; lane++) {
-        endBounce(lane, FIRST, BOUNCE_FIRST);
-        if (two[block]) {
-          endBounce(lane, SECOND, BOUNCE_SECOND);
+      int end = (traits[block] & BOUNCES) != 0 ? used[block] : 0;
+      for (int i = 0; i < end; i++) {
+        endBounce(block, i, FIRST, BOUNCE_FIRST);
+        if ((traits[block] & TWO) != 0) {
+          endBounce(block, i, SECOND, BOUNCE_SECOND);
         }
       }
     }
   }
 
-  private void endBounce(int lane, int point, int speed) {
-    int p = lane / LANES * RECORD + lane % LANES + point;
-    float bounce = extra[lane / LANES * EXTRA + lane % LANES + speed];
-    if (bounce != 0 && data[p + TOTAL] != 0) {
+  private void endBounce(int block, int i, int point, int wanted) {
+    int p = block * RECORD + i + point;
+    if (extra[block * EXTRA + i + wanted] != 0 && data[p + TOTAL] != 0) {
       data[p + NORMAL] = 0;
       data[p + TANGENT] = 0;
     }
   }
 
-  private void bounce(int lane, int point, int speed) {
+  private void bounce(int block, int i, int point, int wanted) {
     float[] d = data;
-    int at = lane / LANES * RECORD + lane % LANES;
-    int more = lane / LANES * EXTRA + lane % LANES;
+    int lane = block * LANES + i;
+    int at = block * RECORD + i;
+    int more = block * EXTRA + i;
     int p = at + point;
-    float bounce = extra[more + speed];
+    float bounce = extra[more + wanted];
     if (bounce == 0 || d[p + TOTAL] == 0) {
       return;
     }
+    int a = bodyA[lane];
+    int b = bodyB[lane];
     float pull = extra[more + PULL];
-    float square = bounce * bounce - 2 * pull * separation(lane, point);
-    float wanted = square > 0 ? (float) Math.sqrt(square) + 0.5f * h * pull : 0;
-    float impulse = (Math.max(wanted, 0) - normalSpeed(lane, point)) / d[p + YIELD];
+    float square = bounce * bounce - 2 * pull * gap(p, moved(block, i), a, b);
+    float speed = square > 0 ? (float) Math.sqrt(square) + 0.5f * h * pull : 0;
+    float impulse = (Math.max(speed, 0) - normalSpeed(lane, point)) / d[p + YIELD];
     impulse = Math.max(impulse, -d[p + NORMAL]);
     d[p + NORMAL] += impulse;
     d[p + TOTAL] += impulse;
-    apply(bodyA[lane], bodyB[lane], at, point, impulse * d[at + NX], impulse * d[at + NY]);
+    float wa = v[a + W] - d[at + INERTIA_A] * (d[p + NORMAL_ARM_A] * impulse);
+    float wb = v[b + W] + d[at + INERTIA_B] * (d[p + NORMAL_ARM_B] * impulse);
+    give(lane, at, impulse, 0, wa, wb);
     if (d[at + FRICTION] != 0 && isCentral(at, p)) {
-      rub(lane, point, more + speed, impulse);
+      rubBounce(block, i, p, more + wanted, impulse);
     }
   }
 
   /** Whether impulses along the normal turn neither body. */
   private boolean isCentral(int at, int p) {
     float[] d = data;
-    float turnA = d[p + AX] * d[at + NY] - d[p + AY] * d[at + NX];
-    float turnB = d[p + BX] * d[at + NY] - d[p + BY] * d[at + NX];
+    float turnA = d[p + NORMAL_ARM_A];
+    float turnB = d[p + NORMAL_ARM_B];
     float turning = d[at + INERTIA_A] * turnA * turnA + d[at + INERTIA_B] * turnB * turnB;
     return turning <= 1e-6f * (d[at + MASS_A] + d[at + MASS_B]);
   }
@@ -1008,24 +1123,29 @@ final class ContactSolver {
    * between discs: elsewhere friction changes the normal speed, and with Newton's restitution that
    * can add energy (Kane and Levinson, "Dynamics", 1985).
    */
-  private void rub(int lane, int point, int at, float impulse) {
+  private void rubBounce(int block, int i, int p, int more, float impulse) {
     float[] d = data;
-    int contact = lane / LANES * RECORD + lane % LANES;
-    int p = contact + point;
+    int lane = block * LANES + i;
+    int at = block * RECORD + i;
     int a = bodyA[lane];
     int b = bodyB[lane];
-    float nx = d[contact + NX];
-    float ny = d[contact + NY];
-    extra[at + BOUNCED] += impulse;
-    float limit = d[contact + FRICTION] * Math.max(extra[at + BOUNCED], 0);
-    float dvx = v[b + VX] - v[b + W] * d[p + BY] - v[a + VX] + v[a + W] * d[p + AY];
-    float dvy = v[b + VY] + v[b + W] * d[p + BX] - v[a + VY] - v[a + W] * d[p + AX];
-    float vt = dvy * nx - dvx * ny + d[contact + SURFACE];
-    float old = extra[at + RUBBED];
-    float sum = Math.max(-limit, Math.min(old - d[p + TANGENT_MASS] * vt, limit));
-    extra[at + RUBBED] = sum;
-    d[p + SLIDE] += sum - old;
-    apply(a, b, contact, point, (old - sum) * ny, (sum - old) * nx);
+    float dvx = v[b + VX] - v[a + VX];
+    float dvy = v[b + VY] - v[a + VY];
+    float slip = dvy * d[at + NX] - dvx * d[at + NY];
+    slip += v[b + W] * d[p + TANGENT_ARM_B] - v[a + W] * d[p + TANGENT_ARM_A];
+    if ((traits[block] & MOVING_SURFACE) != 0) {
+      slip += extra[block * EXTRA + i + SURFACE];
+    }
+    extra[more + BOUNCED] += impulse;
+    float limit = d[at + FRICTION] * Math.max(extra[more + BOUNCED], 0);
+    float old = extra[more + RUBBED];
+    float sum = Math.max(-limit, Math.min(old - d[p + TANGENT_MASS] * slip, limit));
+    float change = sum - old;
+    extra[more + RUBBED] = sum;
+    d[p + SLIDE] += change;
+    float wa = v[a + W] - d[at + INERTIA_A] * (d[p + TANGENT_ARM_A] * change);
+    float wb = v[b + W] + d[at + INERTIA_B] * (d[p + TANGENT_ARM_B] * change);
+    give(lane, at, 0, change, wa, wb);
   }
 
   /** Hands the impulses back to the table, but for those that overflowed. */
@@ -1040,18 +1160,23 @@ final class ContactSolver {
       for (int i = 0; i < used[block]; i++) {
         int at = block * RECORD + i;
         int r = row[block * LANES + i];
-        t.normal0[r] = d[at + FIRST + NORMAL];
+        float load = d[at + FIRST + NORMAL];
+        t.normal0[r] = load;
         t.tangent0[r] = d[at + FIRST + TANGENT];
         t.total0[r] = d[at + FIRST + TOTAL];
         t.slide0[r] = d[at + FIRST + SLIDE];
-        t.roll[r] = extra[block * EXTRA + i + ROLL];
-        if (two[block]) {
+        if ((traits[block] & TWO) != 0) {
           t.normal1[r] = d[at + SECOND + NORMAL];
           t.tangent1[r] = d[at + SECOND + TANGENT];
           t.total1[r] = d[at + SECOND + TOTAL];
           t.slide1[r] = d[at + SECOND + SLIDE];
+          load += t.normal1[r];
         }
-        if (!(t.normal0[r] + t.normal1[r] + Math.abs(t.roll[r]) <= Float.MAX_VALUE)) {
+        if ((traits[block] & ROLLS) != 0) {
+          t.roll[r] = extra[block * EXTRA + i + ROLL];
+          load += Math.abs(t.roll[r]);
+        }
+        if (!(load <= Float.MAX_VALUE)) {
           t.forget(r);
         }
       }

@@ -61,6 +61,10 @@ public final class Dynamics {
   private static final int ASK_SLEEP = 2;
   private static final int ASKED = 3;
 
+  private static final int JOINTS_WARM = 0;
+  private static final int JOINTS_PUSH = 1;
+  private static final int JOINTS_RELAX = 2;
+
   private static final MassData NO_MASS = new MassData(0, 0, 0, 0);
 
   private final Settings settings;
@@ -1581,6 +1585,26 @@ public final class Dynamics {
     return -(partX * contacts.nx[row] + partY * contacts.ny[row]);
   }
 
+  private void solveJoints(int pass) {
+    int n = jointSolver.count();
+    if (n == 0) {
+      return;
+    }
+    begins(StepStage.JOINTS);
+    boolean contactsToo = solver.blocks() > 0;
+    if (contactsToo) {
+      solverBodies.mark();
+    }
+    switch (pass) {
+      case JOINTS_WARM -> jointSolver.warmStart(0, n);
+      case JOINTS_PUSH -> jointSolver.solve(0, n, true);
+      default -> jointSolver.solve(0, n, false);
+    }
+    if (contactsToo) {
+      solverBodies.except();
+    }
+  }
+
   private void solve(float dt) {
     int substeps = settings.substeps();
     float h = dt / substeps;
@@ -1589,22 +1613,21 @@ public final class Dynamics {
     solver.prepare(contacts, bodies, solverBodies, activeIndex, settings, h);
     begins(StepStage.JOINTS);
     jointSolver.prepare(joints, bodies, activeIndex, settings, h, solverBodies.state);
-    int m = jointSolver.count();
     for (int i = 0; i < substeps; i++) {
+      boolean warm = i > 0 && !settings.explicitEuler() && solver.blocks() > 0;
       begins(StepStage.INTEGRATE);
-      solverBodies.integrateVelocities();
-      begins(StepStage.JOINTS);
-      jointSolver.warmStart(0, m);
-      begins(StepStage.WARM);
-      solver.warmStart();
-      begins(StepStage.JOINTS);
-      jointSolver.solve(0, m, true);
+      solverBodies.integrateVelocities(warm);
+      solveJoints(JOINTS_WARM);
+      if (!warm) {
+        begins(StepStage.WARM);
+        solver.warmStart();
+      }
+      solveJoints(JOINTS_PUSH);
       begins(StepStage.SOLVE);
       solver.push();
       begins(StepStage.INTEGRATE);
       solverBodies.integratePositions();
-      begins(StepStage.JOINTS);
-      jointSolver.solve(0, m, false);
+      solveJoints(JOINTS_RELAX);
       begins(StepStage.RELAX);
       solver.relax();
     }

@@ -1,11 +1,7 @@
 package carom.physics.dynamics;
 
-import static carom.physics.dynamics.ContactSolver.AX;
-import static carom.physics.dynamics.ContactSolver.AY;
-import static carom.physics.dynamics.ContactSolver.BIAS_RATE;
-import static carom.physics.dynamics.ContactSolver.BX;
-import static carom.physics.dynamics.ContactSolver.BY;
 import static carom.physics.dynamics.ContactSolver.CROSS;
+import static carom.physics.dynamics.ContactSolver.EXTRA;
 import static carom.physics.dynamics.ContactSolver.FIRST;
 import static carom.physics.dynamics.ContactSolver.FRICTION;
 import static carom.physics.dynamics.ContactSolver.GAP;
@@ -15,6 +11,8 @@ import static carom.physics.dynamics.ContactSolver.LANES;
 import static carom.physics.dynamics.ContactSolver.MASS_A;
 import static carom.physics.dynamics.ContactSolver.MASS_B;
 import static carom.physics.dynamics.ContactSolver.NORMAL;
+import static carom.physics.dynamics.ContactSolver.NORMAL_ARM_A;
+import static carom.physics.dynamics.ContactSolver.NORMAL_ARM_B;
 import static carom.physics.dynamics.ContactSolver.NX;
 import static carom.physics.dynamics.ContactSolver.NY;
 import static carom.physics.dynamics.ContactSolver.RECORD;
@@ -23,10 +21,10 @@ import static carom.physics.dynamics.ContactSolver.ROUND_B;
 import static carom.physics.dynamics.ContactSolver.SECOND;
 import static carom.physics.dynamics.ContactSolver.SEPARATION;
 import static carom.physics.dynamics.ContactSolver.SLIDE;
-import static carom.physics.dynamics.ContactSolver.SOFT;
-import static carom.physics.dynamics.ContactSolver.SOFT_CROSS;
 import static carom.physics.dynamics.ContactSolver.SURFACE;
 import static carom.physics.dynamics.ContactSolver.TANGENT;
+import static carom.physics.dynamics.ContactSolver.TANGENT_ARM_A;
+import static carom.physics.dynamics.ContactSolver.TANGENT_ARM_B;
 import static carom.physics.dynamics.ContactSolver.TANGENT_MASS;
 import static carom.physics.dynamics.ContactSolver.TOTAL;
 import static carom.physics.dynamics.ContactSolver.YIELD;
@@ -49,42 +47,48 @@ import jdk.incubator.vector.VectorSpecies;
 final class VectorLanes extends ContactLanes {
   private static final VectorSpecies<Float> LANE = FloatVector.SPECIES_256;
 
-  // Quantities of the scratch array.
-  private static final int VAX = 0;
-  private static final int VAY = VAX + LANES;
-  private static final int WA = VAY + LANES;
-  private static final int VBX = WA + LANES;
-  private static final int VBY = VBX + LANES;
-  private static final int WB = VBY + LANES;
+  // Quantities of the scratch array: how fast B leaves A, without rotation; along the normal and
+  // the tangent; angular velocities.
+  private static final int DVX = 0;
+  private static final int DVY = DVX + LANES;
+  private static final int SPEED = DVY + LANES;
+  private static final int SLIP = SPEED + LANES;
+  private static final int WA = SLIP + LANES;
+  private static final int WB = WA + LANES;
+
+  /** How far the bodies have moved apart and turned. */
   private static final int MOVED_X = WB + LANES;
+
   private static final int MOVED_Y = MOVED_X + LANES;
-  private static final int COS_A = MOVED_Y + LANES;
+  private static final int MOVED = MOVED_Y + LANES;
+  private static final int COS_A = MOVED + LANES;
   private static final int SIN_A = COS_A + LANES;
   private static final int COS_B = SIN_A + LANES;
   private static final int SIN_B = COS_B + LANES;
 
-  /** How fast B leaves A at the point at hand. */
-  private static final int DVX = SIN_B + LANES;
+  /** Of each point: speed to push with, softness, change of impulse. */
+  private static final int URGE = SIN_B + LANES;
 
-  private static final int DVY = DVX + LANES;
-
-  /** Impulse at the point at hand. */
-  private static final int PX = DVY + LANES;
-
-  private static final int PY = PX + LANES;
-
-  /** Of each point: speed along the normal, speed to push with, softness, change of impulse. */
-  private static final int SPEED = PY + LANES;
-
-  private static final int PUSH = SPEED + 2 * LANES;
-  private static final int YIELDS = PUSH + 2 * LANES;
-  private static final int CHANGE = YIELDS + 2 * LANES;
+  private static final int SOFT = URGE + 2 * LANES;
+  private static final int CHANGE = SOFT + 2 * LANES;
 
   /** Softness that both points share. */
-  private static final int YIELDS_CROSS = CHANGE + 2 * LANES;
+  private static final int SOFT_CROSS = CHANGE + 2 * LANES;
+
+  /** Impulses along normal and tangent. */
+  private static final int NORMAL_SUM = SOFT_CROSS + LANES;
+
+  private static final int TANGENT_SUM = NORMAL_SUM + LANES;
+
+  /** Changes of velocity. */
+  private static final int AX = TANGENT_SUM + LANES;
+
+  private static final int AY = AX + LANES;
+  private static final int BX = AY + LANES;
+  private static final int BY = BX + LANES;
 
   /** And room behind, so that no two workers' arrays share a line of the cache. */
-  private static final int SCRATCH = YIELDS_CROSS + 3 * LANES;
+  private static final int SCRATCH = BY + 3 * LANES;
 
   /** Loaded by name, see { link ContactLanes#find}. */
   VectorLanes() {
@@ -102,17 +106,27 @@ final class VectorLanes extends ContactLanes {
   void push(ContactSolver solver, float[] v, float[] s, int block) {
     float[] d = solver.data;
     int at = block * RECORD;
+    int traits = solver.traits[block];
+    int softness = traits & (ContactSolver.TWO | ContactSolver.FIXED);
+    float rate = solver.biasRate[softness];
     gather(s, v, solver.bodyA, solver.bodyB, block * LANES);
-    friction(s, d, at, FIRST);
-    springs(s, d, at, FIRST, 0, solver.inverseH, solver.slop, solver.maxPush);
-    if (solver.two[block]) {
-      friction(s, d, at, SECOND);
-      springs(s, d, at, SECOND, LANES, solver.inverseH, solver.slop, solver.maxPush);
-      springCross(s, d, at);
-      normals(s, d, at);
-    } else {
-      normal(s, d, at);
+    turnToFrame(s, d, at);
+    if ((traits & ContactSolver.MOVING_SURFACE) != 0) {
+      surface(s, solver.extra, block * EXTRA);
     }
+    soften(s, d, at, solver.soft[softness]);
+    urge(s, d, at + FIRST, 0, rate, solver.inverseH, solver.slop, solver.maxPush);
+    friction(s, d, at, at + FIRST);
+    if ((traits & ContactSolver.TWO) != 0) {
+      urge(s, d, at + SECOND, LANES, rate, solver.inverseH, solver.slop, solver.maxPush);
+      friction(s, d, at, at + SECOND);
+      pressBoth(s, d, at);
+      turnBoth(s, d, at);
+    } else {
+      press(s, d, at + FIRST);
+      turn(s, d, at);
+    }
+    give(s, d, at);
     scatter(s, v, solver, block);
   }
 
@@ -120,34 +134,32 @@ final class VectorLanes extends ContactLanes {
   void relax(ContactSolver solver, float[] v, float[] s, int block) {
     float[] d = solver.data;
     int at = block * RECORD;
+    int traits = solver.traits[block];
     gather(s, v, solver.bodyA, solver.bodyB, block * LANES);
     gatherMotion(s, v, solver.bodyA, solver.bodyB, block * LANES);
-    rigid(s);
-    room(s, d, at, at + FIRST, 0, solver.inverseH);
-    if (solver.two[block]) {
-      room(s, d, at, at + SECOND, LANES, solver.inverseH);
-      normals(s, d, at);
-      friction(s, d, at, FIRST);
-      friction(s, d, at, SECOND);
+    turnToFrame(s, d, at);
+    move(s, d, at);
+    if ((traits & ContactSolver.MOVING_SURFACE) != 0) {
+      surface(s, solver.extra, block * EXTRA);
+    }
+    if ((traits & ContactSolver.ROUND) != 0) {
+      round(s, solver.extra, block * EXTRA);
+    }
+    room(s, d, at + FIRST, 0, solver.inverseH);
+    if ((traits & ContactSolver.TWO) != 0) {
+      room(s, d, at + SECOND, LANES, solver.inverseH);
+      pressBoth(s, d, at);
+      turnBoth(s, d, at);
+      friction(s, d, at, at + FIRST);
+      friction(s, d, at, at + SECOND);
       addUp(d, at + SECOND);
     } else {
-      normal(s, d, at);
-      friction(s, d, at, FIRST);
+      press(s, d, at + FIRST);
+      turn(s, d, at);
+      friction(s, d, at, at + FIRST);
     }
     addUp(d, at + FIRST);
-    scatter(s, v, solver, block);
-  }
-
-  @Override
-  void warmStart(ContactSolver solver, float[] v, float[] s, int block) {
-    int at = block * RECORD;
-    gather(s, v, solver.bodyA, solver.bodyB, block * LANES);
-    warm(s, solver.data, at, at + FIRST);
-    apply(s, solver.data, at, at + FIRST);
-    if (solver.two[block]) {
-      warm(s, solver.data, at, at + SECOND);
-      apply(s, solver.data, at, at + SECOND);
-    }
+    give(s, d, at);
     scatter(s, v, solver, block);
   }
 
@@ -155,11 +167,9 @@ final class VectorLanes extends ContactLanes {
     for (int i = 0; i < LANES; i++) {
       int a = bodyA[lane + i];
       int b = bodyB[lane + i];
-      s[VAX + i] = v[a + SolverBodies.VX];
-      s[VAY + i] = v[a + SolverBodies.VY];
+      s[DVX + i] = v[b + SolverBodies.VX] - v[a + SolverBodies.VX];
+      s[DVY + i] = v[b + SolverBodies.VY] - v[a + SolverBodies.VY];
       s[WA + i] = v[a + SolverBodies.W];
-      s[VBX + i] = v[b + SolverBodies.VX];
-      s[VBY + i] = v[b + SolverBodies.VY];
       s[WB + i] = v[b + SolverBodies.W];
     }
   }
@@ -178,7 +188,7 @@ final class VectorLanes extends ContactLanes {
   }
 
   private static void scatter(float[] s, float[] v, ContactSolver solver, int block) {
-    if (solver.fixed[block]) {
+    if ((solver.traits[block] & ContactSolver.FIXED) != 0) {
       scatterMoved(s, v, solver, block);
     } else {
       scatterBoth(s, v, solver.bodyA, solver.bodyB, block * LANES);
@@ -189,11 +199,11 @@ final class VectorLanes extends ContactLanes {
     for (int i = 0; i < LANES; i++) {
       int a = bodyA[lane + i];
       int b = bodyB[lane + i];
-      v[a + SolverBodies.VX] = s[VAX + i];
-      v[a + SolverBodies.VY] = s[VAY + i];
+      v[a + SolverBodies.VX] -= s[AX + i];
+      v[a + SolverBodies.VY] -= s[AY + i];
       v[a + SolverBodies.W] = s[WA + i];
-      v[b + SolverBodies.VX] = s[VBX + i];
-      v[b + SolverBodies.VY] = s[VBY + i];
+      v[b + SolverBodies.VX] += s[BX + i];
+      v[b + SolverBodies.VY] += s[BY + i];
       v[b + SolverBodies.W] = s[WB + i];
     }
   }
@@ -205,222 +215,195 @@ final class VectorLanes extends ContactLanes {
       int a = solver.bodyA[block * LANES + i];
       int b = solver.bodyB[block * LANES + i];
       if (d[block * RECORD + MASS_A + i] != 0) {
-        v[a + SolverBodies.VX] = s[VAX + i];
-        v[a + SolverBodies.VY] = s[VAY + i];
+        v[a + SolverBodies.VX] -= s[AX + i];
+        v[a + SolverBodies.VY] -= s[AY + i];
         v[a + SolverBodies.W] = s[WA + i];
       }
       if (d[block * RECORD + MASS_B + i] != 0) {
-        v[b + SolverBodies.VX] = s[VBX + i];
-        v[b + SolverBodies.VY] = s[VBY + i];
+        v[b + SolverBodies.VX] += s[BX + i];
+        v[b + SolverBodies.VY] += s[BY + i];
         v[b + SolverBodies.W] = s[WB + i];
       }
     }
   }
 
-  private static void friction(float[] s, float[] d, int at, int point) {
-    approach(s, d, at + point);
-    slide(s, d, at, at + point);
-    apply(s, d, at, at + point);
-  }
-
-  /** Solves the one point. */
-  private static void normal(float[] s, float[] d, int at) {
-    approach(s, d, at + FIRST);
-    along(s, d, at, 0);
-    solveOne(s, d, at + FIRST);
-    impulse(s, d, at, 0);
-    apply(s, d, at, at + FIRST);
-  }
-
-  /** Solves both points together. */
-  private static void normals(float[] s, float[] d, int at) {
-    approach(s, d, at + FIRST);
-    along(s, d, at, 0);
-    approach(s, d, at + SECOND);
-    along(s, d, at, LANES);
-    solveBoth(s, d, at);
-    impulse(s, d, at, 0);
-    apply(s, d, at, at + FIRST);
-    impulse(s, d, at, LANES);
-    apply(s, d, at, at + SECOND);
-  }
-
-  /** How fast B leaves A at a point, x and y. */
-  private static void approach(float[] s, float[] d, int p) {
-    FloatVector wa = FloatVector.fromArray(LANE, s, WA);
-    FloatVector wb = FloatVector.fromArray(LANE, s, WB);
-    FloatVector.fromArray(LANE, s, VBX)
-        .sub(wb.mul(FloatVector.fromArray(LANE, d, p + BY)))
-        .sub(FloatVector.fromArray(LANE, s, VAX))
-        .add(wa.mul(FloatVector.fromArray(LANE, d, p + AY)))
-        .intoArray(s, DVX);
-    FloatVector.fromArray(LANE, s, VBY)
-        .add(wb.mul(FloatVector.fromArray(LANE, d, p + BX)))
-        .sub(FloatVector.fromArray(LANE, s, VAY))
-        .sub(wa.mul(FloatVector.fromArray(LANE, d, p + AX)))
-        .intoArray(s, DVY);
-  }
-
-  /** The same along the normal. */
-  private static void along(float[] s, float[] d, int at, int point) {
-    FloatVector.fromArray(LANE, s, DVX)
-        .mul(FloatVector.fromArray(LANE, d, at + NX))
-        .add(FloatVector.fromArray(LANE, s, DVY).mul(FloatVector.fromArray(LANE, d, at + NY)))
-        .intoArray(s, SPEED + point);
-  }
-
-  /** Turns a change of the normal impulse into a vector. */
-  private static void impulse(float[] s, float[] d, int at, int point) {
-    FloatVector change = FloatVector.fromArray(LANE, s, CHANGE + point);
-    change.mul(FloatVector.fromArray(LANE, d, at + NX)).intoArray(s, PX);
-    change.mul(FloatVector.fromArray(LANE, d, at + NY)).intoArray(s, PY);
-  }
-
-  /** Gives B the impulse at a point, and A its opposite. */
-  private static void apply(float[] s, float[] d, int at, int p) {
-    FloatVector px = FloatVector.fromArray(LANE, s, PX);
-    FloatVector py = FloatVector.fromArray(LANE, s, PY);
-    FloatVector massA = FloatVector.fromArray(LANE, d, at + MASS_A);
-    FloatVector.fromArray(LANE, s, VAX).sub(massA.mul(px)).intoArray(s, VAX);
-    FloatVector.fromArray(LANE, s, VAY).sub(massA.mul(py)).intoArray(s, VAY);
-    FloatVector turnA =
-        FloatVector.fromArray(LANE, d, p + AX)
-            .mul(py)
-            .sub(FloatVector.fromArray(LANE, d, p + AY).mul(px));
-    FloatVector.fromArray(LANE, s, WA)
-        .sub(FloatVector.fromArray(LANE, d, at + INERTIA_A).mul(turnA))
-        .intoArray(s, WA);
-    FloatVector massB = FloatVector.fromArray(LANE, d, at + MASS_B);
-    FloatVector.fromArray(LANE, s, VBX).add(massB.mul(px)).intoArray(s, VBX);
-    FloatVector.fromArray(LANE, s, VBY).add(massB.mul(py)).intoArray(s, VBY);
-    FloatVector turnB =
-        FloatVector.fromArray(LANE, d, p + BX)
-            .mul(py)
-            .sub(FloatVector.fromArray(LANE, d, p + BY).mul(px));
-    FloatVector.fromArray(LANE, s, WB)
-        .add(FloatVector.fromArray(LANE, d, at + INERTIA_B).mul(turnB))
-        .intoArray(s, WB);
-  }
-
-  private static void slide(float[] s, float[] d, int at, int p) {
+  /** Speeds along normal and tangent; no impulse yet. */
+  private static void turnToFrame(float[] s, float[] d, int at) {
     FloatVector nx = FloatVector.fromArray(LANE, d, at + NX);
     FloatVector ny = FloatVector.fromArray(LANE, d, at + NY);
-    FloatVector vt =
-        FloatVector.fromArray(LANE, s, DVY)
-            .mul(nx)
-            .sub(FloatVector.fromArray(LANE, s, DVX).mul(ny))
-            .add(FloatVector.fromArray(LANE, d, at + SURFACE));
+    FloatVector dvx = FloatVector.fromArray(LANE, s, DVX);
+    FloatVector dvy = FloatVector.fromArray(LANE, s, DVY);
+    dvx.mul(nx).add(dvy.mul(ny)).intoArray(s, SPEED);
+    dvy.mul(nx).sub(dvx.mul(ny)).intoArray(s, SLIP);
+    FloatVector.zero(LANE).intoArray(s, TANGENT_SUM);
+  }
+
+  private static void surface(float[] s, float[] extra, int more) {
+    FloatVector.fromArray(LANE, s, SLIP)
+        .add(FloatVector.fromArray(LANE, extra, more + SURFACE))
+        .intoArray(s, SLIP);
+  }
+
+  /** How far the bodies moved apart along the normal; rigid from here on. */
+  private static void move(float[] s, float[] d, int at) {
+    FloatVector.fromArray(LANE, s, MOVED_X)
+        .mul(FloatVector.fromArray(LANE, d, at + NX))
+        .add(FloatVector.fromArray(LANE, s, MOVED_Y).mul(FloatVector.fromArray(LANE, d, at + NY)))
+        .intoArray(s, MOVED);
+    FloatVector zero = FloatVector.zero(LANE);
+    zero.intoArray(s, SOFT);
+    zero.intoArray(s, SOFT + LANES);
+    zero.intoArray(s, SOFT_CROSS);
+  }
+
+  private static void round(float[] s, float[] extra, int more) {
+    FloatVector a =
+        FloatVector.fromArray(LANE, extra, more + ROUND_A)
+            .mul(FloatVector.fromArray(LANE, s, COS_A));
+    FloatVector b =
+        FloatVector.fromArray(LANE, extra, more + ROUND_B)
+            .mul(FloatVector.fromArray(LANE, s, COS_B));
+    FloatVector.fromArray(LANE, s, MOVED).add(a.add(b)).intoArray(s, MOVED);
+  }
+
+  /** Friction at a point. */
+  private static void friction(float[] s, float[] d, int at, int p) {
+    FloatVector wa = FloatVector.fromArray(LANE, s, WA);
+    FloatVector wb = FloatVector.fromArray(LANE, s, WB);
+    FloatVector slip = FloatVector.fromArray(LANE, s, SLIP);
+    FloatVector armA = FloatVector.fromArray(LANE, d, p + TANGENT_ARM_A);
+    FloatVector armB = FloatVector.fromArray(LANE, d, p + TANGENT_ARM_B);
     FloatVector limit =
         FloatVector.fromArray(LANE, d, at + FRICTION)
             .mul(FloatVector.fromArray(LANE, d, p + NORMAL));
     FloatVector old = FloatVector.fromArray(LANE, d, p + TANGENT);
-    FloatVector sum = old.sub(FloatVector.fromArray(LANE, d, p + TANGENT_MASS).mul(vt));
+    FloatVector sum =
+        old.sub(
+            FloatVector.fromArray(LANE, d, p + TANGENT_MASS)
+                .mul(slip.add(wb.mul(armB).sub(wa.mul(armA)))));
     sum = limit.blend(sum, sum.compare(VectorOperators.LT, limit));
     FloatVector least = limit.neg();
     sum = least.blend(sum, sum.compare(VectorOperators.GT, least));
     sum.intoArray(d, p + TANGENT);
-    old.sub(sum).mul(ny).intoArray(s, PX);
-    sum.sub(old).mul(nx).intoArray(s, PY);
+    FloatVector change = sum.sub(old);
+    FloatVector masses =
+        FloatVector.fromArray(LANE, d, at + MASS_A)
+            .add(FloatVector.fromArray(LANE, d, at + MASS_B));
+    slip.add(masses.mul(change)).intoArray(s, SLIP);
+    wa.sub(FloatVector.fromArray(LANE, d, at + INERTIA_A).mul(armA.mul(change))).intoArray(s, WA);
+    wb.add(FloatVector.fromArray(LANE, d, at + INERTIA_B).mul(armB.mul(change))).intoArray(s, WB);
+    FloatVector.fromArray(LANE, s, TANGENT_SUM).add(change).intoArray(s, TANGENT_SUM);
   }
 
-  /** Push and softness of a point from the gap of the last relaxing visit. */
-  private static void springs(
+  /** Softness of both points, and what they share; those of open gaps are taken away by urge. */
+  private static void soften(float[] s, float[] d, int at, float perMass) {
+    FloatVector soft =
+        FloatVector.fromArray(LANE, d, at + MASS_A)
+            .add(FloatVector.fromArray(LANE, d, at + MASS_B))
+            .mul(perMass);
+    soft.intoArray(s, SOFT);
+    soft.intoArray(s, SOFT + LANES);
+    soft.mul(ContactSolver.COUPLING).intoArray(s, SOFT_CROSS);
+  }
+
+  /** Speed to push a point with, from the gap of the last relaxing visit. */
+  private static void urge(
       float[] s,
       float[] d,
-      int at,
-      int first,
+      int p,
       int point,
+      float rate,
       float inverseH,
       float slop,
       float maxPush) {
-    FloatVector gap = FloatVector.fromArray(LANE, d, at + first + GAP);
+    FloatVector gap = FloatVector.fromArray(LANE, d, p + GAP);
     VectorMask<Float> open = gap.compare(VectorOperators.GT, 0);
     FloatVector zero = FloatVector.zero(LANE);
     FloatVector overlap = gap.add(slop);
     overlap = zero.blend(overlap, overlap.compare(VectorOperators.LT, 0));
-    FloatVector speed = FloatVector.fromArray(LANE, d, at + BIAS_RATE).mul(overlap);
-    FloatVector push = FloatVector.broadcast(LANE, -maxPush);
-    push = push.blend(speed, speed.compare(VectorOperators.GT, -maxPush));
-    push.blend(gap.mul(inverseH), open).intoArray(s, PUSH + point);
-    FloatVector.fromArray(LANE, d, at + SOFT).blend(0, open).intoArray(s, YIELDS + point);
-  }
-
-  private static void springCross(float[] s, float[] d, int at) {
-    VectorMask<Float> open =
-        FloatVector.fromArray(LANE, d, at + FIRST + GAP).compare(VectorOperators.GT, 0);
-    open =
-        open.or(FloatVector.fromArray(LANE, d, at + SECOND + GAP).compare(VectorOperators.GT, 0));
-    FloatVector.fromArray(LANE, d, at + SOFT_CROSS).blend(0, open).intoArray(s, YIELDS_CROSS);
-  }
-
-  private static void rigid(float[] s) {
-    FloatVector zero = FloatVector.zero(LANE);
-    zero.intoArray(s, YIELDS);
-    zero.intoArray(s, YIELDS + LANES);
-    zero.intoArray(s, YIELDS_CROSS);
+    FloatVector apart = overlap.mul(rate);
+    FloatVector urge = FloatVector.broadcast(LANE, -maxPush);
+    urge = urge.blend(apart, apart.compare(VectorOperators.GT, -maxPush));
+    urge.blend(gap.mul(inverseH), open).intoArray(s, URGE + point);
+    FloatVector.fromArray(LANE, s, SOFT + point).blend(0, open).intoArray(s, SOFT + point);
+    FloatVector.fromArray(LANE, s, SOFT_CROSS).blend(0, open).intoArray(s, SOFT_CROSS);
   }
 
   /** The gap at a point now, and the speed by which it may close. */
-  private static void room(float[] s, float[] d, int at, int p, int point, float inverseH) {
-    FloatVector ax = FloatVector.fromArray(LANE, d, p + AX);
-    FloatVector ay = FloatVector.fromArray(LANE, d, p + AY);
-    FloatVector bx = FloatVector.fromArray(LANE, d, p + BX);
-    FloatVector by = FloatVector.fromArray(LANE, d, p + BY);
-    FloatVector ca = FloatVector.fromArray(LANE, s, COS_A);
-    FloatVector sa = FloatVector.fromArray(LANE, s, SIN_A);
-    FloatVector cb = FloatVector.fromArray(LANE, s, COS_B);
-    FloatVector sb = FloatVector.fromArray(LANE, s, SIN_B);
-    FloatVector movedX =
-        FloatVector.fromArray(LANE, s, MOVED_X)
-            .add(cb.mul(bx).sub(sb.mul(by)).sub(ca.mul(ax).sub(sa.mul(ay))));
-    FloatVector movedY =
-        FloatVector.fromArray(LANE, s, MOVED_Y)
-            .add(sb.mul(bx).add(cb.mul(by)).sub(sa.mul(ax).add(ca.mul(ay))));
+  private static void room(float[] s, float[] d, int p, int point, float inverseH) {
+    FloatVector turnedA =
+        FloatVector.fromArray(LANE, s, COS_A)
+            .mul(FloatVector.fromArray(LANE, d, p + TANGENT_ARM_A))
+            .add(
+                FloatVector.fromArray(LANE, s, SIN_A)
+                    .mul(FloatVector.fromArray(LANE, d, p + NORMAL_ARM_A)));
+    FloatVector turnedB =
+        FloatVector.fromArray(LANE, s, COS_B)
+            .mul(FloatVector.fromArray(LANE, d, p + TANGENT_ARM_B))
+            .add(
+                FloatVector.fromArray(LANE, s, SIN_B)
+                    .mul(FloatVector.fromArray(LANE, d, p + NORMAL_ARM_B)));
     FloatVector gap =
         FloatVector.fromArray(LANE, d, p + SEPARATION)
-            .add(movedX.mul(FloatVector.fromArray(LANE, d, at + NX)))
-            .add(movedY.mul(FloatVector.fromArray(LANE, d, at + NY)));
-    FloatVector roundA = FloatVector.fromArray(LANE, d, at + ROUND_A);
-    FloatVector roundB = FloatVector.fromArray(LANE, d, at + ROUND_B);
-    gap = gap.add(roundA.mul(ca).add(roundB.mul(cb)));
+            .add(FloatVector.fromArray(LANE, s, MOVED).add(turnedB.sub(turnedA)));
     gap.intoArray(d, p + GAP);
     FloatVector zero = FloatVector.zero(LANE);
-    zero.blend(gap.mul(inverseH), gap.compare(VectorOperators.GT, 0)).intoArray(s, PUSH + point);
+    zero.blend(gap.mul(inverseH), gap.compare(VectorOperators.GT, 0)).intoArray(s, URGE + point);
   }
 
-  private static void solveOne(float[] s, float[] d, int p) {
+  /** Solves the one point. */
+  private static void press(float[] s, float[] d, int p) {
     FloatVector old = FloatVector.fromArray(LANE, d, p + NORMAL);
     FloatVector yield = FloatVector.fromArray(LANE, d, p + YIELD);
+    FloatVector turning =
+        FloatVector.fromArray(LANE, s, WB)
+            .mul(FloatVector.fromArray(LANE, d, p + NORMAL_ARM_B))
+            .sub(
+                FloatVector.fromArray(LANE, s, WA)
+                    .mul(FloatVector.fromArray(LANE, d, p + NORMAL_ARM_A)));
     FloatVector q =
         FloatVector.fromArray(LANE, s, SPEED)
-            .add(FloatVector.fromArray(LANE, s, PUSH))
+            .add(turning)
+            .add(FloatVector.fromArray(LANE, s, URGE))
             .sub(yield.mul(old));
     FloatVector zero = FloatVector.zero(LANE);
-    FloatVector sum = q.neg().div(yield.add(FloatVector.fromArray(LANE, s, YIELDS)));
+    FloatVector sum = q.neg().div(yield.add(FloatVector.fromArray(LANE, s, SOFT)));
     sum = zero.blend(sum, q.compare(VectorOperators.LT, 0));
     sum.intoArray(d, p + NORMAL);
     sum.sub(old).intoArray(s, CHANGE);
   }
 
-  private static void solveBoth(float[] s, float[] d, int at) {
+  /** Solves both points together. */
+  private static void pressBoth(float[] s, float[] d, int at) {
     FloatVector old1 = FloatVector.fromArray(LANE, d, at + FIRST + NORMAL);
     FloatVector old2 = FloatVector.fromArray(LANE, d, at + SECOND + NORMAL);
     FloatVector k1 = FloatVector.fromArray(LANE, d, at + FIRST + YIELD);
     FloatVector k2 = FloatVector.fromArray(LANE, d, at + SECOND + YIELD);
     FloatVector k = FloatVector.fromArray(LANE, d, at + CROSS);
+    FloatVector speed = FloatVector.fromArray(LANE, s, SPEED);
+    FloatVector wa = FloatVector.fromArray(LANE, s, WA);
+    FloatVector wb = FloatVector.fromArray(LANE, s, WB);
+    FloatVector turning1 =
+        wb.mul(FloatVector.fromArray(LANE, d, at + FIRST + NORMAL_ARM_B))
+            .sub(wa.mul(FloatVector.fromArray(LANE, d, at + FIRST + NORMAL_ARM_A)));
+    FloatVector turning2 =
+        wb.mul(FloatVector.fromArray(LANE, d, at + SECOND + NORMAL_ARM_B))
+            .sub(wa.mul(FloatVector.fromArray(LANE, d, at + SECOND + NORMAL_ARM_A)));
     FloatVector q1 =
-        FloatVector.fromArray(LANE, s, SPEED)
-            .add(FloatVector.fromArray(LANE, s, PUSH))
+        speed
+            .add(turning1)
+            .add(FloatVector.fromArray(LANE, s, URGE))
             .sub(k1.mul(old1))
             .sub(k.mul(old2));
     FloatVector q2 =
-        FloatVector.fromArray(LANE, s, SPEED + LANES)
-            .add(FloatVector.fromArray(LANE, s, PUSH + LANES))
+        speed
+            .add(turning2)
+            .add(FloatVector.fromArray(LANE, s, URGE + LANES))
             .sub(k2.mul(old2))
             .sub(k.mul(old1));
-    k1 = k1.add(FloatVector.fromArray(LANE, s, YIELDS));
-    k2 = k2.add(FloatVector.fromArray(LANE, s, YIELDS + LANES));
-    k = k.add(FloatVector.fromArray(LANE, s, YIELDS_CROSS));
+    k1 = k1.add(FloatVector.fromArray(LANE, s, SOFT));
+    k2 = k2.add(FloatVector.fromArray(LANE, s, SOFT + LANES));
+    k = k.add(FloatVector.fromArray(LANE, s, SOFT_CROSS));
     FloatVector zero = FloatVector.zero(LANE);
     FloatVector scale = FloatVector.broadcast(LANE, 1).div(k1.mul(k2).sub(k.mul(k)));
     FloatVector sum1 = k.mul(q2).sub(k2.mul(q1)).mul(scale);
@@ -438,6 +421,57 @@ final class VectorLanes extends ContactLanes {
     sum2.sub(old2).intoArray(s, CHANGE + LANES);
   }
 
+  /** Lets the change of the one point's impulse turn the bodies. */
+  private static void turn(float[] s, float[] d, int at) {
+    FloatVector change = FloatVector.fromArray(LANE, s, CHANGE);
+    FloatVector turnA = FloatVector.fromArray(LANE, d, at + FIRST + NORMAL_ARM_A).mul(change);
+    FloatVector turnB = FloatVector.fromArray(LANE, d, at + FIRST + NORMAL_ARM_B).mul(change);
+    FloatVector.fromArray(LANE, s, WA)
+        .sub(FloatVector.fromArray(LANE, d, at + INERTIA_A).mul(turnA))
+        .intoArray(s, WA);
+    FloatVector.fromArray(LANE, s, WB)
+        .add(FloatVector.fromArray(LANE, d, at + INERTIA_B).mul(turnB))
+        .intoArray(s, WB);
+    change.intoArray(s, NORMAL_SUM);
+  }
+
+  /** Lets the changes of both points' impulses turn the bodies. */
+  private static void turnBoth(float[] s, float[] d, int at) {
+    FloatVector change1 = FloatVector.fromArray(LANE, s, CHANGE);
+    FloatVector change2 = FloatVector.fromArray(LANE, s, CHANGE + LANES);
+    FloatVector turnA =
+        FloatVector.fromArray(LANE, d, at + FIRST + NORMAL_ARM_A)
+            .mul(change1)
+            .add(FloatVector.fromArray(LANE, d, at + SECOND + NORMAL_ARM_A).mul(change2));
+    FloatVector turnB =
+        FloatVector.fromArray(LANE, d, at + FIRST + NORMAL_ARM_B)
+            .mul(change1)
+            .add(FloatVector.fromArray(LANE, d, at + SECOND + NORMAL_ARM_B).mul(change2));
+    FloatVector.fromArray(LANE, s, WA)
+        .sub(FloatVector.fromArray(LANE, d, at + INERTIA_A).mul(turnA))
+        .intoArray(s, WA);
+    FloatVector.fromArray(LANE, s, WB)
+        .add(FloatVector.fromArray(LANE, d, at + INERTIA_B).mul(turnB))
+        .intoArray(s, WB);
+    change1.add(change2).intoArray(s, NORMAL_SUM);
+  }
+
+  /** The impulses as changes of velocity. */
+  private static void give(float[] s, float[] d, int at) {
+    FloatVector normal = FloatVector.fromArray(LANE, s, NORMAL_SUM);
+    FloatVector tangent = FloatVector.fromArray(LANE, s, TANGENT_SUM);
+    FloatVector nx = FloatVector.fromArray(LANE, d, at + NX);
+    FloatVector ny = FloatVector.fromArray(LANE, d, at + NY);
+    FloatVector px = normal.mul(nx).sub(tangent.mul(ny));
+    FloatVector py = normal.mul(ny).add(tangent.mul(nx));
+    FloatVector massA = FloatVector.fromArray(LANE, d, at + MASS_A);
+    FloatVector massB = FloatVector.fromArray(LANE, d, at + MASS_B);
+    massA.mul(px).intoArray(s, AX);
+    massA.mul(py).intoArray(s, AY);
+    massB.mul(px).intoArray(s, BX);
+    massB.mul(py).intoArray(s, BY);
+  }
+
   private static void addUp(float[] d, int p) {
     FloatVector.fromArray(LANE, d, p + TOTAL)
         .add(FloatVector.fromArray(LANE, d, p + NORMAL))
@@ -445,14 +479,5 @@ final class VectorLanes extends ContactLanes {
     FloatVector.fromArray(LANE, d, p + SLIDE)
         .add(FloatVector.fromArray(LANE, d, p + TANGENT))
         .intoArray(d, p + SLIDE);
-  }
-
-  private static void warm(float[] s, float[] d, int at, int p) {
-    FloatVector nx = FloatVector.fromArray(LANE, d, at + NX);
-    FloatVector ny = FloatVector.fromArray(LANE, d, at + NY);
-    FloatVector pn = FloatVector.fromArray(LANE, d, p + NORMAL);
-    FloatVector pt = FloatVector.fromArray(LANE, d, p + TANGENT);
-    pn.mul(nx).sub(pt.mul(ny)).intoArray(s, PX);
-    pn.mul(ny).add(pt.mul(nx)).intoArray(s, PY);
   }
 }
