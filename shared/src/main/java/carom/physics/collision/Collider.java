@@ -592,8 +592,7 @@ public final class Collider {
     float bh = b.halfHeight();
     float gapAx = Math.abs(dx) - aw - (c * bw + s * bh);
     float gapAy = Math.abs(dy) - ah - (s * bw + c * bh);
-    float separationA = Math.max(gapAx, gapAy);
-    if (!(separationA <= speculative)) {
+    if ((sign(speculative - gapAx) | sign(speculative - gapAy)) != 0) {
       out.clear();
       return;
     }
@@ -601,11 +600,12 @@ public final class Collider {
     float ey = sin * dx - cos * dy;
     float gapBx = Math.abs(ex) - bw - (c * aw + s * ah);
     float gapBy = Math.abs(ey) - bh - (s * aw + c * ah);
-    float separationB = Math.max(gapBx, gapBy);
-    if (!(separationB <= speculative)) {
+    if ((sign(speculative - gapBx) | sign(speculative - gapBy)) != 0) {
       out.clear();
       return;
     }
+    float separationA = Math.max(gapAx, gapAy);
+    float separationB = Math.max(gapBx, gapBy);
     float bias = ROUNDING * (aw + ah + bw + bh);
     if (separationB <= TOUCHING) {
       bias += Math.min(FACE_BIAS, RELATIVE_FACE_BIAS * 2 * Math.min(aw, bw));
@@ -684,22 +684,31 @@ public final class Collider {
    */
   private static int facingEdge(int edge, float cos, float sin) {
     // Edge normals are a quarter turn apart: the opposite one is edge + 2, less the quarters by
-    // which
-    // the box is turned.
-    int quarters;
-    if (Math.abs(cos) >= Math.abs(sin)) {
-      quarters = cos > 0 ? 0 : 2;
-    } else {
-      quarters = sin > 0 ? 1 : 3;
-    }
+    // which the box is turned.
+    int straight = 2 & sign(-cos);
+    int across = 3 - (2 & sign(-sin));
+    int quarters = choose(sign(Math.abs(cos) - Math.abs(sin)), across, 2 - straight);
     return edge + 2 - quarters & 3;
   }
 
   /** The edge that faces the other box; of equally good ones that of the lowest index. */
   private static int boxEdge(float gapX, float gapY, float dx, float dy) {
-    int sideways = dx >= 0 ? 1 : 3;
-    int upright = dy <= 0 ? 0 : 2;
-    return gapX > gapY ? sideways : gapY > gapX ? upright : Math.min(sideways, upright);
+    int sideways = 1 + (2 & sign(dx + 0f));
+    int upright = 2 & sign(0f - dy);
+    int least = Math.min(sideways, upright);
+    return choose(sign(gapY - gapX), sideways, choose(sign(gapX - gapY), upright, least));
+  }
+
+  /**
+   * All bits set if a number is below zero (or is minus zero), else none. Decisions about boxes are
+   * made by such masks, for branches that go either way as often cost more than the whole sum.
+   */
+  private static int sign(float value) {
+    return Float.floatToRawIntBits(value) >> 31;
+  }
+
+  private static int choose(int mask, int ifSet, int otherwise) {
+    return ifSet & mask | otherwise & ~mask;
   }
 
   private static int facing(Convex a, int count, int support, float nx, float ny) {

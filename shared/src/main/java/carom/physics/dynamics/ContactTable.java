@@ -482,6 +482,7 @@ public final class ContactTable {
     moves.apply(points);
     moves.apply(id0);
     moves.apply(id1);
+    moves.apply(hint);
     for (float[] field : floats) {
       moves.apply(field);
     }
