@@ -11,9 +11,9 @@ import java.util.function.Consumer;
  * @param udpPort the server's UDP port, 1..65,535
  * @param name the player's name, see {@link carom.net.protocol.PlayerName}
  * @param prediction what is simulated ahead of the server
- * @param nearMetres bodies within this distance of the own body are predicted with it, 0..100
- * @param maxNearBodies most of them; the nearest win
- * @param maxRollbackTicks longest replay; beyond, the client waits for the server
+ * @param maxRollbackTicks longest replay, 1..120; of a longer one, the oldest ticks are left out
+ * @param maxReplayMs longest time a replay may take, 1..1,000; then ticks are left out, too
+ * @param syncTest whether to roll back eight ticks in each tick and compare hashes; for developers
  * @param ticksPerInputDatagram 1 sends each tick; 2 halves the number of datagrams and adds a tick
  *     of lag
  * @param reconnect whether to come back by itself when the link is lost
@@ -24,9 +24,9 @@ public record ClientConfig(
     int udpPort,
     String name,
     PredictionMode prediction,
-    float nearMetres,
-    int maxNearBodies,
     int maxRollbackTicks,
+    int maxReplayMs,
+    boolean syncTest,
     int ticksPerInputDatagram,
     boolean reconnect) {
   /** TCP port a server uses unless told otherwise. */
@@ -39,9 +39,8 @@ public record ClientConfig(
   public ClientConfig {
     require("tcpPort", tcpPort, 0, 65_535); // 0: an in-process transport has no ports
     require("udpPort", udpPort, 0, 65_535);
-    require("nearMetres", nearMetres, 0, 100);
-    require("maxNearBodies", maxNearBodies, 0, 1_000);
     require("maxRollbackTicks", maxRollbackTicks, 1, 120);
+    require("maxReplayMs", maxReplayMs, 1, 1_000);
     require("ticksPerInputDatagram", ticksPerInputDatagram, 1, 8);
   }
 
@@ -52,10 +51,10 @@ public record ClientConfig(
         DEFAULT_TCP_PORT,
         DEFAULT_UDP_PORT,
         name,
-        PredictionMode.OWN,
-        4,
-        32,
+        PredictionMode.ISLAND,
         60,
+        8,
+        false,
         1,
         true);
   }
@@ -80,13 +79,18 @@ public record ClientConfig(
     return with(d -> d.prediction = prediction);
   }
 
-  /** This, with another reach of the prediction. */
-  public ClientConfig withNear(float nearMetres, int maxNearBodies) {
+  /** This, with other bounds of what is simulated again after a correction. */
+  public ClientConfig withRollback(int maxTicks, int maxMs) {
     return with(
         d -> {
-          d.nearMetres = nearMetres;
-          d.maxNearBodies = maxNearBodies;
+          d.maxRollbackTicks = maxTicks;
+          d.maxReplayMs = maxMs;
         });
+  }
+
+  /** This, testing the prediction's rollback in each tick, or not. */
+  public ClientConfig withSyncTest(boolean syncTest) {
+    return with(d -> d.syncTest = syncTest);
   }
 
   /** This, with another number of inputs per datagram. */
@@ -118,9 +122,9 @@ public record ClientConfig(
     private int udpPort;
     private String name;
     private PredictionMode prediction;
-    private float nearMetres;
-    private int maxNearBodies;
     private int maxRollbackTicks;
+    private int maxReplayMs;
+    private boolean syncTest;
     private int ticksPerInputDatagram;
     private boolean reconnect;
 
@@ -130,9 +134,9 @@ public record ClientConfig(
       udpPort = from.udpPort;
       name = from.name;
       prediction = from.prediction;
-      nearMetres = from.nearMetres;
-      maxNearBodies = from.maxNearBodies;
       maxRollbackTicks = from.maxRollbackTicks;
+      maxReplayMs = from.maxReplayMs;
+      syncTest = from.syncTest;
       ticksPerInputDatagram = from.ticksPerInputDatagram;
       reconnect = from.reconnect;
     }
@@ -144,9 +148,9 @@ public record ClientConfig(
           udpPort,
           name,
           prediction,
-          nearMetres,
-          maxNearBodies,
           maxRollbackTicks,
+          maxReplayMs,
+          syncTest,
           ticksPerInputDatagram,
           reconnect);
     }

@@ -51,9 +51,17 @@ public final class ClientMain implements Callable<Integer> {
   @Option(
       names = "--prediction",
       paramLabel = "MODE",
-      description = "none or own (default: ${DEFAULT-VALUE})",
-      defaultValue = "own")
-  private PredictionMode prediction = PredictionMode.OWN;
+      description =
+          "what is simulated ahead of the server: island (the own body and what it touches), all"
+              + " (as much as possible) or none (default: ${DEFAULT-VALUE})",
+      defaultValue = "island")
+  private PredictionMode prediction = PredictionMode.ISLAND;
+
+  @Option(
+      names = "--synctest",
+      description =
+          "for developers: roll the prediction back 8 ticks in each tick, and count other hashes")
+  private boolean syncTest;
 
   @Option(names = "--net-graph", description = "start with the net graph shown")
   private boolean netGraph;
@@ -122,7 +130,7 @@ public final class ClientMain implements Callable<Integer> {
       return 0;
     }
     network.startLogging();
-    ClientConfig config = network.config(name).withPrediction(prediction);
+    ClientConfig config = network.config(name).withPrediction(prediction).withSyncTest(syncTest);
     if (headless) {
       try (StopSignal stop = new StopSignal();
           ClientTransport transport = network.impair(new KryoClientTransport());

@@ -27,6 +27,7 @@ import carom.sim.Simulation;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.LongSupplier;
 
 /**
  * A player's side of the game, without a window. Whoever owns it calls {@link #update} once per
@@ -56,6 +57,7 @@ public final class GameClient implements AutoCloseable {
   private static final float LOOK_MARGIN = 1.2f;
 
   private final ClientConfig config;
+  private final LongSupplier stopwatch;
   private final InputSource source;
   private final NetStats stats = new NetStats();
   private final ClientView view = new ClientView(stats);
@@ -105,6 +107,21 @@ public final class GameClient implements AutoCloseable {
    * @param input plays
    */
   public GameClient(ClientConfig config, ClientTransport transport, InputSource input) {
+    this(config, transport, input, System::nanoTime);
+  }
+
+  /**
+   * Creates a client whose prediction measures its time otherwise.
+   *
+   * @param config where to and how
+   * @param transport opens links; stays the caller's, close it after this client
+   * @param input plays
+   * @param stopwatch nanoseconds, to bound how long a replay takes; a constant lifts that bound,
+   *     for tests in virtual time that must not depend on the machine
+   */
+  public GameClient(
+      ClientConfig config, ClientTransport transport, InputSource input, LongSupplier stopwatch) {
+    this.stopwatch = stopwatch;
     this.config = config;
     this.source = input;
     connection = new Connection(config, transport, new Ears(), stats);
@@ -171,6 +188,9 @@ public final class GameClient implements AutoCloseable {
     datagram.hasAck = decoder.hasAck();
     datagram.ackSequence = decoder.hasAck() ? decoder.ackSequence() : 0;
     datagram.ackBits = decoder.hasAck() ? decoder.ackBits() : 0;
+    datagram.near = prediction == null ? InputDatagram.NEAR_NONE : config.prediction().near();
+    datagram.disagrees = prediction != null && prediction.disagreedTick() >= 0;
+    datagram.disagreedTick = datagram.disagrees ? prediction.disagreedTick() & 0xffff : 0;
     datagram.newestTick = tick;
     datagram.viewDelay = viewDelay(tick);
     int pending = Math.min(tick - ackedTick, tick - firstTick + 1);
@@ -214,8 +234,10 @@ public final class GameClient implements AutoCloseable {
     prediction.reconcile(own, compare, decoder);
     prove(compare, alone && prediction.alone());
     if (prediction.compared()) {
-      stats.compared(prediction.exact());
+      stats.compared(prediction.exact(), prediction.awakeBodies(), prediction.exactBodies());
     }
+    stats.rolledBack(prediction.rolledBack(), prediction.replayed(), prediction.replayNs());
+    stats.cutShort(prediction.cutShort());
     if (prediction.corrected()) {
       stats.corrected(prediction.correctionMetres());
     }
@@ -301,9 +323,10 @@ public final class GameClient implements AutoCloseable {
                 simulation,
                 welcome.playerId(),
                 config.name(),
-                config.nearMetres(),
-                config.maxNearBodies(),
-                config.maxRollbackTicks());
+                config.maxRollbackTicks(),
+                config.maxReplayMs() * 1_000_000L,
+                stopwatch,
+                config.syncTest());
     snapshotTick = -1;
     Arrays.fill(seenTick, -1);
     ownTick = -1;
@@ -351,6 +374,9 @@ public final class GameClient implements AutoCloseable {
     }
     if (decoder.feedback().present) {
       feedback(decoder.feedback(), tick, arrivedNs);
+    }
+    if (decoder.hasOwn() && prediction != null) {
+      prediction.hear(decoder.own().near(), tick);
     }
     if (decoder.hasOwn() && tick > ownTick) {
       own.set(decoder.own());

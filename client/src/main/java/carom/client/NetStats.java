@@ -20,6 +20,7 @@ public final class NetStats {
   final Series gap = new Series();
   final Series margin = new Series();
   final Series correction = new Series();
+  final Series replay = new Series();
 
   private final float[] scratch = new float[Series.CAPACITY];
   private final IntCountsHistogram gapsUs = new IntCountsHistogram(60_000_000L, 2);
@@ -48,6 +49,12 @@ public final class NetStats {
 
   private long compared;
   private long exact;
+  private long awakeBodies;
+  private long exactBodies;
+  private long rollbacks;
+  private long rollbackTicks;
+  private int longestRollback;
+  private long cutShort;
   private long corrections;
   private double correctionMetres;
   private double largestCorrection;
@@ -123,11 +130,27 @@ public final class NetStats {
     rttUs.recordValue((long) Math.max(0, Math.min(60_000_000.0, ms * 1_000)));
   }
 
-  void compared(boolean same) {
+  void compared(boolean same, int awake, int right) {
     compared++;
     if (same) {
       exact++;
     }
+    awakeBodies += awake;
+    exactBodies += right;
+  }
+
+  void rolledBack(int ticks, int replayed, long tookNs) {
+    if (replayed == 0) {
+      return;
+    }
+    rollbacks++;
+    rollbackTicks += ticks;
+    longestRollback = Math.max(longestRollback, ticks);
+    replay.add(tookNs / 1e6f);
+  }
+
+  void cutShort(long count) {
+    cutShort = count;
   }
 
   void corrected(double metres) {
@@ -271,6 +294,51 @@ public final class NetStats {
   /** Predictions of the own body compared with the server's state. */
   public long compared() {
     return compared;
+  }
+
+  /** Share of the bodies near and awake whose prediction was right in every bit, 0..1. */
+  public double perfectRate() {
+    return awakeBodies == 0 ? 1 : (double) exactBodies / awakeBodies;
+  }
+
+  /** Bodies near and awake whose prediction was compared with the server's state. */
+  public long awakeBodies() {
+    return awakeBodies;
+  }
+
+  /** Those of {@link #awakeBodies} that were right in every bit. */
+  public long exactBodies() {
+    return exactBodies;
+  }
+
+  /** Times the prediction went back and came again, since the client was created. */
+  public long rollbacks() {
+    return rollbacks;
+  }
+
+  /** Mean length of a rollback, ticks. */
+  public double rollbackMeanTicks() {
+    return rollbacks == 0 ? 0 : (double) rollbackTicks / rollbacks;
+  }
+
+  /** Longest rollback, ticks. */
+  public int rollbackMaxTicks() {
+    return longestRollback;
+  }
+
+  /** Replays that were too long or took too long, so that ticks were left out. */
+  public long replaysCutShort() {
+    return cutShort;
+  }
+
+  /** Time that replays took, milliseconds, the newest of them. */
+  public double replayP95Ms() {
+    return replay.percentile(0.95, scratch);
+  }
+
+  /** Times that replays took, milliseconds. */
+  public Series replaySeries() {
+    return replay;
   }
 
   /** Payload received, kbit/s in the last second. */

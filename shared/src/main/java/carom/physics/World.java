@@ -8,6 +8,7 @@ import carom.physics.dynamics.Checks;
 import carom.physics.dynamics.ContactEvents;
 import carom.physics.dynamics.ContactTable;
 import carom.physics.dynamics.Dynamics;
+import carom.physics.dynamics.Excerpt;
 import carom.physics.dynamics.JointEvents;
 import carom.physics.dynamics.JointStore;
 import carom.physics.dynamics.Settings;
@@ -732,6 +733,29 @@ public final class World<T> {
       Arrays.fill(jointHandles, slots, jointHandles.length, null);
       s.jointStructure.copyTo(jointStructure);
     }
+  }
+
+  /**
+   * Reads the exact state of some bodies out, to be carried to another world.
+   *
+   * @param excerpt lists the bodies; receives the rest
+   */
+  public void read(Excerpt excerpt) {
+    refuseDuringStep("read");
+    dynamics.read(excerpt);
+  }
+
+  /**
+   * Gives new bodies the exact state that others have in another world, with their contacts. From
+   * now on both go on alike, to the bit, as long as nothing else reaches them.
+   *
+   * @param excerpt lists bodies that were created here since the last step and are awake, of the
+   *     same kinds and in the same order as those it was read from
+   */
+  public void write(Excerpt excerpt) {
+    refuseDuringStep("write");
+    refuseDuringQuery("write");
+    dynamics.write(excerpt);
   }
 
   private void checkOwner(WorldState s) {

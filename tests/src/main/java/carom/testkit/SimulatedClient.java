@@ -66,7 +66,7 @@ public final class SimulatedClient {
         };
     client =
         new GameClient(
-            config, remembering, (view, tick, out) -> this.script.sample(view, tick, out));
+            config, remembering, (view, tick, out) -> this.script.sample(view, tick, out), () -> 0);
   }
 
   // ---- driven by the stepper

@@ -79,7 +79,7 @@ final class PredictionScenarioTest {
     ClientTransport transport =
         new ImpairedClientTransport(
             network.client(), impairment, new KryoMessageCodec(), () -> now);
-    client = new GameClient(config(), transport, input);
+    client = new GameClient(config(), transport, input, () -> 0);
   }
 
   private static ClientConfig config() {

@@ -1,6 +1,7 @@
 package carom.client;
 
 import carom.game.Games;
+import carom.net.codec.Sequence;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.InputDatagram;
 import carom.net.protocol.Limits;
@@ -15,6 +16,8 @@ import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.net.transport.ServerTransport;
 import carom.physics.Body;
+import carom.server.replication.NearSet;
+import carom.server.replication.OwnCapture;
 import carom.sim.Entity;
 import carom.sim.Level;
 import carom.sim.Player;
@@ -48,6 +51,9 @@ final class ScriptedServer {
     long newestNs;
     long last;
     int missing;
+    final OwnState own = new OwnState();
+    final NearSet near = capture.nearSet();
+    int disagreedTick = -1;
 
     Guest(Link link) {
       this.link = link;
@@ -110,6 +116,9 @@ final class ScriptedServer {
       }
       feedback.present = true;
       feedback.sequence = datagram.sequence;
+      if (datagram.disagrees) {
+        disagreedTick = Sequence.expand(datagram.disagreedTick, simulation.tick());
+      }
       newestNs = nowNs;
       for (int i = 0; i < datagram.count; i++) {
         int tick = datagram.newestTick - i;
@@ -137,23 +146,9 @@ final class ScriptedServer {
     }
 
     void snapshot() {
-      OwnState own = new OwnState();
-      if (player.body() != null) {
-        Entity e = player.body();
-        Body<Entity> b = e.body();
-        own.setBody(
-            e.id(),
-            e.generation(),
-            b.centerX(),
-            b.centerY(),
-            b.cos(),
-            b.sin(),
-            b.velocityX(),
-            b.velocityY(),
-            b.angularVelocity());
-      }
-      for (int i = 0; i < OwnState.MEMORY; i++) {
-        own.setMemory(i, player.memory()[i]);
+      capture.capture(player, own);
+      if (datagram.near != InputDatagram.NEAR_NONE) {
+        near.capture(player, false, disagreedTick, own);
       }
       feedback.margin = Math.max(-32, Math.min(31, newestInput - simulation.tick()));
       feedback.holdMs = (int) Math.min(255, (nowNs - newestNs) / 1_000_000);
@@ -161,6 +156,7 @@ final class ScriptedServer {
       for (int n; (n = encoder.next(buffer)) > 0; ) {
         link.sendDatagram(buffer, 0, n);
       }
+      near.sent();
     }
   }
 
@@ -180,6 +176,7 @@ final class ScriptedServer {
 
   private final ServerTransport transport;
   private final FrameRing ring = new FrameRing(512);
+  private final OwnCapture capture;
   private final byte[] buffer = new byte[SnapshotEncoder.MAX_DATAGRAM_BYTES];
   final Level level;
   final Simulation simulation;
@@ -192,6 +189,7 @@ final class ScriptedServer {
     this.transport = transport;
     this.level = level;
     simulation = new Simulation(Games.create(level.gameName()), level, 1, 60, Role.AUTHORITY);
+    capture = new OwnCapture(simulation);
   }
 
   /** Takes in what arrived. */
@@ -230,6 +228,11 @@ final class ScriptedServer {
             b.velocityX(),
             b.velocityY(),
             b.angularVelocity());
+      }
+    }
+    for (Guest g : guests) {
+      if (g.player != null) {
+        frame.putInput(g.player.id(), g.player.input().pack());
       }
     }
     ring.end();

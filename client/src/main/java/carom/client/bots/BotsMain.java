@@ -61,7 +61,9 @@ public final class BotsMain implements Callable<Integer> {
   @Option(
       names = "--prediction",
       paramLabel = "MODE",
-      description = "none or own; own costs a simulation per bot (default: ${DEFAULT-VALUE})",
+      description =
+          "none, island or all; a prediction costs a simulation per bot (default:"
+              + " ${DEFAULT-VALUE})",
       defaultValue = "none")
   private PredictionMode prediction = PredictionMode.NONE;
 

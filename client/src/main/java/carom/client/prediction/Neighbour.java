@@ -2,101 +2,52 @@ package carom.client.prediction;
 
 import carom.client.interpolation.Pose;
 import carom.physics.Body;
-import carom.sim.Archetype;
 import carom.sim.Entity;
-import java.util.Arrays;
 
-/** One predicted body: the own one, or one near it. */
+/** The picture of one predicted body: the own one, or one near it. */
 final class Neighbour {
   /** Time in which a body changes from drawn in the past to drawn in the present, seconds. */
   private static final float BLEND_SECONDS = 0.15f;
 
   final int id;
   final int generation;
-  final Archetype archetype;
-  final int ownerId;
   final VisualError error = new VisualError();
+
+  /** Pose before a correction. */
   final Pose before = new Pose();
 
   /** Pose a tick ago. */
   final Pose previous = new Pose();
 
-  private final int[] ringTick = new int[Prediction.RING];
-  private final float[] ring = new float[Prediction.RING * 6];
+  /** Where it goes on when it is no longer simulated. */
+  private final Pose course = new Pose();
+
+  /** The simulated one; null once it is no longer predicted. */
   Entity entity;
-  boolean wanted = true;
-  boolean placed;
-
-  /**
-   * Whether it only follows its course: what it leans on is not predicted, so forces on it mean
-   * nothing.
-   */
-  boolean held;
-
-  /** The owner's newest known input, packed, and its tick; -1 when none is known. */
-  long input;
-
-  int inputTick = -1;
 
   private float weight;
 
-  Neighbour(int id, int generation, Archetype archetype, int ownerId, float weight) {
+  Neighbour(int id, int generation, float weight) {
     this.id = id;
     this.generation = generation;
-    this.archetype = archetype;
-    this.ownerId = ownerId;
     this.weight = weight;
-    Arrays.fill(ringTick, -1);
   }
 
-  Body<Entity> body() {
-    return entity.body();
-  }
-
-  /** Remembers the state after a tick. */
-  void keep(int tick) {
-    int slot = tick & (Prediction.RING - 1);
-    int at = slot * 6;
-    Body<Entity> body = body();
-    ringTick[slot] = tick;
-    ring[at] = body.x();
-    ring[at + 1] = body.y();
-    ring[at + 2] = body.angle();
-    ring[at + 3] = body.velocityX();
-    ring[at + 4] = body.velocityY();
-    ring[at + 5] = body.angularVelocity();
-  }
-
-  /** What was predicted for a tick; false when nothing was. */
-  boolean at(int tick, Pose out) {
-    int slot = tick & (Prediction.RING - 1);
-    if (ringTick[slot] != tick) {
-      return false;
+  /** It is no longer simulated, and goes on from {@link #before} while it fades into the past. */
+  void leave() {
+    if (entity != null) {
+      course.set(before);
+      entity = null;
     }
-    int at = slot * 6;
-    out.set(ring[at], ring[at + 1], ring[at + 2], ring[at + 3], ring[at + 4], ring[at + 5]);
-    return true;
   }
 
-  /** After a step of the world: a held body goes on as it went before the step. */
-  void holdCourse(float seconds) {
-    if (!held) {
+  /** Where it is in the present. */
+  void pose(Pose out) {
+    if (entity == null) {
+      out.set(course);
       return;
     }
-    Body<Entity> body = body();
-    body.setPose(
-        previous.x + previous.vx * seconds,
-        previous.y + previous.vy * seconds,
-        previous.angle + previous.omega * seconds);
-    body.setVelocity(previous.vx, previous.vy);
-    body.setAngularVelocity(previous.omega);
-  }
-
-  void pose(Pose out) {
-    read(body(), out);
-  }
-
-  static void read(Body<Entity> body, Pose out) {
+    Body<Entity> body = entity.body();
     out.set(
         body.x(),
         body.y(),
@@ -110,7 +61,15 @@ final class Neighbour {
   void advance(float seconds) {
     error.fade(seconds);
     float step = seconds / BLEND_SECONDS;
-    weight = wanted ? Math.min(1, weight + step) : Math.max(0, weight - step);
+    if (entity != null) {
+      weight = Math.min(1, weight + step);
+      return;
+    }
+    weight = Math.max(0, weight - step);
+    previous.set(course);
+    course.x += course.vx * seconds;
+    course.y += course.vy * seconds;
+    course.angle += course.omega * seconds;
   }
 
   /** Share of the prediction in what is drawn, 0..1, without corners in time. */
@@ -119,6 +78,6 @@ final class Neighbour {
   }
 
   boolean faded() {
-    return !wanted && weight == 0;
+    return entity == null && weight == 0;
   }
 }

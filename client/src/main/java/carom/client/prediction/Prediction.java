@@ -5,58 +5,64 @@ import carom.client.interpolation.Pose;
 import carom.client.interpolation.States;
 import carom.net.codec.Quantizer;
 import carom.net.snapshot.EntityHistory;
+import carom.net.snapshot.NearState;
 import carom.net.snapshot.OwnState;
 import carom.net.snapshot.RelayedInputs;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.physics.Body;
-import carom.physics.BodyType;
-import carom.physics.geometry.Shape;
-import carom.physics.math.Aabb;
-import carom.physics.math.Transform;
 import carom.sim.Archetype;
 import carom.sim.Entity;
 import carom.sim.Input;
+import carom.sim.Neighbourhood;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.SimState;
 import carom.sim.Simulation;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.BitSet;
 import java.util.List;
+import java.util.function.LongSupplier;
 
 /**
- * Runs the own body ahead of the server, with the inputs the server will get, and corrects itself.
+ * Runs the own body, and what is near it, ahead of the server, and corrects itself.
  *
- * <p>The predicted simulation holds the level's statics, the own body from the server's exact bits,
- * and the bodies near it from their decoded states. Alone among statics the prediction is what the
- * server will compute, bit by bit. Among others it is a good guess: their players do what the
- * server last relayed, until the next snapshot says otherwise.
+ * <p>The server says who is near ({@link NearState}), with a hash of their exact state. Whoever
+ * comes near is told exactly once; from then on both sides compute the same, bit by bit, from the
+ * same inputs: the own ones, and those of other players, which the server relays. Until they are
+ * known, a player is taken to do what it did last, and a little less each tick ({@link
+ * Input#faded}).
  *
- * <p>When the server's state after tick T arrives, it is compared with what was predicted for T. If
- * the own body is the same in every bit and the neighbours are within what quantisation hides,
- * nothing happens. Else the simulation returns to its saved state of T (contacts with their
- * impulses included), takes over the server's state there, and replays the inputs since. The jump
- * of the picture is handed to {@link VisualError}; the state itself is never blended.
+ * <p>What happens when the server's state after tick T arrives:
  *
- * <p>Bounded: at most {@code maxRollbackTicks} are replayed, at most {@code maxNearBodies} are
- * mirrored. One thread; allocates only when a body enters the predicted set.
+ * <ol>
+ *   <li>If another player's inputs up to T were not as foreseen, or an {@linkplain NearUpdate
+ *       update} is complete, the simulation returns to the saved state before, takes over what was
+ *       told, and runs to T again, with the true inputs.
+ *   <li>If now the hash of T is the server's, all is well.
+ *   <li>Else the own body is put right from the own section, and others where the quantised records
+ *       disagree; the server is told that the hash differed, and sends an update of all.
+ *   <li>If anything changed, the inputs since T are replayed. The jump of the picture is handed to
+ *       {@link VisualError}; the state itself is never blended.
+ * </ol>
+ *
+ * <p>Bounded: at most {@code maxRollbackTicks} are replayed, for at most {@code maxReplayNs}; what
+ * is too much is left out, the oldest first, and counted. One thread; a tick in which nothing is
+ * corrected allocates nothing.
  */
 public final class Prediction {
   /** Saved ticks; a power of two. */
   static final int RING = 128;
 
-  /** Leaving the set takes a larger distance than entering it. */
-  private static final float HYSTERESIS = 1.25f;
+  private static final int MASK = RING - 1;
 
-  /** Bodies count as touching up to this gap between the circles around them, metres. */
-  private static final float TOUCH = 0.05f;
+  /** For how long a player's last known input is repeated, fading. */
+  private static final int REPEAT_TICKS = 30;
 
   /** Longest time a neighbour's last known state is moved on in a straight line, ticks. */
   private static final int LONGEST_COAST = 9;
 
-  /** For how long a player's last known input is repeated, fading. */
-  private static final int REPEAT_TICKS = 30;
+  private static final int BODY = 1;
+  private static final int REST = 8;
 
   private static final float POSITION_TOLERANCE = 1.0f / Quantizer.POSITION_STEPS;
   private static final float VELOCITY_TOLERANCE = 1.0f / Quantizer.VELOCITY_STEPS;
@@ -65,39 +71,83 @@ public final class Prediction {
 
   private final Simulation simulation;
   private final Player player;
-  private final float nearMetres;
-  private final int maxNearBodies;
   private final int maxRollbackTicks;
+  private final long maxReplayNs;
+  private final LongSupplier stopwatch;
+  private final boolean syncTest;
   private final SimState[] saved = new SimState[RING];
   private final int[] savedTick = new int[RING];
+  private final int[] hash = new int[RING];
+  private final Foreseen foreseen = new Foreseen(RING);
   private final OwnState[] ownAt = new OwnState[RING];
   private final long[] inputs = new long[RING];
   private final int[] inputTick = new int[RING];
-  private final float[] reachOf;
+
+  /** By player: the input each saved tick was computed with; null for who was never near. */
+  private final long[][] used = new long[Simulation.MAX_PLAYERS][];
+
   private final OwnState server = new OwnState();
   private final OwnState predicted = new OwnState();
-  private RelayedInputs relayed;
+  private final Neighbourhood here = new Neighbourhood();
+  private final Neighbourhood right = new Neighbourhood();
+  private final int[] row = new int[Neighbourhood.ENTITY_INTS];
+  private final int[] contact = new int[Neighbourhood.CONTACT_INTS];
+  private final int[] placeOf = new int[NearState.MAX_ENTITIES];
+  private final int[] newPlace = new int[NearState.MAX_ENTITIES + 1];
+  private final NearUpdate update = new NearUpdate();
+  private final Records records = new Records();
   private final HistoryStates states = new HistoryStates();
   private final Pose scratch = new Pose();
   private final Pose target = new Pose();
   private final List<Neighbour> others = new ArrayList<>();
-  private int[] candidateId = new int[64];
-  private float[] candidateDistance = new float[64];
-  private int candidates;
-  private final BitSet chosen = new BitSet();
-  private boolean tooMany;
 
   private Neighbour own;
   private boolean active;
   private int tick = -1;
   private int confirmed = -1;
+  private int agreedTick = -1;
+  private int disagreedTick = -1;
   private long lastInput;
+  private int firstInput = Integer.MAX_VALUE;
+  private int allowedTicks;
 
   private boolean compared;
   private boolean exact;
+  private boolean agreed;
   private boolean corrected;
   private float correctionMetres;
+  private int awakeBodies;
+  private int exactBodies;
   private int replayed;
+  private int rolledBack;
+  private long replayNs;
+  private long cutShort;
+  private long syncErrors;
+
+  /** Who is who, from what has arrived. */
+  private static final class Records implements Neighbourhood.Identity {
+    private SnapshotDecoder decoder;
+    private Simulation simulation;
+
+    @Override
+    public Archetype archetype(int id) {
+      return simulation.archetypes().get(decoder.history(id).archetype(0));
+    }
+
+    @Override
+    public int owner(int id) {
+      return decoder.history(id).owner(0);
+    }
+
+    /** Whether the newest record of a slot is of this entity, and its kind is known. */
+    boolean know(int key) {
+      EntityHistory history = decoder.history(Neighbourhood.id(key));
+      return history != null
+          && history.alive()
+          && history.generation(0) == Neighbourhood.generation(key)
+          && archetype(Neighbourhood.id(key)) != null;
+    }
+  }
 
   /**
    * Creates a prediction that waits for the server's first state.
@@ -105,17 +155,20 @@ public final class Prediction {
    * @param simulation of role PREDICTION, fresh; owned by this from now on
    * @param playerId the own player's id
    * @param name the own player's name
-   * @param nearMetres bodies within this distance are predicted too
-   * @param maxNearBodies most of them
    * @param maxRollbackTicks longest replay, 1..120
+   * @param maxReplayNs longest time a replay may take, nanoseconds
+   * @param stopwatch measures it
+   * @param syncTest whether to roll back {@value #SYNC_TICKS} ticks in each tick and compare the
+   *     hashes; for developers, takes ten times as long
    */
   public Prediction(
       Simulation simulation,
       int playerId,
       String name,
-      float nearMetres,
-      int maxNearBodies,
-      int maxRollbackTicks) {
+      int maxRollbackTicks,
+      long maxReplayNs,
+      LongSupplier stopwatch,
+      boolean syncTest) {
     if (simulation.role() != Role.PREDICTION) {
       throw new IllegalArgumentException("role=" + simulation.role() + " must be PREDICTION");
     }
@@ -124,21 +177,13 @@ public final class Prediction {
           "maxRollbackTicks=" + maxRollbackTicks + " is outside 1.." + (RING - 8));
     }
     this.simulation = simulation;
-    this.nearMetres = nearMetres;
-    this.maxNearBodies = maxNearBodies;
     this.maxRollbackTicks = maxRollbackTicks;
+    this.maxReplayNs = maxReplayNs;
+    this.stopwatch = stopwatch;
+    this.syncTest = syncTest;
+    allowedTicks = maxRollbackTicks;
+    records.simulation = simulation;
     player = simulation.joinAs(playerId, name);
-    reachOf = new float[simulation.archetypes().size()];
-    Transform identity = new Transform();
-    Aabb box = new Aabb();
-    for (int i = 0; i < reachOf.length; i++) {
-      for (Shape shape : simulation.archetypes().get(i).shapes()) {
-        shape.aabb(identity, box);
-        float w = Math.max(Math.abs(box.minX), Math.abs(box.maxX));
-        float h = Math.max(Math.abs(box.minY), Math.abs(box.maxY));
-        reachOf[i] = Math.max(reachOf[i], (float) Math.sqrt(w * w + h * h));
-      }
-    }
     for (int i = 0; i < RING; i++) {
       savedTick[i] = -1;
       inputTick[i] = -1;
@@ -161,6 +206,14 @@ public final class Prediction {
     return tick;
   }
 
+  /**
+   * The newest tick at which the server had another state than could be put right exactly, or -1
+   * when all was right since: the server should tell all of it.
+   */
+  public int disagreedTick() {
+    return disagreedTick;
+  }
+
   // ---- forward
 
   /**
@@ -170,84 +223,86 @@ public final class Prediction {
    * @param input the own player's packed input for it
    */
   public void step(int newTick, long input) {
-    int slot = newTick & (RING - 1);
+    int slot = newTick & MASK;
     inputs[slot] = input;
     inputTick[slot] = newTick;
     lastInput = input;
+    firstInput = Math.min(firstInput, newTick);
     if (!active || newTick <= tick) {
       return;
     }
     if (newTick - tick > maxRollbackTicks) {
-      simulation.tick(newTick - 1); // the clock jumped: what lies between can't be made up for
-      tick = newTick - 1;
+      skipTo(newTick - 1); // the clock jumped: what lies between can't be made up for
     }
     while (tick < newTick) {
       stepOnce(tick + 1, input);
     }
+    if (syncTest) {
+      testSync();
+    }
+  }
+
+  /** Leaves ticks out: the state of the present counts as that of another tick. */
+  private void skipTo(int wanted) {
+    for (int t = Math.max(tick + 1, wanted - RING); t <= wanted; t++) {
+      savedTick[t & MASK] = -1;
+    }
+    simulation.tick(wanted);
+    tick = wanted;
   }
 
   private void stepOnce(int next, long input) {
     own.pose(own.previous);
     for (int i = 0; i < others.size(); i++) {
       Neighbour n = others.get(i);
-      n.pose(n.previous);
+      if (n.entity != null) {
+        n.pose(n.previous);
+      }
     }
     player.input().unpack(input);
     steerOthers(next);
     simulation.step();
-    for (int i = 0; i < others.size(); i++) {
-      others.get(i).holdCourse(simulation.tickSeconds());
-    }
     tick = next;
     keep();
   }
 
   /** Gives the other players the inputs they had, or probably have. */
   private void steerOthers(int next) {
-    for (int i = 0; i < others.size(); i++) {
-      Neighbour n = others.get(i);
-      Player owner = simulation.player(n.ownerId);
-      if (owner == null || relayed == null) {
+    for (int id = 0; id < simulation.playerCapacity(); id++) {
+      Player other = simulation.player(id);
+      if (other == null || other == player) {
         continue;
       }
-      int known = Math.min(next, relayed.newestTick(n.ownerId));
-      if (known < 0) {
-        owner.input().clear();
-      } else {
-        long last = relayed.at(n.ownerId, known);
-        owner.input().unpack(Input.faded(last, next - known, REPEAT_TICKS));
+      long input = inputOf(id, next);
+      other.input().unpack(input);
+      if (used[id] == null) {
+        used[id] = new long[RING];
       }
+      used[id][next & MASK] = input;
     }
   }
 
-  /** Whether a player turned out to do something else than was foreseen. */
-  private boolean inputsAgree() {
-    boolean agree = true;
-    for (int i = 0; i < others.size(); i++) {
-      Neighbour n = others.get(i);
-      int newest = n.ownerId < 0 ? -1 : relayed.newestTick(n.ownerId);
-      if (newest > n.inputTick) {
-        long guess = Input.faded(n.input, newest - n.inputTick, REPEAT_TICKS);
-        agree &= n.inputTick >= 0 && guess == relayed.at(n.ownerId, newest);
-        n.inputTick = newest;
-        n.input = relayed.at(n.ownerId, newest);
-      }
+  private long inputOf(int id, int wanted) {
+    RelayedInputs relayed = records.decoder.inputs();
+    if (relayed.knows(id, wanted)) {
+      return relayed.at(id, wanted);
     }
-    return agree;
+    int known = relayed.newestBefore(id, wanted);
+    return known < 0 ? 0 : Input.faded(relayed.at(id, known), wanted - known, REPEAT_TICKS);
   }
 
   private void keep() {
-    int slot = tick & (RING - 1);
+    int slot = tick & MASK;
     saved[slot] = simulation.save(saved[slot]);
     savedTick[slot] = tick;
+    here.readAll(simulation);
+    hash[slot] = NearState.fold(here.hash());
+    foreseen.keep(slot, here);
     read(ownAt[slot]);
-    for (int i = 0; i < others.size(); i++) {
-      others.get(i).keep(tick);
-    }
   }
 
   private void read(OwnState out) {
-    Body<Entity> body = own.body();
+    Body<Entity> body = own.entity.body();
     out.setBody(
         own.id,
         own.generation,
@@ -263,7 +318,52 @@ public final class Prediction {
     }
   }
 
+  private boolean isSaved(int wanted) {
+    return wanted >= 0 && savedTick[wanted & MASK] == wanted;
+  }
+
+  private void restore(int wanted) {
+    simulation.restore(saved[wanted & MASK]);
+    tick = wanted;
+    bind();
+  }
+
+  /** Goes back a few ticks and comes again: the hash must be the same. */
+  private void testSync() {
+    int present = tick;
+    int from = present - SYNC_TICKS;
+    for (int t = from; t <= present; t++) {
+      if (!isSaved(t) || inputTick[t & MASK] != t) {
+        return;
+      }
+    }
+    int expected = hash[present & MASK];
+    Pose previous = new Pose();
+    previous.set(own.previous);
+    restore(from);
+    while (tick < present) {
+      stepOnce(tick + 1, inputs[tick + 1 & MASK]);
+    }
+    own.previous.set(previous);
+    if (hash[present & MASK] != expected) {
+      syncErrors++;
+    }
+  }
+
+  /** Ticks that the synctest rolls back. */
+  static final int SYNC_TICKS = 8;
+
   // ---- correction
+
+  /**
+   * Takes what a snapshot tells of what is near; call it for each one, in order of arrival.
+   *
+   * @param near its near section
+   * @param stateTick its tick
+   */
+  public void hear(NearState near, int stateTick) {
+    update.hear(near, stateTick);
+  }
 
   /**
    * Compares the server's newest state with what was predicted for its tick and corrects what
@@ -271,48 +371,154 @@ public final class Prediction {
    *
    * @param newest the own state after {@code stateTick}; copied
    * @param stateTick its tick; not newer than the last one: nothing happens
-   * @param decoder the histories of all others
+   * @param decoder the histories of all others, and the inputs of players
    */
   public void reconcile(OwnState newest, int stateTick, SnapshotDecoder decoder) {
     compared = false;
+    agreed = false;
     corrected = false;
     replayed = 0;
+    rolledBack = 0;
+    awakeBodies = 0;
+    exactBodies = 0;
     if (stateTick <= confirmed) {
       return;
     }
+    int before = confirmed;
     confirmed = stateTick;
     server.set(newest);
-    relayed = decoder.inputs();
-    if (!sameBody(decoder)) {
+    records.decoder = decoder;
+    if (!sameBody()) {
       return;
     }
+    long begin = stopwatch.getAsLong();
     if (!active) {
-      begin(stateTick);
-      compared = false;
-      return;
+      skipTo(stateTick);
+      active = true;
+      here.clear();
+      putRight(stateTick);
+      replay(newestInput(), begin);
+    } else {
+      rememberPoses();
+      int present = Math.max(tick, stateTick);
+      compared = isSaved(stateTick);
+      exact = compared && ownAt[stateTick & MASK].sameAs(server);
+      if (compared) {
+        predicted.set(ownAt[stateTick & MASK]);
+        foreseen.remember(stateTick & MASK);
+      }
+      int from = rewind(stateTick, before);
+      if (from < 0 && stateTick > tick) {
+        skipTo(stateTick); // the server is ahead of us: nothing was predicted for this tick
+        here.readAll(simulation);
+        putRight(stateTick);
+        from = stateTick;
+      } else {
+        from = compare(stateTick, from);
+      }
+      if (from >= 0) {
+        rolledBack = present - from;
+        replay(present, begin);
+        glide();
+      }
+      corrected = compared && !exact;
     }
-    if (stateTick > tick) {
-      // The server is ahead of us: nothing was predicted for this tick.
-      choose(decoder, stateTick);
-      setRight(stateTick, decoder, false);
-      return;
+    replayNs = stopwatch.getAsLong() - begin;
+  }
+
+  /**
+   * Runs to a tick again when something before it was not as foreseen.
+   *
+   * @return the tick it returned to, or -1 when all was as foreseen
+   */
+  private int rewind(int stateTick, int before) {
+    int wrong = firstWrongInput(Math.max(before, tick - RING + 1), Math.min(stateTick, tick));
+    int from = isSaved(wrong - 1) ? wrong - 1 : Integer.MAX_VALUE;
+    boolean told = update.isReady() && isSaved(update.baseTick()) && isUsable();
+    if (told) {
+      from = Math.min(from, update.baseTick());
     }
-    boolean known = savedTick[stateTick & (RING - 1)] == stateTick;
-    exact = known && ownAt[stateTick & (RING - 1)].sameAs(server);
-    compared = known;
-    if (known && !exact) {
-      predicted.set(ownAt[stateTick & (RING - 1)]);
+    if (from > stateTick) {
+      return -1;
     }
-    boolean same = choose(decoder, stateTick);
-    boolean foreseen = inputsAgree();
-    if (exact && same && foreseen && neighboursAgree(stateTick, decoder)) {
-      return;
+    restore(from);
+    while (true) {
+      if (told && tick == update.baseTick()) {
+        takeUpdate();
+      }
+      if (tick == stateTick) {
+        return from;
+      }
+      again(tick + 1);
     }
-    setRight(stateTick, decoder, known);
+  }
+
+  /** Whether it is known who all those are that the update lists. */
+  private boolean isUsable() {
+    for (int i = 0; i < update.count(); i++) {
+      if (!records.know(update.key(i))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Compares; answers the tick to replay from, or -1 when nothing has changed. */
+  private int compare(int stateTick, int from) {
+    boolean same = isSaved(stateTick) && ownAt[stateTick & MASK].sameAs(server);
+    NearState near = server.near();
+    if (same && (!near.present() || hash[stateTick & MASK] == near.hash())) {
+      agreed = compared && from < 0;
+      agreedTick = stateTick;
+      disagreedTick = -1;
+      if (compared) {
+        awakeBodies = foreseen.awake(stateTick & MASK);
+        exactBodies = foreseen.right(stateTick & MASK);
+      }
+      return from;
+    }
+    boolean waits = near.updating() || (update.isReady() && near.present());
+    if (same && waits) {
+      return from; // what is near is about to be told
+    }
+    disagreedTick = waits ? disagreedTick : stateTick;
+    awakeBodies = compared ? foreseen.awake(stateTick & MASK) : 0;
+    if (tick != stateTick && isSaved(stateTick)) {
+      restore(stateTick);
+    } else {
+      skipTo(stateTick);
+    }
+    here.readAll(simulation);
+    putRight(stateTick);
+    return from < 0 ? stateTick : from;
+  }
+
+  private void rememberPoses() {
+    own.pose(own.before);
+    for (int i = 0; i < others.size(); i++) {
+      others.get(i).pose(others.get(i).before);
+    }
+  }
+
+  /** The first tick in which a player did something else than was foreseen. */
+  private int firstWrongInput(int after, int upTo) {
+    RelayedInputs relayed = records.decoder.inputs();
+    for (int t = after + 1; t <= upTo; t++) {
+      for (int id = 0; id < simulation.playerCapacity(); id++) {
+        if (simulation.player(id) != null
+            && simulation.player(id) != player
+            && used[id] != null
+            && relayed.knows(id, t)
+            && relayed.at(id, t) != used[id][t & MASK]) {
+          return t;
+        }
+      }
+    }
+    return Integer.MAX_VALUE;
   }
 
   /** Keeps the own body's identity in step with the server; false when there is none. */
-  private boolean sameBody(SnapshotDecoder decoder) {
+  private boolean sameBody() {
     if (server.slot() < 0) {
       stop();
       takeMemory();
@@ -322,52 +528,28 @@ public final class Prediction {
       return true;
     }
     stop();
-    EntityHistory history = decoder.history(server.slot());
-    if (history == null
-        || !history.alive()
-        || history.generation(0) != server.generation()
-        || simulation.archetypes().get(history.archetype(0)) == null) {
+    if (!records.know(Neighbourhood.key(server.slot(), server.generation()))) {
       return false; // its record is still on the way
     }
-    own =
-        new Neighbour(
-            server.slot(),
-            server.generation(),
-            simulation.archetypes().get(history.archetype(0)),
-            player.id(),
-            1);
+    own = new Neighbour(server.slot(), server.generation(), 1);
     return true;
   }
 
+  private void takeMemory() {
+    for (int i = 0; i < OwnState.MEMORY; i++) {
+      player.memory()[i] = server.memory(i);
+    }
+  }
+
   private void stop() {
-    for (int i = 0; i < others.size(); i++) {
-      remove(others.get(i));
-    }
     others.clear();
-    if (own != null) {
-      remove(own);
-      own = null;
-    }
+    update.clear();
+    own = null;
     active = false;
+    disagreedTick = -1;
+    here.clear();
+    here.write(simulation, records);
     Arrays.fill(savedTick, -1);
-  }
-
-  private void remove(Neighbour n) {
-    Entity there = simulation.entity(n.id);
-    if (there != null && there.generation() == n.generation) {
-      simulation.despawn(there);
-    }
-  }
-
-  private void begin(int stateTick) {
-    simulation.tick(stateTick);
-    settle(own, server.x(), server.y(), 0);
-    setOwn();
-    active = true;
-    tick = stateTick;
-    own.pose(own.previous);
-    keep();
-    replay(newestInput());
   }
 
   private int newestInput() {
@@ -378,156 +560,168 @@ public final class Prediction {
     return newest;
   }
 
-  private void setRight(int stateTick, SnapshotDecoder decoder, boolean known) {
-    int present = Math.max(tick, stateTick);
-    own.pose(own.before);
-    for (int i = 0; i < others.size(); i++) {
-      Neighbour n = others.get(i);
-      if (n.placed) {
-        n.pose(n.before);
+  // ---- putting right
+
+  /** Takes an update over, at its base tick. */
+  private void takeUpdate() {
+    update.use();
+    here.readAll(simulation);
+    right.clear();
+    for (int i = 0; i < update.count(); i++) {
+      int key = update.key(i);
+      int mine = here.find(key);
+      placeOf[i] = -1;
+      boolean told = update.isTold(i) && isFinite(update.rows(), update.entityAt(i));
+      if (right.find(key) >= 0 || (!told && mine < 0)) {
+        continue;
       }
+      placeOf[i] = right.count();
+      right.add(
+          told ? update.rows() : here.entities(), told ? update.entityAt(i) : mine * row.length);
     }
-    if (known) {
-      simulation.restore(saved[stateTick & (RING - 1)]);
+    if (right.find(Neighbourhood.key(own.id, own.generation)) < 0) {
+      return; // it is of another body's
     }
-    simulation.tick(stateTick);
-    tick = stateTick;
-    sweep();
-    settle(own, server.x(), server.y(), 0);
-    setOwn();
-    for (int i = 0; i < others.size(); i++) {
-      place(others.get(i), stateTick, decoder);
+    for (int i = 0; i < update.contacts(); i++) {
+      System.arraycopy(update.rows(), update.contactAt(i), contact, 0, contact.length);
+      contact[0] = translate(contact[0]);
+      contact[1] = translate(contact[1]);
+      addContact();
     }
-    own.pose(own.previous);
-    for (int i = 0; i < others.size(); i++) {
-      others.get(i).pose(others.get(i).previous);
+    for (int i = 0; i < here.contactCount(); i++) {
+      System.arraycopy(here.contacts(), i * contact.length, contact, 0, contact.length);
+      contact[0] = kept(contact[0]);
+      contact[1] = kept(contact[1]);
+      addContact();
     }
+    right.write(simulation, records);
+    bind();
     keep();
-    replay(present);
-    glide();
-    if (compared && !exact) {
-      corrected = true;
+  }
+
+  private void addContact() {
+    if (contact[0] != Integer.MAX_VALUE && contact[1] != Integer.MAX_VALUE) {
+      right.addContact(contact, 0);
     }
   }
 
-  /** Replays the inputs up to a tick; if that is too far, the oldest are left out. */
-  private void replay(int present) {
-    if (present - tick > maxRollbackTicks) {
-      tick = present - maxRollbackTicks;
-      simulation.tick(tick);
+  /** A place in the server's list, in ours. */
+  private int translate(int end) {
+    if (end < 0) {
+      return end;
     }
-    while (tick < present) {
-      int next = tick + 1;
-      int slot = next & (RING - 1);
-      stepOnce(next, inputTick[slot] == next ? inputs[slot] : lastInput);
-      replayed++;
-    }
+    return end < update.count() && placeOf[end] >= 0 ? placeOf[end] : Integer.MAX_VALUE;
   }
 
-  /** What the corrections moved is still shown, and fades. */
-  private void glide() {
-    own.pose(scratch);
-    float dx = own.before.x - scratch.x;
-    float dy = own.before.y - scratch.y;
-    correctionMetres = (float) Math.sqrt(dx * dx + dy * dy);
-    own.error.add(dx, dy, Pose.wrap(own.before.angle - scratch.angle));
-    for (int i = 0; i < others.size(); i++) {
-      Neighbour n = others.get(i);
-      if (n.placed) {
-        n.pose(scratch);
-        n.error.add(
-            n.before.x - scratch.x,
-            n.before.y - scratch.y,
-            Pose.wrap(n.before.angle - scratch.angle));
-      }
-      n.placed = true;
+  /** A place in what was here, in what is to be; none when it goes, or its contacts are told. */
+  private int kept(int end) {
+    if (end < 0) {
+      return end;
     }
-  }
-
-  /** After a restore: destroys what is not, or no longer, predicted. */
-  private void sweep() {
-    for (int id = 0; id < simulation.entityCapacity(); id++) {
-      Entity e = simulation.entity(id);
-      if (e != null && !isPredicted(e)) {
-        simulation.despawn(e);
+    int key = here.entities()[end * row.length];
+    for (int i = 0; i < update.count(); i++) {
+      if (update.key(i) == key) {
+        return update.isTold(i) || placeOf[i] < 0 ? Integer.MAX_VALUE : placeOf[i];
       }
     }
+    return Integer.MAX_VALUE;
   }
 
-  private boolean isPredicted(Entity e) {
-    if (own.id == e.id()) {
-      return own.generation == e.generation();
+  /**
+   * Without an update: the own body becomes what the server had after a tick, and others go where
+   * their records have them, if those disagree. {@link #here} is what the simulation has.
+   */
+  private void putRight(int stateTick) {
+    int ownKey = Neighbourhood.key(own.id, own.generation);
+    right.clear();
+    boolean ownListed = false;
+    for (int i = 0; i < here.count(); i++) {
+      int at = i * row.length;
+      int key = here.entities()[at];
+      newPlace[i] = Integer.MAX_VALUE;
+      if (key == ownKey) {
+        ownRow();
+        ownListed = true;
+      } else if (records.know(key)) {
+        System.arraycopy(here.entities(), at, row, 0, row.length);
+        if (!agrees(key, stateTick)) {
+          moveRow();
+        }
+      } else {
+        continue; // it is gone
+      }
+      newPlace[i] = right.count();
+      right.add(row, 0);
     }
-    Neighbour n = find(e.id());
-    return n != null && n.generation == e.generation() && n.archetype == e.archetype();
-  }
-
-  private Neighbour find(int id) {
-    for (int i = 0; i < others.size(); i++) {
-      if (others.get(i).id == id) {
-        return others.get(i);
+    if (!ownListed) {
+      right.clear();
+      ownRow();
+      right.add(row, 0);
+    } else {
+      for (int i = 0; i < here.contactCount(); i++) {
+        System.arraycopy(here.contacts(), i * contact.length, contact, 0, contact.length);
+        contact[0] = contact[0] < 0 ? contact[0] : newPlace[contact[0]];
+        contact[1] = contact[1] < 0 ? contact[1] : newPlace[contact[1]];
+        addContact();
       }
     }
-    return null;
+    right.write(simulation, records);
+    bind();
+    keep();
   }
 
-  /** Makes sure the body exists; returns whether it did already. */
-  private boolean settle(Neighbour n, float x, float y, float angle) {
-    n.entity = simulation.entity(n.id);
-    if (n.entity != null) {
+  private void ownRow() {
+    row[0] = Neighbourhood.key(own.id, own.generation);
+    row[BODY] = Float.floatToRawIntBits(server.x());
+    row[BODY + 1] = Float.floatToRawIntBits(server.y());
+    row[BODY + 2] = Float.floatToRawIntBits(server.cos());
+    row[BODY + 3] = Float.floatToRawIntBits(server.sin());
+    row[BODY + 4] = Float.floatToRawIntBits(server.vx());
+    row[BODY + 5] = Float.floatToRawIntBits(server.vy());
+    row[BODY + 6] = Float.floatToRawIntBits(server.omega());
+    row[REST] = 0; // players' bodies never rest
+    for (int i = 0; i < OwnState.MEMORY; i++) {
+      row[REST + 1 + i] = server.memory(i);
+    }
+  }
+
+  /** What comes from the network must not poison the simulation. */
+  private static boolean isFinite(int[] rows, int at) {
+    for (int i = 0; i < 7; i++) {
+      float value = Float.intBitsToFloat(rows[at + BODY + i]);
+      if (!(Math.abs(value) < 1e9f)) {
+        return false;
+      }
+    }
+    float cos = Float.intBitsToFloat(rows[at + BODY + 2]);
+    float sin = Float.intBitsToFloat(rows[at + BODY + 3]);
+    return Math.abs(cos * cos + sin * sin - 1) < 1e-3f;
+  }
+
+  /** Whether an entity of {@link #row} is where its record has it, as far as that tells. */
+  private boolean agrees(int key, int stateTick) {
+    if (!fromRecord(key, stateTick)) {
       return true;
     }
-    if (n.ownerId >= 0 && simulation.player(n.ownerId) == null) {
-      simulation.joinAs(n.ownerId, "");
-    }
-    n.entity = simulation.spawnAs(n.id, n.generation, n.archetype, x, y, angle, n.ownerId);
-    return false;
+    Entity e = simulation.entity(Neighbourhood.id(key));
+    Body<Entity> body = e.body();
+    return Math.abs(body.x() - target.x) <= POSITION_TOLERANCE
+        && Math.abs(body.y() - target.y) <= POSITION_TOLERANCE
+        && Math.abs(body.velocityX() - target.vx) <= VELOCITY_TOLERANCE
+        && Math.abs(body.velocityY() - target.vy) <= VELOCITY_TOLERANCE
+        && Math.abs(body.angularVelocity() - target.omega) <= OMEGA_TOLERANCE
+        && Math.abs(Pose.wrap(body.angle() - target.angle)) <= ANGLE_TOLERANCE;
   }
 
-  private void setOwn() {
-    Body<Entity> body = own.body();
-    body.setCenterPose(server.x(), server.y(), server.cos(), server.sin());
-    body.setVelocity(server.vx(), server.vy());
-    body.setAngularVelocity(server.omega());
-    takeMemory();
-  }
-
-  private void takeMemory() {
-    for (int i = 0; i < OwnState.MEMORY; i++) {
-      player.memory()[i] = server.memory(i);
-    }
-  }
-
-  /** Puts a neighbour where it was after a tick, unless it stands there already. */
-  private void place(Neighbour n, int stateTick, SnapshotDecoder decoder) {
-    boolean there = known(n, stateTick, decoder);
-    if (!there) {
-      settle(n, n.before.x, n.before.y, n.before.angle);
-      return;
-    }
-    if (settle(n, target.x, target.y, target.angle)) {
-      n.pose(scratch);
-      if (close(scratch, target)) {
-        return;
-      }
-    }
-    Body<Entity> body = n.body();
-    body.setPose(target.x, target.y, target.angle);
-    body.setVelocity(target.vx, target.vy);
-    body.setAngularVelocity(target.omega);
-  }
-
-  /** Reads a neighbour's state after a tick into {@link #target}, from what has arrived. */
-  private boolean known(Neighbour n, int stateTick, SnapshotDecoder decoder) {
-    EntityHistory history = decoder.history(n.id);
-    if (history == null || history.size() == 0) {
-      return false;
-    }
+  /** Reads an entity's state after a tick into {@link #target}, from what has arrived. */
+  private boolean fromRecord(int key, int stateTick) {
+    int generation = Neighbourhood.generation(key);
+    EntityHistory history = records.decoder.history(Neighbourhood.id(key));
     int index = history.indexAt(stateTick);
-    if (index < 0 || !history.alive(index) || history.generation(index) != n.generation) {
+    if (index < 0 || !history.alive(index) || history.generation(index) != generation) {
       index = 0; // it is younger than the tick
     }
-    if (!history.alive(index) || history.generation(index) != n.generation) {
+    if (!history.alive(index) || history.generation(index) != generation) {
       return false;
     }
     States s = states.of(history);
@@ -543,176 +737,98 @@ public final class Prediction {
     return true;
   }
 
-  private boolean neighboursAgree(int stateTick, SnapshotDecoder decoder) {
-    for (int i = 0; i < others.size(); i++) {
-      Neighbour n = others.get(i);
-      if (!n.at(stateTick, scratch)) {
-        return false;
-      }
-      if (known(n, stateTick, decoder) && !close(scratch, target)) {
-        return false;
-      }
-    }
-    return true;
+  /** Puts {@link #row} where {@link #target} is. */
+  private void moveRow() {
+    float cos = (float) Math.cos(target.angle);
+    float sin = (float) Math.sin(target.angle);
+    Entity e = simulation.entity(Neighbourhood.id(row[0]));
+    float localX = e == null ? 0 : e.body().localCenterX();
+    float localY = e == null ? 0 : e.body().localCenterY();
+    row[BODY] = Float.floatToRawIntBits(target.x + cos * localX - sin * localY);
+    row[BODY + 1] = Float.floatToRawIntBits(target.y + sin * localX + cos * localY);
+    row[BODY + 2] = Float.floatToRawIntBits(cos);
+    row[BODY + 3] = Float.floatToRawIntBits(sin);
+    row[BODY + 4] = Float.floatToRawIntBits(target.vx);
+    row[BODY + 5] = Float.floatToRawIntBits(target.vy);
+    row[BODY + 6] = Float.floatToRawIntBits(target.omega);
+    row[REST] = 0;
   }
 
-  private static boolean close(Pose a, Pose b) {
-    return Math.abs(a.x - b.x) <= POSITION_TOLERANCE
-        && Math.abs(a.y - b.y) <= POSITION_TOLERANCE
-        && Math.abs(a.vx - b.vx) <= VELOCITY_TOLERANCE
-        && Math.abs(a.vy - b.vy) <= VELOCITY_TOLERANCE
-        && Math.abs(a.omega - b.omega) <= OMEGA_TOLERANCE
-        && Math.abs(Pose.wrap(a.angle - b.angle)) <= ANGLE_TOLERANCE;
-  }
-
-  // ---- who is near
-
-  /** Chooses whom to predict; false when somebody came or went. */
-  private boolean choose(SnapshotDecoder decoder, int stateTick) {
-    boolean same = true;
-    for (int i = 0; i < others.size(); i++) {
-      others.get(i).wanted = false;
-    }
-    gather(decoder, stateTick);
-    spread(decoder);
-    dropFarthest();
-    for (int i = 0; i < candidates; i++) {
-      EntityHistory history = decoder.history(candidateId[i]);
-      Neighbour n = find(candidateId[i]);
-      Archetype archetype = simulation.archetypes().get(history.archetype(0));
-      if (n != null && (n.generation != history.generation(0) || n.archetype != archetype)) {
-        others.remove(n);
-        remove(n);
-        n = null;
-      }
-      if (n == null) {
-        n = new Neighbour(candidateId[i], history.generation(0), archetype, history.owner(0), 0);
-        others.add(n);
-        same = false;
-      }
-      n.wanted = true;
-    }
-    for (int i = 0; i < others.size(); i++) {
-      Neighbour n = others.get(i);
-      n.held = !n.wanted || leansOnStranger(n.id, decoder);
-    }
+  /** Finds each picture's entity, after the simulation's entities changed. */
+  private void bind() {
+    own.entity = simulation.entity(own.id);
     for (int i = others.size() - 1; i >= 0; i--) {
       Neighbour n = others.get(i);
-      EntityHistory history = decoder.history(n.id);
-      boolean gone = history == null || !history.alive() || history.generation(0) != n.generation;
-      if (gone || n.faded()) {
-        others.remove(i);
-        remove(n);
+      Entity e = simulation.entity(n.id);
+      if (e == null || e.generation() != n.generation) {
+        n.leave();
+      } else {
+        n.entity = e;
       }
     }
-    return same;
-  }
-
-  private void gather(SnapshotDecoder decoder, int stateTick) {
-    candidates = 0;
-    chosen.clear();
-    if (maxNearBodies == 0) {
-      return;
-    }
-    Body<Entity> body = own.body();
-    float lead = Math.max(0, tick - stateTick) * simulation.tickSeconds();
-    int limit = decoder.slotLimit();
-    for (int id = 0; id < limit; id++) {
-      if (!isPredictable(id, decoder)) {
-        continue;
-      }
-      EntityHistory history = decoder.history(id);
-      Archetype archetype = simulation.archetypes().get(history.archetype(0));
-      States s = states.of(history);
-      float dx = s.x(0) - body.x();
-      float dy = s.y(0) - body.y();
-      float vx = s.vx(0);
-      float vy = s.vy(0);
-      float distance =
-          (float) Math.sqrt(dx * dx + dy * dy)
-              - reachOf[archetype.index()]
-              - (float) Math.sqrt(vx * vx + vy * vy) * lead;
-      Neighbour n = find(id);
-      if (distance <= nearMetres * (n != null ? HYSTERESIS : 1)) {
-        candidate(id, n != null ? distance / HYSTERESIS : distance);
+    for (int id = 0; id < simulation.entityCapacity(); id++) {
+      Entity e = simulation.entity(id);
+      if (e != null && id != own.id && find(id, e.generation()) == null) {
+        Neighbour n = new Neighbour(id, e.generation(), 0);
+        n.entity = e;
+        n.pose(n.previous);
+        n.pose(n.before);
+        others.add(n);
       }
     }
   }
 
-  private boolean isPredictable(int id, SnapshotDecoder decoder) {
-    EntityHistory history = decoder.history(id);
-    if (id == own.id || history == null || !history.alive()) {
-      return false;
-    }
-    Archetype archetype = simulation.archetypes().get(history.archetype(0));
-    return archetype != null && archetype.type() != BodyType.STATIC && !archetype.sensor();
-  }
-
-  /** What leans on a predicted body is predicted too: half a stack would fall into the rest. */
-  private void spread(SnapshotDecoder decoder) {
-    int limit = decoder.slotLimit();
-    for (int i = 0; i < candidates; i++) { // grows as it goes
-      for (int id = 0; id < limit; id++) {
-        if (!chosen.get(id)
-            && isPredictable(id, decoder)
-            && isTouching(candidateId[i], id, decoder)) {
-          candidate(id, candidateDistance[i] + TOUCH);
-        }
+  private Neighbour find(int id, int generation) {
+    for (int i = 0; i < others.size(); i++) {
+      Neighbour n = others.get(i);
+      if (n.id == id && n.generation == generation) {
+        return n;
       }
     }
+    return null;
   }
 
-  /** Whether a body has company that is not predicted, because there are too many of them. */
-  private boolean leansOnStranger(int id, SnapshotDecoder decoder) {
-    if (!tooMany) {
-      return false;
+  /** Replays the inputs up to a tick; what takes too long is left out, the oldest first. */
+  private void replay(int present, long begin) {
+    int most = Math.min(maxRollbackTicks, allowedTicks);
+    if (present - tick > most) {
+      cutShort++;
+      skipTo(present - most);
     }
-    int limit = decoder.slotLimit();
-    for (int other = 0; other < limit; other++) {
-      if (!chosen.get(other) && isPredictable(other, decoder) && isTouching(id, other, decoder)) {
-        return true;
+    int from = tick;
+    while (tick < present) {
+      if (stopwatch.getAsLong() - begin > maxReplayNs && tick < present - 1) {
+        allowedTicks = Math.max(1, tick - from);
+        cutShort++;
+        skipTo(present - 1);
       }
+      again(tick + 1);
     }
-    return false;
-  }
-
-  /** By the circles around them: generous, so that nothing that leans is missed. */
-  private boolean isTouching(int a, int b, SnapshotDecoder decoder) {
-    EntityHistory one = decoder.history(a);
-    float oneX = states.of(one).x(0);
-    float oneY = states.of(one).y(0);
-    EntityHistory two = decoder.history(b);
-    States s = states.of(two);
-    float dx = s.x(0) - oneX;
-    float dy = s.y(0) - oneY;
-    float reach = reachOf[one.archetype(0)] + reachOf[two.archetype(0)] + TOUCH;
-    return dx * dx + dy * dy <= reach * reach;
-  }
-
-  private void dropFarthest() {
-    tooMany = candidates > maxNearBodies;
-    while (candidates > maxNearBodies) {
-      int farthest = 0;
-      for (int i = 1; i < candidates; i++) {
-        if (candidateDistance[i] > candidateDistance[farthest]) {
-          farthest = i;
-        }
-      }
-      candidates--;
-      chosen.clear(candidateId[farthest]);
-      candidateId[farthest] = candidateId[candidates];
-      candidateDistance[farthest] = candidateDistance[candidates];
+    if (allowedTicks < maxRollbackTicks && stopwatch.getAsLong() - begin < maxReplayNs / 2) {
+      allowedTicks = Math.min(maxRollbackTicks, 2 * allowedTicks);
     }
   }
 
-  private void candidate(int id, float distance) {
-    if (candidates == candidateId.length) {
-      candidateId = Arrays.copyOf(candidateId, candidates * 2);
-      candidateDistance = Arrays.copyOf(candidateDistance, candidates * 2);
+  private void again(int next) {
+    int slot = next & MASK;
+    stepOnce(next, inputTick[slot] == next ? inputs[slot] : next < firstInput ? 0 : lastInput);
+    replayed++;
+  }
+
+  /** What the corrections moved is still shown, and fades. */
+  private void glide() {
+    correctionMetres = glide(own);
+    for (int i = 0; i < others.size(); i++) {
+      glide(others.get(i));
     }
-    chosen.set(id);
-    candidateId[candidates] = id;
-    candidateDistance[candidates++] = distance;
+  }
+
+  private float glide(Neighbour n) {
+    n.pose(scratch);
+    float dx = n.before.x - scratch.x;
+    float dy = n.before.y - scratch.y;
+    n.error.add(dx, dy, Pose.wrap(n.before.angle - scratch.angle));
+    return (float) Math.sqrt(dx * dx + dy * dy);
   }
 
   // ---- the picture
@@ -722,8 +838,11 @@ public final class Prediction {
     if (own != null) {
       own.advance(seconds);
     }
-    for (int i = 0; i < others.size(); i++) {
+    for (int i = others.size() - 1; i >= 0; i--) {
       others.get(i).advance(seconds);
+      if (others.get(i).faded()) {
+        others.remove(i);
+      }
     }
   }
 
@@ -731,6 +850,7 @@ public final class Prediction {
    * Share of the prediction in what is drawn of an entity, 0..1; 0 when it is not predicted.
    *
    * @param id its slot
+   * @param generation its generation
    * @param fraction how much of the tick after {@link #tick}'s predecessor has passed, 0..1
    * @param out receives the predicted pose with what is left of corrections; unchanged at 0
    */
@@ -738,8 +858,9 @@ public final class Prediction {
     if (!active) {
       return 0;
     }
-    Neighbour n = own.id == id ? own : find(id);
-    if (n == null || n.generation != generation || n.entity == null || n.share() == 0) {
+    boolean isOwn = own.id == id && own.generation == generation;
+    Neighbour n = isOwn ? own : find(id, generation);
+    if (n == null || n.share() == 0) {
       return 0;
     }
     n.pose(scratch);
@@ -771,9 +892,24 @@ public final class Prediction {
     return compared;
   }
 
-  /** Whether it was right in every bit. */
+  /** Whether the own body was right in every bit. */
   public boolean exact() {
     return compared && exact;
+  }
+
+  /** Whether all that is near was right in every bit. */
+  public boolean agreed() {
+    return compared && agreed;
+  }
+
+  /** Bodies near and awake, whose prediction was compared. */
+  public int awakeBodies() {
+    return awakeBodies;
+  }
+
+  /** How many of {@link #awakeBodies} were right in every bit. */
+  public int exactBodies() {
+    return exactBodies;
   }
 
   /** Whether the own body was corrected. */
@@ -789,6 +925,31 @@ public final class Prediction {
   /** Ticks simulated again. */
   public int replayed() {
     return replayed;
+  }
+
+  /** How many ticks before the present the simulation returned to; 0 when it didn't. */
+  public int rolledBack() {
+    return rolledBack;
+  }
+
+  /** Time the last reconcile took, nanoseconds. */
+  public long replayNs() {
+    return replayNs;
+  }
+
+  /** Replays that were too long, or took too long, so that ticks were left out. */
+  public long cutShort() {
+    return cutShort;
+  }
+
+  /** Ticks in which the synctest found another hash; 0 unless the simulation has a fault. */
+  public long syncErrors() {
+    return syncErrors;
+  }
+
+  /** The newest tick whose state is known to be the server's in every bit, or -1. */
+  public int agreedTick() {
+    return agreedTick;
   }
 
   /** Offset still shown of earlier corrections of the own body, metres. */

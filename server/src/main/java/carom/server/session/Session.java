@@ -16,6 +16,7 @@ import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.replication.FrameCapture;
+import carom.server.replication.NearSet;
 import carom.server.replication.OwnCapture;
 import carom.server.replication.SnapshotSender;
 import carom.sim.Entity;
@@ -60,6 +61,9 @@ public final class Session implements LinkHandler {
   private final Counters counters;
   private final FrameCapture frames;
   private final OwnCapture capture;
+  private NearSet nearSet;
+  private int near;
+  private int disagreedTick = -1;
   private final InputBuffer inputs;
   private final InputDatagram datagram = new InputDatagram();
   private final InputFeedback feedback = new InputFeedback();
@@ -124,6 +128,9 @@ public final class Session implements LinkHandler {
     link = newLink;
     datagramKey = key;
     sender = new SnapshotSender(frames, player, key, config, counters);
+    nearSet = capture.nearSet();
+    near = InputDatagram.NEAR_NONE;
+    disagreedTick = -1;
     inputs.reset(tick);
     viewDelay = 0;
     audit.clear();
@@ -236,6 +243,10 @@ public final class Session implements LinkHandler {
       if (datagram.count > 0) {
         viewDelay = datagram.viewDelay;
       }
+      near = datagram.near > InputDatagram.NEAR_ALL ? InputDatagram.NEAR_NONE : datagram.near;
+      if (datagram.disagrees) {
+        disagreedTick = Sequence.expand(datagram.disagreedTick, frames.frames().newest().tick());
+      }
     }
     if (datagram.hasAck) {
       sender.receiveAck(datagram.ackSequence, datagram.ackBits);
@@ -290,12 +301,19 @@ public final class Session implements LinkHandler {
   public void replicate(long timeNs) {
     capture.capture(player, own);
     audit.keep(consumedTick, own, inputs.lastWasMissing(), isTouched());
+    if (near == InputDatagram.NEAR_NONE) {
+      own.near().clear();
+      own.relayed().clear();
+    } else {
+      nearSet.capture(player, near == InputDatagram.NEAR_ALL, disagreedTick, own);
+    }
     if (!sender.isDue(own)) {
       return;
     }
     long holdMs = (timeNs - sequenceArrivalNs) / NS_PER_MS;
     feedback.holdMs = (int) Math.max(0, Math.min(MAX_HOLD_MS, holdMs));
     sender.send(link, feedback, own);
+    nearSet.sent();
   }
 
   /**

@@ -16,6 +16,15 @@ public final class InputDatagram {
   /** Largest {@link #viewDelay}. */
   public static final int MAX_VIEW_DELAY = 4_095;
 
+  /** Nothing: it predicts nothing, or the own body alone. */
+  public static final int NEAR_NONE = 0;
+
+  /** What its body touches, or may touch soon. */
+  public static final int NEAR_ISLAND = 1;
+
+  /** As much around it as there is room for. */
+  public static final int NEAR_ALL = 2;
+
   private static final int INPUT_BITS = 48;
   private static final int VIEW_DELAY_BITS = 12;
 
@@ -35,6 +44,15 @@ public final class InputDatagram {
 
   /** Bit i = snapshot datagram {@code ackSequence - 1 - i} was received. */
   public long ackBits;
+
+  /** What the client wants to know of what is near its body: one of the three {@code NEAR}s. */
+  public int near;
+
+  /** Whether the client's newest comparison of what is near failed and isn't mended yet. */
+  public boolean disagrees;
+
+  /** The tick of that comparison, its lowest 16 bits. */
+  public int disagreedTick;
 
   /** Tick of the newest input, {@code inputs[0]}. */
   public int newestTick;
@@ -85,6 +103,13 @@ public final class InputDatagram {
       w.write(ackSequence, 16);
       w.writeLong(ackBits);
     }
+    w.write(near, 2);
+    if (near != NEAR_NONE) {
+      w.write(disagrees);
+      if (disagrees) {
+        w.write(disagreedTick, 16);
+      }
+    }
     w.write(count, 5);
     if (count > 0) {
       w.write(newestTick, 32);
@@ -116,6 +141,9 @@ public final class InputDatagram {
     hasAck = r.readBit();
     ackSequence = hasAck ? r.read(16) : 0;
     ackBits = hasAck ? r.readLong() : 0;
+    near = r.read(2);
+    disagrees = near != NEAR_NONE && r.readBit();
+    disagreedTick = disagrees ? r.read(16) : 0;
     count = r.read(5);
     if (count > Limits.MAX_INPUTS) {
       return false;

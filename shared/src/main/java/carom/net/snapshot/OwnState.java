@@ -20,6 +20,7 @@ public final class OwnState {
   int generation;
   final int[] values = new int[FLOATS + MEMORY];
   final PlayerSet relayed = new PlayerSet();
+  final NearState near = new NearState();
 
   /** Creates the state of a player without a body. */
   public OwnState() {}
@@ -126,11 +127,26 @@ public final class OwnState {
     generation = other.generation;
     System.arraycopy(other.values, 0, values, 0, values.length);
     relayed.set(other.relayed);
+    near.set(other.near);
+  }
+
+  /** Copies all but the exact states of others: what a later section is coded against. */
+  void setBaseline(OwnState other) {
+    slot = other.slot;
+    generation = other.generation;
+    System.arraycopy(other.values, 0, values, 0, values.length);
+    relayed.set(other.relayed);
+    near.setList(other.near);
   }
 
   /** Whether body, memory and relayed players are the same, bit by bit. */
   boolean sameSection(OwnState other) {
     return sameAs(other) && relayed.sameAs(other.relayed);
+  }
+
+  /** What is near the own body, itself included. */
+  public NearState near() {
+    return near;
   }
 
   /** Whether all bits of body and memory are the same. */

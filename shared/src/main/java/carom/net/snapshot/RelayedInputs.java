@@ -46,6 +46,19 @@ public final class RelayedInputs {
     return knows(player, tick) ? inputs[player][tick & MASK] : 0;
   }
 
+  /** The newest tick up to a tick that the player's input is known of, or -1. */
+  public int newestBefore(int player, int tick) {
+    if (newest[player] <= tick) {
+      return newest[player];
+    }
+    for (int t = tick; t > tick - TICKS && t >= 0; t--) {
+      if (knows(player, t)) {
+        return t;
+      }
+    }
+    return -1;
+  }
+
   /** The newest tick that the player's input is known of, or -1. */
   public int newestTick(int player) {
     return newest[player];

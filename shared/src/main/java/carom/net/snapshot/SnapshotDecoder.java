@@ -145,6 +145,7 @@ public final class SnapshotDecoder {
       readWindow = RelayCodec.window(age);
       readKnown.set(baseline.relayed);
       RelayCodec.read(r, inputs, datagramTick, readWindow, readKnown, readOwn.relayed, readInputs);
+      NearCodec.read(r, baseline.near, readOwn.near);
     }
     DecodeStatus status = readRecords(r, datagramTick);
     if (status == DecodeStatus.OK) {

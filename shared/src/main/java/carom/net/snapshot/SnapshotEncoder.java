@@ -117,7 +117,7 @@ public final class SnapshotEncoder {
       selection.ack(sent.slotAt(at, i), tick);
     }
     if (sent.ownAt(at) && tick > ownAckedTick && ring.newest().tick() - tick < FrameRing.SIZE) {
-      ownAcked.set(ownSent[tick & (FrameRing.SIZE - 1)]);
+      ownAcked.setBaseline(ownSent[tick & (FrameRing.SIZE - 1)]);
       ownAckedTick = tick;
     }
   }
@@ -159,7 +159,10 @@ public final class SnapshotEncoder {
 
   /** Whether the client has acked all of the own section, with the inputs that belong to it. */
   private boolean isKnown(OwnState own, FrameState newest) {
-    if (ownAckedTick < 0 || !own.sameSection(ownAcked)) {
+    if (ownAckedTick < 0
+        || !own.sameSection(ownAcked)
+        || !own.near.sameAs(ownAcked.near)
+        || own.near.updating) {
       return false;
     }
     int window = newest.tick() - ownAckedTick;
@@ -267,6 +270,8 @@ public final class SnapshotEncoder {
       HeaderCodec.writeOwn(w, baseline, own);
       int window = known ? RelayCodec.window(age) : 0;
       RelayCodec.write(w, ring, window, baseline.relayed, own.relayed);
+      NearCodec.write(w, baseline.near, own.near);
+      own.setBaseline(own);
     }
   }
 

@@ -72,6 +72,19 @@ public final class BodyContacts {
     return start;
   }
 
+  /** The first end of a body in the contact table, -1 for none; valid until its rows change. */
+  int firstEnd(int body) {
+    if (version != contacts.version()) {
+      link();
+    }
+    return body < first.length ? first[body] : -1;
+  }
+
+  /** The next end of the same body, -1 for none. */
+  int nextEnd(int end) {
+    return next[end];
+  }
+
   /**
    * The number of entries, of all open answers together.
    *

@@ -547,6 +547,12 @@ public final class ContactTable {
     count = kept;
   }
 
+  /** Drops all rows. */
+  void clear() {
+    rowsChanged();
+    count = 0;
+  }
+
   /** Makes room for one row more, which the caller fills; answers its number. */
   int append() {
     ensure(count + 1);
@@ -572,7 +578,8 @@ public final class ContactTable {
     count = kept;
   }
 
-  private void start(int row, long k, BodyStore bodies, ShapeTable parts) {
+  /** Makes a row of two parts that were not known to be close. */
+  void start(int row, long k, BodyStore bodies, ShapeTable parts) {
     int a = bodies.firstPart[ContactKey.bodyA(k)] + ContactKey.partA(k);
     int b = bodies.firstPart[ContactKey.bodyB(k)] + ContactKey.partB(k);
     for (float[] field : floats) {

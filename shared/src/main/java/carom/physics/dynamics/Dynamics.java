@@ -178,6 +178,11 @@ public final class Dynamics {
 
   private int touching;
 
+  /** Contacts that come from another world. */
+  private final ContactTable excerptRows = new ContactTable();
+
+  private int[] excerptOrder = new int[0];
+
   /** Per row: approach speed if this may be an impact worth telling, else 0. */
   private float[] hitSpeeds = new float[0];
 
@@ -1802,6 +1807,51 @@ public final class Dynamics {
     mergeWoken();
     long h = contacts.hash(bodies.hash(StateHash.SEED));
     return StateHash.finish(joints.hash(sleepers.hash(h)));
+  }
+
+  /**
+   * Reads the exact state of the bodies listed in an excerpt.
+   *
+   * @param excerpt lists bodies in use
+   */
+  public void read(Excerpt excerpt) {
+    mergeWoken();
+    excerpt.read(bodies, bodyContacts, contacts, sleepers);
+  }
+
+  /**
+   * Gives the bodies listed in an excerpt the state it holds, with their contacts.
+   *
+   * @param excerpt lists bodies that were made since the last step, awake
+   */
+  public void write(Excerpt excerpt) {
+    mergeWoken();
+    gatheredCount = 0;
+    for (int i = 0; i < excerpt.count(); i++) {
+      int body = excerpt.slot(i);
+      excerpt.writeBody(bodies, i);
+      if (excerpt.sleeps(i) && activeIndex[body] >= 0) {
+        gather(body);
+      }
+    }
+    boxesStale = true;
+    excerptRows.clear();
+    int rows = excerpt.writeContacts(bodies, parts, excerptRows);
+    if (excerptOrder.length < rows) {
+      excerptOrder = new int[2 * rows];
+    }
+    for (int i = 0; i < rows; i++) {
+      excerptOrder[i] = i;
+    }
+    excerptRows.sortByKey(excerptOrder, rows);
+    int unique = 0;
+    for (int i = 0; i < rows; i++) {
+      if (i == 0 || excerptRows.key[excerptOrder[i]] != excerptRows.key[excerptOrder[i - 1]]) {
+        excerptOrder[unique++] = excerptOrder[i];
+      }
+    }
+    contacts.insert(excerptRows, excerptOrder, unique);
+    putToSleep();
   }
 
   /** The state of a world at one moment. */

@@ -1,0 +1,115 @@
+package carom.client.prediction;
+
+import carom.net.snapshot.NearState;
+import java.util.Arrays;
+
+/**
+ * An update of what is near, put together from the parts that snapshots bring, in any order. One
+ * thread; allocates only to grow.
+ */
+final class NearUpdate {
+  private static final int STRIDE = Math.max(NearState.ENTITY_INTS, NearState.CONTACT_INTS);
+
+  private int baseTick = -1;
+  private int[] keys = new int[NearState.MAX_ENTITIES];
+  private int count;
+  private long told;
+  private int total;
+  private int missing;
+  private final boolean[] has = new boolean[NearState.MAX_ROWS + NearState.MAX_PART];
+  private int[] rows = {};
+  private boolean used;
+
+  /** Forgets everything. */
+  void clear() {
+    baseTick = -1;
+    missing = 0;
+    used = true;
+  }
+
+  /** Takes what a snapshot brings. */
+  void hear(NearState near, int tick) {
+    if (!near.present() || !near.updating()) {
+      return;
+    }
+    int base = tick - near.age();
+    if (base < baseTick) {
+      return;
+    }
+    if (base > baseTick) {
+      begin(near, base);
+    }
+    for (int i = 0; i < near.partRows(); i++) {
+      int row = near.firstRow() + i;
+      if (row < total && !has[row]) {
+        has[row] = true;
+        missing--;
+        System.arraycopy(near.rows(), near.rowAt(i), rows, row * STRIDE, STRIDE);
+      }
+    }
+  }
+
+  private void begin(NearState near, int base) {
+    baseTick = base;
+    used = false;
+    count = near.count();
+    for (int i = 0; i < count; i++) {
+      keys[i] = near.key(i);
+    }
+    told = near.told();
+    total = near.totalRows();
+    missing = total;
+    Arrays.fill(has, false);
+    if (rows.length < total * STRIDE) {
+      rows = new int[Math.max(2 * rows.length, total * STRIDE)];
+    }
+  }
+
+  /** Whether all of an update is here that was not used yet. */
+  boolean isReady() {
+    return !used && baseTick >= 0 && missing == 0;
+  }
+
+  void use() {
+    used = true;
+  }
+
+  /** The tick whose state it tells. */
+  int baseTick() {
+    return baseTick;
+  }
+
+  /** Entities near. */
+  int count() {
+    return count;
+  }
+
+  /** Key of an entity. */
+  int key(int index) {
+    return keys[index];
+  }
+
+  /** Whether an entity's state is told. */
+  boolean isTold(int index) {
+    return (told >>> index & 1) != 0;
+  }
+
+  /** Where a told entity's row begins in {@link #rows}. */
+  int entityAt(int index) {
+    return Long.bitCount(told & (1L << index) - 1) * STRIDE;
+  }
+
+  /** Contacts told. */
+  int contacts() {
+    return total - Long.bitCount(told);
+  }
+
+  /** Where a contact's row begins in {@link #rows}. */
+  int contactAt(int index) {
+    return (Long.bitCount(told) + index) * STRIDE;
+  }
+
+  int[] rows() {
+    return rows;
+  }
+}
