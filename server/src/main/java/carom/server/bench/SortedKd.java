@@ -112,11 +112,11 @@ final class SortedKd {
   }
 
   private float centerX(int id) {
-    return 0.5f * (boxes.minX[id] + boxes.maxX[id]);
+    return 0.5f * (boxes.minX(id) + boxes.maxX(id));
   }
 
   private float centerY(int id) {
-    return 0.5f * (boxes.minY[id] + boxes.maxY[id]);
+    return 0.5f * (boxes.minY(id) + boxes.maxY(id));
   }
 
   /** Sorts as the coordinate does, and among equal ones by id. */

@@ -3,23 +3,15 @@ package carom.physics.broadphase;
 import java.util.Arrays;
 
 /**
- * Many axis-aligned boxes as a structure of arrays; the index is the caller's id.
+ * Many axis-aligned boxes side by side; the index is the caller's id.
  *
- * <p>Metres, closed intervals. The arrays are public for hot loops; they are replaced when {@link
- * #ensureCapacity} grows them, so don't keep them across that call. Not thread-safe.
+ * <p>Metres, closed intervals. The four edges of a box are neighbours in memory, so that looking at
+ * one box among a million costs one cache miss. The array is public for hot loops; it is replaced
+ * when {@link #ensureCapacity} grows it, so don't keep it across that call. Not thread-safe.
  */
 public final class AabbArray {
-  /** Left edges, m. */
-  public float[] minX;
-
-  /** Lower edges, m. */
-  public float[] minY;
-
-  /** Right edges, m. */
-  public float[] maxX;
-
-  /** Upper edges, m. */
-  public float[] maxY;
+  /** Edges of box i from index 4 i on: left, lower, right, upper; m. */
+  public float[] edges;
 
   /**
    * Makes room for boxes 0 to capacity - 1, all of zero size at the origin.
@@ -27,10 +19,7 @@ public final class AabbArray {
    * @param capacity number of boxes, 0 or more
    */
   public AabbArray(int capacity) {
-    minX = new float[capacity];
-    minY = new float[capacity];
-    maxX = new float[capacity];
-    maxY = new float[capacity];
+    edges = new float[4 * capacity];
   }
 
   /**
@@ -39,22 +28,59 @@ public final class AabbArray {
    * @return the number of boxes; valid ids are smaller
    */
   public int capacity() {
-    return minX.length;
+    return edges.length >> 2;
   }
 
   /**
-   * Grows the arrays (at least by half) if they hold fewer boxes than this; keeps what is in them.
+   * Grows the array (at least by half) if it holds fewer boxes than this; keeps what is in it.
    *
    * @param capacity number of boxes wanted
    */
   public void ensureCapacity(int capacity) {
-    if (capacity > minX.length) {
-      int grown = Math.max(capacity, minX.length + (minX.length >> 1) + 8);
-      minX = Arrays.copyOf(minX, grown);
-      minY = Arrays.copyOf(minY, grown);
-      maxX = Arrays.copyOf(maxX, grown);
-      maxY = Arrays.copyOf(maxY, grown);
+    int old = capacity();
+    if (capacity > old) {
+      edges = Arrays.copyOf(edges, 4 * Math.max(capacity, old + (old >> 1) + 8));
     }
+  }
+
+  /**
+   * The left edge of a box.
+   *
+   * @param id which, below {@link #capacity()}
+   * @return m
+   */
+  public float minX(int id) {
+    return edges[4 * id];
+  }
+
+  /**
+   * The lower edge of a box.
+   *
+   * @param id which, below {@link #capacity()}
+   * @return m
+   */
+  public float minY(int id) {
+    return edges[4 * id + 1];
+  }
+
+  /**
+   * The right edge of a box.
+   *
+   * @param id which, below {@link #capacity()}
+   * @return m
+   */
+  public float maxX(int id) {
+    return edges[4 * id + 2];
+  }
+
+  /**
+   * The upper edge of a box.
+   *
+   * @param id which, below {@link #capacity()}
+   * @return m
+   */
+  public float maxY(int id) {
+    return edges[4 * id + 3];
   }
 
   /**
@@ -67,10 +93,10 @@ public final class AabbArray {
    * @param top upper edge, m, not below {@code bottom}
    */
   public void set(int id, float left, float bottom, float right, float top) {
-    minX[id] = left;
-    minY[id] = bottom;
-    maxX[id] = right;
-    maxY[id] = top;
+    edges[4 * id] = left;
+    edges[4 * id + 1] = bottom;
+    edges[4 * id + 2] = right;
+    edges[4 * id + 3] = top;
   }
 
   /**
@@ -80,7 +106,7 @@ public final class AabbArray {
    * @param to id of the destination
    */
   public void copy(int from, int to) {
-    set(to, minX[from], minY[from], maxX[from], maxY[from]);
+    set(to, minX(from), minY(from), maxX(from), maxY(from));
   }
 
   /**
@@ -91,7 +117,7 @@ public final class AabbArray {
    * @return true if the closed boxes share a point
    */
   public boolean overlaps(int a, int b) {
-    return overlaps(a, minX[b], minY[b], maxX[b], maxY[b]);
+    return overlaps(a, minX(b), minY(b), maxX(b), maxY(b));
   }
 
   /**
@@ -105,7 +131,7 @@ public final class AabbArray {
    * @return true if the closed boxes share a point
    */
   public boolean overlaps(int id, float left, float bottom, float right, float top) {
-    return minX[id] <= right && maxX[id] >= left && minY[id] <= top && maxY[id] >= bottom;
+    return minX(id) <= right && maxX(id) >= left && minY(id) <= top && maxY(id) >= bottom;
   }
 
   /**
@@ -119,10 +145,10 @@ public final class AabbArray {
    * @return true if no part of the inner box lies outside
    */
   public boolean contains(int outer, float left, float bottom, float right, float top) {
-    return minX[outer] <= left
-        && maxX[outer] >= right
-        && minY[outer] <= bottom
-        && maxY[outer] >= top;
+    return minX(outer) <= left
+        && maxX(outer) >= right
+        && minY(outer) <= bottom
+        && maxY(outer) >= top;
   }
 
   /**
@@ -132,11 +158,11 @@ public final class AabbArray {
    * @throws IllegalArgumentException with the id and the values
    */
   void check(int id) {
-    if (id < 0 || id >= minX.length) {
+    if (id < 0 || id >= capacity()) {
       throw new IllegalArgumentException(
-          "id=" + id + " is outside the box array, limit 0.." + (minX.length - 1));
+          "id=" + id + " is outside the box array, limit 0.." + (capacity() - 1));
     }
-    if (!valid(minX[id], minY[id], maxX[id], maxY[id])) {
+    if (!valid(minX(id), minY(id), maxX(id), maxY(id))) {
       throw invalid(id);
     }
   }
@@ -154,13 +180,13 @@ public final class AabbArray {
         "box id="
             + id
             + " must be finite with min <= max: minX="
-            + minX[id]
+            + minX(id)
             + " minY="
-            + minY[id]
+            + minY(id)
             + " maxX="
-            + maxX[id]
+            + maxX(id)
             + " maxY="
-            + maxY[id]
+            + maxY(id)
             + "; look for NaN in the body's pose or shape");
   }
 }

@@ -31,7 +31,7 @@ public final class BruteForce implements SpatialIndex {
       int id = newIds[i];
       boxes.check(id);
       ids[i] = id;
-      copy.set(i, boxes.minX[id], boxes.minY[id], boxes.maxX[id], boxes.maxY[id]);
+      copy.set(i, boxes.minX(id), boxes.minY(id), boxes.maxX(id), boxes.maxY(id));
     }
     size = count;
   }

@@ -35,7 +35,7 @@ public final class KdTree implements SpatialIndex {
   static final int SLOTS = 16;
 
   /** Boxes per leaf, averaged over the tree, that make it grow. */
-  static final int FILL = 8;
+  static final int FILL = 10;
 
   /** Rebuild all when more than this fraction (1 / n) of the boxes left their cells in one tick. */
   static final int REBUILD_SHARE = 8;
@@ -363,8 +363,8 @@ public final class KdTree implements SpatialIndex {
    *     and all bounds are right
    */
   private int insert(int id) {
-    float x = (float) (center(boxes.minX[id], boxes.maxX[id]) - frameX);
-    float y = (float) (center(boxes.minY[id], boxes.maxY[id]) - frameY);
+    float x = (float) (center(boxes.minX(id), boxes.maxX(id)) - frameX);
+    float y = (float) (center(boxes.minY(id), boxes.maxY(id)) - frameY);
     int ties = id * 0x9E3779B9;
     int node = 1;
     while (node < leaves) {
@@ -433,10 +433,10 @@ public final class KdTree implements SpatialIndex {
       int n = fill[leaf];
       int block = leaf * BLOCK;
       System.arraycopy(ids, leaf * SLOTS, work, to, n);
-      System.arraycopy(slots, block, workBoxes.minX, to, n);
-      System.arraycopy(slots, block + ROW, workBoxes.minY, to, n);
-      System.arraycopy(slots, block + 2 * ROW, workBoxes.maxX, to, n);
-      System.arraycopy(slots, block + 3 * ROW, workBoxes.maxY, to, n);
+      for (int at = block; at < block + n; at++) {
+        workBoxes.set(
+            to + at - block, slots[at], slots[at + ROW], slots[at + 2 * ROW], slots[at + 3 * ROW]);
+      }
       to += n;
     }
     return to;
@@ -445,7 +445,7 @@ public final class KdTree implements SpatialIndex {
   /** Writes an id of {@link #work} together with its present box to the scratch arrays. */
   private void fetch(int at, int id) {
     work[at] = id;
-    workBoxes.set(at, boxes.minX[id], boxes.minY[id], boxes.maxX[id], boxes.maxY[id]);
+    workBoxes.set(at, boxes.minX(id), boxes.minY(id), boxes.maxX(id), boxes.maxY(id));
   }
 
   // ---------------------------------------------------------------- following motion
@@ -492,7 +492,7 @@ public final class KdTree implements SpatialIndex {
       if (!contains(id)) {
         continue;
       }
-      if (!AabbArray.valid(boxes.minX[id], boxes.minY[id], boxes.maxX[id], boxes.maxY[id])) {
+      if (!AabbArray.valid(boxes.minX(id), boxes.minY(id), boxes.maxX(id), boxes.maxY(id))) {
         clear();
         throw boxes.invalid(id);
       }
@@ -502,8 +502,8 @@ public final class KdTree implements SpatialIndex {
         hot[leaf + leaves] = true;
         touchedLeaf[touched++] = leaf;
       }
-      float x = center(boxes.minX[id], boxes.maxX[id]) - offX;
-      float y = center(boxes.minY[id], boxes.maxY[id]) - offY;
+      float x = center(boxes.minX(id), boxes.maxX(id)) - offX;
+      float y = center(boxes.minY(id), boxes.maxY(id)) - offY;
       int c = 4 * leaf;
       if (x < cell[c] || y < cell[c + 1] || x > cell[c + 2] || y > cell[c + 3]) {
         takeOut(id);
@@ -555,10 +555,7 @@ public final class KdTree implements SpatialIndex {
 
   /** Reads all boxes, takes those that left their cells out ({@link #stray}); answers how many. */
   private int refitLeaves() {
-    float[] minX = boxes.minX;
-    float[] minY = boxes.minY;
-    float[] maxX = boxes.maxX;
-    float[] maxY = boxes.maxY;
+    float[] edges = boxes.edges;
     float guessX = (float) meanX;
     float guessY = (float) meanY;
     float offX = (float) frameX + (riding ? guessX : 0);
@@ -567,6 +564,7 @@ public final class KdTree implements SpatialIndex {
     double sumY = 0;
     double motion = 0;
     double residue = 0;
+    int seen = 0;
     int strays = 0;
     for (int leaf = 0; leaf < leaves; leaf++) {
       float cellLeft = cell[4 * leaf] + offX;
@@ -579,28 +577,29 @@ public final class KdTree implements SpatialIndex {
       float top = -INF;
       int n = fill[leaf];
       int block = leaf * BLOCK;
-      float leafX = 0;
-      float leafY = 0;
-      float leafMotion = 0;
-      float leafResidue = 0;
+      if (n > 0) {
+        // one box of a leaf is sample enough
+        int id = ids[leaf * SLOTS];
+        float moveX = boxes.minX(id) - slots[block];
+        float moveY = boxes.minY(id) - slots[block + ROW];
+        seen++;
+        sumX += moveX;
+        sumY += moveY;
+        motion += Math.abs(moveX) + Math.abs(moveY);
+        residue += Math.abs(moveX - guessX) + Math.abs(moveY - guessY);
+      }
       for (int k = 0; k < n; ) {
         int id = ids[leaf * SLOTS + k];
-        float x0 = minX[id] + 0f;
-        float y0 = minY[id] + 0f;
-        float x1 = maxX[id] + 0f;
-        float y1 = maxY[id] + 0f;
+        float x0 = edges[4 * id] + 0f;
+        float y0 = edges[4 * id + 1] + 0f;
+        float x1 = edges[4 * id + 2] + 0f;
+        float y1 = edges[4 * id + 3] + 0f;
         if (!(x0 <= x1 && y0 <= y1)) {
           clear();
           throw boxes.invalid(id);
         }
         float x = center(x0, x1);
         float y = center(y0, y1);
-        float moveX = x0 - slots[block + k];
-        float moveY = y0 - slots[block + ROW + k];
-        leafX += moveX;
-        leafY += moveY;
-        leafMotion += Math.abs(moveX) + Math.abs(moveY);
-        leafResidue += Math.abs(moveX - guessX) + Math.abs(moveY - guessY);
         if (x < cellLeft || x > cellRight || y < cellBottom || y > cellTop) {
           if (!AabbArray.valid(x0, y0, x1, y1)) {
             clear();
@@ -629,12 +628,8 @@ public final class KdTree implements SpatialIndex {
       if (n > 0 && !AabbArray.valid(left, bottom, right, top)) {
         checkLeaf(leaf);
       }
-      sumX += leafX;
-      sumY += leafY;
-      motion += leafMotion;
-      residue += leafResidue;
     }
-    follow(sumX / size, sumY / size, residue < 0.5 * motion);
+    follow(sumX / Math.max(1, seen), sumY / Math.max(1, seen), residue < 0.5 * motion);
     return strays;
   }
 
@@ -654,7 +649,7 @@ public final class KdTree implements SpatialIndex {
   private void checkLeaf(int leaf) {
     for (int k = 0; k < fill[leaf]; k++) {
       int id = ids[leaf * SLOTS + k];
-      if (!AabbArray.valid(boxes.minX[id], boxes.minY[id], boxes.maxX[id], boxes.maxY[id])) {
+      if (!AabbArray.valid(boxes.minX(id), boxes.minY(id), boxes.maxX(id), boxes.maxY(id))) {
         clear();
         throw boxes.invalid(id);
       }
@@ -679,8 +674,8 @@ public final class KdTree implements SpatialIndex {
   private void buildSubtree(int node, int count) {
     built += count;
     for (int i = 0; i < count; i++) {
-      centerX[i] = (float) (center(workBoxes.minX[i], workBoxes.maxX[i]) - frameX);
-      centerY[i] = (float) (center(workBoxes.minY[i], workBoxes.maxY[i]) - frameY);
+      centerX[i] = (float) (center(workBoxes.minX(i), workBoxes.maxX(i)) - frameX);
+      centerY[i] = (float) (center(workBoxes.minY(i), workBoxes.maxY(i)) - frameY);
       keys[i] = i;
     }
     float left = -INF;
@@ -774,10 +769,10 @@ public final class KdTree implements SpatialIndex {
     slotOf[id] = leaf * SLOTS + k;
     int at = leaf * BLOCK + k;
     // adding zero turns -0 into +0, which the sign tests of pairs() rely on
-    slots[at] = from.minX[e] + 0f;
-    slots[at + ROW] = from.minY[e] + 0f;
-    slots[at + 2 * ROW] = from.maxX[e] + 0f;
-    slots[at + 3 * ROW] = from.maxY[e] + 0f;
+    slots[at] = from.minX(e) + 0f;
+    slots[at + ROW] = from.minY(e) + 0f;
+    slots[at + 2 * ROW] = from.maxX(e) + 0f;
+    slots[at + 3 * ROW] = from.maxY(e) + 0f;
   }
 
   private static float center(float min, float max) {

@@ -76,6 +76,6 @@ public final class MovingBox {
 
   /** The same for one of many boxes. */
   double enter(AabbArray boxes, int i) {
-    return enter(boxes.minX[i], boxes.minY[i], boxes.maxX[i], boxes.maxY[i]);
+    return enter(boxes.minX(i), boxes.minY(i), boxes.maxX(i), boxes.maxY(i));
   }
 }

@@ -107,16 +107,16 @@ public final class QuadTree implements SpatialIndex {
     if (hi - lo <= LEAF || depth == MAX_DEPTH) {
       for (int i = lo; i < hi; i++) {
         int id = ids[i];
-        slots.set(i, boxes.minX[id], boxes.minY[id], boxes.maxX[id], boxes.maxY[id]);
+        slots.set(i, boxes.minX(id), boxes.minY(id), boxes.maxX(id), boxes.maxY(id));
       }
       fit(node, slots, lo, hi);
       return;
     }
     float midX = 0.5f * left + 0.5f * right;
     float midY = 0.5f * bottom + 0.5f * top;
-    int midRow = divide(boxes.minY, boxes.maxY, lo, hi, midY);
-    int midLow = divide(boxes.minX, boxes.maxX, lo, midRow, midX);
-    int midHigh = divide(boxes.minX, boxes.maxX, midRow, hi, midX);
+    int midRow = divide(boxes, true, lo, hi, midY);
+    int midLow = divide(boxes, false, lo, midRow, midX);
+    int midHigh = divide(boxes, false, midRow, hi, midX);
     int first = nodes;
     nodes += 4;
     ensureNodes(nodes);
@@ -129,12 +129,12 @@ public final class QuadTree implements SpatialIndex {
   }
 
   /** Moves ids with centres below {@code mid} to the front; answers where the others begin. */
-  private int divide(float[] min, float[] max, int lo, int hi, float mid) {
+  private int divide(AabbArray boxes, boolean y, int lo, int hi, float mid) {
     int low = lo;
     int high = 0;
     for (int i = lo; i < hi; i++) {
       int id = ids[i];
-      if (0.5f * min[id] + 0.5f * max[id] < mid) {
+      if ((y ? centerY(boxes, id) : centerX(boxes, id)) < mid) {
         ids[low++] = id;
       } else {
         sorted[high++] = id;
@@ -150,20 +150,20 @@ public final class QuadTree implements SpatialIndex {
     float right = Float.NEGATIVE_INFINITY;
     float top = Float.NEGATIVE_INFINITY;
     for (int i = lo; i < hi; i++) {
-      left = Math.min(left, parts.minX[i]);
-      bottom = Math.min(bottom, parts.minY[i]);
-      right = Math.max(right, parts.maxX[i]);
-      top = Math.max(top, parts.maxY[i]);
+      left = Math.min(left, parts.minX(i));
+      bottom = Math.min(bottom, parts.minY(i));
+      right = Math.max(right, parts.maxX(i));
+      top = Math.max(top, parts.maxY(i));
     }
     bounds.set(node, left, bottom, right, top);
   }
 
   private static float centerX(AabbArray boxes, int id) {
-    return 0.5f * boxes.minX[id] + 0.5f * boxes.maxX[id];
+    return 0.5f * boxes.minX(id) + 0.5f * boxes.maxX(id);
   }
 
   private static float centerY(AabbArray boxes, int id) {
-    return 0.5f * boxes.minY[id] + 0.5f * boxes.maxY[id];
+    return 0.5f * boxes.minY(id) + 0.5f * boxes.maxY(id);
   }
 
   private void ensureNodes(int count) {
@@ -278,7 +278,7 @@ public final class QuadTree implements SpatialIndex {
 
   private void pairsOfLeaves(int a, int b, PairVisitor visitor) {
     for (int i = from[a]; i < to[a]; i++) {
-      if (!bounds.overlaps(b, slots.minX[i], slots.minY[i], slots.maxX[i], slots.maxY[i])) {
+      if (!bounds.overlaps(b, slots.minX(i), slots.minY(i), slots.maxX(i), slots.maxY(i))) {
         continue;
       }
       for (int j = a == b ? i + 1 : from[b]; j < to[b]; j++) {
@@ -290,7 +290,7 @@ public final class QuadTree implements SpatialIndex {
   }
 
   private int pushIfOverlapping(int a, int b, int top) {
-    return bounds.overlaps(a, bounds.minX[b], bounds.minY[b], bounds.maxX[b], bounds.maxY[b])
+    return bounds.overlaps(a, bounds.minX(b), bounds.minY(b), bounds.maxX(b), bounds.maxY(b))
         ? push(a, b, top)
         : top;
   }
@@ -319,7 +319,7 @@ public final class QuadTree implements SpatialIndex {
     if (from[node] == to[node]) {
       return;
     }
-    visitor.cell(bounds.minX[node], bounds.minY[node], bounds.maxX[node], bounds.maxY[node], depth);
+    visitor.cell(bounds.minX(node), bounds.minY(node), bounds.maxX(node), bounds.maxY(node), depth);
     int first = child[node];
     if (first != 0) {
       for (int i = first; i < first + 4; i++) {

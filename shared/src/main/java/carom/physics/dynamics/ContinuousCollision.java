@@ -408,10 +408,10 @@ public final class ContinuousCollision {
     for (int part = first; part < first + bodies.partCount[f.body]; part++) {
       swept.setEmpty();
       addSweep(part, f.second);
-      drift = Math.max(drift, parts.fat.minX[part] - swept.minX);
-      drift = Math.max(drift, parts.fat.minY[part] - swept.minY);
-      drift = Math.max(drift, swept.maxX - parts.fat.maxX[part]);
-      drift = Math.max(drift, swept.maxY - parts.fat.maxY[part]);
+      drift = Math.max(drift, parts.fat.minX(part) - swept.minX);
+      drift = Math.max(drift, parts.fat.minY(part) - swept.minY);
+      drift = Math.max(drift, swept.maxX - parts.fat.maxX(part));
+      drift = Math.max(drift, swept.maxY - parts.fat.maxY(part));
     }
   }
 

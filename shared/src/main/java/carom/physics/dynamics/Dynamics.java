@@ -1336,10 +1336,10 @@ public final class Dynamics {
     if (!fat.contains(part, other.minX, other.minY, other.maxX, other.maxY)) {
       fat.set(
           part,
-          Math.min(fat.minX[part], other.minX),
-          Math.min(fat.minY[part], other.minY),
-          Math.max(fat.maxX[part], other.maxX),
-          Math.max(fat.maxY[part], other.maxY));
+          Math.min(fat.minX(part), other.minX),
+          Math.min(fat.minY(part), other.minY),
+          Math.max(fat.maxX(part), other.maxX),
+          Math.max(fat.maxY(part), other.maxY));
       movingStale = true;
       markMoved(part);
     }
@@ -1408,10 +1408,10 @@ public final class Dynamics {
   /** Finds what a moved part's fat box overlaps; two parts that rest needn't find each other. */
   private void searchAround(int part, boolean moves) {
     searchPart = part;
-    float minX = parts.fat.minX[part];
-    float minY = parts.fat.minY[part];
-    float maxX = parts.fat.maxX[part];
-    float maxY = parts.fat.maxY[part];
+    float minX = parts.fat.minX(part);
+    float minY = parts.fat.minY(part);
+    float maxX = parts.fat.maxX(part);
+    float maxY = parts.fat.maxY(part);
     moving.query(minX, minY, maxX, maxY, onFound);
     if (moves) {
       resting.query(minX, minY, maxX, maxY, onFound);
@@ -1691,7 +1691,7 @@ public final class Dynamics {
     if (fat) {
       refreshBoxes();
       out.set(
-          parts.fat.minX[part], parts.fat.minY[part], parts.fat.maxX[part], parts.fat.maxY[part]);
+          parts.fat.minX(part), parts.fat.minY(part), parts.fat.maxX(part), parts.fat.maxY(part));
     } else {
       place(parts.body[part], poseA);
       parts.convex[part].aabb(poseA, out);

@@ -97,7 +97,7 @@ final class Boxes {
 
   void shift(int id, float dx, float dy) {
     array.set(
-        id, array.minX[id] + dx, array.minY[id] + dy, array.maxX[id] + dx, array.maxY[id] + dy);
+        id, array.minX(id) + dx, array.minY(id) + dy, array.maxX(id) + dx, array.maxY(id) + dy);
   }
 
   boolean isPresent(int id) {

@@ -47,11 +47,11 @@ class CastTest {
       index.rebuild(boxes.array, ids, ids.length);
       for (int i = 0; i < 200; i++) {
         int to = (i * 7 + 1) % 400;
-        float x = boxes.array.minX[i];
-        float y = boxes.array.minY[i];
+        float x = boxes.array.minX(i);
+        float y = boxes.array.minY(i);
         float size = i % 3 == 0 ? 0 : 1;
-        float dx = i % 5 == 0 ? 0 : boxes.array.minX[to] - x;
-        float dy = i % 7 == 0 ? 0 : boxes.array.maxY[to] - y;
+        float dx = i % 5 == 0 ? 0 : boxes.array.minX(to) - x;
+        float dy = i % 7 == 0 ? 0 : boxes.array.maxY(to) - y;
         float[] box = {x, y, x + size, y + size};
         assertArrayEquals(
             cast(oracle, box, dx, dy), cast(index, box, dx, dy), index.getClass() + " " + boxes);
@@ -104,7 +104,7 @@ class CastTest {
         1,
         (id, end) -> {
           count++;
-          return Math.min(end, (boxes.array.minX[id] + 20) / 40);
+          return Math.min(end, (boxes.array.minX(id) + 20) / 40);
         });
     assertTrue(count <= 6, "visits=" + count + " of 20 boxes in the row");
     count = 0;

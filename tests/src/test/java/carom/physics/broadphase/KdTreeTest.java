@@ -173,7 +173,7 @@ class KdTreeTest {
     for (int tick = 0; tick < 120; tick++) {
       for (int id = 0; id < 600; id++) {
         float pull = tick < 60 ? -0.1f : 0.15f;
-        boxes.shift(id, pull * (boxes.array.minX[id] - 10), pull * (boxes.array.minY[id] - 10));
+        boxes.shift(id, pull * (boxes.array.minX(id) - 10), pull * (boxes.array.minY(id) - 10));
       }
       tree.refit();
       if (tick % 10 == 0) {

@@ -64,11 +64,11 @@ class SpatialIndexTest {
       index.rebuild(boxes.array, ids, ids.length);
       for (int i = 0; i < 300; i++) {
         // the box of another at twice its size, a touching one, a far one
-        float width = boxes.array.maxX[i] - boxes.array.minX[i];
-        float x0 = boxes.array.minX[i] - width / 2;
-        float y0 = i % 3 == 0 ? boxes.array.maxY[i] : boxes.array.minY[i];
-        float x1 = boxes.array.maxX[i] + width / 2;
-        float y1 = i % 3 == 0 ? y0 + 1 : boxes.array.maxY[i];
+        float width = boxes.array.maxX(i) - boxes.array.minX(i);
+        float x0 = boxes.array.minX(i) - width / 2;
+        float y0 = i % 3 == 0 ? boxes.array.maxY(i) : boxes.array.minY(i);
+        float x1 = boxes.array.maxX(i) + width / 2;
+        float y1 = i % 3 == 0 ? y0 + 1 : boxes.array.maxY(i);
         assertArrayEquals(
             Pairs.query(oracle, x0, y0, x1, y1),
             Pairs.query(index, x0, y0, x1, y1),
@@ -103,7 +103,7 @@ class SpatialIndexTest {
                     (a, b) -> {
                       AabbArray all = boxes.array;
                       long[] around =
-                          Pairs.query(index, all.minX[a], all.minY[a], all.maxX[a], all.maxY[a]);
+                          Pairs.query(index, all.minX(a), all.minY(a), all.maxX(a), all.maxY(a));
                       assertTrue(Arrays.binarySearch(around, b) >= 0);
                       visitor.pair(a, b);
                     }));

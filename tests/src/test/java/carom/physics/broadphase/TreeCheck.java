@@ -23,19 +23,19 @@ final class TreeCheck {
       int wanted = id;
       int[] seen = new int[1];
       tree.query(
-          boxes.minX[id],
-          boxes.minY[id],
-          boxes.maxX[id],
-          boxes.maxY[id],
+          boxes.minX(id),
+          boxes.minY(id),
+          boxes.maxX(id),
+          boxes.maxY(id),
           other -> {
             seen[0] += other == wanted ? 1 : 0;
             return true;
           });
       assertEquals(1, seen[0], "id=" + id + " found once; " + where);
-      union[0] = Math.min(union[0], boxes.minX[id]);
-      union[1] = Math.min(union[1], boxes.minY[id]);
-      union[2] = Math.max(union[2], boxes.maxX[id]);
-      union[3] = Math.max(union[3], boxes.maxY[id]);
+      union[0] = Math.min(union[0], boxes.minX(id));
+      union[1] = Math.min(union[1], boxes.minY(id));
+      union[2] = Math.max(union[2], boxes.maxX(id));
+      union[3] = Math.max(union[3], boxes.maxY(id));
     }
     assertEquals(tree.size(), found, where);
     tree.cells(
