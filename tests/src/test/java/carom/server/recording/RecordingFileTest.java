@@ -16,6 +16,7 @@ import carom.server.CaromMain;
 import carom.testkit.Stepper;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -133,5 +134,28 @@ final class RecordingFileTest {
             .getFileName()
             .toString()
             .matches("scene-pyramid-\\d{8}-\\d{6}-room2\\.carom"));
+  }
+
+  @Test
+  void otherJvmsComputeTheSameGame() throws Exception {
+    Path file = record(4);
+    String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
+    for (String mode : new String[] {"-Xint", "-XX:TieredStopAtLevel=1"}) {
+      Process process =
+          new ProcessBuilder(
+                  java,
+                  mode,
+                  "-XX:+UseSerialGC",
+                  "-cp",
+                  System.getProperty("java.class.path"),
+                  "carom.server.CaromMain",
+                  "replay",
+                  file.toString())
+              .redirectErrorStream(true)
+              .start();
+      String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+      assertEquals(0, process.waitFor(), mode + ": " + said);
+      assertTrue(said.contains("OK: "), said);
+    }
   }
 }
