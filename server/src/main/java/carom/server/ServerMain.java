@@ -82,6 +82,10 @@ public final class ServerMain implements Callable<Integer> {
   private static final int DEFAULT_UDP_PORT = 54_777;
   private static final int MAX_PORT = 65_535;
   private static final int MAX_GRACE_S = 600;
+
+  /** Bodies of a level that is rehearsed itself; for a larger one the game's own level is. */
+  private static final int MOST_REHEARSED = 1000;
+
   private static final int BAD_FLAG = 2;
   private static final int FAILED = 1;
 
@@ -349,7 +353,7 @@ public final class ServerMain implements Callable<Integer> {
     LoggerContext logging = (LoggerContext) LoggerFactory.getILoggerFactory();
     ch.qos.logback.classic.Logger root = logging.getLogger(Logger.ROOT_LOGGER_NAME);
     root.setLevel(ch.qos.logback.classic.Level.ERROR);
-    Rehearsal.play(config, games, chosenLevel, new KryoMessageCodec());
+    Rehearsal.play(config, games, rehearsed(chosenLevel), new KryoMessageCodec());
     root.setLevel(ch.qos.logback.classic.Level.toLevel(logLevel.name()));
     Logger log = LoggerFactory.getLogger(ServerMain.class);
     log.info(
@@ -520,6 +524,18 @@ public final class ServerMain implements Callable<Integer> {
 
   private static List<String> builtInLevels() {
     return Games.names().stream().map(name -> Games.create(name).defaultLevel()).toList();
+  }
+
+  /** A large level would take longer to build and step than its rehearsal may last. */
+  private Level rehearsed(Level chosen) {
+    if (chosen.bodies().size() <= MOST_REHEARSED || scene != null) {
+      return chosen;
+    }
+    try {
+      return Level.builtIn(createGame(chosen.gameName()).defaultLevel());
+    } catch (LevelException e) {
+      throw new IllegalStateException(e); // it comes with the program
+    }
   }
 
   private String chooseGame(Level chosenLevel) {

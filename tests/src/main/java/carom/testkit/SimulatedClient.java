@@ -175,6 +175,11 @@ public final class SimulatedClient {
     link.impair(next, next);
   }
 
+  /** Changes the two directions of the network from now on. */
+  public void impair(Impairment up, Impairment down) {
+    link.impair(up, down);
+  }
+
   /** Loses every datagram in both directions until a moment of virtual time. */
   void blackout(long endNs) {
     blackoutEndNs = endNs;

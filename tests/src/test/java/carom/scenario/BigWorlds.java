@@ -57,6 +57,46 @@ final class BigWorlds {
     return parse(json);
   }
 
+  /** A walled field of crates that paddles keep stirring, wider than what one player sees. */
+  static Level churn() {
+    StringBuilder paddles = new StringBuilder();
+    for (int i = 0; i < 10; i++) {
+      paddles.append(
+          String.format(
+              Locale.ROOT,
+              ",{\"name\":\"paddle\",\"at\":[%d,%d],\"type\":\"kinematic\",\"spin\":%d,"
+                  + "\"shape\":{\"type\":\"box\",\"width\":9,\"height\":0.6}}",
+              -36 + 18 * (i % 5),
+              i < 5 ? 9 : -9,
+              i % 2 == 0 ? 150 : -190));
+    }
+    return parse(
+        """
+        {"name": "churn", "game": "arena", "gravity": [0, 0],
+         "bounds": {"min": [-50, -20], "max": [50, 20]},
+         "materials": {"crate": {"density": 0.5, "friction": 0.4, "restitution": 0.7}},
+         "spawns": [{"name": "ball", "at": [0, 0]}],
+         "zones": [
+           {"name": "goal", "team": 1, "min": [-49.5, -1], "max": [-49, 1]},
+           {"name": "goal", "team": 2, "min": [49, -1], "max": [49.5, 1]},
+           {"name": "home", "team": 1, "min": [-7, -3], "max": [-3, 3]},
+           {"name": "home", "team": 2, "min": [3, -3], "max": [7, 3]}],
+         "statics": [
+           {"at": [0, -21], "shape": {"type": "box", "width": 104, "height": 2},
+            "repeat": {"rows": 2, "step": [0, 42]}},
+           {"at": [-51, 0], "shape": {"type": "box", "width": 2, "height": 44},
+            "repeat": {"columns": 2, "step": [102, 0]}}],
+         "bodies": [
+           {"name": "crate", "at": [-46, 5], "material": "crate",
+            "shape": {"type": "box", "width": 1, "height": 1},
+            "repeat": {"columns": 40, "rows": 4, "step": [2.3, 3]}},
+           {"name": "crate", "at": [-46, -5], "material": "crate",
+            "shape": {"type": "box", "width": 1, "height": 1},
+            "repeat": {"columns": 40, "rows": 4, "step": [2.3, -3]}}%s]}
+        """
+            .formatted(paddles));
+  }
+
   /** A level that packs to some 150 kB, though there is little in it. */
   static Level heavy(long seed) {
     SplittableRandom random = new SplittableRandom(seed);

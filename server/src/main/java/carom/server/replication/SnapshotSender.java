@@ -12,7 +12,8 @@ import carom.sim.Player;
 
 /**
  * Sends one session's snapshots over one link: when (the snapshot rate, or the slower keep-alive
- * rate while the client has everything) and how much (a token bucket of bytes).
+ * rate while the client has everything) and how much (a token bucket of bytes, and no more than the
+ * client's line takes).
  *
  * <p>The room's thread; no allocation after construction.
  */
@@ -30,6 +31,7 @@ public final class SnapshotSender {
   private final int keepAliveTicks;
   private final int bytesPerSecond;
   private final long bucketDepth; // in byte-ticks: bytes times tickRateHz, so that no rest is lost
+  private final LinkPace pace;
   private long bucket;
   private int rateAccumulator;
   private int ticksSinceSent;
@@ -57,6 +59,8 @@ public final class SnapshotSender {
     this.bytesPerSecond = config.snapshotBitsPerSecond() / 8;
     this.bucketDepth = (long) BURST_DATAGRAMS * SnapshotEncoder.MAX_DATAGRAM_BYTES * tickRateHz;
     this.bucket = bucketDepth;
+    // Headers come on top of the budget; small datagrams double it.
+    this.pace = new LinkPace(tickRateHz, 2 * bytesPerSecond);
     this.rateAccumulator = tickRateHz; // the first tick sends
     this.ticksSinceSent = keepAliveTicks;
   }
@@ -64,6 +68,9 @@ public final class SnapshotSender {
   /** Takes a client's acks as they are; see {@link SnapshotEncoder#receiveAck}. */
   public void receiveAck(int ackSequence, long ackBits) {
     encoder.receiveAck(ackSequence, ackBits);
+    if (encoder.ackDelayTicks() >= 0) {
+      pace.acked(encoder.ackDelayTicks());
+    }
   }
 
   /** Takes over what the client says it shows; see {@link SessionView#look}. */
@@ -74,6 +81,7 @@ public final class SnapshotSender {
   /** Whether {@link #send} may send at this tick; call once per tick, before it. */
   public boolean isDue(OwnState own) {
     bucket = Math.min(bucketDepth, bucket + bytesPerSecond);
+    pace.tick(encoder.ackedBytes() + LinkPace.HEADER_BYTES * encoder.ackedDatagrams());
     // The bound forgets the time in which nothing was due, but not the rest of a rate that doesn't
     // divide the tick rate.
     rateAccumulator = Math.min(tickRateHz + snapshotRateHz - 1, rateAccumulator + snapshotRateHz);
@@ -85,7 +93,9 @@ public final class SnapshotSender {
     if (ticksSinceSent >= keepAliveTicks) {
       return true;
     }
-    return bucket > 0 && !encoder.nothingNew(own); // over budget: fewer datagrams, never none
+    // Over budget, or over what the line takes: fewer snapshots, never none, each of the newest
+    // tick.
+    return bucket > 0 && pace.allowance() > 0 && !encoder.nothingNew(own);
   }
 
   /**
@@ -98,18 +108,25 @@ public final class SnapshotSender {
   public int send(Link link, InputFeedback feedback, OwnState own) {
     rateAccumulator -= tickRateHz;
     ticksSinceSent = 0;
-    encoder.begin(feedback, own, (int) Math.max(0, bucket / tickRateHz));
+    long budget = Math.min(bucket / tickRateHz, pace.allowance());
+    encoder.begin(feedback, own, (int) Math.max(0, budget));
     int datagrams = 0;
     for (int length; (length = encoder.next(buffer)) > 0; ) {
       if (!link.sendDatagram(buffer, 0, length)) {
         counters.add(Counter.DATAGRAMS_UNSENT, 1);
       }
+      pace.sent(length);
       bucket = Math.max(-bucketDepth, bucket - (long) length * tickRateHz);
       counters.add(Counter.DATAGRAMS_OUT, 1);
       counters.add(Counter.SNAPSHOT_BYTES, length);
       datagrams++;
     }
     return datagrams;
+  }
+
+  /** What the client's line takes, as far as is known: bytes per second, headers included. */
+  public int paceBytesPerSecond() {
+    return pace.bytesPerSecond();
   }
 
   /** The encoder, for inspection. */

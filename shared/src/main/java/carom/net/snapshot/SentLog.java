@@ -21,6 +21,7 @@ final class SentLog {
   private final boolean[] open = new boolean[SIZE];
   private final long[] start = new long[SIZE];
   private final int[] count = new int[SIZE];
+  private final int[] bytes = new int[SIZE];
   private char[] slots = new char[MIN_SLOTS];
   private long written;
   private long newest = -1;
@@ -42,6 +43,11 @@ final class SentLog {
     slots[(int) written & (slots.length - 1)] = (char) slot;
     written++;
     count[(int) newest & MASK]++;
+  }
+
+  /** Notes the size of the datagram begun last. */
+  void end(int length) {
+    bytes[(int) newest & MASK] = length;
   }
 
   int sequence() {
@@ -89,6 +95,10 @@ final class SentLog {
 
   int tickAt(int at) {
     return tick[at];
+  }
+
+  int bytesAt(int at) {
+    return bytes[at];
   }
 
   boolean ownAt(int at) {

@@ -57,6 +57,9 @@ public final class SnapshotEncoder {
   private boolean first;
   private int budget;
   private int headerBytes;
+  private int ackDelayTicks = -1;
+  private long ackedBytes;
+  private long ackedDatagrams;
   private int previousAge;
   private int beganTick = -1;
 
@@ -101,6 +104,7 @@ public final class SnapshotEncoder {
    * @param ackBits bit i = datagram {@code ackSequence - 1 - i} was received
    */
   public void receiveAck(int ackSequence, long ackBits) {
+    ackDelayTicks = -1;
     take(ackSequence, 0);
     for (long bits = ackBits; bits != 0; bits &= bits - 1) {
       take(ackSequence, Long.numberOfTrailingZeros(bits) + 1);
@@ -113,6 +117,10 @@ public final class SnapshotEncoder {
       return;
     }
     int tick = sent.tickAt(at);
+    ackedBytes += sent.bytesAt(at);
+    ackedDatagrams++;
+    int delay = ring.newest().tick() - tick;
+    ackDelayTicks = ackDelayTicks < 0 ? delay : Math.min(ackDelayTicks, delay);
     for (int i = 0; i < sent.countAt(at); i++) {
       selection.ack(sent.slotAt(at, i), tick);
     }
@@ -246,6 +254,7 @@ public final class SnapshotEncoder {
     int check = Crc16.of(key, out, 2, length - 2);
     out[0] = (byte) check;
     out[1] = (byte) (check >>> 8);
+    sent.end(length);
     budget -= length;
     first = false;
     return length;
@@ -374,6 +383,24 @@ public final class SnapshotEncoder {
    */
   public int waiting() {
     return selection.waiting();
+  }
+
+  /**
+   * Ticks from sending to ack of the quickest datagram that the last {@link #receiveAck} was the
+   * first to ack, or -1 when it acked none.
+   */
+  public int ackDelayTicks() {
+    return ackDelayTicks;
+  }
+
+  /** Payload bytes of all datagrams acked. */
+  public long ackedBytes() {
+    return ackedBytes;
+  }
+
+  /** Datagrams acked. */
+  public long ackedDatagrams() {
+    return ackedDatagrams;
   }
 
   /** Sequence number of the last datagram written. */

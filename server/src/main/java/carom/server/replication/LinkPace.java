@@ -1,0 +1,119 @@
+package carom.server.replication;
+
+/**
+ * How fast one client's line takes snapshots, found out from the acks. A line that is slower than
+ * the budget lets datagrams queue up in front of it, and whatever waits there is old when it
+ * arrives. So when even the quickest ack of an interval took longer than it does on the empty line,
+ * the pace falls below what has been delivered, and the queue drains; when it didn't, the pace
+ * rises again. Loss alone says nothing about the speed of a line, and neither does jitter, which
+ * leaves some datagrams quick.
+ *
+ * <p>Counts what is on the wire, headers included. The room's thread, no allocation.
+ */
+final class LinkPace {
+  /** IPv4, UDP and the frame's tag around a datagram's payload. */
+  static final int HEADER_BYTES = 29;
+
+  private static final int INTERVALS_PER_SECOND = 3;
+
+  /** The quickest ack of the last 5 to 10 s tells how long the empty line takes. */
+  private static final int EMPTY_INTERVALS = 5 * INTERVALS_PER_SECOND;
+
+  /** A queue shorter than this is left alone, ms. */
+  private static final int QUEUE_MS = 35;
+
+  /** Below what was delivered, so that a queue drains. */
+  private static final float DRAIN = 0.8f;
+
+  private static final float RISE = 1.25f;
+  private static final float SILENCE = 0.5f;
+  private static final int LEAST_BYTES_PER_SECOND = 3_000;
+
+  /** So much of a second may leave in one burst. */
+  private static final float BURST_SECONDS = 0.1f;
+
+  private static final int NEVER = Integer.MAX_VALUE;
+
+  private final int tickRate;
+  private final int most;
+  private final int intervalTicks;
+  private final int queueTicks;
+  private float rate; // bytes per second
+  private float tokens; // bytes
+  private int ticks;
+  private int quickest = NEVER;
+  private int emptyNow = NEVER;
+  private int emptyBefore = NEVER;
+  private int intervals;
+  private long ackedBefore;
+  private long sent;
+
+  /**
+   * Starts at full speed.
+   *
+   * @param mostBytesPerSecond the pace of a line that is fast enough
+   */
+  LinkPace(int tickRate, int mostBytesPerSecond) {
+    this.tickRate = tickRate;
+    most = Math.max(LEAST_BYTES_PER_SECOND, mostBytesPerSecond);
+    intervalTicks = Math.max(2, tickRate / INTERVALS_PER_SECOND);
+    queueTicks = Math.max(2, QUEUE_MS * tickRate / 1_000);
+    rate = most;
+    tokens = most * BURST_SECONDS;
+  }
+
+  /** A datagram was acked, so many ticks after it was sent. */
+  void acked(int delayTicks) {
+    quickest = Math.min(quickest, delayTicks);
+  }
+
+  /** A datagram is sent. */
+  void sent(int payloadBytes) {
+    tokens -= payloadBytes + HEADER_BYTES;
+    sent += payloadBytes + HEADER_BYTES;
+  }
+
+  /**
+   * Once a tick.
+   *
+   * @param ackedBytes bytes on the wire that were ever acked
+   */
+  void tick(long ackedBytes) {
+    tokens = Math.min(rate * BURST_SECONDS, tokens + rate / tickRate);
+    if (++ticks < intervalTicks) {
+      return;
+    }
+    float seconds = (float) ticks / tickRate;
+    float delivered = (ackedBytes - ackedBefore) / seconds;
+    if (quickest == NEVER) {
+      rate = sent > 0 ? rate * SILENCE : rate;
+    } else {
+      emptyNow = Math.min(emptyNow, quickest);
+      if (quickest - Math.min(emptyNow, emptyBefore) > queueTicks) {
+        rate = Math.min(rate, delivered * DRAIN);
+      } else {
+        rate *= RISE;
+      }
+    }
+    rate = Math.max(LEAST_BYTES_PER_SECOND, Math.min(most, rate));
+    if (++intervals == EMPTY_INTERVALS) {
+      intervals = 0;
+      emptyBefore = emptyNow;
+      emptyNow = NEVER;
+    }
+    ackedBefore = ackedBytes;
+    quickest = NEVER;
+    ticks = 0;
+    sent = 0;
+  }
+
+  /** Bytes of payload that may leave now; not positive when the line needs a rest. */
+  int allowance() {
+    return (int) Math.min(Integer.MAX_VALUE, tokens - HEADER_BYTES);
+  }
+
+  /** The present pace, bytes on the wire per second. */
+  int bytesPerSecond() {
+    return (int) rate;
+  }
+}
