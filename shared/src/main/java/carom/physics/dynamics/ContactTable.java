@@ -694,6 +694,11 @@ public final class ContactTable {
     return (long) count * perRow;
   }
 
+  /** Makes room for so many rows before they come. */
+  void reserve(int rowCount) {
+    ensure(rowCount);
+  }
+
   private void ensure(int capacity) {
     if (capacity <= key.length) {
       return;

@@ -47,6 +47,9 @@ public final class Dynamics {
   /** More pairs than this per awake body are a crowd. */
   private static final int CROWDED = 2;
 
+  /** Rows to have room for per awake body before there are as many, so that few steps allocate. */
+  private static final int ROWS_AHEAD = 2;
+
   /** For how many ticks fat boxes are meant to last where pairs are few. */
   private static final int SPARSE_TICKS = 5;
 
@@ -1001,6 +1004,7 @@ public final class Dynamics {
     begins(StepStage.BEGIN);
     lastStep = dt;
     busy = false;
+    contacts.reserve(ROWS_AHEAD * activeCount);
     doAsked();
     boolean teleported = false;
     for (int i = 0; i < activeCount; i++) {
@@ -1325,7 +1329,7 @@ public final class Dynamics {
     }
     parts.moved[part] = true;
     if (movedCount == movedParts.length) {
-      movedParts = Arrays.copyOf(movedParts, movedCount * 2);
+      movedParts = Arrays.copyOf(movedParts, Math.max(parts.moved.length, movedCount * 2));
     }
     movedParts[movedCount++] = part;
   }
