@@ -347,6 +347,34 @@ public final class ContactTable {
     if ((kept & SENSOR) != 0 || (n == 0 && oldPoints == 0)) {
       return;
     }
+    // Mostly the same points touch as before, and their impulses stay where they are.
+    boolean same = n == oldPoints && m.id0 == id0[row] && (n == 1 || m.id1 == id1[row]);
+    if (!same) {
+      inherit(row, m, oldPoints);
+    }
+    total0[row] = 0;
+    total1[row] = 0;
+    slide0[row] = 0;
+    slide1[row] = 0;
+    if (n == 0) {
+      roll[row] = 0;
+      return;
+    }
+    nx[row] = m.normalX;
+    ny[row] = m.normalY;
+    x0[row] = m.x0;
+    y0[row] = m.y0;
+    separation0[row] = m.separation0;
+    if (n > 1) {
+      x1[row] = m.x1;
+      y1[row] = m.y1;
+      separation1[row] = m.separation1;
+    }
+  }
+
+  /** Takes the points' ids over, and gives each the impulses of the one that had its id. */
+  private void inherit(int row, Manifold m, int oldPoints) {
+    int n = m.count;
     float oldNormal0 = normal0[row];
     float oldTangent0 = tangent0[row];
     float oldNormal1 = normal1[row];
@@ -358,32 +386,18 @@ public final class ContactTable {
     tangent0[row] = 0;
     normal1[row] = 0;
     tangent1[row] = 0;
-    total0[row] = 0;
-    total1[row] = 0;
-    slide0[row] = 0;
-    slide1[row] = 0;
-    if (n == 0) {
-      roll[row] = 0;
-      return;
-    }
-    nx[row] = m.normalX;
-    ny[row] = m.normalY;
-    id0[row] = m.id0;
-    x0[row] = m.x0;
-    y0[row] = m.y0;
-    separation0[row] = m.separation0;
-    if (oldPoints > 0 && oldId0 == m.id0) {
-      normal0[row] = oldNormal0;
-      tangent0[row] = oldTangent0;
-    } else if (oldPoints > 1 && oldId1 == m.id0) {
-      normal0[row] = oldNormal1;
-      tangent0[row] = oldTangent1;
+    if (n > 0) {
+      id0[row] = m.id0;
+      if (oldPoints > 0 && oldId0 == m.id0) {
+        normal0[row] = oldNormal0;
+        tangent0[row] = oldTangent0;
+      } else if (oldPoints > 1 && oldId1 == m.id0) {
+        normal0[row] = oldNormal1;
+        tangent0[row] = oldTangent1;
+      }
     }
     if (n > 1) {
       id1[row] = m.id1;
-      x1[row] = m.x1;
-      y1[row] = m.y1;
-      separation1[row] = m.separation1;
       if (oldPoints > 1 && oldId1 == m.id1) {
         normal1[row] = oldNormal1;
         tangent1[row] = oldTangent1;
