@@ -117,11 +117,11 @@ public final class BroadphaseBench {
     long allocated = 0;
     long hash = 0;
     Tally tally = new Tally();
-    long begin = System.nanoTime();
-    long warm = begin + (long) (seconds * 1e9);
-    long end = begin + (long) (seconds * 2e9);
+    double begin = Stopwatch.cpuSeconds();
+    double warm = begin + seconds;
+    double end = warm + seconds;
     int rows = 0;
-    for (int tick = 0; tick < update.length && (tick < 6 || System.nanoTime() < end); tick++) {
+    for (int tick = 0; tick < update.length && (tick < 6 || Stopwatch.cpuSeconds() < end); tick++) {
       scene.step();
       tally.count = 0;
       tally.hash = 0;
@@ -141,7 +141,7 @@ public final class BroadphaseBench {
       }
       long t2 = threads.getCurrentThreadCpuTime();
       hash += tick < 3 ? tally.hash : 0;
-      if (tick >= 3 && System.nanoTime() >= warm) {
+      if (tick >= 3 && Stopwatch.cpuSeconds() >= warm) {
         update[rows] = (double) (t1 - t0) / n;
         pairs[rows] = (double) (t2 - t1) / n;
         sum[rows] = update[rows] + pairs[rows];

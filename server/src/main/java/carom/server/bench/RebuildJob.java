@@ -54,8 +54,8 @@ record RebuildJob(String name, int boxes) implements BenchJob {
     } else if (entrant.engine().equals(Way.KD_SORT_PER_LEVEL.toString())) {
       build = () -> sorted.buildWithSortPerLevel(boxes);
     }
-    long begin = System.nanoTime();
-    while ((System.nanoTime() - begin) * 1e-9 < measurement.warmUpSeconds()) {
+    double begin = Stopwatch.cpuSeconds();
+    while (Stopwatch.cpuSeconds() - begin < measurement.warmUpSeconds()) {
       scene.step();
       build.run();
     }

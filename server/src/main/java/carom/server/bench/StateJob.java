@@ -111,8 +111,8 @@ record StateJob(String name, Supplier<Work> work) implements BenchJob {
   @Override
   public BenchRow run(Entrant entrant, Measurement measurement) {
     Work repeated = work.get();
-    long begin = System.nanoTime();
-    while ((System.nanoTime() - begin) * 1e-9 < measurement.warmUpSeconds()) {
+    double begin = Stopwatch.cpuSeconds();
+    while (Stopwatch.cpuSeconds() - begin < measurement.warmUpSeconds()) {
       repeated.before.run();
       repeated.timed.run();
     }
