@@ -419,6 +419,7 @@ public final class ServerMain implements Callable<Integer> {
             "carom-stop");
     Runtime.getRuntime().addShutdownHook(hook);
     server.start();
+    server.rooms().forEach(RoomInspector::show);
     while (server.count(Counter.TICKS) == 0 && !server.hasFailed()) {
       Thread.sleep(1); // a large level's first tick takes as long as many others
     }

@@ -20,6 +20,7 @@ import carom.sim.Input;
 import carom.sim.Simulation;
 import java.lang.reflect.Field;
 import java.util.Random;
+import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Test;
 
 class RoomTest {
@@ -458,5 +459,28 @@ class RoomTest {
       assertTrue(client.closed, "players are told");
       assertTrue(rig.room.tick() < Integer.MAX_VALUE - (1 << 20) + 2, "tick=" + rig.room.tick());
     }
+  }
+
+  @Test
+  void anOperatorCanAskWhyAnEntityWasNotSent() {
+    try (Rig rig = new Rig()) {
+      rig.game.ballsMove = false;
+      rig.join("Ann");
+      rig.seconds(1);
+      assertTrue(ask(rig, 0, 1).contains("reason=UP_TO_DATE"), ask(rig, 0, 1));
+      assertTrue(ask(rig, 0, 500).contains("reason=FREE"), ask(rig, 0, 500));
+      assertTrue(ask(rig, 9, 1).contains("player=9 doesn't play here"), ask(rig, 9, 1));
+      assertTrue(ask(rig, 0, -1).contains("entity=-1 is outside"), ask(rig, 0, -1));
+    }
+  }
+
+  private static String ask(Rig rig, int player, int entity) {
+    CompletableFuture<String> answer =
+        CompletableFuture.supplyAsync(() -> rig.room.why(player, entity));
+    while (!answer.isDone()) {
+      rig.step();
+      Thread.onSpinWait();
+    }
+    return answer.join();
   }
 }

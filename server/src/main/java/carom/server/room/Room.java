@@ -6,6 +6,7 @@ import carom.net.protocol.Protocol;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.snapshot.FrameRing;
+import carom.net.transport.Broadcast;
 import carom.net.transport.Link;
 import carom.physics.Queries;
 import carom.physics.threads.Workers;
@@ -30,6 +31,10 @@ import carom.sim.Simulation;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
@@ -58,6 +63,8 @@ public final class Room {
   private static final float MAX_ANNOUNCEMENTS = 20;
 
   private static final float ANNOUNCEMENTS_PER_S = 2;
+  private static final int MAX_QUESTIONS = 16;
+  private static final long ANSWER_S = 2;
   private static final Logger LOG = LoggerFactory.getLogger(Room.class);
   private static final long NS_PER_MS = 1_000_000;
   private static final long PARTING_MS = 1_000;
@@ -78,6 +85,8 @@ public final class Room {
   private final OwnCapture ownCapture;
   private final TickLoop loop;
   private final ArrayBlockingQueue<Admission> arrivals;
+  private final ArrayBlockingQueue<FutureTask<String>> questions =
+      new ArrayBlockingQueue<>(MAX_QUESTIONS);
   private final List<Session> sessions = new ArrayList<>();
   private final Session[] bySeat;
   private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
@@ -170,6 +179,9 @@ public final class Room {
    * @return how much was done; 0 when the caller may wait until {@link #nextDeadlineNs}
    */
   public int doWork(long nowNs) {
+    for (FutureTask<String> q; (q = questions.poll()) != null; ) {
+      q.run();
+    }
     if (closed) {
       return partings.doWork(nowNs);
     }
@@ -505,11 +517,13 @@ public final class Room {
   }
 
   private void sendToAll(ServerMessage message, Session except) {
+    Broadcast broadcast = new Broadcast(message);
     for (int i = 0; i < sessions.size(); i++) {
       Session session = sessions.get(i);
       if (session != except && session.state() == SessionState.PLAYING) {
         try {
-          session.send(message); // a link that refuses closes, and is found closed at its next poll
+          session.send(
+              broadcast); // a link that refuses closes, and is found closed at its next poll
         } catch (RuntimeException e) {
           counters.add(Counter.SESSIONS_FAILED, 1);
           LOG.error("{}message {} could not be sent, {}", label, message, session, e);
@@ -572,6 +586,45 @@ public final class Room {
   /** Closes the links that linger after {@link #close}. */
   public void closeLinks() {
     partings.closeAll();
+  }
+
+  /**
+   * Why a player was not sent an entity, or that it was: one line for an operator. From any thread
+   * but the room's; waits for the room's next turn.
+   *
+   * @param playerId a seat's number
+   * @param entityId an entity's number
+   */
+  public String why(int playerId, int entityId) {
+    FutureTask<String> question = new FutureTask<>(() -> explain(playerId, entityId));
+    if (!questions.offer(question)) {
+      return "too many questions at once; ask again";
+    }
+    try {
+      return question.get(ANSWER_S, TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return "interrupted";
+    } catch (ExecutionException | TimeoutException e) {
+      questions.remove(question);
+      return "no answer from the room: " + e;
+    }
+  }
+
+  private String explain(int playerId, int entityId) {
+    Session session = session(playerId);
+    if (session == null || session.sender() == null) {
+      return "player=" + playerId + " doesn't play here; players are 0.." + (bySeat.length - 1);
+    }
+    if (entityId < 0 || entityId >= frames().capacity()) {
+      return "entity=" + entityId + " is outside 0.." + (frames().capacity() - 1);
+    }
+    return "player="
+        + playerId
+        + " "
+        + session.sender().encoder().explain(entityId)
+        + " paceBytesPerSecond="
+        + session.sender().paceBytesPerSecond();
   }
 
   /** The room's number, from 1 on; from any thread. */

@@ -8,6 +8,7 @@ import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.snapshot.InputFeedback;
 import carom.net.snapshot.OwnState;
+import carom.net.transport.Broadcast;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.physics.BodyContactVisitor;
@@ -322,6 +323,11 @@ public final class Session implements LinkHandler {
    * @return false when there is none or it doesn't take the message
    */
   public boolean send(ServerMessage message) {
+    return link != null && link.send(message);
+  }
+
+  /** As {@link #send(ServerMessage)}, a message for many sessions. */
+  public boolean send(Broadcast message) {
     return link != null && link.send(message);
   }
 

@@ -1,6 +1,7 @@
 package carom.net.kryo;
 
 import carom.net.protocol.Limits;
+import carom.net.transport.Broadcast;
 import carom.net.transport.Link;
 import carom.net.transport.LinkCounters;
 import carom.net.transport.LinkHandler;
@@ -78,7 +79,7 @@ abstract class KryoLink implements Link {
     if (state != State.OPEN) {
       return false;
     }
-    byte[] bytes = codec.encode(message);
+    byte[] bytes = Broadcast.encode(codec, message);
     if (!transmit(Frame.message(bytes))) {
       return false;
     }

@@ -56,7 +56,7 @@ final class InProcessLink implements Link {
 
   @Override
   public boolean send(Object message) {
-    byte[] bytes = codec.encode(message);
+    byte[] bytes = Broadcast.encode(codec, message);
     synchronized (lock) {
       if (state != State.OPEN) {
         return false;

@@ -26,7 +26,7 @@ public interface Link {
   /**
    * Sends a message reliably and in order.
    *
-   * @param message one that the transport's codec knows
+   * @param message one that the transport's codec knows, or a {@link Broadcast} of one
    * @return false when the link is not open, or the peer doesn't take its messages (the link is
    *     then closed)
    * @throws IllegalArgumentException when the codec can't encode the message: a bug of the caller

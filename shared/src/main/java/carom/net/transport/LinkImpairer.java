@@ -25,6 +25,6 @@ final class LinkImpairer {
 
   /** Encoding a message once more is only worth it where bytes matter. */
   private int messageBytes(Object message) {
-    return impairment.bandwidthKbit() == 0 ? 0 : codec.encode(message).length;
+    return impairment.bandwidthKbit() == 0 ? 0 : Broadcast.encode(codec, message).length;
   }
 }

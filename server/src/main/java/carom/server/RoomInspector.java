@@ -1,0 +1,47 @@
+package carom.server;
+
+import carom.server.room.Room;
+import java.lang.management.ManagementFactory;
+import javax.management.JMException;
+import javax.management.MBeanServer;
+import javax.management.ObjectName;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Shows a room to JMX tools. */
+final class RoomInspector implements RoomMXBean {
+  private static final Logger LOG = LoggerFactory.getLogger(RoomInspector.class);
+
+  private final Room room;
+
+  private RoomInspector(Room room) {
+    this.room = room;
+  }
+
+  /**
+   * Shows a room, in place of one of the same number that was shown before; a server goes on
+   * without if that fails.
+   */
+  static void show(Room room) {
+    try {
+      MBeanServer tools = ManagementFactory.getPlatformMBeanServer();
+      ObjectName name = new ObjectName("carom:type=Room,number=" + room.number());
+      if (tools.isRegistered(name)) {
+        tools.unregisterMBean(name);
+      }
+      tools.registerMBean(new RoomInspector(room), name);
+    } catch (JMException e) {
+      LOG.warn("room {} can't be shown to JMX tools: {}", room.number(), e.toString());
+    }
+  }
+
+  @Override
+  public int getTick() {
+    return room.tick();
+  }
+
+  @Override
+  public String why(int player, int entity) {
+    return room.why(player, entity);
+  }
+}
