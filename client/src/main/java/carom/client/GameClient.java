@@ -142,6 +142,7 @@ public final class GameClient implements AutoCloseable {
     stats.roll(nowNs);
     if (decoder != null && clock.started()) {
       renderClock.loss(stats.lossPercent() / 100);
+      clock.loss(stats.lossPercent() / 100);
       renderClock.advance(nowNs);
       clock.advance(nowNs);
       if (connection.playing()) {
@@ -238,6 +239,7 @@ public final class GameClient implements AutoCloseable {
     }
     stats.rolledBack(prediction.rolledBack(), prediction.replayed(), prediction.replayNs());
     stats.cutShort(prediction.cutShort());
+    stats.syncErrors(prediction.syncErrors());
     if (prediction.corrected()) {
       stats.corrected(prediction.correctionMetres());
     }
@@ -371,6 +373,7 @@ public final class GameClient implements AutoCloseable {
         view.tick = clock.tick();
         firstSnapshotNs = nowNs;
       }
+      clock.heard(tick, nowNs);
     }
     if (decoder.feedback().present) {
       feedback(decoder.feedback(), tick, arrivedNs);

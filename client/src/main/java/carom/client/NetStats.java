@@ -55,6 +55,7 @@ public final class NetStats {
   private long rollbackTicks;
   private int longestRollback;
   private long cutShort;
+  private long syncErrors;
   private long corrections;
   private double correctionMetres;
   private double largestCorrection;
@@ -147,6 +148,10 @@ public final class NetStats {
     rollbackTicks += ticks;
     longestRollback = Math.max(longestRollback, ticks);
     replay.add(tookNs / 1e6f);
+  }
+
+  void syncErrors(long count) {
+    syncErrors = count;
   }
 
   void cutShort(long count) {
@@ -329,6 +334,11 @@ public final class NetStats {
   /** Replays that were too long or took too long, so that ticks were left out. */
   public long replaysCutShort() {
     return cutShort;
+  }
+
+  /** Ticks in which the synctest found another hash; 0 unless the simulation has a fault. */
+  public long syncErrors() {
+    return syncErrors;
   }
 
   /** Time that replays took, milliseconds, the newest of them. */

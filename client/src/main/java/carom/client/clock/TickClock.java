@@ -8,7 +8,7 @@ import java.util.Arrays;
  *
  * <p>The server tells, with each snapshot, how many inputs of this client were waiting when it
  * consumed one: the <em>input margin</em>. The clock keeps the margin at {@link #targetMargin()},
- * which is two ticks plus an allowance for jitter.
+ * which is two ticks plus allowances for jitter and loss.
  *
  * <p>How it steers. Let {@code offset(t) = position(t) - rate t} be how far the clock stands from
  * one that never changes speed. The margin measured for an input equals the offset at the moment
@@ -20,6 +20,10 @@ import java.util.Arrays;
  *   <li>Small errors bend the speed by at most {@value #MAX_BEND_PERCENT} %: nobody sees it.
  *   <li>Being far off (a first estimate gone wrong, a route change, a machine that was suspended)
  *       jumps. A jump back only pauses; a tick number is never handed out twice.
+ *   <li>When the server has been silent for {@value #SILENCE_MS} ms, the clock waits: a server that
+ *       stood still goes on where it stopped, and inputs for ticks far ahead are of no use to it.
+ *       The first thing heard tells whether it stood still or only could not be heard; then the
+ *       clock catches up.
  *   <li>A slow machine gets at most {@link #MAX_CATCH_UP} ticks per frame and loses the rest, so a
  *       frame that takes long cannot make the next one longer.
  * </ul>
@@ -32,6 +36,16 @@ public final class TickClock {
 
   /** Smallest margin aimed at, in ticks: one for the phase of both loops, one for a lost packet. */
   public static final double BASE_MARGIN = 2;
+
+  /** After this the clock waits for the server, milliseconds. */
+  static final int SILENCE_MS = 1_500;
+
+  private static final long SILENCE_NS = SILENCE_MS * 1_000_000L;
+
+  /** Chance to lose an input, with all its copies, that is small enough. */
+  private static final double LOST = 1e-4;
+
+  private static final double MAX_LOSS_MARGIN = 5;
 
   private static final int MAX_BEND_PERCENT = 3;
   private static final double MAX_BEND = MAX_BEND_PERCENT / 100.0;
@@ -69,6 +83,14 @@ public final class TickClock {
   private double outlierSum;
   private int newestReported;
   private double lastMargin;
+
+  /** Whether anybody tells when the server is heard. */
+  private boolean listens;
+
+  private long heardNs;
+  private int heardTick;
+  private long heldNs;
+  private double lossMargin;
   private long dropped;
   private long jumps;
 
@@ -96,6 +118,10 @@ public final class TickClock {
     started = true;
     originNs = nowNs;
     this.nowNs = nowNs;
+    heardNs = nowNs;
+    heardTick = serverTick;
+    heldNs = 0;
+    listens = false;
     position = serverTick + Math.max(0, roundTripNs) * ticksPerNs + BASE_MARGIN + 1;
     last = (int) Math.floor(position) - 1;
     speed = 1;
@@ -125,8 +151,12 @@ public final class TickClock {
     }
     long elapsed = Math.max(0, nowNs - this.nowNs);
     this.nowNs = Math.max(nowNs, this.nowNs);
+    long silent = listens ? Math.max(0, this.nowNs - heardNs - SILENCE_NS) : 0;
+    long held = Math.min(elapsed, silent);
+    heldNs += held;
+    originNs += held;
     steer();
-    position += elapsed * ticksPerNs * speed;
+    position += (elapsed - held) * ticksPerNs * speed;
     int due = due();
     if (due > MAX_CATCH_UP) {
       dropped += due - MAX_CATCH_UP;
@@ -151,6 +181,43 @@ public final class TickClock {
     offsetTick[slot] = last;
     offsetOf[slot] = offset();
     return last;
+  }
+
+  /**
+   * Notes that the server was heard.
+   *
+   * @param serverTick newest tick known of it
+   * @param nowNs the present, as for {@link #advance}
+   */
+  public void heard(int serverTick, long nowNs) {
+    if (!started || serverTick < heardTick) {
+      return;
+    }
+    listens = true;
+    if (heldNs > 0) {
+      // Of the time in which we waited, the server ran for so long.
+      double ran = (serverTick - heardTick) / ticksPerNs - (nowNs - heardNs - heldNs);
+      long missed = (long) Math.max(0, Math.min(heldNs, ran));
+      originNs -= missed;
+      position += missed * ticksPerNs;
+      if (due() > MAX_CATCH_UP) {
+        last = (int) Math.floor(position) - 1;
+      }
+      heldNs = 0;
+    }
+    heardNs = nowNs;
+    heardTick = serverTick;
+  }
+
+  /**
+   * Tells the clock how much is lost: each tick earlier is another copy of each input that may
+   * arrive in time.
+   *
+   * @param fraction lost datagrams, 0..1
+   */
+  public void loss(double fraction) {
+    double copies = fraction <= LOST ? 1 : Math.log(LOST) / Math.log(Math.min(0.9, fraction));
+    lossMargin = Math.max(0, Math.min(MAX_LOSS_MARGIN, Math.ceil(copies) - BASE_MARGIN));
   }
 
   /**
@@ -235,7 +302,8 @@ public final class TickClock {
 
   /** Margin the clock aims at, in ticks. */
   public double targetMargin() {
-    return BASE_MARGIN + Math.min(MAX_JITTER_MARGIN, Math.max(0, 2.5 * (deviation - 0.5)));
+    double jitterMargin = Math.min(MAX_JITTER_MARGIN, Math.max(0, 2.5 * (deviation - 0.5)));
+    return BASE_MARGIN + lossMargin + jitterMargin;
   }
 
   /** Margin last reported by the server, in ticks. */

@@ -122,6 +122,11 @@ public final class Prediction {
   private int rolledBack;
   private long replayNs;
   private long cutShort;
+
+  /** The newest tick whose state was put right by hand: no replay from before gives it. */
+  private int changedTick;
+
+  private boolean testing;
   private long syncErrors;
 
   /** Who is who, from what has arrived. */
@@ -273,7 +278,7 @@ public final class Prediction {
       if (other == null || other == player) {
         continue;
       }
-      long input = inputOf(id, next);
+      long input = testing && used[id] != null ? used[id][next & MASK] : inputOf(id, next);
       other.input().unpack(input);
       if (used[id] == null) {
         used[id] = new long[RING];
@@ -333,7 +338,7 @@ public final class Prediction {
     int present = tick;
     int from = present - SYNC_TICKS;
     for (int t = from; t <= present; t++) {
-      if (!isSaved(t) || inputTick[t & MASK] != t) {
+      if (t < changedTick || !isSaved(t) || inputTick[t & MASK] != t) {
         return;
       }
     }
@@ -341,9 +346,11 @@ public final class Prediction {
     Pose previous = new Pose();
     previous.set(own.previous);
     restore(from);
+    testing = true;
     while (tick < present) {
       stepOnce(tick + 1, inputs[tick + 1 & MASK]);
     }
+    testing = false;
     own.previous.set(previous);
     if (hash[present & MASK] != expected) {
       syncErrors++;
@@ -595,6 +602,7 @@ public final class Prediction {
       addContact();
     }
     right.write(simulation, records);
+    changedTick = Math.max(changedTick, tick);
     bind();
     keep();
   }
@@ -666,6 +674,7 @@ public final class Prediction {
       }
     }
     right.write(simulation, records);
+    changedTick = Math.max(changedTick, tick);
     bind();
     keep();
   }

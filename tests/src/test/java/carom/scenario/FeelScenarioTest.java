@@ -1,0 +1,114 @@
+package carom.scenario;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.client.ClientConfig;
+import carom.client.NetStats;
+import carom.client.PredictionMode;
+import carom.client.bots.Bot;
+import carom.net.transport.Impairment;
+import carom.server.config.ServerConfig;
+import carom.server.metrics.Counter;
+import carom.testkit.Scripts;
+import carom.testkit.SimulatedClient;
+import carom.testkit.Stepper;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Goal: predictions are right in every bit where they can be. Method: the real server and clients
+ * in virtual time on bad networks; what the clients count is asserted.
+ */
+class FeelScenarioTest {
+  private static final Impairment FAR = Impairment.NONE.withLatency(75, 0).withLoss(2);
+
+  @ParameterizedTest
+  @EnumSource(
+      value = PredictionMode.class,
+      names = {"ISLAND", "ALL"})
+  void whoPushesCratesForeseesThemInEveryBit(PredictionMode mode) {
+    // Goal: 99 % of the awake bodies at 150 ms and 2 % loss, without foreign contact.
+    // Method: a bot alone among the platformer's crates for half a minute, once it has settled.
+    try (Stepper stepper = Stepper.of("platformer")) {
+      SimulatedClient client =
+          stepper.add(
+              ClientConfig.of("p").withPrediction(mode), FAR.withSeed(Stepper.SEED), new Bot(0));
+      stepper.run(6);
+      long awake = client.stats().awakeBodies();
+      long exact = client.stats().exactBodies();
+      stepper.run(30);
+      awake = client.stats().awakeBodies() - awake;
+      exact = client.stats().exactBodies() - exact;
+      String about = exact + " of " + awake + " " + stepper.describe();
+      assertTrue(awake > 1_000, about);
+      // As much as possible includes piles that come near in parts while they move.
+      assertTrue(exact >= (mode == PredictionMode.ISLAND ? 0.99 : 0.97) * awake, about);
+    }
+  }
+
+  @Test
+  void aloneInAStaticLevelNothingIsCorrectedOnAnyNetwork() {
+    // Goal: 0 corrections and equal hashes as long as inputs arrive at all.
+    // Method: a wanderer in an empty arena; networks that lose no input for good.
+    for (Impairment bad :
+        new Impairment[] {
+          Impairment.NONE,
+          Impairment.NONE.withLatency(20, 5),
+          Impairment.NONE.withLatency(150, 0),
+          FAR.withLatency(100, 30)
+        }) {
+      try (Stepper stepper = Stepper.of(Levels.emptyArena(), ServerConfig.defaults())) {
+        SimulatedClient client =
+            stepper.join("a", bad.withSeed(Stepper.SEED), Scripts.wander(Stepper.SEED));
+        stepper.run(6);
+        NetStats stats = client.stats();
+        long corrections = stats.corrections();
+        long wrong = stats.awakeBodies() - stats.exactBodies();
+        long missing = stepper.count(Counter.INPUTS_MISSING);
+        stepper.run(15);
+        missing = stepper.count(Counter.INPUTS_MISSING) - missing;
+        String about = bad + " missing=" + missing + " " + stepper.describe();
+        assertTrue(missing <= 2, about);
+        if (missing == 0) {
+          assertEquals(corrections, stats.corrections(), about);
+          assertEquals(wrong, stats.awakeBodies() - stats.exactBodies(), about);
+        }
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"arena", "platformer"})
+  void rollingBackInEachTickChangesNothing(String game) {
+    // Goal: a restored state goes on as before. Method: synctest, 8 ticks in each tick.
+    try (Stepper stepper = Stepper.of(game)) {
+      SimulatedClient client =
+          stepper.add(
+              ClientConfig.of("p").withSyncTest(true), FAR.withSeed(Stepper.SEED), new Bot(1));
+      stepper.add("q", Impairment.NONE, new Bot(2));
+      stepper.run(12);
+      assertTrue(client.stats().compared() > 400, stepper.describe());
+      assertEquals(0, client.stats().syncErrors(), stepper.describe());
+    }
+  }
+
+  @Test
+  void amongManyPlayersMuchIsForeseen() {
+    // Goal: others' moves are the only surprises; half of a crowd's bodies, from the kick-off on.
+    // Method: twelve bots in the arena at 100 ms.
+    try (Stepper stepper = Stepper.of("arena")) {
+      for (int i = 0; i < 12; i++) {
+        stepper.add("b" + i, Impairment.NONE.withLatency(50, 0), new Bot(i));
+      }
+      stepper.run(12);
+      double perfect = 0;
+      for (SimulatedClient client : stepper.clients()) {
+        perfect += client.stats().perfectRate() / 12;
+      }
+      assertTrue(perfect > 0.45, "perfect=" + perfect + " " + stepper.describe());
+    }
+  }
+}
