@@ -64,7 +64,7 @@ public class KdTreeBenchmark {
     way = -way;
     for (int id = 0; id < BOXES; id++) {
       float dx = (id & 1) == 0 ? way : -way;
-      boxes.set(id, boxes.minX[id] + dx, boxes.minY[id], boxes.maxX[id] + dx, boxes.maxY[id]);
+      boxes.set(id, boxes.minX(id) + dx, boxes.minY(id), boxes.maxX(id) + dx, boxes.maxY(id));
     }
     tree.refit();
   }
