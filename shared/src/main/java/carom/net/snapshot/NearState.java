@@ -38,7 +38,7 @@ public final class NearState {
   boolean present;
   int hash;
   int count;
-  int[] keys = {};
+  int[] keys = new int[MAX_ENTITIES];
   boolean updating;
   int age;
   long told;
@@ -74,9 +74,6 @@ public final class NearState {
     if (count == MAX_ENTITIES) {
       throw new IllegalStateException(
           "entities=" + count + " is the most that are near; take the nearest");
-    }
-    if (count == keys.length) {
-      keys = Arrays.copyOf(keys, Math.max(8, 2 * count));
     }
     keys[count++] = key;
   }
@@ -152,9 +149,6 @@ public final class NearState {
     present = other.present;
     hash = other.hash;
     endUpdate();
-    if (keys.length < other.count) {
-      keys = new int[other.keys.length];
-    }
     count = other.count;
     System.arraycopy(other.keys, 0, keys, 0, count);
   }

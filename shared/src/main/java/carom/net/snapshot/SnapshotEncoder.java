@@ -48,6 +48,7 @@ public final class SnapshotEncoder {
 
   private final InputFeedback feedback = new InputFeedback();
   private final OwnState[] ownSent = new OwnState[FrameRing.SIZE];
+  private final OwnState ownNow = new OwnState();
   private final OwnState ownAcked = new OwnState();
   private final OwnState nothing = new OwnState();
   private int ownAckedTick = -1;
@@ -204,7 +205,8 @@ public final class SnapshotEncoder {
     this.feedback.set(feedback);
     sendOwn = own != null;
     if (own != null) {
-      ownSent[frame.tick() & (FrameRing.SIZE - 1)].set(own);
+      ownNow.set(own);
+      ownSent[frame.tick() & (FrameRing.SIZE - 1)].setBaseline(own);
     }
     int count = selection.update(frame);
     sent.reserve(count);
@@ -275,12 +277,11 @@ public final class SnapshotEncoder {
       boolean known = ownAckedTick >= 0 && age > 0 && age < FrameRing.SIZE;
       w.write(known ? age : 0, RecordCodec.AGE_BITS);
       OwnState baseline = known ? ownAcked : nothing;
-      OwnState own = ownSent[frame.tick() & (FrameRing.SIZE - 1)];
+      OwnState own = ownNow;
       HeaderCodec.writeOwn(w, baseline, own);
       int window = known ? RelayCodec.window(age) : 0;
       RelayCodec.write(w, ring, window, baseline.relayed, own.relayed);
       NearCodec.write(w, baseline.near, own.near);
-      own.setBaseline(own);
     }
   }
 
