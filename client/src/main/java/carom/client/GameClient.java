@@ -313,6 +313,7 @@ public final class GameClient implements AutoCloseable {
     int rate = welcome.tickRate();
     key = welcome.datagramKey();
     decoder = new SnapshotDecoder(Limits.MAX_ENTITIES, key, welcome.tick(), rate);
+    decoder.gravity(level.gravityX(), level.gravityY());
     decoder.level(FrameState.of(Limits.MAX_ENTITIES, frame -> level.forEachBody(frame::put)));
     lookSentNs = 0;
     clock = new TickClock(rate);

@@ -46,7 +46,7 @@ final class Rehearsal {
     try (Server server = new Server(config, games, level, network.server(), () -> virtualNs)) {
       Extra[] extras = new Extra[Math.min(CLIENTS, config.maxPlayers())];
       for (int i = 0; i < extras.length; i++) {
-        extras[i] = new Extra(network.client().connect("", 0, 0), i);
+        extras[i] = new Extra(network.client().connect("", 0, 0), i, level);
       }
       for (int i = 0; i < MAX_TICKS && System.nanoTime() - beginNs < MAX_NS; i++) {
         virtualNs += config.tickNs() + 1;
@@ -71,15 +71,17 @@ final class Rehearsal {
 
     private final Link link;
     private final int number;
+    private final Level level;
     private final Input input = new Input();
     private final InputDatagram datagram = new InputDatagram();
     private final byte[] buffer = new byte[InputDatagram.MAX_BYTES];
     private SnapshotDecoder decoder;
     private boolean playing;
 
-    Extra(Link link, int number) {
+    Extra(Link link, int number, Level level) {
       this.link = link;
       this.number = number;
+      this.level = level;
       link.send(
           new ClientMessage.Hello(Protocol.VERSION, Protocol.physicsDigest(), "extra" + number, 0));
     }
@@ -109,6 +111,7 @@ final class Rehearsal {
         decoder =
             new SnapshotDecoder(
                 Limits.MAX_ENTITIES, welcome.datagramKey(), welcome.tick(), welcome.tickRate());
+        decoder.gravity(level.gravityX(), level.gravityY());
         link.send(new ClientMessage.LevelRequest(0));
       } else if (message instanceof ServerMessage.LevelChunk) {
         link.send(new ClientMessage.Ready());

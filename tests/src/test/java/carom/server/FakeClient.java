@@ -113,7 +113,7 @@ final class FakeClient implements LinkHandler {
         link.send(new ClientMessage.LevelRequest(loaded));
       } else {
         level = PackedLevel.unpack(level, welcome.levelSize());
-        decoder.level(start(level));
+        start(level);
         link.send(new ClientMessage.Ready());
         ready = true;
       }
@@ -126,10 +126,11 @@ final class FakeClient implements LinkHandler {
     }
   }
 
-  private static FrameState start(byte[] json) {
+  private void start(byte[] json) {
     try {
       Level parsed = Level.parse("level", json);
-      return FrameState.of(Limits.MAX_ENTITIES, frame -> parsed.forEachBody(frame::put));
+      decoder.gravity(parsed.gravityX(), parsed.gravityY());
+      decoder.level(FrameState.of(Limits.MAX_ENTITIES, frame -> parsed.forEachBody(frame::put)));
     } catch (LevelException e) {
       throw new AssertionError(e);
     }

@@ -27,6 +27,7 @@ public final class FrameCapture {
     this.simulation = simulation;
     this.ring = new FrameRing(Limits.MAX_ENTITIES);
     this.index = new InterestIndex(simulation);
+    ring.gravity(simulation.level().gravityX(), simulation.level().gravityY());
     ring.level(
         FrameState.of(Limits.MAX_ENTITIES, frame -> simulation.level().forEachBody(frame::put)));
   }

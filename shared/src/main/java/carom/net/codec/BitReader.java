@@ -78,6 +78,18 @@ public final class BitReader {
     return low | ((long) read(32) << 32);
   }
 
+  /**
+   * Ends the bits at a whole byte: what is left of the current one must be zero.
+   *
+   * @return index in the array of what follows
+   */
+  public int align() {
+    if (!failed && read(-position & 7) != 0) {
+      failed = true;
+    }
+    return position >> 3;
+  }
+
   /** Bits not yet read. */
   public int remaining() {
     return failed ? 0 : limitBit - position;

@@ -9,11 +9,14 @@ public final class RangeDecoder extends BitCoder {
 
   private static final int TOP = RangeEncoder.STATE_BITS - 8;
 
+  /** An encoder drops zeros at its end, but never so many of them by chance. */
+  private static final int MAX_MISSING = 64;
+
   private byte[] bytes = new byte[0];
   private int start;
   private int limit;
   private int position;
-  private int shifted;
+  private int missing;
   private boolean failed;
   private long low;
   private long high = RangeEncoder.MASK;
@@ -32,7 +35,7 @@ public final class RangeDecoder extends BitCoder {
     start = offset;
     limit = offset + length;
     position = offset;
-    shifted = 0;
+    missing = 0;
     failed = false;
     low = 0;
     high = RangeEncoder.MASK;
@@ -43,7 +46,19 @@ public final class RangeDecoder extends BitCoder {
   }
 
   private int next() {
-    return position < limit ? bytes[position++] & 0xff : 0;
+    if (position < limit) {
+      return bytes[position++] & 0xff;
+    }
+    missing++;
+    return 0;
+  }
+
+  /**
+   * Whether more was read than the bytes can hold: the zeros behind them are used up, too. A
+   * decoder that reads until it is told to stop must look, or it never stops.
+   */
+  public boolean exhausted() {
+    return missing > MAX_MISSING;
   }
 
   @Override
@@ -61,7 +76,6 @@ public final class RangeDecoder extends BitCoder {
       low = low << 8 & RangeEncoder.MASK;
       high = high << 8 & RangeEncoder.MASK | 0xff;
       value = value << 8 & RangeEncoder.MASK | next();
-      shifted++;
     }
     return result;
   }
@@ -85,8 +99,6 @@ public final class RangeDecoder extends BitCoder {
       return false;
     }
     // No byte may be left over, and the last one isn't a zero, as the encoder drops those.
-    return position == limit
-        && limit - start <= shifted + RangeEncoder.STATE_BITS / 8
-        && (limit == start || bytes[limit - 1] != 0);
+    return position == limit && (limit == start || bytes[limit - 1] != 0);
   }
 }

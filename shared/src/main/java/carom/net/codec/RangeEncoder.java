@@ -19,6 +19,9 @@ public final class RangeEncoder extends BitCoder {
   private boolean overflow;
   private long low;
   private long high = MASK;
+  private int markedPosition;
+  private long markedLow;
+  private long markedHigh;
 
   /** Creates an encoder without room; call {@link #reset}. */
   public RangeEncoder() {}
@@ -36,6 +39,30 @@ public final class RangeEncoder extends BitCoder {
     overflow = false;
     low = 0;
     high = MASK;
+    mark();
+  }
+
+  /** Remembers this place for {@link #rewind}. */
+  public void mark() {
+    markedPosition = position;
+    markedLow = low;
+    markedHigh = high;
+  }
+
+  /** Goes back to the last {@link #mark} and forgets an overflow since. */
+  public void rewind() {
+    position = markedPosition;
+    low = markedLow;
+    high = markedHigh;
+    overflow = false;
+  }
+
+  /**
+   * Bits written since {@link #reset}, rounded down. A message of n bits takes {@link #finish} at
+   * most n / 8 + 1 bytes.
+   */
+  public int bits() {
+    return 8 * (position - start) + STATE_BITS - (64 - Long.numberOfLeadingZeros(high - low));
   }
 
   @Override

@@ -22,6 +22,8 @@ public final class FrameRing {
   private final FrameState[] frames = new FrameState[SIZE];
   private final SlotSet asLevel = new SlotSet();
   private FrameState level;
+  private float gravityX;
+  private float gravityY;
   private int firstTick = -1;
   private long ended;
   private boolean begun;
@@ -53,6 +55,24 @@ public final class FrameRing {
       throw new IllegalStateException("level() after the first frame was begun");
     }
     level = state;
+  }
+
+  /**
+   * Says what falling bodies gain, m/s^2, before the sessions' encoders are made; zero before.
+   *
+   * @param x the clients' decoders must be given the same
+   */
+  public void gravity(float x, float y) {
+    gravityX = x;
+    gravityY = y;
+  }
+
+  float gravityX() {
+    return gravityX;
+  }
+
+  float gravityY() {
+    return gravityY;
   }
 
   /** The state that all clients know from the level, or null. */

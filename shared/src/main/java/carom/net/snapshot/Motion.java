@@ -25,15 +25,24 @@ final class Motion {
     return (x | y | angle | vx | vy | omega) == 0;
   }
 
+  void clear() {
+    x = 0;
+    y = 0;
+    angle = 0;
+    vx = 0;
+    vy = 0;
+    omega = 0;
+  }
+
   /** Sets this to what {@code actual} differs from the prediction out of {@code baseline}. */
-  void setResidual(Predictor predictor, Motion baseline, Motion actual, int age) {
+  void setResidual(Predictor predictor, Motion baseline, Motion actual, int way, int age) {
     set(baseline);
-    predictor.predictVelocity(this, age);
+    predictor.velocity(this, way, age);
     int predictedVx = vx;
     int predictedVy = vy;
     int predictedOmega = omega;
     set(baseline);
-    predictor.predictPose(this, actual.vx, actual.vy, actual.omega, age);
+    predictor.pose(this, actual.vx, actual.vy, actual.omega, age);
     vx = actual.vx - predictedVx;
     vy = actual.vy - predictedVy;
     omega = actual.omega - predictedOmega;
@@ -43,18 +52,18 @@ final class Motion {
   }
 
   /** Undoes {@link #setResidual}: turns a baseline into the actual state. */
-  void addResidual(Predictor predictor, Motion residual, int age) {
+  void addResidual(Predictor predictor, Motion residual, int way, int age) {
     int oldVx = vx;
     int oldVy = vy;
     int oldOmega = omega;
-    predictor.predictVelocity(this, age);
+    predictor.velocity(this, way, age);
     int newVx = vx + residual.vx;
     int newVy = vy + residual.vy;
     int newOmega = omega + residual.omega;
     vx = oldVx;
     vy = oldVy;
     omega = oldOmega;
-    predictor.predictPose(this, newVx, newVy, newOmega, age);
+    predictor.pose(this, newVx, newVy, newOmega, age);
     vx = newVx;
     vy = newVy;
     omega = newOmega;

@@ -1,203 +1,303 @@
 package carom.net.snapshot;
 
-import carom.net.codec.BitReader;
-import carom.net.codec.BitWriter;
+import carom.net.codec.BitCoder;
 import carom.net.codec.Bits;
-import carom.net.codec.ResidualCode;
+import java.util.Arrays;
 
 /**
- * The forms of which an entity's record is made: each as a pair of write and read that mirror each
- * other line by line. {@code docs/PROTOCOL.md} has the same as tables.
+ * The forms of which an entity's record is made, each described once: with a {@link
+ * carom.net.codec.RangeEncoder} the same lines write that with a {@link
+ * carom.net.codec.RangeDecoder} read. {@code docs/PROTOCOL.md} has the same as tables.
+ *
+ * <p>Each bit has a node in a table of probabilities. Which node it is depends on what both sides
+ * know by then: how old the baseline is, whether the body moved in it, how large the differences
+ * before were. As a datagram must be decodable alone, each begins with the same table ({@link
+ * RecordPrior}), and adapts it as it goes on. One object codes one datagram at a time.
  */
-final class RecordCodec {
+class RecordCodec {
 
-  /** Kinds of records, in order of their codes. */
+  /** Kinds of records. */
   static final int DELTA = 0;
 
   static final int ABSOLUTE = 1;
   static final int GONE = 2;
   static final int OUT_OF_SIGHT = 3;
 
-  /** Answer of {@link #readSlot} at the end of the records. */
+  /** Answer of {@link #slot} at the end of the records. */
   static final int END = -1;
-
-  static final int END_BITS = 4;
-
-  /** No record is shorter: next slot, delta, same age, as predicted. */
-  static final int MIN_RECORD_BITS = 4;
 
   static final int AGE_BITS = 6;
 
-  private static final int GAP_1_BITS = 4;
-  private static final int GAP_2_BITS = 8;
+  /** Most records of a datagram. */
+  static final int MAX_RECORDS = 4_096;
+
   private static final int SLOT_BITS = 16;
   private static final int SHORT_ARCHETYPE_BITS = 6;
+  private static final int WIDTH_BITS = 5;
+  private static final int ANGLE_BITS = 10;
+  private static final int MAX_WIDTH = 27;
 
-  /** One set of widths for the six residuals. */
-  private record Widths(
-      ResidualCode velocity, ResidualCode omega, ResidualCode position, ResidualCode angle) {
+  // Nodes of a number's tree.
+  private static final int ZERO = 0;
+  private static final int NEGATIVE = 1;
+  private static final int LONGER = 2;
+  private static final int MAX_DIGITS = 27;
+  private static final int SECOND = LONGER + MAX_DIGITS - 1;
+  private static final int MODELLED_DIGITS = 9;
+  private static final int NUMBER_NODES = SECOND + MODELLED_DIGITS - 1;
 
-    int size(Motion residual) {
-      return velocity.size(residual.vx)
-          + velocity.size(residual.vy)
-          + omega.size(residual.omega)
-          + position.size(residual.x)
-          + position.size(residual.y)
-          + angle.size(residual.angle);
+  // Where in the table what begins.
+  private static final int SIZES = 5;
+  private static final int SITUATIONS = 4;
+  private static final int WAYS = 3;
+  private static final int FIELDS = 6;
+  private static final int KIND_AT = 0;
+  private static final int END_AT = KIND_AT + 3;
+  private static final int NEXT_AT = END_AT + 1;
+  private static final int FAR_AT = NEXT_AT + 2;
+  private static final int SAME_AGE_AT = FAR_AT + 1;
+  private static final int WAY_AT = SAME_AGE_AT + 1;
+  private static final int EXACT_AT = WAY_AT + 2 * SITUATIONS * WAYS;
+  private static final int GAP_AT = EXACT_AT + SITUATIONS * WAYS;
+  private static final int NUMBERS_AT = GAP_AT + NUMBER_NODES;
+
+  /** Length of the table. */
+  static final int NODES = NUMBERS_AT + FIELDS * SITUATIONS * SIZES * NUMBER_NODES;
+
+  // How fast a node moves: as if its prior were that many bits old, and never older than so many.
+  private static final int PRIOR_AGE = 12;
+  private static final int MAX_SEEN = 60;
+  private static final int LEAST = 32;
+  private static final int[] STEP = new int[MAX_SEEN + 1];
+
+  /** More than any record has at nodes; a power of two. */
+  private static final int MAX_BITS = 256;
+
+  static {
+    for (int seen = 0; seen <= MAX_SEEN; seen++) {
+      STEP[seen] = BitCoder.ONE / (seen + PRIOR_AGE);
     }
   }
 
-  // Each record takes the cheaper of two sets. Found by clustering the residuals of four made-up
-  // scenes (top-down, bouncing, frictionless,
-  // piled discs; 200 bodies, baseline 100 ms old): one set 41.6 bits a record, two 40.2, four 40.3,
-  // eight 40.4.
-  private static final Widths CALM =
-      new Widths(
-          new ResidualCode(3, 5, 7),
-          new ResidualCode(3, 6, 7),
-          new ResidualCode(1, 6, 10),
-          new ResidualCode(1, 3, 5));
-  private static final Widths HIT =
-      new Widths(
-          new ResidualCode(6, 7, 10),
-          new ResidualCode(6, 6, 8),
-          new ResidualCode(6, 8, 9),
-          new ResidualCode(3, 4, 6));
-  private static final Motion NO_RESIDUAL = new Motion();
+  private final char[] prior;
+  private final char[] table = new char[NODES];
+  private final byte[] seen = new byte[NODES];
+  // What the nodes were before the bits since the last mark.
+  private final int[] changedNode = new int[MAX_BITS];
+  private final int[] changedFrom = new int[MAX_BITS];
+  private int changes;
+  private int slot;
+  private int age;
+  private int way;
+  private boolean wasNext;
+  private int markedSlot;
+  private int markedAge;
+  private int markedWay;
+  private boolean markedNext;
 
-  private RecordCodec() {}
+  RecordCodec() {
+    this(RecordPrior.TABLE);
+  }
 
-  /** Slots mostly ascend within a datagram; {@code previous} is -1 before the first. */
-  static void writeSlot(BitWriter w, int previous, int slot) {
-    int gap = slot - previous - 1;
-    if (gap == 0) {
-      w.write(0, 1);
-    } else if (gap > 0 && gap <= 1 << GAP_1_BITS) {
-      w.write(0b01 | (gap - 1) << 2, 2 + GAP_1_BITS);
-    } else if (gap > 0 && gap <= (1 << GAP_1_BITS) + (1 << GAP_2_BITS)) {
-      w.write(0b011 | (gap - 1 - (1 << GAP_1_BITS)) << 3, 3 + GAP_2_BITS);
+  /**
+   * Creates a codec.
+   *
+   * @param prior probability of a 1 for each node, in 1/65,536; not copied
+   */
+  RecordCodec(char[] prior) {
+    this.prior = prior;
+  }
+
+  /** Codes a bit at a node. */
+  int bit(BitCoder c, int node, int bit) {
+    int p = table[node];
+    int result = c.code(bit, p);
+    int n = seen[node];
+    changedNode[changes & MAX_BITS - 1] = node;
+    changedFrom[changes++ & MAX_BITS - 1] = n << 16 | p;
+    p += ((result == 0 ? LEAST : BitCoder.ONE - LEAST) - p) * STEP[n] >> 16;
+    table[node] = (char) p;
+    seen[node] = (byte) Math.min(n + 1, MAX_SEEN);
+    return result;
+  }
+
+  private boolean flag(BitCoder c, int node, boolean value) {
+    return bit(c, node, value ? 1 : 0) != 0;
+  }
+
+  /** Starts a datagram. */
+  void begin() {
+    System.arraycopy(prior, 0, table, 0, NODES);
+    Arrays.fill(seen, (byte) 0);
+    slot = -1;
+    age = 0;
+    way = Predictor.GOES_ON;
+    wasNext = true;
+  }
+
+  /** Remembers this place, before a record that may not fit. */
+  void mark() {
+    changes = 0;
+    markedSlot = slot;
+    markedAge = age;
+    markedWay = way;
+    markedNext = wasNext;
+  }
+
+  /** Goes back to the last {@link #mark}. */
+  void rewind() {
+    while (changes > 0) {
+      int node = changedNode[--changes];
+      table[node] = (char) changedFrom[changes];
+      seen[node] = (byte) (changedFrom[changes] >> 16);
+    }
+    slot = markedSlot;
+    age = markedAge;
+    way = markedWay;
+    wasNext = markedNext;
+  }
+
+  /** Slots mostly ascend within a datagram; {@link #END} ends it. */
+  int slot(BitCoder c, int value) {
+    if (flag(c, END_AT, value == END)) {
+      return END;
+    }
+    int gap = value - slot - 1;
+    boolean next = flag(c, NEXT_AT + (wasNext ? 1 : 0), gap == 0);
+    wasNext = next;
+    if (next) {
+      slot++;
+    } else if (flag(c, FAR_AT, gap < 0)) {
+      slot = c.plain(value, SLOT_BITS);
     } else {
-      w.write(0b0111 | slot << 4, 4 + SLOT_BITS);
+      slot += 1 + magnitude(c, GAP_AT, gap);
     }
+    return slot;
   }
 
-  static void writeEnd(BitWriter w) {
-    w.write(0b1111, END_BITS);
-  }
-
-  static int readSlot(BitReader r, int previous) {
-    if (!r.readBit()) {
-      return previous + 1;
-    }
-    if (!r.readBit()) {
-      return previous + 2 + r.read(GAP_1_BITS);
-    }
-    if (!r.readBit()) {
-      return previous + 2 + (1 << GAP_1_BITS) + r.read(GAP_2_BITS);
-    }
-    return r.readBit() ? END : r.read(SLOT_BITS);
-  }
-
-  static void writeKind(BitWriter w, int kind) {
-    switch (kind) {
-      case DELTA -> w.write(0, 1);
-      case ABSOLUTE -> w.write(0b01, 2);
-      case GONE -> w.write(0b011, 3);
-      default -> w.write(0b111, 3);
-    }
-  }
-
-  static int readKind(BitReader r) {
-    if (!r.readBit()) {
+  int kind(BitCoder c, int kind) {
+    if (flag(c, KIND_AT, kind == DELTA)) {
       return DELTA;
     }
-    if (!r.readBit()) {
+    if (flag(c, KIND_AT + 1, kind == ABSOLUTE)) {
       return ABSOLUTE;
     }
-    return r.readBit() ? OUT_OF_SIGHT : GONE;
+    return flag(c, KIND_AT + 2, kind == GONE) ? GONE : OUT_OF_SIGHT;
   }
 
-  static void writeAge(BitWriter w, int previousAge, int age) {
-    if (age == previousAge) {
-      w.write(1, 1);
+  int age(BitCoder c, int value) {
+    if (!flag(c, SAME_AGE_AT, value == age)) {
+      age = c.plain(value, AGE_BITS);
+    }
+    return age;
+  }
+
+  /**
+   * Codes how a delta's velocities are predicted.
+   *
+   * @param baseline what both sides know
+   */
+  int way(BitCoder c, Motion baseline, int value) {
+    int node = WAY_AT + 2 * (situation(baseline) * WAYS + way);
+    if (flag(c, node, value == Predictor.GOES_ON)) {
+      way = Predictor.GOES_ON;
     } else {
-      w.write(age << 1, 1 + AGE_BITS);
+      way = flag(c, node + 1, value == Predictor.FALLS) ? Predictor.FALLS : Predictor.STOPS;
     }
+    return way;
   }
 
-  static int readAge(BitReader r, int previousAge) {
-    return r.readBit() ? previousAge : r.read(AGE_BITS);
-  }
-
-  static void writeResidual(BitWriter w, Motion residual) {
-    w.write(!residual.isZero());
-    if (residual.isZero()) {
+  /** Codes a delta's differences in place, after its way. */
+  void residual(BitCoder c, Motion baseline, Motion residual) {
+    int situation = situation(baseline);
+    if (flag(c, EXACT_AT + situation * WAYS + way, residual.isZero())) {
+      residual.clear();
       return;
     }
-    boolean hit = HIT.size(residual) < CALM.size(residual);
-    w.write(hit);
-    Widths widths = hit ? HIT : CALM;
-    widths.velocity.write(w, residual.vx);
-    widths.velocity.write(w, residual.vy);
-    widths.omega.write(w, residual.omega);
-    widths.position.write(w, residual.x);
-    widths.position.write(w, residual.y);
-    widths.angle.write(w, residual.angle);
+    int at = NUMBERS_AT + situation * SIZES * NUMBER_NODES;
+    int speed = size(Math.abs(baseline.vx) + Math.abs(baseline.vy) >> 3);
+    residual.vx = number(c, at, speed, residual.vx, baseline.vx);
+    at += SITUATIONS * SIZES * NUMBER_NODES;
+    residual.vy = number(c, at, size(residual.vx), residual.vy, baseline.vy);
+    at += SITUATIONS * SIZES * NUMBER_NODES;
+    int hit = size(Math.abs(residual.vx) + Math.abs(residual.vy));
+    residual.omega = number(c, at, hit, residual.omega, baseline.omega);
+    at += SITUATIONS * SIZES * NUMBER_NODES;
+    residual.x = number(c, at, size(residual.vx), residual.x, residual.vx);
+    at += SITUATIONS * SIZES * NUMBER_NODES;
+    residual.y = number(c, at, size(residual.vy), residual.y, residual.vy);
+    at += SITUATIONS * SIZES * NUMBER_NODES;
+    residual.angle = number(c, at, size(residual.omega), residual.angle, residual.omega);
   }
 
-  static void readResidual(BitReader r, Motion residual) {
-    if (!r.readBit()) {
-      residual.set(NO_RESIDUAL);
-      return;
+  private int situation(Motion baseline) {
+    boolean moving = (baseline.vx | baseline.vy | baseline.omega) != 0;
+    return (moving ? 2 : 0) + (age > 6 ? 1 : 0);
+  }
+
+  private static int size(int value) {
+    int magnitude = Math.abs(value);
+    if (magnitude <= 2) {
+      return magnitude == 0 ? 0 : 1;
     }
-    Widths widths = r.readBit() ? HIT : CALM;
-    residual.vx = widths.velocity.read(r);
-    residual.vy = widths.velocity.read(r);
-    residual.omega = widths.omega.read(r);
-    residual.x = widths.position.read(r);
-    residual.y = widths.position.read(r);
-    residual.angle = widths.angle.read(r);
+    return magnitude <= 8 ? 2 : magnitude <= 32 ? 3 : 4;
   }
 
-  static void writeIdentity(BitWriter w, int generation, int archetype, int owner) {
-    w.write(generation, 8);
-    boolean wide = archetype >= 1 << SHORT_ARCHETYPE_BITS;
-    w.write(wide);
-    w.write(archetype, wide ? 16 : SHORT_ARCHETYPE_BITS);
-    w.write(owner >= 0);
-    if (owner >= 0) {
-      w.write(owner, 8);
+  /** A number with the sign seen along another one, as most follow or oppose what was before. */
+  private int number(BitCoder c, int at, int size, int value, int along) {
+    int tree = at + size * NUMBER_NODES;
+    int turned = along < 0 ? -value : value;
+    int magnitude = Math.abs(turned);
+    if (flag(c, tree + ZERO, magnitude == 0)) {
+      return 0;
     }
+    boolean negative = flag(c, tree + NEGATIVE, turned < 0);
+    magnitude = magnitude(c, tree, magnitude);
+    return negative == along < 0 ? magnitude : -magnitude;
   }
 
-  static int readArchetype(BitReader r) {
-    return r.readBit() ? r.read(16) : r.read(SHORT_ARCHETYPE_BITS);
-  }
-
-  static int readOwner(BitReader r) {
-    return r.readBit() ? r.read(8) : -1;
-  }
-
-  static void writeAbsolute(BitWriter w, Motion motion) {
-    Bits.writeSized(w, motion.x);
-    Bits.writeSized(w, motion.y);
-    w.write(motion.angle, 10);
-    boolean moving = (motion.vx | motion.vy | motion.omega) != 0;
-    w.write(moving);
-    if (moving) {
-      Bits.writeSized(w, motion.vx);
-      Bits.writeSized(w, motion.vy);
-      Bits.writeSized(w, motion.omega);
+  /** A number of at least 1: how many binary digits, then those behind the first. */
+  private int magnitude(BitCoder c, int tree, int value) {
+    int digits = 1;
+    while (digits < MAX_DIGITS && flag(c, tree + LONGER + digits - 1, value >>> digits != 0)) {
+      digits++;
     }
+    if (digits == 1) {
+      return 1;
+    }
+    int low = digits - 2;
+    int second = value >>> low & 1;
+    second =
+        digits <= MODELLED_DIGITS ? bit(c, tree + SECOND + digits - 2, second) : c.plain(second, 1);
+    return (2 | second) << low | c.plain(value, low);
   }
 
-  static void readAbsolute(BitReader r, Motion motion) {
-    motion.x = Bits.readSized(r);
-    motion.y = Bits.readSized(r);
-    motion.angle = r.read(10);
-    boolean moving = r.readBit();
-    motion.vx = moving ? Bits.readSized(r) : 0;
-    motion.vy = moving ? Bits.readSized(r) : 0;
-    motion.omega = moving ? Bits.readSized(r) : 0;
+  int generation(BitCoder c, int value) {
+    return c.plain(value, 8);
+  }
+
+  int archetype(BitCoder c, int value) {
+    int wide = c.plain(value >= 1 << SHORT_ARCHETYPE_BITS ? 1 : 0, 1);
+    return c.plain(value, wide != 0 ? 16 : SHORT_ARCHETYPE_BITS);
+  }
+
+  int owner(BitCoder c, int value) {
+    return c.plain(value >= 0 ? 1 : 0, 1) != 0 ? c.plain(value, 8) : -1;
+  }
+
+  void absolute(BitCoder c, Motion motion) {
+    motion.x = sized(c, motion.x);
+    motion.y = sized(c, motion.y);
+    motion.angle = c.plain(motion.angle, ANGLE_BITS);
+    boolean moving = c.plain((motion.vx | motion.vy | motion.omega) != 0 ? 1 : 0, 1) != 0;
+    motion.vx = moving ? sized(c, motion.vx) : 0;
+    motion.vy = moving ? sized(c, motion.vy) : 0;
+    motion.omega = moving ? sized(c, motion.omega) : 0;
+  }
+
+  private static int sized(BitCoder c, int value) {
+    int z = Bits.zigzag(value);
+    int width = Math.min(MAX_WIDTH, c.plain(Bits.width(z), WIDTH_BITS));
+    return Bits.unzigzag(c.plain(z, width));
   }
 }

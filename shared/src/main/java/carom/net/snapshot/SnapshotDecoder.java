@@ -2,6 +2,7 @@ package carom.net.snapshot;
 
 import carom.net.codec.BitReader;
 import carom.net.codec.Crc16;
+import carom.net.codec.RangeDecoder;
 import carom.net.codec.Sequence;
 import java.util.Arrays;
 
@@ -15,8 +16,6 @@ import java.util.Arrays;
  */
 public final class SnapshotDecoder {
 
-  private static final int MAX_RECORDS =
-      8 * SnapshotEncoder.MAX_DATAGRAM_BYTES / RecordCodec.MIN_RECORD_BITS;
   private static final int MIN_RECORDS = 64;
   private static final int HISTORY = FrameRing.SIZE;
   private static final int ACK_BITS = 64;
@@ -25,6 +24,8 @@ public final class SnapshotDecoder {
   private final int key;
   private final Predictor predictor;
   private final BitReader reader = new BitReader();
+  private final RangeDecoder range = new RangeDecoder();
+  private final RecordCodec records = new RecordCodec();
   private EntityHistory[] histories = {};
   private int slotLimit;
 
@@ -73,7 +74,7 @@ public final class SnapshotDecoder {
     this.key = key;
     this.tick = tick;
     newestTick = tick;
-    predictor = new LinearPredictor(tickRate);
+    predictor = new Predictor(tickRate);
     Arrays.fill(ownTicks, -1);
     for (int i = 0; i < HISTORY; i++) {
       owns[i] = new OwnState();
@@ -95,6 +96,15 @@ public final class SnapshotDecoder {
             .add(0, state.generation(slot), state.archetype(slot), state.owner(slot), scratch);
       }
     }
+  }
+
+  /**
+   * Sets what falling bodies gain, m/s^2, before the first datagram; zero before.
+   *
+   * @param x the same as the server's {@link FrameRing#gravity}
+   */
+  public void gravity(float x, float y) {
+    predictor.gravity(x, y);
   }
 
   /**
@@ -121,7 +131,7 @@ public final class SnapshotDecoder {
       }
     }
     int datagramTick = Sequence.expand(r.read(16), newestTick);
-    DecodeStatus status = read(r, datagramTick);
+    DecodeStatus status = read(r, datagramTick, bytes, offset + length);
     if (status == DecodeStatus.OK) {
       acknowledge(sequence, ahead);
       keep(datagramTick);
@@ -129,7 +139,7 @@ public final class SnapshotDecoder {
     return status;
   }
 
-  private DecodeStatus read(BitReader r, int datagramTick) {
+  private DecodeStatus read(BitReader r, int datagramTick, byte[] bytes, int end) {
     if (datagramTick < 0) {
       return DecodeStatus.DAMAGED;
     }
@@ -147,7 +157,12 @@ public final class SnapshotDecoder {
       RelayCodec.read(r, inputs, datagramTick, readWindow, readKnown, readOwn.relayed, readInputs);
       NearCodec.read(r, baseline.near, readOwn.near);
     }
-    DecodeStatus status = readRecords(r, datagramTick);
+    int at = r.align();
+    if (r.failed()) {
+      return DecodeStatus.DAMAGED;
+    }
+    range.reset(bytes, at, end - at);
+    DecodeStatus status = readRecords(datagramTick);
     if (status == DecodeStatus.OK) {
       hasOwn = withOwn;
     }
@@ -159,39 +174,40 @@ public final class SnapshotDecoder {
     return wantedTick >= 0 && ownTicks[at] == wantedTick ? owns[at] : null;
   }
 
-  private DecodeStatus readRecords(BitReader r, int datagramTick) {
+  private DecodeStatus readRecords(int datagramTick) {
+    RangeDecoder r = range;
     count = 0;
-    int age = 0;
-    int slot = -1;
-    while ((slot = RecordCodec.readSlot(r, slot)) != RecordCodec.END) {
-      if (slot >= capacity || count == MAX_RECORDS || r.failed()) {
+    records.begin();
+    for (int slot; (slot = records.slot(r, 0)) != RecordCodec.END; ) {
+      if (slot >= capacity || count == RecordCodec.MAX_RECORDS || r.exhausted()) {
         return DecodeStatus.DAMAGED;
       }
       if (count == slots.length) {
         growRecords(2 * count);
       }
-      int kind = RecordCodec.readKind(r);
+      int kind = records.kind(r, 0);
       Motion motion = motions[count];
       if (kind == RecordCodec.DELTA) {
-        age = RecordCodec.readAge(r, age);
+        int age = records.age(r, 0);
         if (!baseline(slot, datagramTick - age, age)) {
-          return r.failed() || age == 0 ? DecodeStatus.DAMAGED : DecodeStatus.NO_BASELINE;
+          return age == 0 ? DecodeStatus.DAMAGED : DecodeStatus.NO_BASELINE;
         }
-        RecordCodec.readResidual(r, scratch);
-        motion.addResidual(predictor, scratch, age);
+        ages[count] = age;
+        int way = records.way(r, motion, 0);
+        records.residual(r, motion, scratch);
+        motion.addResidual(predictor, scratch, way, age);
       } else if (kind == RecordCodec.ABSOLUTE) {
-        generations[count] = r.read(8);
-        archetypes[count] = RecordCodec.readArchetype(r);
-        owners[count] = RecordCodec.readOwner(r);
-        RecordCodec.readAbsolute(r, motion);
+        generations[count] = records.generation(r, 0);
+        archetypes[count] = records.archetype(r, 0);
+        owners[count] = records.owner(r, 0);
+        records.absolute(r, motion);
       }
       boolean moves = kind == RecordCodec.DELTA || kind == RecordCodec.ABSOLUTE;
-      if (r.failed() || (moves && !motion.inRange())) {
+      if (moves && !motion.inRange()) {
         return DecodeStatus.DAMAGED;
       }
       slots[count] = slot;
       kinds[count] = (byte) kind;
-      ages[count] = age;
       count++;
     }
     return r.finished() ? DecodeStatus.OK : DecodeStatus.DAMAGED;

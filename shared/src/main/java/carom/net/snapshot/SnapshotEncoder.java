@@ -2,6 +2,7 @@ package carom.net.snapshot;
 
 import carom.net.codec.BitWriter;
 import carom.net.codec.Crc16;
+import carom.net.codec.RangeEncoder;
 
 /**
  * One session's snapshots. Each send tick, after {@link FrameRing#end}:
@@ -28,6 +29,9 @@ public final class SnapshotEncoder {
    * A further datagram is not begun for less: headers on the path would cost more than it holds.
    * Any record fits.
    */
+  /** What the end of the records takes at most: a node's surprise, and rounding twice. */
+  private static final int END_BITS = 13;
+
   private static final int MIN_FURTHER_BYTES = 64;
 
   /**
@@ -38,6 +42,8 @@ public final class SnapshotEncoder {
   private final FrameRing ring;
   private final int key;
   private final Predictor predictor;
+  private final RangeEncoder range = new RangeEncoder();
+  private final RecordCodec records = new RecordCodec();
   private final SentLog sent = new SentLog();
   private final BitWriter writer = new BitWriter();
   private final Motion old = new Motion();
@@ -61,7 +67,6 @@ public final class SnapshotEncoder {
   private int ackDelayTicks = -1;
   private long ackedBytes;
   private long ackedDatagrams;
-  private int previousAge;
   private int beganTick = -1;
 
   /** As the other constructor, for a client that sees everything. */
@@ -81,7 +86,8 @@ public final class SnapshotEncoder {
     selection = new Selection(ring, interest);
     this.ring = ring;
     this.key = key;
-    predictor = new LinearPredictor(tickRate);
+    predictor = new Predictor(tickRate);
+    predictor.gravity(ring.gravityX(), ring.gravityY());
     for (int i = 0; i < ownSent.length; i++) {
       ownSent[i] = new OwnState();
     }
@@ -231,28 +237,34 @@ public final class SnapshotEncoder {
     BitWriter w = writer;
     w.reset(out, 0, MAX_DATAGRAM_BYTES);
     writeHeader(w, sent.begin(frame.tick(), withOwn), withOwn);
-    headerBytes = first ? w.bytes() : headerBytes;
-    int limitBits = 8 * Math.min(MAX_DATAGRAM_BYTES, Math.max(budget, 0)) - RecordCodec.END_BITS;
-    int previous = -1;
-    previousAge = 0;
+    int header = w.bytes();
+    headerBytes = first ? header : headerBytes;
+    int room = 8 * (Math.min(MAX_DATAGRAM_BYTES, Math.max(budget, 0)) - header) - END_BITS;
+    range.reset(out, header, MAX_DATAGRAM_BYTES - header);
+    records.begin();
     int passedOver = 0;
+    int count = 0;
     selection.rewind();
-    for (int slot; passedOver <= MAX_PASSED_OVER && (slot = selection.next()) >= 0; ) {
-      int mark = w.bits();
-      int age = previousAge;
-      writeRecord(w, previous, slot);
-      if (w.overflow() || w.bits() > limitBits) {
-        w.rewind(mark);
-        previousAge = age;
+    for (int slot;
+        passedOver <= MAX_PASSED_OVER
+            && count < RecordCodec.MAX_RECORDS
+            && (slot = selection.next()) >= 0; ) {
+      int before = range.bits();
+      range.mark();
+      records.mark();
+      writeRecord(slot);
+      if (range.overflow() || range.bits() > room) {
+        range.rewind();
+        records.rewind();
         passedOver++;
       } else {
+        count++;
         sent.add(slot);
-        selection.wrote(slot, frame.tick(), w.bits() - mark);
-        previous = slot;
+        selection.wrote(slot, frame.tick(), range.bits() - before);
       }
     }
-    RecordCodec.writeEnd(w);
-    int length = w.bytes();
+    records.slot(range, RecordCodec.END);
+    int length = header + range.finish();
     int check = Crc16.of(key, out, 2, length - 2);
     out[0] = (byte) check;
     out[1] = (byte) (check >>> 8);
@@ -285,31 +297,33 @@ public final class SnapshotEncoder {
     }
   }
 
-  private void writeRecord(BitWriter w, int previous, int slot) {
+  private void writeRecord(int slot) {
     Baseline baseline = selection.baseline(frame, slot);
-    RecordCodec.writeSlot(w, previous, slot);
+    records.slot(range, slot);
     if (baseline == Baseline.OUT_OF_SIGHT) {
-      RecordCodec.writeKind(w, RecordCodec.OUT_OF_SIGHT);
+      records.kind(range, RecordCodec.OUT_OF_SIGHT);
       return;
     }
     if (baseline == Baseline.GONE) {
-      RecordCodec.writeKind(w, RecordCodec.GONE);
+      records.kind(range, RecordCodec.GONE);
       return;
     }
     frame.motion(slot, actual);
     if (baseline == Baseline.ACKED) {
       int age = frame.tick() - selection.held().tick();
       selection.held().motion(slot, old);
-      residual.setResidual(predictor, old, actual, age);
-      RecordCodec.writeKind(w, RecordCodec.DELTA);
-      RecordCodec.writeAge(w, previousAge, age);
-      RecordCodec.writeResidual(w, residual);
-      previousAge = age;
+      int way = predictor.way(old, actual, age);
+      residual.setResidual(predictor, old, actual, way, age);
+      records.kind(range, RecordCodec.DELTA);
+      records.age(range, age);
+      records.way(range, old, way);
+      records.residual(range, old, residual);
     } else {
-      RecordCodec.writeKind(w, RecordCodec.ABSOLUTE);
-      RecordCodec.writeIdentity(
-          w, frame.generation(slot), frame.archetype(slot), frame.owner(slot));
-      RecordCodec.writeAbsolute(w, actual);
+      records.kind(range, RecordCodec.ABSOLUTE);
+      records.generation(range, frame.generation(slot));
+      records.archetype(range, frame.archetype(slot));
+      records.owner(range, frame.owner(slot));
+      records.absolute(range, actual);
     }
   }
 
