@@ -33,25 +33,31 @@ class ClockScenarioTest {
   @EnumSource(Condition.class)
   void theInputMarginConvergesToItsTargetAndStaysThere(Condition condition) {
     // Goal: no more lead than needed, and no less. Method: after eight seconds, the median margin
-    // of each of six five-second windows, as the server measures it.
+    // of each of six five-second windows, as the server measures it, against that of the target,
+    // which follows jitter and loss.
     try (Stepper stepper = Stepper.of(Levels.emptyArena(), ServerConfig.defaults())) {
       SimulatedClient client =
           stepper.join("p", condition.impairment(Stepper.SEED), Scripts.wander(1));
       stepper.run(8);
       for (int window = 0; window < 6; window++) {
         List<Integer> margins = new ArrayList<>();
+        List<Double> targets = new ArrayList<>();
         int lastTick = 0;
         for (int i = 0; i < 2_500; i++) {
           stepper.step();
           if (stepper.frame().tick() != lastTick) {
             lastTick = stepper.frame().tick();
             margins.add(inputs(stepper, client).marginTicks());
+            targets.add(client.stats().targetMargin());
           }
         }
         Collections.sort(margins);
+        Collections.sort(targets);
         int median = margins.get(margins.size() / 2);
         String about = condition + " window=" + window;
-        assertEquals(client.stats().targetMargin(), median, 1.5, about);
+        // In long bursts what waits at the server runs down, the further the more there was.
+        double tolerance = condition == Condition.BURSTS_30_PERCENT ? 2.5 : 1.5;
+        assertEquals(targets.get(targets.size() / 2), median, tolerance, about);
       }
     }
   }

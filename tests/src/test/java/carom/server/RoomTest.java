@@ -403,14 +403,14 @@ class RoomTest {
 
   @Test
   void budgetIsKeptAndEveryEntityArrivesAllTheSame() {
-    try (Rig rig = new Rig(CONFIG.withSnapshotBitsPerSecond(96_000), new TestGame(400))) {
+    try (Rig rig = new Rig(CONFIG.withSnapshotBitsPerSecond(40_000), new TestGame(400))) {
       FakeClient client = rig.join("Ann");
       rig.seconds(2);
       long before = client.bytes;
       rig.seconds(10);
       long perSecond = (client.bytes - before) / 10;
-      assertTrue(perSecond < 12_600, "bytesPerSecond=" + perSecond);
-      assertTrue(perSecond > 9_000, "bytesPerSecond=" + perSecond);
+      assertTrue(perSecond < 5_250, "bytesPerSecond=" + perSecond);
+      assertTrue(perSecond > 3_750, "bytesPerSecond=" + perSecond);
       for (int slot = 0; slot < 400; slot++) {
         assertTrue(client.decoder.history(slot).alive(), "slot=" + slot);
         int age = rig.room.tick() - client.decoder.history(slot).tick(0);

@@ -47,6 +47,8 @@ public final class TickClock {
 
   private static final double MAX_LOSS_MARGIN = 5;
 
+  private static final int LOSS_SECONDS = 10;
+
   private static final int MAX_BEND_PERCENT = 3;
   private static final double MAX_BEND = MAX_BEND_PERCENT / 100.0;
   private static final double MAX_JITTER_MARGIN = 10;
@@ -90,6 +92,8 @@ public final class TickClock {
   private long heardNs;
   private int heardTick;
   private long heldNs;
+  private long lossNs;
+  private double meanLoss;
   private double lossMargin;
   private long dropped;
   private long jumps;
@@ -121,6 +125,8 @@ public final class TickClock {
     heardNs = nowNs;
     heardTick = serverTick;
     heldNs = 0;
+    lossNs = nowNs;
+    meanLoss = 0;
     listens = false;
     position = serverTick + Math.max(0, roundTripNs) * ticksPerNs + BASE_MARGIN + 1;
     last = (int) Math.floor(position) - 1;
@@ -211,13 +217,17 @@ public final class TickClock {
 
   /**
    * Tells the clock how much is lost: each tick earlier is another copy of each input that may
-   * arrive in time.
+   * arrive in time. What is lost within a second or two says little where losses come in bursts, so
+   * the clock goes by the mean of about {@value #LOSS_SECONDS} seconds.
    *
-   * @param fraction lost datagrams, 0..1
+   * @param fraction lost datagrams lately, 0..1
    */
   public void loss(double fraction) {
-    double copies = fraction <= LOST ? 1 : Math.log(LOST) / Math.log(Math.min(0.9, fraction));
-    lossMargin = Math.max(0, Math.min(MAX_LOSS_MARGIN, Math.ceil(copies) - BASE_MARGIN));
+    double seconds = (nowNs - lossNs) * 1e-9;
+    lossNs = nowNs;
+    meanLoss += (fraction - meanLoss) * Math.min(1, seconds / LOSS_SECONDS);
+    double copies = meanLoss <= LOST ? 1 : Math.log(LOST) / Math.log(Math.min(0.9, meanLoss));
+    lossMargin = Math.max(0, Math.min(MAX_LOSS_MARGIN, copies - BASE_MARGIN));
   }
 
   /**

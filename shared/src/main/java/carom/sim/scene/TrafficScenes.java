@@ -8,6 +8,7 @@ import carom.physics.WorldDef;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Shape;
+import carom.physics.math.Trig;
 import java.util.List;
 
 /**
@@ -16,6 +17,7 @@ import java.util.List;
  */
 final class TrafficScenes {
   private static final float SMALL = 0.2f;
+  private static final int CROSSING_TICKS = 1_110;
 
   private TrafficScenes() {}
 
@@ -39,7 +41,7 @@ final class TrafficScenes {
             TrafficScenes::churn));
   }
 
-  /** Turns round whenever it comes near an end, and hops now and then. */
+  /** Turns round when it should be near an end, and hops now and then. */
   private static <T> void plough(Stage<T> s) {
     Props.trough(s, 47, 20);
     Shape box = new Box(SMALL, SMALL);
@@ -53,14 +55,11 @@ final class TrafficScenes {
             new BodyDef(BodyType.DYNAMIC)
                 .shape(new Box(1.5f, 1.5f), Palette.of(Palette.CORAL).withDensity(4))
                 .position(-46, 1.6f));
-    float[] goal = {5};
     s.eachTick(
         tick -> {
-          if (big.x() * goal[0] > 0 && Math.abs(big.x()) > 44) {
-            goal[0] = -goal[0];
-          }
+          float goal = tick / CROSSING_TICKS % 2 == 0 ? 5 : -5;
           float hop = tick % 240 == 239 ? 5 : big.velocityY();
-          big.setVelocity(big.velocityX() + 0.08f * (goal[0] - big.velocityX()), hop);
+          big.setVelocity(big.velocityX() + 0.08f * (goal - big.velocityX()), hop);
         });
   }
 
@@ -81,27 +80,15 @@ final class TrafficScenes {
                 .shape(new Circle(1.5f), Palette.of(Palette.CORAL).withDensity(6))
                 .position(-20, 0));
     // Round a circle whose centre walks round another: the tip of a compass that is being turned.
-    float[] heading = {1, 0, 1, 0};
     s.eachTick(
         tick -> {
-          turn(heading, 0, 0.006f);
-          turn(heading, 2, -0.014f);
-          float goalX = 11 * heading[0] + 6 * heading[2];
-          float goalY = 11 * heading[1] + 6 * heading[3];
+          float goalX = 11 * Trig.cos(0.006f * tick) + 6 * Trig.cos(0.014f * tick);
+          float goalY = 11 * Trig.sin(0.006f * tick) - 6 * Trig.sin(0.014f * tick);
           float pull = Math.min(1, tick / 60f);
           big.setVelocity(
               0.9f * big.velocityX() + 0.3f * pull * (goalX - big.x()),
               0.9f * big.velocityY() + 0.3f * pull * (goalY - big.y()));
         });
-  }
-
-  /** Turns the unit vector at {@code at}, to first order and then made a unit again. */
-  private static void turn(float[] v, int at, float angle) {
-    float x = v[at] - angle * v[at + 1];
-    float y = v[at + 1] + angle * v[at];
-    float length = (float) Math.sqrt(x * x + y * y);
-    v[at] = x / length;
-    v[at + 1] = y / length;
   }
 
   private static void churn(Stage<?> s) {
