@@ -1,10 +1,12 @@
 package carom.server.bench;
 
+import java.io.FileDescriptor;
+import java.io.FileInputStream;
 import java.io.PrintStream;
 
 /**
  * The process in which one entrant does one job: what another compiled or collected never matters.
- * Its last line of standard output is the row.
+ * It measures only while it has the turn, and its last line of standard output is the row.
  */
 final class BenchChild {
   private BenchChild() {}
@@ -18,12 +20,15 @@ final class BenchChild {
   public static void main(String[] args) {
     Entrant entrant = new Entrant(args[0], args[1], Integer.parseInt(args[2]));
     BenchJob job = BenchJob.of(args[3]);
+    PrintStream out = System.out;
+    Turns turns = new Turns(new FileInputStream(FileDescriptor.in), out);
     Measurement measurement =
         new Measurement(
             Double.parseDouble(args[4]),
             Double.parseDouble(args[5]),
-            Boolean.parseBoolean(args[6]));
-    PrintStream out = System.out;
+            Boolean.parseBoolean(args[6]),
+            turns);
+    turns.take();
     BenchRow row;
     try {
       row = job.run(entrant, measurement);

@@ -1,9 +1,6 @@
 package carom.server.bench;
 
-import static java.nio.charset.StandardCharsets.UTF_8;
-
 import carom.sim.Suggestion;
-import java.io.File;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.lang.module.ModuleFinder;
@@ -15,6 +12,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CopyOnWriteArrayList;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -24,7 +22,7 @@ import picocli.CommandLine.Spec;
 
 /**
  * {@code carom-server bench}: measures the engine, each row in a process of its own, the entrants
- * of a scene one right after the other.
+ * of a scene in turns.
  *
  * <p>The tables go to standard output, progress to standard error; with {@code --json} and no file
  * the rows go to standard output and the tables to standard error. Exit codes: 0 even if rows have
@@ -36,7 +34,8 @@ import picocli.CommandLine.Spec;
     usageHelpAutoWidth = true,
     description = {
       "Measures the physics engine on its scenes, beside other engines, and its parts alone.",
-      "Every row is measured in a process of its own; all of it takes about an hour.",
+      "Every row is measured in a process of its own, the entrants of a scene in turns;",
+      "all of it takes about an hour.",
       ""
     },
     footer = {
@@ -71,6 +70,14 @@ public final class BenchCommand implements Callable<Integer> {
           "Other engines by name, or none (all there are: those that ./gradlew bench has on the"
               + " class path, or the jars in lib/peers of an installation).")
   private List<String> peers;
+
+  @Option(
+      names = "--external",
+      paramLabel = "NAME=PROGRAM",
+      description =
+          "A program that measures another engine, for instance a native one: it gets the name of"
+              + " the scene and takes its turns as docs/BENCHMARKS.md tells. Repeatable.")
+  private Map<String, Path> external = Map.of();
 
   @Option(
       names = "--kernels",
@@ -132,7 +139,7 @@ public final class BenchCommand implements Callable<Integer> {
   private boolean help;
 
   private final List<BenchRow> rows = new ArrayList<>();
-  private volatile Process child;
+  private final List<BenchProcess> processes = new CopyOnWriteArrayList<>();
 
   /** For picocli. */
   public BenchCommand() {}
@@ -161,21 +168,16 @@ public final class BenchCommand implements Callable<Integer> {
     requireRange("--warm-up", warmUpSeconds);
     requireRange("--cap", capSeconds);
     List<BenchJob> jobs = jobs();
-    BenchJob.Choice wanted = new BenchJob.Choice(kinds(), threadCounts(), others());
+    BenchJob.Choice wanted = new BenchJob.Choice(kinds(), threadCounts(), everyPeer());
     PrintWriter out = spec.commandLine().getOut();
     PrintWriter err = spec.commandLine().getErr();
-    Runtime.getRuntime().addShutdownHook(new Thread(this::endChild, "bench-stop"));
+    Runtime.getRuntime().addShutdownHook(new Thread(this::endProcesses, "bench-stop"));
     try {
       write(); // a file that can't be written is told before the work, not after
       for (int i = 0; i < jobs.size(); i++) {
         BenchJob job = jobs.get(i);
-        List<BenchRow> ofJob = new ArrayList<>();
-        for (Entrant entrant : job.entrants(wanted)) {
-          err.print("[" + (i + 1) + "/" + jobs.size() + "] " + job.name() + ", " + entrant + ": ");
-          err.flush();
-          ofJob.add(runChild(job, entrant));
-          tell(ofJob.get(ofJob.size() - 1), err);
-        }
+        String progress = "[" + (i + 1) + "/" + jobs.size() + "] " + job.name();
+        List<BenchRow> ofJob = measure(job, wanted, progress, err);
         compare(job, ofJob);
         rows.addAll(ofJob);
         write();
@@ -199,10 +201,44 @@ public final class BenchCommand implements Callable<Integer> {
     return json != null && json.toString().equals(STANDARD_OUTPUT);
   }
 
-  private static void tell(BenchRow row, PrintWriter err) {
-    String time = row.isMeasured() ? String.format(Locale.ROOT, "%.3f ms ", row.medianMs()) : "";
-    err.println((time + row.fault()).strip());
+  /**
+   * All entrants of a job, in turns: each has its first slice, then each its second one.
+   *
+   * @return a row of each
+   */
+  private List<BenchRow> measure(
+      BenchJob job, BenchJob.Choice wanted, String progress, PrintWriter err)
+      throws IOException, InterruptedException {
+    try {
+      for (Entrant entrant : job.entrants(wanted)) {
+        processes.add(new BenchProcess(job.name(), entrant, command(job, entrant)));
+      }
+      List<BenchProcess> busy = new ArrayList<>(processes);
+      for (int round = 0; !busy.isEmpty(); round++) {
+        for (BenchProcess process : List.copyOf(busy)) {
+          if (round == 0) {
+            tell(err, progress + ", " + process.entrant() + ": warm-up");
+          }
+          if (!process.turn()) {
+            busy.remove(process);
+            tell(err, progress + ", " + process.entrant() + ": " + outcome(process.row()));
+          }
+        }
+      }
+      return new ArrayList<>(processes.stream().map(BenchProcess::row).toList());
+    } finally {
+      endProcesses();
+    }
+  }
+
+  private static void tell(PrintWriter err, String line) {
+    err.println(line);
     err.flush();
+  }
+
+  private static String outcome(BenchRow row) {
+    String time = row.isMeasured() ? String.format(Locale.ROOT, "%.3f ms ", row.medianMs()) : "";
+    return (time + row.fault()).strip();
   }
 
   /** Gives Carom's rows of a job the ratios, and finds out who should have agreed. */
@@ -230,8 +266,11 @@ public final class BenchCommand implements Callable<Integer> {
     return ratios;
   }
 
-  private BenchRow runChild(BenchJob job, Entrant entrant)
-      throws IOException, InterruptedException {
+  private List<String> command(BenchJob job, Entrant entrant) {
+    Path program = external.get(entrant.engine());
+    if (program != null) {
+      return List.of(program.toString(), job.name());
+    }
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(List.of("-Xms256m", "-Xmx3g", "-XX:+UseSerialGC"));
@@ -244,39 +283,12 @@ public final class BenchCommand implements Callable<Integer> {
     command.add(Double.toString(quick ? warmUpSeconds / 4 : warmUpSeconds));
     command.add(Double.toString(quick ? capSeconds / 4 : capSeconds));
     command.add(Boolean.toString(quick));
-    File errors = File.createTempFile("carom-bench", ".err");
-    try {
-      Process started = new ProcessBuilder(command).redirectError(errors).start();
-      child = started;
-      started.getOutputStream().close();
-      String last = "";
-      for (String line : new String(started.getInputStream().readAllBytes(), UTF_8).split("\n")) {
-        last = line.isBlank() ? last : line;
-      }
-      int status = started.waitFor();
-      return status == 0
-          ? BenchRow.ofJson(last)
-          : BenchRow.failed(job.name(), entrant, fault(status, errors));
-    } finally {
-      child = null;
-      Files.deleteIfExists(errors.toPath());
-    }
+    return command;
   }
 
-  /** The first line that looks like an exception. */
-  private static String fault(int status, File errors) throws IOException {
-    return Files.readAllLines(errors.toPath()).stream()
-        .filter(line -> line.contains("Exception") || line.contains("Error"))
-        .findFirst()
-        .map(line -> line.replaceFirst("^Exception in thread \"[^\"]*\" ", ""))
-        .orElse("ended with status " + status);
-  }
-
-  private void endChild() {
-    Process running = child;
-    if (running != null) {
-      running.destroyForcibly();
-    }
+  private void endProcesses() {
+    processes.forEach(BenchProcess::close);
+    processes.clear();
   }
 
   private void write() throws IOException {
@@ -296,6 +308,20 @@ public final class BenchCommand implements Callable<Integer> {
     } catch (IllegalArgumentException e) {
       throw bad("--scenes: " + e.getMessage());
     }
+  }
+
+  private List<String> everyPeer() {
+    List<String> all = new ArrayList<>(others());
+    for (Map.Entry<String, Path> each : external.entrySet()) {
+      if (all.contains(each.getKey()) || each.getKey().equals(CaromEngine.NAME)) {
+        throw bad("--external: name=" + each.getKey() + " is taken; choose another one");
+      }
+      if (!Files.isExecutable(each.getValue())) {
+        throw bad("--external: program=" + each.getValue() + " can't be run");
+      }
+      all.add(each.getKey());
+    }
+    return all;
   }
 
   private List<String> others() {

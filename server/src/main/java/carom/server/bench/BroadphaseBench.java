@@ -92,6 +92,8 @@ public final class BroadphaseBench {
     }
   }
 
+  private static final int SLICES = 12;
+
   private BroadphaseBench() {}
 
   /**
@@ -101,9 +103,10 @@ public final class BroadphaseBench {
    * @param n number of boxes
    * @param clustered whether the boxes cluster
    * @param seconds how long to measure after a warm-up of the same length
+   * @param pause done before each twelfth of the measuring, untimed
    * @return the row
    */
-  public static Row run(Method method, int n, boolean clustered, double seconds) {
+  public static Row run(Method method, int n, boolean clustered, double seconds, Runnable pause) {
     BroadphaseScene scene = new BroadphaseScene(n, clustered);
     KdTree kd = new KdTree(scene.boxes());
     QuadTree quad = new QuadTree();
@@ -120,8 +123,13 @@ public final class BroadphaseBench {
     double begin = Stopwatch.cpuSeconds();
     double warm = begin + seconds;
     double end = warm + seconds;
+    double nextPause = warm;
     int rows = 0;
     for (int tick = 0; tick < update.length && (tick < 6 || Stopwatch.cpuSeconds() < end); tick++) {
+      if (tick >= 3 && Stopwatch.cpuSeconds() >= nextPause) {
+        pause.run();
+        nextPause += seconds / SLICES;
+      }
       scene.step();
       tally.count = 0;
       tally.hash = 0;

@@ -55,7 +55,8 @@ record BroadphaseJob(String name, int boxes, boolean clustered) implements Bench
       method = each.toString().equals(entrant.engine()) ? each : method;
     }
     BroadphaseBench.Row row =
-        BroadphaseBench.run(method, boxes, clustered, measurement.warmUpSeconds());
+        BroadphaseBench.run(
+            method, boxes, clustered, measurement.warmUpSeconds(), measurement.turns()::pass);
     double msPerNs = boxes * 1e-6;
     double median = row.sumNs() * msPerNs;
     Times times =

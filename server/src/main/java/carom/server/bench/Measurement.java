@@ -14,23 +14,49 @@ import java.util.Map;
  *
  * <p>First the scene is repeated in fresh worlds until the compiler is done: for {@link
  * #warmUpSeconds} and {@value #LEAST_STEPS} steps at least, and until a repeat is hardly faster
- * than the one before. Then it runs once more, some steps untimed, then the timed ones. Carom runs
- * a further time with its stages told, which must end in the same bits.
+ * than the one before. Then it runs once more, some steps untimed, then the timed ones in {@value
+ * #SLICES} slices, between which the other entrants have their turns. Carom runs a further time
+ * with its stages told, which must end in the same bits.
  *
  * @param warmUpSeconds of stepping before the run that counts
  * @param capSeconds after which the warm-up, the timed part, and likewise the untimed part end
  *     early
  * @param quick whether to time a quarter of the steps only
+ * @param turns whose turn it is; this process has it
  */
-record Measurement(double warmUpSeconds, double capSeconds, boolean quick) {
+record Measurement(double warmUpSeconds, double capSeconds, boolean quick, Turns turns) {
   /** What a row that was cut short by {@link #capSeconds} says. */
   static final String CUT = "cut short";
+
+  /** Enough that a slow minute of the machine is everybody's, few enough that caches are warm. */
+  private static final int SLICES = 12;
 
   /** What the compiler needs to have seen, whatever the clock says. */
   private static final int LEAST_STEPS = 400;
 
   /** A repeat that takes this part of the one before, or more, is no longer getting faster. */
   private static final double STEADY = 0.95;
+
+  /**
+   * Times repeated work in slices, until the watch is full or {@link #capSeconds} are spent; at
+   * least once.
+   *
+   * @param watch takes the times
+   * @param before done before each piece of work, untimed
+   * @param work what is timed
+   */
+  void time(Stopwatch watch, Runnable before, Runnable work) {
+    int slice = Math.max(1, (watch.most() + SLICES - 1) / SLICES);
+    do {
+      if (watch.count() % slice == 0) {
+        turns.pass();
+      }
+      before.run();
+      watch.begin();
+      work.run();
+      watch.end();
+    } while (!watch.isFull() && watch.spent() < capSeconds);
+  }
 
   /** Measures. */
   BenchRow run(BenchScene given, BenchEngine engine, Entrant entrant) {
@@ -40,9 +66,12 @@ record Measurement(double warmUpSeconds, double capSeconds, boolean quick) {
       warmUp(how, scene, engine);
       boolean byClock = entrant.threads() > 1;
       engine.start(scene);
-      Stopwatch untimed = steps(engine, how.warm(), byClock);
+      Stopwatch untimed = new Stopwatch(how.warm(), byClock);
+      while (!untimed.isFull() && (untimed.count() == 0 || untimed.spent() < capSeconds)) {
+        step(engine, untimed);
+      }
       Stopwatch timed = new Stopwatch(how.measured(), byClock);
-      steps(engine, timed);
+      time(timed, () -> {}, engine::step);
       Times times = timed.times();
       World<?> world = engine.world();
       SceneReport end = SceneReport.of(world);
@@ -104,19 +133,6 @@ record Measurement(double warmUpSeconds, double capSeconds, boolean quick) {
       named.put(stage.getKey().toString(), stage.getValue());
     }
     return named;
-  }
-
-  private Stopwatch steps(BenchEngine engine, int wanted, boolean byClock) {
-    Stopwatch watch = new Stopwatch(wanted, byClock);
-    steps(engine, watch);
-    return watch;
-  }
-
-  /** At least one, if the watch has room. */
-  private void steps(BenchEngine engine, Stopwatch watch) {
-    while (!watch.isFull() && (watch.count() == 0 || watch.spent() < capSeconds)) {
-      step(engine, watch);
-    }
   }
 
   private static void step(BenchEngine engine, Stopwatch watch) {

@@ -60,12 +60,7 @@ record RebuildJob(String name, int boxes) implements BenchJob {
       build.run();
     }
     Stopwatch watch = new Stopwatch(measurement.quick() ? TIMED / 4 : TIMED, false);
-    while (!watch.isFull() && (watch.count() == 0 || watch.spent() < measurement.capSeconds())) {
-      scene.step();
-      watch.begin();
-      build.run();
-      watch.end();
-    }
+    measurement.time(watch, scene::step, build);
     return BenchRow.of(name, entrant, boxes, watch.times());
   }
 }

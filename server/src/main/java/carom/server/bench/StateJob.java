@@ -117,12 +117,7 @@ record StateJob(String name, Supplier<Work> work) implements BenchJob {
       repeated.timed.run();
     }
     Stopwatch watch = new Stopwatch(measurement.quick() ? TIMED / 4 : TIMED, false);
-    while (!watch.isFull() && (watch.count() == 0 || watch.spent() < measurement.capSeconds())) {
-      repeated.before.run();
-      watch.begin();
-      repeated.timed.run();
-      watch.end();
-    }
+    measurement.time(watch, repeated.before, repeated.timed);
     BenchRow row = BenchRow.of(name, entrant, BODIES, watch.times());
     return repeated.world == null ? row : row.withHash(repeated.world.stateHash());
   }

@@ -69,6 +69,11 @@ final class Stopwatch {
     return spent;
   }
 
+  /** How many it can time. */
+  int most() {
+    return cpu.length;
+  }
+
   boolean isFull() {
     return count == cpu.length;
   }

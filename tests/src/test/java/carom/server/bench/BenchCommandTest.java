@@ -17,6 +17,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
 
@@ -137,6 +139,50 @@ class BenchCommandTest {
     assertEquals(parse(rows.get(0)).get("hash"), parse(rows.get(3)).get("hash"), "same pairs");
     assertTrue(parse(rows.get(0)).containsKey("ratios.brute_force"), rows.get(0));
     assertTrue(err.toString().contains("kd_two_sorts"), "the tables: " + err);
+  }
+
+  /** A program that takes two turns, and says so in a row of its own. */
+  @Test
+  @DisabledOnOs(OS.WINDOWS)
+  void programOfAnotherEngineTakesItsTurns() throws Exception {
+    Times times = new Times(12, 5, 6, 5, Double.NaN);
+    String row = BenchRow.of("gas_1k", Entrant.of("toy"), 1000, times).toJson();
+    Path program = directory.resolve("toy.sh");
+    Files.writeString(
+        program,
+        """
+        #!/bin/sh
+        read turn && echo turn && read turn && test "$1" = gas_1k && echo '%s'
+        """
+            .formatted(row));
+    assertTrue(program.toFile().setExecutable(true));
+    int status =
+        run(
+            "--json",
+            "--quick",
+            "--warm-up=0.1",
+            "--kernels=scalar",
+            "--threads=1",
+            "--peers=none",
+            "--scenes=gas_1k",
+            "--external=toy=" + program);
+    assertEquals(0, status, err.toString());
+    Map<String, String> carom = parse(out.toString().lines().findFirst().orElseThrow());
+    assertEquals(
+        5 / Double.parseDouble(carom.get("medianMs")),
+        Double.parseDouble(carom.get("ratios.toy")),
+        1e-6);
+    assertEquals(2, out.toString().lines().count(), out.toString());
+  }
+
+  @Test
+  void badExternalProgramsAreRefused() throws Exception {
+    assertEquals(2, run("--external=toy=" + directory.resolve("nowhere")));
+    assertTrue(err.toString().contains("can't be run"), err.toString());
+    Path program = Files.createFile(directory.resolve("carom"));
+    assertTrue(program.toFile().setExecutable(true));
+    assertEquals(2, run("--external=carom=" + program));
+    assertTrue(err.toString().contains("name=carom is taken"), err.toString());
   }
 
   @Test
