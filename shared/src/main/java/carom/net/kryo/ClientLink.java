@@ -434,9 +434,10 @@ final class ClientLink extends KryoLink {
       int length = buffer.remaining();
       byte tag = length == 0 ? 0 : buffer.get();
       if (tag == Frame.DATAGRAM && length > 1 && length <= 1 + Frame.MAX_PAYLOAD_BYTES) {
-        receiveDatagram(buffer);
+        receiveDatagram(buffer, System.nanoTime());
       } else if (tag == Frame.CHALLENGE && length == Frame.NONCE_BYTES) {
-        endpoint.sendUDP(Frame.nonce(Frame.ANSWER, buffer.getLong()));
+        byte[] nonce = Frame.nonce(buffer.getLong());
+        endpoint.sendUDP(new Frame.Payload().set(Frame.ANSWER, nonce, 0, nonce.length));
         challenged = true;
         openWhenReady();
       } else {

@@ -99,9 +99,9 @@ final class Frame {
     return new Payload().set(BYE, bytes, 0, Math.min(bytes.length, Limits.MAX_TEXT_BYTES));
   }
 
-  static Payload nonce(byte tag, long nonce) {
-    byte[] bytes = ByteBuffer.allocate(8).putLong(nonce).array();
-    return new Payload().set(tag, bytes, 0, bytes.length);
+  /** The fields of CHALLENGE and ANSWER. */
+  static byte[] nonce(long nonce) {
+    return ByteBuffer.allocate(8).putLong(nonce).array();
   }
 
   /** The text of a BYE whose tag has been read, as one line without control characters. */

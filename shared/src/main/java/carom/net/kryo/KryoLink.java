@@ -7,12 +7,13 @@ import carom.net.transport.LinkCounters;
 import carom.net.transport.LinkHandler;
 import carom.net.transport.MessageCodec;
 import java.nio.ByteBuffer;
+import org.jctools.queues.atomic.MpscAtomicArrayQueue;
 import org.jctools.queues.atomic.SpscAtomicArrayQueue;
 
 /**
- * What both sides' links share: the state, and the bounded inbox between the network thread that
- * fills it and the owner's thread that polls. Datagrams travel in buffers that go back and forth,
- * so that a steady stream allocates nothing. JCTools' atomic queues are the ones that do without
+ * What both sides' links share: the state, and the bounded inbox between the network's threads that
+ * fill it and the owner's thread that polls. Datagrams travel in buffers that go back and forth, so
+ * that a steady stream allocates nothing. JCTools' atomic queues are the ones that do without
  * {@code sun.misc.Unsafe}.
  */
 abstract class KryoLink implements Link {
@@ -26,13 +27,13 @@ abstract class KryoLink implements Link {
 
   private final MessageCodec codec;
   private final LinkCounters counters = new LinkCounters();
-  private final SpscAtomicArrayQueue<Object> inbox;
+  private final MpscAtomicArrayQueue<Object> inbox; // messages and datagrams have a thread each
   private final SpscAtomicArrayQueue<Datagram> spare;
   private final int maxDatagrams;
   private volatile State state = State.CONNECTING;
   private volatile String closeReason = "";
 
-  // network thread
+  // the thread that reads datagrams
   private int datagramsMade;
   private Datagram unused;
 
@@ -43,7 +44,7 @@ abstract class KryoLink implements Link {
   KryoLink(MessageCodec codec, int maxMessages, int maxDatagrams) {
     this.codec = codec;
     this.maxDatagrams = maxDatagrams;
-    inbox = new SpscAtomicArrayQueue<>(maxMessages + maxDatagrams);
+    inbox = new MpscAtomicArrayQueue<>(maxMessages + maxDatagrams);
     spare = new SpscAtomicArrayQueue<>(maxDatagrams);
   }
 
@@ -175,8 +176,11 @@ abstract class KryoLink implements Link {
     return true;
   }
 
-  /** A datagram's payload for the owner; what doesn't fit is dropped. Network thread. */
-  final void receiveDatagram(ByteBuffer payload) {
+  /**
+   * A datagram's payload for the owner; what doesn't fit is dropped. One thread, which may be
+   * another than that of messages.
+   */
+  final void receiveDatagram(ByteBuffer payload, long nowNs) {
     int length = payload.remaining();
     Datagram datagram = unused != null ? unused : spare.poll();
     unused = null;
@@ -193,14 +197,14 @@ abstract class KryoLink implements Link {
     }
     payload.get(datagram.bytes, 0, length);
     datagram.length = length;
-    datagram.arrivedNs = System.nanoTime();
+    datagram.arrivedNs = nowNs;
     if (!inbox.offer(datagram)) {
       unused = datagram;
       counters.datagramsDropped.incrementAndGet();
     }
   }
 
-  /** A message for the owner; false when the inbox is full. Network thread. */
+  /** A message for the owner; false when the inbox is full. One thread. */
   final boolean receiveMessage(Object message, int bytes) {
     counters.messagesIn.incrementAndGet();
     counters.messageBytesIn.addAndGet(bytes);

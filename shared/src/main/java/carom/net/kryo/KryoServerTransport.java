@@ -4,13 +4,12 @@ import carom.net.transport.Link;
 import carom.net.transport.ServerTransport;
 import java.io.IOException;
 import java.net.BindException;
-import java.net.DatagramSocket;
 import java.net.ServerSocket;
 
 /**
- * Listens on a TCP and a UDP port. Everything of the network happens on one daemon thread; {@link
- * #accept}, and the links' {@code poll}, belong to the owner's thread, sending to any. A link opens
- * when datagrams have passed in both directions.
+ * Listens on a TCP and a UDP port, each with a daemon thread of its own; {@link #accept}, and the
+ * links' {@code poll}, belong to the owner's thread, sending to any. A link opens when datagrams
+ * have passed in both directions.
  */
 public final class KryoServerTransport implements ServerTransport {
   private static final int EPHEMERAL_ATTEMPTS = 20;
@@ -39,18 +38,15 @@ public final class KryoServerTransport implements ServerTransport {
     checkPort("udpPort", udpPort);
     network = new ServerNetwork(limits);
     int tcp = tcpPort;
-    int udp = udpPort;
     for (int attempt = 1; ; attempt++) {
       try {
         // KryoNet doesn't tell which port the system gave it, so a free one is looked up here and
-        // asked for by number.
-        // Somebody may take it in between: then another one.
+        // asked for by number. Somebody may take it in between: then another one.
         tcp = tcpPort != 0 ? tcpPort : freeTcpPort();
-        udp = udpPort != 0 ? udpPort : freeUdpPort();
-        network.bind(tcp, udp);
+        network.bind(tcp, udpPort);
         break;
       } catch (IOException x) {
-        PortUnavailableException explained = explain(x, tcp, udp);
+        PortUnavailableException explained = explain(x, tcp, udpPort);
         boolean chosenHere = explained.port() != tcpPort && explained.port() != udpPort;
         if (!chosenHere || attempt == EPHEMERAL_ATTEMPTS || !(x instanceof BindException)) {
           network.dispose();
@@ -59,7 +55,7 @@ public final class KryoServerTransport implements ServerTransport {
       }
     }
     this.tcpPort = tcp;
-    this.udpPort = udp;
+    this.udpPort = network.udpPort();
     network.start();
   }
 
@@ -72,12 +68,6 @@ public final class KryoServerTransport implements ServerTransport {
 
   private static int freeTcpPort() throws IOException {
     try (ServerSocket probe = new ServerSocket(0)) {
-      return probe.getLocalPort();
-    }
-  }
-
-  private static int freeUdpPort() throws IOException {
-    try (DatagramSocket probe = new DatagramSocket(0)) {
       return probe.getLocalPort();
     }
   }

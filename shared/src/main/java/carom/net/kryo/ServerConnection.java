@@ -5,11 +5,13 @@ import carom.net.transport.Link;
 import com.esotericsoftware.kryonet.Connection;
 import com.esotericsoftware.kryonet.FrameworkMessage.RegisterTCP;
 import com.esotericsoftware.kryonet.FrameworkMessage.RegisterUDP;
+import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
+import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
  * One stranger at the server's door, and later one link. KryoNet calls it on the network thread,
- * the link's owner and anybody else who sends on theirs.
+ * the {@link DatagramPort} on its own, the link's owner and anybody else who sends on theirs.
  *
  * <p>What keeps the network thread alive and everybody else's game running: nothing here throws,
  * reading never answers null, a connection closes on the network thread only (KryoNet leaves ghosts
@@ -18,7 +20,10 @@ import java.nio.ByteBuffer;
  */
 final class ServerConnection extends Connection {
 
-  /** A connection's way in and out; it only moves down this list. Network thread. */
+  /**
+   * A connection's way in and out; it only moves down this list. The port's thread takes it to
+   * CHALLENGED and OPEN, the network thread to CLOSING and CLOSED.
+   */
   enum Phase {
     /** TCP is connected, the UDP address unknown. */
     PENDING,
@@ -38,28 +43,26 @@ final class ServerConnection extends Connection {
   private final ServerNetwork network;
   private final ServerLink link;
   private final long nonce;
-  private final Frame.Payload challenge;
-  private final Frame.Payload datagram = new Frame.Payload();
-  private final Object datagramLock = new Object();
-  private final RateBudget messageBudget;
-  private final RateBudget datagramBudget;
-  private volatile boolean registered;
+  private final Object phaseLock = new Object();
+  private final AtomicBoolean closeRequested = new AtomicBoolean();
+  private final RateBudget messageBudget; // network thread
+  private final RateBudget datagramBudget; // the port's thread
   private volatile boolean broken;
-  private volatile boolean closeRequested;
-  private volatile Thread datagramSender;
+  private volatile InetSocketAddress udpAddress;
+  private volatile Phase phase = Phase.PENDING; // set under the lock
+  private volatile long phaseSince = System.nanoTime();
 
   // network thread
-  Object addressKey;
-  private Phase phase = Phase.PENDING;
-  private long phaseSince = System.nanoTime();
   private long lastFrame = phaseSince;
-  private long lastChallenge;
+  private long lastChallenge = phaseSince;
+
+  /** One household; set before anybody can register for this connection. */
+  Object addressKey;
 
   ServerConnection(ServerNetwork network, long token, long nonce) {
     this.network = network;
     this.token = token;
     this.nonce = nonce;
-    challenge = Frame.nonce(Frame.CHALLENGE, nonce);
     KryoLimits limits = network.limits;
     int messages = limits.messagesPerSecond();
     int datagrams = limits.datagramsPerSecond();
@@ -93,10 +96,7 @@ final class ServerConnection extends Connection {
 
     @Override
     boolean transmitDatagram(byte[] bytes, int offset, int length) {
-      synchronized (connection.datagramLock) {
-        return connection.sendUDP(connection.datagram.set(Frame.DATAGRAM, bytes, offset, length))
-            > 0;
-      }
+      return connection.sendDatagram(Frame.DATAGRAM, bytes, offset, length);
     }
 
     @Override
@@ -140,36 +140,37 @@ final class ServerConnection extends Connection {
     }
   }
 
-  @Override
-  public int sendUDP(Object frame) {
-    if (!registered) {
-      return 0;
-    }
-    synchronized (datagramLock) {
-      datagramSender = Thread.currentThread();
-      try {
-        return super.sendUDP(frame);
-      } catch (RuntimeException x) {
-        return 0;
-      } finally {
-        datagramSender = null;
-      }
-    }
+  /** Puts a datagram on the wire; false when it was dropped here. Any thread. */
+  private boolean sendDatagram(byte tag, byte[] bytes, int offset, int length) {
+    InetSocketAddress address = udpAddress;
+    return address != null && !broken && network.send(address, tag, bytes, offset, length);
+  }
+
+  private void challenge() {
+    byte[] fields = Frame.nonce(nonce);
+    sendDatagram(Frame.CHALLENGE, fields, 0, fields.length);
   }
 
   /** KryoNet's own way to end a connection: any error ends here, on any thread. */
   @Override
   public void close() {
-    if (datagramSender == Thread.currentThread()) {
-      return; // a datagram that can't be sent is lost, and that's all
-    }
     if (network.isNetworkThread()) {
       closeNow(phase == Phase.CLOSING ? "closed" : "the client closed the connection");
     } else {
-      broken = true;
-      link.finish("connection lost");
-      requestClose();
+      abandon("connection lost");
     }
+  }
+
+  /** Of no use any more; the network thread shall close it. Any thread. */
+  private void abandon(String reason) {
+    broken = true;
+    link.finish(reason);
+    requestClose();
+  }
+
+  /** Another connection has the same UDP address now. The port's thread. */
+  void giveWay() {
+    abandon("a new connection has the same address");
   }
 
   /**
@@ -177,21 +178,17 @@ final class ServerConnection extends Connection {
    * is broken. Any thread.
    */
   private void requestClose() {
-    synchronized (datagramLock) {
-      if (closeRequested) {
-        return;
-      }
-      closeRequested = true;
+    if (closeRequested.compareAndSet(false, true)) {
+      network.requestClose(this);
     }
-    network.requestClose(this);
   }
 
   /** Answers {@link #requestClose} on the network thread. */
   void closeAsRequested(long now) {
     if (broken || phase == Phase.PENDING || phase == Phase.CHALLENGED) {
       closeNow("closed");
-    } else if (phase == Phase.OPEN) {
-      enter(Phase.CLOSING, now);
+    } else {
+      advance(Phase.OPEN, Phase.CLOSING, now);
     }
   }
 
@@ -224,43 +221,47 @@ final class ServerConnection extends Connection {
     if (network.isNetworkThread()) {
       closeNow(reason);
     } else {
-      link.finish(reason);
-      requestClose();
+      abandon(reason);
     }
   }
 
   /** The end. Network thread. */
   void closeNow(String reason) {
-    if (phase == Phase.CLOSED) {
-      return;
+    synchronized (phaseLock) {
+      if (phase == Phase.CLOSED) {
+        return;
+      }
+      phase = Phase.CLOSED;
     }
-    phase = Phase.CLOSED;
     broken = true;
-    registered = false;
     link.finish(reason);
-    network.forget(this);
+    network.forget(this, udpAddress);
     super.close();
   }
 
-  private void enter(Phase next, long now) {
-    phase = next;
-    phaseSince = now;
-  }
-
-  /** KryoNet knows the UDP address now. Network thread. */
-  void addressKnown(long now) {
-    if (phase != Phase.PENDING) {
-      return;
+  /** From one phase to the next; false when it was in another one, such as closed. */
+  private boolean advance(Phase from, Phase to, long now) {
+    synchronized (phaseLock) {
+      if (phase != from) {
+        return false;
+      }
+      phaseSince = now;
+      phase = to;
+      return true;
     }
-    registered = true;
-    network.registered(this);
-    enter(Phase.CHALLENGED, now);
-    challenge(now);
   }
 
-  private void challenge(long now) {
-    lastChallenge = now;
-    sendUDP(challenge);
+  /** The client told its UDP address; telling it again means nothing. The port's thread. */
+  void addressKnown(InetSocketAddress address, long now) {
+    synchronized (phaseLock) { // or a connection that closes meanwhile would leave its address
+      if (!advance(Phase.PENDING, Phase.CHALLENGED, now)) {
+        return;
+      }
+      udpAddress = address;
+      network.registered(this, address);
+    }
+    sendTCP(new RegisterUDP());
+    challenge();
   }
 
   /** Looks after deadlines; some 20 times a second. Network thread. */
@@ -274,7 +275,7 @@ final class ServerConnection extends Connection {
           network.counters.expired.incrementAndGet();
           dismiss(
               "server reachable by TCP, but UDP port "
-                  + network.udpPort
+                  + network.udpPort()
                   + " is blocked (by a firewall or router)");
         }
       }
@@ -283,14 +284,15 @@ final class ServerConnection extends Connection {
           network.counters.expired.incrementAndGet();
           dismiss(
               "server reachable, but its answers from UDP port "
-                  + network.udpPort
+                  + network.udpPort()
                   + " are blocked (by a firewall or router)");
-        } else if (now - lastChallenge >= CHALLENGE_NANOS) {
-          challenge(now);
+        } else if (now - Math.max(phaseSince, lastChallenge) >= CHALLENGE_NANOS) {
+          lastChallenge = now;
+          challenge();
         }
       }
       case OPEN -> {
-        if (now - lastFrame > limits.idleMillis() * 1_000_000L) {
+        if (now - Math.max(phaseSince, lastFrame) > limits.idleMillis() * 1_000_000L) {
           expel("nothing heard for " + limits.idleMillis() + " ms");
         }
       }
@@ -306,6 +308,10 @@ final class ServerConnection extends Connection {
   /** Reads a TCP frame. Network thread. */
   Object readFrame(ByteBuffer buffer) {
     if (phase == Phase.CLOSED) {
+      return Frame.HANDLED;
+    }
+    if (phase == Phase.PENDING) {
+      closeNow("talked before the handshake");
       return Frame.HANDLED;
     }
     long now = System.nanoTime();
@@ -340,48 +346,30 @@ final class ServerConnection extends Connection {
     return Frame.HANDLED;
   }
 
-  /** Reads a datagram from this connection's address. Network thread. */
-  Object readDatagram(ByteBuffer buffer) {
-    long now = System.nanoTime();
+  /** Reads a datagram from this connection's address. The port's thread. */
+  void readDatagram(ByteBuffer buffer, long now) {
     if (!datagramBudget.take(now)) {
       network.counters.excessDatagrams.incrementAndGet();
       link.counters().datagramsDropped.incrementAndGet();
-      return Frame.HANDLED;
+      return;
     }
     int length = buffer.remaining();
-    byte tag = length == 0 ? 0 : buffer.get();
+    byte tag = length == 0 ? 0 : buffer.get(buffer.position());
     if (tag == Frame.DATAGRAM && length > 1 && length <= 1 + Frame.MAX_PAYLOAD_BYTES) {
       if (phase == Phase.OPEN) {
-        link.receiveDatagram(buffer);
+        buffer.get();
+        link.receiveDatagram(buffer, now);
       }
     } else if (tag == Frame.ANSWER && length == Frame.NONCE_BYTES) {
-      if (buffer.getLong() == nonce && phase == Phase.CHALLENGED) {
-        enter(Phase.OPEN, now);
-        lastFrame = now;
+      if (buffer.getLong(buffer.position() + 1) == nonce
+          && advance(Phase.CHALLENGED, Phase.OPEN, now)) {
         network.opened(this, link);
       }
     } else if (tag == Frame.REGISTER_UDP && length == Frame.REGISTRATION_BYTES) {
-      return successor(buffer);
+      network.register(udpAddress, buffer, now); // a repetition, or a successor's
     } else if (tag != Frame.KEEP_ALIVE || length != 1) {
       network.counters.malformedDatagrams.incrementAndGet();
     }
-    return Frame.HANDLED;
-  }
-
-  /**
-   * A newcomer registers the address that this connection has. Its client crashed or moved on
-   * without a word, and the system gave its port to the next one; so this one ends, unless the
-   * newcomer's TCP comes from another machine: then the datagram's source is forged.
-   */
-  private Object successor(ByteBuffer buffer) {
-    ServerConnection newcomer = network.pending(buffer.getInt(), buffer.getLong());
-    if (newcomer == null || !newcomer.addressKey.equals(addressKey)) {
-      return Frame.HANDLED;
-    }
-    closeNow("a new connection has the same address");
-    RegisterUDP register = new RegisterUDP();
-    register.connectionID = newcomer.getID();
-    return register;
   }
 
   boolean openLink() {

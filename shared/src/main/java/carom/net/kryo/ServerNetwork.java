@@ -1,10 +1,7 @@
 package carom.net.kryo;
 
 import carom.net.transport.Link;
-import com.esotericsoftware.kryo.util.IntMap;
 import com.esotericsoftware.kryonet.Connection;
-import com.esotericsoftware.kryonet.FrameworkMessage.RegisterUDP;
-import com.esotericsoftware.kryonet.Listener;
 import com.esotericsoftware.kryonet.Server;
 import java.io.IOException;
 import java.net.Inet6Address;
@@ -17,14 +14,17 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.jctools.queues.atomic.SpscAtomicArrayQueue;
 
 /**
- * The server's network thread: drives KryoNet's server, which is never started by its own means,
- * and everything around it. Survives any error and counts it.
+ * The server's network: a thread that drives KryoNet's server, which is never started by its own
+ * means, for TCP and the way in; and the {@link DatagramPort} for everything that comes by UDP. The
+ * two share the connections, which know their {@linkplain ServerConnection.Phase phase}, and the
+ * maps by which a datagram finds its connection. Survives any error and counts it.
  */
 final class ServerNetwork implements Runnable {
   private static final int SELECT_MILLIS =
@@ -39,8 +39,8 @@ final class ServerNetwork implements Runnable {
   final KryoLimits limits;
   final KryoMessageCodec codec = new KryoMessageCodec();
   final KryoServerCounters counters = new KryoServerCounters();
-  int udpPort;
   private final Server server;
+  private DatagramPort datagrams;
   private final SecureRandom random = new SecureRandom();
   private final SpscAtomicArrayQueue<Link> opened;
   private final ConcurrentLinkedQueue<ServerConnection> closing = new ConcurrentLinkedQueue<>();
@@ -49,8 +49,11 @@ final class ServerNetwork implements Runnable {
 
   // network thread
   private final List<ServerConnection> connections = new ArrayList<>();
-  private final IntMap<ServerConnection> pending = new IntMap<>();
   private final Map<Object, Integer> perAddress = new HashMap<>();
+
+  // both threads
+  private final Map<Integer, ServerConnection> pending = new ConcurrentHashMap<>();
+  private final Map<InetSocketAddress, ServerConnection> byAddress = new ConcurrentHashMap<>();
 
   ServerNetwork(KryoLimits limits) {
     this.limits = limits;
@@ -62,23 +65,29 @@ final class ServerNetwork implements Runnable {
             return new ServerConnection(ServerNetwork.this, random.nextLong(), random.nextLong());
           }
         };
-    server.addListener(
-        new Listener() {
-          @Override
-          public void connected(Connection connection) {
-            ((ServerConnection) connection).addressKnown(System.nanoTime());
-          }
-        });
   }
 
   /** Opens both ports or none. Before {@link #start}. */
   void bind(int tcp, int udp) throws IOException {
-    server.bind(tcp, udp);
-    udpPort = udp;
+    server.bind(tcp);
+    try {
+      datagrams = new DatagramPort(udp, this::datagram, counters);
+    } catch (IOException x) {
+      server.close();
+      throw x;
+    }
   }
 
-  /** Gives up what the constructor took, when the thread was never started. */
+  /** Number of the UDP port; after {@link #bind}. */
+  int udpPort() {
+    return datagrams.number();
+  }
+
+  /** Gives up what the constructor and {@link #bind} took. */
   void dispose() {
+    if (datagrams != null) {
+      datagrams.close();
+    }
     try {
       server.dispose();
     } catch (IOException x) {
@@ -91,6 +100,7 @@ final class ServerNetwork implements Runnable {
     started.setDaemon(true);
     thread = started;
     started.start();
+    datagrams.start();
   }
 
   /** Closes everything and waits for the thread to end. Any thread but the network's. */
@@ -233,20 +243,51 @@ final class ServerNetwork implements Runnable {
     return address;
   }
 
-  /**
-   * The connection that waits for its UDP address under this id and token, or null. Network thread.
-   */
-  ServerConnection pending(int id, long token) {
-    ServerConnection connection = pending.get(id);
-    return connection != null && connection.token == token ? connection : null;
+  /** Something came in by UDP. The port's thread. */
+  private void datagram(InetSocketAddress from, ByteBuffer datagram, long nowNs) {
+    ServerConnection sender = byAddress.get(from);
+    if (sender != null) {
+      sender.readDatagram(datagram, nowNs);
+    } else if (!register(from, datagram, nowNs)) {
+      counters.strangeDatagrams.incrementAndGet();
+    }
   }
 
   /**
-   * The connection's UDP address is known: a second registration, such as a repeated one, means
-   * nothing.
+   * A newcomer tells its UDP address. Whoever had it before has crashed or moved on without a word,
+   * and the system gave its port to the next one; so that link ends, unless the newcomer's TCP
+   * comes from another machine: then the datagram's source is forged. The port's thread.
+   *
+   * @return false when the datagram is no registration that anybody waits for
    */
-  void registered(ServerConnection connection) {
+  boolean register(InetSocketAddress from, ByteBuffer datagram, long nowNs) {
+    if (datagram.remaining() != Frame.REGISTRATION_BYTES || datagram.get() != Frame.REGISTER_UDP) {
+      return false;
+    }
+    ServerConnection newcomer = pending.get(datagram.getInt());
+    if (newcomer == null || newcomer.token != datagram.getLong()) {
+      return false;
+    }
+    ServerConnection before = byAddress.get(from);
+    if (before != null) {
+      if (!newcomer.addressKey.equals(before.addressKey)) {
+        return false;
+      }
+      before.giveWay();
+    }
+    newcomer.addressKnown(from, nowNs);
+    return true;
+  }
+
+  /** From now on the address stands for the connection, which waits no more. */
+  void registered(ServerConnection connection, InetSocketAddress address) {
     pending.remove(connection.getID());
+    byAddress.put(address, connection);
+  }
+
+  /** Sends a datagram; false when it is lost right here. Any thread. */
+  boolean send(InetSocketAddress to, byte tag, byte[] bytes, int offset, int length) {
+    return datagrams.send(to, tag, bytes, offset, length);
   }
 
   void opened(ServerConnection connection, Link link) {
@@ -255,21 +296,22 @@ final class ServerNetwork implements Runnable {
     }
     counters.opened.incrementAndGet();
     if (!opened.offer(link)) {
-      connection.dismiss("the server is busy");
+      link.close("the server is busy");
     }
   }
 
-  void forget(ServerConnection connection) {
+  void forget(ServerConnection connection, InetSocketAddress address) {
     pending.remove(connection.getID());
+    if (address != null) {
+      byAddress.remove(address, connection);
+    }
     if (connections.remove(connection)) {
       perAddress.computeIfPresent(connection.addressKey, (key, n) -> n == 1 ? null : n - 1);
     }
   }
 
-  /** How the server reads. */
+  /** How the server reads TCP. */
   private final class ServerFrames extends Frame.Codec {
-    private ByteBuffer datagramBuffer;
-
     @Override
     long token(Connection connection) {
       return ((ServerConnection) connection).token;
@@ -281,35 +323,15 @@ final class ServerNetwork implements Runnable {
     }
 
     @Override
-    @SuppressWarnings("ReferenceEquality") // it is the buffer's identity that tells UDP from TCP
     public Object read(Connection connection, ByteBuffer buffer) {
       try {
-        if (connection == null) {
-          datagramBuffer =
-              buffer; // only datagrams come without a connection, and all in the same buffer
-          return registration(buffer);
-        }
-        ServerConnection from = (ServerConnection) connection;
-        return buffer == datagramBuffer ? from.readDatagram(buffer) : from.readFrame(buffer);
+        return ((ServerConnection) connection).readFrame(buffer);
       } catch (Throwable x) {
         counters.error(x);
         return Frame.HANDLED;
       } finally {
         buffer.position(buffer.limit());
       }
-    }
-
-    private Object registration(ByteBuffer buffer) {
-      if (buffer.remaining() == Frame.REGISTRATION_BYTES && buffer.get() == Frame.REGISTER_UDP) {
-        ServerConnection newcomer = pending(buffer.getInt(), buffer.getLong());
-        if (newcomer != null) {
-          RegisterUDP register = new RegisterUDP();
-          register.connectionID = newcomer.getID();
-          return register;
-        }
-      }
-      counters.strangeDatagrams.incrementAndGet();
-      return Frame.HANDLED;
     }
   }
 }

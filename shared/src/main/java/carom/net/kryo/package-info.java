@@ -2,9 +2,11 @@
  * The only home of KryoNet and Kryo: links over TCP and UDP that an open port can be trusted with.
  *
  * <p>KryoNet is driven through its public API only; its own threads, serializers and defaults are
- * not used. What each class does and why: {@code KryoServerTransport} (update loop, admission,
- * sweeps), {@code ServerConnection} (what one stranger may do), {@code Frame} (the bytes around a
- * message or a datagram).
+ * not used. On the server it carries TCP; UDP goes through a socket of our own, because KryoNet
+ * reads one datagram per {@code select} and searches all connections for its sender. What each
+ * class does and why: {@code ServerNetwork} (update loop, admission, sweeps), {@code DatagramPort}
+ * (the UDP socket), {@code ServerConnection} (what one stranger may do), {@code Frame} (the bytes
+ * around a message or a datagram).
  *
  * <p>Imports {@code carom.net.protocol}, {@code carom.net.transport}, KryoNet, Kryo, JCTools and
  * the JDK only.

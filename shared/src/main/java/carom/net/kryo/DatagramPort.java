@@ -1,0 +1,169 @@
+package carom.net.kryo;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.StandardSocketOptions;
+import java.nio.ByteBuffer;
+import java.nio.channels.DatagramChannel;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
+import java.util.concurrent.locks.LockSupport;
+
+/**
+ * The server's UDP socket, and the daemon thread that reads it. KryoNet reads one datagram per
+ * {@code select} and looks the sender up among all connections, which is too slow for hundreds of
+ * clients; here everything that waits is read per wake-up, into one buffer.
+ *
+ * <p>Sending is allowed from any thread, waits for nothing and allocates nothing.
+ */
+final class DatagramPort implements Runnable {
+
+  /** Takes what arrives, on the port's thread. What it throws is counted and forgotten. */
+  interface Receiver {
+    /**
+     * A datagram has come in.
+     *
+     * @param from its sender's address, which may be forged
+     * @param datagram its bytes, the receiver's only during this call
+     * @param nowNs {@link System#nanoTime}
+     */
+    void datagram(InetSocketAddress from, ByteBuffer datagram, long nowNs);
+  }
+
+  /** As much as the system allows: a burst from all clients at once should fit. */
+  private static final int SOCKET_BUFFER_BYTES = 4 << 20;
+
+  /**
+   * When a wake-up finds as many as this, a crowd plays: then the next ones may gather for a
+   * moment, since a wake-up costs more than reading a datagram.
+   */
+  private static final int CROWD = 4;
+
+  private static final long GATHER_NANOS = 1_000_000L;
+
+  /** After so many in a row it is a flood, in which the socket's buffer must not fill up. */
+  private static final int FLOOD = 128;
+
+  private final DatagramChannel channel;
+  private final Selector selector;
+  private final Receiver receiver;
+  private final KryoServerCounters counters;
+  private final ByteBuffer in = ByteBuffer.allocateDirect(Frame.SERVER_BUFFER_BYTES);
+  private final ByteBuffer out = ByteBuffer.allocateDirect(Frame.SERVER_BUFFER_BYTES);
+  private final Thread thread = new Thread(this, "carom-server-datagrams");
+  private volatile boolean closing;
+
+  /**
+   * Opens the port; {@link #start} begins to read.
+   *
+   * @param port 0 = any free one
+   * @throws IOException when it can't be opened; nothing stays open then
+   */
+  DatagramPort(int port, Receiver receiver, KryoServerCounters counters) throws IOException {
+    this.receiver = receiver;
+    this.counters = counters;
+    thread.setDaemon(true);
+    selector = Selector.open();
+    DatagramChannel opened = null;
+    try {
+      opened = DatagramChannel.open();
+      opened.setOption(StandardSocketOptions.SO_RCVBUF, SOCKET_BUFFER_BYTES);
+      opened.setOption(StandardSocketOptions.SO_SNDBUF, SOCKET_BUFFER_BYTES);
+      opened.bind(new InetSocketAddress(port));
+      opened.configureBlocking(false);
+      opened.register(selector, SelectionKey.OP_READ);
+    } catch (IOException x) {
+      if (opened != null) {
+        opened.close();
+      }
+      selector.close();
+      throw x;
+    }
+    channel = opened;
+  }
+
+  void start() {
+    thread.start();
+  }
+
+  /** The port's number. */
+  int number() {
+    return channel.socket().getLocalPort();
+  }
+
+  /** Sends a tag and its fields; false when the system doesn't take them now. Any thread. */
+  boolean send(InetSocketAddress to, byte tag, byte[] bytes, int offset, int length) {
+    synchronized (out) {
+      out.clear().put(tag).put(bytes, offset, length).flip();
+      try {
+        return channel.send(out, to) > 0;
+      } catch (IOException | RuntimeException x) {
+        return false; // a datagram that can't be sent is lost, and that's all
+      }
+    }
+  }
+
+  @Override
+  public void run() {
+    while (!closing) {
+      try {
+        selector.select(key -> {});
+        int received;
+        do {
+          received = drain();
+        } while (received > FLOOD);
+        if (received >= CROWD) {
+          LockSupport.parkNanos(GATHER_NANOS);
+        }
+      } catch (IOException | RuntimeException x) {
+        if (!closing) {
+          counters.error(x);
+          LockSupport.parkNanos(GATHER_NANOS);
+        }
+      } finally {
+        Thread.interrupted(); // an interrupted thread would never wait in select again
+      }
+    }
+  }
+
+  /** Reads what waits, up to somewhat more than a flood. */
+  private int drain() throws IOException {
+    int received = 0;
+    while (received <= FLOOD) {
+      InetSocketAddress from = (InetSocketAddress) channel.receive(in.clear());
+      if (from == null) {
+        break;
+      }
+      received++;
+      try {
+        receiver.datagram(from, in.flip(), System.nanoTime());
+      } catch (RuntimeException x) {
+        counters.error(x);
+      }
+    }
+    return received;
+  }
+
+  /** Closes the port and waits for the thread, if it was started. Twice does nothing. */
+  void close() {
+    closing = true;
+    try {
+      channel.close();
+      selector.close(); // wakes the thread
+    } catch (IOException x) {
+      counters.error(x);
+    }
+    boolean interrupted = false;
+    while (thread.isAlive()) {
+      try {
+        thread.join(1_000);
+        break;
+      } catch (InterruptedException x) {
+        interrupted = true;
+      }
+    }
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}
