@@ -5,7 +5,7 @@ import carom.client.NetworkOptions;
 import carom.client.PredictionMode;
 import carom.client.ProgramVersion;
 import carom.client.StopSignal;
-import carom.net.kryo.KryoClientTransport;
+import carom.net.kryo.CrowdTransport;
 import carom.net.protocol.PlayerName;
 import carom.net.transport.ClientTransport;
 import java.util.Locale;
@@ -118,7 +118,7 @@ public final class BotsMain implements Callable<Integer> {
             .withPrediction(prediction)
             .withTicksPerInputDatagram(ticksPerInputDatagram);
     try (StopSignal stop = new StopSignal();
-        ClientTransport transport = network.impair(new KryoClientTransport());
+        ClientTransport transport = network.impair(new CrowdTransport());
         BotFarm farm = new BotFarm(config, transport, count, seed)) {
       return play(farm, stop);
     }

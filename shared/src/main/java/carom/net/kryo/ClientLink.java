@@ -1,9 +1,7 @@
 package carom.net.kryo;
 
-import carom.net.protocol.ServerMessage;
 import com.esotericsoftware.kryonet.Client;
 import com.esotericsoftware.kryonet.Connection;
-import com.esotericsoftware.kryonet.FrameworkMessage.KeepAlive;
 import com.esotericsoftware.kryonet.FrameworkMessage.RegisterTCP;
 import com.esotericsoftware.kryonet.FrameworkMessage.RegisterUDP;
 import com.esotericsoftware.kryonet.KryoNetException;
@@ -26,23 +24,14 @@ import java.util.function.Consumer;
  * <p>KryoNet's {@code connect} blocks and must not run on the driver; a second thread does it and
  * ends.
  */
-final class ClientLink extends KryoLink {
+final class ClientLink extends ClientEnd {
   private static final int SELECT_MILLIS = 50;
   private static final int MAX_ADDRESSES = 4;
-  private static final int UNREAD_MESSAGES = 1_024;
-  private static final int UNREAD_DATAGRAMS = 512;
-  private static final int WRITE_BUFFER_BYTES = 16 * 1_024;
-  private static final long DATAGRAM_SILENCE_NANOS = 1_000_000_000L;
-  private static final long IDLE_NANOS = 10_000_000_000L;
 
   static {
     Setup.ensure();
   }
 
-  private final KryoMessageCodec codec;
-  private final String host;
-  private final int tcpPort;
-  private final int udpPort;
   private final int connectMillis;
   private final Consumer<ClientLink> finished;
   private final Thread driver;
@@ -52,15 +41,6 @@ final class ClientLink extends KryoLink {
   private final AtomicInteger users = new AtomicInteger(2); // threads that use the endpoint
   private volatile Endpoint endpoint;
   private volatile Thread datagramSender;
-  private volatile long lastDatagramOut;
-  private volatile boolean disconnected; // the sockets are of no use any more
-
-  // driver thread
-  private long token;
-  private long lastFrame;
-  private boolean tcpRegistered;
-  private boolean udpRegistered;
-  private boolean challenged;
 
   ClientLink(
       KryoMessageCodec codec,
@@ -69,11 +49,7 @@ final class ClientLink extends KryoLink {
       int udpPort,
       int connectMillis,
       Consumer<ClientLink> finished) {
-    super(codec, UNREAD_MESSAGES, UNREAD_DATAGRAMS);
-    this.codec = codec;
-    this.host = host;
-    this.tcpPort = tcpPort;
-    this.udpPort = udpPort;
+    super(codec, host, tcpPort, udpPort, connectMillis);
     this.connectMillis = connectMillis;
     this.finished = finished;
     driver = new Thread(this::drive, "carom-link-" + remote());
@@ -100,19 +76,14 @@ final class ClientLink extends KryoLink {
   }
 
   @Override
-  public String remote() {
-    return host + ":" + tcpPort;
-  }
-
-  @Override
   boolean transmit(Frame.Payload frame) {
     return endpoint.sendTCP(frame) > 0;
   }
 
   @Override
-  boolean transmitDatagram(byte[] bytes, int offset, int length) {
+  boolean transmitDatagram(byte tag, byte[] bytes, int offset, int length) {
     synchronized (datagramLock) {
-      return endpoint.sendUDP(datagram.set(Frame.DATAGRAM, bytes, offset, length)) > 0;
+      return endpoint.sendUDP(datagram.set(tag, bytes, offset, length)) > 0;
     }
   }
 
@@ -121,7 +92,7 @@ final class ClientLink extends KryoLink {
     if (before == State.OPEN) {
       transmit(Frame.bye(reason)); // wakes the driver, too
     } else {
-      disconnected = true;
+      lose(reason);
       connector.interrupt();
     }
   }
@@ -133,21 +104,18 @@ final class ClientLink extends KryoLink {
       client = new Endpoint();
       endpoint = client;
       connector.start();
-      long start = System.nanoTime();
-      lastFrame = start;
-      while (!disconnected && state() != State.CLOSED) {
+      while (!isDisconnected() && state() != State.CLOSED) {
         step(client);
-        checkDeadlines(start);
+        checkDeadlines(System.nanoTime());
       }
       long left = System.nanoTime(); // the owner said BYE: the server closes
-      while (!disconnected && System.nanoTime() - left < Frame.LINGER_NANOS) {
+      while (!isDisconnected() && System.nanoTime() - left < Frame.LINGER_NANOS) {
         step(client);
       }
     } catch (Throwable x) { // such as: no file descriptors left for a selector
       finish("can't go on with the connection to " + remote() + ": " + x);
     } finally {
-      disconnected = true;
-      finish("connection lost");
+      lose("connection lost");
       release(client);
       finished.accept(this);
     }
@@ -191,48 +159,6 @@ final class ClientLink extends KryoLink {
     }
   }
 
-  private void checkDeadlines(long start) {
-    long now = System.nanoTime();
-    if (state() == State.CONNECTING) {
-      if (now - start > connectMillis * 1_000_000L && tcpRegistered) {
-        lose(stuck());
-      }
-      return;
-    }
-    if (now - lastFrame > IDLE_NANOS) {
-      lose("nothing heard from the server for " + IDLE_NANOS / 1_000_000_000L + " s");
-    } else if (now - lastDatagramOut > DATAGRAM_SILENCE_NANOS) {
-      endpoint.sendUDP(new KeepAlive()); // keeps the address translation of routers alive
-    }
-  }
-
-  private void lose(String reason) {
-    finish(reason);
-    disconnected = true;
-  }
-
-  /**
-   * Why the connection ended; a server that waits in vain for datagrams gives up without a word.
-   */
-  private String gone() {
-    boolean waited = state() == State.CONNECTING && tcpRegistered;
-    return waited ? stuck() : "the server closed the connection";
-  }
-
-  private String stuck() {
-    return udpRegistered
-        ? "server reachable, but its answers from UDP port " + udpPort + " are blocked"
-        : blocked();
-  }
-
-  private String blocked() {
-    return "server reachable by TCP, but UDP port " + udpPort + " is blocked";
-  }
-
-  private String notCarom() {
-    return "something answers at " + remote() + ", but it isn't a Carom server";
-  }
-
   /** The connector's life. */
   private void connectEndpoint() {
     try {
@@ -251,7 +177,7 @@ final class ClientLink extends KryoLink {
     try {
       InetAddress[] addresses = InetAddress.getAllByName(host);
       long start = System.nanoTime();
-      for (int i = 0; i < Math.min(MAX_ADDRESSES, addresses.length) && !disconnected; i++) {
+      for (int i = 0; i < Math.min(MAX_ADDRESSES, addresses.length) && !isDisconnected(); i++) {
         if (i > 0 && System.nanoTime() - start > connectMillis * 1_000_000L) {
           break;
         }
@@ -263,7 +189,7 @@ final class ClientLink extends KryoLink {
         }
       }
     } catch (UnknownHostException x) {
-      failure = "unknown host " + host + ": check the address";
+      failure = unknownHost();
     } catch (RuntimeException x) {
       failure = "can't connect to " + remote() + ": " + x.getMessage();
     }
@@ -279,15 +205,9 @@ final class ClientLink extends KryoLink {
       return notCarom();
     }
     if (failure.getCause() instanceof NoRouteToHostException) {
-      return "no way to " + remote() + ": check the address and your network";
+      return noWay();
     }
-    return "no server answers at " + remote() + ": is it running, and are address and port right?";
-  }
-
-  private void openWhenReady() {
-    if (udpRegistered && challenged) {
-      open();
-    }
+    return noAnswer();
   }
 
   /** KryoNet's client, made safe to send from any thread and to close from any. */
@@ -302,15 +222,14 @@ final class ClientLink extends KryoLink {
           new Listener() {
             @Override
             public void connected(Connection connection) {
-              udpRegistered = true;
-              openWhenReady();
+              udpRegistered();
             }
           });
     }
 
     @Override
     public int sendTCP(Object frame) {
-      if (disconnected) {
+      if (isDisconnected()) {
         return 0;
       }
       if (WRITE_BUFFER_BYTES - getTcpWriteBufferSize() < Frame.tcpBytes(frame)) {
@@ -327,13 +246,13 @@ final class ClientLink extends KryoLink {
 
     @Override
     public int sendUDP(Object frame) {
-      if (disconnected) {
+      if (isDisconnected()) {
         return 0;
       }
       synchronized (datagramLock) {
         datagramSender = Thread.currentThread();
         try {
-          lastDatagramOut = System.nanoTime();
+          datagramLeft();
           return super.sendUDP(frame);
         } catch (RuntimeException x) {
           return 0;
@@ -359,7 +278,7 @@ final class ClientLink extends KryoLink {
     }
   }
 
-  /** How a client reads, on the driver thread. */
+  /** How KryoNet has the driver thread read. */
   private final class ClientFrames extends Frame.Codec {
     private ByteBuffer tcpBuffer;
 
@@ -380,70 +299,28 @@ final class ClientLink extends KryoLink {
         tcpBuffer = buffer; // UDP doesn't start before TCP's first frame
       }
       try {
-        return buffer == tcpBuffer ? readFrame(buffer) : readDatagram(buffer);
+        if (buffer == tcpBuffer) {
+          return register(readFrame(buffer));
+        }
+        readDatagram(buffer);
       } catch (RuntimeException x) {
         if (buffer == tcpBuffer) {
           lose("the server sent what is no frame");
         }
-        return Frame.HANDLED;
       } finally {
         buffer.position(buffer.limit());
       }
-    }
-
-    private Object readFrame(ByteBuffer buffer) {
-      lastFrame = System.nanoTime();
-      int length = buffer.remaining() - 1;
-      byte tag = buffer.get();
-      switch (tag) {
-        case Frame.REGISTER_TCP -> {
-          RegisterTCP registered = new RegisterTCP();
-          registered.connectionID = buffer.getInt();
-          token = buffer.getLong();
-          tcpRegistered = true;
-          return registered;
-        }
-        case Frame.REGISTER_UDP -> {
-          return new RegisterUDP();
-        }
-        case Frame.KEEP_ALIVE -> {}
-        case Frame.MESSAGE -> readMessage(buffer, length);
-        case Frame.BYE -> {
-          tcpRegistered = true; // a Carom server, whatever comes next
-          String text = Frame.byeText(buffer);
-          lose(text.isEmpty() ? "the server closed the connection" : text);
-        }
-        default ->
-            lose(tcpRegistered ? "the server sent an unknown frame (tag=" + tag + ")" : notCarom());
-      }
       return Frame.HANDLED;
     }
 
-    private void readMessage(ByteBuffer buffer, int length) {
-      ServerMessage message =
-          codec.decodeFromServer(buffer.array(), buffer.arrayOffset() + buffer.position(), length);
-      if (message == null) {
-        counters().malformed.incrementAndGet();
-        lose("the server sent a message that can't be read");
-      } else if (!receiveMessage(message, length)) {
-        lose("more than " + UNREAD_MESSAGES + " unread messages");
+    /** What KryoNet has to know of a frame. */
+    private Object register(byte tag) {
+      if (tag == Frame.REGISTER_TCP) {
+        RegisterTCP registered = new RegisterTCP();
+        registered.connectionID = id;
+        return registered;
       }
-    }
-
-    private Object readDatagram(ByteBuffer buffer) {
-      int length = buffer.remaining();
-      byte tag = length == 0 ? 0 : buffer.get();
-      if (tag == Frame.DATAGRAM && length > 1 && length <= 1 + Frame.MAX_PAYLOAD_BYTES) {
-        receiveDatagram(buffer, System.nanoTime());
-      } else if (tag == Frame.CHALLENGE && length == Frame.NONCE_BYTES) {
-        byte[] nonce = Frame.nonce(buffer.getLong());
-        endpoint.sendUDP(new Frame.Payload().set(Frame.ANSWER, nonce, 0, nonce.length));
-        challenged = true;
-        openWhenReady();
-      } else {
-        counters().malformed.incrementAndGet();
-      }
-      return Frame.HANDLED;
+      return tag == Frame.REGISTER_UDP ? new RegisterUDP() : Frame.HANDLED;
     }
   }
 }

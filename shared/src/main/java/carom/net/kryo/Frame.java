@@ -70,6 +70,9 @@ final class Frame {
    */
   static final Object HANDLED = new Object();
 
+  /** What a tag without fields has behind it. */
+  static final byte[] NO_FIELDS = {};
+
   private Frame() {}
 
   /**
@@ -87,6 +90,11 @@ final class Frame {
       this.offset = offset;
       this.length = length;
       return this;
+    }
+
+    /** Tag and fields. */
+    void write(ByteBuffer buffer) {
+      buffer.put(tag).put(bytes, offset, length);
     }
   }
 
@@ -131,7 +139,7 @@ final class Frame {
     @Override
     public final void write(Connection connection, ByteBuffer buffer, Object frame) {
       if (frame instanceof Payload payload) {
-        buffer.put(payload.tag).put(payload.bytes, payload.offset, payload.length);
+        payload.write(buffer);
       } else if (frame instanceof KeepAlive) {
         buffer.put(KEEP_ALIVE);
       } else if (frame instanceof RegisterTCP register && server()) {

@@ -50,7 +50,7 @@ public final class KryoClientTransport implements ClientTransport {
     return link;
   }
 
-  private static void checkPort(String name, int port) {
+  static void checkPort(String name, int port) {
     if (port < 1 || port > 65_535) {
       throw new IllegalArgumentException(name + "=" + port + " must be from 1 to 65535");
     }

@@ -10,6 +10,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.ServerMessage;
+import carom.net.transport.ClientTransport;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import java.io.IOException;
@@ -28,12 +29,28 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
+/**
+ * What client and server promise each other; {@link CrowdTransportTest} asks it of a crowd, too.
+ */
 @Timeout(30)
-final class KryoTransportTest {
+class KryoTransportTest {
+
+  /** The clients under test, patient for so long. */
+  ClientTransport clients(int connectMillis) {
+    return new KryoClientTransport(connectMillis);
+  }
+
+  private Network network() {
+    return network(KryoLimits.DEFAULT);
+  }
+
+  private Network network(KryoLimits limits) {
+    return new Network(limits, clients(1_500));
+  }
 
   @Test
   void everyMessageAndDatagramCrossesTheRealNetwork() {
-    try (Network network = new Network()) {
+    try (Network network = network()) {
       Network.Pair pair = network.pair();
       List<Object> fromServer = new ArrayList<>();
       List<Object> fromClient = new ArrayList<>();
@@ -75,7 +92,7 @@ final class KryoTransportTest {
 
   @Test
   void datagramsOutsideTheirLengthAreTheCallersMistake() {
-    try (Network network = new Network()) {
+    try (Network network = network()) {
       Link client = network.pair().client;
       assertThrows(IllegalArgumentException.class, () -> client.sendDatagram(new byte[1], 0, 0));
       assertThrows(
@@ -85,7 +102,7 @@ final class KryoTransportTest {
 
   @Test
   void aDatagramKnowsHowLongItWaited() throws Exception {
-    try (Network network = new Network()) {
+    try (Network network = network()) {
       Network.Pair pair = network.pair();
       long sentNs = System.nanoTime();
       assertTrue(pair.client.sendDatagram(new byte[1], 0, 1));
@@ -112,7 +129,7 @@ final class KryoTransportTest {
 
   @Test
   void aLastMessageArrivesBeforeTheEndAndTheReasonWithIt() {
-    try (Network network = new Network()) {
+    try (Network network = network()) {
       Network.Pair pair = network.pair();
       ServerMessage notice = new ServerMessage.Notice("that was it");
       pair.server.send(notice);
@@ -137,7 +154,7 @@ final class KryoTransportTest {
 
   @Test
   void aClientThatLeavesIsSeenAtOnce() {
-    try (Network network = new Network()) {
+    try (Network network = network()) {
       Network.Pair pair = network.pair();
       pair.client.send(new ClientMessage.Leave());
       pair.client.close("bye");
@@ -154,7 +171,7 @@ final class KryoTransportTest {
 
   @Test
   void manyJoinPlayAndLeave() {
-    try (Network network = new Network()) {
+    try (Network network = network()) {
       for (int round = 0; round < 3; round++) {
         List<Link> links = new ArrayList<>();
         for (int i = 0; i < 40; i++) {
@@ -194,7 +211,7 @@ final class KryoTransportTest {
 
   @Test
   void linksCloseFromAnyThreadWhileTrafficFlows() throws Exception {
-    try (Network network = new Network()) {
+    try (Network network = network()) {
       for (int round = 0; round < 10; round++) {
         Network.Pair pair = network.pair();
         AtomicBoolean stop = new AtomicBoolean();
@@ -241,7 +258,7 @@ final class KryoTransportTest {
 
   @Test
   void anInterruptedThreadMaySend() {
-    try (Network network = new Network()) {
+    try (Network network = network()) {
       Network.Pair pair = network.pair();
       Network.Pair other = network.pair();
       Thread.currentThread().interrupt();
@@ -295,7 +312,7 @@ final class KryoTransportTest {
   @Test
   void startingAndClosingLeavesNothingBehind() {
     for (int i = 0; i < 20; i++) {
-      try (Network network = new Network()) {
+      try (Network network = network()) {
         Network.Pair pair = network.pair();
         Link late = network.connect();
         network.server.close();
@@ -322,9 +339,9 @@ final class KryoTransportTest {
     try (ServerSocket probe = new ServerSocket(0)) {
       free = probe.getLocalPort();
     }
-    try (KryoClientTransport clients = new KryoClientTransport();
-        KryoClientTransport impatient = new KryoClientTransport(500);
-        Network network = new Network();
+    try (ClientTransport clients = clients(5_000);
+        ClientTransport impatient = clients(500);
+        Network network = network();
         ServerSocket mute = new ServerSocket(0);
         DatagramSocket swallows = new DatagramSocket(0)) {
       int tcp = network.server.tcpPort();
@@ -367,7 +384,7 @@ final class KryoTransportTest {
             join(registration, new byte[] {0, 0, 0, 3, Frame.BYE, 'n', 'o'}));
     for (byte[] greeting : greetings) {
       try (ServerSocket server = new ServerSocket(0);
-          KryoClientTransport clients = new KryoClientTransport(1_000)) {
+          ClientTransport clients = clients(1_000)) {
         Link link = clients.connect(Network.HOST, server.getLocalPort(), 9);
         try (Socket socket = server.accept()) {
           socket.getOutputStream().write(greeting);
@@ -385,7 +402,7 @@ final class KryoTransportTest {
 
   @Test
   void aSteadyStreamOfDatagramsReusesItsBuffers() {
-    try (Network network = new Network()) {
+    try (Network network = network()) {
       Network.Pair pair = network.pair();
       Set<byte[]> buffers = Collections.newSetFromMap(new IdentityHashMap<>());
       int[] arrived = new int[1];
@@ -421,7 +438,7 @@ final class KryoTransportTest {
 
   @Test
   void aFullServerSaysSo() {
-    try (Network network = new Network(KryoLimits.DEFAULT.withConnections(3, 2))) {
+    try (Network network = network(KryoLimits.DEFAULT.withConnections(3, 2))) {
       network.pair();
       Network.Pair second = network.pair();
       Link third = network.connect();
@@ -430,7 +447,7 @@ final class KryoTransportTest {
       eventually(() -> second.server.state() == Link.State.CLOSED, second.server::toString);
       network.pair();
     }
-    try (Network network = new Network(KryoLimits.DEFAULT.withConnections(1, 9))) {
+    try (Network network = network(KryoLimits.DEFAULT.withConnections(1, 9))) {
       network.pair();
       assertTells(network.connect(), "the server is full (1 connections)");
       assertEquals(1, network.server.counters().refused.get());
@@ -439,7 +456,7 @@ final class KryoTransportTest {
 
   @Test
   void closingWhileConnectingEndsBothThreads() {
-    try (Network network = new Network()) {
+    try (Network network = network()) {
       for (int i = 0; i < 20; i++) {
         network.connect().close("changed my mind");
       }

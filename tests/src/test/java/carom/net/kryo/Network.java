@@ -3,6 +3,7 @@ package carom.net.kryo;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.net.transport.ClientTransport;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import java.util.ArrayList;
@@ -58,14 +59,19 @@ final class Network implements AutoCloseable {
   }
 
   final KryoServerTransport server;
-  final KryoClientTransport clients = new KryoClientTransport(1_500);
+  final ClientTransport clients;
 
   Network() {
     this(KryoLimits.DEFAULT);
   }
 
   Network(KryoLimits limits) {
+    this(limits, new KryoClientTransport(1_500));
+  }
+
+  Network(KryoLimits limits, ClientTransport clients) {
     server = new KryoServerTransport(0, 0, limits);
+    this.clients = clients;
   }
 
   Link connect() {
