@@ -14,6 +14,7 @@ import carom.server.metrics.Counter;
 import carom.sim.Entity;
 import carom.sim.Level;
 import carom.testkit.Condition;
+import carom.testkit.Levels;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;

@@ -14,6 +14,7 @@ import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
+import carom.testkit.Levels;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;

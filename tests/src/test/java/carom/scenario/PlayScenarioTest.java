@@ -12,6 +12,7 @@ import carom.sim.Appearance.Look;
 import carom.sim.Entity;
 import carom.sim.Input;
 import carom.testkit.Condition;
+import carom.testkit.Levels;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;

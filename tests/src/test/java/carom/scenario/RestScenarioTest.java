@@ -7,6 +7,7 @@ import carom.client.InputSource;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
+import carom.testkit.BigWorlds;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import org.junit.jupiter.api.Test;

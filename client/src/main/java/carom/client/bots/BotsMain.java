@@ -25,7 +25,7 @@ import picocli.CommandLine.Option;
     versionProvider = ProgramVersion.class,
     sortOptions = false,
     description = "Connects headless clients that play.",
-    subcommands = CodecCommand.class,
+    subcommands = {CodecCommand.class, FiguresCommand.class},
     footer = "Exit code 0 only if all bots joined and stayed.")
 public final class BotsMain implements Callable<Integer> {
   private static final long SECOND = 1_000_000_000L;
@@ -92,7 +92,10 @@ public final class BotsMain implements Callable<Integer> {
 
   /** As {@link #main}, but returns the exit code. */
   public static int run(String... args) {
-    return new CommandLine(new BotsMain()).setCaseInsensitiveEnumValuesAllowed(true).execute(args);
+    CommandLine line = new CommandLine(new BotsMain()).setCaseInsensitiveEnumValuesAllowed(true);
+    // Its flags are another program's.
+    line.getSubcommands().get("figures").setUnmatchedOptionsArePositionalParams(true);
+    return line.execute(args);
   }
 
   @Override

@@ -3,17 +3,10 @@ package carom.client.bots;
 import carom.net.trace.Trace;
 import carom.net.trace.TraceCodec;
 import carom.net.trace.TraceReport;
-import carom.physics.Body;
-import carom.physics.BodyType;
-import carom.sim.scene.Scene;
-import carom.sim.scene.SceneRun;
-import carom.sim.scene.Scenes;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -108,44 +101,6 @@ final class CodecCommand implements Callable<Integer> {
     if (seconds < 1 || seconds > MAX_SECONDS) {
       throw problem("--seconds=" + seconds + " is outside 1.." + MAX_SECONDS);
     }
-    Scene recipe = Scenes.get(scene);
-    SceneRun run = recipe.start();
-    List<Body<String>> bodies = new ArrayList<>();
-    run.world()
-        .forEachBody(
-            body -> {
-              if (body.type() != BodyType.STATIC) {
-                bodies.add(body);
-              }
-            });
-    int ticks = seconds * recipe.tickRate();
-    long count = (long) bodies.size() * ticks * TraceCodec.FULL;
-    if (count == 0 || bodies.size() > TraceCodec.MAX_BODIES || count > Integer.MAX_VALUE / 4 - 16) {
-      throw problem(
-          "--record="
-              + scene
-              + ": bodies="
-              + bodies.size()
-              + " for seconds="
-              + seconds
-              + " don't fit into a trace of 2 GB; take fewer --seconds");
-    }
-    float[] numbers = new float[(int) count];
-    int at = 0;
-    for (int tick = 0; tick < ticks; tick++) {
-      run.step();
-      for (Body<String> body : bodies) {
-        if (!body.isValid()) {
-          throw problem("--record=" + scene + ": its bodies come and go; a trace's don't");
-        }
-        numbers[at++] = body.x();
-        numbers[at++] = body.y();
-        numbers[at++] = body.angle();
-        numbers[at++] = body.velocityX();
-        numbers[at++] = body.velocityY();
-        numbers[at++] = body.angularVelocity();
-      }
-    }
-    Trace.of(bodies.size(), recipe.tickRate(), numbers).write(trace);
+    SceneTrace.of(scene, seconds).write(trace);
   }
 }

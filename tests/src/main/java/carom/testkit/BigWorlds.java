@@ -1,4 +1,4 @@
-package carom.scenario;
+package carom.testkit;
 
 import carom.sim.Level;
 import carom.sim.LevelException;
@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.SplittableRandom;
 
 /** Arenas with many crates that lie about and don't move by themselves. */
-final class BigWorlds {
+public final class BigWorlds {
   private static final int IN_A_ROW = 10;
   private static final double ROW_METRES = 1.8;
 
@@ -19,7 +19,7 @@ final class BigWorlds {
    * @param crates how many, a multiple of ten
    * @param halfWidth of the arena, metres; the crates keep clear of the middle
    */
-  static Level crates(int crates, int halfWidth, long seed) {
+  public static Level crates(int crates, int halfWidth, long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     StringBuilder bodies = new StringBuilder();
     int rows = crates / IN_A_ROW;
@@ -58,7 +58,7 @@ final class BigWorlds {
   }
 
   /** A walled field of crates that paddles keep stirring, wider than what one player sees. */
-  static Level churn() {
+  public static Level churn() {
     StringBuilder paddles = new StringBuilder();
     for (int i = 0; i < 10; i++) {
       paddles.append(
@@ -98,7 +98,7 @@ final class BigWorlds {
   }
 
   /** A level that packs to some 150 kB, though there is little in it. */
-  static Level heavy(long seed) {
+  public static Level heavy(long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     StringBuilder json =
         new StringBuilder(new String(crates(10, 20, seed).source(), StandardCharsets.UTF_8));

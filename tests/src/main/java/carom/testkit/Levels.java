@@ -1,20 +1,20 @@
-package carom.scenario;
+package carom.testkit;
 
 import carom.sim.Level;
 import carom.sim.LevelException;
 import java.nio.charset.StandardCharsets;
 
 /** Small levels in which nothing moves by itself. */
-final class Levels {
+public final class Levels {
   private Levels() {}
 
   /** Walls and a post; the ball lies outside of the walls, where nobody gets at it. */
-  static Level emptyArena() {
+  public static Level emptyArena() {
     return arena("empty.json", "[19, 11]");
   }
 
   /** Walls and a post; the ball lies below the post, in the middle. */
-  static Level arenaWithBall() {
+  public static Level arenaWithBall() {
     return arena("ball.json", "[0, -2]");
   }
 
@@ -47,12 +47,12 @@ final class Levels {
   }
 
   /** A floor between walls, a step, a one-way platform; the flag hangs out of reach. */
-  static Level emptyPlatformer() {
+  public static Level emptyPlatformer() {
     return platformer("floor.json", "");
   }
 
   /** The same with a stack of three crates. */
-  static Level platformerWithCrates() {
+  public static Level platformerWithCrates() {
     return platformer(
         "crates.json",
         """

@@ -1,0 +1,93 @@
+package carom.testkit.figures;
+
+import carom.client.bots.BotsMain;
+import carom.server.ServerMain;
+import java.io.File;
+import java.io.IOException;
+import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** A server process and a process with 500 bots, over sockets of this machine, in real time. */
+final class CrowdFigures {
+  private static final int BOTS = 500;
+  private static final int ROOMS = 10;
+  private static final Pattern TICK = Pattern.compile("tick p50 \\S+ p99 (\\S+) max");
+  private static final Pattern JOINED = Pattern.compile("\"joined\":(\\d+)");
+  private static final Pattern LOST = Pattern.compile("\"disconnects\":(\\d+)");
+
+  private CrowdFigures() {}
+
+  static List<Figure> measure(boolean quick) throws IOException, InterruptedException {
+    int port = freePort();
+    File serverLog = Files.createTempFile("carom-figures", ".log").toFile();
+    File botLog = Files.createTempFile("carom-figures", ".log").toFile();
+    Process server =
+        Children.start(
+            serverLog,
+            ServerMain.class,
+            "--tcp-port",
+            String.valueOf(port),
+            "--udp-port",
+            String.valueOf(port),
+            "--rooms",
+            String.valueOf(ROOMS),
+            "--max-players",
+            String.valueOf(BOTS / ROOMS),
+            "--status-interval",
+            "5");
+    try {
+      TimeUnit.SECONDS.sleep(5);
+      Process bots =
+          Children.start(
+              botLog,
+              BotsMain.class,
+              "--tcp-port",
+              String.valueOf(port),
+              "--udp-port",
+              String.valueOf(port),
+              "--count",
+              String.valueOf(BOTS),
+              "--seconds",
+              quick ? "10" : "60");
+      if (!bots.waitFor(300, TimeUnit.SECONDS)) {
+        bots.destroyForcibly();
+      }
+    } finally {
+      server.destroy(); // it says goodbye and sums up
+      if (!server.waitFor(20, TimeUnit.SECONDS)) {
+        server.destroyForcibly();
+      }
+    }
+    String said = Files.readString(serverLog.toPath());
+    String told = Files.readString(botLog.toPath());
+    Files.delete(serverLog.toPath());
+    Files.delete(botLog.toPath());
+    double p99 = 0;
+    for (Matcher m = TICK.matcher(said); m.find(); ) {
+      p99 = Math.max(p99, Double.parseDouble(m.group(1)));
+    }
+    return List.of(
+        Figure.atMost(16, "500 bots on the same cores: p99 tick", p99 == 0 ? Double.NaN : p99, "ms")
+            .withNote("the worst of all rooms and of all spells of 5 s; %d rooms", ROOMS),
+        Figure.atLeast(BOTS, "500 bots: joined", last(JOINED, told), ""),
+        Figure.atMost(0, "500 bots: disconnects", last(LOST, told), ""));
+  }
+
+  private static double last(Pattern pattern, String text) {
+    double value = Double.NaN;
+    for (Matcher m = pattern.matcher(text); m.find(); ) {
+      value = Double.parseDouble(m.group(1));
+    }
+    return value;
+  }
+
+  private static int freePort() throws IOException {
+    try (ServerSocket socket = new ServerSocket(0)) {
+      return socket.getLocalPort();
+    }
+  }
+}
