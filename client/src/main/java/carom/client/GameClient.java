@@ -2,23 +2,30 @@ package carom.client;
 
 import carom.client.clock.RenderClock;
 import carom.client.clock.TickClock;
+import carom.client.events.EventBook;
+import carom.client.events.EventListener;
 import carom.client.interpolation.HistoryStates;
 import carom.client.interpolation.Interpolator;
 import carom.client.interpolation.Pose;
 import carom.client.prediction.Prediction;
 import carom.game.Games;
+import carom.net.codec.Quantizer;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.InputDatagram;
 import carom.net.protocol.Limits;
 import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.DecodeStatus;
 import carom.net.snapshot.EntityHistory;
+import carom.net.snapshot.EventInbox;
+import carom.net.snapshot.EventRecord;
 import carom.net.snapshot.FrameState;
 import carom.net.snapshot.InputFeedback;
 import carom.net.snapshot.OwnState;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.transport.ClientTransport;
 import carom.sim.Archetype;
+import carom.sim.Event;
+import carom.sim.EventKind;
 import carom.sim.Input;
 import carom.sim.Level;
 import carom.sim.Player;
@@ -72,7 +79,24 @@ public final class GameClient implements AutoCloseable {
   private final HistoryStates states = new HistoryStates();
   private final Pose pose = new Pose();
   private final OwnState own = new OwnState();
+  private final Event event = new Event();
+  private final EventListener hears =
+      new EventListener() {
+        @Override
+        public void happened(Event e, boolean foreseen) {
+          stats.events++;
+          listener.happened(e, foreseen);
+        }
 
+        @Override
+        public void retracted(Event e) {
+          stats.eventsRetracted++;
+          listener.retracted(e);
+        }
+      };
+
+  private EventListener listener = EventListener.NONE;
+  private EventBook events;
   private long nowNs;
   private long lastUpdateNs;
   private Simulation simulation;
@@ -140,6 +164,9 @@ public final class GameClient implements AutoCloseable {
     this.nowNs = nowNs;
     connection.update(nowNs);
     stats.roll(nowNs);
+    if (events != null && renderClock.started()) {
+      events.advance(renderClock.tick());
+    }
     if (decoder != null && clock.started()) {
       renderClock.loss(stats.lossPercent() / 100);
       clock.loss(stats.lossPercent() / 100);
@@ -305,6 +332,7 @@ public final class GameClient implements AutoCloseable {
 
     @Override
     public void stopped() {
+      events.close();
       view.freeze();
     }
   }
@@ -330,6 +358,8 @@ public final class GameClient implements AutoCloseable {
                 config.maxReplayMs() * 1_000_000L,
                 stopwatch,
                 config.syncTest());
+    events = new EventBook(welcome.playerId(), prediction != null, rate, hears);
+    simulation.journal(events);
     snapshotTick = -1;
     Arrays.fill(seenTick, -1);
     ownTick = -1;
@@ -359,6 +389,7 @@ public final class GameClient implements AutoCloseable {
       }
       return;
     }
+    hearEvents();
     stats.datagram(length);
     stats.acks(decoder.ackSequence(), decoder.ackBits());
     int tick = decoder.tick();
@@ -391,6 +422,30 @@ public final class GameClient implements AutoCloseable {
         }
       }
     }
+  }
+
+  private void hearEvents() {
+    EventInbox inbox = decoder.events();
+    for (EventRecord r; (r = inbox.poll()) != null; ) {
+      EventKind kind = simulation.eventKinds().get(r.kind);
+      if (kind == null) {
+        stats.malformed++;
+        continue;
+      }
+      events.told(
+          event.set(
+              kind,
+              r.tick,
+              r.player,
+              r.first,
+              r.second,
+              Quantizer.positionOf(r.x),
+              Quantizer.positionOf(r.y),
+              r.strengthOf(),
+              r.data));
+    }
+    events.complete(inbox.completeTick());
+    stats.eventsMissed = inbox.missed();
   }
 
   private void feedback(InputFeedback feedback, int tick, long arrivedNs) {
@@ -500,6 +555,14 @@ public final class GameClient implements AutoCloseable {
     }
   }
 
+  /**
+   * Sets who hears what happens in the game: hits, goals, jumps, each once; during {@link #update}
+   * and {@link #close}.
+   */
+  public void events(EventListener newListener) {
+    listener = newListener;
+  }
+
   /** What the player sees; the same object for ever. */
   public ClientView view() {
     return view;
@@ -543,6 +606,9 @@ public final class GameClient implements AutoCloseable {
   @Override
   public void close() {
     connection.leave();
+    if (events != null) {
+      events.close();
+    }
     describe();
   }
 }

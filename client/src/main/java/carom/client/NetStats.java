@@ -63,6 +63,9 @@ public final class NetStats {
   private double jitterMs;
   private double targetMargin;
   private double clockSpeed = 1;
+  long events;
+  long eventsRetracted;
+  long eventsMissed;
   int malformed;
   int reconnects;
 
@@ -334,6 +337,21 @@ public final class NetStats {
   /** Replays that were too long or took too long, so that ticks were left out. */
   public long replaysCutShort() {
     return cutShort;
+  }
+
+  /** Events fired, since the client was created: hits, goals, jumps. */
+  public long events() {
+    return events;
+  }
+
+  /** Events that were foreseen, fired, and taken back, since the client was created. */
+  public long eventsRetracted() {
+    return eventsRetracted;
+  }
+
+  /** Events of this visit that were lost because too many waited at the server. */
+  public long eventsMissed() {
+    return eventsMissed;
   }
 
   /** Ticks in which the synctest found another hash; 0 unless the simulation has a fault. */

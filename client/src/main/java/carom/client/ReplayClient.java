@@ -1,5 +1,6 @@
 package carom.client;
 
+import carom.client.events.EventListener;
 import carom.client.interpolation.Pose;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.ServerMessage.RosterEntry;
@@ -8,6 +9,7 @@ import carom.replay.Divergence;
 import carom.replay.RecordingReader;
 import carom.replay.Replay;
 import carom.sim.Entity;
+import carom.sim.Event;
 import carom.sim.Player;
 import carom.sim.Simulation;
 import carom.sim.scene.SceneGame;
@@ -16,6 +18,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.Consumer;
 
 /**
  * Plays a recording instead of a game: the same {@link ClientView}, filled by a {@link Replay}.
@@ -46,6 +49,8 @@ public final class ReplayClient implements AutoCloseable {
   private final Path file;
   private final ClientView view = new ClientView(new NetStats());
   private final List<Replay.Mark> marks = new ArrayList<>();
+  private EventListener listener = EventListener.NONE;
+  private final Consumer<Event> hears = this::hear;
   private RecordingReader reader;
   private Replay replay;
   private int markGap;
@@ -153,9 +158,16 @@ public final class ReplayClient implements AutoCloseable {
       problem = e.getMessage();
       return false;
     }
+    replay.simulation().drainEvents(hears);
     newestTick = Math.max(newestTick, replay.simulation().tick());
     remember();
     return !ended && !waiting;
+  }
+
+  private void hear(Event event) {
+    if (target < 0) {
+      listener.happened(event, false);
+    }
   }
 
   private void remember() {
@@ -266,6 +278,11 @@ public final class ReplayClient implements AutoCloseable {
         view.own(view.lastIndex());
       }
     }
+  }
+
+  /** Sets who hears what happens, but while a tick far away is being computed. */
+  public void events(EventListener newListener) {
+    listener = newListener;
   }
 
   /** Stops or goes on. */

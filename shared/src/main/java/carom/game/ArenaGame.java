@@ -3,6 +3,7 @@ package carom.game;
 import carom.physics.Body;
 import carom.physics.BodyContactVisitor;
 import carom.physics.BodyType;
+import carom.physics.Collision;
 import carom.physics.Material;
 import carom.physics.QueryFilter;
 import carom.physics.QueryHit;
@@ -12,7 +13,9 @@ import carom.physics.math.Trig;
 import carom.sim.Appearance;
 import carom.sim.Archetype;
 import carom.sim.ArchetypeDef;
+import carom.sim.Audience;
 import carom.sim.Entity;
+import carom.sim.EventKind;
 import carom.sim.Game;
 import carom.sim.Input;
 import carom.sim.Level;
@@ -56,6 +59,9 @@ public final class ArenaGame implements Game {
 
   /** Time from jolt to jolt, seconds. */
   public static final float JOLT_COOLDOWN = 1.5f;
+
+  /** Hits of balls and discs faster than this are told, m/s. */
+  private static final float TOLD_HIT_SPEED = 3;
 
   /** Impulse of a jolt, N s: a ball leaves with 11 m/s. */
   public static final float JOLT_IMPULSE = 6;
@@ -110,6 +116,11 @@ public final class ArenaGame implements Game {
   private Body<Entity> jolter;
   private Archetype spark;
   private Archetype ball;
+  private EventKind hitEvent;
+  private EventKind dashEvent;
+  private EventKind joltEvent;
+  private EventKind joltHitEvent;
+  private EventKind goalEvent;
   private List<Level.Zone> goals = List.of();
   private List<Level.Spawn> kickOffs = List.of();
   private int toucher;
@@ -189,6 +200,11 @@ public final class ArenaGame implements Game {
                     .shape(new Circle(0.25f), skin)
                     .sensor(true)
                     .appearance(Appearance.of(0xfff6c8, Appearance.Look.LAMP)));
+    hitEvent = s.eventKinds().add("hit", 0xffffff, 0, ""); // sparks show it already
+    dashEvent = s.eventKinds().add("dash", 0x9ad1ff, 1.2f, "");
+    joltEvent = s.eventKinds().add("jolt", 0xfff6c8, 1.5f, "");
+    joltHitEvent = s.eventKinds().add("jolt hit", 0xfff6c8, 2, "");
+    goalEvent = s.eventKinds().add("goal", 0xffe08a, 6, "GOAL");
     goals = s.level().zones("goal");
     kickOffs = s.level().spawns("ball");
     for (Level.Zone home : s.level().zones("home")) {
@@ -244,12 +260,14 @@ public final class ArenaGame implements Game {
     boolean jolts = in.held(Input.SECOND) && (m[DASH] & JOLT_HELD) == 0 && untilJolt == 0;
     if (jolts) {
       untilJolt = s.ticks(JOLT_COOLDOWN);
+      s.emit(joltEvent).at(body.x(), body.y()).of(p.body()).by(p);
     }
     int dash = Math.max(0, (m[DASH] & 0xffff) - 1);
     boolean held = in.held(Input.ACTION);
     if (held && (m[DASH] & HELD) == 0 && untilDash == 0) {
       dash = s.ticks(DASH_SECONDS);
       untilDash = s.ticks(DASH_COOLDOWN);
+      s.emit(dashEvent).at(body.x(), body.y()).of(p.body()).by(p);
       boolean steered = length > 0.3f;
       float scale = Math.min(1, length);
       m[DASH_X] = Float.floatToIntBits(steered ? x / scale : Trig.cos(in.aim()));
@@ -278,6 +296,21 @@ public final class ArenaGame implements Game {
     float dot = body.cos() * x + body.sin() * y;
     float turn = dot < 0 && Math.abs(cross) < 0.5f ? (cross < 0 ? -0.5f : 0.5f) : cross;
     body.setAngularVelocity(14 * turn);
+  }
+
+  @Override
+  public void hit(Simulation s, Collision<Entity> c) {
+    Entity a = c.self().user();
+    Entity b = c.other().user();
+    if (c.hitSpeed() < TOLD_HIT_SPEED || !(isTold(a) || isTold(b))) {
+      return;
+    }
+    s.emit(hitEvent).at(c.hitX(), c.hitY()).of(a).with(b).strength(c.impulse());
+  }
+
+  /** Balls and discs; what crates do among themselves is nobody's business. */
+  private boolean isTold(Entity e) {
+    return e.archetype() == ball || e.ownerId() != Entity.NO_OWNER;
   }
 
   @Override
@@ -336,6 +369,7 @@ public final class ArenaGame implements Game {
       float scale = JOLT_IMPULSE / JOLT_RANGE;
       target.applyImpulse(wayX * scale, wayY * scale);
     }
+    s.emit(joltHitEvent).at(hit.x(), hit.y()).of(target.user()).by(p).strength(JOLT_IMPULSE);
     light(s, p, hit.x(), hit.y());
   }
 
@@ -432,15 +466,18 @@ public final class ArenaGame implements Game {
     Player last = s.player(ball(s, i, BALL_TOUCHED) - 1);
     Player before = s.player(ball(s, i, BALL_TOUCHED_BEFORE) - 1);
     String who = "";
+    Player scorer = last;
     if (last != null && last.team() == team) {
       last.score(last.score() + 1);
       who = ": " + last.name();
     } else if (before != null && before.team() == team) {
       before.score(before.score() + 1);
+      scorer = before;
       who = ": " + before.name();
     } else if (last != null) {
       who = ", own goal by " + last.name();
     }
+    s.emit(goalEvent).at(e.body().x(), e.body().y()).of(e).by(scorer).data(team).to(Audience.ALL);
     String standing = m[GOALS + 1] + " : " + m[GOALS + 2];
     s.notice("Goal for " + TEAM_NAMES[team] + who + " (" + standing + ")");
     removeBall(s, i, e);

@@ -11,7 +11,9 @@ import carom.physics.geometry.Polygon;
 import carom.sim.Appearance;
 import carom.sim.Archetype;
 import carom.sim.ArchetypeDef;
+import carom.sim.Audience;
 import carom.sim.Entity;
+import carom.sim.EventKind;
 import carom.sim.Game;
 import carom.sim.Input;
 import carom.sim.Level;
@@ -99,6 +101,10 @@ public final class PlatformerGame implements Game {
   private static final float STANDS = -0.6f;
 
   private final BodyContactVisitor<Entity> ground = this::standsOn;
+  private EventKind jumpEvent;
+  private EventKind coinEvent;
+  private EventKind flagEvent;
+  private EventKind fallEvent;
   private Archetype coin;
   private Archetype flag;
   private List<Level.Spawn> coins = List.of();
@@ -168,6 +174,10 @@ public final class PlatformerGame implements Game {
                     .sensor(true)
                     .shape(Polygon.of(-0.4f, -0.7f, -0.25f, -0.7f, 0.7f, 0.35f, -0.4f, 0.8f), skin)
                     .appearance(Appearance.of(0xff4d6d, Appearance.Look.PLAIN)));
+    jumpEvent = s.eventKinds().add("jump", 0xffffff, 0.6f, "");
+    coinEvent = s.eventKinds().add("coin", 0xffd166, 0.8f, "+1");
+    flagEvent = s.eventKinds().add("flag", 0xff4d6d, 3, "+" + FLAG_POINTS);
+    fallEvent = s.eventKinds().add("fall", 0xef476f, 2, "");
     coins = s.level().spawns("coin");
     flags = s.level().spawns("flag");
     places = s.level().spawns("player");
@@ -239,6 +249,7 @@ public final class PlatformerGame implements Game {
       m[COYOTE] = 0;
       jumping = true;
       body.setVelocity(body.velocityX(), JUMP_SPEED + Math.max(0, groundY));
+      s.emit(jumpEvent).at(body.x(), body.y() - PLAYER_HEIGHT / 2).of(p.body()).by(p);
     } else if (jumping && !held) {
       body.applyForce(0, -CUT_GRAVITY * body.mass());
     }
@@ -309,6 +320,7 @@ public final class PlatformerGame implements Game {
       Body<Entity> body = p.body().body();
       if (!insideSidesAndFloor(s, body)) {
         int place = nearestPlace(body.x(), body.y());
+        s.emit(fallEvent).at(body.x(), body.y()).by(p);
         s.despawn(p.body());
         Arrays.fill(p.memory(), 0);
         p.memory()[WAIT] = s.ticks(RESPAWN_SECONDS);
@@ -338,6 +350,7 @@ public final class PlatformerGame implements Game {
     for (int i = 0; i < coins.size(); i++) {
       int slot = COINS + 2 * i;
       if (m[slot] != 0 && reaches(body, coins.get(i))) {
+        s.emit(coinEvent).at(coins.get(i).x(), coins.get(i).y()).of(p.body()).by(p).data(i);
         s.despawn(s.entity(m[slot] - 1));
         m[slot] = 0;
         m[slot + 1] = s.ticks(COIN_SECONDS);
@@ -345,6 +358,8 @@ public final class PlatformerGame implements Game {
       }
     }
     if (m[FLAG] != 0 && reaches(body, flags.get(m[FLAG_PLACE]))) {
+      Level.Spawn spot = flags.get(m[FLAG_PLACE]);
+      s.emit(flagEvent).at(spot.x(), spot.y()).of(p.body()).by(p).to(Audience.ALL);
       s.despawn(s.entity(m[FLAG] - 1));
       m[FLAG] = 0;
       m[FLAG_WAIT] = s.ticks(FLAG_SECONDS);

@@ -81,6 +81,15 @@ public interface Game {
   }
 
   /**
+   * Both roles, during the step, for each pair that hits each other harder than {@link
+   * WorldDef#hitSpeed}, once per impact: the place to {@linkplain Simulation#emit tell} of it. May
+   * read; must change nothing.
+   *
+   * @param c with {@link Collision#hitSpeed}, where and how hard; valid during the call
+   */
+  default void hit(Simulation s, Collision<Entity> c) {}
+
+  /**
    * {@link Role#AUTHORITY} only, after each tick for each entity: who is told about it. Players
    * always know their own body. What nobody is told about costs nothing, and no client can cheat it
    * out of the wire.

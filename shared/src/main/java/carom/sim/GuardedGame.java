@@ -127,6 +127,15 @@ public final class GuardedGame implements Game {
   }
 
   @Override
+  public void hit(Simulation s, Collision<Entity> c) {
+    try {
+      game.hit(s, c);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("hit", s, e);
+    }
+  }
+
+  @Override
   public Audience audience(Simulation s, Entity e) {
     try {
       return Objects.requireNonNull(game.audience(s, e), "audience");

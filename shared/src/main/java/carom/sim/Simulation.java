@@ -37,6 +37,9 @@ public final class Simulation {
   /** Longest notice, characters; the rest is cut. */
   public static final int MAX_NOTICE_LENGTH = 120;
 
+  /** Events kept until somebody drains them; beyond, the oldest are dropped and counted. */
+  public static final int MAX_EVENTS = 1 << 10;
+
   private final Game game;
   private final Level level;
   private final int tickRate;
@@ -49,6 +52,8 @@ public final class Simulation {
   private final List<Entity> statics = new ArrayList<>();
   private final Player[] players = new Player[MAX_PLAYERS];
   private final ArrayDeque<String> notices = new ArrayDeque<>();
+  private final EventKinds eventKinds = new EventKinds();
+  private final EventLog events = new EventLog();
 
   /** Ids of all players are below. */
   private int playerLimit;
@@ -67,6 +72,7 @@ public final class Simulation {
   private int tick;
   private long droppedNotices;
   private boolean stepping;
+  private boolean inTick;
   private Journal journal;
 
   /** On AUTHORITY, if the game looks back; else null. */
@@ -122,6 +128,7 @@ public final class Simulation {
     }
     game.setUp(this);
     archetypes.close();
+    eventKinds.close();
     if (history != null) {
       history.capture();
     }
@@ -226,6 +233,11 @@ public final class Simulation {
   /** The kinds of entities. */
   public Archetypes archetypes() {
     return archetypes;
+  }
+
+  /** The kinds of events. */
+  public EventKinds eventKinds() {
+    return eventKinds;
   }
 
   /** The static geometry of the level, in file order; unmodifiable. */
@@ -475,6 +487,29 @@ public final class Simulation {
   }
 
   /**
+   * Tells that something happens, from anywhere in {@link Game}, {@code input} and {@code hit} of
+   * both roles included; between two steps it belongs to the next. Changes nothing that is hashed
+   * or saved. A client's own prediction tells it at once and again when it computes a tick again;
+   * who hears has it once.
+   *
+   * @param kind as registered in {@link Game#setUp}
+   * @return the event to fill in; used again once it was {@linkplain #drainEvents taken}
+   */
+  public Event emit(EventKind kind) {
+    return events.add(kind, inTick ? tick : tick + 1);
+  }
+
+  /** Hands over the events since the last call in the order they were told, and forgets them. */
+  public void drainEvents(Consumer<Event> consumer) {
+    events.drain(consumer);
+  }
+
+  /** How many events were lost because nobody drained them. */
+  public long droppedEvents() {
+    return events.dropped();
+  }
+
+  /**
    * Computes the next tick from each player's {@link Player#input} and {@link Player#viewDelay}.
    */
   public void step() {
@@ -482,6 +517,21 @@ public final class Simulation {
       journal.stepping(this);
     }
     tick++;
+    inTick = true;
+    try {
+      computeTick();
+    } finally {
+      inTick = false;
+    }
+    if (history != null) {
+      history.capture();
+    }
+    if (journal != null) {
+      journal.stepped(this);
+    }
+  }
+
+  private void computeTick() {
     movePaths();
     if (role == Role.AUTHORITY) {
       game.beforeStep(this);
@@ -500,12 +550,6 @@ public final class Simulation {
     }
     if (role == Role.AUTHORITY) {
       game.afterStep(this);
-    }
-    if (history != null) {
-      history.capture();
-    }
-    if (journal != null) {
-      journal.stepped(this);
     }
   }
 
@@ -738,6 +782,11 @@ public final class Simulation {
     @Override
     public boolean preSolve(Collision<Entity> c) {
       return game.collision(Simulation.this, c);
+    }
+
+    @Override
+    public void hit(Collision<Entity> c) {
+      game.hit(Simulation.this, c);
     }
   }
 }

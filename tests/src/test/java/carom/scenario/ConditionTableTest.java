@@ -39,8 +39,8 @@ class ConditionTableTest {
     ASYMMETRIC(NONE.withLatency(150, 20).withLoss(5), NONE.withLatency(10, 0), 100),
     LINE_64_KBIT(NONE.withBandwidth(64), NONE.withBandwidth(64).withLatency(30, 0), 180);
 
-    private final Impairment up;
-    private final Impairment down;
+    final Impairment up;
+    final Impairment down;
     private final double freshMs;
 
     Line(Impairment up, Impairment down, double freshMs) {

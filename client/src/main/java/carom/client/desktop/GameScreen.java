@@ -35,6 +35,7 @@ final class GameScreen extends ScreenAdapter {
   private final WorldPainter world;
   private final DebugPainter debug;
   private final Hud hud;
+  private final Flashes flashes = new Flashes();
   private final NetGraph netGraph;
   private final Controls controls = new Controls();
   private final Exit exit;
@@ -60,6 +61,7 @@ final class GameScreen extends ScreenAdapter {
   /** Hands in the client to drive; it is closed with this screen. */
   void client(GameClient client) {
     this.client = client;
+    client.events(flashes);
   }
 
   /** Shows or hides the net graph. */
@@ -132,11 +134,12 @@ final class GameScreen extends ScreenAdapter {
           deltaSeconds);
       camera.tell(client);
       float pixelsPerMetre = camera.pixelsPerMetre(height);
-      world.draw(view, camera.gdx(), pixelsPerMetre, seconds, deltaSeconds);
+      world.draw(view, flashes, camera.gdx(), pixelsPerMetre, seconds, deltaSeconds);
       if (showDebug && view.predictedWorld() != null) {
         debug.draw(view.predictedWorld().world(), camera.gdx(), pixelsPerMetre);
       }
       hud.names(view, camera, pixelsPerMetre);
+      hud.labels(flashes, camera);
       hud.scores(view, width, height, Gdx.input.isKeyPressed(Keys.TAB));
       hud.notices(view, nowNs, width, height);
       hud.hints(view, secondsPlayed, width);

@@ -65,6 +65,18 @@ final class Hud {
     batch.end();
   }
 
+  /** The words of events, where they happen. */
+  void labels(Flashes flashes, ViewCamera camera) {
+    batch.begin();
+    flashes.label(this, camera);
+    batch.end();
+  }
+
+  /** One word around a place on the screen. */
+  void floating(String text, Vector3 at, boolean large, Color textColor) {
+    centred(large ? fonts.title : fonts.text, text, at.x, at.y, textColor);
+  }
+
   /** The players by score: a few of them, or on demand many. */
   void scores(ClientView view, int width, int height, boolean all) {
     ranking.clear();

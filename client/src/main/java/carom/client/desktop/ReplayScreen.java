@@ -27,6 +27,7 @@ final class ReplayScreen extends ScreenAdapter {
   private final WorldPainter world;
   private final DebugPainter debug;
   private final Hud hud;
+  private final Flashes flashes = new Flashes();
   private final Fonts fonts;
   private final ReplayClient client;
   private final Runnable exit;
@@ -41,6 +42,7 @@ final class ReplayScreen extends ScreenAdapter {
     this.client = client;
     this.exit = exit;
     world = new WorldPainter(canvas);
+    client.events(flashes);
     debug = new DebugPainter(canvas);
     hud = new Hud(canvas, batch, fonts);
   }
@@ -103,11 +105,12 @@ final class ReplayScreen extends ScreenAdapter {
         height,
         deltaSeconds);
     float pixelsPerMetre = camera.pixelsPerMetre(height);
-    world.draw(view, camera.gdx(), pixelsPerMetre, seconds, deltaSeconds);
+    world.draw(view, flashes, camera.gdx(), pixelsPerMetre, seconds, deltaSeconds);
     if (showDebug) {
       debug.draw(client.simulation().world(), camera.gdx(), pixelsPerMetre);
     }
     hud.names(view, camera, pixelsPerMetre);
+    hud.labels(flashes, camera);
     hud.scores(view, width, height, false);
     hud.notices(view, nowNs, width, height);
     title(height);

@@ -62,6 +62,7 @@ final class WorldPainter {
    */
   void draw(
       ClientView view,
+      Flashes flashes,
       OrthographicCamera camera,
       float pixelsPerMetre,
       float seconds,
@@ -69,6 +70,7 @@ final class WorldPainter {
     Level level = view.level();
     gather(level);
     impacts.update(view, deltaSeconds);
+    flashes.age(deltaSeconds);
     canvas.begin(camera.combined, pixelsPerMetre);
     backdrop(level, camera);
     for (Scenery s : scenery) {
@@ -99,6 +101,7 @@ final class WorldPainter {
       }
     }
     impacts.draw(canvas);
+    flashes.draw(canvas);
     canvas.end();
   }
 

@@ -46,6 +46,10 @@ public enum Counter {
   INPUTS_LATE,
   /** Inputs refused because they were for a tick too far ahead. */
   INPUTS_EARLY,
+  /** Events that players were to be told of, each player counted. */
+  EVENTS_OFFERED,
+  /** Those that were never told, because too many waited for a client's acks. */
+  EVENTS_LOST,
   /** Exceptions thrown by the game's callbacks. */
   GAME_FAILURES,
   /** Predictions that clients reported as wrong for no reason they knew. */

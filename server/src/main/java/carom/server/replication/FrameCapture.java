@@ -1,13 +1,16 @@
 package carom.server.replication;
 
 import carom.net.protocol.Limits;
+import carom.net.snapshot.EventRecord;
 import carom.net.snapshot.FrameRing;
 import carom.net.snapshot.FrameState;
 import carom.physics.Body;
 import carom.sim.Audience;
 import carom.sim.Entity;
+import carom.sim.Event;
 import carom.sim.Player;
 import carom.sim.Simulation;
+import java.util.function.Consumer;
 
 /**
  * Quantises the whole world once per tick into the ring of frame states that all sessions share.
@@ -21,6 +24,8 @@ public final class FrameCapture {
   private final Simulation simulation;
   private final FrameRing ring;
   private final InterestIndex index;
+  private final EventRecord record = new EventRecord();
+  private final Consumer<Event> takeEvent = this::take;
 
   /** Creates an empty ring for a simulation's entities, which starts from the level's bodies. */
   public FrameCapture(Simulation simulation) {
@@ -56,7 +61,7 @@ public final class FrameCapture {
       if (audience != Audience.NEAR) {
         Player owner = simulation.owner(entity);
         int team = audience == Audience.TEAM && owner != null ? owner.team() : 0;
-        frame.setAudience(id, team << TEAM_SHIFT | audience.ordinal());
+        frame.setAudience(id, whom(audience, team));
       }
     }
     for (int id = 0, count = simulation.playerCapacity(); id < count; id++) {
@@ -66,7 +71,22 @@ public final class FrameCapture {
       }
     }
     ring.end();
+    simulation.drainEvents(takeEvent);
     return frame;
+  }
+
+  private void take(Event e) {
+    record.kind = e.kind().index();
+    record.tick = simulation.tick();
+    record.player = e.player();
+    record.first = e.first();
+    record.second = e.second();
+    record.place(e.x(), e.y());
+    record.strength(e.strength());
+    record.data = e.data();
+    Player by = simulation.player(e.player());
+    int team = e.audience() == Audience.TEAM && by != null ? by.team() : 0;
+    ring.events().add(record, whom(e.audience(), team));
   }
 
   /** The captured frames. */
@@ -74,14 +94,28 @@ public final class FrameCapture {
     return ring;
   }
 
+  private static int whom(Audience audience, int team) {
+    return team << TEAM_SHIFT | audience.ordinal();
+  }
+
+  /** Who is told, of a captured event or entity. */
+  static Audience audienceOf(int whom) {
+    return AUDIENCES[whom & ((1 << TEAM_SHIFT) - 1)];
+  }
+
+  /** The team of {@link Audience#TEAM}. */
+  static int teamOf(int whom) {
+    return whom >> TEAM_SHIFT;
+  }
+
   /** Who is told about an entity of a captured frame. */
   static Audience audience(FrameState frame, int slot) {
-    return AUDIENCES[frame.audience(slot) & ((1 << TEAM_SHIFT) - 1)];
+    return audienceOf(frame.audience(slot));
   }
 
   /** The team of {@link Audience#TEAM}. */
   static int team(FrameState frame, int slot) {
-    return frame.audience(slot) >> TEAM_SHIFT;
+    return teamOf(frame.audience(slot));
   }
 
   /** Where the entities of the newest frame are. */

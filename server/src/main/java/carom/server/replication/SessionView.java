@@ -1,6 +1,7 @@
 package carom.server.replication;
 
 import carom.net.codec.Quantizer;
+import carom.net.snapshot.EventRecord;
 import carom.net.snapshot.FrameState;
 import carom.net.snapshot.Interest;
 import carom.net.snapshot.SnapshotEncoder;
@@ -178,6 +179,43 @@ public final class SessionView implements Interest {
       case OWNER -> frame.owner(slot) == player.id() || seesAll();
       default -> seesAll();
     };
+  }
+
+  /**
+   * Whether the player is told of an event: whose doing it is always, others as the game says; of
+   * what is near, if the place is in sight and nothing in it is hidden from the player.
+   */
+  boolean hears(FrameState frame, EventRecord event, int whom) {
+    Audience audience = FrameCapture.audienceOf(whom);
+    if (event.player == player.id() && audience != Audience.NOBODY) {
+      return true;
+    }
+    return switch (audience) {
+      case ALL -> true;
+      case TEAM -> FrameCapture.teamOf(whom) == player.team() || seesAll();
+      case OWNER, NOBODY -> seesAll();
+      case NEAR -> isNear(event) && mayKnow(frame, event.first) && mayKnow(frame, event.second);
+    };
+  }
+
+  private boolean isNear(EventRecord event) {
+    return everything
+        || (Math.abs(Quantizer.positionOf(event.x) - x) <= STAY * halfWidth
+            && Math.abs(Quantizer.positionOf(event.y) - y) <= STAY * halfHeight);
+  }
+
+  /** Whether an entity isn't hidden from the player, wherever it is; who is gone isn't. */
+  private boolean mayKnow(FrameState frame, int key) {
+    int slot = key & 0xffff;
+    if (key < 0
+        || slot >= frame.slotLimit()
+        || !frame.alive(slot)
+        || frame.generation(slot) != key >>> 16) {
+      return true;
+    }
+    return slot == ownSlot
+        || FrameCapture.audience(frame, slot) == Audience.NEAR
+        || sees(frame, slot, true);
   }
 
   private boolean seesAll() {

@@ -1,5 +1,6 @@
 package carom.server.replication;
 
+import carom.net.snapshot.EventRing;
 import carom.net.snapshot.FrameRing;
 import carom.net.snapshot.InputFeedback;
 import carom.net.snapshot.OwnState;
@@ -33,6 +34,8 @@ public final class SnapshotSender {
   private final long bucketDepth; // in byte-ticks: bytes times tickRateHz, so that no rest is lost
   private final LinkPace pace;
   private long bucket;
+  private long nextEvent;
+  private long lostSeen;
   private int rateAccumulator;
   private int ticksSinceSent;
 
@@ -63,6 +66,7 @@ public final class SnapshotSender {
     this.pace = new LinkPace(tickRateHz, 2 * bytesPerSecond);
     this.rateAccumulator = tickRateHz; // the first tick sends
     this.ticksSinceSent = keepAliveTicks;
+    this.nextEvent = frames.events().limit();
   }
 
   /** Takes a client's acks as they are; see {@link SnapshotEncoder#receiveAck}. */
@@ -90,12 +94,28 @@ public final class SnapshotSender {
       return false;
     }
     view.update(frames.newest(), encoder);
+    offerEvents();
     if (ticksSinceSent >= keepAliveTicks) {
       return true;
     }
     // Over budget, or over what the line takes: fewer snapshots, never none, each of the newest
     // tick.
     return bucket > 0 && pace.allowance() > 0 && !encoder.nothingNew(own);
+  }
+
+  private void offerEvents() {
+    EventRing events = frames.events();
+    for (; nextEvent < events.limit(); nextEvent++) {
+      if (events.holds(nextEvent)
+          && view.hears(frames.newest(), events.at(nextEvent), events.audience(nextEvent))) {
+        encoder.offer(nextEvent);
+        counters.add(Counter.EVENTS_OFFERED, 1);
+      }
+    }
+    if (encoder.eventsLost() != lostSeen) {
+      counters.add(Counter.EVENTS_LOST, encoder.eventsLost() - lostSeen);
+      lostSeen = encoder.eventsLost();
+    }
   }
 
   /**

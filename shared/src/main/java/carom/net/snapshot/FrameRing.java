@@ -20,6 +20,7 @@ public final class FrameRing {
 
   private final int capacity;
   private final FrameState[] frames = new FrameState[SIZE];
+  private final EventRing events = new EventRing();
   private final SlotSet asLevel = new SlotSet();
   private FrameState level;
   private float gravityX;
@@ -134,6 +135,11 @@ public final class FrameRing {
         asLevel.add(slot);
       }
     }
+  }
+
+  /** What has happened in the room. */
+  public EventRing events() {
+    return events;
   }
 
   /** The newest ended frame, or null before the first. */

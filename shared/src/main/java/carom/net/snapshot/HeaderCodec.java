@@ -93,7 +93,8 @@ final class HeaderCodec {
     return index < OwnState.FLOATS ? Bits.orderedBits(value) : value;
   }
 
-  private static void writeDifference(BitWriter w, int difference) {
+  /** 1 bit "not zero", then the width and the zigzag form. */
+  static void writeDifference(BitWriter w, int difference) {
     int z = Bits.zigzag(difference);
     w.write(z != 0);
     if (z != 0) {
@@ -103,7 +104,7 @@ final class HeaderCodec {
     }
   }
 
-  private static int readDifference(BitReader r) {
+  static int readDifference(BitReader r) {
     return r.readBit() ? Bits.unzigzag(r.read(1 + r.read(5))) : 0;
   }
 }

@@ -42,6 +42,7 @@ public final class SnapshotDecoder {
   private boolean hasOwn;
   private OwnState own = nothing;
   private final RelayedInputs inputs = new RelayedInputs();
+  private final EventInbox events = new EventInbox();
 
   // A datagram is read into these first and counts only when all of it was good.
   private final OwnState readOwn = new OwnState();
@@ -157,8 +158,9 @@ public final class SnapshotDecoder {
       RelayCodec.read(r, inputs, datagramTick, readWindow, readKnown, readOwn.relayed, readInputs);
       NearCodec.read(r, baseline.near, readOwn.near);
     }
+    boolean sane = events.read(r, datagramTick);
     int at = r.align();
-    if (r.failed()) {
+    if (!sane || r.failed()) {
       return DecodeStatus.DAMAGED;
     }
     range.reset(bytes, at, end - at);
@@ -262,6 +264,7 @@ public final class SnapshotDecoder {
     tick = datagramTick;
     newestTick = Math.max(newestTick, datagramTick);
     feedback.set(readFeedback);
+    events.keep(datagramTick);
     if (hasOwn) {
       int at = datagramTick & (HISTORY - 1);
       owns[at].set(readOwn);
@@ -343,6 +346,11 @@ public final class SnapshotDecoder {
   /** Inputs of other players as far as the server told them. The same object for ever. */
   public RelayedInputs inputs() {
     return inputs;
+  }
+
+  /** What the server tells has happened. The same object for ever. */
+  public EventInbox events() {
+    return events;
   }
 
   /** Records in the last decoded datagram. */

@@ -25,19 +25,22 @@ public final class SnapshotEncoder {
   /** Largest datagram; the size of the array for {@link #next}. */
   public static final int MAX_DATAGRAM_BYTES = 1_200;
 
+  /** What the end of the records takes at most: a node's surprise, and rounding twice. */
+  private static final int END_BITS = 13;
+
   /**
    * A further datagram is not begun for less: headers on the path would cost more than it holds.
    * Any record fits.
    */
-  /** What the end of the records takes at most: a node's surprise, and rounding twice. */
-  private static final int END_BITS = 13;
-
   private static final int MIN_FURTHER_BYTES = 64;
 
   /**
    * So many records that don't fit into the rest of a datagram are passed over for shorter ones.
    */
   private static final int MAX_PASSED_OVER = 16;
+
+  /** Events may take that part of the budget; the rest waits for the next datagram. */
+  private static final int EVENTS_SHARE = 4;
 
   private final FrameRing ring;
   private final int key;
@@ -51,6 +54,7 @@ public final class SnapshotEncoder {
   private final Motion actual = new Motion();
 
   private final Selection selection;
+  private final EventOutbox events;
 
   private final InputFeedback feedback = new InputFeedback();
   private final OwnState[] ownSent = new OwnState[FrameRing.SIZE];
@@ -83,6 +87,7 @@ public final class SnapshotEncoder {
    * @param interest what the client is told about
    */
   public SnapshotEncoder(FrameRing ring, int key, int tickRate, Interest interest) {
+    events = new EventOutbox(ring.events());
     selection = new Selection(ring, interest);
     this.ring = ring;
     this.key = key;
@@ -101,6 +106,25 @@ public final class SnapshotEncoder {
     selection.reset();
     ownAckedTick = -1;
     sent.forget();
+    events.clear();
+  }
+
+  /**
+   * Tells the client of an event of {@link FrameRing#events}, reliably and in the order of the
+   * calls.
+   */
+  public void offer(long eventNumber) {
+    events.offer(eventNumber);
+  }
+
+  /** Events offered whose ack hasn't come yet. */
+  public int eventsWaiting() {
+    return events.waiting();
+  }
+
+  /** Events that were offered and never told, because too many waited. */
+  public long eventsLost() {
+    return events.lost();
   }
 
   /**
@@ -115,6 +139,9 @@ public final class SnapshotEncoder {
     take(ackSequence, 0);
     for (long bits = ackBits; bits != 0; bits &= bits - 1) {
       take(ackSequence, Long.numberOfTrailingZeros(bits) + 1);
+    }
+    if (ackDelayTicks >= 0) {
+      events.ackTook(ackDelayTicks);
     }
   }
 
@@ -131,6 +158,7 @@ public final class SnapshotEncoder {
     for (int i = 0; i < sent.countAt(at); i++) {
       selection.ack(sent.slotAt(at, i), tick);
     }
+    events.ack(at);
     if (sent.ownAt(at) && tick > ownAckedTick && ring.newest().tick() - tick < FrameRing.SIZE) {
       ownAcked.setBaseline(ownSent[tick & (FrameRing.SIZE - 1)]);
       ownAckedTick = tick;
@@ -165,6 +193,9 @@ public final class SnapshotEncoder {
     FrameState newest = ring.newest();
     if (newest == null) {
       return true;
+    }
+    if (events.isDue(newest.tick())) {
+      return false;
     }
     if (own != null && !isKnown(own, newest)) {
       return false;
@@ -295,6 +326,8 @@ public final class SnapshotEncoder {
       RelayCodec.write(w, ring, window, baseline.relayed, own.relayed);
       NearCodec.write(w, baseline.near, own.near);
     }
+    int share = Math.min(budget, MAX_DATAGRAM_BYTES) * Byte.SIZE / EVENTS_SHARE;
+    events.write(w, frame.tick(), sequence, share);
   }
 
   private void writeRecord(int slot) {

@@ -1,0 +1,185 @@
+package carom.net.snapshot;
+
+import carom.net.codec.BitWriter;
+import java.util.Arrays;
+
+/**
+ * The events that one client is told, and hasn't acked yet: reliable and in order over datagrams
+ * that get lost. Each event has the session's next sequence number and is written into one snapshot
+ * after the other until a datagram that had it is acked: twice at once, and then again whenever an
+ * ack should have come.
+ *
+ * <p>Bounded: {@value #CAPACITY} events wait at most, of which the oldest {@value #WINDOW} are
+ * sent; what is too much, or has left the {@link EventRing}, is lost, the oldest first, and
+ * counted. The client learns that from the number of the oldest that waits.
+ *
+ * <p>One thread; allocates nothing after construction.
+ */
+final class EventOutbox {
+  /** Events that may wait for their ack. */
+  static final int CAPACITY = 512;
+
+  /** Events that may be on their way. */
+  static final int WINDOW = 1 << EventCodec.WINDOW_BITS;
+
+  /** Most bits of events in a datagram. */
+  private static final int MAX_BITS = 2_400;
+
+  private static final int SEQUENCE_BITS = 16;
+  private static final int COUNT_BITS = 9;
+  private static final int END_BITS = 1;
+
+  /** So often an event goes out before anybody waits for an ack. */
+  private static final int QUICK_SENDS = 2;
+
+  /** An ack is waited for that much longer than the quickest took, ticks. */
+  private static final int PATIENCE = 3;
+
+  private static final int MAX_WAIT = 60;
+  private static final int MASK = CAPACITY - 1;
+  private static final int SENT_MASK = SentLog.SIZE - 1;
+
+  private final EventRing ring;
+  private final long[] numbers = new long[CAPACITY];
+  private final int[] sentTick = new int[CAPACITY];
+  private final int[] sends = new int[CAPACITY];
+  private final boolean[] acked = new boolean[CAPACITY];
+
+  // By datagram: which events it had.
+  private final long[] sentBase = new long[SentLog.SIZE];
+  private final long[] sentSet = new long[SentLog.SIZE];
+
+  private long base;
+  private long next;
+  private int waitTicks = MAX_WAIT / 2;
+  private long lost;
+
+  EventOutbox(EventRing ring) {
+    this.ring = ring;
+  }
+
+  /** Tells the client of an event of the ring, soon. */
+  void offer(long number) {
+    if (next - base == CAPACITY) {
+      base++;
+      lost++;
+    }
+    int at = (int) next++ & MASK;
+    numbers[at] = number;
+    sends[at] = 0;
+    acked[at] = false;
+  }
+
+  /** Whether the client hasn't acked everything it was told, or is to be told. */
+  boolean hasUnacked() {
+    return base < next;
+  }
+
+  /** Whether something would be written now. */
+  boolean isDue(int tick) {
+    for (long i = base; i < Math.min(next, base + WINDOW); i++) {
+      if (isDue((int) i & MASK, tick)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private boolean isDue(int at, int tick) {
+    return !acked[at]
+        && (sends[at] == 0
+            || (sends[at] < QUICK_SENDS && tick > sentTick[at])
+            || tick - sentTick[at] >= waitTicks);
+  }
+
+  /**
+   * Writes the event section of a datagram.
+   *
+   * @param tick the datagram's
+   * @param datagram its place in the {@link SentLog}
+   * @param budgetBits for the events; one is written anyway if it fits the writer
+   */
+  void write(BitWriter w, int tick, int datagram, int budgetBits) {
+    forgetLost();
+    sentBase[datagram & SENT_MASK] = base;
+    sentSet[datagram & SENT_MASK] = 0;
+    w.write(hasUnacked());
+    if (!hasUnacked()) {
+      return;
+    }
+    w.write((int) base, SEQUENCE_BITS);
+    w.write((int) (next - base - 1), COUNT_BITS);
+    int room = Math.min(Math.min(budgetBits, MAX_BITS), w.room() - END_BITS);
+    int begin = w.bits();
+    long set = 0;
+    long expected = base;
+    int lastTick = -1;
+    for (long i = base; i < Math.min(next, base + WINDOW); i++) {
+      int at = (int) i & MASK;
+      if (!isDue(at, tick)) {
+        continue;
+      }
+      boolean fits = w.bits() - begin + EventCodec.MAX_BITS <= room;
+      boolean first = set == 0 && EventCodec.MAX_BITS + END_BITS <= w.room();
+      if (!fits && !first) {
+        break;
+      }
+      EventRecord e = ring.at(numbers[at]);
+      w.write(true);
+      w.write(i == expected);
+      if (i != expected) {
+        w.write((int) (i - expected - 1), EventCodec.WINDOW_BITS);
+      }
+      EventCodec.write(w, e, lastTick < 0 ? tick - e.tick : e.tick - lastTick);
+      lastTick = e.tick;
+      expected = i + 1;
+      set |= 1L << (i - base);
+      sends[at]++;
+      sentTick[at] = tick;
+    }
+    w.write(false);
+    sentSet[datagram & SENT_MASK] = set;
+  }
+
+  /** What the ring has forgotten can't be told any more. */
+  private void forgetLost() {
+    while (base < next && (acked[(int) base & MASK] || !ring.holds(numbers[(int) base & MASK]))) {
+      lost += acked[(int) base & MASK] ? 0 : 1;
+      base++;
+    }
+  }
+
+  /** A datagram was acked. */
+  void ack(int datagram) {
+    long from = sentBase[datagram & SENT_MASK];
+    for (long set = sentSet[datagram & SENT_MASK]; set != 0; set &= set - 1) {
+      long i = from + Long.numberOfTrailingZeros(set);
+      if (i >= base && i < next) {
+        acked[(int) i & MASK] = true;
+      }
+    }
+    forgetLost();
+  }
+
+  /** An ack took so long, in ticks. */
+  void ackTook(int ticks) {
+    waitTicks = Math.max(PATIENCE, Math.min(MAX_WAIT, ticks + PATIENCE));
+  }
+
+  /** Forgets everything: the client begins anew. */
+  void clear() {
+    base = 0;
+    next = 0;
+    Arrays.fill(sentSet, 0);
+  }
+
+  /** Events that were offered and never told. */
+  long lost() {
+    return lost;
+  }
+
+  /** Events that wait for their ack. */
+  int waiting() {
+    return (int) (next - base);
+  }
+}
