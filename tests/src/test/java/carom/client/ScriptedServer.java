@@ -148,6 +148,7 @@ final class ScriptedServer {
     void snapshot() {
       capture.capture(player, own);
       if (datagram.near != InputDatagram.NEAR_NONE) {
+        near.acknowledge(encoder);
         near.capture(player, false, disagreedTick, own);
       }
       feedback.margin = Math.max(-32, Math.min(31, newestInput - simulation.tick()));

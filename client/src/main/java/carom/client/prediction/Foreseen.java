@@ -1,42 +1,39 @@
 package carom.client.prediction;
 
-import carom.net.snapshot.NearState;
-import carom.physics.dynamics.StateHash;
 import carom.sim.Neighbourhood;
 
 /**
  * For each saved tick, a hash of every predicted body: so that, when the truth of a tick is known,
- * it can be said which bodies had been foreseen in every bit.
+ * it can be said which bodies had been foreseen in every bit. Allocates only to grow.
  */
 final class Foreseen {
-  private static final int MOST = NearState.MAX_ENTITIES + 1;
-
   private final int[][] keys;
   private final long[][] hashes;
   private final boolean[][] awake;
   private final int[] count;
-  private final int[] oldKeys = new int[MOST];
-  private final long[] oldHashes = new long[MOST];
+  private int[] oldKeys = {};
+  private long[] oldHashes = {};
   private int oldCount;
 
   Foreseen(int ring) {
-    keys = new int[ring][MOST];
-    hashes = new long[ring][MOST];
-    awake = new boolean[ring][MOST];
+    keys = new int[ring][0];
+    hashes = new long[ring][0];
+    awake = new boolean[ring][0];
     count = new int[ring];
   }
 
   /** Notes what was computed for a tick. */
   void keep(int slot, Neighbourhood bodies) {
-    int n = Math.min(MOST, bodies.count());
+    int n = bodies.count();
+    if (keys[slot].length < n) {
+      int room = Math.max(8, Integer.highestOneBit(n) << 1);
+      keys[slot] = new int[room];
+      hashes[slot] = new long[room];
+      awake[slot] = new boolean[room];
+    }
     for (int i = 0; i < n; i++) {
-      int at = i * Neighbourhood.ENTITY_INTS;
-      long h = StateHash.SEED;
-      for (int k = 0; k < Neighbourhood.ENTITY_INTS; k++) {
-        h = StateHash.mix(h, bodies.entities()[at + k]);
-      }
-      keys[slot][i] = bodies.entities()[at];
-      hashes[slot][i] = h;
+      keys[slot][i] = bodies.entities()[i * Neighbourhood.ENTITY_INTS];
+      hashes[slot][i] = bodies.entityHash(i);
       awake[slot][i] = bodies.awake(i);
     }
     count[slot] = n;
@@ -45,6 +42,10 @@ final class Foreseen {
   /** What stands for this tick now is what was foreseen; from here on it may be computed again. */
   void remember(int slot) {
     oldCount = count[slot];
+    if (oldKeys.length < oldCount) {
+      oldKeys = new int[keys[slot].length];
+      oldHashes = new long[keys[slot].length];
+    }
     System.arraycopy(keys[slot], 0, oldKeys, 0, oldCount);
     System.arraycopy(hashes[slot], 0, oldHashes, 0, oldCount);
   }
@@ -53,7 +54,7 @@ final class Foreseen {
   int awake(int slot) {
     int n = 0;
     for (int i = 0; i < count[slot]; i++) {
-      n += awake[slot][i] && find(keys[slot][i]) >= 0 ? 1 : 0;
+      n += awake[slot][i] && find(keys[slot][i], i) >= 0 ? 1 : 0;
     }
     return n;
   }
@@ -62,16 +63,18 @@ final class Foreseen {
   int right(int slot) {
     int n = 0;
     for (int i = 0; i < count[slot]; i++) {
-      int old = find(keys[slot][i]);
+      int old = find(keys[slot][i], i);
       n += awake[slot][i] && old >= 0 && oldHashes[old] == hashes[slot][i] ? 1 : 0;
     }
     return n;
   }
 
-  private int find(int key) {
-    for (int i = 0; i < oldCount; i++) {
-      if (oldKeys[i] == key) {
-        return i;
+  /** The order seldom changes: whoever stood here probably stands here. */
+  private int find(int key, int likely) {
+    for (int i = 0, at = likely; i < oldCount; i++, at++) {
+      at = at < oldCount ? at : 0;
+      if (oldKeys[at] == key) {
+        return at;
       }
     }
     return -1;

@@ -11,12 +11,16 @@ final class NearUpdate {
   private static final int STRIDE = Math.max(NearState.ENTITY_INTS, NearState.CONTACT_INTS);
 
   private int baseTick = -1;
-  private int[] keys = new int[NearState.MAX_ENTITIES];
+  private final int[] keys = new int[NearState.MAX_ENTITIES];
+
+  /** By place in the list: which of the told entities it is, or -1. */
+  private final int[] toldAs = new int[NearState.MAX_ENTITIES];
+
   private int count;
-  private long told;
+  private int told;
   private int total;
   private int missing;
-  private final boolean[] has = new boolean[NearState.MAX_ROWS + NearState.MAX_PART];
+  private boolean[] has = {};
   private int[] rows = {};
   private boolean used;
 
@@ -56,13 +60,18 @@ final class NearUpdate {
     for (int i = 0; i < count; i++) {
       keys[i] = near.key(i);
     }
-    told = near.told();
-    total = near.totalRows();
-    missing = total;
-    Arrays.fill(has, false);
-    if (rows.length < total * STRIDE) {
-      rows = new int[Math.max(2 * rows.length, total * STRIDE)];
+    told = near.toldCount();
+    Arrays.fill(toldAs, -1);
+    for (int i = 0; i < told; i++) {
+      toldAs[near.told(i)] = i;
     }
+    total = Math.max(told, near.totalRows());
+    missing = total;
+    if (has.length < total) {
+      has = new boolean[Math.max(2 * has.length, total)];
+      rows = new int[has.length * STRIDE];
+    }
+    Arrays.fill(has, 0, total, false);
   }
 
   /** Whether all of an update is here that was not used yet. */
@@ -70,6 +79,7 @@ final class NearUpdate {
     return !used && baseTick >= 0 && missing == 0;
   }
 
+  /** It is used now, or of no use. */
   void use() {
     used = true;
   }
@@ -91,22 +101,22 @@ final class NearUpdate {
 
   /** Whether an entity's state is told. */
   boolean isTold(int index) {
-    return (told >>> index & 1) != 0;
+    return toldAs[index] >= 0;
   }
 
   /** Where a told entity's row begins in {@link #rows}. */
   int entityAt(int index) {
-    return Long.bitCount(told & (1L << index) - 1) * STRIDE;
+    return toldAs[index] * STRIDE;
   }
 
   /** Contacts told. */
   int contacts() {
-    return total - Long.bitCount(told);
+    return total - told;
   }
 
   /** Where a contact's row begins in {@link #rows}. */
   int contactAt(int index) {
-    return (Long.bitCount(told) + index) * STRIDE;
+    return (told + index) * STRIDE;
   }
 
   int[] rows() {

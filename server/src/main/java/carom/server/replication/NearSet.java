@@ -2,6 +2,7 @@ package carom.server.replication;
 
 import carom.net.snapshot.NearState;
 import carom.net.snapshot.OwnState;
+import carom.net.snapshot.SnapshotEncoder;
 import carom.physics.Body;
 import carom.physics.BodyContactVisitor;
 import carom.physics.BodyVisitor;
@@ -14,12 +15,14 @@ import java.util.Arrays;
 
 /**
  * Who is near one player's body, for its client to simulate: what it touches, directly or through
- * others; what is close, the closest first; and what those touch.
+ * others, up to {@value NearState#MAX_ENTITIES} bodies; what is close, the closest first, and what
+ * that touches, up to {@value #MOST_CLOSE}.
  *
  * <p>A client that simulates these from the same state, with the same inputs, has the same state
  * ever after, so all it must be told is a hash, and what the other players among them do. The exact
  * state is told of whoever comes near, and of all when the client finds that its hash differs: the
  * state at one tick, spread over as many snapshots as it takes. Meanwhile the list stays as it is.
+ * Parts that got lost are sent again until somebody else comes near.
  *
  * <p>One session's; the room's thread; allocates only to grow.
  */
@@ -33,8 +36,18 @@ public final class NearSet {
   /** What comes closer is near as early as this before it arrives, seconds. */
   private static final float LEAD_SECONDS = 0.3f;
 
-  /** Exact state told per snapshot, bits. */
-  private static final int PART_BITS = 4_500;
+  /** What the body doesn't touch is listed while the list is shorter than this. */
+  private static final int MOST_CLOSE = 63;
+
+  /** Exact state told per snapshot, and the list, bits: together less than a datagram. */
+  private static final int PART_BITS = 5_500;
+
+  private static final int MAX_LIST_BITS = 3_000;
+
+  /** How much longer the list may become after each update that arrived. */
+  private static final int REGAINED = 8;
+
+  private static final int FEWEST = 16;
 
   /** Shortest and longest time from one disagreement to telling everything again, ticks. */
   private static final int MIN_GAP = 4;
@@ -44,45 +57,115 @@ public final class NearSet {
   /** An update whose parts take longer is given up: its base would leave the client's memory. */
   private static final int MAX_AGE = 60;
 
+  /** A snapshot is lost when one so many ticks younger has arrived. */
+  private static final int OVERTAKEN_TICKS = 3;
+
+  /** Parts on their way. */
+  private static final int PARTS = 64;
+
+  /**
+   * Marks on entities, by id. One for all sessions of a room: they choose one after the other.
+   * Allocates only to grow.
+   */
+  static final class Marks {
+    private int[] listed = new int[64];
+    private int[] member = new int[64];
+    private int round;
+
+    /** Removes all marks. */
+    void clear(int capacity) {
+      round++;
+      if (listed.length < capacity) {
+        listed = Arrays.copyOf(listed, Math.max(2 * listed.length, capacity));
+        member = Arrays.copyOf(member, listed.length);
+      }
+    }
+
+    /** Marks as listed; false when it was already. */
+    boolean list(int id) {
+      boolean fresh = listed[id] != round;
+      listed[id] = round;
+      return fresh;
+    }
+
+    void member(int id) {
+      if (id < member.length) {
+        member[id] = round;
+      }
+    }
+
+    boolean isMember(int id) {
+      return member[id] == round;
+    }
+  }
+
   private final Simulation simulation;
+  private final Marks marks;
   private final Neighbourhood state = new Neighbourhood();
   private final Aabb box = new Aabb();
   private final BodyVisitor<Entity> closeBy = this::consider;
   private final BodyContactVisitor<Entity> touching =
       (other, normalX, normalY, impulse) -> reach(other.user());
 
-  /** Who is near: keys, in the order of the world; the first of them are of the last update. */
-  private int[] memberKey = new int[NearState.MAX_ENTITIES];
+  /** Who is near: keys, in the order of the world; those of the last update. */
+  private int[] memberKey = new int[16];
 
   private int members;
 
   /** Whom the client was told, or could compute: keys. */
-  private final int[] knownKey = new int[NearState.MAX_ENTITIES];
+  private int[] knownKey = new int[16];
 
   private int known;
 
-  // The update under way.
+  /** Most whose list is short enough. */
+  private int mostListed = NearState.MAX_ENTITIES;
+
+  /** Most that are near: fewer for a while when an update didn't get through. */
+  private int most = NearState.MAX_ENTITIES;
+
+  // The update under way, or the last one.
   private final Neighbourhood base = new Neighbourhood();
   private boolean updating;
   private int baseTick;
-  private long told;
-  private final int[] toldContact = new int[NearState.MAX_ROWS];
+  private int[] told = new int[16];
+  private int toldCount;
+  private boolean[] isTold = new boolean[16];
+  private int[] toldContact = new int[16];
   private int toldContacts;
-  private int nextRow;
+  private boolean[] due = new boolean[16];
+  private int dueRows;
+
+  /** Whether even an update without rows is to be sent: that others went is all it tells. */
+  private boolean announced;
+
+  private int firstRow;
   private int partRows;
+
+  /** Tick at which the last row went out that had to; what differs later differs all the same. */
+  private int toldTick = -1;
+
   private int toldAllTick = -1;
   private int gap = MIN_GAP;
 
+  // What went out, by part.
+  private final int[] sentTick = new int[PARTS];
+  private final int[] sentFirst = new int[PARTS];
+  private final int[] sentRows = new int[PARTS];
+  private int sentParts;
+
   private Entity[] listed = new Entity[16];
+  private long[] order = new long[16];
   private int count;
+  private int limit;
   private Entity[] candidates = new Entity[16];
   private float[] distance = new float[16];
   private int candidateCount;
   private Body<Entity> own;
   private float reachMetres;
 
-  NearSet(Simulation simulation) {
+  NearSet(Simulation simulation, Marks marks) {
     this.simulation = simulation;
+    this.marks = marks;
   }
 
   /**
@@ -101,10 +184,13 @@ public final class NearSet {
       near.clear();
       return;
     }
-    if (updating && (simulation.tick() - baseTick > MAX_AGE || !listMembers())) {
+    if (updating && simulation.tick() - baseTick > MAX_AGE) {
+      giveUp();
+    }
+    if (isDue() && !listMembers()) {
       updating = false;
     }
-    if (!updating) {
+    if (!isDue()) {
       choose(player, all);
       boolean again = mustTellAll(disagreedTick);
       if (again || !isSameList()) {
@@ -126,15 +212,39 @@ public final class NearSet {
     for (int i = 0; i < members; i++) {
       near.add(memberKey[i]);
     }
-    if (updating) {
+    partRows = 0;
+    if (isDue()) {
       writePart(near);
     }
+    limitList(near.listBits());
+  }
+
+  /** Whether the next snapshot has a part of an update. */
+  private boolean isDue() {
+    return updating && (dueRows > 0 || !announced);
   }
 
   private void forget() {
     members = 0;
     known = 0;
     updating = false;
+  }
+
+  /** A client whose line is too slow for the update is told of fewer. */
+  private void giveUp() {
+    boolean slow = isDue();
+    updating = false;
+    if (slow) {
+      most = Math.max(FEWEST, members / 2);
+    }
+  }
+
+  /** Lists that take too much to tell are shorter from the next time on. */
+  private void limitList(int bits) {
+    if (bits > MAX_LIST_BITS) {
+      mostListed = Math.max(FEWEST, members * 3 / 4);
+      most = Math.min(most, mostListed);
+    }
   }
 
   /** Lists the members again; false when one of them is gone. */
@@ -153,8 +263,17 @@ public final class NearSet {
   private void choose(Player player, boolean all) {
     own = player.body().body();
     reachMetres = all ? ALL_METRES : NEAR_METRES;
+    marks.clear(simulation.entityCapacity());
+    for (int i = 0; i < members; i++) {
+      Entity e = simulation.entity(Neighbourhood.id(memberKey[i]));
+      if (e != null && key(e) == memberKey[i]) {
+        marks.member(e.id());
+      }
+    }
     count = 0;
+    limit = most;
     spread(player.body());
+    limit = Math.min(most, Math.max(count, MOST_CLOSE));
     gather();
     for (int i = 0; i < candidateCount; i++) {
       spread(candidates[i]);
@@ -165,13 +284,15 @@ public final class NearSet {
 
   /** By the order of their bodies in the world. */
   private void sort() {
-    for (int i = 1; i < count; i++) {
-      Entity e = listed[i];
-      int j = i;
-      for (; j > 0 && listed[j - 1].body().index() > e.body().index(); j--) {
-        listed[j] = listed[j - 1];
-      }
-      listed[j] = e;
+    if (order.length < count) {
+      order = new long[listed.length];
+    }
+    for (int i = 0; i < count; i++) {
+      order[i] = (long) listed[i].body().index() << Integer.SIZE | listed[i].id();
+    }
+    Arrays.sort(order, 0, count);
+    for (int i = 0; i < count; i++) {
+      listed[i] = simulation.entity((int) order[i]);
     }
   }
 
@@ -193,7 +314,8 @@ public final class NearSet {
     if (toldAllTick >= 0 && tick - toldAllTick > 2 * MAX_GAP) {
       gap = MIN_GAP;
     }
-    if (disagreedTick <= baseTick || (toldAllTick >= 0 && tick - toldAllTick < gap)) {
+    boolean old = disagreedTick <= toldTick;
+    if (old || updating || (toldAllTick >= 0 && tick - toldAllTick < gap)) {
       return false;
     }
     gap = Math.min(MAX_GAP, 2 * gap);
@@ -203,55 +325,83 @@ public final class NearSet {
 
   private void beginUpdate(boolean all) {
     updating = true;
+    announced = false;
     baseTick = simulation.tick();
-    nextRow = 0;
+    sentParts = 0;
     members = count;
+    ensure();
     base.clear();
     for (int i = 0; i < count; i++) {
       memberKey[i] = key(listed[i]);
       base.add(listed[i]);
     }
     base.read(simulation);
-    told = 0;
-    for (int i = 0; i < count; i++) {
-      if (all || !isKnown(memberKey[i])) {
-        told |= 1L << i;
+    toldCount = 0;
+    for (int i = 0, from = 0; i < count; i++) {
+      int at = all ? -1 : findKnown(memberKey[i], from);
+      from = at < 0 ? from : at + 1;
+      isTold[i] = at < 0;
+      if (at < 0) {
+        told[toldCount++] = i;
       }
     }
     toldContacts = 0;
     for (int i = 0; i < base.contactCount(); i++) {
       int at = i * Neighbourhood.CONTACT_INTS;
       boolean one = isTold(base.contacts()[at]) || isTold(base.contacts()[at + 1]);
-      if (one && toldContacts < NearState.MAX_ROWS - NearState.MAX_ENTITIES) {
+      if (one && toldCount + toldContacts < NearState.MAX_ROWS) {
+        if (toldContacts == toldContact.length) {
+          toldContact = Arrays.copyOf(toldContact, 2 * toldContacts);
+        }
         toldContact[toldContacts++] = at;
       }
+    }
+    dueRows = toldCount + toldContacts;
+    if (due.length < dueRows) {
+      due = new boolean[Math.max(2 * due.length, dueRows)];
+    }
+    Arrays.fill(due, 0, dueRows, true);
+  }
+
+  private void ensure() {
+    if (memberKey.length < count) {
+      int room = Math.max(2 * memberKey.length, count);
+      memberKey = new int[room];
+      told = new int[room];
+      isTold = new boolean[room];
     }
   }
 
   private boolean isTold(int end) {
-    return end >= 0 && (told >>> end & 1) != 0;
+    return end >= 0 && isTold[end];
   }
 
-  private boolean isKnown(int key) {
-    for (int i = 0; i < known; i++) {
-      if (knownKey[i] == key) {
-        return true;
+  /** Both lists follow the order of the world. */
+  private int findKnown(int key, int likely) {
+    for (int i = 0, at = likely; i < known; i++, at++) {
+      at = at < known ? at : 0;
+      if (knownKey[at] == key) {
+        return at;
       }
     }
-    return false;
+    return -1;
   }
 
   private void writePart(NearState near) {
-    int entities = Long.bitCount(told);
-    int total = entities + toldContacts;
-    near.beginPart(simulation.tick() - baseTick, told, total, nextRow);
-    int bits = 0;
-    partRows = 0;
-    while (nextRow + partRows < total && partRows < NearState.MAX_PART) {
-      int row = nextRow + partRows;
-      boolean isEntity = row < entities;
+    int total = toldCount + toldContacts;
+    firstRow = 0;
+    while (firstRow < total && !due[firstRow]) {
+      firstRow++;
+    }
+    near.beginPart(simulation.tick() - baseTick, total, firstRow);
+    for (int i = 0; i < toldCount; i++) {
+      near.tell(told[i]);
+    }
+    int bits = near.listBits();
+    for (int row = firstRow; row < total && due[row] && partRows < NearState.MAX_PART; row++) {
+      boolean isEntity = row < toldCount;
       int[] from = isEntity ? base.entities() : base.contacts();
-      int at = isEntity ? toldEntity(row) * Neighbourhood.ENTITY_INTS : toldContact[row - entities];
+      int at = isEntity ? told[row] * Neighbourhood.ENTITY_INTS : toldContact[row - toldCount];
       int ints = isEntity ? Neighbourhood.ENTITY_INTS : Neighbourhood.CONTACT_INTS;
       bits += NearState.bits(from, at, ints);
       if (bits > PART_BITS && partRows > 0) {
@@ -262,36 +412,56 @@ public final class NearSet {
     }
   }
 
-  /** The place in the list of the n-th told entity. */
-  private int toldEntity(int n) {
-    long rest = told;
-    for (int i = 0; i < n; i++) {
-      rest &= rest - 1;
-    }
-    return Long.numberOfTrailingZeros(rest);
-  }
-
   /** Notes that what was captured last is sent. */
   public void sent() {
-    if (!updating) {
+    if (!isDue()) {
       return;
     }
-    nextRow += partRows;
-    if (nextRow >= Long.bitCount(told) + toldContacts) {
-      updating = false;
+    announced = true;
+    Arrays.fill(due, firstRow, firstRow + partRows, false);
+    dueRows -= partRows;
+    if (sentParts < PARTS) {
+      sentTick[sentParts] = simulation.tick();
+      sentFirst[sentParts] = firstRow;
+      sentRows[sentParts] = partRows;
+      sentParts++;
+    }
+    if (dueRows == 0) {
+      toldTick = simulation.tick();
+      if (knownKey.length < members) {
+        knownKey = new int[memberKey.length];
+      }
       known = members;
       System.arraycopy(memberKey, 0, knownKey, 0, members);
     }
   }
 
-  private boolean isMember(Entity e) {
-    int key = key(e);
-    for (int i = 0; i < members; i++) {
-      if (memberKey[i] == key) {
-        return true;
-      }
+  /** Looks which parts have arrived, and which are lost and must be sent again. */
+  public void acknowledge(SnapshotEncoder encoder) {
+    if (!updating) {
+      return;
     }
-    return false;
+    int open = 0;
+    for (int i = 0; i < sentParts; i++) {
+      if (encoder.hasAckedOwn(sentTick[i])) {
+        continue;
+      }
+      if (encoder.ownAckedTick() - sentTick[i] >= OVERTAKEN_TICKS) {
+        Arrays.fill(due, sentFirst[i], sentFirst[i] + sentRows[i], true);
+        dueRows += sentRows[i];
+        announced &= sentRows[i] > 0;
+        continue;
+      }
+      sentTick[open] = sentTick[i];
+      sentFirst[open] = sentFirst[i];
+      sentRows[open] = sentRows[i];
+      open++;
+    }
+    sentParts = open;
+    if (open == 0 && !isDue()) {
+      updating = false;
+      most = Math.min(mostListed, most + REGAINED);
+    }
   }
 
   private static int key(Entity e) {
@@ -309,7 +479,7 @@ public final class NearSet {
 
   private void reach(Entity e) {
     boolean solid = !e.isLevel() && Neighbourhood.isSolid(e.archetype());
-    if (solid && count < NearState.MAX_ENTITIES && !isListed(e)) {
+    if (solid && count < limit && marks.list(e.id())) {
       list(e);
     }
   }
@@ -319,15 +489,6 @@ public final class NearSet {
       listed = Arrays.copyOf(listed, 2 * count);
     }
     listed[count++] = e;
-  }
-
-  private boolean isListed(Entity e) {
-    for (int i = 0; i < count; i++) {
-      if (listed[i] == e) {
-        return true;
-      }
-    }
-    return false;
   }
 
   private void gather() {
@@ -356,7 +517,7 @@ public final class NearSet {
                     + (own.velocityY() - body.velocityY()) * (body.y() - own.y()))
                 / Math.max(1e-3f, length(body.x() - own.x(), body.y() - own.y()));
     float soon = away - Math.max(0, closing) * LEAD_SECONDS;
-    boolean member = isMember(e);
+    boolean member = marks.isMember(e.id());
     if (soon <= reachMetres * (member ? LEAVE : 1)) {
       insert(e, member ? soon / LEAVE : soon);
     }
@@ -366,7 +527,7 @@ public final class NearSet {
   /** Keeps candidates sorted by distance. */
   private void insert(Entity e, float soon) {
     if (candidateCount == candidates.length) {
-      if (candidateCount == 4 * NearState.MAX_ENTITIES) {
+      if (candidateCount >= 4 * MOST_CLOSE) {
         return; // a crowd: the query's order decides
       }
       candidates = Arrays.copyOf(candidates, 2 * candidateCount);

@@ -12,6 +12,7 @@ import carom.sim.Simulation;
  */
 public final class OwnCapture {
   private final Simulation simulation;
+  private final NearSet.Marks marks = new NearSet.Marks();
 
   /** Creates a reader of a room's simulation. */
   public OwnCapture(Simulation simulation) {
@@ -20,7 +21,7 @@ public final class OwnCapture {
 
   /** Makes what chooses who is near one player. */
   public NearSet nearSet() {
-    return new NearSet(simulation);
+    return new NearSet(simulation, marks);
   }
 
   /** Reads a player's own section after the simulation's last step. */

@@ -306,6 +306,7 @@ public final class Session implements LinkHandler {
       own.near().clear();
       own.relayed().clear();
     } else {
+      nearSet.acknowledge(sender.encoder());
       nearSet.capture(player, near == InputDatagram.NEAR_ALL, disagreedTick, own);
     }
     if (!sender.isDue(own)) {

@@ -6,9 +6,13 @@ import carom.net.codec.Bits;
 
 /** What is near, in bits. Pairs of write and read that mirror each other. */
 final class NearCodec {
-  private static final int COUNT_BITS = 6;
+  private static final int PLACE_BITS = 8;
+  private static final int PART_BITS = 6;
   private static final int KEY_BITS = 24;
-  private static final int ROW_BITS = 9;
+  private static final int MAX_KEY = (1 << KEY_BITS) - 1;
+  private static final int SLOT_MASK = 0xffff;
+  private static final int CLOSE_BITS = 4;
+  private static final int ROW_BITS = 11;
   private static final int PARTS_BITS = 20;
   private static final int POINTS_BITS = 16;
 
@@ -49,23 +53,64 @@ final class NearCodec {
     }
   }
 
+  /**
+   * The list as changes of the acked one, from front to back: the next of that stays, or goes, or
+   * somebody new comes before it.
+   */
   private static void writeList(BitWriter w, NearState baseline, NearState near) {
-    long added = near.count == 0 ? 0 : -1L >>> (64 - near.count);
-    int from = 0;
+    int place = 0;
     for (int i = 0; i < baseline.count; i++) {
-      int at = find(near, baseline.key(i), from);
-      w.write(at >= 0);
-      if (at >= 0) {
-        added &= ~(1L << at);
-        from = at + 1;
+      int at = find(near, baseline.key(i), place);
+      for (; place < at; place++) {
+        writeInsert(w, near, place);
+      }
+      w.write(at < 0);
+      if (at < 0) {
+        w.write(false);
+      } else {
+        place++;
       }
     }
-    w.write(Long.bitCount(added), COUNT_BITS);
-    for (long rest = added; rest != 0; rest &= rest - 1) {
-      int at = Long.numberOfTrailingZeros(rest);
-      w.write(at, COUNT_BITS);
-      w.write(near.key(at), KEY_BITS);
+    for (; place < near.count; place++) {
+      w.write(true);
+      writeKey(w, before(near, place), near.key(place));
     }
+    w.write(false);
+  }
+
+  private static void writeInsert(BitWriter w, NearState near, int place) {
+    w.write(true);
+    w.write(true);
+    writeKey(w, before(near, place), near.key(place));
+  }
+
+  private static int before(NearState near, int place) {
+    return place == 0 ? 0 : near.key(place - 1);
+  }
+
+  /** What {@link #writeInsert} takes for a key behind another. */
+  static int insertBits(int before, int key) {
+    return 3 + (isClose(before, key) ? CLOSE_BITS : KEY_BITS);
+  }
+
+  private static boolean isClose(int before, int key) {
+    int step = key - before - 1;
+    return step >= 0 && step < 1 << CLOSE_BITS && (before & SLOT_MASK) + step + 1 <= SLOT_MASK;
+  }
+
+  /** Bodies that were made together have slots in a row, and generations alike. */
+  private static void writeKey(BitWriter w, int before, int key) {
+    boolean close = isClose(before, key);
+    w.write(close);
+    if (close) {
+      w.write(key - before - 1, CLOSE_BITS);
+    } else {
+      w.write(key, KEY_BITS);
+    }
+  }
+
+  private static int readKey(BitReader r, int before) {
+    return r.readBit() ? before + 1 + r.read(CLOSE_BITS) & MAX_KEY : r.read(KEY_BITS);
   }
 
   private static int find(NearState near, int key, int from) {
@@ -78,20 +123,18 @@ final class NearCodec {
   }
 
   private static void readList(BitReader r, NearState baseline, NearState near) {
-    long kept = 0;
-    for (int i = 0; i < baseline.count; i++) {
-      kept |= r.readBit() ? 1L << i : 0;
-    }
-    for (int added = r.read(COUNT_BITS); added > 0; added--) {
-      int at = r.read(COUNT_BITS);
-      int key = r.read(KEY_BITS);
-      for (; near.count < at && kept != 0; kept &= kept - 1) {
-        put(near, baseline.key(Long.numberOfTrailingZeros(kept)));
+    int next = 0;
+    while (next < baseline.count && !r.failed()) {
+      if (!r.readBit()) {
+        put(near, baseline.key(next++));
+      } else if (!r.readBit()) {
+        next++;
+      } else {
+        put(near, readKey(r, before(near, near.count)));
       }
-      put(near, key);
     }
-    for (; kept != 0; kept &= kept - 1) {
-      put(near, baseline.key(Long.numberOfTrailingZeros(kept)));
+    while (r.readBit()) {
+      put(near, readKey(r, before(near, near.count)));
     }
   }
 
@@ -103,12 +146,15 @@ final class NearCodec {
 
   private static void writePart(BitWriter w, NearState near) {
     w.write(near.age, RecordCodec.AGE_BITS);
+    int told = 0;
     for (int i = 0; i < near.count; i++) {
-      w.write((near.told >>> i & 1) != 0);
+      boolean isTold = told < near.toldCount && near.told[told] == i;
+      w.write(isTold);
+      told += isTold ? 1 : 0;
     }
     w.write(near.totalRows, ROW_BITS);
     w.write(near.firstRow, ROW_BITS);
-    w.write(near.partRows, COUNT_BITS);
+    w.write(near.partRows, PART_BITS);
     for (int row = 0; row < near.partRows; row++) {
       if (near.isEntity(row)) {
         for (int i = 1; i < NearState.ENTITY_INTS; i++) {
@@ -122,16 +168,18 @@ final class NearCodec {
 
   private static void readPart(BitReader r, NearState near) {
     int age = r.read(RecordCodec.AGE_BITS);
-    long told = 0;
+    near.beginPart(age, 0, 0);
     for (int i = 0; i < near.count; i++) {
-      told |= r.readBit() ? 1L << i : 0;
+      if (r.readBit()) {
+        near.tell(i);
+      }
     }
-    int total = r.read(ROW_BITS);
-    near.beginPart(age, told, total, r.read(ROW_BITS));
-    for (int n = r.read(COUNT_BITS); n > 0; n--) {
+    near.totalRows = r.read(ROW_BITS);
+    near.firstRow = r.read(ROW_BITS);
+    for (int n = r.read(PART_BITS); n > 0; n--) {
       int at = near.growRow();
       if (near.isEntity(near.partRows - 1)) {
-        near.rows[at] = near.key(toldEntity(near, near.firstRow + near.partRows - 1));
+        near.rows[at] = near.key(near.told[near.firstRow + near.partRows - 1]);
         for (int i = 1; i < NearState.ENTITY_INTS; i++) {
           near.rows[at + i] = readInt(r);
         }
@@ -139,15 +187,6 @@ final class NearCodec {
         readContact(r, near.rows, at);
       }
     }
-  }
-
-  /** The place in the list of the n-th told entity. */
-  private static int toldEntity(NearState near, int n) {
-    long rest = near.told;
-    for (int i = 0; i < n; i++) {
-      rest &= rest - 1;
-    }
-    return Long.numberOfTrailingZeros(rest);
   }
 
   private static void writeContact(BitWriter w, int[] rows, int at) {
@@ -179,12 +218,12 @@ final class NearCodec {
     if (end < 0) {
       Bits.writeSized(w, ~end);
     } else {
-      w.write(end, COUNT_BITS);
+      w.write(end, PLACE_BITS);
     }
   }
 
   private static int readEnd(BitReader r) {
-    return r.readBit() ? ~(Bits.readSized(r) & Integer.MAX_VALUE) : r.read(COUNT_BITS);
+    return r.readBit() ? ~(Bits.readSized(r) & Integer.MAX_VALUE) : r.read(PLACE_BITS);
   }
 
   private static void writeInt(BitWriter w, int value) {

@@ -25,23 +25,25 @@ public final class NearState {
   public static final int CONTACT_INTS = 15;
 
   /** Most entities. */
-  public static final int MAX_ENTITIES = 63;
+  public static final int MAX_ENTITIES = 255;
 
-  /** Most rows of an update. */
-  public static final int MAX_ROWS = 511;
+  /** Most rows of an update: five for each entity, four of them contacts. */
+  public static final int MAX_ROWS = 5 * MAX_ENTITIES;
 
   /** Most rows of an update in one snapshot. */
   public static final int MAX_PART = 63;
 
   private static final int STRIDE = Math.max(ENTITY_INTS, CONTACT_INTS);
+  private static final int FIRST_ROOM = 16;
 
   boolean present;
   int hash;
   int count;
-  int[] keys = new int[MAX_ENTITIES];
+  int[] keys = new int[FIRST_ROOM];
   boolean updating;
   int age;
-  long told;
+  int toldCount;
+  int[] told = {};
   int totalRows;
   int firstRow;
   int partRows;
@@ -75,24 +77,39 @@ public final class NearState {
       throw new IllegalStateException(
           "entities=" + count + " is the most that are near; take the nearest");
     }
+    if (count == keys.length) {
+      keys = Arrays.copyOf(keys, Math.min(MAX_ENTITIES, 2 * count));
+    }
     keys[count++] = key;
   }
 
   /**
-   * Says that a part of an update follows by {@link #addRow}.
+   * Says that a part of an update follows: who is told in the update, by {@link #tell}, and then
+   * the part's rows by {@link #addRow}.
    *
    * @param ticksAgo how long ago the base tick was, 0..63
-   * @param toldEntities bit i = entity i is told
    * @param total rows of the whole update, 0..{@value #MAX_ROWS}
    * @param first number of the first row that follows
    */
-  public void beginPart(int ticksAgo, long toldEntities, int total, int first) {
+  public void beginPart(int ticksAgo, int total, int first) {
     updating = true;
     age = ticksAgo;
-    told = toldEntities;
+    toldCount = 0;
     totalRows = total;
     firstRow = first;
     partRows = 0;
+  }
+
+  /**
+   * Says that the update tells a listed entity.
+   *
+   * @param place in the list, ascending from call to call
+   */
+  public void tell(int place) {
+    if (toldCount == told.length) {
+      told = Arrays.copyOf(told, Math.max(FIRST_ROOM, 2 * toldCount));
+    }
+    told[toldCount++] = place;
   }
 
   /**
@@ -118,13 +135,13 @@ public final class NearState {
   }
 
   boolean isEntity(int row) {
-    return firstRow + row < Long.bitCount(told);
+    return firstRow + row < toldCount;
   }
 
   void endUpdate() {
     updating = false;
     age = 0;
-    told = 0;
+    toldCount = 0;
     totalRows = 0;
     firstRow = 0;
     partRows = 0;
@@ -134,7 +151,10 @@ public final class NearState {
     setList(other);
     updating = other.updating;
     age = other.age;
-    told = other.told;
+    toldCount = 0;
+    for (int i = 0; i < other.toldCount; i++) {
+      tell(other.told[i]);
+    }
     totalRows = other.totalRows;
     firstRow = other.firstRow;
     partRows = other.partRows;
@@ -150,6 +170,9 @@ public final class NearState {
     hash = other.hash;
     endUpdate();
     count = other.count;
+    if (count > keys.length) {
+      keys = new int[other.keys.length];
+    }
     System.arraycopy(other.keys, 0, keys, 0, count);
   }
 
@@ -188,9 +211,14 @@ public final class NearState {
     return age;
   }
 
-  /** Bit i = entity i is told. */
-  public long told() {
-    return told;
+  /** How many of the entities are told. */
+  public int toldCount() {
+    return toldCount;
+  }
+
+  /** Place in the list of a told entity, index 0..{@link #toldCount} - 1, ascending. */
+  public int told(int index) {
+    return told[index];
   }
 
   /** Rows of the whole update. */
@@ -216,6 +244,15 @@ public final class NearState {
   /** Where a row begins in {@link #rows}. */
   public int rowAt(int row) {
     return row * STRIDE;
+  }
+
+  /** How many bits the list takes for a client that has no other, at most. */
+  public int listBits() {
+    int bits = 0;
+    for (int i = 0; i < count; i++) {
+      bits += NearCodec.insertBits(i == 0 ? 0 : keys[i - 1], keys[i]);
+    }
+    return bits;
   }
 
   /** About how many bits a row takes. */

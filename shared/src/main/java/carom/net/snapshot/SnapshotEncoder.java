@@ -3,6 +3,7 @@ package carom.net.snapshot;
 import carom.net.codec.BitWriter;
 import carom.net.codec.Crc16;
 import carom.net.codec.RangeEncoder;
+import java.util.Arrays;
 
 /**
  * One session's snapshots. Each send tick, after {@link FrameRing#end}:
@@ -62,6 +63,10 @@ public final class SnapshotEncoder {
   private final OwnState ownAcked = new OwnState();
   private final OwnState nothing = new OwnState();
   private int ownAckedTick = -1;
+
+  /** By tick: the last one of which the own section was acked. */
+  private final int[] ownAckedTicks = new int[FrameRing.SIZE];
+
   private boolean sendOwn;
 
   private FrameState frame;
@@ -96,6 +101,7 @@ public final class SnapshotEncoder {
     for (int i = 0; i < ownSent.length; i++) {
       ownSent[i] = new OwnState();
     }
+    Arrays.fill(ownAckedTicks, -1);
   }
 
   /**
@@ -105,6 +111,7 @@ public final class SnapshotEncoder {
   public void reset() {
     selection.reset();
     ownAckedTick = -1;
+    Arrays.fill(ownAckedTicks, -1);
     sent.forget();
     events.clear();
   }
@@ -159,6 +166,9 @@ public final class SnapshotEncoder {
       selection.ack(sent.slotAt(at, i), tick);
     }
     events.ack(at);
+    if (sent.ownAt(at)) {
+      ownAckedTicks[tick & (FrameRing.SIZE - 1)] = tick;
+    }
     if (sent.ownAt(at) && tick > ownAckedTick && ring.newest().tick() - tick < FrameRing.SIZE) {
       ownAcked.setBaseline(ownSent[tick & (FrameRing.SIZE - 1)]);
       ownAckedTick = tick;
@@ -439,6 +449,16 @@ public final class SnapshotEncoder {
    */
   public int ackDelayTicks() {
     return ackDelayTicks;
+  }
+
+  /** The newest tick of which the client has acked the own section, or -1. */
+  public int ownAckedTick() {
+    return ownAckedTick;
+  }
+
+  /** Whether the client has acked the own section of one of the last 64 ticks. */
+  public boolean hasAckedOwn(int tick) {
+    return tick >= 0 && ownAckedTicks[tick & (FrameRing.SIZE - 1)] == tick;
   }
 
   /** Payload bytes of all datagrams acked. */

@@ -1,0 +1,192 @@
+package carom.testkit;
+
+import carom.client.prediction.Prediction;
+import carom.game.Games;
+import carom.net.protocol.Limits;
+import carom.net.snapshot.FrameState;
+import carom.net.snapshot.NearState;
+import carom.net.snapshot.OwnState;
+import carom.net.snapshot.SnapshotDecoder;
+import carom.physics.Body;
+import carom.sim.Entity;
+import carom.sim.Level;
+import carom.sim.LevelException;
+import carom.sim.Neighbourhood;
+import carom.sim.Player;
+import carom.sim.Role;
+import carom.sim.Simulation;
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import java.util.function.LongSupplier;
+
+/**
+ * A server's simulation and a client's {@link Prediction} of a wall of crates with a player on top,
+ * without a network: the client hears what it is told at once, and its clock runs ahead.
+ */
+public final class IslandRig {
+  /** Crates in a row of the wall. */
+  public static final int COLUMNS = 20;
+
+  private final Simulation server;
+  private final Player serverPlayer;
+  private final Prediction client;
+  private final Simulation foreseen;
+  private final SnapshotDecoder decoder;
+  private final Neighbourhood island = new Neighbourhood();
+  private final OwnState own = new OwnState();
+
+  /**
+   * Builds the wall; the client doesn't know of it yet.
+   *
+   * @param crates a multiple of {@value #COLUMNS}, at most 240
+   * @param maxReplayNs bound of the client's replays
+   * @param stopwatch measures them
+   */
+  public IslandRig(int crates, long maxReplayNs, LongSupplier stopwatch) {
+    Level level = level(crates);
+    server = new Simulation(Games.create(level.gameName()), level, 1, 60, Role.AUTHORITY);
+    serverPlayer = server.join("p");
+    foreseen = new Simulation(Games.create(level.gameName()), level, 1, 60, Role.PREDICTION);
+    client = new Prediction(foreseen, serverPlayer.id(), "p", 120, maxReplayNs, stopwatch, false);
+    decoder = new SnapshotDecoder(Limits.MAX_ENTITIES, 1, 0, 60);
+    Entity body = serverPlayer.body();
+    decoder.level(
+        FrameState.of(
+            Limits.MAX_ENTITIES,
+            frame -> {
+              level.forEachBody(frame::put);
+              frame.put(
+                  body.id(),
+                  body.generation(),
+                  body.archetype().index(),
+                  body.ownerId(),
+                  body.body().x(),
+                  body.body().y(),
+                  0,
+                  0,
+                  0,
+                  0);
+            }));
+  }
+
+  /** A wall of crates, each on two others, with a player on top. */
+  private static Level level(int crates) {
+    int rows = crates / COLUMNS;
+    StringBuilder bodies = new StringBuilder();
+    for (int row = 0; row < rows; row++) {
+      bodies.append(row == 0 ? "" : ",");
+      bodies.append(
+          String.format(
+              Locale.ROOT,
+              "{\"name\": \"crate\", \"at\": [%.2f, %.2f], \"material\": \"crate\","
+                  + "\"shape\": {\"type\": \"box\", \"width\": 1, \"height\": 1},"
+                  + "\"repeat\": {\"columns\": %d, \"step\": [1.06, 0]}}",
+              -10 + row % 2 * 0.53,
+              row + 0.5,
+              COLUMNS));
+    }
+    String json =
+        """
+        {"name": "block", "game": "platformer", "gravity": [0, -26],
+         "bounds": {"min": [-40, -6], "max": [40, 60]},
+         "materials": {"ground": {"friction": 0.7}, "crate": {"density": 0.4, "friction": 0.6}},
+         "spawns": [{"name": "player", "at": [0, %d]}, {"name": "flag", "at": [0, 55]}],
+         "statics": [{"name": "floor", "at": [0, -1], "material": "ground",
+           "shape": {"type": "box", "width": 60, "height": 2}}],
+         "bodies": [%s]}
+        """
+            .formatted(rows + 1, bodies);
+    try {
+      return Level.parse("block.json", json.getBytes(StandardCharsets.UTF_8));
+    } catch (LevelException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  /** The truth. */
+  public Simulation server() {
+    return server;
+  }
+
+  /** The truth's player. */
+  public Player player() {
+    return serverPlayer;
+  }
+
+  /** What the client computes with. */
+  public Simulation foreseen() {
+    return foreseen;
+  }
+
+  /** Tested or measured. */
+  public Prediction client() {
+    return client;
+  }
+
+  /** The island as it was told last. */
+  public Neighbourhood island() {
+    return island;
+  }
+
+  /** Tells the client all of this tick; whether it now has that state in every bit. */
+  public boolean tellAll() {
+    readOwn();
+    int total = island.count() + island.contactCount();
+    for (int first = 0; first < total; first += NearState.MAX_PART) {
+      part(first, Math.min(total, first + NearState.MAX_PART), total);
+      client.hear(own.near(), server.tick());
+    }
+    client.reconcile(own, server.tick(), decoder);
+    return client.agreedTick() == server.tick();
+  }
+
+  /** Tells the client its own state and the hash of all; whether it has that in every bit. */
+  public boolean tellOwn() {
+    readOwn();
+    list();
+    client.reconcile(own, server.tick(), decoder);
+    return client.agreedTick() == server.tick();
+  }
+
+  private void readOwn() {
+    island.readAll(server);
+    Body<Entity> b = serverPlayer.body().body();
+    own.setBody(
+        serverPlayer.body().id(),
+        serverPlayer.body().generation(),
+        b.centerX(),
+        b.centerY(),
+        b.cos(),
+        b.sin(),
+        b.velocityX(),
+        b.velocityY(),
+        b.angularVelocity());
+    for (int i = 0; i < OwnState.MEMORY; i++) {
+      own.setMemory(i, serverPlayer.memory()[i]);
+    }
+  }
+
+  private void list() {
+    own.near().begin(island.hash());
+    for (int i = 0; i < island.count(); i++) {
+      own.near().add(island.entities()[i * Neighbourhood.ENTITY_INTS]);
+    }
+  }
+
+  private void part(int first, int end, int total) {
+    list();
+    NearState near = own.near();
+    near.beginPart(0, total, first);
+    for (int i = 0; i < island.count(); i++) {
+      near.tell(i);
+    }
+    for (int row = first; row < end; row++) {
+      int contact = row - island.count();
+      if (contact < 0) {
+        near.addRow(island.entities(), row * Neighbourhood.ENTITY_INTS);
+      } else {
+        near.addRow(island.contacts(), contact * Neighbourhood.CONTACT_INTS);
+      }
+    }
+  }
+}
