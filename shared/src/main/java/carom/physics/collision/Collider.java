@@ -83,6 +83,8 @@ public final class Collider {
   private int faceSupport;
 
   private int hint;
+  private float gap;
+  private boolean ofB;
 
   /** Makes a collider with its own scratch memory. */
   public Collider() {}
@@ -157,6 +159,26 @@ public final class Collider {
    */
   public int hint() {
     return hint;
+  }
+
+  /**
+   * After two polygons without a point in common: how far apart they are at least, along the normal
+   * of some face.
+   *
+   * @return m; may be below the speculative distance if a corner decided; meaningless if a shape
+   *     was round
+   */
+  public float gap() {
+    return gap;
+  }
+
+  /**
+   * After two polygons with points in common: whose face the normal belongs to.
+   *
+   * @return true for B's; meaningless if a shape was round
+   */
+  public boolean ofB() {
+    return ofB;
   }
 
   /** One of the four numbers in a hint, 0 if there is no such vertex. */
@@ -259,8 +281,7 @@ public final class Collider {
   /**
    * Two unrotated boxes: the same decisions as {@link #polygons} with most of the arithmetic gone.
    */
-  private static void boxes(
-      Box a, Transform ta, Box b, Transform tb, float speculative, Manifold out) {
+  private void boxes(Box a, Transform ta, Box b, Transform tb, float speculative, Manifold out) {
     float shiftX = tb.x - ta.x;
     float shiftY = tb.y - ta.y;
     float aMinX = a.vertexX(0);
@@ -285,6 +306,8 @@ public final class Collider {
       best = aMinX - bMaxX;
       edge = 3;
     }
+    gap = best;
+    ofB = false;
     if (!(best <= speculative)) {
       out.clear();
       return;
@@ -386,6 +409,7 @@ public final class Collider {
     int edgeA = faceEdge;
     int supportB = faceSupport;
     hint = start & ~0xffff | supportB << HINT_BITS | edgeA;
+    gap = separationA;
     if (!(separationA <= speculative)) {
       out.clear();
       return;
@@ -398,6 +422,7 @@ public final class Collider {
     }
     faceOfB(a, countA, countB, hinted(start, 2, countB), hinted(start, 3, countA), speculative);
     hint = hint & 0xffff | faceSupport << 3 * HINT_BITS | faceEdge << 2 * HINT_BITS;
+    gap = Math.max(separationA, faceSeparation);
     if (!(faceSeparation <= speculative)) {
       out.clear();
       return;
@@ -407,7 +432,8 @@ public final class Collider {
       float edge = Math.min(firstEdge(a), firstEdge(bx, by));
       bias = Math.min(FACE_BIAS, RELATIVE_FACE_BIAS * edge);
     }
-    if (faceSeparation > separationA + bias) {
+    ofB = faceSeparation > separationA + bias;
+    if (ofB) {
       int edge = faceEdge;
       float nx = bnx[edge];
       float ny = bny[edge];
@@ -592,6 +618,7 @@ public final class Collider {
     float bh = b.halfHeight();
     float gapAx = Math.abs(dx) - aw - (c * bw + s * bh);
     float gapAy = Math.abs(dy) - ah - (s * bw + c * bh);
+    gap = Math.max(gapAx, gapAy);
     if ((sign(speculative - gapAx) | sign(speculative - gapAy)) != 0) {
       out.clear();
       return;
@@ -600,17 +627,19 @@ public final class Collider {
     float ey = sin * dx - cos * dy;
     float gapBx = Math.abs(ex) - bw - (c * aw + s * ah);
     float gapBy = Math.abs(ey) - bh - (s * aw + c * ah);
+    float separationA = gap;
+    float separationB = Math.max(gapBx, gapBy);
+    gap = Math.max(separationA, separationB);
     if ((sign(speculative - gapBx) | sign(speculative - gapBy)) != 0) {
       out.clear();
       return;
     }
-    float separationA = Math.max(gapAx, gapAy);
-    float separationB = Math.max(gapBx, gapBy);
     float bias = ROUNDING * (aw + ah + bw + bh);
     if (separationB <= TOUCHING) {
       bias += Math.min(FACE_BIAS, RELATIVE_FACE_BIAS * 2 * Math.min(aw, bw));
     }
-    if (separationB > separationA + bias) {
+    ofB = separationB > separationA + bias;
+    if (ofB) {
       int edge = boxEdge(gapBx, gapBy, ex, ey);
       // A's faces in B's frame are turned by the opposite angle.
       int facing = facingEdge(edge, cos, -sin);

@@ -58,6 +58,9 @@ public final class ContactTable {
   /** Where the search for the best face ended; changes no result, so it isn't saved. */
   int[] hint = new int[FIRST_CAPACITY];
 
+  /** Manifolds of steps before; change no result, so they aren't saved. */
+  final KeptManifolds kept = new KeptManifolds();
+
   /** Impulses to start the next step with, N s per substep: normal and tangential of each point. */
   float[] normal0 = new float[FIRST_CAPACITY];
 
@@ -497,6 +500,7 @@ public final class ContactTable {
     moves.apply(id0);
     moves.apply(id1);
     moves.apply(hint);
+    kept.move(moves);
     for (float[] field : floats) {
       moves.apply(field);
     }
@@ -607,6 +611,7 @@ public final class ContactTable {
     id0[row] = 0;
     id1[row] = 0;
     hint[row] = 0;
+    kept.forget(row);
     mix(row, parts);
   }
 
@@ -621,6 +626,20 @@ public final class ContactTable {
     float radius = Math.max(roundA[row], roundB[row]);
     rolling[row] = Math.max(parts.rolling[a], parts.rolling[b]) * radius;
     surface[row] = parts.tangentSpeed[a] + parts.tangentSpeed[b];
+  }
+
+  /** Makes room to keep manifolds; where nobody does so none are kept. */
+  void keepManifolds() {
+    kept.ensure(key.length);
+  }
+
+  /** Must be called when a body's parts were put elsewhere in its frame. */
+  void forgetManifolds(int body) {
+    for (int row = 0; row < count; row++) {
+      if (bodyA(row) == body || bodyB(row) == body) {
+        kept.forget(row);
+      }
+    }
   }
 
   /** Must be called when materials of a body changed. */
@@ -643,6 +662,7 @@ public final class ContactTable {
     id0[to] = from.id0[row];
     id1[to] = from.id1[row];
     hint[to] = from.hint[row];
+    kept.forget(to);
     for (int f = 0; f < floats.length; f++) {
       floats[f][to] = from.floats[f][row];
     }
@@ -701,6 +721,7 @@ public final class ContactTable {
         System.arraycopy(floats[f], 0, to.floats[f], 0, count);
       }
       to.count = count;
+      to.kept.clear();
       rows.copyTo(to.rows);
       perRow += Long.BYTES + 2 * Integer.BYTES + Float.BYTES * COLD;
     }
@@ -718,6 +739,7 @@ public final class ContactTable {
       return;
     }
     int grown = Math.max(capacity, key.length * 2);
+    kept.grow(grown);
     key = Arrays.copyOf(key, grown);
     partA = Arrays.copyOf(partA, grown);
     partB = Arrays.copyOf(partB, grown);

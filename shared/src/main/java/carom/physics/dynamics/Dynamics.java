@@ -434,6 +434,7 @@ public final class Dynamics {
     float originX = bodies.originX(body);
     float originY = bodies.originY(body);
     fill(body, shapes, own, total);
+    contacts.forgetManifolds(body);
     if (bodies.localX[body] == oldLocalX && bodies.localY[body] == oldLocalY) {
       return;
     }

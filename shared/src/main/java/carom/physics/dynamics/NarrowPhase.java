@@ -35,6 +35,7 @@ final class NarrowPhase {
   /** What one worker needs. */
   private static final class Desk {
     private final Collider collider = new Collider();
+    private final KeptManifolds.Desk keeping = new KeptManifolds.Desk();
     private final Manifold manifold = new Manifold();
     private final Transform poseA = new Transform();
     private final Transform poseB = new Transform();
@@ -61,6 +62,7 @@ final class NarrowPhase {
       left = new boolean[Math.max(count, left.length * 2)];
     }
     Arrays.fill(left, 0, count, false);
+    contacts.keepManifolds();
   }
 
   /** Has a row stay as it is. */
@@ -146,25 +148,44 @@ final class NarrowPhase {
     if ((contacts.flags[row] & ContactTable.IGNORED) != 0) {
       manifold.count = 0;
     } else {
-      int partA = contacts.partA[row];
-      int partB = contacts.partB[row];
-      place(contacts.bodyA(row), desk.poseA);
-      place(contacts.bodyB(row), desk.poseB);
-      desk.collider.collide(
-          parts.convex[partA],
-          desk.poseA,
-          parts.convex[partB],
-          desk.poseB,
-          sensor ? 0 : settings.speculativeDistance(),
-          contacts.hint[row],
-          manifold);
-      contacts.hint[row] = desk.collider.hint();
+      collide(row, sensor, desk);
     }
     contacts.update(row, manifold);
     if (manifold.count > 0 && !sensor) {
       desk.touching++;
       desk.pressed |= -manifold.minSeparation() > settings.slop();
     }
+  }
+
+  private void collide(int row, boolean sensor, Desk desk) {
+    int partA = contacts.partA[row];
+    int partB = contacts.partB[row];
+    int b = contacts.bodyB(row);
+    place(contacts.bodyA(row), desk.poseA);
+    place(b, desk.poseB);
+    if (!sensor && parts.isPolygon(partA) && parts.isPolygon(partB)) {
+      contacts.kept.collide(
+          row,
+          parts.convex[partA],
+          desk.poseA,
+          parts.convex[partB],
+          desk.poseB,
+          bodies.reach[b],
+          settings.speculativeDistance(),
+          contacts.hint,
+          desk.keeping,
+          desk.manifold);
+      return;
+    }
+    desk.collider.collide(
+        parts.convex[partA],
+        desk.poseA,
+        parts.convex[partB],
+        desk.poseB,
+        sensor ? 0 : settings.speculativeDistance(),
+        contacts.hint[row],
+        desk.manifold);
+    contacts.hint[row] = desk.collider.hint();
   }
 
   private void place(int body, Transform pose) {

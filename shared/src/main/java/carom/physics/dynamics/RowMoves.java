@@ -76,6 +76,20 @@ final class RowMoves {
     }
   }
 
+  /** Moves the rows of an array in which each takes several places. */
+  void apply(float[] a, int stride) {
+    for (int i = 0; i < count; i++) {
+      if (offset[i] < 0) {
+        back(a, from[i] * stride, length[i] * stride, offset[i] * stride);
+      }
+    }
+    for (int i = count - 1; i >= 0; i--) {
+      if (offset[i] > 0) {
+        on(a, from[i] * stride, length[i] * stride, offset[i] * stride);
+      }
+    }
+  }
+
   private static void back(float[] a, int first, int n, int by) {
     if (n >= SHORT) {
       System.arraycopy(a, first, a, first + by, n);

@@ -125,6 +125,11 @@ public final class ShapeTable {
     return (byte) (part instanceof Circle ? 0 : part instanceof Box ? 1 : 2);
   }
 
+  /** Whether a part is a box or another polygon with sharp corners. */
+  boolean isPolygon(int part) {
+    return kind[part] == 1 || kind[part] == 2;
+  }
+
   /** Takes a block of parts for a body; answers the first. */
   int allocate(int owner, int parts) {
     if (parts == 0) {

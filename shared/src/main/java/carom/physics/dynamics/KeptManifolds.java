@@ -1,0 +1,265 @@
+package carom.physics.dynamics;
+
+import carom.physics.collision.Collider;
+import carom.physics.collision.Manifold;
+import carom.physics.geometry.Convex;
+import carom.physics.math.Transform;
+import java.util.Arrays;
+
+/**
+ * Manifolds of polygons, kept while their shapes hardly move relative to each other.
+ *
+ * <p>The pose of B in A's frame is rounded to a grid of {@value #CELL} m and rad. The manifold is
+ * that of the rounded pose; from there to the true pose the gaps follow by {@code n . m}, with the
+ * way m of B's material at the point, and a normal that belongs to B turns with it. That is exact
+ * for a corner against a face, and off by a grid step times the angle between the two faces at the
+ * ends of faces.
+ *
+ * <p>So the answer depends on the two poses alone, wherever they come from, and not on the past:
+ * whether a manifold was kept or is computed anew shows in no bit. Nothing here needs to be saved,
+ * sent or hashed; what is kept may be forgotten at any time.
+ *
+ * <p>Of shapes that are apart it is kept how far: until they have moved that far they can't touch.
+ *
+ * <p>The idea of using a manifold for several steps is from Box2D v3's contact recycling; there it
+ * depends on when the manifold was made.
+ */
+final class KeptManifolds {
+  /** Grid step for the relative position, m, and rotation. */
+  static final float CELL = 1 / 2048f;
+
+  /**
+   * Adding and subtracting this rounds a number to the grid; those beyond 8 km, where the grid of
+   * floats itself is as coarse, to that.
+   */
+  private static final float ROUNDING = 1.5f * (1 << 23) * CELL;
+
+  /** A gap is trusted after so much has been taken off for rounding: absolute, m, and relative. */
+  private static final float DOUBT = 1e-4f;
+
+  private static final float RELATIVE_DOUBT = 1e-5f;
+
+  /** A single point with a wider gap, m, is one of two corners, whose normal turns quickly. */
+  private static final float TOUCHING = 1e-5f;
+
+  // What is kept of a row: the rounded pose before and after its rotation was made a unit,
+  private static final int COS = 0;
+  private static final int SIN = 1;
+  private static final int X = 2;
+  private static final int Y = 3;
+  private static final int UNIT_COS = 4;
+  private static final int UNIT_SIN = 5;
+
+  /** number of points + OF_B if the normal belongs to B + ID * id of the first point, */
+  private static final int KIND = 6;
+
+  /** if there are none, how far the shapes may move before there can be some, m; */
+  private static final int CLEARANCE = 7;
+
+  // else the manifold in A's frame.
+  private static final int NX = 7;
+  private static final int NY = 8;
+  private static final int X0 = 9;
+  private static final int Y0 = 10;
+  private static final int GAP0 = 11;
+  private static final int X1 = 12;
+  private static final int Y1 = 13;
+  private static final int GAP1 = 14;
+  private static final int ID1 = 15;
+  private static final int STRIDE = 16;
+
+  private static final int OF_B = 4;
+  private static final int ID = 8;
+
+  /** A cosine that none is: the row is not known. */
+  private static final float UNKNOWN = 2;
+
+  private float[] rows = new float[0];
+
+  /** Makes room for so many rows, if any were ever kept. */
+  void grow(int count) {
+    if (rows.length > 0) {
+      ensure(count);
+    }
+  }
+
+  /** Makes room for so many rows. */
+  void ensure(int count) {
+    int old = rows.length / STRIDE;
+    if (count > old) {
+      rows = Arrays.copyOf(rows, Math.max(count, 2 * old) * STRIDE);
+      for (int row = old; row < rows.length / STRIDE; row++) {
+        forget(row);
+      }
+    }
+  }
+
+  /** Forgets a row; nothing happens if there is no room for it yet. */
+  void forget(int row) {
+    if (row * STRIDE < rows.length) {
+      rows[row * STRIDE + COS] = UNKNOWN;
+    }
+  }
+
+  /** Forgets everything. */
+  void clear() {
+    for (int at = 0; at < rows.length; at += STRIDE) {
+      rows[at + COS] = UNKNOWN;
+    }
+  }
+
+  /** Moves rows, for all of which there must be room. */
+  void move(RowMoves moves) {
+    if (rows.length > 0) {
+      moves.apply(rows, STRIDE);
+    }
+  }
+
+  /** What one worker needs. */
+  static final class Desk {
+    private final Collider collider = new Collider();
+    private final Transform identity = new Transform();
+    private final Transform pose = new Transform();
+    private final Manifold made = new Manifold();
+  }
+
+  /**
+   * Finds where two polygons touch.
+   *
+   * @param row where to keep it
+   * @param a A's part
+   * @param ta its pose
+   * @param b B's part
+   * @param tb its pose
+   * @param reach no point of B is further from B's position, m
+   * @param speculative points up to this far apart count, m
+   * @param hints per row what the collider said last
+   * @param out receives the manifold
+   */
+  void collide(
+      int row,
+      Convex a,
+      Transform ta,
+      Convex b,
+      Transform tb,
+      float reach,
+      float speculative,
+      int[] hints,
+      Desk desk,
+      Manifold out) {
+    float worldX = tb.x - ta.x;
+    float worldY = tb.y - ta.y;
+    float x = ta.cos * worldX + ta.sin * worldY;
+    float y = ta.cos * worldY - ta.sin * worldX;
+    float cos = ta.cos * tb.cos + ta.sin * tb.sin;
+    float sin = ta.cos * tb.sin - ta.sin * tb.cos;
+    float cellX = round(x);
+    float cellY = round(y);
+    float cellCos = round(cos);
+    float cellSin = round(sin);
+    float[] r = rows;
+    int at = row * STRIDE;
+    float wayX = cellX - r[at + X];
+    float wayY = cellY - r[at + Y];
+    float wayCos = cellCos - r[at + COS];
+    float waySin = cellSin - r[at + SIN];
+    float way = Math.abs(wayX) + Math.abs(wayY);
+    float turn = Math.abs(wayCos) + Math.abs(waySin);
+    if (way + turn != 0) {
+      if (r[at + KIND] == 0 && r[at + COS] != UNKNOWN && way + turn * reach < r[at + CLEARANCE]) {
+        out.count = 0;
+        return;
+      }
+      r[at + COS] = cellCos;
+      r[at + SIN] = cellSin;
+      r[at + X] = cellX;
+      r[at + Y] = cellY;
+      make(at, a, b, speculative, hints, row, desk);
+    }
+    int kind = (int) r[at + KIND];
+    int count = kind & 3;
+    out.count = count;
+    if (count == 0) {
+      return;
+    }
+    if (count == 1 && r[at + GAP0] > TOUCHING) {
+      desk.collider.collide(a, ta, b, tb, speculative, hints[row], out);
+      return;
+    }
+    // From the rounded pose to the true one B turns by (c, s) and moves.
+    float c = cos * r[at + UNIT_COS] + sin * r[at + UNIT_SIN] - 1;
+    float s = sin * r[at + UNIT_COS] - cos * r[at + UNIT_SIN];
+    float nx = r[at + NX];
+    float ny = r[at + NY];
+    if ((kind & OF_B) != 0) {
+      float turned = nx + (c * nx - s * ny);
+      ny += s * nx + c * ny;
+      nx = turned;
+    }
+    out.normalX = ta.cos * nx - ta.sin * ny;
+    out.normalY = ta.sin * nx + ta.cos * ny;
+    float restX = x - r[at + X];
+    float restY = y - r[at + Y];
+    float px = r[at + X0];
+    float py = r[at + Y0];
+    float armX = px - r[at + X];
+    float armY = py - r[at + Y];
+    float moveX = restX + (c * armX - s * armY);
+    float moveY = restY + (s * armX + c * armY);
+    px += 0.5f * moveX;
+    py += 0.5f * moveY;
+    out.x0 = ta.cos * px - ta.sin * py;
+    out.y0 = ta.sin * px + ta.cos * py;
+    out.separation0 = r[at + GAP0] + (nx * moveX + ny * moveY);
+    out.id0 = kind / ID;
+    if (count == 2) {
+      px = r[at + X1];
+      py = r[at + Y1];
+      armX = px - r[at + X];
+      armY = py - r[at + Y];
+      moveX = restX + (c * armX - s * armY);
+      moveY = restY + (s * armX + c * armY);
+      px += 0.5f * moveX;
+      py += 0.5f * moveY;
+      out.x1 = ta.cos * px - ta.sin * py;
+      out.y1 = ta.sin * px + ta.cos * py;
+      out.separation1 = r[at + GAP1] + (nx * moveX + ny * moveY);
+      out.id1 = (int) r[at + ID1];
+    }
+  }
+
+  private static float round(float value) {
+    return value + ROUNDING - ROUNDING;
+  }
+
+  /** Computes what is kept of the rounded pose. */
+  private void make(
+      int at, Convex a, Convex b, float speculative, int[] hints, int row, Desk desk) {
+    float[] r = rows;
+    float cos = r[at + COS];
+    float sin = r[at + SIN];
+    float unit = 1 / (float) Math.sqrt(cos * cos + sin * sin);
+    r[at + UNIT_COS] = cos * unit;
+    r[at + UNIT_SIN] = sin * unit;
+    Transform pose = desk.pose.set(r[at + X], r[at + Y], r[at + UNIT_COS], r[at + UNIT_SIN]);
+    Manifold m = desk.made;
+    desk.collider.collide(a, desk.identity, b, pose, speculative, hints[row], m);
+    hints[row] = desk.collider.hint();
+    if (m.count == 0) {
+      r[at + KIND] = 0;
+      float doubt = DOUBT + RELATIVE_DOUBT * (Math.abs(pose.x) + Math.abs(pose.y));
+      r[at + CLEARANCE] = desk.collider.gap() - speculative - doubt;
+      return;
+    }
+    r[at + KIND] = m.count + (desk.collider.ofB() ? OF_B : 0) + ID * m.id0;
+    r[at + NX] = m.normalX;
+    r[at + NY] = m.normalY;
+    r[at + X0] = m.x0;
+    r[at + Y0] = m.y0;
+    r[at + GAP0] = m.separation0;
+    r[at + X1] = m.x1;
+    r[at + Y1] = m.y1;
+    r[at + GAP1] = m.separation1;
+    r[at + ID1] = m.id1;
+  }
+}
