@@ -89,6 +89,17 @@ public final class ClientMain implements Callable<Integer> {
       description = "play what carom-server --record has written, also while it is being written")
   private Path replay;
 
+  @Option(
+      names = "--watch",
+      paramLabel = "ROOM",
+      arity = "0..1",
+      fallbackValue = "1",
+      defaultValue = "0",
+      description =
+          "watch this room of the server instead of playing, as late as the server wants it (1 when"
+              + " no number is given)")
+  private int watch;
+
   @CommandLine.Spec private CommandLine.Model.CommandSpec spec;
 
   private ClientMain() {}
@@ -121,6 +132,11 @@ public final class ClientMain implements Callable<Integer> {
     if (problem == null && !scene.isEmpty()) {
       problem = sceneProblem();
     }
+    if (problem == null && (watch < 0 || watch > 255)) {
+      problem = "--watch=" + watch + " is outside 1..255";
+    } else if (problem == null && watch > 0 && (replay != null || !scene.isEmpty())) {
+      problem = "--watch excludes --replay and --scene";
+    }
     if (problem != null) {
       throw new CommandLine.ParameterException(spec.commandLine(), problem);
     }
@@ -131,6 +147,9 @@ public final class ClientMain implements Callable<Integer> {
     }
     network.startLogging();
     ClientConfig config = network.config(name).withPrediction(prediction).withSyncTest(syncTest);
+    if (watch > 0) {
+      return watch(config);
+    }
     if (headless) {
       try (StopSignal stop = new StopSignal();
           ClientTransport transport = network.impair(new KryoClientTransport());
@@ -138,6 +157,10 @@ public final class ClientMain implements Callable<Integer> {
         return playHeadless(client, stop);
       }
     }
+    return openWindow(config, replay);
+  }
+
+  private int openWindow(ClientConfig config, Path recording) {
     boolean named =
         spec.commandLine().getParseResult().hasMatchedOption("--host")
             || spec.commandLine().getParseResult().hasMatchedOption("--tcp-port");
@@ -150,13 +173,58 @@ public final class ClientMain implements Callable<Integer> {
             netGraph,
             debug,
             screenshot,
-            replay,
+            recording,
+            watch > 0,
             scene.isEmpty() ? null : Scenes.get(scene));
     for (Window window : ServiceLoader.load(Window.class)) {
       return window.launch(options);
     }
     System.err.println("This build has no window; start with --headless.");
     return 1;
+  }
+
+  private int watch(ClientConfig config) {
+    try (StopSignal stop = new StopSignal();
+        ClientTransport transport = network.impair(new KryoClientTransport());
+        SpectatorThread spectator = new SpectatorThread(config, watch, transport)) {
+      Path file = spectator.await();
+      if (file == null) {
+        System.err.println("carom-client: " + spectator.message());
+        return 1;
+      }
+      return headless ? watchHeadless(file, stop) : openWindow(config, file);
+    } catch (IOException e) {
+      System.err.println("carom-client: can't watch: " + e);
+      return 1;
+    }
+  }
+
+  /** Computes what is watched and says how it goes; 1 when it came out otherwise. */
+  private int watchHeadless(Path file, StopSignal stop) throws IOException {
+    try (ReplayClient client = new ReplayClient(file)) {
+      client.seek(Integer.MAX_VALUE);
+      long start = System.nanoTime();
+      long nextLine = start + SECOND;
+      for (long now = start;
+          (seconds == 0 || now - start < seconds * SECOND) && !stop.asked() && !client.ended();
+          now = System.nanoTime()) {
+        client.update(now);
+        if (now >= nextLine) {
+          nextLine += SECOND;
+          System.out.printf(
+              Locale.ROOT,
+              "watching tick=%d players=%d%s%s%n",
+              client.tick(),
+              client.view().players().size(),
+              client.waiting() ? " waiting for more" : "",
+              client.divergence() == null ? "" : " diverged at " + client.divergence().tick());
+        }
+        if (!sleepUntil(now + FRAME_NS)) {
+          break;
+        }
+      }
+      return client.divergence() == null ? 0 : 1;
+    }
   }
 
   private String replayProblem() {

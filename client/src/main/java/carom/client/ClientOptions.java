@@ -17,6 +17,7 @@ import java.nio.file.Path;
  *     ({@code --screenshot FILE}); empty = none
  * @param replay a recording to play instead of playing oneself ({@code --replay FILE}); null to
  *     play
+ * @param live whether that recording grows: it is played from its end on ({@code --watch})
  * @param scene what to look at instead of playing ({@code --scene NAME}); null to play
  */
 public record ClientOptions(
@@ -28,4 +29,5 @@ public record ClientOptions(
     boolean debug,
     String screenshot,
     Path replay,
+    boolean live,
     Scene scene) {}

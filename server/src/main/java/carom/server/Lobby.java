@@ -69,6 +69,7 @@ final class Lobby {
   private final List<Visitor> visitors = new ArrayList<>();
   private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
   private final AdmissionRate rate = new AdmissionRate();
+  private final Spectators spectators;
   private long nowNs;
 
   /**
@@ -84,6 +85,7 @@ final class Lobby {
     this.config = config;
     this.transport = transport;
     this.rooms = rooms;
+    this.spectators = new Spectators(rooms);
     this.level = level;
     this.gameName = rooms.get(0).simulation().game().name();
     this.levelName = level.name();
@@ -97,7 +99,7 @@ final class Lobby {
   /** One turn: new links, what the visitors sent, deadlines. Returns how much was done. */
   int doWork(long timeNs) {
     nowNs = timeNs;
-    int work = partings.doWork(timeNs);
+    int work = partings.doWork(timeNs) + spectators.doWork(timeNs);
     for (int i = 0; i < MAX_ACCEPT; i++) {
       Link link = transport.accept();
       if (link == null) {
@@ -132,6 +134,7 @@ final class Lobby {
   /** Refuses everybody who waits and whoever still comes. */
   void close(long timeNs) {
     nowNs = timeNs;
+    spectators.close(timeNs);
     for (Visitor visitor : visitors) {
       if (visitor.state == SessionState.LOADING) {
         // After Welcome a client expects a Goodbye; it is the same to the player.
@@ -150,12 +153,18 @@ final class Lobby {
 
   /** Whether no refused link lingers. */
   boolean isDeserted() {
-    return visitors.isEmpty() && partings.isEmpty();
+    return visitors.isEmpty() && partings.isEmpty() && spectators.isDeserted();
   }
 
   /** Closes the links that linger after {@link #close}. */
   void closeLinks() {
     partings.closeAll();
+    spectators.closeLinks();
+  }
+
+  /** Who watches games later. */
+  Spectators spectators() {
+    return spectators;
   }
 
   /** Links that wait here. */
@@ -247,6 +256,8 @@ final class Lobby {
     public void message(Link from, Object message) {
       if (state == SessionState.CONNECTED && message instanceof ClientMessage.Hello hello) {
         hello(hello);
+      } else if (state == SessionState.CONNECTED && message instanceof ClientMessage.Watch watch) {
+        watch(watch);
       } else if (state == SessionState.LOADING
           && message instanceof ClientMessage.LevelRequest request) {
         sendLevel(request.offset());
@@ -272,18 +283,37 @@ final class Lobby {
       }
     }
 
-    private void hello(ClientMessage.Hello hello) {
-      if (hello.protocolVersion() != Protocol.VERSION) {
+    private void watch(ClientMessage.Watch watch) {
+      if (!isOfThisBuild(watch.protocolVersion(), watch.physicsDigest())) {
+        return;
+      }
+      String problem = spectators.add(link, watch.room(), nowNs);
+      if (problem != null) {
+        refused(RefusalReason.BAD_REQUEST, problem);
+      }
+      done = true;
+    }
+
+    /** Refuses who computes otherwise. */
+    private boolean isOfThisBuild(int protocolVersion, long physicsDigest) {
+      if (protocolVersion != Protocol.VERSION) {
         refused(
             RefusalReason.PROTOCOL_VERSION,
             "This server speaks protocol %d, your game %d."
-                .formatted(Protocol.VERSION, hello.protocolVersion()));
-        return;
+                .formatted(Protocol.VERSION, protocolVersion));
+        return false;
       }
-      if (hello.physicsDigest() != Protocol.physicsDigest()) {
+      if (physicsDigest != Protocol.physicsDigest()) {
         refused(
             RefusalReason.PHYSICS_VERSION,
             "This server computes with %s.".formatted(Protocol.PHYSICS_VERSION));
+        return false;
+      }
+      return true;
+    }
+
+    private void hello(ClientMessage.Hello hello) {
+      if (!isOfThisBuild(hello.protocolVersion(), hello.physicsDigest())) {
         return;
       }
       String name = hello.name().strip();

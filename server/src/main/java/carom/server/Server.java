@@ -6,6 +6,7 @@ import carom.physics.threads.WorkerThreads;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.recording.RecordingFile;
+import carom.server.recording.Showing;
 import carom.server.room.Room;
 import carom.server.session.Seats;
 import carom.sim.Game;
@@ -55,7 +56,7 @@ public final class Server implements AutoCloseable {
   private final List<Room> rooms;
   private final Lobby lobby;
   private final StatusLine status;
-  private final List<RecordingFile> recordings = new ArrayList<>();
+  private final List<Showing> recordings = new ArrayList<>();
   private final List<Worker> workers = new ArrayList<>();
   private final CountDownLatch ended = new CountDownLatch(1);
   private long nextStatusNs;
@@ -112,12 +113,40 @@ public final class Server implements AutoCloseable {
     }
     for (Room room : rooms) {
       int number = rooms.size() == 1 ? 0 : room.number();
-      RecordingFile file =
-          new RecordingFile(RecordingFile.fileFor(target, config.gameName(), number));
-      recordings.add(file);
-      room.record(file);
+      record(room, RecordingFile.fileFor(target, config.gameName(), number), false);
     }
-    return recordings.stream().map(RecordingFile::path).toList();
+    return recordings.stream().map(recording -> recording.file().path()).toList();
+  }
+
+  private void record(Room room, Path path, boolean temporary) throws IOException {
+    Showing recording = new Showing(new RecordingFile(path), room.simulation()::tick, temporary);
+    recordings.add(recording);
+    room.record(recording);
+  }
+
+  /**
+   * Lets spectators watch every room some time later; before the first {@link #tick} or {@link
+   * #start}, and after {@link #record}, if that is called. Without it, recordings go to the
+   * system's folder for temporary files.
+   *
+   * @param delaySeconds how long nobody is told what happens, 1..3,600
+   * @throws IOException when a file can't be created
+   */
+  public void show(int delaySeconds) throws IOException {
+    if (delaySeconds < 1 || delaySeconds > 3_600) {
+      throw new IllegalArgumentException("delaySeconds=" + delaySeconds + " is outside 1..3600");
+    }
+    if (recordings.isEmpty()) {
+      Path folder = Files.createTempDirectory("carom");
+      folder.toFile().deleteOnExit();
+      for (Room room : rooms) {
+        Path path = RecordingFile.fileFor(folder, config.gameName(), room.number());
+        path.toFile().deleteOnExit();
+        record(room, path, true);
+      }
+    }
+    recordings.forEach(recording -> recording.delay(delaySeconds * config.tickRateHz()));
+    lobby.spectators().show(List.copyOf(recordings), delaySeconds);
   }
 
   /**
@@ -290,7 +319,7 @@ public final class Server implements AutoCloseable {
     if (helpers != null) {
       helpers.close();
     }
-    recordings.forEach(RecordingFile::close);
+    recordings.forEach(Showing::close);
     transport.close();
     ended.countDown();
   }

@@ -81,6 +81,7 @@ public final class ServerMain implements Callable<Integer> {
   private static final int DEFAULT_TCP_PORT = 54_555;
   private static final int DEFAULT_UDP_PORT = 54_777;
   private static final int MAX_PORT = 65_535;
+  private static final int MAX_SPECTATOR_DELAY_S = 3_600;
   private static final int MAX_GRACE_S = 600;
 
   /** Bodies of a level that is rehearsed itself; for a larger one the game's own level is. */
@@ -207,6 +208,15 @@ public final class ServerMain implements Callable<Integer> {
           "Record the game to this new file, or to a new file in this folder; 'carom replay FILE'"
               + " computes it again.")
   private Path record;
+
+  @Option(
+      names = "--spectator-delay",
+      paramLabel = "S",
+      defaultValue = "0",
+      description =
+          "Show every game to spectators (carom-client --watch) S seconds late, 1..3600; 0 = don't"
+              + " (${DEFAULT-VALUE}).")
+  private int spectatorDelayS;
 
   @Mixin private final NetworkConditions network = new NetworkConditions();
 
@@ -346,6 +356,7 @@ public final class ServerMain implements Callable<Integer> {
     if (record != null && rooms > 1 && !Files.isDirectory(record)) {
       throw bad("--record=" + record + " is no folder; --rooms=" + rooms + " need one");
     }
+    requireRange("--spectator-delay", spectatorDelayS, MAX_SPECTATOR_DELAY_S);
     if (network.problem() != null) {
       throw bad(network.problem());
     }
@@ -401,6 +412,16 @@ public final class ServerMain implements Callable<Integer> {
         server.close();
         logging.stop();
         return refuse("--record=" + record + " can't be written: " + e, FAILED);
+      }
+    }
+    if (spectatorDelayS > 0) {
+      try {
+        server.show(spectatorDelayS);
+        log.info("spectators: let in, {} s late", spectatorDelayS);
+      } catch (IOException e) {
+        server.close();
+        logging.stop();
+        return refuse("--spectator-delay: no file for the recording: " + e, FAILED);
       }
     }
     return run(server, logging);

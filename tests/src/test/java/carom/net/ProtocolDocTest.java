@@ -103,6 +103,10 @@ class ProtocolDocTest {
             new ClientMessage.Diverged(
                 1000, 998, 65_534, 255, List.of(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11))));
     golden.put("look", ClientMessageCodec.encode(new ClientMessage.Look(-1.5f, 2, 16, 9)));
+    golden.put(
+        "watch", ClientMessageCodec.encode(new ClientMessage.Watch(1, 0x0102030405060708L, 2)));
+    golden.put(
+        "recording-request", ClientMessageCodec.encode(new ClientMessage.RecordingRequest(4096)));
     serverMessages(golden);
     inputs(golden);
     snapshots(golden);
@@ -137,6 +141,10 @@ class ProtocolDocTest {
                     new ServerMessage.RosterEntry(0, "Zoë", -3),
                     new ServerMessage.RosterEntry(255, "x", 300)))));
     golden.put("notice", codec.encode(new ServerMessage.Notice("hi")));
+    golden.put("watching", codec.encode(new ServerMessage.Watching(10)));
+    golden.put(
+        "recording-chunk",
+        codec.encode(new ServerMessage.RecordingChunk(4096, new byte[] {0x43, 0x41})));
     golden.put("goodbye", codec.encode(new ServerMessage.Goodbye(GoodbyeReason.KICKED, "spam")));
   }
 

@@ -54,6 +54,9 @@ final class CaromWindow extends ApplicationAdapter {
       ReplayClient recording = new ReplayClient(options.replay());
       ReplayScreen player = new ReplayScreen(canvas, fonts, recording, () -> Gdx.app.exit());
       player.debug(options.debug());
+      if (options.live()) {
+        recording.seek(Integer.MAX_VALUE);
+      }
       show(player);
     } catch (IOException e) {
       throw new UncheckedIOException(e); // it could be opened a moment ago

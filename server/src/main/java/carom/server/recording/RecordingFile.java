@@ -12,6 +12,8 @@ import java.nio.file.StandardOpenOption;
 import java.time.LocalDateTime;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.ArrayBlockingQueue;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -48,6 +50,9 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
   private final Item stop = new Item();
   private final Thread thread;
   private volatile String cut;
+
+  /** Where each block written so far ends; guarded by itself. */
+  private final List<Long> ends = new ArrayList<>();
 
   /**
    * Creates the file and starts the thread.
@@ -106,6 +111,9 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
     try (writer) {
       for (Item item; (item = waiting.take()) != stop; ) {
         writer.write(item.type, item.bytes, item.length);
+        synchronized (ends) {
+          ends.add(writer.written());
+        }
         spare.add(item);
       }
       if (cut != null) {
@@ -117,6 +125,13 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
       LOG.error("recording {} is cut: {}", path, e.toString());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
+    }
+  }
+
+  /** Where a block ends in the file, from 0 on; -1 while it isn't written. Any thread. */
+  long endOf(int block) {
+    synchronized (ends) {
+      return block < ends.size() ? ends.get(block) : -1;
     }
   }
 

@@ -9,9 +9,11 @@ import carom.net.protocol.ServerMessage;
 import carom.net.protocol.ServerMessage.Goodbye;
 import carom.net.protocol.ServerMessage.LevelChunk;
 import carom.net.protocol.ServerMessage.Notice;
+import carom.net.protocol.ServerMessage.RecordingChunk;
 import carom.net.protocol.ServerMessage.Refused;
 import carom.net.protocol.ServerMessage.Roster;
 import carom.net.protocol.ServerMessage.RosterEntry;
+import carom.net.protocol.ServerMessage.Watching;
 import carom.net.protocol.ServerMessage.Welcome;
 import carom.net.transport.MessageCodec;
 import com.esotericsoftware.kryo.Kryo;
@@ -60,6 +62,8 @@ public final class KryoMessageCodec implements MessageCodec {
     kryo.register(Roster.class, new RosterSerializer(), id++);
     kryo.register(Notice.class, new NoticeSerializer(), id++);
     kryo.register(Goodbye.class, new GoodbyeSerializer(), id++);
+    kryo.register(Watching.class, new WatchingSerializer(), id++);
+    kryo.register(RecordingChunk.class, new RecordingChunkSerializer(), id++);
     classes = id + 2 - FIRST_SERVER_BYTE;
   }
 
@@ -292,6 +296,41 @@ public final class KryoMessageCodec implements MessageCodec {
     Goodbye read(Input in) {
       int reason = inRange("reason", in.readByteUnsigned(), 0, GOODBYES.length - 1);
       return new Goodbye(GOODBYES[reason], readText(in, "text", Limits.MAX_TEXT_BYTES));
+    }
+  }
+
+  private static final class WatchingSerializer extends MessageSerializer<Watching> {
+    @Override
+    void write(Output out, Watching m) {
+      out.writeVarInt(inRange("delaySeconds", m.delaySeconds(), 1, 65_535), true);
+    }
+
+    @Override
+    Watching read(Input in) {
+      return new Watching(inRange("delaySeconds", in.readVarInt(true), 1, 65_535));
+    }
+  }
+
+  private static final class RecordingChunkSerializer extends MessageSerializer<RecordingChunk> {
+    @Override
+    void write(Output out, RecordingChunk m) {
+      out.writeLong(notNegative(m.offset()));
+      out.writeVarInt(inRange("bytes", m.bytes().length, 0, Limits.MAX_LEVEL_CHUNK_BYTES), true);
+      out.writeBytes(m.bytes());
+    }
+
+    @Override
+    RecordingChunk read(Input in) {
+      long offset = notNegative(in.readLong());
+      int length = inRange("bytes", in.readVarInt(true), 0, Limits.MAX_LEVEL_CHUNK_BYTES);
+      return new RecordingChunk(offset, readBytes(in, length));
+    }
+
+    private static long notNegative(long offset) {
+      if (offset < 0) {
+        throw new IllegalArgumentException("offset=" + offset + " is negative");
+      }
+      return offset;
     }
   }
 

@@ -60,6 +60,23 @@ public sealed interface ClientMessage {
     }
   }
 
+  /**
+   * Instead of {@link Hello}: lets a spectator in, who is shown a room's recording some time later.
+   *
+   * @param protocolVersion {@link Protocol#VERSION} of the client
+   * @param physicsDigest {@link Protocol#physicsDigest()} of the client, which computes the game
+   * @param room its number, 1..255
+   */
+  record Watch(int protocolVersion, long physicsDigest, int room) implements ClientMessage {}
+
+  /**
+   * Asks for a piece of the recording from an offset on; as with {@link LevelRequest}, several may
+   * be under way.
+   *
+   * @param offset not negative
+   */
+  record RecordingRequest(long offset) implements ClientMessage {}
+
   /** The player goes; no grace period. */
   record Leave() implements ClientMessage {}
 }

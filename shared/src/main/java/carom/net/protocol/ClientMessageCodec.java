@@ -20,6 +20,8 @@ public final class ClientMessageCodec {
   private static final byte LEAVE = 4;
   private static final byte LOOK = 5;
   private static final byte DIVERGED = 6;
+  private static final byte WATCH = 7;
+  private static final byte RECORDING_REQUEST = 8;
   private static final int HELLO_FIXED_BYTES = 1 + 4 + 8 + 8 + 1;
 
   private ClientMessageCodec() {}
@@ -65,6 +67,18 @@ public final class ClientMessageCodec {
       buffer.putFloat(look.halfHeight());
     } else if (message instanceof ClientMessage.Diverged diverged) {
       encodeDiverged(diverged, buffer);
+    } else if (message instanceof ClientMessage.Watch watch) {
+      if (watch.room() < 1 || watch.room() > 255) {
+        throw new IllegalArgumentException("Watch.room=" + watch.room() + " is outside 1..255");
+      }
+      buffer.put(WATCH).putInt(watch.protocolVersion()).putLong(watch.physicsDigest());
+      buffer.put((byte) watch.room());
+    } else if (message instanceof ClientMessage.RecordingRequest request) {
+      if (request.offset() < 0) {
+        throw new IllegalArgumentException(
+            "RecordingRequest.offset=" + request.offset() + " is negative");
+      }
+      buffer.put(RECORDING_REQUEST).putLong(request.offset());
     } else if (message instanceof ClientMessage.Ready) {
       buffer.put(READY);
     } else {
@@ -98,6 +112,8 @@ public final class ClientMessageCodec {
       case LEAVE -> buffer.hasRemaining() ? null : new ClientMessage.Leave();
       case LOOK -> decodeLook(buffer);
       case DIVERGED -> decodeDiverged(buffer);
+      case WATCH -> decodeWatch(buffer);
+      case RECORDING_REQUEST -> decodeRecordingRequest(buffer);
       default -> null;
     };
   }
@@ -162,6 +178,24 @@ public final class ClientMessageCodec {
     return equalTick >= 0 && equalTick < tick
         ? new ClientMessage.Diverged(tick, equalTick, slot, generation, bits)
         : null;
+  }
+
+  private static ClientMessage decodeWatch(ByteBuffer buffer) {
+    if (buffer.remaining() != 4 + 8 + 1) {
+      return null;
+    }
+    int version = buffer.getInt();
+    long digest = buffer.getLong();
+    int room = buffer.get() & 0xff;
+    return room >= 1 ? new ClientMessage.Watch(version, digest, room) : null;
+  }
+
+  private static ClientMessage decodeRecordingRequest(ByteBuffer buffer) {
+    if (buffer.remaining() != 8) {
+      return null;
+    }
+    long offset = buffer.getLong();
+    return offset >= 0 ? new ClientMessage.RecordingRequest(offset) : null;
   }
 
   private static ClientMessage decodeHello(ByteBuffer buffer) {

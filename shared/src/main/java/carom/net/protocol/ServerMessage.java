@@ -97,6 +97,40 @@ public sealed interface ServerMessage {
   record Notice(String text) implements ServerMessage {}
 
   /**
+   * A spectator is in.
+   *
+   * @param delaySeconds how far behind the present it is kept, 1..65,535
+   */
+  record Watching(int delaySeconds) implements ServerMessage {}
+
+  /**
+   * A piece of a recording, the answer to a {@link ClientMessage.RecordingRequest}.
+   *
+   * @param offset of the first byte in the recording
+   * @param bytes at most {@link Limits#MAX_LEVEL_CHUNK_BYTES}, owned by the message; none when
+   *     there is nothing behind the offset yet
+   */
+  @SuppressWarnings("ArrayRecordComponent") // as LevelChunk
+  record RecordingChunk(long offset, byte[] bytes) implements ServerMessage {
+    @Override
+    public boolean equals(Object other) {
+      return other instanceof RecordingChunk chunk
+          && chunk.offset == offset
+          && Arrays.equals(chunk.bytes, bytes);
+    }
+
+    @Override
+    public int hashCode() {
+      return 31 * Long.hashCode(offset) + Arrays.hashCode(bytes);
+    }
+
+    @Override
+    public String toString() {
+      return "RecordingChunk[offset=" + offset + ", bytes=" + bytes.length + "]";
+    }
+  }
+
+  /**
    * The session ends; the link closes.
    *
    * @param reason for the program

@@ -1,0 +1,119 @@
+package carom.server.recording;
+
+import carom.replay.Block;
+import carom.replay.BlockSink;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.file.Files;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.IntSupplier;
+
+/**
+ * A room's recording as spectators may see it: each block from a delay after the last tick in it
+ * on, never before. All of them read the same file, whose bytes exist once, whoever watches.
+ *
+ * <p>{@link #take} belongs to the room's thread, the rest to the lobby's.
+ */
+public final class Showing implements BlockSink, AutoCloseable {
+  private final RecordingFile file;
+  private final IntSupplier tick;
+  private final boolean temporary;
+
+  /** The tick after which each block was made; guarded by itself. */
+  private final List<Integer> ticks = new ArrayList<>();
+
+  private int delayTicks = Integer.MAX_VALUE;
+  private int shownBlocks;
+  private long shown;
+  private FileChannel channel;
+
+  /**
+   * Shows nothing until {@link #delay} is set.
+   *
+   * @param file takes the blocks; closed with this
+   * @param tick the room's present tick, read on its thread
+   * @param temporary whether the file goes when this is closed
+   */
+  public Showing(RecordingFile file, IntSupplier tick, boolean temporary) {
+    this.file = file;
+    this.tick = tick;
+    this.temporary = temporary;
+  }
+
+  /** Shows blocks so many ticks late, before the first is read. */
+  public void delay(int newDelayTicks) {
+    delayTicks = newDelayTicks;
+  }
+
+  @Override
+  public boolean take(Block type, byte[] bytes, int length) {
+    boolean taken = file.take(type, bytes, length);
+    if (taken) {
+      synchronized (ticks) {
+        ticks.add(tick.getAsInt());
+      }
+    }
+    return taken;
+  }
+
+  /**
+   * How many bytes of the file may be seen.
+   *
+   * @param now the room's tick
+   */
+  public long shown(int now) {
+    synchronized (ticks) {
+      while (shownBlocks < ticks.size()
+          && now - ticks.get(shownBlocks) >= delayTicks
+          && file.endOf(shownBlocks) >= 0) {
+        shown = file.endOf(shownBlocks);
+        shownBlocks++;
+      }
+    }
+    return shown;
+  }
+
+  /**
+   * Reads bytes that may be seen.
+   *
+   * @param offset anything; behind what may be seen there is nothing
+   * @param most largest number of bytes
+   * @param now the room's tick
+   */
+  public byte[] read(long offset, int most, int now) throws IOException {
+    int length = (int) Math.max(0, Math.min(most, shown(now) - offset));
+    byte[] bytes = new byte[length];
+    if (length > 0) {
+      if (channel == null) {
+        channel = FileChannel.open(file.path());
+      }
+      ByteBuffer to = ByteBuffer.wrap(bytes);
+      while (to.hasRemaining() && channel.read(to, offset + to.position()) >= 0) {}
+    }
+    return bytes;
+  }
+
+  /** The file. */
+  public RecordingFile file() {
+    return file;
+  }
+
+  /** Closes the file, and deletes it if it was made for this only. */
+  @Override
+  public void close() {
+    file.close();
+    try {
+      if (channel != null) {
+        channel.close();
+      }
+      if (temporary) {
+        Files.deleteIfExists(file.path());
+      }
+    } catch (IOException e) {
+      // It lies in the system's folder for such files, which is cleared without us.
+      return;
+    }
+  }
+}

@@ -1,0 +1,178 @@
+package carom.scenario;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.client.ClientConfig;
+import carom.client.GameClient;
+import carom.client.ReplayClient;
+import carom.client.Spectator;
+import carom.client.bots.Bot;
+import carom.game.ArenaGame;
+import carom.net.kryo.KryoClientTransport;
+import carom.net.kryo.KryoMessageCodec;
+import carom.net.kryo.KryoServerTransport;
+import carom.net.transport.ClientTransport;
+import carom.net.transport.InProcessNetwork;
+import carom.net.transport.ServerTransport;
+import carom.replay.RecordingReader;
+import carom.replay.Replay;
+import carom.server.Server;
+import carom.server.config.ServerConfig;
+import carom.sim.Level;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Goal: spectators see the game as it was, exactly, and never what is younger than the delay.
+ * Method: they compute the bytes they were sent while the game goes on, tick by tick.
+ */
+@Timeout(60)
+class SpectatorScenarioTest {
+  private static final int DELAY_S = 2;
+  private static final int DELAY_TICKS = DELAY_S * 60;
+  private static final long SLICE_NS = 5_000_000;
+
+  @TempDir private Path folder;
+  private long nowNs = 1_000_000_000L;
+
+  private Server server(ServerTransport transport) throws Exception {
+    return new Server(
+        ServerConfig.defaults().withStatusIntervalS(0),
+        ArenaGame::new,
+        Level.builtIn("arena"),
+        transport,
+        () -> nowNs);
+  }
+
+  /** How many ticks of a growing file can be computed; all of them must be equal. */
+  private static int ticks(Path file) throws IOException {
+    if (Files.size(file) < 100) {
+      return -1;
+    }
+    try (RecordingReader reader = RecordingReader.open(file)) {
+      Replay replay = new Replay(reader);
+      while (replay.step() == Replay.Progress.TICK) {}
+      assertNull(replay.divergence());
+      return replay.simulation().tick();
+    }
+  }
+
+  private void run(Server server, List<GameClient> players, List<Spectator> spectators, double s) {
+    for (long endNs = nowNs + (long) (s * 1e9); nowNs < endNs; nowNs += SLICE_NS) {
+      server.tick(nowNs);
+      for (GameClient player : players) {
+        player.update(nowNs);
+      }
+      for (Spectator spectator : spectators) {
+        spectator.update(nowNs);
+      }
+    }
+  }
+
+  @Test
+  void manyWatchTheSameBytesAndNobodyThePresent() throws Exception {
+    InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
+    ClientTransport transport = network.client();
+    List<GameClient> players = new ArrayList<>();
+    List<Spectator> spectators = new ArrayList<>();
+    try (Server server = server(network.server())) {
+      server.show(DELAY_S);
+      for (int i = 0; i < 2; i++) {
+        players.add(new GameClient(ClientConfig.of("bot" + i), transport, new Bot(i), () -> 0));
+      }
+      run(server, players, spectators, 4);
+      for (int i = 0; i < 3; i++) { // they come late
+        spectators.add(
+            new Spectator(ClientConfig.of("s" + i), 1, transport, folder.resolve("s" + i)));
+      }
+      for (int i = 0; i < 12; i++) {
+        run(server, players, spectators, 0.5);
+        Thread.sleep(20); // the file is written by a thread of its own, in real time
+        int seen = ticks(folder.resolve("s0"));
+        int present = server.rooms().get(0).tick();
+        assertTrue(seen <= present - DELAY_TICKS, "seen=" + seen + " present=" + present);
+      }
+      assertEquals(DELAY_S, spectators.get(0).delaySeconds());
+      int least = server.rooms().get(0).tick() - DELAY_TICKS - 120;
+      for (int i = 0; i < 3; i++) {
+        for (int wait = 0; wait < 200 && ticks(folder.resolve("s" + i)) < least; wait++) {
+          Thread.sleep(10);
+          run(server, players, spectators, 0.25);
+        }
+      }
+      for (int i = 0; i < 3; i++) {
+        assertTrue(ticks(folder.resolve("s" + i)) >= least, spectators.get(i).message());
+      }
+      byte[] one = Files.readAllBytes(folder.resolve("s0"));
+      byte[] other = Files.readAllBytes(folder.resolve("s2"));
+      int common = Math.min(one.length, other.length);
+      assertTrue(common > 4_096);
+      assertEquals(-1, Arrays.mismatch(one, 0, common, other, 0, common));
+      try (ReplayClient film = new ReplayClient(folder.resolve("s1"))) {
+        film.seek(least);
+        for (int i = 0; i < 1_000 && film.seeking(); i++) {
+          film.update(nowNs);
+        }
+        assertEquals(least, film.tick());
+        film.seek(60);
+        for (int i = 0; i < 1_000 && film.seeking(); i++) {
+          film.update(nowNs);
+        }
+        assertEquals(60, film.tick());
+        assertNull(film.divergence());
+      }
+    } finally {
+      spectators.forEach(Spectator::close);
+      players.forEach(GameClient::close);
+    }
+    assertTrue(spectators.get(0).ended());
+  }
+
+  @Test
+  void whoShowsNothingSaysSo() throws Exception {
+    InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
+    try (Server server = server(network.server());
+        Spectator spectator =
+            new Spectator(ClientConfig.of("s"), 1, network.client(), folder.resolve("s"))) {
+      run(server, List.of(), List.of(spectator), 1);
+      assertTrue(spectator.ended());
+      assertTrue(spectator.message().contains("--spectator-delay"), spectator.message());
+    }
+  }
+
+  @Test
+  void overSocketsARoomIsWatched() throws Exception {
+    KryoServerTransport sockets = new KryoServerTransport(0, 0);
+    ServerConfig config = ServerConfig.defaults().withStatusIntervalS(0);
+    try (Server server =
+            new Server(config, ArenaGame::new, Level.builtIn("arena"), sockets, System::nanoTime);
+        KryoClientTransport transport = new KryoClientTransport()) {
+      server.show(1);
+      server.start();
+      ClientConfig address =
+          ClientConfig.of("s").withServer("localhost", server.tcpPort(), server.udpPort());
+      Path file = folder.resolve("socket");
+      try (Spectator spectator = new Spectator(address, 1, transport, file);
+          GameClient player = new GameClient(address.withName("bot"), transport, new Bot(1))) {
+        int seen = -1;
+        for (int i = 0; i < 4_000 && seen < 90; i++) {
+          spectator.update(System.nanoTime());
+          player.update(System.nanoTime());
+          seen = i % 50 == 0 ? ticks(file) : seen;
+          Thread.sleep(5);
+        }
+        assertTrue(seen >= 90, "seen=" + seen + " " + spectator.message());
+        assertTrue(seen <= server.rooms().get(0).tick() - 60);
+      }
+    }
+  }
+}
