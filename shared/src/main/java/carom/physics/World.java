@@ -764,6 +764,35 @@ public final class World<T> {
     }
   }
 
+  /** Numbers that {@link #readMotions} writes per body. */
+  public static final int MOTION = 7;
+
+  /**
+   * Writes where all bodies are and how they move: the same numbers as {@link Body#x}, {@link
+   * Body#y}, {@link Body#cos}, {@link Body#sin}, {@link Body#velocityX}, {@link Body#velocityY} and
+   * {@link Body#angularVelocity}, for whoever wants those of thousands. O(slots).
+   *
+   * @param to receives {@link #MOTION} numbers for every slot, from {@link Body#index} times MOTION
+   *     on; those of unused slots mean nothing
+   * @throws IllegalArgumentException if it is shorter than {@link #slotCount} times MOTION
+   */
+  public void readMotions(float[] to) {
+    int needed = store.slots() * MOTION;
+    if (to.length < needed) {
+      throw new IllegalArgumentException(
+          "to.length=" + to.length + " is less than slotCount() * MOTION = " + needed);
+    }
+    for (int slot = 0, at = 0; slot < store.slots(); slot++, at += MOTION) {
+      to[at] = store.originX(slot);
+      to[at + 1] = store.originY(slot);
+      to[at + 2] = store.cos[slot];
+      to[at + 3] = store.sin[slot];
+      to[at + 4] = store.vx[slot];
+      to[at + 5] = store.vy[slot];
+      to[at + 6] = store.w[slot];
+    }
+  }
+
   /**
    * The number of bodies.
    *

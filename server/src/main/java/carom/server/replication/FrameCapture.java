@@ -1,10 +1,12 @@
 package carom.server.replication;
 
+import carom.net.codec.Quantizer;
 import carom.net.protocol.Limits;
 import carom.net.snapshot.EventRecord;
 import carom.net.snapshot.FrameRing;
 import carom.net.snapshot.FrameState;
-import carom.physics.Body;
+import carom.physics.World;
+import carom.physics.math.Trig;
 import carom.sim.Audience;
 import carom.sim.Entity;
 import carom.sim.Event;
@@ -26,6 +28,7 @@ public final class FrameCapture {
   private final InterestIndex index;
   private final EventRecord record = new EventRecord();
   private final Consumer<Event> takeEvent = this::take;
+  private float[] motions = {};
 
   /** Creates an empty ring for a simulation's entities, which starts from the level's bodies. */
   public FrameCapture(Simulation simulation) {
@@ -40,23 +43,24 @@ public final class FrameCapture {
   /** Captures the state after the simulation's last step. */
   public FrameState capture() {
     FrameState frame = ring.begin(simulation.tick());
+    float[] motion = readMotions();
     for (int id = 0, count = simulation.entityCapacity(); id < count; id++) {
       Entity entity = simulation.entity(id);
       if (entity == null) {
         continue;
       }
-      Body<Entity> body = entity.body();
-      frame.put(
+      int at = entity.body().index() * World.MOTION;
+      frame.putTurned(
           id,
           entity.generation(),
           entity.archetype().index(),
           entity.ownerId(),
-          body.x(),
-          body.y(),
-          body.angle(),
-          body.velocityX(),
-          body.velocityY(),
-          body.angularVelocity());
+          motion[at],
+          motion[at + 1],
+          angle(motion[at + 2], motion[at + 3]),
+          motion[at + 4],
+          motion[at + 5],
+          motion[at + 6]);
       Audience audience = simulation.game().audience(simulation, entity);
       if (audience != Audience.NEAR) {
         Player owner = simulation.owner(entity);
@@ -87,6 +91,21 @@ public final class FrameCapture {
     Player by = simulation.player(e.player());
     int team = e.audience() == Audience.TEAM && by != null ? by.team() : 0;
     ring.events().add(record, whom(e.audience(), team));
+  }
+
+  private float[] readMotions() {
+    World<Entity> world = simulation.world();
+    if (motions.length < world.slotCount() * World.MOTION) {
+      motions = new float[2 * world.slotCount() * World.MOTION];
+    }
+    world.readMotions(motions);
+    return motions;
+  }
+
+  /** The angle in steps; all digits are computed only where it might round either way. */
+  private static int angle(float cos, float sin) {
+    int steps = Quantizer.angleOfTurn(Trig.roughTurn(sin, cos), Trig.ROUGH);
+    return steps >= 0 ? steps : Quantizer.angle(Trig.atan2(sin, cos));
   }
 
   /** The captured frames. */

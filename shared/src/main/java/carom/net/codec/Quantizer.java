@@ -30,6 +30,9 @@ public final class Quantizer {
 
   private static final double ANGLE_SCALE = ANGLE_STEPS / (2 * Math.PI);
 
+  /** From 2^26 to a turn to 2^10. */
+  private static final int TURN_SHIFT = 16;
+
   private Quantizer() {}
 
   /** Metres to steps, within plus or minus {@link #MAX_POSITION}. */
@@ -49,6 +52,20 @@ public final class Quantizer {
       return 0;
     }
     return (int) Math.floorMod(Math.round(steps), (long) ANGLE_STEPS);
+  }
+
+  /**
+   * An angle that is known about to steps, as {@link #angle} rounds the exact one.
+   *
+   * @param turn 2^26 for a whole turn
+   * @param error how far it may be off, less than 2^15
+   * @return 0..1,023; -1 when it is too close to where the next step begins
+   */
+  public static int angleOfTurn(int turn, int error) {
+    int moved = turn + (1 << TURN_SHIFT - 1);
+    int rest = moved & (1 << TURN_SHIFT) - 1;
+    boolean sure = rest > error && rest < (1 << TURN_SHIFT) - error;
+    return sure ? moved >> TURN_SHIFT & ANGLE_STEPS - 1 : -1;
   }
 
   /** Steps to radians, -pi (exclusive) .. pi. */
@@ -83,6 +100,7 @@ public final class Quantizer {
   }
 
   private static int clamp(double steps, int max) {
-    return (int) Math.max(-max, Math.min(max, Math.round(steps)));
+    // as Math.round, but by an instruction that processors have; NaN becomes 0
+    return Math.max(-max, Math.min(max, (int) Math.floor(steps + 0.5)));
   }
 }

@@ -88,10 +88,29 @@ public final class FrameState {
       float vx,
       float vy,
       float omega) {
+    putTurned(slot, generation, archetype, owner, x, y, Quantizer.angle(angle), vx, vy, omega);
+  }
+
+  /**
+   * As {@link #put}, of which the angle is quantised already.
+   *
+   * @param angle steps, of which those of whole turns vanish
+   */
+  public void putTurned(
+      int slot,
+      int generation,
+      int archetype,
+      int owner,
+      float x,
+      float y,
+      int angle,
+      float vx,
+      float vy,
+      float omega) {
     identify(slot, generation, archetype, owner);
     this.x[slot] = Quantizer.position(x);
     this.y[slot] = Quantizer.position(y);
-    this.angle[slot] = Quantizer.angle(angle);
+    this.angle[slot] = angle & Quantizer.ANGLE_STEPS - 1;
     this.vx[slot] = Quantizer.velocity(vx);
     this.vy[slot] = Quantizer.velocity(vy);
     this.omega[slot] = Quantizer.omega(omega);

@@ -158,6 +158,12 @@ public final class BodyStore {
   private int count;
   private final Stamp cold = new Stamp();
 
+  /** Of what is cold, as it was at this stamp. */
+  private long coldHash = hashCold();
+
+  private final Stamp hashed = new Stamp();
+  private final RecordHash hotHash = new RecordHash();
+
   /** Makes an empty store. */
   public BodyStore() {}
 
@@ -387,43 +393,52 @@ public final class BodyStore {
 
   /** Bits of everything that influences the future. */
   long hash(long h) {
-    h = StateHash.mix(h, slots);
-    h = StateHash.mix(h, freeCount);
+    if (!cold.same(hashed)) {
+      coldHash = hashCold();
+      cold.copyTo(hashed);
+      listUsed();
+    }
+    RecordHash hot = hotHash;
+    hot.begin(count);
+    for (int i = 0; i < count; i++) {
+      int slot = hot.record(i);
+      hot.add(i, 0, (long) slot << 8 | flags[slot] & 0xff);
+    }
+    hot.add(1, x, y, cos, sin);
+    hot.add(5, vx, vy, w, sleepTime);
+    hot.add(9, forceX, forceY, torque, impulseW);
+    hot.add(13, impulseX, impulseY);
+    return StateHash.mix(StateHash.mix(h, coldHash), hot.finish());
+  }
+
+  private void listUsed() {
+    int[] used = hotHash.list(count);
+    int n = 0;
+    for (int i = 0; i < slots; i++) {
+      if (type[i] != FREE) {
+        used[n++] = i;
+      }
+    }
+  }
+
+  /** Bits of what no step changes. */
+  private long hashCold() {
+    long h = StateHash.mix(StateHash.SEED, (long) slots << 32 | freeCount);
     for (int i = 0; i < freeCount; i++) {
       h = StateHash.mix(h, freeSlots[i]);
     }
     for (int i = 0; i < slots; i++) {
-      h = StateHash.mix(h, ((long) generation[i] << 8) | (type[i] & 0xff));
-      if (type[i] == FREE) {
-        continue;
-      }
-      h = StateHash.mix(h, shapeHash[i]);
-      boolean fixed = type[i] != DYNAMIC && (flags[i] & FIXED_ROTATION) != 0;
-      if (fixed || (flags[i] & (DISABLED | ASLEEP | SLEEPLESS | BULLET)) != 0) {
-        h = StateHash.mix(h, flags[i]);
-      }
-      h = hashFloats(h, i);
-      if (sleepTime[i] != 0) {
-        h = StateHash.mix(h, sleepTime[i], 0);
+      h = StateHash.mix(h, (long) generation[i] << 8 | type[i] & 0xff);
+      if (type[i] != FREE) {
+        h = StateHash.mix(h, shapeHash[i]);
+        h = StateHash.mix(h, invMass[i], invInertia[i]);
+        h = StateHash.mix(h, mass[i], inertia[i]);
+        h = StateHash.mix(h, localX[i], localY[i]);
+        h = StateHash.mix(h, linearDamping[i], angularDamping[i]);
+        h = StateHash.mix(h, gravityScale[i], innerRadius[i]);
       }
     }
     return h;
-  }
-
-  /** The numbers of {@link #gather}, in its order; spelt out, which spares indirections. */
-  private long hashFloats(long hash, int i) {
-    long h = StateHash.mix(hash, x[i], y[i]);
-    h = StateHash.mix(h, cos[i], sin[i]);
-    h = StateHash.mix(h, vx[i], vy[i]);
-    h = StateHash.mix(h, w[i], forceX[i]);
-    h = StateHash.mix(h, forceY[i], torque[i]);
-    h = StateHash.mix(h, impulseX[i], impulseY[i]);
-    h = StateHash.mix(h, impulseW[i], invMass[i]);
-    h = StateHash.mix(h, invInertia[i], mass[i]);
-    h = StateHash.mix(h, inertia[i], localX[i]);
-    h = StateHash.mix(h, localY[i], linearDamping[i]);
-    h = StateHash.mix(h, angularDamping[i], gravityScale[i]);
-    return StateHash.mix(h, innerRadius[i], innerRadius[i]);
   }
 
   /**
@@ -501,7 +516,7 @@ public final class BodyStore {
     floats = gather();
   }
 
-  /** All float arrays, for copying, clearing and hashing; an even number, the hot ones first. */
+  /** All float arrays, for copying and clearing; the hot ones first. */
   private float[][] gather() {
     return new float[][] {
       x,
@@ -526,7 +541,6 @@ public final class BodyStore {
       linearDamping,
       angularDamping,
       gravityScale,
-      innerRadius,
       innerRadius
     };
   }

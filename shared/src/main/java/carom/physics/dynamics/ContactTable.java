@@ -118,6 +118,11 @@ public final class ContactTable {
   private int count;
   private int version;
 
+  /** Whether any row ever resisted rolling. */
+  private boolean rolls;
+
+  private final RecordHash records = new RecordHash();
+
   ContactTable() {}
 
   /**
@@ -625,6 +630,7 @@ public final class ContactTable {
     roundB[row] = parts.convex[b].radius();
     float radius = Math.max(roundA[row], roundB[row]);
     rolling[row] = Math.max(parts.rolling[a], parts.rolling[b]) * radius;
+    rolls |= rolling[row] != 0;
     surface[row] = parts.tangentSpeed[a] + parts.tangentSpeed[b];
   }
 
@@ -663,39 +669,67 @@ public final class ContactTable {
     id1[to] = from.id1[row];
     hint[to] = from.hint[row];
     kept.forget(to);
+    rolls |= from.rolls;
     for (int f = 0; f < floats.length; f++) {
       floats[f][to] = from.floats[f][row];
     }
   }
 
   /** Bits of the rows that touch, which are all that influences the future. */
-  long hash(long h) {
+  long hash() {
+    int[] list = records.list(count);
+    int found = 0;
     for (int row = 0; row < count; row++) {
-      if ((flags[row] & TOUCHING) != 0) {
-        h = hashRow(h, row);
-      }
+      list[found] = row;
+      found += flags[row] & TOUCHING;
     }
-    return h;
+    return hash(found);
   }
 
-  /** Bits of one row. */
-  long hashRow(long h, int row) {
-    int n = points[row];
-    long state = flags[row] & 0xff & ~(FRESH | WAS_PUSHED);
-    h = StateHash.mix(h, key[row]);
-    h = StateHash.mix(h, ((long) n << 40) | (state << 32) | (id0[row] & 0xffffffffL));
-    h = StateHash.mix(h, normal0[row], tangent0[row]);
-    h = StateHash.mix(h, nx[row], ny[row]);
-    h = StateHash.mix(h, total0[row], slide0[row]);
-    if (rolling[row] != 0) {
-      h = StateHash.mix(h, roll[row], 0);
+  /** Bits of the rows that stand for something; the others mean nothing. */
+  long hashUsed() {
+    int[] list = records.list(count);
+    int found = 0;
+    for (int row = 0; row < count; row++) {
+      list[found] = row;
+      found += unused(row) ? 0 : 1;
     }
-    if (n > 1) {
-      h = StateHash.mix(h, id1[row]);
-      h = StateHash.mix(h, normal1[row], tangent1[row]);
-      h = StateHash.mix(h, total1[row], slide1[row]);
+    return hash(found);
+  }
+
+  /**
+   * Bits of the listed rows. Normals and sliding impulses of the whole step aren't in it: they
+   * follow from the state before the step, and nothing in a step reads them.
+   */
+  private long hash(int listed) {
+    records.begin(listed);
+    for (int i = 0; i < listed; i++) {
+      int row = records.record(i);
+      int state = flags[row] & 0xff & ~(FRESH | WAS_PUSHED);
+      records.add(i, 0, key[row]);
+      records.add(i, 1, (long) points[row] << 40 | (long) state << 32 | id0[row] & 0xffffffffL);
     }
-    return h;
+    records.add(2, normal0, tangent0);
+    records.add(4, total0);
+    if (rolls) {
+      records.add(5, roll);
+    }
+    int two = 0;
+    int[] list = records.list(listed);
+    for (int i = 0; i < listed; i++) {
+      list[two] = list[i];
+      two += points[list[i]] >> 1;
+    }
+    long sum = records.finish();
+    records.begin(two);
+    for (int i = 0; i < two; i++) {
+      int row = records.record(i);
+      records.add(i, 6, key[row]);
+      records.add(i, 7, id1[row]);
+    }
+    records.add(8, normal1, tangent1);
+    records.add(10, total1);
+    return sum + records.finish();
   }
 
   /**
@@ -725,6 +759,7 @@ public final class ContactTable {
       rows.copyTo(to.rows);
       perRow += Long.BYTES + 2 * Integer.BYTES + Float.BYTES * COLD;
     }
+    to.rolls = rolls;
     to.version++;
     return (long) count * perRow;
   }

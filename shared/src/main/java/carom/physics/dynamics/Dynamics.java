@@ -1810,7 +1810,7 @@ public final class Dynamics {
    */
   public long hash() {
     mergeWoken();
-    long h = contacts.hash(bodies.hash(StateHash.SEED));
+    long h = StateHash.mix(bodies.hash(StateHash.SEED), contacts.hash());
     return StateHash.finish(joints.hash(sleepers.hash(h)));
   }
 

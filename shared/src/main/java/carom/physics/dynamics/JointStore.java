@@ -222,6 +222,12 @@ public final class JointStore {
   private int count;
   private final Stamp cold = new Stamp();
 
+  /** Of what is cold, as it was at this stamp. */
+  private long coldHash = hashCold();
+
+  private final Stamp hashed = new Stamp();
+  private final RecordHash hotHash = new RecordHash();
+
   JointStore() {}
 
   /**
@@ -478,28 +484,58 @@ public final class JointStore {
     if (slots == 0) {
       return h;
     }
-    h = StateHash.mix(h, ((long) slots << 32) | freeCount);
+    if (!cold.same(hashed)) {
+      coldHash = hashCold();
+      cold.copyTo(hashed);
+      listUsed();
+    }
+    RecordHash hot = hotHash;
+    hot.begin(count);
+    for (int i = 0; i < count; i++) {
+      int slot = hot.record(i);
+      hot.add(i, 0, slot);
+      if (winds(slot)) {
+        hot.add(i, 1, (long) turnsA[slot] << 32 | turnsB[slot] & 0xffffffffL);
+        hot.add(i, 2, Float.floatToRawIntBits(lastA[slot]));
+        hot.add(i, 3, Float.floatToRawIntBits(lastB[slot]));
+      }
+    }
+    hot.add(4, impulseX, impulseY, impulseW, springImpulse);
+    hot.add(8, motorImpulse, lowerImpulse, upperImpulse, torque);
+    hot.add(12, forceX, forceY);
+    return StateHash.mix(StateHash.mix(h, coldHash), hot.finish());
+  }
+
+  private void listUsed() {
+    int[] used = hotHash.list(count);
+    int n = 0;
+    for (int i = 0; i < slots; i++) {
+      if (type[i] != FREE) {
+        used[n++] = i;
+      }
+    }
+  }
+
+  /** Bits of what no step changes. */
+  private long hashCold() {
+    long h = StateHash.mix(StateHash.SEED, (long) slots << 32 | freeCount);
     for (int i = 0; i < freeCount; i++) {
       h = StateHash.mix(h, freeSlots[i]);
     }
     for (int i = 0; i < slots; i++) {
-      long kind = ((long) flags[i] << 8) | (type[i] & 0xff);
-      h = StateHash.mix(h, ((long) generation[i] << 16) | kind);
+      long kind = (long) flags[i] << 8 | type[i] & 0xff;
+      h = StateHash.mix(h, (long) generation[i] << 16 | kind);
       if (type[i] == FREE) {
         continue;
       }
-      h = StateHash.mix(h, ((long) bodyA[i] << 32) | bodyB[i]);
-      for (int f = 0; f < floats.length; f += 2) {
-        h = StateHash.mix(h, floats[f][i], floats[f + 1][i]);
+      h = StateHash.mix(h, (long) bodyA[i] << 32 | bodyB[i]);
+      for (int f = 0; f < HOT; f++) {
+        h = StateHash.mix(h, floats[f][i], 0);
       }
       if (ratio[i] != 0) {
         h = StateHash.mix(h, ratio[i], 0);
         h = StateHash.mix(h, baseAx[i], baseAy[i]);
         h = StateHash.mix(h, baseBx[i], baseBy[i]);
-      }
-      if (winds(i)) {
-        h = StateHash.mix(h, ((long) turnsA[i] << 32) | (turnsB[i] & 0xffffffffL));
-        h = StateHash.mix(h, lastA[i], lastB[i]);
       }
     }
     for (int end : first) {
@@ -519,14 +555,14 @@ public final class JointStore {
     while (to.type.length < slots) {
       to.grow();
     }
-    for (int f = HOT; f < floats.length - 1; f++) {
+    for (int f = HOT; f < floats.length; f++) {
       System.arraycopy(floats[f], 0, to.floats[f], 0, slots);
     }
     System.arraycopy(turnsA, 0, to.turnsA, 0, slots);
     System.arraycopy(turnsB, 0, to.turnsB, 0, slots);
     System.arraycopy(lastA, 0, to.lastA, 0, slots);
     System.arraycopy(lastB, 0, to.lastB, 0, slots);
-    long bytes = (long) slots * Float.BYTES * (floats.length - 1 - HOT + 4);
+    long bytes = (long) slots * Float.BYTES * (floats.length - HOT + 4);
     return cold.same(to.cold) ? bytes : bytes + copyColdTo(to);
   }
 
@@ -612,7 +648,7 @@ public final class JointStore {
     floats = gather();
   }
 
-  /** All float arrays, for copying, clearing and hashing; an even number. */
+  /** All float arrays, for copying and clearing; the cold ones first. */
   private float[][] gather() {
     return new float[][] {
       anchorAx,
@@ -645,7 +681,6 @@ public final class JointStore {
       upperImpulse,
       forceX,
       forceY,
-      torque,
       torque
     };
   }

@@ -120,13 +120,7 @@ final class SleepingContacts {
     if (freeCount == slots()) {
       return h;
     }
-    long sum = 0;
-    for (int row = 0; row < slots(); row++) {
-      if (rows.key[row] != FREE) {
-        sum += StateHash.finish(rows.hashRow(StateHash.SEED, row));
-      }
-    }
-    return StateHash.mix(h, sum);
+    return StateHash.mix(h, rows.hashUsed());
   }
 
   /**

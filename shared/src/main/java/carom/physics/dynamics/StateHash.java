@@ -5,7 +5,8 @@ package carom.physics.dynamics;
  * about half of the hash.
  *
  * <p>Each word is multiplied by an odd constant, rotated and multiplied again, which is the scheme
- * of Austin Appleby's MurmurHash3 (public domain); zero and minus zero differ.
+ * of Austin Appleby's MurmurHash3 (public domain); zero and minus zero differ. Every word waits for
+ * the one before it: for thousands of equal structures see {@link RecordHash}.
  */
 public final class StateHash {
   /** Where a hash starts. */

@@ -43,6 +43,35 @@ class QuantizerTest {
   }
 
   @Test
+  void roundsHalvesUpLikeMathRound() {
+    long seed = 5;
+    Random random = new Random(seed);
+    for (int i = 0; i < 200_000; i++) {
+      float x = (random.nextInt(2_000_001) - 1_000_000) / 1_024f;
+      x = i % 3 == 0 ? x : i % 3 == 1 ? Math.nextUp(x) : Math.nextDown(x);
+      assertEquals(Math.round(x * 512.0), Quantizer.position(x), "seed=" + seed + " x=" + x);
+      float tiny = Float.intBitsToFloat(random.nextInt());
+      long rounded = Math.round(tiny * 512.0);
+      long most = Quantizer.MAX_POSITION;
+      assertEquals(Math.max(-most, Math.min(most, rounded)), Quantizer.position(tiny), "x=" + tiny);
+    }
+  }
+
+  @Test
+  void anAngleKnownAboutIsAStepOrUnsure() {
+    int step = 1 << 16;
+    assertEquals(0, Quantizer.angleOfTurn(0, 100));
+    assertEquals(1, Quantizer.angleOfTurn(step, 100));
+    assertEquals(1023, Quantizer.angleOfTurn(-step, 100));
+    assertEquals(0, Quantizer.angleOfTurn(step / 2 - 101, 100));
+    assertEquals(-1, Quantizer.angleOfTurn(step / 2 - 100, 100));
+    assertEquals(-1, Quantizer.angleOfTurn(step / 2 + 100, 100));
+    assertEquals(1, Quantizer.angleOfTurn(step / 2 + 101, 100));
+    assertEquals(512, Quantizer.angleOfTurn(1 << 25, 100));
+    assertEquals(512, Quantizer.angleOfTurn(-1 << 25, 100));
+  }
+
+  @Test
   void whatIsOutsideIsClampedAndNanIsZero() {
     assertEquals(Quantizer.MAX_POSITION, Quantizer.position(Float.POSITIVE_INFINITY));
     assertEquals(-Quantizer.MAX_POSITION, Quantizer.position(-1e30f));

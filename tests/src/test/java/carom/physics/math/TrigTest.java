@@ -37,6 +37,28 @@ final class TrigTest {
   }
 
   @Test
+  void aRoughTurnIsWithinItsBoundInEveryDirectionAndScale() {
+    for (int i = 0; i < 400_000; i++) {
+      double angle = -Math.PI + 2 * Math.PI * i / 400_000;
+      float scale = i % 3 == 0 ? 1 : i % 3 == 1 ? 1e-28f : 1e28f;
+      float x = (float) (scale * StrictMath.cos(angle));
+      float y = (float) (scale * StrictMath.sin(angle));
+      double exact = StrictMath.atan2(y, x) / (2 * Math.PI) * Trig.TURN;
+      double error = Math.IEEEremainder(Trig.roughTurn(y, x) - exact, Trig.TURN);
+      assertTrue(Math.abs(error) <= Trig.ROUGH, () -> "y=" + y + " x=" + x + " error=" + error);
+    }
+    for (float a : new float[] {0f, -0f, 1, -1}) {
+      for (float b : new float[] {0f, -0f, 1, -1}) {
+        double exact = StrictMath.atan2(a, b) / (2 * Math.PI) * Trig.TURN;
+        if (a != 0 || b != 0) {
+          assertEquals(0, Math.IEEEremainder(Trig.roughTurn(a, b) - exact, Trig.TURN), Trig.ROUGH);
+        }
+      }
+    }
+    assertTrue(Math.abs(Trig.roughTurn(Float.NaN, 1)) <= Trig.TURN / 2);
+  }
+
+  @Test
   void specialArgumentsAnswerAsDocumented() {
     assertTrue(Float.isNaN(Trig.sin(Float.NaN)) && Float.isNaN(Trig.cos(Float.NaN)));
     assertTrue(Float.isNaN(Trig.sin(Float.POSITIVE_INFINITY)));

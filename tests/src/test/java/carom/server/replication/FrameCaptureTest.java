@@ -1,0 +1,73 @@
+package carom.server.replication;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.net.codec.Quantizer;
+import carom.net.snapshot.FrameRing;
+import carom.net.snapshot.FrameState;
+import carom.physics.Body;
+import carom.sim.Entity;
+import carom.sim.Role;
+import carom.sim.Simulation;
+import carom.sim.scene.BenchmarkScenes;
+import carom.sim.scene.Scene;
+import carom.sim.scene.SceneGame;
+import java.lang.management.ManagementFactory;
+import org.junit.jupiter.api.Test;
+
+class FrameCaptureTest {
+  private static Simulation pile(int bodies) {
+    Scene scene = BenchmarkScenes.pile(bodies, 20, 30);
+    return new Simulation(
+        new SceneGame(scene), SceneGame.level(scene), 1, scene.tickRate(), Role.AUTHORITY);
+  }
+
+  @Test
+  void everyNumberIsThatOfItsBodyQuantised() {
+    Simulation simulation = pile(300);
+    FrameCapture capture = new FrameCapture(simulation);
+    for (int tick = 0; tick < 150; tick++) {
+      simulation.step();
+      FrameState frame = capture.capture();
+      int seen = 0;
+      for (int id = 0; id < simulation.entityCapacity(); id++) {
+        Entity entity = simulation.entity(id);
+        if (entity != null) {
+          Body<Entity> body = entity.body();
+          assertEquals(Quantizer.position(body.x()), frame.x(id));
+          assertEquals(Quantizer.position(body.y()), frame.y(id));
+          assertEquals(Quantizer.angle(body.angle()), frame.angle(id));
+          assertEquals(Quantizer.velocity(body.velocityX()), frame.vx(id));
+          assertEquals(Quantizer.velocity(body.velocityY()), frame.vy(id));
+          assertEquals(Quantizer.omega(body.angularVelocity()), frame.omega(id));
+          seen++;
+        }
+      }
+      assertEquals(seen, frame.count());
+    }
+  }
+
+  @Test
+  void allocatesNothingOnceEveryFrameHasGrown() {
+    Simulation simulation = pile(200);
+    FrameCapture capture = new FrameCapture(simulation);
+    for (int tick = 0; tick < FrameRing.SIZE + 10; tick++) {
+      simulation.step();
+      capture.capture();
+    }
+    var threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
+    long least = Long.MAX_VALUE;
+    for (int attempt = 0; attempt < 5; attempt++) {
+      long bytes = 0;
+      for (int tick = 0; tick < 20; tick++) {
+        simulation.step();
+        long before = threads.getCurrentThreadAllocatedBytes();
+        capture.capture();
+        bytes += threads.getCurrentThreadAllocatedBytes() - before;
+      }
+      least = Math.min(least, bytes);
+    }
+    assertTrue(least < 200, "bytes in 20 captures: " + least);
+  }
+}
