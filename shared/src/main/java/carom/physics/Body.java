@@ -4,6 +4,7 @@ import carom.physics.dynamics.BodyStore;
 import carom.physics.dynamics.Checks;
 import carom.physics.dynamics.Dynamics;
 import carom.physics.dynamics.ShapeSpec;
+import carom.physics.dynamics.StateHash;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
 import carom.physics.math.Trig;
@@ -480,6 +481,21 @@ public final class Body<T> {
       store.forceY[index] += fy;
       store.torque[index] += torque;
     }
+  }
+
+  /**
+   * A number that changes when anybody moves this body or pushes it: a hash of pose, velocities,
+   * and of the forces and impulses that wait for the next step.
+   */
+  public long stamp() {
+    check();
+    long h = StateHash.mix(StateHash.SEED, store.x[index], store.y[index]);
+    h = StateHash.mix(h, store.cos[index], store.sin[index]);
+    h = StateHash.mix(h, store.vx[index], store.vy[index]);
+    h = StateHash.mix(h, store.w[index], store.torque[index]);
+    h = StateHash.mix(h, store.forceX[index], store.forceY[index]);
+    h = StateHash.mix(h, store.impulseX[index], store.impulseY[index]);
+    return StateHash.mix(h, store.impulseW[index], 0f);
   }
 
   /**

@@ -534,7 +534,9 @@ public final class Simulation {
   private void computeTick() {
     movePaths();
     if (role == Role.AUTHORITY) {
+      rulesBegin();
       game.beforeStep(this);
+      rulesEnd(tick);
     }
     for (int i = 0; i < playerLimit; i++) {
       Player player = players[i];
@@ -549,7 +551,25 @@ public final class Simulation {
       stepping = false;
     }
     if (role == Role.AUTHORITY) {
+      rulesBegin();
       game.afterStep(this);
+      rulesEnd(tick + 1);
+    }
+  }
+
+  private void rulesBegin() {
+    for (int i = 0; i < playerLimit; i++) {
+      if (players[i] != null) {
+        players[i].rulesBegin();
+      }
+    }
+  }
+
+  private void rulesEnd(int shownTick) {
+    for (int i = 0; i < playerLimit; i++) {
+      if (players[i] != null) {
+        players[i].rulesEnd(shownTick);
+      }
     }
   }
 

@@ -1,12 +1,17 @@
 package carom.scenario;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.InputSource;
 import carom.net.transport.Impairment;
+import carom.physics.Body;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
+import carom.sim.Entity;
+import carom.sim.Input;
 import carom.sim.Level;
+import carom.sim.Simulation;
 import carom.testkit.Condition;
 import carom.testkit.Levels;
 import carom.testkit.Scripts;
@@ -61,6 +66,48 @@ final class ProofScenarioTest {
       assertEquals(1, stepper.count(Counter.DIVERGENCES_UNEXPLAINED));
       stepper.run(5);
       assertEquals(1, stepper.count(Counter.DIVERGENCES_REPORTED), "corrected, and in step again");
+    }
+  }
+
+  @Test
+  void aClientThatComputesWronglyIsFoundOut() {
+    // Goal: the fault is the client's this time. Method: one bit of its predicted body is flipped
+    // behind its back, once.
+    try (Stepper stepper = Stepper.of(Levels.emptyArena(), ServerConfig.defaults())) {
+      SimulatedClient client =
+          stepper.join("p", Impairment.NONE.withLatency(40, 5), Scripts.wander(Stepper.SEED));
+      stepper.run(3);
+      assertEquals(0, stepper.count(Counter.DIVERGENCES_REPORTED));
+      Simulation predicted = client.view().predictedWorld();
+      Body<Entity> body = predicted.player(client.view().playerId()).body().body();
+      body.setVelocity(Math.nextUp(body.velocityX() + 0.25f), body.velocityY());
+      stepper.run(1);
+      assertEquals(1, stepper.count(Counter.DIVERGENCES_REPORTED));
+      assertEquals(1, stepper.count(Counter.DIVERGENCES_UNEXPLAINED));
+      stepper.run(5);
+      assertEquals(1, stepper.count(Counter.DIVERGENCES_REPORTED), "corrected, and in step again");
+    }
+  }
+
+  @Test
+  void whatTheGamesRulesDoToABodyIsExplained() {
+    // Goal: a jolt with nobody near is no fault. Method: two discs, far apart in an empty arena;
+    // one
+    // jolts the other along the line of sight.
+    try (Stepper stepper = Stepper.of(Levels.emptyArena(), ServerConfig.defaults())) {
+      SimulatedClient target =
+          stepper.join("target", Impairment.NONE.withLatency(40, 5), InputSource.IDLE);
+      SimulatedClient jolter = stepper.join("jolter", Impairment.NONE, InputSource.IDLE);
+      Body<Entity> there = stepper.body(target).body();
+      Body<Entity> here = stepper.body(jolter).body();
+      there.setPose(here.x() - 9, here.y(), 1, 0);
+      stepper.run(4);
+      long before = stepper.count(Counter.DIVERGENCES_UNEXPLAINED);
+      jolter.play((view, tick, out) -> out.aim((float) Math.PI).hold(Input.SECOND, true));
+      stepper.runUntil("the jolt hits", () -> there.velocityX() < -1, 1);
+      stepper.run(2);
+      assertTrue(stepper.count(Counter.DIVERGENCES_REPORTED) > 0, stepper::describe);
+      assertEquals(before, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), stepper::describe);
     }
   }
 }

@@ -12,9 +12,9 @@ import java.util.Locale;
  *
  * <p>What is proved: from the tick at which client and server were last equal in every bit, the
  * body was alone among statics and its player's inputs were all consumed, so its state followed
- * from what both sides knew. If it differs all the same, one of them computes wrongly, or the game
- * moved the body by something clients don't know of. A report that has an ordinary reason proves
- * nothing.
+ * from what both sides knew. If it differs all the same, one of them computes wrongly, or something
+ * moved the body that neither is physics nor belongs to the game's rules. A report that has an
+ * ordinary reason proves nothing.
  *
  * <p>The room's thread; no allocation but by reports, which are rare.
  */
@@ -32,6 +32,8 @@ final class PredictionAudit {
     INPUT_MISSING,
     /** Something that moves touched the body. */
     TOUCHED,
+    /** The game moved or pushed the body by rules that clients don't run. */
+    RULED,
     /** Nothing explains it. */
     UNEXPLAINED
   }
@@ -40,6 +42,7 @@ final class PredictionAudit {
   private final int[] ticks = new int[TICKS];
   private final boolean[] missing = new boolean[TICKS];
   private final boolean[] touched = new boolean[TICKS];
+  private final boolean[] ruled = new boolean[TICKS];
 
   PredictionAudit() {
     for (int i = 0; i < TICKS; i++) {
@@ -59,13 +62,15 @@ final class PredictionAudit {
    * @param own the state after it; copied
    * @param inputMissing whether the player's input for it wasn't there in time
    * @param wasTouched whether anything that is not static touched the body in it
+   * @param wasRuled whether the game moved or pushed the body, see {@code Player.ruledTick}
    */
-  void keep(int tick, OwnState own, boolean inputMissing, boolean wasTouched) {
+  void keep(int tick, OwnState own, boolean inputMissing, boolean wasTouched, boolean wasRuled) {
     int slot = tick & (TICKS - 1);
     ticks[slot] = tick;
     states[slot].set(own);
     missing[slot] = inputMissing;
     touched[slot] = wasTouched;
+    ruled[slot] = wasRuled;
   }
 
   /** Judges a report; any numbers are allowed in it. */
@@ -96,6 +101,8 @@ final class PredictionAudit {
       int slot = tick & (TICKS - 1);
       if (touched[slot]) {
         verdict = Verdict.TOUCHED;
+      } else if (ruled[slot] && verdict != Verdict.TOUCHED) {
+        verdict = Verdict.RULED;
       } else if (missing[slot] && verdict == Verdict.UNEXPLAINED) {
         verdict = Verdict.INPUT_MISSING;
       }

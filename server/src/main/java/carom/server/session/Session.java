@@ -301,7 +301,8 @@ public final class Session implements LinkHandler {
   /** Sends the newest frame if it is time to; call once per tick while playing. */
   public void replicate(long timeNs) {
     capture.capture(player, own);
-    audit.keep(consumedTick, own, inputs.lastWasMissing(), isTouched());
+    boolean ruled = player.ruledTick() >= consumedTick;
+    audit.keep(consumedTick, own, inputs.lastWasMissing(), isTouched(), ruled);
     if (near == InputDatagram.NEAR_NONE) {
       own.near().clear();
       own.relayed().clear();
