@@ -36,6 +36,8 @@ public enum Counter {
   DATAGRAMS_OUT,
   /** Payload bytes of snapshots sent. */
   SNAPSHOT_BYTES,
+  /** Snapshots that waited for the next tick because theirs took too long. */
+  SNAPSHOTS_POSTPONED,
   /** Snapshot datagrams that the transport didn't take. */
   DATAGRAMS_UNSENT,
   /** Ticks of a player that an input was due for. */

@@ -29,7 +29,9 @@ import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import java.util.ArrayList;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
@@ -68,6 +70,10 @@ public final class Room {
   private static final Logger LOG = LoggerFactory.getLogger(Room.class);
   private static final long NS_PER_MS = 1_000_000;
   private static final long PARTING_MS = 1_000;
+  private static final long WARN_GAP_NS = 10_000_000_000L;
+
+  /** A crowd that comes at once must not cost those who play a tick. */
+  private static final int MAX_ARRIVALS_PER_TICK = 8;
 
   /** Of ticks that are made good in one burst, only so many of the last are worth a snapshot. */
   private static final int MAX_SENDS_PER_BURST = 2;
@@ -84,11 +90,13 @@ public final class Room {
   private final FrameCapture capture;
   private final OwnCapture ownCapture;
   private final TickLoop loop;
+  private final SendTurns turns;
   private final ArrayBlockingQueue<Admission> arrivals;
   private final ArrayBlockingQueue<FutureTask<String>> questions =
       new ArrayBlockingQueue<>(MAX_QUESTIONS);
   private final List<Session> sessions = new ArrayList<>();
   private final Session[] bySeat;
+  private final Map<Session, RuntimeException> broken = new IdentityHashMap<>();
   private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
   private final Consumer<String> broadcastNotice = this::broadcast;
   private final int[] rosterScores;
@@ -99,6 +107,8 @@ public final class Room {
   private float announcements = MAX_ANNOUNCEMENTS;
   private boolean rosterIsOld;
   private long rosterSentNs;
+  private boolean warnedOfLate;
+  private long warnedOfLateNs;
   private volatile int tick;
   private volatile boolean failed;
   private volatile boolean closed;
@@ -130,6 +140,7 @@ public final class Room {
     this.capture = new FrameCapture(simulation);
     this.ownCapture = new OwnCapture(simulation);
     this.loop = new TickLoop(config.tickRateHz(), config.catchUpTicks());
+    this.turns = new SendTurns(config.tickRateHz(), config.snapshotRateHz());
     this.arrivals = new ArrayBlockingQueue<>(2 * seats.count());
     this.bySeat = new Session[seats.count()];
     this.rosterScores = new int[seats.count()];
@@ -245,7 +256,7 @@ public final class Room {
     if (stepped) {
       capture.capture();
       if (sends) {
-        replicate(clock.getAsLong() - beginNs + nowNs);
+        replicate(beginNs, nowNs);
       }
       simulation.drainNotices(broadcastNotice);
       sendRosterIfDue(nowNs);
@@ -293,7 +304,11 @@ public final class Room {
   }
 
   private void admitArrivals(long nowNs) {
-    for (Admission a; (a = arrivals.poll()) != null; ) {
+    for (int i = 0; i < MAX_ARRIVALS_PER_TICK; i++) {
+      Admission a = arrivals.poll();
+      if (a == null) {
+        break;
+      }
       seats.occupy(a.seat());
       try {
         admitOne(a, nowNs);
@@ -465,16 +480,43 @@ public final class Room {
     }
   }
 
-  private void replicate(long nowNs) {
-    for (int i = sessions.size() - 1; i >= 0; i--) {
-      Session session = sessions.get(i);
+  private void replicate(long beginNs, long nowNs) {
+    int count = sessions.size();
+    turns.begin(count, beginNs);
+    for (int i = 0; i < count; i++) {
+      Session session = sessions.get(turns.index(i));
       if (session.state() == SessionState.PLAYING) {
         try {
-          session.replicate(nowNs);
+          if (session.isSnapshotDue() && turns.take(i, clock.getAsLong())) {
+            session.sendSnapshot(clock.getAsLong() - beginNs + nowNs);
+          }
         } catch (RuntimeException e) {
-          failSession(session, e, nowNs);
+          broken.put(session, e);
         }
       }
+    }
+    if (!broken.isEmpty()) {
+      broken.forEach((session, e) -> failSession(session, e, nowNs));
+      broken.clear();
+    }
+    if (turns.late() > 0) {
+      warnOfLateSnapshots(nowNs);
+    }
+  }
+
+  /** The first sign that the machine gets too slow; the ticks are still on time. */
+  private void warnOfLateSnapshots(long nowNs) {
+    counters.add(Counter.SNAPSHOTS_POSTPONED, turns.late());
+    if (!warnedOfLate || nowNs - warnedOfLateNs >= WARN_GAP_NS) {
+      warnedOfLate = true;
+      warnedOfLateNs = nowNs;
+      LOG.warn(
+          "{}ticks take too long at tick {}: {} of {} snapshots wait for the next one; {}",
+          label,
+          simulation.tick(),
+          turns.late(),
+          sessions.size(),
+          "if this repeats, lower --snapshot-rate, --budget or --max-players");
     }
   }
 

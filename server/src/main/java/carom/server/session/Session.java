@@ -298,8 +298,11 @@ public final class Session implements LinkHandler {
     }
   }
 
-  /** Sends the newest frame if it is time to; call once per tick while playing. */
-  public void replicate(long timeNs) {
+  /**
+   * Takes note of the tick for the player, and says whether it is time for a snapshot; call once
+   * per tick while playing.
+   */
+  public boolean isSnapshotDue() {
     capture.capture(player, own);
     boolean ruled = player.ruledTick() >= consumedTick;
     audit.keep(consumedTick, own, inputs.lastWasMissing(), isTouched(), ruled);
@@ -310,9 +313,11 @@ public final class Session implements LinkHandler {
       nearSet.acknowledge(sender.encoder());
       nearSet.capture(player, near == InputDatagram.NEAR_ALL, disagreedTick, own);
     }
-    if (!sender.isDue(own)) {
-      return;
-    }
+    return sender.isDue(own);
+  }
+
+  /** Sends a snapshot of the newest frame, when it {@linkplain #isSnapshotDue is due}. */
+  public void sendSnapshot(long timeNs) {
     long holdMs = (timeNs - sequenceArrivalNs) / NS_PER_MS;
     feedback.holdMs = (int) Math.max(0, Math.min(MAX_HOLD_MS, holdMs));
     sender.send(link, feedback, own);
