@@ -5,7 +5,6 @@ import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.Limits;
 import carom.net.protocol.PackedLevel;
 import carom.net.protocol.Protocol;
-import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.Link;
@@ -91,6 +90,7 @@ final class Connection implements LinkHandler {
   private long askedNs;
   private long roundTripNs;
   private boolean comingBack;
+  private boolean mayPass;
   private long lostNs;
   private long nextAttemptNs;
   private long backoffNs;
@@ -136,6 +136,7 @@ final class Connection implements LinkHandler {
   }
 
   private void open() {
+    mayPass = false;
     attempts++;
     enter(Stage.CONNECTING);
     if (!comingBack) {
@@ -236,6 +237,7 @@ final class Connection implements LinkHandler {
     if (from == link) {
       count(from);
       link = null;
+      mayPass = true;
       lost(
           stage == Stage.PLAYING
               ? sentence("The connection to " + address() + " was lost: " + reason)
@@ -358,13 +360,8 @@ final class Connection implements LinkHandler {
 
   private void refused(ServerMessage.Refused refused) {
     String text = join(refused.reason().playerText(), refused.text());
-    boolean passing =
-        refused.reason() == RefusalReason.SERVER_FULL
-            || refused.reason() == RefusalReason.SHUTTING_DOWN
-            || refused.reason() == RefusalReason.NAME_TAKEN
-            || refused.reason() == RefusalReason.TOO_MANY_CONNECTIONS
-            || refused.reason() == RefusalReason.TOO_SLOW;
-    if (comingBack && passing) {
+    mayPass = refused.reason().retryUseful();
+    if (comingBack && mayPass) {
       fail(text);
     } else {
       end(text);
@@ -373,6 +370,7 @@ final class Connection implements LinkHandler {
 
   private void goodbye(ServerMessage.Goodbye goodbye) {
     String text = join(goodbye.reason().playerText(), goodbye.text());
+    mayPass = goodbye.reason().retryUseful();
     if (goodbye.reason() == GoodbyeReason.LEFT || !goodbye.reason().retryUseful()) {
       end(text);
     } else {
@@ -383,6 +381,7 @@ final class Connection implements LinkHandler {
   /** Gives this link up; whether that is the end depends on what was reached. */
   private void fail(String why) {
     dropLink(why);
+    mayPass = true;
     lost(why);
   }
 
@@ -476,6 +475,11 @@ final class Connection implements LinkHandler {
       case PLAYING -> ConnectionPhase.PLAYING;
       case ENDED -> ConnectionPhase.ENDED;
     };
+  }
+
+  /** Whether what ended the way in may be over in a moment. */
+  boolean mayPass() {
+    return stage == Stage.ENDED && mayPass;
   }
 
   String message() {

@@ -597,6 +597,14 @@ public final class GameClient implements AutoCloseable {
     return prediction == null ? 0 : prediction.visualErrorMetres();
   }
 
+  /**
+   * Whether a new client might get in where this one {@linkplain ConnectionPhase#ENDED ended}: the
+   * server was full, busy or out of reach, and not at odds with this client.
+   */
+  public boolean mayTryAgain() {
+    return connection.mayPass();
+  }
+
   /** Numbers about the connection. */
   public NetStats stats() {
     return stats;

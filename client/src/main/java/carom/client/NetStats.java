@@ -39,6 +39,7 @@ public final class NetStats {
   private long bytesIn;
   private long bytesOut;
   private long playingBytesIn;
+  private long playingBytesOut;
   private long rateSinceNs;
   private long rateBytesIn;
   private long rateBytesOut;
@@ -82,6 +83,9 @@ public final class NetStats {
 
   void bytesOut(int bytes) {
     bytesOut += bytes;
+    if (playing) {
+      playingBytesOut += bytes;
+    }
   }
 
   void playing(boolean now, long nowNs) {
@@ -246,6 +250,11 @@ public final class NetStats {
   /** Payload received while playing, bytes: datagrams and reliable messages. */
   public long playingBytesIn() {
     return playingBytesIn;
+  }
+
+  /** Payload sent while playing, bytes: datagrams and reliable messages. */
+  public long playingBytesOut() {
+    return playingBytesOut;
   }
 
   /** Time between snapshots that 99 % stay below, milliseconds, since the client was created. */

@@ -4,26 +4,35 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * How often the clients of one address may come in: {@value #BURST} at once, then {@value
- * #PER_SECOND} per second. A crowd behind one address comes in unhindered; a client that joins and
- * leaves in a loop can't flood the others' screens and the log. One thread; bounded.
+ * How often the clients of one address may come in: {@value #LEAST_BURST} at once, or as many as
+ * the server has places, then {@value #PER_SECOND} per second. A crowd behind one address comes in
+ * unhindered; a client that joins and leaves in a loop can't flood the others' screens and the log.
+ * One thread; bounded.
  */
 final class AdmissionRate {
-  static final int BURST = 256;
+  static final int LEAST_BURST = 256;
   static final int PER_SECOND = 4;
 
   private static final int MAX_ADDRESSES = 4_096;
   private static final double NS_PER_S = 1e9;
 
   private final Map<String, Bucket> buckets = new HashMap<>();
+  private final int burst;
+
+  /**
+   * @param places of the server
+   */
+  AdmissionRate(int places) {
+    burst = Math.max(LEAST_BURST, places);
+  }
 
   /** What an address has left. */
-  private static final class Bucket {
-    private double tokens = BURST;
+  private final class Bucket {
+    private double tokens = burst;
     private long sinceNs;
 
     private void fill(long nowNs) {
-      tokens = Math.min(BURST, tokens + (nowNs - sinceNs) / NS_PER_S * PER_SECOND);
+      tokens = Math.min(burst, tokens + (nowNs - sinceNs) / NS_PER_S * PER_SECOND);
       sinceNs = nowNs;
     }
   }
@@ -57,8 +66,8 @@ final class AdmissionRate {
     bucket.tokens--;
   }
 
-  private static boolean isFull(Bucket bucket, long nowNs) {
+  private boolean isFull(Bucket bucket, long nowNs) {
     bucket.fill(nowNs);
-    return bucket.tokens >= BURST;
+    return bucket.tokens >= burst;
   }
 }

@@ -68,7 +68,7 @@ final class Lobby {
   private final int maxVisitors;
   private final List<Visitor> visitors = new ArrayList<>();
   private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
-  private final AdmissionRate rate = new AdmissionRate();
+  private final AdmissionRate rate;
   private final Spectators spectators;
   private long nowNs;
 
@@ -94,6 +94,7 @@ final class Lobby {
     this.packedLevel = PackedLevel.pack(source);
     this.secrets = secrets;
     this.maxVisitors = 2 * config.places() + 32;
+    this.rate = new AdmissionRate(config.places());
   }
 
   /** One turn: new links, what the visitors sent, deadlines. Returns how much was done. */

@@ -44,4 +44,9 @@ final class RoomInspector implements RoomMXBean {
   public String why(int player, int entity) {
     return room.why(player, entity);
   }
+
+  @Override
+  public String kick(int player, String text) {
+    return room.kick(player, text);
+  }
 }

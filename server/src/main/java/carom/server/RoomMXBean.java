@@ -16,4 +16,12 @@ public interface RoomMXBean {
    * @param entity an entity's id
    */
   String why(int player, int entity);
+
+  /**
+   * Removes a player, who may join again.
+   *
+   * @param player a player's id, see the log's lines about who joined
+   * @param text for the player, may be empty
+   */
+  String kick(int player, String text);
 }

@@ -45,6 +45,7 @@ public final class Server implements AutoCloseable {
 
   private static final long LOBBY_NAP_NS = TimeUnit.MILLISECONDS.toNanos(5);
   private static final long JOIN_MS = 1_000;
+  private static final long TROUBLES_GAP_NS = TimeUnit.SECONDS.toNanos(10);
 
   private final ServerConfig config;
   private final ServerTransport transport;
@@ -61,6 +62,8 @@ public final class Server implements AutoCloseable {
   private final CountDownLatch ended = new CountDownLatch(1);
   private long nextStatusNs;
   private boolean statusScheduled;
+  private String troublesLogged;
+  private long troublesLoggedNs;
   private volatile boolean lobbyFailed;
   private volatile boolean started;
   private boolean closed;
@@ -173,18 +176,28 @@ public final class Server implements AutoCloseable {
     if (error != null) {
       LOG.error("the network thread survived an error; {}", transport.troubles(), error);
     }
+    logTroubles(nowNs);
     if (config.statusIntervalS() > 0 && (!statusScheduled || nowNs - nextStatusNs >= 0)) {
       if (statusScheduled) {
         status.next(nowNs).forEach(line -> LOG.info("status: {}", line));
-        String troubles = transport.troubles();
-        if (!troubles.isEmpty()) {
-          LOG.info("status: network since the start: {}", troubles);
-        }
       }
       statusScheduled = true;
       nextStatusNs = nowNs + TimeUnit.SECONDS.toNanos(config.statusIntervalS());
     }
     return work;
+  }
+
+  /** What the network turned away, such as half-open connections: soon after, but not too often. */
+  private void logTroubles(long nowNs) {
+    if (troublesLogged != null && nowNs - troublesLoggedNs < TROUBLES_GAP_NS) {
+      return;
+    }
+    String troubles = transport.troubles();
+    if (!troubles.equals(troublesLogged) && !troubles.isEmpty()) {
+      LOG.info("network since the start: {}", troubles);
+    }
+    troublesLogged = troubles;
+    troublesLoggedNs = nowNs;
   }
 
   /** Starts the threads; they are ordinary ones, which keep the JVM alive. */
@@ -194,9 +207,12 @@ public final class Server implements AutoCloseable {
     }
     started = true;
     workers.add(new Worker("carom-lobby", new LobbyDuty(), clock, this::workerEnded));
+    long nowNs = clock.getAsLong();
     for (Room room : rooms) {
+      // One after the other within a tick's time: at once, they would wait for each other's cores.
+      long beginNs = nowNs + (room.number() - 1) * config.tickNs() / rooms.size();
       String name = "carom-room-" + room.number();
-      workers.add(new Worker(name, new RoomDuty(room), clock, this::workerEnded));
+      workers.add(new Worker(name, new RoomDuty(room, beginNs), clock, this::workerEnded));
     }
     workers.get(0).start(Thread.NORM_PRIORITY);
     for (int i = 1; i < workers.size(); i++) {
@@ -212,16 +228,20 @@ public final class Server implements AutoCloseable {
     }
   }
 
-  /** A room's work for its thread. */
-  private record RoomDuty(Room room) implements Worker.Duty {
+  /** A room's work for its thread, from a moment on. */
+  private record RoomDuty(Room room, long beginNs) implements Worker.Duty {
     @Override
     public void turn(long nowNs) {
-      room.doWork(nowNs);
+      if (nowNs - beginNs >= 0) {
+        room.doWork(nowNs);
+      }
     }
 
     @Override
     public long napNs(long nowNs) {
-      return Math.min(room.nextDeadlineNs() - nowNs, ROOM_NAP_NS);
+      return nowNs - beginNs < 0
+          ? beginNs - nowNs
+          : Math.min(room.nextDeadlineNs() - nowNs, ROOM_NAP_NS);
     }
 
     @Override

@@ -101,14 +101,14 @@ final class ConnectionTest {
           @Override
           boolean hello(ScriptedServer.Guest guest) {
             guest.link.send(
-                new ServerMessage.Refused(RefusalReason.NAME_TAKEN, "tester plays already"));
+                new ServerMessage.Refused(RefusalReason.NAME_INVALID, "tester is no name"));
             return false;
           }
         };
     run(2);
     assertEquals(ConnectionPhase.ENDED, phase());
-    assertTrue(client.view().message().contains(RefusalReason.NAME_TAKEN.playerText()));
-    assertTrue(client.view().message().contains("tester plays already"));
+    assertTrue(client.view().message().contains(RefusalReason.NAME_INVALID.playerText()));
+    assertTrue(client.view().message().contains("tester is no name"));
     assertEquals(1, server.guests.size());
   }
 

@@ -10,11 +10,11 @@ import org.junit.jupiter.api.Test;
 final class AdmissionRateTest {
   private static final long SECOND = 1_000_000_000L;
 
-  private final AdmissionRate rate = new AdmissionRate();
+  private final AdmissionRate rate = new AdmissionRate(64);
 
   @Test
   void aCrowdComesInAtOnceAndALoopIsSlowedDown() {
-    for (int i = 0; i < AdmissionRate.BURST; i++) {
+    for (int i = 0; i < AdmissionRate.LEAST_BURST; i++) {
       assertTrue(rate.allows("a", 0), "i=" + i);
       rate.count("a", 0);
     }
@@ -32,12 +32,22 @@ final class AdmissionRateTest {
   }
 
   @Test
+  void asManyAsTheServerHasPlacesComeInAtOnce() {
+    AdmissionRate large = new AdmissionRate(500);
+    for (int i = 0; i < 500; i++) {
+      assertTrue(large.allows("a", 0), "i=" + i);
+      large.count("a", 0);
+    }
+    assertFalse(large.allows("a", 0));
+  }
+
+  @Test
   void restRefillsUpToTheBurst() {
-    for (int i = 0; i < AdmissionRate.BURST; i++) {
+    for (int i = 0; i < AdmissionRate.LEAST_BURST; i++) {
       rate.count("a", 0);
     }
     long later = 3_600 * SECOND;
-    for (int i = 0; i < AdmissionRate.BURST; i++) {
+    for (int i = 0; i < AdmissionRate.LEAST_BURST; i++) {
       assertTrue(rate.allows("a", later));
       rate.count("a", later);
     }

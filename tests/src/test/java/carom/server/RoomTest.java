@@ -21,6 +21,7 @@ import carom.sim.Simulation;
 import java.lang.reflect.Field;
 import java.util.Random;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 
 class RoomTest {
@@ -474,9 +475,29 @@ class RoomTest {
     }
   }
 
+  @Test
+  void anOperatorCanRemoveAPlayer() {
+    try (Rig rig = new Rig()) {
+      FakeClient ann = rig.join("Ann");
+      FakeClient bob = rig.join("Bob");
+      rig.seconds(1);
+      assertEquals("removed player=0 name=Ann", ask(rig, () -> rig.room.kick(0, "be nice")));
+      rig.seconds(1);
+      assertEquals(GoodbyeReason.KICKED, ann.goodbye.reason());
+      assertEquals("be nice", ann.goodbye.text());
+      assertNull(rig.room.session(0), "the body goes with the player");
+      assertNull(bob.goodbye);
+      String nobody = ask(rig, () -> rig.room.kick(0, ""));
+      assertTrue(nobody.contains("player=0 doesn't play here"), nobody);
+    }
+  }
+
   private static String ask(Rig rig, int player, int entity) {
-    CompletableFuture<String> answer =
-        CompletableFuture.supplyAsync(() -> rig.room.why(player, entity));
+    return ask(rig, () -> rig.room.why(player, entity));
+  }
+
+  private static String ask(Rig rig, Supplier<String> question) {
+    CompletableFuture<String> answer = CompletableFuture.supplyAsync(question);
     while (!answer.isDone()) {
       rig.step();
       Thread.onSpinWait();

@@ -12,7 +12,8 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Many clients that play, driven by one thread: call {@link #update} once per frame. Bots join one
- * after the other, since a server's queue of new connections is short.
+ * after the other, since a server's queue of new connections is short; whoever finds the server
+ * busy, full or out of reach tries again.
  */
 public final class BotFarm implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(BotFarm.class);
@@ -20,17 +21,29 @@ public final class BotFarm implements AutoCloseable {
   /** Time between two joins. */
   private static final long JOIN_GAP_NS = 25_000_000L;
 
+  /** A bot tries to join so often, and waits in between: longer each time. */
+  private static final int MAX_ATTEMPTS = 6;
+
+  private static final long FIRST_WAIT_NS = 500_000_000L;
+
   private static final class Player {
-    final GameClient client;
+    final int number;
+    GameClient client;
+    int attempts = 1;
     boolean joined;
     boolean playing;
     boolean broken;
+    boolean waiting;
+    long nextAttemptNs;
 
-    Player(GameClient client) {
-      this.client = client;
+    Player(int number) {
+      this.number = number;
     }
   }
 
+  private final ClientConfig config;
+  private final ClientTransport transport;
+  private final long seed;
   private final List<Player> players = new ArrayList<>();
   private int started;
   private long nextJoinNs;
@@ -46,12 +59,19 @@ public final class BotFarm implements AutoCloseable {
    * @param seed of what they do
    */
   public BotFarm(ClientConfig config, ClientTransport transport, int count, long seed) {
+    this.config = config;
+    this.transport = transport;
+    this.seed = seed;
     for (int i = 1; i <= count; i++) {
-      players.add(
-          new Player(
-              new GameClient(
-                  config.withName(config.name() + i), transport, new Bot(seed * 1_000_003 + i))));
+      Player p = new Player(i);
+      p.client = newClient(p);
+      players.add(p);
     }
+  }
+
+  private GameClient newClient(Player p) {
+    String name = config.name() + p.number;
+    return new GameClient(config.withName(name), transport, new Bot(seed * 1_000_003 + p.number));
   }
 
   /** Updates all bots, and lets the next one join when it is time. */
@@ -66,8 +86,13 @@ public final class BotFarm implements AutoCloseable {
   }
 
   private void update(Player p, long nowNs) {
-    if (p.broken) {
+    if (p.broken || p.waiting && nowNs < p.nextAttemptNs) {
       return;
+    }
+    if (p.waiting) {
+      p.waiting = false;
+      p.attempts++;
+      p.client = newClient(p);
     }
     try {
       p.client.update(nowNs);
@@ -83,6 +108,12 @@ public final class BotFarm implements AutoCloseable {
     }
     p.playing = playing;
     p.joined |= playing;
+    if (!p.broken && !p.joined && p.attempts < MAX_ATTEMPTS && p.client.mayTryAgain()) {
+      p.waiting = true;
+      // Apart from each other, and from the next ones that join.
+      p.nextAttemptNs = nowNs + (FIRST_WAIT_NS << p.attempts) + p.number * JOIN_GAP_NS / 4;
+      LOG.info("{}{} tries again: {}", config.name(), p.number, p.client.view().message());
+    }
   }
 
   /** Bots asked for. */
@@ -128,7 +159,7 @@ public final class BotFarm implements AutoCloseable {
   }
 
   private static boolean isOver(Player p) {
-    return p.broken || p.client.view().phase() == ConnectionPhase.ENDED;
+    return p.broken || !p.waiting && p.client.view().phase() == ConnectionPhase.ENDED;
   }
 
   /** Why a bot could not play, in words for people; empty when all could. */
@@ -147,10 +178,20 @@ public final class BotFarm implements AutoCloseable {
     double gap = 0;
     double rtt = 0;
     double kbit = 0;
+    double kbitUp = 0;
     int n = 0;
     int malformed = 0;
+    int retries = 0;
+    int rejected = 0;
+    long awake = 0;
+    long right = 0;
+    double corrections = 0;
     for (Player p : players) {
       NetStats s = p.client.stats();
+      retries += p.attempts - 1;
+      rejected += !p.joined && isOver(p) ? 1 : 0;
+      awake += s.awakeBodies();
+      right += s.exactBodies();
       malformed += s.malformed();
       double seconds = s.playedSeconds(nowNs);
       if (p.joined && seconds > 0) {
@@ -159,6 +200,8 @@ public final class BotFarm implements AutoCloseable {
         gap += s.gapP99Ms();
         rtt += s.rttP50Ms();
         kbit += s.playingBytesIn() * 8 / 1_000.0 / seconds;
+        corrections += s.correctionsPerMinute(nowNs);
+        kbitUp += s.playingBytesOut() * 8 / 1_000.0 / seconds;
       }
     }
     int divisor = Math.max(1, n);
@@ -169,7 +212,13 @@ public final class BotFarm implements AutoCloseable {
         snapshots / divisor,
         gap / divisor,
         rtt / divisor,
-        kbit / divisor);
+        kbit / divisor,
+        playing(),
+        rejected,
+        retries,
+        kbitUp / divisor,
+        awake == 0 ? 0 : 100.0 * right / awake,
+        corrections / divisor);
   }
 
   /** Lets all bots leave. */

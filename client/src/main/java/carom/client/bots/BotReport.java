@@ -3,7 +3,7 @@ package carom.client.bots;
 import java.util.Locale;
 
 /**
- * What a crowd of bots measured. The last four are means over the bots that played.
+ * What a crowd of bots measured. Times and rates are means over the bots that played.
  *
  * @param joined bots that got into the game
  * @param disconnects how often a bot that played stopped playing without wanting to
@@ -13,6 +13,13 @@ import java.util.Locale;
  * @param rttP50Ms median round trip, milliseconds; what the server held inputs back is not counted
  * @param kbitPerSecond payload received per bot and second of play, snapshots and messages, 1 kbit
  *     = 1,000 bits
+ * @param playing bots that play at this moment
+ * @param rejected bots that never got in and gave up
+ * @param retries how often a bot had to try again to get in
+ * @param kbitPerSecondUp payload sent per bot and second of play, inputs and messages
+ * @param exactPercent of the awake bodies near the bots, those whose prediction was right in every
+ *     bit; 0 when nothing was predicted
+ * @param correctionsPerMinute how often a bot's own body had to be corrected
  */
 public record BotReport(
     int joined,
@@ -21,19 +28,33 @@ public record BotReport(
     double snapshotsPerSecond,
     double gapP99Ms,
     double rttP50Ms,
-    double kbitPerSecond) {
+    double kbitPerSecond,
+    int playing,
+    int rejected,
+    int retries,
+    double kbitPerSecondUp,
+    double exactPercent,
+    double correctionsPerMinute) {
   /** One line of JSON, keys in the order above. */
   public String toJson() {
     return String.format(
         Locale.ROOT,
         "{\"joined\":%d,\"disconnects\":%d,\"errors\":%d,\"snapshotsPerSecond\":%.2f,"
-            + "\"gapP99Ms\":%.2f,\"rttP50Ms\":%.2f,\"kbitPerSecond\":%.2f}",
+            + "\"gapP99Ms\":%.2f,\"rttP50Ms\":%.2f,\"kbitPerSecond\":%.2f,\"playing\":%d,"
+            + "\"rejected\":%d,\"retries\":%d,\"kbitPerSecondUp\":%.2f,"
+            + "\"exactPercent\":%.2f,\"correctionsPerMinute\":%.2f}",
         joined,
         disconnects,
         errors,
         snapshotsPerSecond,
         gapP99Ms,
         rttP50Ms,
-        kbitPerSecond);
+        kbitPerSecond,
+        playing,
+        rejected,
+        retries,
+        kbitPerSecondUp,
+        exactPercent,
+        correctionsPerMinute);
   }
 }

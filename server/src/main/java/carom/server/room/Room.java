@@ -33,6 +33,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
@@ -638,7 +639,36 @@ public final class Room {
    * @param entityId an entity's number
    */
   public String why(int playerId, int entityId) {
-    FutureTask<String> question = new FutureTask<>(() -> explain(playerId, entityId));
+    return ask(() -> explain(playerId, entityId));
+  }
+
+  /**
+   * Removes a player, who is told so and may join again. From any thread but the room's; waits for
+   * the room's next turn.
+   *
+   * @param playerId a seat's number
+   * @param text for the player, may be empty
+   * @return what was done, in one line for an operator
+   */
+  public String kick(int playerId, String text) {
+    return ask(
+        () -> {
+          Session session = session(playerId);
+          if (session == null) {
+            return nobody(playerId);
+          }
+          session.sayGoodbye(GoodbyeReason.KICKED, text);
+          remove(session, "kicked by the operator", " was removed", clock.getAsLong());
+          return "removed player=" + playerId + " name=" + session.seat().name();
+        });
+  }
+
+  private String nobody(int playerId) {
+    return "player=" + playerId + " doesn't play here; players are 0.." + (bySeat.length - 1);
+  }
+
+  private String ask(Callable<String> what) {
+    FutureTask<String> question = new FutureTask<>(what);
     if (!questions.offer(question)) {
       return "too many questions at once; ask again";
     }
@@ -656,7 +686,7 @@ public final class Room {
   private String explain(int playerId, int entityId) {
     Session session = session(playerId);
     if (session == null || session.sender() == null) {
-      return "player=" + playerId + " doesn't play here; players are 0.." + (bySeat.length - 1);
+      return nobody(playerId);
     }
     if (entityId < 0 || entityId >= frames().capacity()) {
       return "entity=" + entityId + " is outside 0.." + (frames().capacity() - 1);

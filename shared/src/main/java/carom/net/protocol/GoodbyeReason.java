@@ -17,10 +17,6 @@ public enum GoodbyeReason {
   RESUMED_ELSEWHERE("You continued this game from another connection.", false),
   /** The client broke the protocol. */
   PROTOCOL_ERROR("The server closed the connection because of data it couldn't understand.", false),
-  /** The client sent more than it may. */
-  TOO_MUCH_DATA("The server closed the connection because the game sent too much data.", false),
-  /** The client didn't take what the server sent. */
-  TOO_SLOW("Your connection is too slow for this server.", true),
   /** An error in the server or its game. */
   SERVER_ERROR("The server had to stop the game because of an error.", true);
 

@@ -34,7 +34,7 @@ final class KryoMessageCodecTest {
         new ServerMessage.Welcome(
             -2, 0x01020304, 255, 240, 77, Long.MIN_VALUE, "arena", "arena.json", 42, 12_345, 678),
         new ServerMessage.LevelChunk(4_096, chunk),
-        new ServerMessage.Refused(RefusalReason.NAME_TAKEN, "Ünal is taken"),
+        new ServerMessage.Refused(RefusalReason.NAME_INVALID, "Ünal is no name"),
         new ServerMessage.Roster(List.of()),
         new ServerMessage.Roster(full),
         new ServerMessage.Notice("x".repeat(Limits.MAX_TEXT_BYTES)),
