@@ -72,14 +72,14 @@ final class StatusLine {
     String load() {
       long postponed = grew(Counter.SNAPSHOTS_POSTPONED);
       return String.format(
-          Locale.ROOT,
-          "late %d, dropped %d, in %.1f kbit/s, out %.1f kbit/s in %.0f datagrams/s,"
-              + " inputs missing %.2f %%",
-          grew(Counter.TICKS_LATE),
-          grew(Counter.TICKS_DROPPED),
-          perSecond(Counter.BYTES_IN) * 8 / 1e3,
-          perSecond(Counter.SNAPSHOT_BYTES) * 8 / 1e3,
-          perSecond(Counter.DATAGRAMS_OUT),
+              Locale.ROOT,
+              "late %d, dropped %d, in %.1f kbit/s, out %.1f kbit/s in %.0f datagrams/s,"
+                  + " inputs missing %.2f %%",
+              grew(Counter.TICKS_LATE),
+              grew(Counter.TICKS_DROPPED),
+              perSecond(Counter.BYTES_IN) * 8 / 1e3,
+              perSecond(Counter.SNAPSHOT_BYTES) * 8 / 1e3,
+              perSecond(Counter.DATAGRAMS_OUT),
               100.0 * grew(Counter.INPUTS_MISSING) / Math.max(1, grew(Counter.INPUTS_DUE)))
           + (postponed == 0 ? "" : ", " + postponed + " snapshots a tick later");
     }

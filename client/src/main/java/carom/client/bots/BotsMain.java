@@ -145,7 +145,7 @@ public final class BotsMain implements Callable<Integer> {
       }
       if (now >= nextLine) {
         nextLine = now + SECOND;
-        progress(farm, now, start);
+        System.err.printf(Locale.ROOT, "%4.0f s: %s%n", (now - start) / 1e9, farm.progress());
       }
       long frameNs = count > CROWD ? CROWD_FRAME_NS : FRAME_NS;
       long waitNs = Math.max(0, now + frameNs - System.nanoTime());
@@ -159,21 +159,5 @@ public final class BotsMain implements Callable<Integer> {
     }
     System.out.println(report.toJson());
     return good ? 0 : 1;
-  }
-
-  private static void progress(BotFarm farm, long now, long start) {
-    BotReport r = farm.report(now);
-    System.err.printf(
-        Locale.ROOT,
-        "%4.0f s: %d of %d play, disconnects=%d errors=%d snapshots=%.1f/s rtt=%.1f ms"
-            + " in=%.0f kbit/s each%n",
-        (now - start) / 1e9,
-        farm.playing(),
-        farm.count(),
-        r.disconnects(),
-        r.errors(),
-        r.snapshotsPerSecond(),
-        r.rttP50Ms(),
-        r.kbitPerSecond());
   }
 }

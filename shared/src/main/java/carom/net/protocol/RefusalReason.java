@@ -6,7 +6,8 @@ package carom.net.protocol;
  */
 public enum RefusalReason {
   /** Client and server speak different versions of the protocol. */
-  PROTOCOL_VERSION("This game and the server have different versions. Update the older one.", false),
+  PROTOCOL_VERSION(
+      "This game and the server have different versions. Update the older one.", false),
   /** Client and server would compute different physics. */
   PHYSICS_VERSION(
       "This game and the server compute physics differently. Use the same release on both.", false),

@@ -9,7 +9,8 @@ final class SendTurnsTest {
   private static final long MS = 1_000_000L;
 
   /** Each session wants a snapshot in each tick it is due, every {@code interval} ticks. */
-  private static int[][] serve(SendTurns turns, int sessions, int ticks, int interval, long eachNs) {
+  private static int[][] serve(
+      SendTurns turns, int sessions, int ticks, int interval, long eachNs) {
     int[] servedAt = new int[sessions];
     java.util.Arrays.fill(servedAt, -interval);
     int[] count = new int[sessions];
