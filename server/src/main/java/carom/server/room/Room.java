@@ -31,7 +31,6 @@ import carom.sim.Simulation;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
@@ -97,7 +96,7 @@ public final class Room {
       new ArrayBlockingQueue<>(MAX_QUESTIONS);
   private final List<Session> sessions = new ArrayList<>();
   private final Session[] bySeat;
-  private final Map<Session, RuntimeException> broken = new IdentityHashMap<>();
+  private final IdentityHashMap<Session, RuntimeException> broken = new IdentityHashMap<>();
   private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
   private final Consumer<String> broadcastNotice = this::broadcast;
   private final int[] rosterScores;
