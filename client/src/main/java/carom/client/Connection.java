@@ -64,8 +64,8 @@ final class Connection implements LinkHandler {
   private static final long JOIN_TIMEOUT_NS = 10_000 * MS;
   private static final long LOAD_SILENCE_NS = 15_000 * MS;
 
-  /** Snapshots come several times a second even when nothing moves. */
-  private static final long PLAY_SILENCE_NS = 5_000 * MS;
+  /** Snapshots come several times a second; a gap of 5 s is survived, as on the server. */
+  private static final long PLAY_SILENCE_NS = 6_000 * MS;
 
   private static final long FIRST_BACKOFF_NS = 250 * MS;
   private static final long LONGEST_BACKOFF_NS = 4_000 * MS;

@@ -64,7 +64,12 @@ public final class Stepper implements AutoCloseable {
 
   /** Over KryoNet on loopback and in real time, the level that a game starts with. */
   public static Stepper overSockets(String game) {
-    return new Stepper(new SocketWire(), ServerConfig.defaults(), builtIn(game), System.nanoTime());
+    return overSockets(builtIn(game), ServerConfig.defaults());
+  }
+
+  /** Over KryoNet on loopback and in real time. */
+  public static Stepper overSockets(Level level, ServerConfig config) {
+    return new Stepper(new SocketWire(), config, level, System.nanoTime());
   }
 
   private static Level builtIn(String game) {

@@ -176,6 +176,8 @@ final class ConnectionTest {
     run(1);
     server.silent = true;
     run(5.2);
+    assertEquals(ConnectionPhase.PLAYING, phase(), "5 s without a datagram are survived");
+    run(1);
     assertEquals(ConnectionPhase.RECONNECTING, phase());
     server.silent = false;
     run(2);

@@ -50,7 +50,7 @@ class ConditionTableTest {
     }
 
     double blackoutSeconds() {
-      return this == BLACKOUT_1_S ? 1 : this == BLACKOUT_5_S ? 4.8 : 0;
+      return this == BLACKOUT_1_S ? 1 : this == BLACKOUT_5_S ? 5 : 0;
     }
   }
 

@@ -148,7 +148,7 @@ class SessionScenarioTest {
   @Test
   void aProcessThatStoodStillForTenSecondsComesBackToTheSameBody() {
     // Goal: a suspended laptop is a broken line. Method: nothing of the client runs for 10 s; the
-    // server gives the link up after 5 s and keeps the body for 30.
+    // server gives the link up after 6 s and keeps the body for 30.
     try (Stepper stepper = Stepper.of("arena")) {
       SimulatedClient client = stepper.join("client", FAR, InputSource.IDLE);
       final Entity body = stepper.body(client);

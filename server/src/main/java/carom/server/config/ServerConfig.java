@@ -125,7 +125,7 @@ public record ServerConfig(
   /** The settings of a server that is started without any flag. */
   public static ServerConfig defaults() {
     return new ServerConfig(
-        "arena", "Carom", 60, 1, 1, 1, 64, 5_000, 20_000, 5_000, 30_000, 15, 32, 30, 60, 10,
+        "arena", "Carom", 60, 1, 1, 1, 64, 5_000, 20_000, 6_000, 30_000, 15, 32, 30, 60, 10,
         512_000, 0, 250, 60);
   }
 
