@@ -37,8 +37,8 @@ final class DeterminismTest {
       PILE 5609b6ec34826b1b 8071b40088c8aa38
       GAS 4aa9418313882995 b2bf88269a94facd
       SPIN e89912b028d541c0 f9f5085f30978756
-      NET 6f59f7f151626b18 11
-      JOINTS a39bc7e25b522fea b02f56ed3227268d
+      NET cad8e74c34bfbd8 11
+      JOINTS 1df3c0e205f91414 97dfedb9e93534a2
       BELTS 1584a0f95823e198 b98c309a7312afe6
       CHAINS de73ad4d068873f5 3df11dec5926c9b1
       ROUND 7b642d3cbc0e363e c979a5417d435c8
@@ -46,7 +46,7 @@ final class DeterminismTest {
       SLEEPERS 8571e45e9d138560 9043d612357f95cd
       EDITS e7db78f91a521316 6a09ae419701c37d
       WATER e5682c65d64fb51e 7239916d48d8d6bb
-      EULER 2989847714388f62 bf57e45af8025fd8
+      EULER e98c3d053292ead1 bf57e45af8025fd8
       """;
 
   @Test

@@ -13,7 +13,7 @@ public final class Protocol {
    * same state hash; whoever changes a result of {@code carom.physics}, {@code carom.sim} or a game
    * that ships raises it.
    */
-  public static final String PHYSICS_VERSION = "carom-physics-1";
+  public static final String PHYSICS_VERSION = "carom-physics-2";
 
   private Protocol() {}
 

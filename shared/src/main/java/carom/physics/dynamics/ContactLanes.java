@@ -5,31 +5,11 @@ package carom.physics.dynamics;
  * as {@link ContactSolver} does one after the other.
  */
 abstract class ContactLanes {
-  /**
-   * Blocks that must have been through the kernels before all may: the JIT compiler interprets them
-   * until it has seen them that often, hundreds of times slower.
-   */
-  private static final int WARM_UP = 1800;
+  private static final LaneTrust TRUST = new LaneTrust();
 
-  /** Blocks per step until then; of large worlds a share, as their steps take longer anyway. */
-  private static final int FEW = 4;
-
-  private static final int SHARE = 64;
-
-  /** Blocks so far, in all worlds of the JVM; needn't be exact. */
-  private static int seen;
-
-  /**
-   * How many of a step's blocks may be given to the kernels; asked once per step. Which blocks are
-   * solved how never shows in the result.
-   */
+  /** How many of a step's blocks may be given to the kernels. */
   int trusted(int blocks) {
-    if (seen >= WARM_UP) {
-      return blocks;
-    }
-    int few = Math.max(FEW, blocks / SHARE);
-    seen += few;
-    return few;
+    return TRUST.blocks(blocks);
   }
 
   /** How long the scratch array of each worker must be. */
@@ -39,20 +19,8 @@ abstract class ContactLanes {
 
   abstract void relax(ContactSolver solver, float[] v, float[] scratch, int block);
 
-  /**
-   * The kernels made with the Vector API, an incubating module that the JVM only has if it was
-   * started with {@code --add-modules jdk.incubator.vector}.
-   *
-   * @return null if it wasn't, or if its vectors are too short to be worth it
-   */
+  /** The kernels made with the Vector API, null without; see {@link VectorModule}. */
   static ContactLanes find() {
-    try {
-      return Class.forName("carom.physics.dynamics.VectorLanes")
-          .asSubclass(ContactLanes.class)
-          .getDeclaredConstructor()
-          .newInstance();
-    } catch (ReflectiveOperationException | LinkageError e) {
-      return null;
-    }
+    return VectorModule.find("VectorLanes", ContactLanes.class);
   }
 }

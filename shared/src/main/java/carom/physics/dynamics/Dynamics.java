@@ -78,7 +78,7 @@ public final class Dynamics {
   private final Crew crew = new Crew();
   private final SolverBodies solverBodies = new SolverBodies(crew);
   private final ContactSolver solver = new ContactSolver(ContactLanes.find(), crew);
-  private final JointSolver jointSolver = new JointSolver();
+  private final JointSolver jointSolver = new JointSolver(PinLanes.find(), crew);
   private final ContinuousCollision continuous;
   private final NarrowPhase narrowPhase;
   private final Transform poseA = new Transform();
@@ -1596,8 +1596,7 @@ public final class Dynamics {
   }
 
   private void solveJoints(int pass) {
-    int n = jointSolver.count();
-    if (n == 0) {
+    if (jointSolver.count() == 0) {
       return;
     }
     begins(StepStage.JOINTS);
@@ -1606,9 +1605,9 @@ public final class Dynamics {
       solverBodies.mark();
     }
     switch (pass) {
-      case JOINTS_WARM -> jointSolver.warmStart(0, n);
-      case JOINTS_PUSH -> jointSolver.solve(0, n, true);
-      default -> jointSolver.solve(0, n, false);
+      case JOINTS_WARM -> jointSolver.warmStart();
+      case JOINTS_PUSH -> jointSolver.push();
+      default -> jointSolver.relax();
     }
     if (contactsToo) {
       solverBodies.except();
@@ -1622,7 +1621,7 @@ public final class Dynamics {
     solverBodies.load(bodies, active, activeCount, settings, h);
     solver.prepare(contacts, bodies, solverBodies, activeIndex, settings, h);
     begins(StepStage.JOINTS);
-    jointSolver.prepare(joints, bodies, activeIndex, settings, h, solverBodies.state);
+    jointSolver.prepare(joints, bodies, activeIndex, settings, h, solverBodies);
     for (int i = 0; i < substeps; i++) {
       boolean warm = i > 0 && !settings.explicitEuler() && solver.blocks() > 0;
       begins(StepStage.INTEGRATE);

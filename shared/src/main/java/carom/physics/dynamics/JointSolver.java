@@ -57,6 +57,13 @@ import java.util.Arrays;
  * lengthB}, a row with two directions: A moves along its rope and B along its own, r times. Angles
  * are counted over full turns, and the error is measured from poses, so that nothing drifts.
  *
+ * <p><b>Colours.</b> As contacts, joints are given colours, greedily in the order of their slots:
+ * those of one colour share no body that can be moved, so their order changes no bit. Colours are
+ * solved one after the other, of each first the plain hinges, in lanes and by several threads (see
+ * {@link PinSolver}), then the others one by one. A body with more than {@value #LAST_COLOUR}
+ * joints spills into a last colour without pins. The colouring depends on the awake joints alone,
+ * and is kept while these stay the same.
+ *
  * <p>Lever arms turn with the bodies in each substep, other than those of contacts: a pendulum
  * turns much between two ticks. The row for the spring follows Erin Catto's GDC 2011 talk; written
  * from the algebra above.
@@ -78,11 +85,41 @@ final class JointSolver {
   /** Held coordinates correct themselves at most this fraction as fast as the substeps. */
   private static final float MAX_HERTZ_PER_RATE = 0.25f;
 
+  /** The last colour; it takes what found no other. */
+  private static final int LAST_COLOUR = 63;
+
+  /** Every colour has a group of pins, and one of other joints. */
+  private static final int GROUPS = 2 * (LAST_COLOUR + 1);
+
+  private final PinSolver pins;
   private JointStore store;
   private BodyStore bodies;
   private int count;
   private int capacity;
 
+  /** The joints to solve and their groups, by ascending slot. */
+  private int[] found = new int[0];
+
+  private int[] group = new int[0];
+
+  /** Colours that each slot of {@link SolverBodies} has. */
+  private long[] taken = new long[0];
+
+  /** Per group: its joints; and, while they are packed, where the next one goes. */
+  private final int[] size = new int[GROUPS];
+
+  private final int[] next = new int[GROUPS];
+
+  /** Per colour: its first block of pins, and its first other joint; colours in use. */
+  private final int[] pinStart = new int[LAST_COLOUR + 2];
+
+  private final int[] start = new int[LAST_COLOUR + 2];
+  private int colours;
+
+  /** Which {@link JointStore#version} the colours are of; they are kept until it changes. */
+  private int painted = -1;
+
+  // Of the joints that are no pins, in the order of their colours:
   /** Slot of the joint; offsets of the two bodies in {@link SolverBodies#state}. */
   private int[] joint = new int[0];
 
@@ -149,16 +186,32 @@ final class JointSolver {
   private float wy;
   private boolean split;
 
+  /**
+   * Makes a solver.
+   *
+   * @param lanes kernels for pins, null for none
+   * @param crew does pins
+   */
+  JointSolver(PinLanes lanes, Crew crew) {
+    pins = new PinSolver(lanes, crew);
+  }
+
+  /** The number of joints to solve. */
   int count() {
     return count;
   }
 
-  /** Collects the joints that can move something. */
+  /** Collects, colours and packs the joints that can move something. */
   void prepare(
-      JointStore j, BodyStore bodies, int[] activeIndex, Settings s, float substep, float[] state) {
+      JointStore j,
+      BodyStore bodyStore,
+      int[] activeIndex,
+      Settings s,
+      float substep,
+      SolverBodies solverBodies) {
     store = j;
-    this.bodies = bodies;
-    v = state;
+    bodies = bodyStore;
+    v = solverBodies.state;
     h = substep;
     inverseH = 1 / substep;
     float omega = TWO_PI * Math.min(s.jointHertz(), MAX_HERTZ_PER_RATE / substep);
@@ -170,62 +223,168 @@ final class JointSolver {
     if (capacity < j.count()) {
       ensure(Math.max(j.count(), capacity * 2));
     }
+    if (painted != j.version()) {
+      painted = j.version();
+      paint(activeIndex, solverBodies.count());
+    }
+    System.arraycopy(size, 0, next, 0, GROUPS);
+    layOut();
+    for (int i = 0; i < count; i++) {
+      pack(found[i], group[i], activeIndex);
+    }
+    pins.ready();
+  }
+
+  /** Finds the joints to solve and gives each its colour. */
+  private void paint(int[] activeIndex, int slots) {
+    JointStore j = store;
     count = 0;
+    colours = 0;
+    Arrays.fill(size, 0);
     for (int slot = j.nextAwake(0); slot >= 0; slot = j.nextAwake(slot + 1)) {
+      if (count == 0) {
+        clearTaken(slots);
+      }
       int one = j.bodyA[slot];
       int two = j.bodyB[slot];
-      boolean heldA = one < 0 || (bodies.invMass[one] == 0 && bodies.invInertia[one] == 0);
-      boolean heldB = bodies.invMass[two] == 0 && bodies.invInertia[two] == 0;
+      boolean heldA = one < 0 || bodies.invMass[one] == 0;
+      boolean heldB = bodies.invMass[two] == 0;
       boolean gone = bodies.disabled(two) || (one >= 0 && bodies.disabled(one));
       if ((heldA && heldB) || gone) {
         j.forget(slot);
         continue;
       }
-      int k = count++;
-      joint[k] = slot;
-      offsetB[k] = (activeIndex[two] + 1) * STRIDE;
-      massB[k] = bodies.invMass[two];
-      inertiaB[k] = bodies.invInertia[two];
-      float cB = bodies.cos[two];
-      float nB = bodies.sin[two];
-      float bx = j.anchorBx[slot] - bodies.localX[two];
-      float by = j.anchorBy[slot] - bodies.localY[two];
-      armBx[k] = cB * bx - nB * by;
-      armBy[k] = nB * bx + cB * by;
-      float cA = 1;
-      float nA = 0;
-      if (one < 0) {
-        offsetA[k] = 0;
-        massA[k] = 0;
-        inertiaA[k] = 0;
-        armAx[k] = 0;
-        armAy[k] = 0;
-        gapX[k] = bodies.x[two] - j.anchorAx[slot];
-        gapY[k] = bodies.y[two] - j.anchorAy[slot];
-      } else {
-        offsetA[k] = (activeIndex[one] + 1) * STRIDE;
-        massA[k] = bodies.invMass[one];
-        inertiaA[k] = bodies.invInertia[one];
-        cA = bodies.cos[one];
-        nA = bodies.sin[one];
-        float ax = j.anchorAx[slot] - bodies.localX[one];
-        float ay = j.anchorAy[slot] - bodies.localY[one];
-        armAx[k] = cA * ax - nA * ay;
-        armAy[k] = nA * ax + cA * ay;
-        gapX[k] = bodies.x[two] - bodies.x[one];
-        gapY[k] = bodies.y[two] - bodies.y[one];
-      }
-      axisX[k] = cA * j.axisX[slot] - nA * j.axisY[slot];
-      axisY[k] = nA * j.axisX[slot] + cA * j.axisY[slot];
-      float relativeCos = cB * cA + nB * nA;
-      float relativeSin = nB * cA - cB * nA;
-      angleCos[k] = relativeCos * j.refCos[slot] + relativeSin * j.refSin[slot];
-      angleSin[k] = relativeSin * j.refCos[slot] - relativeCos * j.refSin[slot];
+      // Slot 0 stands for what can't be moved, and takes no colour.
+      int a = heldA ? 0 : activeIndex[one] + 1;
+      int b = heldB ? 0 : activeIndex[two] + 1;
+      int colour = Math.min(Long.numberOfTrailingZeros(~(taken[a] | taken[b])), LAST_COLOUR);
+      long bit = 1L << colour;
+      taken[a] |= bit;
+      taken[b] |= bit;
+      taken[0] = 0;
+      colours = Math.max(colours, colour + 1);
+      group[count] = 2 * colour + (colour < LAST_COLOUR && isPin(slot) ? 0 : 1);
+      size[group[count]]++;
+      found[count++] = slot;
     }
   }
 
+  private void clearTaken(int slots) {
+    if (taken.length < slots) {
+      taken = new long[Math.max(slots, taken.length * 2)];
+    }
+    Arrays.fill(taken, 0, slots, 0);
+  }
+
+  private boolean isPin(int slot) {
+    int more = JointStore.LIMITED | JointStore.DRIVEN | JointStore.SPRUNG;
+    return store.type[slot] == JointStore.REVOLUTE && (store.flags[slot] & more) == 0;
+  }
+
+  /** Gives each group its places. */
+  private void layOut() {
+    pins.begin(v, biasRate, massScale, impulseScale);
+    int others = 0;
+    for (int c = 0; c < colours; c++) {
+      pinStart[c] = pins.blocks();
+      next[2 * c] = pins.reserve(next[2 * c]);
+      start[c] = others;
+      others += next[2 * c + 1];
+      next[2 * c + 1] = start[c];
+    }
+    pinStart[colours] = pins.blocks();
+    start[colours] = others;
+  }
+
+  /** Puts a joint to its place, with lever arms and gap as the step begins. */
+  private void pack(int slot, int group, int[] activeIndex) {
+    JointStore j = store;
+    int one = j.bodyA[slot];
+    int two = j.bodyB[slot];
+    float cB = bodies.cos[two];
+    float nB = bodies.sin[two];
+    float bx = j.anchorBx[slot] - bodies.localX[two];
+    float by = j.anchorBy[slot] - bodies.localY[two];
+    b = (activeIndex[two] + 1) * STRIDE;
+    mB = bodies.invMass[two];
+    iB = bodies.invInertia[two];
+    rBx = cB * bx - nB * by;
+    rBy = nB * bx + cB * by;
+    float cA = 1;
+    float nA = 0;
+    a = 0;
+    mA = 0;
+    iA = 0;
+    rAx = 0;
+    rAy = 0;
+    if (one < 0) {
+      dx = bodies.x[two] - j.anchorAx[slot];
+      dy = bodies.y[two] - j.anchorAy[slot];
+    } else {
+      a = (activeIndex[one] + 1) * STRIDE;
+      mA = bodies.invMass[one];
+      iA = bodies.invInertia[one];
+      cA = bodies.cos[one];
+      nA = bodies.sin[one];
+      float ax = j.anchorAx[slot] - bodies.localX[one];
+      float ay = j.anchorAy[slot] - bodies.localY[one];
+      rAx = cA * ax - nA * ay;
+      rAy = nA * ax + cA * ay;
+      dx = bodies.x[two] - bodies.x[one];
+      dy = bodies.y[two] - bodies.y[one];
+    }
+    int k = next[group]++;
+    if ((group & 1) == 0) {
+      pins.pack(k, slot, a, b, mA, mB, iA, iB, j.impulseX[slot], j.impulseY[slot]);
+      pins.place(k, rAx, rAy, rBx, rBy, dx, dy);
+      return;
+    }
+    joint[k] = slot;
+    offsetA[k] = a;
+    offsetB[k] = b;
+    massA[k] = mA;
+    massB[k] = mB;
+    inertiaA[k] = iA;
+    inertiaB[k] = iB;
+    armAx[k] = rAx;
+    armAy[k] = rAy;
+    armBx[k] = rBx;
+    armBy[k] = rBy;
+    gapX[k] = dx;
+    gapY[k] = dy;
+    axisX[k] = cA * j.axisX[slot] - nA * j.axisY[slot];
+    axisY[k] = nA * j.axisX[slot] + cA * j.axisY[slot];
+    float relativeCos = cB * cA + nB * nA;
+    float relativeSin = nB * cA - cB * nA;
+    angleCos[k] = relativeCos * j.refCos[slot] + relativeSin * j.refSin[slot];
+    angleSin[k] = relativeSin * j.refCos[slot] - relativeCos * j.refSin[slot];
+  }
+
   /** Applies the impulses remembered from the last substep, or the last step. */
-  void warmStart(int from, int to) {
+  void warmStart() {
+    for (int c = 0; c < colours; c++) {
+      pins.warmStart(pinStart[c], pinStart[c + 1]);
+      warmStart(start[c], start[c + 1]);
+    }
+  }
+
+  /** One visit of each joint before bodies move: errors are corrected and springs act. */
+  void push() {
+    for (int c = 0; c < colours; c++) {
+      pins.push(pinStart[c], pinStart[c + 1]);
+      solve(start[c], start[c + 1], true);
+    }
+  }
+
+  /** One visit of each joint after bodies moved, rigid. */
+  void relax() {
+    for (int c = 0; c < colours; c++) {
+      pins.relax(pinStart[c], pinStart[c + 1]);
+      solve(start[c], start[c + 1], false);
+    }
+  }
+
+  private void warmStart(int from, int to) {
     JointStore j = store;
     for (int k = from; k < to; k++) {
       int slot = joint[k];
@@ -270,8 +429,7 @@ final class JointSolver {
     }
   }
 
-  /** One visit of each joint; with bias, errors are corrected and springs act. */
-  void solve(int from, int to, boolean bias) {
+  private void solve(int from, int to, boolean bias) {
     JointStore j = store;
     for (int k = from; k < to; k++) {
       int slot = joint[k];
@@ -357,7 +515,8 @@ final class JointSolver {
   /** Writes down what the joints exerted. */
   void store() {
     JointStore j = store;
-    for (int k = 0; k < count; k++) {
+    pins.store(j, inverseH);
+    for (int k = 0; k < start[colours]; k++) {
       int slot = joint[k];
       bring(k);
       float axial =
@@ -775,7 +934,9 @@ final class JointSolver {
 
   private void ensure(int n) {
     capacity = n;
-    joint = Arrays.copyOf(joint, n);
+    found = new int[n];
+    group = new int[n];
+    joint = new int[n];
     offsetA = new int[n];
     offsetB = new int[n];
     massA = new float[n];

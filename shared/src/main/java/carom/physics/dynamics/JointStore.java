@@ -221,6 +221,7 @@ public final class JointStore {
   private int slots;
   private int count;
   private final Stamp cold = new Stamp();
+  private int version;
 
   /** Of what is cold, as it was at this stamp. */
   private long coldHash = hashCold();
@@ -341,10 +342,22 @@ public final class JointStore {
   /** Must be called when something was written that steps don't change. */
   public void coldChanged() {
     cold.change();
+    version++;
+  }
+
+  /**
+   * Tells whether the solver may find other joints than before: others are awake, or their bodies
+   * or parameters changed.
+   *
+   * @return another number whenever that happened
+   */
+  int version() {
+    return version;
   }
 
   /** Says whether the solver must look at a joint. */
   void setAwake(int slot, boolean value) {
+    version++;
     int word = slot >> 6;
     if (word >= awake.length) {
       awake = Arrays.copyOf(awake, Math.max(word + 1, 2 * awake.length));
@@ -374,6 +387,7 @@ public final class JointStore {
 
   /** Lets no joint be awake. */
   void clearAwake() {
+    version++;
     Arrays.fill(awake, 0);
   }
 
@@ -592,6 +606,7 @@ public final class JointStore {
     to.slots = slots;
     to.count = count;
     cold.copyTo(to.cold);
+    to.version++;
     int perSlot = 2 + 5 * Integer.BYTES + Float.BYTES * (HOT + 5);
     return (long) slots * perSlot + (long) (freeCount + first.length) * Integer.BYTES;
   }

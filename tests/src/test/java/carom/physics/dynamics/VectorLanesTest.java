@@ -4,8 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import carom.physics.Body;
 import carom.physics.BodyDef;
 import carom.physics.BodyType;
+import carom.physics.Filter;
+import carom.physics.JointDef;
 import carom.physics.Material;
 import carom.physics.World;
 import carom.physics.WorldDef;
@@ -14,12 +17,19 @@ import carom.physics.geometry.Circle;
 import java.io.File;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Vectors give the bits of the scalar code; whether they are there depends on the JVM's flags. */
 class VectorLanesTest {
-  /** A heap of boxes and discs, with friction, bounces and moving surfaces; some resist rolling. */
+  /**
+   * A heap of boxes and discs, with friction, bounces and moving surfaces, some of which resist
+   * rolling; and a hanging net of plain hinges with some motors, of which one corner is torn.
+   */
   static final class Heap {
+    private static final int WIDE = 20;
+
     private Heap() {}
 
     /** Prints the hash of the state after many steps. */
@@ -47,10 +57,40 @@ class VectorLanesTest {
         }
         world.createBody(def, null);
       }
+      Body<Object> corner = net(world);
       for (int tick = 0; tick < 400; tick++) {
+        if (tick == 200) {
+          corner.setPose(130, 50, 1);
+        }
         world.step(1 / 60f);
       }
       return Long.toHexString(world.stateHash());
+    }
+
+    private static Body<Object> net(World<Object> world) {
+      List<Body<Object>> knots = new ArrayList<>();
+      for (int k = 0; k < WIDE * WIDE; k++) {
+        int x = k % WIDE;
+        int y = k / WIDE;
+        boolean held = y == 0 && x % 6 == 0;
+        BodyDef def = new BodyDef(held ? BodyType.STATIC : BodyType.DYNAMIC);
+        def.position(100 + x, 80 - y)
+            .shape(new Circle(.4f), new Material(1, .6f, 0), Filter.DEFAULT.withGroup(-1));
+        knots.add(world.createBody(def, null));
+        if (x > 0) {
+          hinge(world, knots.get(k - 1), knots.get(k), 99.5f + x, 80f - y, k % 7 == 0);
+        }
+        if (y > 0) {
+          hinge(world, knots.get(k - WIDE), knots.get(k), 100f + x, 80.5f - y, false);
+        }
+      }
+      return knots.get(knots.size() - 1);
+    }
+
+    private static void hinge(
+        World<Object> world, Body<Object> a, Body<Object> b, float x, float y, boolean driven) {
+      JointDef<Object> def = JointDef.revolute(a, b, x, y);
+      world.createJoint(driven ? def.motor(1, 5) : def);
     }
   }
 

@@ -1,0 +1,385 @@
+package carom.physics.dynamics;
+
+import static carom.physics.dynamics.SolverBodies.COS;
+import static carom.physics.dynamics.SolverBodies.DX;
+import static carom.physics.dynamics.SolverBodies.DY;
+import static carom.physics.dynamics.SolverBodies.SIN;
+import static carom.physics.dynamics.SolverBodies.VX;
+import static carom.physics.dynamics.SolverBodies.VY;
+import static carom.physics.dynamics.SolverBodies.W;
+
+import java.util.Arrays;
+
+/**
+ * Pins: hinges without limit, motor or spring, of which most chains, nets and figures are made. The
+ * point constraint of {@link JointSolver} in blocks of {@value #LANES}, so that vectors can solve
+ * them side by side and workers share them.
+ *
+ * <p>The pins of one block share no body that can be moved; {@link JointSolver} sees to it by
+ * colours. Their lever arms are those after bodies last moved, so {@link #relax}, which comes right
+ * after that, finds them, and {@link #warmStart} and {@link #push} of the next substep find them
+ * where it left them, with the inverse of the mass; in the first substep {@link #ready} did.
+ *
+ * <p>Laid out as {@link ContactSolver} lays out contacts: all quantities of a block follow each
+ * other, each for all its lanes.
+ */
+final class PinSolver {
+  /** Pins in a block. */
+  static final int LANES = 8;
+
+  /** As in {@link JointSolver}: what is further apart than this, m, was torn. */
+  static final float TORN = 4;
+
+  // Offsets of the quantities of a block: of the bodies,
+  static final int MASS_A = 0;
+  static final int MASS_B = MASS_A + LANES;
+  static final int INERTIA_A = MASS_B + LANES;
+  static final int INERTIA_B = INERTIA_A + LANES;
+
+  /** impulse of the last substep on B, N s, */
+  static final int PX = INERTIA_B + LANES;
+
+  static final int PY = PX + LANES;
+
+  /** lever arms now, at which impulses act, m, */
+  static final int RAX = PY + LANES;
+
+  static final int RAY = RAX + LANES;
+  static final int RBX = RAY + LANES;
+  static final int RBY = RBX + LANES;
+
+  /** speed at which the anchors are to be drawn together, m/s, */
+  static final int BIAS_X = RBY + LANES;
+
+  static final int BIAS_Y = BIAS_X + LANES;
+
+  /** inverse of the mass matrix: K = (YY, -XY; -XY, XX), kg, */
+  static final int XX = BIAS_Y + LANES;
+
+  static final int XY = XX + LANES;
+  static final int YY = XY + LANES;
+
+  /** lever arms when the step began, and B's centre relative to A's, m. */
+  static final int ARM_AX = YY + LANES;
+
+  static final int ARM_AY = ARM_AX + LANES;
+  static final int ARM_BX = ARM_AY + LANES;
+  static final int ARM_BY = ARM_BX + LANES;
+  static final int GAP_X = ARM_BY + LANES;
+  static final int GAP_Y = GAP_X + LANES;
+  static final int RECORD = GAP_Y + LANES;
+
+  /** Blocks with fewer pins are solved one by one. */
+  private static final int FEWEST = 3;
+
+  /** Steps with fewer blocks don't use vectors. */
+  private static final int FEWEST_BLOCKS = 32;
+
+  /** Blocks that are worth a piece of work for a worker. */
+  private static final int AT_LEAST = 16;
+
+  private final PinLanes lanes;
+  private final Crew crew;
+
+  /** Of each worker. */
+  private float[][] scratch = new float[0][];
+
+  private int blocks;
+
+  /** Per block: how many pins it has; whether all bodies can be moved; solved by vectors. */
+  private byte[] used = new byte[0];
+
+  boolean[] loose = new boolean[0];
+  private boolean[] wide = new boolean[0];
+
+  /** Per lane: slot of the joint; offsets of the two bodies in the solver's state. */
+  private int[] joint = new int[0];
+
+  int[] bodyA = new int[0];
+  int[] bodyB = new int[0];
+  float[] data = new float[0];
+
+  // Constants of the step.
+  private float[] v = new float[0];
+  float biasRate;
+  float massScale;
+  float impulseScale;
+
+  // The stages, made once so that a step allocates nothing.
+  private final Crew.Range measuring = this::measureBlocks;
+  private final Crew.Range warming = this::warmBlocks;
+  private final Crew.Range pushing = this::pushBlocks;
+  private final Crew.Range relaxing = this::relaxBlocks;
+
+  /**
+   * Makes a solver.
+   *
+   * @param lanes kernels for whole blocks, null for none
+   * @param crew does blocks
+   */
+  PinSolver(PinLanes lanes, Crew crew) {
+    this.lanes = lanes;
+    this.crew = crew;
+  }
+
+  /** Begins a step: no pins yet. */
+  void begin(float[] state, float rate, float scale, float leak) {
+    v = state;
+    biasRate = rate;
+    massScale = scale;
+    impulseScale = leak;
+    blocks = 0;
+    if (lanes != null && scratch.length != crew.count()) {
+      scratch = new float[crew.count()][lanes.scratchSize()];
+    }
+  }
+
+  /** The number of blocks so far. */
+  int blocks() {
+    return blocks;
+  }
+
+  /** Adds blocks for some pins, all of one colour; answers the first lane. */
+  int reserve(int pins) {
+    int first = blocks;
+    blocks += (pins + LANES - 1) / LANES;
+    if (used.length < blocks) {
+      grow(Math.max(blocks, 2 * used.length));
+    }
+    for (int block = first; block < blocks; block++) {
+      int n = Math.min(pins - (block - first) * LANES, LANES);
+      used[block] = (byte) n;
+      loose[block] = n == LANES;
+      if (n < LANES) {
+        Arrays.fill(data, block * RECORD, (block + 1) * RECORD, 0);
+        Arrays.fill(bodyA, block * LANES, (block + 1) * LANES, 0);
+        Arrays.fill(bodyB, block * LANES, (block + 1) * LANES, 0);
+      }
+    }
+    return first * LANES;
+  }
+
+  private void grow(int capacity) {
+    used = Arrays.copyOf(used, capacity);
+    loose = Arrays.copyOf(loose, capacity);
+    wide = new boolean[capacity];
+    joint = Arrays.copyOf(joint, capacity * LANES);
+    bodyA = Arrays.copyOf(bodyA, capacity * LANES);
+    bodyB = Arrays.copyOf(bodyB, capacity * LANES);
+    data = Arrays.copyOf(data, capacity * RECORD);
+  }
+
+  /** Must be called when all lanes are filled: decides what vectors solve, and finds lever arms. */
+  void ready() {
+    int most = lanes == null || blocks < FEWEST_BLOCKS ? 0 : lanes.trusted(blocks);
+    for (int block = 0; block < blocks; block++) {
+      wide[block] = block < most && used[block] >= FEWEST;
+    }
+    crew.run(0, blocks, AT_LEAST, measuring);
+  }
+
+  /** Fills a lane: bodies, masses and what the last step left behind. */
+  void pack(
+      int lane,
+      int slot,
+      int offsetA,
+      int offsetB,
+      float massA,
+      float massB,
+      float inertiaA,
+      float inertiaB,
+      float impulseX,
+      float impulseY) {
+    float[] d = data;
+    int at = lane / LANES * RECORD + lane % LANES;
+    joint[lane] = slot;
+    bodyA[lane] = offsetA;
+    bodyB[lane] = offsetB;
+    d[at + MASS_A] = massA;
+    d[at + MASS_B] = massB;
+    d[at + INERTIA_A] = inertiaA;
+    d[at + INERTIA_B] = inertiaB;
+    d[at + PX] = impulseX;
+    d[at + PY] = impulseY;
+    if (massA == 0 || massB == 0) {
+      loose[lane / LANES] = false;
+    }
+  }
+
+  /** Fills in the lever arms of a lane and B's centre relative to A's, as the step begins. */
+  void place(int lane, float ax, float ay, float bx, float by, float gapX, float gapY) {
+    float[] d = data;
+    int at = lane / LANES * RECORD + lane % LANES;
+    d[at + ARM_AX] = ax;
+    d[at + ARM_AY] = ay;
+    d[at + ARM_BX] = bx;
+    d[at + ARM_BY] = by;
+    d[at + GAP_X] = gapX;
+    d[at + GAP_Y] = gapY;
+  }
+
+  /** Applies the impulses of the last substep, or the last step. */
+  void warmStart(int from, int to) {
+    crew.run(from, to, AT_LEAST, warming);
+  }
+
+  /** One visit of each pin before bodies move, which draws anchors together. */
+  void push(int from, int to) {
+    crew.run(from, to, AT_LEAST, pushing);
+  }
+
+  /** One visit of each pin after bodies moved, rigid. */
+  void relax(int from, int to) {
+    crew.run(from, to, AT_LEAST, relaxing);
+  }
+
+  private void measureBlocks(int from, int to, int worker) {
+    for (int block = from; block < to; block++) {
+      if (wide[block]) {
+        lanes.measure(this, v, scratch[worker], block);
+        continue;
+      }
+      for (int i = 0; i < used[block]; i++) {
+        int lane = block * LANES + i;
+        measure(block * RECORD + i, bodyA[lane], bodyB[lane]);
+      }
+    }
+  }
+
+  private void warmBlocks(int from, int to, int worker) {
+    for (int block = from; block < to; block++) {
+      if (wide[block]) {
+        lanes.warm(this, v, scratch[worker], block);
+        continue;
+      }
+      for (int i = 0; i < used[block]; i++) {
+        int at = block * RECORD + i;
+        give(block * LANES + i, at, data[at + PX], data[at + PY]);
+      }
+    }
+  }
+
+  private void pushBlocks(int from, int to, int worker) {
+    for (int block = from; block < to; block++) {
+      if (wide[block]) {
+        lanes.push(this, v, scratch[worker], block);
+        continue;
+      }
+      for (int i = 0; i < used[block]; i++) {
+        int at = block * RECORD + i;
+        solve(block * LANES + i, at, massScale, impulseScale, data[at + BIAS_X], data[at + BIAS_Y]);
+      }
+    }
+  }
+
+  private void relaxBlocks(int from, int to, int worker) {
+    for (int block = from; block < to; block++) {
+      if (wide[block]) {
+        lanes.relax(this, v, scratch[worker], block);
+        continue;
+      }
+      for (int i = 0; i < used[block]; i++) {
+        int lane = block * LANES + i;
+        int at = block * RECORD + i;
+        measure(at, bodyA[lane], bodyB[lane]);
+        solve(lane, at, 1, 0, 0, 0);
+      }
+    }
+  }
+
+  /**
+   * Lever arms, bias and mass with the bodies where they are now. Both impulses act at one point,
+   * B's anchor: at both ends of a gap they would be a torque out of nothing, which made overloaded
+   * nets tremble (the net of 10,000 opened by up to 1.07 m while it fell, and by 0.53 m like this).
+   */
+  private void measure(int at, int a, int b) {
+    float[] d = data;
+    float cosA = v[a + COS];
+    float sinA = v[a + SIN];
+    float cosB = v[b + COS];
+    float sinB = v[b + SIN];
+    float ax = cosA * d[at + ARM_AX] - sinA * d[at + ARM_AY];
+    float ay = sinA * d[at + ARM_AX] + cosA * d[at + ARM_AY];
+    float bx = cosB * d[at + ARM_BX] - sinB * d[at + ARM_BY];
+    float by = sinB * d[at + ARM_BX] + cosB * d[at + ARM_BY];
+    float dx = d[at + GAP_X] + (v[b + DX] - v[a + DX]) + (bx - ax);
+    float dy = d[at + GAP_Y] + (v[b + DY] - v[a + DY]) + (by - ay);
+    float far = Math.abs(dx) + Math.abs(dy);
+    float rate = far > TORN ? biasRate * TORN / far : biasRate;
+    ax = far <= TORN ? ax + dx : ax;
+    ay = far <= TORN ? ay + dy : ay;
+    d[at + RAX] = ax;
+    d[at + RAY] = ay;
+    d[at + RBX] = bx;
+    d[at + RBY] = by;
+    d[at + BIAS_X] = rate * dx;
+    d[at + BIAS_Y] = rate * dy;
+    float masses = d[at + MASS_A] + d[at + MASS_B];
+    float inertiaA = d[at + INERTIA_A];
+    float inertiaB = d[at + INERTIA_B];
+    float xx = masses + (inertiaA * (ay * ay) + inertiaB * (by * by));
+    float xy = inertiaA * (ax * ay) + inertiaB * (bx * by);
+    float yy = masses + (inertiaA * (ax * ax) + inertiaB * (bx * bx));
+    float determinant = xx * yy - xy * xy;
+    float inverse = determinant > 0 ? 1 / determinant : 0;
+    d[at + XX] = xx * inverse;
+    d[at + XY] = xy * inverse;
+    d[at + YY] = yy * inverse;
+  }
+
+  private void solve(int lane, int at, float scale, float leak, float biasX, float biasY) {
+    float[] d = data;
+    int a = bodyA[lane];
+    int b = bodyB[lane];
+    float wa = v[a + W];
+    float wb = v[b + W];
+    float partX = (v[b + VX] - v[a + VX]) + (wa * d[at + RAY] - wb * d[at + RBY]) + biasX;
+    float partY = (v[b + VY] - v[a + VY]) + (wb * d[at + RBX] - wa * d[at + RAX]) + biasY;
+    float oldX = d[at + PX];
+    float oldY = d[at + PY];
+    float px = -(d[at + YY] * partX + d[at + XY] * partY) * scale - leak * oldX;
+    float py = -(d[at + XX] * partY + d[at + XY] * partX) * scale - leak * oldY;
+    d[at + PX] = oldX + px;
+    d[at + PY] = oldY + py;
+    give(lane, at, px, py);
+  }
+
+  /** Gives B an impulse, and A its opposite. Writes nothing to what can't be moved. */
+  private void give(int lane, int at, float px, float py) {
+    float[] d = data;
+    float massA = d[at + MASS_A];
+    float massB = d[at + MASS_B];
+    if (massA != 0) {
+      int a = bodyA[lane];
+      v[a + VX] -= massA * px;
+      v[a + VY] -= massA * py;
+      v[a + W] -= d[at + INERTIA_A] * (d[at + RAX] * py - d[at + RAY] * px);
+    }
+    if (massB != 0) {
+      int b = bodyB[lane];
+      v[b + VX] += massB * px;
+      v[b + VY] += massB * py;
+      v[b + W] += d[at + INERTIA_B] * (d[at + RBX] * py - d[at + RBY] * px);
+    }
+  }
+
+  /** Writes down what the pins exerted; of what isn't a number nothing is kept. */
+  void store(JointStore j, float inverseH) {
+    for (int block = 0; block < blocks; block++) {
+      for (int i = 0; i < used[block]; i++) {
+        int slot = joint[block * LANES + i];
+        float x = data[block * RECORD + i + PX];
+        float y = data[block * RECORD + i + PY];
+        if (!(Math.abs(x) + Math.abs(y) <= Float.MAX_VALUE)) {
+          j.forget(slot);
+          continue;
+        }
+        j.impulseX[slot] = x;
+        j.impulseY[slot] = y;
+        j.forceX[slot] = x * inverseH;
+        j.forceY[slot] = y * inverseH;
+        j.torque[slot] = 0;
+      }
+    }
+  }
+}
