@@ -38,6 +38,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import picocli.CommandLine;
@@ -545,7 +546,10 @@ public final class ServerMain implements Callable<Integer> {
   }
 
   private static List<String> builtInLevels() {
-    return Games.names().stream().map(name -> Games.create(name).defaultLevel()).toList();
+    return Stream.concat(
+            Games.names().stream().map(name -> Games.create(name).defaultLevel()),
+            Stream.of("commons"))
+        .toList();
   }
 
   /** A large level would take longer to build and step than its rehearsal may last. */

@@ -234,7 +234,7 @@ class LevelTest {
   @Test
   void theSchemaAcceptsWhatShips() throws Exception {
     SchemaChecker schema = SchemaChecker.levels();
-    for (String name : List.of("arena", "platformer")) {
+    for (String name : List.of("arena", "commons", "platformer")) {
       Level level = Level.builtIn(name);
       assertEquals("", schema.check(Json.parse(name, level.source())));
     }

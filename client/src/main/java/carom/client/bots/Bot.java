@@ -24,6 +24,7 @@ public final class Bot implements InputSource {
   private static final float SPREAD_METRES = 5;
 
   private final SimRandom random;
+  private final boolean roams;
   private final Input held = new Input();
   private int thinkAt;
   private int changeMindAt;
@@ -39,6 +40,18 @@ public final class Bot implements InputSource {
    * @param seed equal seeds that see equal pictures play the same
    */
   public Bot(long seed) {
+    this(seed, false);
+  }
+
+  /**
+   * Creates a bot.
+   *
+   * @param seed equal seeds that see equal pictures play the same
+   * @param roams whether it walks from place to place, all over the level, instead of playing: a
+   *     crowd that plays flocks around few balls
+   */
+  public Bot(long seed, boolean roams) {
+    this.roams = roams;
     random = new SimRandom(seed * 0x9e3779b97f4a7c15L + 1);
     thinkAt = random.nextInt(THINK_TICKS);
   }
@@ -56,7 +69,9 @@ public final class Bot implements InputSource {
       }
       ClientView.Drawn own = view.own();
       if (own != null && view.level() != null) {
-        if (view.level().gravityY() == 0) {
+        if (roams) {
+          roam(view, own);
+        } else if (view.level().gravityY() == 0) {
           pushBalls(view, own);
         } else {
           runAndJump(view, own);
@@ -64,6 +79,16 @@ public final class Bot implements InputSource {
       }
     }
     out.set(held);
+  }
+
+  private void roam(ClientView view, ClientView.Drawn own) {
+    Level.Bounds bounds = view.level().bounds();
+    float x = (bounds.minX() + bounds.maxX()) / 2;
+    float y = (bounds.minY() + bounds.maxY()) / 2;
+    // Where it wants to go changes with its mind.
+    x += wanderX * (bounds.maxX() - bounds.minX()) / 2;
+    y += wanderY * (bounds.maxY() - bounds.minY()) / 2;
+    steer(own, x, y, false);
   }
 
   private void pushBalls(ClientView view, ClientView.Drawn own) {

@@ -45,6 +45,7 @@ public final class BotFarm implements AutoCloseable {
   private final ClientConfig config;
   private final ClientTransport transport;
   private final long seed;
+  private final boolean roam;
   private final List<Player> players = new ArrayList<>();
   private int started;
   private long nextJoinNs;
@@ -58,11 +59,14 @@ public final class BotFarm implements AutoCloseable {
    * @param transport opens the links; stays the caller's
    * @param count how many, at least 1
    * @param seed of what they do
+   * @param roam whether they walk about instead of playing
    */
-  public BotFarm(ClientConfig config, ClientTransport transport, int count, long seed) {
+  public BotFarm(
+      ClientConfig config, ClientTransport transport, int count, long seed, boolean roam) {
     this.config = config;
     this.transport = transport;
     this.seed = seed;
+    this.roam = roam;
     for (int i = 1; i <= count; i++) {
       Player p = new Player(i);
       p.client = newClient(p);
@@ -72,7 +76,8 @@ public final class BotFarm implements AutoCloseable {
 
   private GameClient newClient(Player p) {
     String name = config.name() + p.number;
-    return new GameClient(config.withName(name), transport, new Bot(seed * 1_000_003 + p.number));
+    Bot bot = new Bot(seed * 1_000_003 + p.number, roam);
+    return new GameClient(config.withName(name), transport, bot);
   }
 
   /** Updates all bots, and lets the next one join when it is time. */
@@ -138,6 +143,15 @@ public final class BotFarm implements AutoCloseable {
       n += p.joined ? 1 : 0;
     }
     return n;
+  }
+
+  /** Snapshots seen by the bot that has seen the fewest. */
+  public long fewestSnapshots() {
+    long fewest = Long.MAX_VALUE;
+    for (Player p : players) {
+      fewest = Math.min(fewest, p.client.stats().snapshots());
+    }
+    return fewest;
   }
 
   /** Bots that have joined, or failed to for good. */

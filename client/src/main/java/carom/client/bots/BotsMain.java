@@ -86,6 +86,11 @@ public final class BotsMain implements Callable<Integer> {
       defaultValue = "1")
   private long seed = 1;
 
+  @Option(
+      names = "--roam",
+      description = "walk about all over the level instead of playing, which gathers at the balls")
+  private boolean roam;
+
   @CommandLine.Spec private CommandLine.Model.CommandSpec spec;
 
   private BotsMain() {}
@@ -127,7 +132,7 @@ public final class BotsMain implements Callable<Integer> {
             .withTicksPerInputDatagram(ticksPerInputDatagram);
     try (StopSignal stop = new StopSignal();
         ClientTransport transport = network.impair(new CrowdTransport());
-        BotFarm farm = new BotFarm(config, transport, count, seed)) {
+        BotFarm farm = new BotFarm(config, transport, count, seed, roam)) {
       return play(farm, stop);
     }
   }

@@ -3,15 +3,15 @@ package carom.server.room;
 /**
  * Whose snapshots leave in which tick. When there are fewer snapshots than ticks, no tick sends
  * more than its share, so that all sessions don't burden the same tick: at 60 ticks and 30
- * snapshots a second, half of the sessions are served in each. And when a tick has used up three
- * quarters of its time, the rest waits for the next one: a machine that is too slow sends fewer
+ * snapshots a second, half of the sessions are served in each. And when a tick has used up five
+ * eighths of its time, the rest waits for the next one: a machine that is too slow sends fewer
  * snapshots, but its ticks stay on time. A quarter of the share is served whatever the time.
  *
  * <p>Who had to wait is first in the next tick. One thread; no allocation.
  */
 final class SendTurns {
-  private static final int TIME_PARTS = 4;
-  private static final int TIME_PARTS_TO_SEND_IN = 3;
+  private static final int TIME_PARTS = 8;
+  private static final int TIME_PARTS_TO_SEND_IN = 5;
   private static final int LEAST_PARTS = 4;
 
   private final int tickRateHz;

@@ -1,0 +1,125 @@
+package carom.client.bots;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.client.ClientConfig;
+import carom.client.PredictionMode;
+import carom.game.Games;
+import carom.net.kryo.CrowdTransport;
+import carom.net.kryo.KryoLimits;
+import carom.net.kryo.KryoMessageCodec;
+import carom.net.kryo.KryoServerTransport;
+import carom.net.protocol.RefusalReason;
+import carom.net.protocol.ServerMessage;
+import carom.net.transport.ClientTransport;
+import carom.net.transport.InProcessNetwork;
+import carom.net.transport.Link;
+import carom.server.Server;
+import carom.server.config.ServerConfig;
+import carom.server.metrics.Counter;
+import carom.sim.Level;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** Goal: a crowd of bots gets in and stays in. */
+final class BotFarmTest {
+  private static final long SECOND = 1_000_000_000L;
+  private static final int CROWD = 40;
+
+  private static ClientConfig config() {
+    return ClientConfig.of("bot")
+        .withPrediction(PredictionMode.NONE)
+        .withTicksPerInputDatagram(2);
+  }
+
+  @Test
+  @Timeout(120)
+  void aCrowdPlaysOverRealSocketsAndNobodyIsLost() throws Exception {
+    KryoServerTransport sockets =
+        new KryoServerTransport(0, 0, KryoLimits.DEFAULT.withConnections(200, 100));
+    ServerConfig settings =
+        ServerConfig.defaults()
+            .withRooms(2)
+            .withMaxPlayers(CROWD / 2)
+            .withSnapshotRateHz(30)
+            .withStatusIntervalS(0);
+    try (Server server =
+            new Server(
+                settings,
+                () -> Games.create("arena"),
+                Level.builtIn("arena"),
+                sockets,
+                System::nanoTime);
+        ClientTransport clients = new CrowdTransport();
+        BotFarm farm =
+            new BotFarm(
+                config().withServer("127.0.0.1", server.tcpPort(), server.udpPort()),
+                clients,
+                CROWD,
+                1,
+                false)) {
+      server.start();
+      // However slow the machine is: until each bot has seen a hundred ticks.
+      while (!farm.over() && farm.fewestSnapshots() < 100) {
+        farm.update(System.nanoTime());
+        Thread.sleep(4);
+      }
+      BotReport report = farm.report(System.nanoTime());
+      assertEquals(CROWD, report.joined(), farm::problem);
+      assertEquals(CROWD, report.playing(), farm::problem);
+      assertEquals(0, report.disconnects());
+      assertEquals(0, report.errors());
+      assertEquals(0, report.rejected());
+      assertEquals(CROWD, server.count(Counter.PLAYERS));
+      assertEquals(0, server.count(Counter.LINKS_LOST));
+      assertEquals(0, server.count(Counter.SESSIONS_FAILED));
+      assertTrue(server.count(Counter.DATAGRAMS_IN) > CROWD * 10L);
+      assertEquals(0, sockets.counters().errors.get());
+      assertEquals(0, sockets.counters().excessDatagrams.get());
+      assertEquals(CROWD, sockets.counters().opened.get());
+    }
+  }
+
+  /** Every newcomer is told the same and let go. */
+  private static int refuseAll(InProcessNetwork network, RefusalReason reason) {
+    int refused = 0;
+    for (Link link; (link = network.server().accept()) != null; ) {
+      link.send(new ServerMessage.Refused(reason, ""));
+      refused++;
+    }
+    return refused;
+  }
+
+  private static int attempts(RefusalReason reason, BotReport[] report) {
+    InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
+    int refused = 0;
+    try (BotFarm farm =
+        new BotFarm(config().withServer("server", 0, 0), network.client(), 3, 1, false)) {
+      for (long nowNs = SECOND; nowNs < 200 * SECOND && !farm.over(); nowNs += SECOND / 60) {
+        farm.update(nowNs);
+        refused += refuseAll(network, reason);
+      }
+      report[0] = farm.report(200 * SECOND);
+      assertTrue(farm.over());
+    }
+    return refused;
+  }
+
+  @Test
+  void whoFindsTheServerFullTriesAgainAndGivesUpInTheEnd() {
+    BotReport[] report = new BotReport[1];
+    assertEquals(18, attempts(RefusalReason.SERVER_FULL, report));
+    assertEquals(3, report[0].rejected());
+    assertEquals(15, report[0].retries());
+    assertEquals(0, report[0].joined());
+  }
+
+  @Test
+  void whoIsNotWantedGoesAtOnce() {
+    BotReport[] report = new BotReport[1];
+    assertEquals(3, attempts(RefusalReason.PROTOCOL_VERSION, report));
+    assertEquals(3, report[0].rejected());
+    assertEquals(0, report[0].retries());
+  }
+}
