@@ -47,8 +47,8 @@ public final class Bot implements InputSource {
    * Creates a bot.
    *
    * @param seed equal seeds that see equal pictures play the same
-   * @param roams whether it walks from place to place, all over the level, instead of playing: a
-   *     crowd that plays flocks around few balls
+   * @param roams whether it walks about all over the level instead of playing: a crowd that plays
+   *     flocks around few balls
    */
   public Bot(long seed, boolean roams) {
     this.roams = roams;
@@ -70,7 +70,7 @@ public final class Bot implements InputSource {
       ClientView.Drawn own = view.own();
       if (own != null && view.level() != null) {
         if (roams) {
-          roam(view, own);
+          roam();
         } else if (view.level().gravityY() == 0) {
           pushBalls(view, own);
         } else {
@@ -81,14 +81,10 @@ public final class Bot implements InputSource {
     out.set(held);
   }
 
-  private void roam(ClientView view, ClientView.Drawn own) {
-    Level.Bounds bounds = view.level().bounds();
-    float x = (bounds.minX() + bounds.maxX()) / 2;
-    float y = (bounds.minY() + bounds.maxY()) / 2;
-    // Where it wants to go changes with its mind.
-    x += wanderX * (bounds.maxX() - bounds.minX()) / 2;
-    y += wanderY * (bounds.maxY() - bounds.minY()) / 2;
-    steer(own, x, y, false);
+  /** A walk at random, which ends up anywhere equally often; walls turn it back. */
+  private void roam() {
+    float length = Math.max(0.01f, length(wanderX, wanderY));
+    held.move(wanderX / length, wanderY / length);
   }
 
   private void pushBalls(ClientView view, ClientView.Drawn own) {

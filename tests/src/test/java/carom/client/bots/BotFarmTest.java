@@ -28,9 +28,7 @@ final class BotFarmTest {
   private static final int CROWD = 40;
 
   private static ClientConfig config() {
-    return ClientConfig.of("bot")
-        .withPrediction(PredictionMode.NONE)
-        .withTicksPerInputDatagram(2);
+    return ClientConfig.of("bot").withPrediction(PredictionMode.NONE).withTicksPerInputDatagram(2);
   }
 
   @Test
