@@ -43,6 +43,9 @@ public final class ReplayClient implements AutoCloseable {
   /** Most time one update spends on computing. */
   private static final long WORK_NS = 12_000_000;
 
+  /** The same while a tick far away is computed, which is worth a choppy picture. */
+  private static final long SEEK_NS = 40_000_000;
+
   /** Farther in a tick than this, metres, a body has jumped and is not drawn in between. */
   private static final float JUMP = 3;
 
@@ -132,7 +135,7 @@ public final class ReplayClient implements AutoCloseable {
   }
 
   private void workTowards(int tick) {
-    long stopNs = System.nanoTime() + WORK_NS;
+    long stopNs = System.nanoTime() + SEEK_NS;
     while (replay.simulation().tick() < tick && next(true)) {
       if (System.nanoTime() > stopNs) {
         return;

@@ -5,6 +5,8 @@ import carom.sim.Event;
 import carom.sim.Journal;
 import carom.sim.Player;
 import carom.sim.Simulation;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Consumer;
 
 /**
@@ -22,7 +24,7 @@ import java.util.function.Consumer;
  * is retracted; and nothing foreseen fires for ticks that the server has told all of.
  *
  * <p>Bounded: {@value #FORETOLD} foreseen ones and {@value #WAITING} waiting ones; what is too much
- * isn't foreseen, or fires early. One thread; allocates nothing after construction.
+ * isn't foreseen, or fires early. One thread; allocates only to grow.
  */
 public final class EventBook implements Journal {
   private static final int FORETOLD = 256;
@@ -47,7 +49,7 @@ public final class EventBook implements Journal {
   private final boolean predicts;
   private final EventListener listener;
   private final int tolerance;
-  private final Entry[] book = new Entry[FORETOLD];
+  private final List<Entry> book = new ArrayList<>(); // at most FORETOLD
   private final Event[] waiting = new Event[WAITING];
   private long first;
   private long next;
@@ -74,12 +76,6 @@ public final class EventBook implements Journal {
     this.predicts = predicts;
     this.listener = listener;
     tolerance = Math.max(1, Math.round(TOLERANCE_SECONDS * tickRate));
-    for (int i = 0; i < FORETOLD; i++) {
-      book[i] = new Entry();
-    }
-    for (int i = 0; i < WAITING; i++) {
-      waiting[i] = new Event();
-    }
   }
 
   // ---- the prediction
@@ -93,7 +89,8 @@ public final class EventBook implements Journal {
   @Override
   public void stepping(Simulation s) {
     if (s.tick() != lastTick) { // it has gone back, or the clock has jumped
-      for (Entry e : book) {
+      for (int i = 0; i < book.size(); i++) {
+        Entry e = book.get(i);
         e.computed &= e.tick <= s.tick();
       }
     }
@@ -137,7 +134,8 @@ public final class EventBook implements Journal {
   private Entry find(Event event, boolean unsettledOnly) {
     Entry nearest = null;
     int best = tolerance + 1;
-    for (Entry e : book) {
+    for (int i = 0; i < book.size(); i++) {
+      Entry e = book.get(i);
       boolean open = unsettledOnly ? !e.settled : !e.computed;
       if (e.used && open && e.event.isLike(event)) {
         int apart = Math.abs(e.tick - event.tick());
@@ -153,7 +151,8 @@ public final class EventBook implements Journal {
   /** A free place, or that of the oldest settled one; null when all are unsettled. */
   private Entry place(Event event) {
     Entry oldest = null;
-    for (Entry e : book) {
+    for (int i = 0; i < book.size(); i++) {
+      Entry e = book.get(i);
       if (!e.used) {
         oldest = e;
         break;
@@ -161,6 +160,10 @@ public final class EventBook implements Journal {
       if (e.settled && (oldest == null || e.tick < oldest.tick)) {
         oldest = e;
       }
+    }
+    if ((oldest == null || oldest.used) && book.size() < FORETOLD) {
+      oldest = new Entry();
+      book.add(oldest);
     }
     if (oldest != null) {
       oldest.used = true;
@@ -178,7 +181,11 @@ public final class EventBook implements Journal {
       if (next - first == WAITING) {
         fire(waiting[(int) first++ & WAITING_MASK], false);
       }
-      waiting[(int) next++ & WAITING_MASK].set(event);
+      int at = (int) next++ & WAITING_MASK;
+      if (waiting[at] == null) {
+        waiting[at] = new Event();
+      }
+      waiting[at].set(event);
       return;
     }
     Entry entry = find(event, true);
@@ -201,7 +208,8 @@ public final class EventBook implements Journal {
       return;
     }
     completeTick = tick;
-    for (Entry e : book) {
+    for (int i = 0; i < book.size(); i++) {
+      Entry e = book.get(i);
       if (!e.used) {
         continue;
       }
@@ -220,12 +228,17 @@ public final class EventBook implements Journal {
     while (first < next && waiting[(int) first & WAITING_MASK].tick() <= tick) {
       fire(waiting[(int) first++ & WAITING_MASK], false);
     }
+    if (first == next) {
+      first = 0; // the first places again: most clients need a few
+      next = 0;
+    }
   }
 
   /** Ends it: what waits fires, what isn't confirmed is retracted. */
   public void close() {
     advance(Double.MAX_VALUE);
-    for (Entry e : book) {
+    for (int i = 0; i < book.size(); i++) {
+      Entry e = book.get(i);
       if (e.used && !e.settled) {
         retracted++;
         listener.retracted(e.event);

@@ -21,8 +21,8 @@ import org.slf4j.LoggerFactory;
 /**
  * A recording's file, written by a thread of its own so that no disk can hold up a tick: a block is
  * copied into a queue of {@value #QUEUE} and written as soon as the disk takes it. When the queue
- * is full or the disk fails, the recording is cut: it ends there, and its last block says so if it
- * still can be written.
+ * is full, the disk fails or the file is too large, the recording is cut: it ends there, and its
+ * last block says so if it still can be written.
  *
  * <p>{@link #take} belongs to the room's thread, {@link #close} to anybody.
  */
@@ -32,6 +32,9 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
 
   /** Blocks that may wait for the disk; a room makes one or two a second. */
   static final int QUEUE = 16;
+
+  /** Largest file: eleven days of a busy match. Then the recording is cut. */
+  static final long MAX_BYTES = 4L << 30;
 
   private static final Logger LOG = LoggerFactory.getLogger(RecordingFile.class);
   private static final DateTimeFormatter STAMP = DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss");
@@ -49,7 +52,9 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
   private final ArrayBlockingQueue<Item> spare = new ArrayBlockingQueue<>(QUEUE);
   private final Item stop = new Item();
   private final Thread thread;
+  private final long limit;
   private volatile String cut;
+  private volatile long writtenBytes;
 
   /** Where each block written so far ends; guarded by itself. */
   private final List<Long> ends = new ArrayList<>();
@@ -61,7 +66,13 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
    * @throws IOException when it can't be created
    */
   public RecordingFile(Path path) throws IOException {
+    this(path, MAX_BYTES);
+  }
+
+  /** As the other constructor, with another largest size in bytes. */
+  RecordingFile(Path path, long limit) throws IOException {
     this.path = path;
+    this.limit = limit;
     writer = new BlockWriter(Files.newOutputStream(path, StandardOpenOption.CREATE_NEW));
     for (int i = 0; i < QUEUE; i++) {
       spare.add(new Item());
@@ -92,6 +103,10 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
     if (cut != null) {
       return false;
     }
+    if (writtenBytes > limit) {
+      cut = "it has reached " + limit + " bytes";
+      return false;
+    }
     Item item = spare.poll();
     if (item == null) {
       cut = "the disk is too slow: " + QUEUE + " blocks wait";
@@ -111,6 +126,7 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
     try (writer) {
       for (Item item; (item = waiting.take()) != stop; ) {
         writer.write(item.type, item.bytes, item.length);
+        writtenBytes = writer.written();
         synchronized (ends) {
           ends.add(writer.written());
         }

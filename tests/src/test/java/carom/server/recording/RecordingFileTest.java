@@ -73,6 +73,25 @@ final class RecordingFileTest {
   }
 
   @Test
+  void aFileThatGrowsTooLargeIsCut() throws Exception {
+    byte[] noise = new byte[2_000];
+    new Random(1).nextBytes(noise);
+    Path path = folder.resolve("large.carom");
+    int taken = 0;
+    try (RecordingFile file = new RecordingFile(path, 10_000)) {
+      while (taken < 100 && file.take(Block.TICKS, noise, noise.length)) {
+        while (file.endOf(taken) < 0) {
+          Thread.sleep(1);
+        }
+        taken++;
+      }
+      assertTrue(file.cutReason().contains("10000 bytes"), file::cutReason);
+    }
+    assertEquals(5, taken, "the fifth block of 2,000 bytes passes the limit");
+    assertTrue(Files.size(path) > 10_000 && Files.size(path) < 11_000, "" + Files.size(path));
+  }
+
+  @Test
   void theCommandSaysWhatIsWrong() throws Exception {
     assertEquals(2, replay(folder.resolve("missing.carom")));
     assertTrue(err.toString().contains("there is no file"), err::toString);
