@@ -4,9 +4,6 @@ import carom.client.clock.RenderClock;
 import carom.client.clock.TickClock;
 import carom.client.events.EventBook;
 import carom.client.events.EventListener;
-import carom.client.interpolation.HistoryStates;
-import carom.client.interpolation.Interpolator;
-import carom.client.interpolation.Pose;
 import carom.client.prediction.Prediction;
 import carom.game.Games;
 import carom.net.codec.Quantizer;
@@ -15,7 +12,6 @@ import carom.net.protocol.InputDatagram;
 import carom.net.protocol.Limits;
 import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.DecodeStatus;
-import carom.net.snapshot.EntityHistory;
 import carom.net.snapshot.EventInbox;
 import carom.net.snapshot.EventRecord;
 import carom.net.snapshot.FrameState;
@@ -23,7 +19,6 @@ import carom.net.snapshot.InputFeedback;
 import carom.net.snapshot.OwnState;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.transport.ClientTransport;
-import carom.sim.Archetype;
 import carom.sim.Event;
 import carom.sim.EventKind;
 import carom.sim.Input;
@@ -52,7 +47,6 @@ public final class GameClient implements AutoCloseable {
   private static final long DIVERGED_GAP_NS = 2_000_000_000L;
 
   private static final int RING_MASK = RING - 1;
-  private static final float FADE_IN_NS = 150e6f;
 
   /** What is there when a player joins doesn't fade in, all at once would. */
   private static final long JOIN_GRACE_NS = 1_000_000_000L;
@@ -76,8 +70,6 @@ public final class GameClient implements AutoCloseable {
   private final long[] sentNs = new long[RING];
   private final int[] sentTick = new int[RING];
   private final int[] sentSequence = new int[RING];
-  private final HistoryStates states = new HistoryStates();
-  private final Pose pose = new Pose();
   private final OwnState own = new OwnState();
   private final Event event = new Event();
   private final EventListener hears =
@@ -104,7 +96,7 @@ public final class GameClient implements AutoCloseable {
   private SnapshotDecoder decoder;
   private TickClock clock;
   private RenderClock renderClock;
-  private Interpolator interpolator;
+  private Painter painter;
   private int snapshotTick;
   private final int[] seenTick = new int[RING];
   private int ownTick;
@@ -119,9 +111,6 @@ public final class GameClient implements AutoCloseable {
   private int firstTick;
   private int ackedTick;
   private int feedbackSequence;
-  private long[] seenSinceNs = {};
-  private int[] seenGeneration = {};
-  private boolean[] foreseen = {};
 
   /**
    * Creates a client that connects at the first {@link #update}.
@@ -346,7 +335,6 @@ public final class GameClient implements AutoCloseable {
     lookSentNs = 0;
     clock = new TickClock(rate);
     renderClock = new RenderClock(rate);
-    interpolator = new Interpolator(rate);
     prediction =
         config.prediction() == PredictionMode.NONE
             ? null
@@ -371,14 +359,13 @@ public final class GameClient implements AutoCloseable {
     sequence = 0;
     own.clearBody();
     Arrays.fill(sentSequence, -1);
-    Arrays.fill(seenSinceNs, 0);
-    Arrays.fill(foreseen, false);
     view.level = level;
     view.game = welcome.game();
     view.playerId = welcome.playerId();
     view.tickRate = rate;
     view.tick = welcome.tick();
     view.predictedWorld = prediction == null ? null : simulation;
+    painter = new Painter(view, decoder, simulation, prediction, rate);
   }
 
   private void take(byte[] bytes, int length, long arrivedNs) {
@@ -487,71 +474,9 @@ public final class GameClient implements AutoCloseable {
   /** Fills in the visible entities; called when somebody looks. */
   private void paint() {
     view.clear();
-    if (decoder == null || !renderClock.started()) {
-      return;
-    }
-    int limit = decoder.slotLimit();
-    grow(limit);
-    double renderTick = renderClock.tick();
-    for (int slot = 0; slot < limit; slot++) {
-      EntityHistory history = decoder.history(slot);
-      if (history != null && history.size() > 0) {
-        paint(slot, history, renderTick);
-      }
-    }
-  }
-
-  private void paint(int slot, EntityHistory history, double renderTick) {
-    int index = interpolator.sample(states.of(history), renderTick, pose);
-    ClientView.Drawn drawn = view.add();
-    int generation = history.generation(0);
-    float share =
-        prediction == null || !history.alive()
-            ? 0
-            : prediction.drawn(slot, generation, clock.fraction(), drawn.pose);
-    boolean ghost =
-        foreseen[slot] && !history.alive(); // gone in the present: not drawn in the past
-    if ((index < 0 && share == 0) || ghost) {
-      seenSinceNs[slot] = 0;
-      foreseen[slot] = ghost;
-      view.dropLast();
-      return;
-    }
-    int identity = share > 0 || index < 0 ? 0 : index;
-    Archetype archetype = simulation.archetypes().get(history.archetype(identity));
-    if (archetype == null) {
-      view.dropLast();
-      return;
-    }
-    if (share == 0) {
-      drawn.pose.set(pose);
-    } else if (share < 1 && index >= 0 && history.generation(index) == generation) {
-      pose.blend(drawn.pose, share);
-      drawn.pose.set(pose);
-    }
-    foreseen[slot] = share > 0.5f;
-    drawn.id = slot;
-    drawn.generation = history.generation(identity);
-    drawn.archetype = archetype;
-    drawn.ownerId = history.owner(identity);
-    drawn.predicted = share;
-    if (seenSinceNs[slot] == 0 || seenGeneration[slot] != drawn.generation) {
+    if (painter != null && renderClock.started()) {
       boolean joining = nowNs - firstSnapshotNs < JOIN_GRACE_NS;
-      seenSinceNs[slot] = joining ? nowNs - JOIN_GRACE_NS : nowNs;
-      seenGeneration[slot] = drawn.generation;
-    }
-    drawn.alpha = Math.min(1, (nowNs - seenSinceNs[slot]) / FADE_IN_NS);
-    if (slot == own.slot() && drawn.generation == own.generation()) {
-      view.own(view.lastIndex());
-    }
-  }
-
-  private void grow(int limit) {
-    if (limit > seenSinceNs.length) {
-      int size = Math.max(64, Math.max(limit, seenSinceNs.length * 2));
-      seenSinceNs = Arrays.copyOf(seenSinceNs, size);
-      seenGeneration = Arrays.copyOf(seenGeneration, size);
-      foreseen = Arrays.copyOf(foreseen, size);
+      painter.paint(nowNs, renderClock.tick(), clock.fraction(), joining, own);
     }
   }
 

@@ -51,6 +51,7 @@ public final class NetStats {
   private long compared;
   private long exact;
   private long awakeBodies;
+  private int nearBodies;
   private long exactBodies;
   private long rollbacks;
   private long rollbackTicks;
@@ -140,6 +141,7 @@ public final class NetStats {
 
   void compared(boolean same, int awake, int right) {
     compared++;
+    nearBodies = awake;
     if (same) {
       exact++;
     }
@@ -321,6 +323,11 @@ public final class NetStats {
   /** Bodies near and awake whose prediction was compared with the server's state. */
   public long awakeBodies() {
     return awakeBodies;
+  }
+
+  /** Bodies near and awake at the last comparison, the own one included. */
+  public int nearBodies() {
+    return nearBodies;
   }
 
   /** Those of {@link #awakeBodies} that were right in every bit. */

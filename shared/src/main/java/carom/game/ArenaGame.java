@@ -570,7 +570,7 @@ public final class ArenaGame implements Game {
     Body<Entity> body = s.entity(id).body();
     if (body.type() == BodyType.DYNAMIC) {
       Level.Placement p = s.level().bodies().get(id);
-      body.setPose(p.x(), p.y(), p.angle());
+      s.entity(id).teleport(p.x(), p.y(), p.angle());
       body.setVelocity(0, 0);
       body.setAngularVelocity(0);
     }

@@ -331,7 +331,7 @@ public final class PlatformerGame implements Game {
       Body<Entity> body = s.entity(id).body();
       if (body.type() == BodyType.DYNAMIC && !insideSidesAndFloor(s, body)) {
         Level.Placement home = s.level().bodies().get(id);
-        body.setPose(home.x(), home.y(), home.angle());
+        s.entity(id).teleport(home.x(), home.y(), home.angle());
         body.setVelocity(0, 0);
         body.setAngularVelocity(0);
       }

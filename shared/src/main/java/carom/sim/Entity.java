@@ -21,6 +21,7 @@ public final class Entity {
   private final Archetype archetype;
   private final int ownerId;
   private int tag;
+  private int teleports;
   Body<Entity> body;
 
   Entity(int id, int generation, Archetype archetype, int ownerId) {
@@ -72,6 +73,28 @@ public final class Entity {
    */
   public void tag(int value) {
     tag = value;
+  }
+
+  /**
+   * Puts the body somewhere else, as a respawn or a gate does: clients show it here and then there,
+   * and nothing between. {@link Body#setPose} alone says that it moved, fast.
+   *
+   * @param x origin, metres
+   * @param y origin, metres
+   * @param angle radians, counter-clockwise
+   */
+  public void teleport(float x, float y, float angle) {
+    body.setPose(x, y, angle);
+    teleports++;
+  }
+
+  /** How often it was {@linkplain #teleport teleported}. Saved, but decides nothing. */
+  public int teleports() {
+    return teleports;
+  }
+
+  void teleports(int value) {
+    teleports = value;
   }
 
   @Override

@@ -24,6 +24,7 @@ public final class SimState {
   int entityCapacity;
   Entity[] entities = {};
   int[] tags = {};
+  int[] teleports = {};
   byte[] generations = {};
   PoseHistory history;
 

@@ -639,6 +639,7 @@ public final class Simulation {
     if (s.entities.length < generations.length) {
       s.entities = new Entity[generations.length];
       s.tags = new int[generations.length];
+      s.teleports = new int[generations.length];
       s.generations = new byte[generations.length];
     }
     Arrays.fill(s.entities, entityCapacity, Math.max(entityCapacity, s.entityCapacity), null);
@@ -648,6 +649,7 @@ public final class Simulation {
     System.arraycopy(generations, 0, s.generations, 0, entityCapacity);
     for (int i = 0; i < entityCapacity; i++) {
       s.tags[i] = entities[i] == null ? 0 : entities[i].tag();
+      s.teleports[i] = entities[i] == null ? 0 : entities[i].teleports();
     }
     if (history != null) {
       if (s.history == null) {
@@ -692,6 +694,7 @@ public final class Simulation {
     for (int i = 0; i < entityCapacity; i++) {
       if (entities[i] != null) {
         entities[i].tag(s.tags[i]);
+        entities[i].teleports(s.teleports[i]);
       }
     }
     firstFree = 0;

@@ -15,7 +15,6 @@ import carom.testkit.Stepper;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
-import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
@@ -60,11 +59,11 @@ class OwnBodyScenarioTest {
   }
 
   @ParameterizedTest
-  @EnumSource(Condition.class)
-  void afterAForeignPushTheErrorIsGoneWithinAQuarterOfASecond(Condition condition) {
+  @MethodSource("levelsAndConditions")
+  void afterAForeignPushTheErrorIsGoneWithinAQuarterOfASecond(Level level, Condition condition) {
     // Goal: a surprise is seen as a quick glide. Method: the server kicks the body; from the first
     // correction on, 250 ms until less than a centimetre of it is left on the screen.
-    try (Stepper stepper = Stepper.of(Levels.emptyArena(), ServerConfig.defaults())) {
+    try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
       SimulatedClient client =
           stepper.join("p", condition.impairment(Stepper.SEED), InputSource.IDLE);
       stepper.run(4);
@@ -75,7 +74,7 @@ class OwnBodyScenarioTest {
         stepper.runUntil("a correction", () -> client.stats().corrections() > before, 3);
         stepper.run(0.25);
         double error = client.game().visualErrorMetres();
-        assertEquals(0, error, 0.01, "push " + i + " " + condition);
+        assertEquals(0, error, 0.01, "push " + i + " " + level.name() + " " + condition);
         stepper.run(1);
       }
     }

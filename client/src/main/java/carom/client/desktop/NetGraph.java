@@ -17,7 +17,7 @@ final class NetGraph {
   private static final float LINE = 17;
   private static final float GRAPH_HEIGHT = 34;
   private static final float REFRESH_SECONDS = 0.25f;
-  private static final int ROWS = 7;
+  private static final int ROWS = 8;
   private static final int GRAPHS = 4;
 
   private final Canvas canvas;
@@ -85,8 +85,11 @@ final class NetGraph {
             s.correctionsPerMinute(nowNs), s.correctionMeanMetres() * 100, s.exactRate() * 100);
     rows[6] =
         text(
-            "bodies foreseen %.1f %%   rollback %.1f ticks, %.1f ms   cut short %d",
-            s.perfectRate() * 100, s.rollbackMeanTicks(), s.replayP95Ms(), s.replaysCutShort());
+            "bodies foreseen %.1f %% of %d near", s.perfectRate() * 100, s.nearBodies());
+    rows[7] =
+        text(
+            "rollback %.1f ticks, %.1f ms   cut short %d",
+            s.rollbackMeanTicks(), s.replayP95Ms(), s.replaysCutShort());
     captions[0] = text("gap between snapshots, ms (p99 %.0f)", s.gapP99Ms());
     captions[1] = "datagram size, bytes (full height 1,200)";
     captions[2] = "input buffer, ticks (red: too late)";

@@ -37,6 +37,11 @@ public final class HistoryStates implements States {
   }
 
   @Override
+  public int teleports(int index) {
+    return history.teleports(index);
+  }
+
+  @Override
   public float x(int index) {
     return Quantizer.positionOf(history.x(index));
   }

@@ -8,19 +8,26 @@ package carom.client.interpolation;
  *       is exact for constant velocity and constant acceleration, and has no corners at the states.
  *   <li>Where the curve would swing out, because a velocity and the way don't belong together (a
  *       bounce in between), the straight line.
- *   <li>A state that needs a speed far above both velocities is a teleport: the old place until its
- *       tick, then the new one. Nothing slides across the screen.
- *   <li>After the newest state: straight on for {@value #EXTRAPOLATION_MS} ms at most, then
- *       standing still. Longer guesses run through walls.
+ *   <li>At a teleport, which the server marks, and at a state that needs a speed far above both
+ *       velocities: the old place until its tick, then the new one. Nothing slides across the
+ *       screen.
+ *   <li>After the newest state a guess: straight on for {@value #STRAIGHT_MS} ms, then ever slower,
+ *       until after {@value #EXTRAPOLATION_MS} ms it stands still. Longer guesses run through walls.
  *   <li>Before the first state there is nothing: an entity exists on screen from the tick on at
  *       which it existed on the server, and is gone from the tick on at which it was gone there.
  * </ul>
  *
- * Stateless but for its settings; one thread.
+ * One thread; allocates nothing.
  */
 public final class Interpolator {
   /** Longest guess beyond the newest state, milliseconds. */
-  public static final int EXTRAPOLATION_MS = 150;
+  public static final int EXTRAPOLATION_MS = 250;
+
+  /** So long a guess keeps its speed, milliseconds. */
+  public static final int STRAIGHT_MS = 100;
+
+  /** In place of a tick: there is none. */
+  public static final int NONE = -1;
 
   /** A jump is a teleport when longer than this many times what the velocities explain. */
   private static final float TELEPORT_FACTOR = 3;
@@ -28,8 +35,12 @@ public final class Interpolator {
   /** Metres always allowed without being a teleport. */
   private static final float TELEPORT_METRES = 1;
 
+  private static final float STRAIGHT_SECONDS = STRAIGHT_MS * 1e-3f;
+  private static final float FADE_SECONDS = (EXTRAPOLATION_MS - STRAIGHT_MS) * 1e-3f;
+
   private final float tickSeconds;
-  private final double extrapolationTicks;
+  private int fromTick = NONE;
+  private int toTick = NONE;
 
   /**
    * Creates an interpolator.
@@ -38,7 +49,6 @@ public final class Interpolator {
    */
   public Interpolator(int tickRate) {
     tickSeconds = 1f / tickRate;
-    extrapolationTicks = EXTRAPOLATION_MS * 1e-3 * tickRate;
   }
 
   /**
@@ -60,19 +70,33 @@ public final class Interpolator {
       return -1;
     }
     int to = from - 1;
-    if (to < 0
-        || !states.alive(to)
-        || states.generation(to) != states.generation(from)
-        || teleports(states, from, to)) {
-      double ahead = to < 0 ? renderTick - states.tick(from) : 0;
-      extrapolate(states, from, Math.min(ahead, extrapolationTicks), out);
-      return from;
+    fromTick = states.tick(from);
+    toTick = to < 0 ? NONE : states.tick(to);
+    if (to >= 0
+        && states.alive(to)
+        && states.generation(to) == states.generation(from)
+        && !teleports(states, from, to)) {
+      hermite(states, from, to, renderTick, out);
+    } else {
+      extrapolate(states, from, to < 0 ? renderTick - fromTick : 0, out);
     }
-    hermite(states, from, to, renderTick, out);
     return from;
   }
 
+  /** Tick of the state before the last {@link #sample} that found one. */
+  public int fromTick() {
+    return fromTick;
+  }
+
+  /** Tick of the state behind the last {@link #sample}; {@link #NONE}: it was a guess. */
+  public int toTick() {
+    return toTick;
+  }
+
   private boolean teleports(States states, int from, int to) {
+    if (states.teleports(from) != states.teleports(to)) {
+      return true;
+    }
     float seconds = (states.tick(to) - states.tick(from)) * tickSeconds;
     float fastest =
         Math.max(length(states.vx(from), states.vy(from)), length(states.vx(to), states.vy(to)));
@@ -81,7 +105,10 @@ public final class Interpolator {
   }
 
   private void extrapolate(States states, int index, double ticks, Pose out) {
-    float seconds = (float) (ticks * tickSeconds);
+    float ahead = (float) (ticks * tickSeconds);
+    float faded = Math.max(0, Math.min(FADE_SECONDS, ahead - STRAIGHT_SECONDS));
+    float left = 1 - faded / FADE_SECONDS;
+    float seconds = Math.min(ahead, STRAIGHT_SECONDS) + faded * (1 + left) / 2;
     float vx = states.vx(index);
     float vy = states.vy(index);
     float omega = states.omega(index);
@@ -89,9 +116,9 @@ public final class Interpolator {
         states.x(index) + vx * seconds,
         states.y(index) + vy * seconds,
         states.angle(index) + omega * seconds,
-        vx,
-        vy,
-        omega);
+        vx * left,
+        vy * left,
+        omega * left);
   }
 
   private void hermite(States states, int from, int to, double renderTick, Pose out) {

@@ -17,6 +17,9 @@ public interface States {
   /** Tells entities apart that held the slot one after the other. */
   int generation(int index);
 
+  /** How often it was put elsewhere, modulo 16: between different numbers there is no way. */
+  int teleports(int index);
+
   /** Body origin. */
   float x(int index);
 

@@ -1,6 +1,7 @@
 package carom.client.prediction;
 
 import carom.client.interpolation.Pose;
+import carom.client.interpolation.VisualError;
 import carom.physics.Body;
 import carom.sim.Entity;
 
@@ -26,6 +27,7 @@ final class Neighbour {
   Entity entity;
 
   private float weight;
+  private int teleports;
 
   Neighbour(int id, int generation, float weight) {
     this.id = id;
@@ -39,6 +41,17 @@ final class Neighbour {
       course.set(before);
       entity = null;
     }
+  }
+
+  /**
+   * Says how often the body was teleported, as far as is known.
+   *
+   * @return whether it was since the last call: then no glide leads there
+   */
+  boolean teleports(int known) {
+    boolean changed = known != teleports;
+    teleports = known;
+    return changed;
   }
 
   /** Where it is in the present. */

@@ -12,13 +12,15 @@ import java.util.List;
  */
 final class Pictures {
   private final Simulation simulation;
+  private final Records records;
   private final List<Neighbour> others = new ArrayList<>();
   private final Pose scratch = new Pose();
   private Neighbour own;
   private int next;
 
-  Pictures(Simulation simulation) {
+  Pictures(Simulation simulation, Records records) {
     this.simulation = simulation;
+    this.records = records;
   }
 
   /** The own body's, or null when there is none. */
@@ -36,6 +38,7 @@ final class Pictures {
   void begin(int id, int generation) {
     others.clear();
     own = new Neighbour(id, generation, 1);
+    own.teleports(records.teleports(id, generation));
   }
 
   /** Whether nobody but the own body is shown. */
@@ -62,6 +65,7 @@ final class Pictures {
         n.entity = e;
         n.pose(n.previous);
         n.pose(n.before);
+        n.teleports(records.teleports(id, e.generation()));
         others.add(n);
       }
     }
@@ -113,6 +117,11 @@ final class Pictures {
 
   private float glide(Neighbour n) {
     n.pose(scratch);
+    if (n.teleports(records.teleports(n.id, n.generation))) {
+      n.error.clear();
+      n.previous.set(scratch);
+      return 0;
+    }
     float dx = n.before.x - scratch.x;
     float dy = n.before.y - scratch.y;
     n.error.add(dx, dy, Pose.wrap(n.before.angle - scratch.angle));

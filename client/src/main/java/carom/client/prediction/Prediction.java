@@ -1,6 +1,7 @@
 package carom.client.prediction;
 
 import carom.client.interpolation.Pose;
+import carom.client.interpolation.VisualError;
 import carom.net.snapshot.NearState;
 import carom.net.snapshot.OwnState;
 import carom.net.snapshot.SnapshotDecoder;
@@ -137,7 +138,7 @@ public final class Prediction {
     player = simulation.joinAs(playerId, name);
     inputs = new PlayerInputs(simulation, player, records, RING);
     mending = new Mending(simulation, records);
-    pictures = new Pictures(simulation);
+    pictures = new Pictures(simulation, records);
     Arrays.fill(savedTick, -1);
     for (int i = 0; i < RING; i++) {
       ownAt[i] = new OwnState();

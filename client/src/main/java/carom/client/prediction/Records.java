@@ -51,6 +51,13 @@ final class Records implements Neighbourhood.Identity {
         && archetype(Neighbourhood.id(key)) != null;
   }
 
+  /** How often an entity was teleported, as far as records tell; else 0. */
+  int teleports(int id, int generation) {
+    EntityHistory history = decoder.history(id);
+    boolean known = history != null && history.alive() && history.generation(0) == generation;
+    return known ? history.teleports(0) : 0;
+  }
+
   /** Reads an entity's state after a tick, as far as records tell; false when they don't. */
   boolean pose(int key, int tick, Pose out) {
     int generation = Neighbourhood.generation(key);

@@ -5,6 +5,6 @@
  * <p>May use {@code carom.sim}, {@code carom.physics}, {@code carom.net.snapshot}, {@code
  * carom.net.codec} and {@code carom.client.interpolation}. One thread. Read first: {@link
  * carom.client.prediction.Prediction}, {@link carom.client.prediction.Neighbour}, {@link
- * carom.client.prediction.VisualError}.
+ * carom.client.prediction.Mending}.
  */
 package carom.client.prediction;

@@ -61,6 +61,7 @@ public final class FrameCapture {
           motion[at + 4],
           motion[at + 5],
           motion[at + 6]);
+      frame.setTeleports(id, entity.teleports());
       Audience audience = simulation.game().audience(simulation, entity);
       if (audience != Audience.NEAR) {
         Player owner = simulation.owner(entity);

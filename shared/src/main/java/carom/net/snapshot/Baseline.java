@@ -12,7 +12,7 @@ public enum Baseline {
   TOO_OLD,
   /** Absolute: rolled out, the acked state is young enough but no frame of the ring has it. */
   ROLLED_OUT,
-  /** Absolute: the acked state is of another entity, owner or archetype. */
+  /** Absolute: the acked state is of another entity, owner or archetype, or before a teleport. */
   IDENTITY,
   /** Absolute: asked for by {@link SnapshotEncoder#force}. */
   FORCED,

@@ -24,6 +24,7 @@ public final class EntityHistory {
   private static final int VY = 7;
   private static final int OMEGA = 8;
   private static final int FIELDS = 9;
+  private static final int TELEPORT_SHIFT = 24;
 
   // Most entities rest for good: room for a few states, doubled as needed.
   private int[] data = new int[FIRST_ROOM * FIELDS];
@@ -80,7 +81,15 @@ public final class EntityHistory {
 
   /** Archetype index. */
   public int archetype(int index) {
-    return data[at(index) + KIND] >>> 8;
+    return data[at(index) + KIND] >>> 8 & 0xffff;
+  }
+
+  /**
+   * How often the entity was put elsewhere, modulo 16: between entries with different numbers there
+   * is no way.
+   */
+  public int teleports(int index) {
+    return data[at(index) + KIND] >>> TELEPORT_SHIFT;
   }
 
   /** Player id of the owner, or -1. */
@@ -142,15 +151,15 @@ public final class EntityHistory {
   void hold(int index, int tick, Motion scratch) {
     if (tick(index) != tick) {
       motion(index, scratch);
-      add(tick, generation(index), archetype(index), owner(index), scratch);
+      add(tick, generation(index), archetype(index), owner(index), teleports(index), scratch);
     }
   }
 
   /** Adds a state of a living entity. */
-  void add(int tick, int generation, int archetype, int owner, Motion motion) {
+  void add(int tick, int generation, int archetype, int owner, int teleports, Motion motion) {
     int at = open(tick);
     if (at >= 0) {
-      data[at + KIND] = archetype << 8 | generation;
+      data[at + KIND] = teleports << TELEPORT_SHIFT | archetype << 8 | generation;
       data[at + OWNER] = owner;
       data[at + X] = motion.x;
       data[at + Y] = motion.y;

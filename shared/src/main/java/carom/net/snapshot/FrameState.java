@@ -10,7 +10,12 @@ import java.util.function.Consumer;
  */
 public final class FrameState {
 
+  /** Bits of a number of teleports that are sent. */
+  static final int TELEPORT_BITS = 4;
+
   private static final int FREE = -1;
+  private static final int TELEPORT_SHIFT = 24;
+  private static final int IDENTITY = (1 << TELEPORT_SHIFT) - 1;
   private static final int MIN_LENGTH = 64;
 
   private final int capacity;
@@ -252,6 +257,19 @@ public final class FrameState {
         && omega[slot] == other.omega[slot];
   }
 
+  /**
+   * Says how often an entity of this frame was put elsewhere instead of moving there; 0 unless
+   * said. Between two numbers there is no way: a client shows the one place and then the other.
+   *
+   * @param teleports of which the lowest {@value #TELEPORT_BITS} bits count
+   */
+  public void setTeleports(int slot, int teleports) {
+    if (!filling || !alive(slot)) {
+      throw new IllegalStateException("setTeleports() of slot=" + slot + " before its put()");
+    }
+    kind[slot] = kind[slot] & IDENTITY | (teleports & (1 << TELEPORT_BITS) - 1) << TELEPORT_SHIFT;
+  }
+
   /** The tick this frame is the state after. */
   public int tick() {
     return tick;
@@ -282,7 +300,12 @@ public final class FrameState {
 
   /** Archetype of the slot's entity. */
   public int archetype(int slot) {
-    return kind[slot] >>> 8;
+    return kind[slot] >>> 8 & 0xffff;
+  }
+
+  /** How often the slot's entity was put elsewhere, 0..15, modulo 16. */
+  public int teleports(int slot) {
+    return kind[slot] >>> TELEPORT_SHIFT;
   }
 
   /** Player id of the owner, or -1. */
@@ -373,7 +396,10 @@ public final class FrameState {
     return players.has(player) ? inputs[player] : 0;
   }
 
-  /** Whether a slot is of the same entity, owner and archetype in both frames, and alive. */
+  /**
+   * Whether a slot is of the same entity, owner and archetype in both frames, alive, and wasn't put
+   * elsewhere between.
+   */
   boolean sameIdentity(FrameState other, int slot) {
     return alive(slot)
         && other.alive(slot)

@@ -285,6 +285,16 @@ class RecordCodec {
     return c.plain(value >= 0 ? 1 : 0, 1) != 0 ? c.plain(value, 8) : -1;
   }
 
+  /**
+   * Codes how often the entity was put elsewhere.
+   *
+   * @param teleports 0..15
+   */
+  int teleports(BitCoder c, int teleports) {
+    boolean any = c.plain(teleports != 0 ? 1 : 0, 1) != 0;
+    return any ? c.plain(teleports, FrameState.TELEPORT_BITS) : 0;
+  }
+
   void absolute(BitCoder c, Motion motion) {
     motion.x = sized(c, motion.x);
     motion.y = sized(c, motion.y);

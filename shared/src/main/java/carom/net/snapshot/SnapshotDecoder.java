@@ -56,6 +56,7 @@ public final class SnapshotDecoder {
   private int[] generations = {};
   private int[] archetypes = {};
   private int[] owners = {};
+  private int[] teleports = {};
   private Motion[] motions = {};
   private final Motion scratch = new Motion();
   private int count;
@@ -94,7 +95,7 @@ public final class SnapshotDecoder {
       if (state.alive(slot)) {
         state.motion(slot, scratch);
         historyFor(slot)
-            .add(0, state.generation(slot), state.archetype(slot), state.owner(slot), scratch);
+            .add(0, state.generation(slot), state.archetype(slot), state.owner(slot), 0, scratch);
       }
     }
   }
@@ -202,6 +203,7 @@ public final class SnapshotDecoder {
         generations[count] = records.generation(r, 0);
         archetypes[count] = records.archetype(r, 0);
         owners[count] = records.owner(r, 0);
+        teleports[count] = records.teleports(r, 0);
         records.absolute(r, motion);
       }
       boolean moves = kind == RecordCodec.DELTA || kind == RecordCodec.ABSOLUTE;
@@ -227,6 +229,7 @@ public final class SnapshotDecoder {
     history.motion(index, motions[count]);
     generations[count] = history.generation(index);
     archetypes[count] = history.archetype(index);
+    teleports[count] = history.teleports(index);
     owners[count] = history.owner(index);
     return true;
   }
@@ -239,6 +242,7 @@ public final class SnapshotDecoder {
     generations = Arrays.copyOf(generations, length);
     archetypes = Arrays.copyOf(archetypes, length);
     owners = Arrays.copyOf(owners, length);
+    teleports = Arrays.copyOf(teleports, length);
     touchedSlots = Arrays.copyOf(touchedSlots, length);
     motions = Arrays.copyOf(motions, length);
     for (int i = old; i < length; i++) {
@@ -286,7 +290,8 @@ public final class SnapshotDecoder {
         int held = datagramTick - ages[i];
         history.hold(history.indexAt(held), held, scratch);
       }
-      history.add(datagramTick, generations[i], archetypes[i], owners[i], motions[i]);
+      history.add(
+          datagramTick, generations[i], archetypes[i], owners[i], teleports[i], motions[i]);
     }
     System.arraycopy(slots, 0, touchedSlots, 0, count);
     touched = count;

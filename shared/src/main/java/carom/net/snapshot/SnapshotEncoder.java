@@ -366,6 +366,7 @@ public final class SnapshotEncoder {
       records.generation(range, frame.generation(slot));
       records.archetype(range, frame.archetype(slot));
       records.owner(range, frame.owner(slot));
+      records.teleports(range, frame.teleports(slot));
       records.absolute(range, actual);
     }
   }

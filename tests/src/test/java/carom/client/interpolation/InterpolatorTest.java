@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 final class InterpolatorTest {
@@ -90,8 +91,73 @@ final class InterpolatorTest {
     known.add(0, 0, 0, 0, 6, 0, 0);
     interpolator.sample(known, 3, pose);
     assertEquals(0.3, pose.x, 1e-5);
+    assertEquals(Interpolator.NONE, interpolator.toTick());
+    interpolator.sample(known, 15, pose);
+    float end = pose.x;
     interpolator.sample(known, 60, pose);
-    assertEquals(6 * Interpolator.EXTRAPOLATION_MS / 1000f, pose.x, 1e-4);
+    assertEquals(end, pose.x, 1e-5);
+    assertTrue(end > 6 * Interpolator.STRAIGHT_MS / 1000f, "x=" + end);
+    assertTrue(end < 6 * Interpolator.EXTRAPOLATION_MS / 1000f, "x=" + end);
+  }
+
+  @Test
+  void aGuessFadesToRestWithoutAJerk() {
+    // Goal: bounded deceleration, down to rest at 250 ms. Method: differences of the guessed way.
+    known.add(0, 0, 0, 0, 6, 0, 3);
+    double step = 0.25;
+    double seconds = step / RATE;
+    double oldSpeed = 6;
+    interpolator.sample(known, 0, pose);
+    double x = pose.x;
+    for (double tick = step; tick < 30; tick += step) {
+      interpolator.sample(known, tick, pose);
+      double speed = (pose.x - x) / seconds;
+      assertEquals(pose.vx, speed, 0.15, "the told speed is the drawn one, tick " + tick);
+      assertTrue(speed <= oldSpeed + 1e-2, "tick " + tick + " speed=" + speed);
+      assertTrue((oldSpeed - speed) / seconds < 60, "tick " + tick + " speed=" + speed);
+      x = pose.x;
+      oldSpeed = speed;
+    }
+    assertEquals(0, oldSpeed, 1e-3);
+    assertEquals(0, pose.omega, 0);
+  }
+
+  @Test
+  void aMarkedTeleportIsACutHoweverShort() {
+    known.add(0, 0, 0, 0, 5, 0, 0);
+    known.teleports++;
+    known.add(6, 0.5f, 0, 0, 5, 0, 0);
+    interpolator.sample(known, 5.9, pose);
+    assertEquals(0, pose.x, 0);
+    interpolator.sample(known, 6, pose);
+    assertEquals(0.5f, pose.x, 0);
+  }
+
+  @Test
+  void noCurveLeavesItsChordByMuch() {
+    // Goal: no overshoot, whatever the velocities are; falling bodies may bulge. Method: random
+    // pairs of states; the curve stays within a third of the chord around it, and its slack.
+    SplittableRandom random = new SplittableRandom(7);
+    for (int i = 0; i < 2_000; i++) {
+      Known pair = new Known();
+      int gap = 1 + random.nextInt(12);
+      float x = (float) random.nextDouble(-1, 1);
+      float y = (float) random.nextDouble(-1, 1);
+      pair.add(0, 0, 0, 0, speed(random), speed(random), 0);
+      pair.add(gap, x, y, 0, speed(random), speed(random), 0);
+      double chord = Math.hypot(x, y);
+      for (double tick = 0; tick <= gap; tick += gap / 16.0) {
+        interpolator.sample(pair, tick, pose);
+        double along = Math.max(0, Math.min(1, (pose.x * x + pose.y * y) / (chord * chord)));
+        double away = Math.hypot(pose.x - along * x, pose.y - along * y);
+        double slack = 0.05 * gap / RATE;
+        assertTrue(away <= chord / 2 + slack, "pair " + i + " tick " + tick + " away=" + away);
+      }
+    }
+  }
+
+  private static float speed(SplittableRandom random) {
+    return (float) random.nextDouble(-10, 10);
   }
 
   @Test
@@ -139,6 +205,7 @@ final class InterpolatorTest {
         int tick,
         boolean alive,
         int generation,
+        int teleports,
         float x,
         float y,
         float angle,
@@ -148,13 +215,14 @@ final class InterpolatorTest {
 
     private final List<State> newestFirst = new ArrayList<>();
     int generation;
+    int teleports;
 
     void add(int tick, float x, float y, float angle, float vx, float vy, float omega) {
-      newestFirst.add(0, new State(tick, true, generation, x, y, angle, vx, vy, omega));
+      newestFirst.add(0, new State(tick, true, generation, teleports, x, y, angle, vx, vy, omega));
     }
 
     void gone(int tick) {
-      newestFirst.add(0, new State(tick, false, 0, 0, 0, 0, 0, 0, 0));
+      newestFirst.add(0, new State(tick, false, 0, 0, 0, 0, 0, 0, 0, 0));
     }
 
     @Override
@@ -175,6 +243,11 @@ final class InterpolatorTest {
     @Override
     public int generation(int index) {
       return newestFirst.get(index).generation;
+    }
+
+    @Override
+    public int teleports(int index) {
+      return newestFirst.get(index).teleports;
     }
 
     @Override
