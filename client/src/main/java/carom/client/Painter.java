@@ -112,8 +112,7 @@ final class Painter {
     view.clear();
     seconds = painted ? Math.max(0, (nowNs - paintedNs) * 1e-9f) : 0;
     double expected = seconds * view.tickRate;
-    jumped =
-        painted && Math.abs(newTick - paintedTick - expected) > 0.1 * expected + MOMENT_SLACK;
+    jumped = painted && Math.abs(newTick - paintedTick - expected) > 0.1 * expected + MOMENT_SLACK;
     renderTick = newTick;
     fraction = newFraction;
     joining = isJoining;
@@ -147,8 +146,7 @@ final class Painter {
       visible &= !track.ghost;
     }
     int identity = share > 0 || index < 0 ? 0 : index;
-    Archetype archetype =
-        visible ? simulation.archetypes().get(history.archetype(identity)) : null;
+    Archetype archetype = visible ? simulation.archetypes().get(history.archetype(identity)) : null;
     if (archetype == null) {
       leave(slot, track, drawn);
       return;
@@ -216,8 +214,7 @@ final class Painter {
   }
 
   /** Keeps on showing what the picture would lose or gain at once. */
-  private void glide(
-      Track track, EntityHistory history, int index, float share, Pose present) {
+  private void glide(Track track, EntityHistory history, int index, float share, Pose present) {
     track.error.fade(seconds);
     float blended = SHARE_PER_SECOND * seconds + 0.1f;
     if (Math.abs(share - track.share) > blended || (jumped && share < 1)) {

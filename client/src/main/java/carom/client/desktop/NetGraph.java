@@ -83,9 +83,7 @@ final class NetGraph {
         text(
             "corrections %.1f/min, mean %.1f cm   exact %.1f %%",
             s.correctionsPerMinute(nowNs), s.correctionMeanMetres() * 100, s.exactRate() * 100);
-    rows[6] =
-        text(
-            "bodies foreseen %.1f %% of %d near", s.perfectRate() * 100, s.nearBodies());
+    rows[6] = text("bodies foreseen %.1f %% of %d near", s.perfectRate() * 100, s.nearBodies());
     rows[7] =
         text(
             "rollback %.1f ticks, %.1f ms   cut short %d",

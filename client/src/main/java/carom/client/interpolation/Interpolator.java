@@ -12,7 +12,8 @@ package carom.client.interpolation;
  *       velocities: the old place until its tick, then the new one. Nothing slides across the
  *       screen.
  *   <li>After the newest state a guess: straight on for {@value #STRAIGHT_MS} ms, then ever slower,
- *       until after {@value #EXTRAPOLATION_MS} ms it stands still. Longer guesses run through walls.
+ *       until after {@value #EXTRAPOLATION_MS} ms it stands still. Longer guesses run through
+ *       walls.
  *   <li>Before the first state there is nothing: an entity exists on screen from the tick on at
  *       which it existed on the server, and is gone from the tick on at which it was gone there.
  * </ul>

@@ -290,8 +290,7 @@ public final class SnapshotDecoder {
         int held = datagramTick - ages[i];
         history.hold(history.indexAt(held), held, scratch);
       }
-      history.add(
-          datagramTick, generations[i], archetypes[i], owners[i], teleports[i], motions[i]);
+      history.add(datagramTick, generations[i], archetypes[i], owners[i], teleports[i], motions[i]);
     }
     System.arraycopy(slots, 0, touchedSlots, 0, count);
     touched = count;
