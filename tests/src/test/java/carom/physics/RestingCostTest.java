@@ -22,7 +22,9 @@ class RestingCostTest {
       float x = i < 2 ? (i == 0 ? -11 : 11) : 0;
       float y = i < 2 ? 0 : i == 2 ? -11 : 11;
       w.createBody(
-          new BodyDef(BodyType.STATIC).shape(new Box(i < 2 ? 1 : 11, i < 2 ? 11 : 1)).position(x, y),
+          new BodyDef(BodyType.STATIC)
+              .shape(new Box(i < 2 ? 1 : 11, i < 2 ? 11 : 1))
+              .position(x, y),
           "wall");
     }
     Material elastic = Material.DEFAULT.withRestitution(1).withFriction(0);
@@ -58,10 +60,26 @@ class RestingCostTest {
     BodyStore bodies = poisoned.dynamics().bodies();
     List<float[]> fields =
         List.of(
-            bodies.x, bodies.y, bodies.cos, bodies.sin, bodies.vx, bodies.vy, bodies.w,
-            bodies.forceX, bodies.forceY, bodies.torque, bodies.impulseX, bodies.impulseY,
-            bodies.impulseW, bodies.mass, bodies.invMass, bodies.inertia, bodies.invInertia,
-            bodies.sleepTime, bodies.linearDamping, bodies.gravityScale);
+            bodies.x,
+            bodies.y,
+            bodies.cos,
+            bodies.sin,
+            bodies.vx,
+            bodies.vy,
+            bodies.w,
+            bodies.forceX,
+            bodies.forceY,
+            bodies.torque,
+            bodies.impulseX,
+            bodies.impulseY,
+            bodies.impulseW,
+            bodies.mass,
+            bodies.invMass,
+            bodies.inertia,
+            bodies.invInertia,
+            bodies.sleepTime,
+            bodies.linearDamping,
+            bodies.gravityScale);
     int from = 4 + AWAKE;
     float poison = Float.intBitsToFloat(0x7fc0dead);
     for (float[] field : fields) {

@@ -533,9 +533,9 @@ public final class ContactTable {
     ensure(count + n);
     count += n;
     moveRows();
+    copyRows(from, which, moves.inserted, n);
     for (int i = 0; i < n; i++) {
       int to = moves.inserted[i];
-      copyRow(from, which[i], to);
       flags[to] = (byte) ((flags[to] & ~DORMANT) | FRESH);
     }
   }
@@ -558,14 +558,17 @@ public final class ContactTable {
   void retire(int[] activeIndex, SleepingContacts to) {
     rowsChanged();
     moves.clear();
+    int[] retired = records.list(count);
+    int gone = 0;
     int kept = 0;
     for (int row = 0; row < count; row++) {
       if (activeIndex[bodyA(row)] >= 0 || activeIndex[bodyB(row)] >= 0) {
         moves.keep(row, kept++);
       } else if ((flags[row] & TOUCHING) != 0) {
-        to.put(this, row);
+        retired[gone++] = row;
       }
     }
+    to.put(this, retired, gone);
     moveRows();
     count = kept;
   }
@@ -658,20 +661,50 @@ public final class ContactTable {
     }
   }
 
-  /** Overwrites a row by one of a table, which may be this one. */
-  void copyRow(ContactTable from, int row, int to) {
-    key[to] = from.key[row];
-    partA[to] = from.partA[row];
-    partB[to] = from.partB[row];
-    flags[to] = from.flags[row];
-    points[to] = from.points[row];
-    id0[to] = from.id0[row];
-    id1[to] = from.id1[row];
-    hint[to] = from.hint[row];
-    kept.forget(to);
-    rolls |= from.rolls;
+  /**
+   * Overwrites rows by those of another table, array by array: row by row, each would touch some
+   * thirty places in memory.
+   *
+   * @param from the other table
+   * @param which rows of it
+   * @param to the rows they overwrite, in the same order
+   * @param n how many
+   */
+  void copyRows(ContactTable from, int[] which, int[] to, int n) {
+    for (int i = 0; i < n; i++) {
+      key[to[i]] = from.key[which[i]];
+    }
+    copy(from.partA, which, partA, to, n);
+    copy(from.partB, which, partB, to, n);
+    copy(from.flags, which, flags, to, n);
+    copy(from.points, which, points, to, n);
+    copy(from.id0, which, id0, to, n);
+    copy(from.id1, which, id1, to, n);
+    copy(from.hint, which, hint, to, n);
     for (int f = 0; f < floats.length; f++) {
-      floats[f][to] = from.floats[f][row];
+      copy(from.floats[f], which, floats[f], to, n);
+    }
+    for (int i = 0; i < n; i++) {
+      kept.forget(to[i]);
+    }
+    rolls |= from.rolls;
+  }
+
+  private static void copy(int[] from, int[] which, int[] target, int[] to, int n) {
+    for (int i = 0; i < n; i++) {
+      target[to[i]] = from[which[i]];
+    }
+  }
+
+  private static void copy(byte[] from, int[] which, byte[] target, int[] to, int n) {
+    for (int i = 0; i < n; i++) {
+      target[to[i]] = from[which[i]];
+    }
+  }
+
+  private static void copy(float[] from, int[] which, float[] target, int[] to, int n) {
+    for (int i = 0; i < n; i++) {
+      target[to[i]] = from[which[i]];
     }
   }
 

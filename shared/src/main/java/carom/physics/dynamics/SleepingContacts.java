@@ -32,6 +32,9 @@ final class SleepingContacts {
   private int[] freeRows = new int[FIRST_CAPACITY];
   private int freeCount;
 
+  /** Scratch: rows that are given out. */
+  private int[] taken = new int[0];
+
   /** One more than the largest row ever used. */
   int slots() {
     return rows.count();
@@ -58,17 +61,25 @@ final class SleepingContacts {
     return rows.points[row] > 0 && (rows.flags[row] & ContactTable.VETOED) == 0;
   }
 
-  /** Takes a copy of a row. */
-  void put(ContactTable from, int row) {
-    int to = freeCount > 0 ? freeRows[--freeCount] : rows.append();
-    rows.copyRow(from, row, to);
+  /** Takes copies of rows. */
+  void put(ContactTable from, int[] which, int n) {
+    if (taken.length < n) {
+      taken = new int[n + (n >> 1)];
+    }
+    rows.reserve(slots() + Math.max(0, n - freeCount));
+    for (int i = 0; i < n; i++) {
+      taken[i] = freeCount > 0 ? freeRows[--freeCount] : rows.append();
+    }
+    rows.copyRows(from, which, taken, n);
     rows.rowsChanged();
-    if (2 * to + 1 >= next.length) {
-      next = Arrays.copyOf(next, 2 * next.length);
+    if (2 * slots() > next.length) {
+      next = Arrays.copyOf(next, Math.max(2 * slots(), 2 * next.length));
       previous = Arrays.copyOf(previous, next.length);
     }
-    link(2 * to, rows.bodyA(to));
-    link(2 * to + 1, rows.bodyB(to));
+    for (int i = 0; i < n; i++) {
+      link(2 * taken[i], rows.bodyA(taken[i]));
+      link(2 * taken[i] + 1, rows.bodyB(taken[i]));
+    }
   }
 
   private void link(int end, int body) {
