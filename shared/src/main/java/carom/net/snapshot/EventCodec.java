@@ -7,7 +7,7 @@ import carom.net.codec.Quantizer;
 /** One event on the wire: a pair of write and read that mirror each other. */
 final class EventCodec {
   /** Most bits an event takes, with the gap before it. */
-  static final int MAX_BITS = 7 + 36 + 8 + 9 + 2 * 25 + 3 * 38 + 17;
+  static final int MAX_BITS = 7 + 36 + 8 + 9 + 2 * 26 + 3 * 38 + 17;
 
   /** Bits of a place in the window. */
   static final int WINDOW_BITS = 6;
@@ -60,8 +60,12 @@ final class EventCodec {
   private static void writeEntity(BitWriter w, int key) {
     w.write(key >= 0);
     if (key >= 0) {
+      int generation = key >>> ID_BITS;
       w.write(key, ID_BITS);
-      w.write(key >>> ID_BITS, GENERATION_BITS);
+      w.write(generation != 0);
+      if (generation != 0) {
+        w.write(generation, GENERATION_BITS);
+      }
     }
   }
 
@@ -70,7 +74,7 @@ final class EventCodec {
       return EventRecord.NONE;
     }
     int id = r.read(ID_BITS);
-    return id | r.read(GENERATION_BITS) << ID_BITS;
+    return r.readBit() ? id | r.read(GENERATION_BITS) << ID_BITS : id;
   }
 
   /** Whether what was read can have been written. */
