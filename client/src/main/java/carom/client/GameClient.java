@@ -255,6 +255,7 @@ public final class GameClient implements AutoCloseable {
     }
     stats.rolledBack(prediction.rolledBack(), prediction.replayed(), prediction.replayNs());
     stats.cutShort(prediction.cutShort());
+    stats.disagreements(prediction.disagreements());
     stats.syncErrors(prediction.syncErrors());
     if (prediction.corrected()) {
       stats.corrected(prediction.correctionMetres());

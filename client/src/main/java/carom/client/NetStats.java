@@ -52,6 +52,7 @@ public final class NetStats {
   private long exact;
   private long awakeBodies;
   private int nearBodies;
+  private long disagreements;
   private long exactBodies;
   private long rollbacks;
   private long rollbackTicks;
@@ -157,6 +158,10 @@ public final class NetStats {
     rollbackTicks += ticks;
     longestRollback = Math.max(longestRollback, ticks);
     replay.add(tookNs / 1e6f);
+  }
+
+  void disagreements(long count) {
+    disagreements = count;
   }
 
   void syncErrors(long count) {
@@ -328,6 +333,11 @@ public final class NetStats {
   /** Bodies near and awake at the last comparison, the own one included. */
   public int nearBodies() {
     return nearBodies;
+  }
+
+  /** Times since joining that what is near turned out otherwise than predicted. */
+  public long disagreements() {
+    return disagreements;
   }
 
   /** Those of {@link #awakeBodies} that were right in every bit. */

@@ -69,6 +69,7 @@ class FeelScenarioTest {
         long corrections = stats.corrections();
         long wrong = stats.awakeBodies() - stats.exactBodies();
         long missing = stepper.count(Counter.INPUTS_MISSING);
+        final long disagreements = stepper.count(Counter.NEAR_DISAGREEMENTS);
         stepper.run(15);
         missing = stepper.count(Counter.INPUTS_MISSING) - missing;
         String about = bad + " missing=" + missing + " " + stepper.describe();
@@ -76,6 +77,7 @@ class FeelScenarioTest {
         if (missing == 0) {
           assertEquals(corrections, stats.corrections(), about);
           assertEquals(wrong, stats.awakeBodies() - stats.exactBodies(), about);
+          assertEquals(disagreements, stepper.count(Counter.NEAR_DISAGREEMENTS), about);
         }
       }
     }

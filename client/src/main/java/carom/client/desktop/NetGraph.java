@@ -83,7 +83,10 @@ final class NetGraph {
         text(
             "corrections %.1f/min, mean %.1f cm   exact %.1f %%",
             s.correctionsPerMinute(nowNs), s.correctionMeanMetres() * 100, s.exactRate() * 100);
-    rows[6] = text("bodies foreseen %.1f %% of %d near", s.perfectRate() * 100, s.nearBodies());
+    rows[6] =
+        text(
+            "%d near, foreseen %.1f %%   surprises %d",
+            s.nearBodies(), s.perfectRate() * 100, s.disagreements());
     rows[7] =
         text(
             "rollback %.1f ticks, %.1f ms   cut short %d",

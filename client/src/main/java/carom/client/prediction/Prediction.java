@@ -79,6 +79,8 @@ public final class Prediction {
   private int confirmed = -1;
   private int agreedTick = -1;
   private int disagreedTick = -1;
+  private int firstDisagreedTick = -1;
+  private long disagreements;
 
   /** What a tick takes to compute again, as measured; 0 when it doesn't count. */
   private double nsPerTick;
@@ -435,7 +437,13 @@ public final class Prediction {
     if (same && waits) {
       return from; // what is near is about to be told
     }
-    disagreedTick = waits ? disagreedTick : stateTick;
+    if (!waits) {
+      if (disagreedTick < 0) {
+        firstDisagreedTick = stateTick;
+        disagreements++;
+      }
+      disagreedTick = stateTick;
+    }
     awakeBodies = compared ? foreseen.awake(stateTick & MASK) : 0;
     if (tick != stateTick && isSaved(stateTick)) {
       restore(stateTick);
@@ -598,6 +606,19 @@ public final class Prediction {
   /** Ticks in which the synctest found another hash; 0 unless the simulation has a fault. */
   public long syncErrors() {
     return syncErrors;
+  }
+
+  /**
+   * The tick since which the server has another state, in ticks that were compared; -1 while there
+   * is none: where to look for what went another way.
+   */
+  public int firstDisagreedTick() {
+    return disagreedTick < 0 ? -1 : firstDisagreedTick;
+  }
+
+  /** How often, after having been right, the server's state of what is near was another. */
+  public long disagreements() {
+    return disagreements;
   }
 
   /** The newest tick whose state is known to be the server's in every bit, or -1. */

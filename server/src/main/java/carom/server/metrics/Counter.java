@@ -48,6 +48,10 @@ public enum Counter {
   INPUTS_LATE,
   /** Inputs refused because they were for a tick too far ahead. */
   INPUTS_EARLY,
+  /** Updates of exact states of what is near a player's body, because the list of them changed. */
+  NEAR_UPDATES,
+  /** Further ones, because a client had computed another state: its prediction was wrong. */
+  NEAR_DISAGREEMENTS,
   /** Events that players were to be told of, each player counted. */
   EVENTS_OFFERED,
   /** Those that were never told, because too many waited for a client's acks. */

@@ -145,6 +145,8 @@ public final class NearSet {
   private int toldTick = -1;
 
   private int toldAllTick = -1;
+  private long updates;
+  private long disagreements;
   private int gap = MIN_GAP;
 
   // What went out, by part.
@@ -195,6 +197,8 @@ public final class NearSet {
       boolean again = mustTellAll(disagreedTick);
       if (again || !isSameList()) {
         beginUpdate(again);
+        updates += again ? 0 : 1;
+        disagreements += again ? 1 : 0;
       }
     }
     state.clear();
@@ -410,6 +414,16 @@ public final class NearSet {
       near.addRow(from, at);
       partRows++;
     }
+  }
+
+  /** Updates begun because the list of who is near changed. */
+  public long updates() {
+    return updates;
+  }
+
+  /** Updates begun because the client had another state. */
+  public long disagreements() {
+    return disagreements;
   }
 
   /** Notes that what was captured last is sent. */

@@ -311,7 +311,11 @@ public final class Session implements LinkHandler {
       own.relayed().clear();
     } else {
       nearSet.acknowledge(sender.encoder());
+      long updates = nearSet.updates();
+      long disagreements = nearSet.disagreements();
       nearSet.capture(player, near == InputDatagram.NEAR_ALL, disagreedTick, own);
+      counters.add(Counter.NEAR_UPDATES, nearSet.updates() - updates);
+      counters.add(Counter.NEAR_DISAGREEMENTS, nearSet.disagreements() - disagreements);
     }
     return sender.isDue(own);
   }

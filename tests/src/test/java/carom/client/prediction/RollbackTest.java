@@ -82,10 +82,13 @@ class RollbackTest {
     rig.server().step();
     rig.client().step(rig.server().tick() + AHEAD, 0);
     assertFalse(rig.tellOwn());
+    assertEquals(rig.server().tick(), rig.client().firstDisagreedTick());
+    assertEquals(1, rig.client().disagreements());
     assertEquals(AHEAD, rig.client().replayed());
     rig.server().step();
     rig.client().step(rig.server().tick() + AHEAD, 0);
     assertTrue(rig.tellAll());
+    assertEquals(-1, rig.client().firstDisagreedTick());
     assertEquals(0, rig.client().cutShort());
   }
 
