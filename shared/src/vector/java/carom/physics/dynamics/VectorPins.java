@@ -118,25 +118,29 @@ final class VectorPins extends PinLanes {
   }
 
   private static void gather(float[] s, float[] v, int[] bodyA, int[] bodyB, int lane) {
-    FloatVector.fromArray(LANE, v, SolverBodies.VX, bodyA, lane).intoArray(s, AVX);
-    FloatVector.fromArray(LANE, v, SolverBodies.VY, bodyA, lane).intoArray(s, AVY);
-    FloatVector.fromArray(LANE, v, SolverBodies.W, bodyA, lane).intoArray(s, WA);
-    FloatVector.fromArray(LANE, v, SolverBodies.VX, bodyB, lane).intoArray(s, BVX);
-    FloatVector.fromArray(LANE, v, SolverBodies.VY, bodyB, lane).intoArray(s, BVY);
-    FloatVector.fromArray(LANE, v, SolverBodies.W, bodyB, lane).intoArray(s, WB);
+    for (int i = 0; i < LANES; i++) {
+      int a = bodyA[lane + i];
+      int b = bodyB[lane + i];
+      s[AVX + i] = v[a + SolverBodies.VX];
+      s[AVY + i] = v[a + SolverBodies.VY];
+      s[WA + i] = v[a + SolverBodies.W];
+      s[BVX + i] = v[b + SolverBodies.VX];
+      s[BVY + i] = v[b + SolverBodies.VY];
+      s[WB + i] = v[b + SolverBodies.W];
+    }
   }
 
   private static void gatherMotion(float[] s, float[] v, int[] bodyA, int[] bodyB, int lane) {
-    FloatVector.fromArray(LANE, v, SolverBodies.DX, bodyB, lane)
-        .sub(FloatVector.fromArray(LANE, v, SolverBodies.DX, bodyA, lane))
-        .intoArray(s, MOVED_X);
-    FloatVector.fromArray(LANE, v, SolverBodies.DY, bodyB, lane)
-        .sub(FloatVector.fromArray(LANE, v, SolverBodies.DY, bodyA, lane))
-        .intoArray(s, MOVED_Y);
-    FloatVector.fromArray(LANE, v, SolverBodies.COS, bodyA, lane).intoArray(s, COS_A);
-    FloatVector.fromArray(LANE, v, SolverBodies.SIN, bodyA, lane).intoArray(s, SIN_A);
-    FloatVector.fromArray(LANE, v, SolverBodies.COS, bodyB, lane).intoArray(s, COS_B);
-    FloatVector.fromArray(LANE, v, SolverBodies.SIN, bodyB, lane).intoArray(s, SIN_B);
+    for (int i = 0; i < LANES; i++) {
+      int a = bodyA[lane + i];
+      int b = bodyB[lane + i];
+      s[MOVED_X + i] = v[b + SolverBodies.DX] - v[a + SolverBodies.DX];
+      s[MOVED_Y + i] = v[b + SolverBodies.DY] - v[a + SolverBodies.DY];
+      s[COS_A + i] = v[a + SolverBodies.COS];
+      s[SIN_A + i] = v[a + SolverBodies.SIN];
+      s[COS_B + i] = v[b + SolverBodies.COS];
+      s[SIN_B + i] = v[b + SolverBodies.SIN];
+    }
   }
 
   private static void scatter(float[] s, float[] v, PinSolver solver, int block) {
