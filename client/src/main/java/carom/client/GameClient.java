@@ -54,6 +54,15 @@ public final class GameClient implements AutoCloseable {
   /** The server is told what is shown at most this often. */
   private static final long LOOK_GAP_NS = 200_000_000L;
 
+  /** How often the server is told that nothing has changed. */
+  private static final int QUIET_PER_SECOND = 6;
+
+  /** An input holds for so many times the pause, so that a lost datagram changes nothing. */
+  private static final int HOLD_TIMES = 3;
+
+  /** A server from which nothing is heard for so many pauses counts as silent. */
+  private static final double SILENT_PAUSES = 1.5;
+
   /** More is asked for than is shown, so that nothing appears at the edge of the screen. */
   private static final float LOOK_MARGIN = 1.2f;
 
@@ -70,6 +79,7 @@ public final class GameClient implements AutoCloseable {
   private final long[] sentNs = new long[RING];
   private final int[] sentTick = new int[RING];
   private final int[] sentSequence = new int[RING];
+  private final boolean[] sentHold = new boolean[RING];
   private final OwnState own = new OwnState();
   private final Event event = new Event();
   private final EventListener hears =
@@ -110,6 +120,18 @@ public final class GameClient implements AutoCloseable {
   private int sequence;
   private int firstTick;
   private int ackedTick;
+
+  /** Since which tick the input has been the same. */
+  private int steadyTick;
+
+  /** Last tick that an input datagram was sent at. */
+  private int toldTick;
+
+  /** Newest tick whose input the server knows to hold; before it there may be later ones. */
+  private int heldTick;
+
+  private boolean newsToAck;
+  private int heardTick;
   private int feedbackSequence;
 
   /**
@@ -185,18 +207,39 @@ public final class GameClient implements AutoCloseable {
       firstTick = tick;
       ackedTick = tick - 1;
     }
+    if (packed != inputs[(tick - 1) & RING_MASK] || firstTick == tick) {
+      steadyTick = tick;
+    }
     inputs[tick & RING_MASK] = packed;
     for (int missed = Math.max(view.tick + 1, tick - RING + 1); missed < tick; missed++) {
       inputs[missed & RING_MASK] = packed; // the clock jumped over it
       firstTick = Math.min(firstTick, missed);
     }
     view.tick = tick;
-    if (tick % config.ticksPerInputDatagram() == 0) {
+    if (tick % config.ticksPerInputDatagram() == 0 && isWorthTelling(tick)) {
       send(tick);
     }
     if (prediction != null) {
       prediction.step(tick, packed);
     }
+  }
+
+  /**
+   * Whether there is anything to say. A server that knows that the newest input holds is told so
+   * again a few times a second, and acks of what is new at once. A silent server is told in each
+   * tick: where losses come in bursts, whoever says little is cut off for long. So is one that
+   * hears us too late, as the clock learns from each answer.
+   */
+  private boolean isWorthTelling(int tick) {
+    boolean known = heldTick >= steadyTick;
+    boolean mends = prediction != null && prediction.disagreedTick() >= 0;
+    boolean silent = tick - heardTick > SILENT_PAUSES * quietTicks();
+    boolean late = stats.inputMargin() < 0;
+    return !known || newsToAck || mends || silent || late || tick - toldTick >= quietTicks();
+  }
+
+  private int quietTicks() {
+    return Math.max(1, view.tickRate / QUIET_PER_SECOND);
   }
 
   private void send(int tick) {
@@ -210,6 +253,9 @@ public final class GameClient implements AutoCloseable {
     datagram.disagreedTick = datagram.disagrees ? prediction.disagreedTick() & 0xffff : 0;
     datagram.newestTick = tick;
     datagram.viewDelay = viewDelay(tick);
+    boolean holds = ackedTick >= steadyTick;
+    datagram.holdTicks =
+        holds ? Math.min(InputDatagram.MAX_HOLD_TICKS, HOLD_TIMES * quietTicks()) : 0;
     int pending = Math.min(tick - ackedTick, tick - firstTick + 1);
     int least = Math.min(config.ticksPerInputDatagram(), tick - firstTick + 1);
     datagram.count = Math.max(least, Math.min(Limits.MAX_INPUTS, pending));
@@ -221,6 +267,9 @@ public final class GameClient implements AutoCloseable {
     sentNs[slot] = nowNs;
     sentTick[slot] = tick;
     sentSequence[slot] = sequence;
+    sentHold[slot] = holds;
+    toldTick = tick;
+    newsToAck = false;
     sequence = (sequence + 1) & 0xffff;
     connection.sendDatagram(buffer, length);
   }
@@ -356,6 +405,9 @@ public final class GameClient implements AutoCloseable {
     divergedNs = 0;
     firstSnapshotNs = 0;
     firstTick = -1;
+    steadyTick = 0;
+    heldTick = -1;
+    newsToAck = false;
     feedbackSequence = -1;
     sequence = 0;
     own.clearBody();
@@ -379,6 +431,8 @@ public final class GameClient implements AutoCloseable {
     }
     hearEvents();
     stats.datagram(length);
+    newsToAck |= decoder.hasNews();
+    heardTick = view.tick;
     stats.acks(decoder.ackSequence(), decoder.ackBits());
     int tick = decoder.tick();
     if (seenTick[tick & RING_MASK] != tick) {
@@ -446,6 +500,7 @@ public final class GameClient implements AutoCloseable {
       if (newer) {
         feedbackSequence = feedback.sequence;
         ackedTick = Math.max(ackedTick, sentTick[slot]);
+        heldTick = sentHold[slot] ? Math.max(heldTick, sentTick[slot]) : heldTick;
         if (feedback.holdMs < 255) {
           stats.roundTrip(Math.max(0, (arrivedNs - sentNs[slot]) / 1e6 - feedback.holdMs));
         }
@@ -454,7 +509,7 @@ public final class GameClient implements AutoCloseable {
     boolean clamped = feedback.margin <= -32 || feedback.margin >= 31;
     int margin = clamped ? sentTick[slot] - tick : feedback.margin;
     stats.margin.add(margin);
-    clock.report(tick, margin);
+    clock.report(sentTick[slot] - margin, margin); // the tick that was consumed when it had come
   }
 
   private void describe() {

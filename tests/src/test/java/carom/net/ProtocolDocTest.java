@@ -93,7 +93,7 @@ class ProtocolDocTest {
     Map<String, byte[]> golden = new TreeMap<>();
     golden.put(
         "hello",
-        ClientMessageCodec.encode(new ClientMessage.Hello(1, 0x0102030405060708L, "Zoë", 0)));
+        ClientMessageCodec.encode(new ClientMessage.Hello(2, 0x0102030405060708L, "Zoë", 0)));
     golden.put("level-request", ClientMessageCodec.encode(new ClientMessage.LevelRequest(4096)));
     golden.put("ready", ClientMessageCodec.encode(new ClientMessage.Ready()));
     golden.put("leave", ClientMessageCodec.encode(new ClientMessage.Leave()));
@@ -104,7 +104,7 @@ class ProtocolDocTest {
                 1000, 998, 65_534, 255, List.of(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11))));
     golden.put("look", ClientMessageCodec.encode(new ClientMessage.Look(-1.5f, 2, 16, 9)));
     golden.put(
-        "watch", ClientMessageCodec.encode(new ClientMessage.Watch(1, 0x0102030405060708L, 2)));
+        "watch", ClientMessageCodec.encode(new ClientMessage.Watch(2, 0x0102030405060708L, 2)));
     golden.put(
         "recording-request", ClientMessageCodec.encode(new ClientMessage.RecordingRequest(4096)));
     serverMessages(golden);
@@ -159,6 +159,7 @@ class ProtocolDocTest {
     d.count = 3;
     d.newestTick = 1000;
     d.viewDelay = 200;
+    d.holdTicks = 30;
     d.inputs[0] = 0x0000_aabb_ccdd_eeffL;
     d.inputs[1] = d.inputs[0];
     d.inputs[2] = 1;

@@ -381,7 +381,7 @@ class RoomTest {
       rig.seconds(2);
       long before = client.datagrams;
       rig.seconds(10);
-      assertEquals(100, client.datagrams - before, 2);
+      assertEquals(60, client.datagrams - before, 2);
       client.input.move(1, 0);
       rig.steps(6);
       before = client.datagrams;

@@ -125,8 +125,8 @@ public record ServerConfig(
   /** The settings of a server that is started without any flag. */
   public static ServerConfig defaults() {
     return new ServerConfig(
-        "arena", "Carom", 60, 1, 1, 1, 64, 5_000, 20_000, 6_000, 30_000, 15, 32, 30, 60, 10,
-        512_000, 0, 250, 60);
+        "arena", "Carom", 60, 1, 1, 1, 64, 5_000, 20_000, 6_000, 30_000, 15, 32, 30, 60, 6, 512_000,
+        0, 250, 60);
   }
 
   /** Nanoseconds of one tick, rounded down; use a tick loop for exact deadlines. */

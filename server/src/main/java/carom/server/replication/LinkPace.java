@@ -67,10 +67,14 @@ final class LinkPace {
     quickest = Math.min(quickest, delayTicks);
   }
 
-  /** A datagram is sent. */
-  void sent(int payloadBytes) {
+  /**
+   * A datagram is sent.
+   *
+   * @param acked whether the client acks it soon, see {@link #acked}
+   */
+  void sent(int payloadBytes, boolean acked) {
     tokens -= payloadBytes + HEADER_BYTES;
-    sent += payloadBytes + HEADER_BYTES;
+    sent += acked ? payloadBytes + HEADER_BYTES : 0;
   }
 
   /**
@@ -90,7 +94,8 @@ final class LinkPace {
     } else {
       emptyNow = Math.min(emptyNow, quickest);
       if (quickest - Math.min(emptyNow, emptyBefore) > queueTicks) {
-        rate = Math.min(rate, delivered * DRAIN);
+        // Few acks in a short interval may be chance: half at most at a time.
+        rate = Math.max(rate * SILENCE, Math.min(rate, delivered * DRAIN));
       } else {
         rate *= RISE;
       }

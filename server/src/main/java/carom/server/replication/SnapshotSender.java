@@ -22,6 +22,18 @@ public final class SnapshotSender {
   /** The bucket's depth: so many full datagrams may leave in one tick after a quiet time. */
   private static final int BURST_DATAGRAMS = 4;
 
+  /**
+   * A client from which nothing is heard for so many pauses between keep-alives is sent more of
+   * them: where losses come in bursts, whoever says little is cut off for long.
+   */
+  private static final double SILENT_PAUSES = 1.5;
+
+  /** So many snapshots a second are sent at least while there is news, or silence. */
+  private static final int LEAST_WITH_NEWS_HZ = 12;
+
+  /** And so many while the client's inputs come too late, as its clock learns from each. */
+  private static final int LEAST_WHEN_LATE_HZ = 20;
+
   private final FrameRing frames;
   private final SessionView view;
   private final SnapshotEncoder encoder;
@@ -30,6 +42,8 @@ public final class SnapshotSender {
   private final int tickRateHz;
   private final int snapshotRateHz;
   private final int keepAliveTicks;
+  private final int newsTicks;
+  private final int lateTicks;
   private final int bytesPerSecond;
   private final long bucketDepth; // in byte-ticks: bytes times tickRateHz, so that no rest is lost
   private final LinkPace pace;
@@ -38,6 +52,7 @@ public final class SnapshotSender {
   private long lostSeen;
   private int rateAccumulator;
   private int ticksSinceSent;
+  private int ticksSinceHeard;
 
   /**
    * Creates the sender for a client that knows nothing but the level.
@@ -59,6 +74,8 @@ public final class SnapshotSender {
     this.tickRateHz = config.tickRateHz();
     this.snapshotRateHz = Math.min(config.snapshotRateHz(), tickRateHz);
     this.keepAliveTicks = Math.max(1, tickRateHz / config.keepAliveRateHz());
+    this.newsTicks = Math.min(keepAliveTicks, Math.max(1, tickRateHz / LEAST_WITH_NEWS_HZ));
+    this.lateTicks = Math.min(newsTicks, Math.max(1, tickRateHz / LEAST_WHEN_LATE_HZ));
     this.bytesPerSecond = config.snapshotBitsPerSecond() / 8;
     this.bucketDepth = (long) BURST_DATAGRAMS * SnapshotEncoder.MAX_DATAGRAM_BYTES * tickRateHz;
     this.bucket = bucketDepth;
@@ -71,6 +88,7 @@ public final class SnapshotSender {
 
   /** Takes a client's acks as they are; see {@link SnapshotEncoder#receiveAck}. */
   public void receiveAck(int ackSequence, long ackBits) {
+    ticksSinceHeard = 0;
     encoder.receiveAck(ackSequence, ackBits);
     if (encoder.ackDelayTicks() >= 0) {
       pace.acked(encoder.ackDelayTicks());
@@ -82,25 +100,33 @@ public final class SnapshotSender {
     view.look(x, y, halfWidth, halfHeight);
   }
 
-  /** Whether {@link #send} may send at this tick; call once per tick, before it. */
-  public boolean isDue(OwnState own) {
+  /**
+   * Whether {@link #send} may send at this tick; call once per tick, before it.
+   *
+   * @param own the player's exact state
+   * @param late whether the client's inputs come too late
+   */
+  public boolean isDue(OwnState own, boolean late) {
     bucket = Math.min(bucketDepth, bucket + bytesPerSecond);
     pace.tick(encoder.ackedBytes() + LinkPace.HEADER_BYTES * encoder.ackedDatagrams());
     // The bound forgets the time in which nothing was due, but not the rest of a rate that doesn't
     // divide the tick rate.
     rateAccumulator = Math.min(tickRateHz + snapshotRateHz - 1, rateAccumulator + snapshotRateHz);
     ticksSinceSent++;
+    ticksSinceHeard++;
     if (rateAccumulator < tickRateHz) {
       return false;
     }
     view.update(frames.newest(), encoder);
     offerEvents();
-    if (ticksSinceSent >= keepAliveTicks) {
+    boolean news = !encoder.nothingNew(own);
+    boolean silent = ticksSinceHeard > SILENT_PAUSES * keepAliveTicks;
+    if (ticksSinceSent >= (late ? lateTicks : news || silent ? newsTicks : keepAliveTicks)) {
       return true;
     }
     // Over budget, or over what the line takes: fewer snapshots, never none, each of the newest
     // tick.
-    return bucket > 0 && pace.allowance() > 0 && !encoder.nothingNew(own);
+    return news && bucket > 0 && pace.allowance() > 0;
   }
 
   private void offerEvents() {
@@ -135,7 +161,7 @@ public final class SnapshotSender {
       if (!link.sendDatagram(buffer, 0, length)) {
         counters.add(Counter.DATAGRAMS_UNSENT, 1);
       }
-      pace.sent(length);
+      pace.sent(length, encoder.hasNews());
       bucket = Math.max(-bucketDepth, bucket - (long) length * tickRateHz);
       counters.add(Counter.DATAGRAMS_OUT, 1);
       counters.add(Counter.SNAPSHOT_BYTES, length);

@@ -12,6 +12,9 @@ import java.util.Arrays;
  * first arrival of a tick wins, and one tick consumes one input however many arrive (no speed
  * hack).
  *
+ * <p>A client whose input stays the same need not repeat it: it says for how long the newest one
+ * holds, see {@link #hold}, and is believed until it says something else.
+ *
  * <p>When a tick's input is missing, the last one is repeated, because a player who held a key
  * probably still holds it; its movement fades, see {@link Input#faded}, and after {@code holdTicks}
  * missing in a row the player counts as neutral.
@@ -25,6 +28,8 @@ public final class InputBuffer {
     ACCEPTED,
     /** Already known; the usual fate of redundant copies. */
     DUPLICATE,
+    /** Was consumed already because the one before {@linkplain #hold held}, and rightly so. */
+    CONFIRMED,
     /** Its tick was consumed already. */
     TOO_LATE,
     /** Its tick lies beyond the window. */
@@ -37,12 +42,20 @@ public final class InputBuffer {
   private final int holdTicks;
   private final long[] packed = new long[SIZE];
   private final int[] tickOf = new int[SIZE];
+
+  /** Whether the slot's input wasn't said but followed from one that holds. */
+  private final boolean[] isHeld = new boolean[SIZE];
+
   private int lastConsumedTick;
   private int newestTick;
   private boolean anyArrived;
   private long last;
   private int missingInARow;
   private boolean lastMissing;
+  private int holdFrom;
+  private int holdUntil;
+  private long held;
+  private int arrivalMargin;
   private long consumed;
   private long missing;
   private long tooLate;
@@ -73,6 +86,9 @@ public final class InputBuffer {
     anyArrived = false;
     last = 0;
     missingInARow = holdTicks;
+    holdUntil = lastConsumedTick;
+    arrivalMargin = 0;
+    Arrays.fill(isHeld, false);
     Arrays.fill(tickOf, lastConsumedTick); // consumed, hence never matched again
   }
 
@@ -80,12 +96,22 @@ public final class InputBuffer {
   public Verdict offer(int tick, long input) {
     int ahead = tick - lastConsumedTick; // wraps like the ticks themselves
     if (ahead <= 0) {
-      // Redundant copies of what was used are the normal case; late is only what never was here.
-      if (tickOf[tick & (SIZE - 1)] == tick) {
+      // Redundant copies of what was used are the normal case; late is only what never was here, or
+      // is not what the client had said would go on.
+      int slot = tick & (SIZE - 1);
+      if (tickOf[slot] == tick && !isHeld[slot]) {
         return Verdict.DUPLICATE;
       }
-      if (ahead > -SIZE && tickOf[tick & (SIZE - 1)] - tick < 0) {
-        tickOf[tick & (SIZE - 1)] = tick; // its further copies are duplicates
+      if (tickOf[slot] == tick) {
+        isHeld[slot] = false; // its further copies are duplicates
+        if (packed[slot] == input) {
+          noteNewest(tick);
+          return Verdict.CONFIRMED;
+        }
+        missing++;
+      } else if (ahead > -SIZE && tickOf[slot] - tick < 0) {
+        tickOf[slot] = tick;
+        isHeld[slot] = false;
       }
       tooLate++;
       noteNewest(tick);
@@ -102,14 +128,32 @@ public final class InputBuffer {
     }
     tickOf[slot] = tick;
     packed[slot] = input;
+    isHeld[slot] = false;
     noteNewest(tick);
     return Verdict.ACCEPTED;
+  }
+
+  /**
+   * Takes the client's word that an input goes on after its tick, until an input for a later tick
+   * arrives. Call after {@link #offer} of that input; ignored when later ones are known.
+   *
+   * @param tick of the input
+   * @param input that goes on
+   * @param ticks for how many ticks after it; 0 takes the word back
+   */
+  public void hold(int tick, long input, int ticks) {
+    if (anyArrived && tick == newestTick) {
+      holdFrom = tick;
+      holdUntil = tick + Math.min(SIZE, ticks);
+      held = input;
+    }
   }
 
   private void noteNewest(int tick) {
     if (!anyArrived || tick - newestTick > 0) {
       newestTick = tick;
       anyArrived = true;
+      arrivalMargin = tick - lastConsumedTick - 1;
     }
   }
 
@@ -133,6 +177,16 @@ public final class InputBuffer {
       lastMissing = false;
       return last;
     }
+    if (anyArrived && newestTick == holdFrom && tick - holdFrom > 0 && tick - holdUntil <= 0) {
+      tickOf[slot] = tick;
+      packed[slot] = held;
+      isHeld[slot] = true;
+      last = held;
+      missingInARow = 0;
+      lastMissing = false;
+      return last;
+    }
+    isHeld[slot] = false;
     lastMissing = true;
     if (anyArrived) {
       missing++; // before the first input there is nothing to miss
@@ -141,7 +195,12 @@ public final class InputBuffer {
     return Input.faded(last, missingInARow, holdTicks);
   }
 
-  /** Whether the last consumed tick had no input of its own. */
+  /** Whether the last consumed tick's input wasn't there but followed from one that holds. */
+  public boolean lastWasHeld() {
+    return isHeld[lastConsumedTick & (SIZE - 1)];
+  }
+
+  /** Whether the last consumed tick had no input of its own, nor one that holds. */
   public boolean lastWasMissing() {
     return lastMissing;
   }
@@ -157,9 +216,17 @@ public final class InputBuffer {
   }
 
   /**
-   * How many ticks the newest input lies ahead of the last consumed tick: the number the client
-   * steers its clock by. Negative when its inputs come too late, by that many ticks; 0 when none
-   * arrived yet.
+   * How many ticks the newest input lay ahead of the first tick that was consumed after it came:
+   * the number the client steers its clock by. Negative when it came too late, by that many ticks;
+   * 0 when none arrived yet. Other than {@link #marginTicks}, it doesn't fall while nothing comes.
+   */
+  public int arrivalMarginTicks() {
+    return arrivalMargin;
+  }
+
+  /**
+   * How many ticks the newest input lies ahead of the last consumed tick. Negative when it is past,
+   * by that many ticks; 0 when none arrived yet.
    */
   public int marginTicks() {
     return anyArrived ? newestTick - lastConsumedTick : 0;

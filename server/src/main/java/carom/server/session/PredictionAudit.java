@@ -60,7 +60,8 @@ final class PredictionAudit {
    * Remembers a tick.
    *
    * @param own the state after it; copied
-   * @param inputMissing whether the player's input for it wasn't there in time
+   * @param inputMissing whether the player's input for it wasn't there in time; see {@link
+   *     #confirmInput}
    * @param wasTouched whether anything that is not static touched the body in it
    * @param wasRuled whether the game moved or pushed the body, see {@code Player.ruledTick}
    */
@@ -71,6 +72,12 @@ final class PredictionAudit {
     missing[slot] = inputMissing;
     touched[slot] = wasTouched;
     ruled[slot] = wasRuled;
+  }
+
+  /** The player's input for a tick, if that is remembered, came after it and was what it used. */
+  void confirmInput(int tick) {
+    int slot = tick & (TICKS - 1);
+    missing[slot] &= ticks[slot] != tick;
   }
 
   /** Judges a report; any numbers are allowed in it. */

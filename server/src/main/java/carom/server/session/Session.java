@@ -253,7 +253,13 @@ public final class Session implements LinkHandler {
       sender.receiveAck(datagram.ackSequence, datagram.ackBits);
     }
     for (int i = datagram.count - 1; i >= 0; i--) { // oldest first
-      inputs.offer(datagram.newestTick - i, datagram.inputs[i]);
+      int tick = datagram.newestTick - i;
+      if (inputs.offer(tick, datagram.inputs[i]) == InputBuffer.Verdict.CONFIRMED) {
+        audit.confirmInput(tick);
+      }
+    }
+    if (datagram.count > 0) {
+      inputs.hold(datagram.newestTick, datagram.inputs[0], datagram.holdTicks);
     }
   }
 
@@ -278,7 +284,7 @@ public final class Session implements LinkHandler {
     if (!inputs.lastWasMissing()) {
       feedback.consumedTick = tick;
     }
-    feedback.margin = Math.max(MIN_MARGIN, Math.min(MAX_MARGIN, inputs.marginTicks()));
+    feedback.margin = Math.max(MIN_MARGIN, Math.min(MAX_MARGIN, inputs.arrivalMarginTicks()));
     countInputs();
   }
 
@@ -304,8 +310,9 @@ public final class Session implements LinkHandler {
    */
   public boolean isSnapshotDue() {
     capture.capture(player, own);
+    boolean certain = !inputs.lastWasMissing() && !inputs.lastWasHeld();
     boolean ruled = player.ruledTick() >= consumedTick;
-    audit.keep(consumedTick, own, inputs.lastWasMissing(), isTouched(), ruled);
+    audit.keep(consumedTick, own, !certain, isTouched(), ruled);
     if (near == InputDatagram.NEAR_NONE) {
       own.near().clear();
       own.relayed().clear();
@@ -317,7 +324,7 @@ public final class Session implements LinkHandler {
       counters.add(Counter.NEAR_UPDATES, nearSet.updates() - updates);
       counters.add(Counter.NEAR_DISAGREEMENTS, nearSet.disagreements() - disagreements);
     }
-    return sender.isDue(own);
+    return sender.isDue(own, feedback.margin < 0);
   }
 
   /** Sends a snapshot of the newest frame, when it {@linkplain #isSnapshotDue is due}. */

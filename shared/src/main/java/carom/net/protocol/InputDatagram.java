@@ -4,9 +4,9 @@ import carom.net.codec.BitReader;
 import carom.net.codec.BitWriter;
 
 /**
- * What a client sends each tick: key, acks of snapshots, and its last inputs. A mutable object that
- * is used again and again: the client fills and encodes it, the server decodes into one. No
- * allocation. One thread.
+ * What a client sends, at most once a tick: key, acks of snapshots, and its last inputs. A mutable
+ * object that is used again and again: the client fills and encodes it, the server decodes into
+ * one. No allocation. One thread.
  */
 public final class InputDatagram {
 
@@ -25,8 +25,12 @@ public final class InputDatagram {
   /** As much around it as there is room for. */
   public static final int NEAR_ALL = 2;
 
+  /** Largest {@link #holdTicks}. */
+  public static final int MAX_HOLD_TICKS = 63;
+
   private static final int INPUT_BITS = 48;
   private static final int VIEW_DELAY_BITS = 12;
+  private static final int HOLD_BITS = 6;
 
   /**
    * The key of {@link ServerMessage.Welcome}. The server drops datagrams with another one silently.
@@ -63,6 +67,13 @@ public final class InputDatagram {
    */
   public int viewDelay;
 
+  /**
+   * For how many ticks after {@link #newestTick} the newest input goes on, unless a newer datagram
+   * says otherwise, 0..63: so a client that does nothing, or goes on doing the same, need not say
+   * so in each tick. Only with inputs.
+   */
+  public int holdTicks;
+
   /** How many inputs follow, 0..{@link Limits#MAX_INPUTS}; 0 = keep-alive. */
   public int count;
 
@@ -83,7 +94,8 @@ public final class InputDatagram {
    *
    * @param out at least {@link #MAX_BYTES} from {@code offset} on
    * @return number of bytes written
-   * @throws IllegalArgumentException when {@link #count} or {@link #viewDelay} is outside its range
+   * @throws IllegalArgumentException when {@link #count}, {@link #viewDelay} or {@link #holdTicks}
+   *     is outside its range
    */
   public int encode(byte[] out, int offset) {
     if (count < 0 || count > Limits.MAX_INPUTS) {
@@ -93,6 +105,10 @@ public final class InputDatagram {
     if (viewDelay < 0 || viewDelay > MAX_VIEW_DELAY) {
       throw new IllegalArgumentException(
           "viewDelay=" + viewDelay + " is outside 0.." + MAX_VIEW_DELAY);
+    }
+    if (holdTicks < 0 || holdTicks > MAX_HOLD_TICKS) {
+      throw new IllegalArgumentException(
+          "holdTicks=" + holdTicks + " is outside 0.." + MAX_HOLD_TICKS);
     }
     BitWriter w = writer;
     w.reset(out, offset, MAX_BYTES);
@@ -114,6 +130,7 @@ public final class InputDatagram {
     if (count > 0) {
       w.write(newestTick, 32);
       w.write(viewDelay, VIEW_DELAY_BITS);
+      w.write(holdTicks, HOLD_BITS);
     }
     for (int i = 0; i < count; i++) {
       boolean same = i > 0 && ((inputs[i] ^ inputs[i - 1]) << (64 - INPUT_BITS)) == 0;
@@ -150,6 +167,7 @@ public final class InputDatagram {
     }
     newestTick = count > 0 ? r.read(32) : 0;
     viewDelay = count > 0 ? r.read(VIEW_DELAY_BITS) : 0;
+    holdTicks = count > 0 ? r.read(HOLD_BITS) : 0;
     for (int i = 0; i < count; i++) {
       if (i > 0 && r.readBit()) {
         inputs[i] = inputs[i - 1];

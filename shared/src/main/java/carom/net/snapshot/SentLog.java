@@ -18,6 +18,7 @@ final class SentLog {
   private final long[] number = new long[SIZE];
   private final int[] tick = new int[SIZE];
   private final boolean[] own = new boolean[SIZE];
+  private final boolean[] news = new boolean[SIZE];
   private final boolean[] open = new boolean[SIZE];
   private final long[] start = new long[SIZE];
   private final int[] count = new int[SIZE];
@@ -27,12 +28,13 @@ final class SentLog {
   private long newest = -1;
 
   /** Begins the next datagram and answers its 16-bit sequence number. */
-  int begin(int tickNow, boolean withOwn) {
+  int begin(int tickNow, boolean withOwn, boolean withNews) {
     newest++;
     int at = (int) newest & MASK;
     number[at] = newest;
     tick[at] = tickNow;
     own[at] = withOwn;
+    news[at] = withNews;
     open[at] = true;
     start[at] = written;
     count[at] = 0;
@@ -103,6 +105,10 @@ final class SentLog {
 
   boolean ownAt(int at) {
     return own[at];
+  }
+
+  boolean newsAt(int at) {
+    return news[at];
   }
 
   int countAt(int at) {

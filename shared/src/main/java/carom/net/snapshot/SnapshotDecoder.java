@@ -39,6 +39,7 @@ public final class SnapshotDecoder {
   private final int[] ownTicks = new int[HISTORY];
   private final OwnState nothing = new OwnState();
   private final InputFeedback feedback = new InputFeedback();
+  private boolean hasNews;
   private boolean hasOwn;
   private OwnState own = nothing;
   private final RelayedInputs inputs = new RelayedInputs();
@@ -133,8 +134,10 @@ public final class SnapshotDecoder {
       }
     }
     int datagramTick = Sequence.expand(r.read(16), newestTick);
+    boolean news = r.readBit();
     DecodeStatus status = read(r, datagramTick, bytes, offset + length);
     if (status == DecodeStatus.OK) {
+      hasNews = news;
       acknowledge(sequence, ahead);
       keep(datagramTick);
     }
@@ -332,6 +335,14 @@ public final class SnapshotDecoder {
   /** Feedback of the last decoded datagram; {@code present} is false when it had none. */
   public InputFeedback feedback() {
     return feedback;
+  }
+
+  /**
+   * Whether the last decoded datagram told something new, as far as the server knows: then it waits
+   * for the ack.
+   */
+  public boolean hasNews() {
+    return hasNews;
   }
 
   /** Whether the last decoded datagram had the own section. */

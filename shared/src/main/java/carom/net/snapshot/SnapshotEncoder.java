@@ -68,6 +68,7 @@ public final class SnapshotEncoder {
   private final int[] ownAckedTicks = new int[FrameRing.SIZE];
 
   private boolean sendOwn;
+  private boolean news;
 
   private FrameState frame;
   private boolean first;
@@ -160,8 +161,10 @@ public final class SnapshotEncoder {
     int tick = sent.tickAt(at);
     ackedBytes += sent.bytesAt(at);
     ackedDatagrams++;
-    int delay = ring.newest().tick() - tick;
-    ackDelayTicks = ackDelayTicks < 0 ? delay : Math.min(ackDelayTicks, delay);
+    if (sent.newsAt(at)) { // others the client acks when it happens to write
+      int delay = ring.newest().tick() - tick;
+      ackDelayTicks = ackDelayTicks < 0 ? delay : Math.min(ackDelayTicks, delay);
+    }
     for (int i = 0; i < sent.countAt(at); i++) {
       selection.ack(sent.slotAt(at, i), tick);
     }
@@ -256,6 +259,7 @@ public final class SnapshotEncoder {
       ownSent[frame.tick() & (FrameRing.SIZE - 1)].setBaseline(own);
     }
     int count = selection.update(frame);
+    news = count > 0 || events.hasUnacked() || own != null && !isKnown(own, frame);
     sent.reserve(count);
     selection.choose(frame, count, Math.max(0, budgetBytes - headerBytes));
     budget = budgetBytes;
@@ -277,7 +281,7 @@ public final class SnapshotEncoder {
     boolean withOwn = first && sendOwn;
     BitWriter w = writer;
     w.reset(out, 0, MAX_DATAGRAM_BYTES);
-    writeHeader(w, sent.begin(frame.tick(), withOwn), withOwn);
+    writeHeader(w, sent.begin(frame.tick(), withOwn, news), withOwn);
     int header = w.bytes();
     headerBytes = first ? header : headerBytes;
     int room = 8 * (Math.min(MAX_DATAGRAM_BYTES, Math.max(budget, 0)) - header) - END_BITS;
@@ -319,6 +323,7 @@ public final class SnapshotEncoder {
     w.write(0, 16);
     w.write(sequence, 16);
     w.write(frame.tick(), 16);
+    w.write(news);
     if (first) {
       HeaderCodec.writeFeedback(w, feedback, frame.tick());
     } else {
@@ -445,8 +450,16 @@ public final class SnapshotEncoder {
   }
 
   /**
-   * Ticks from sending to ack of the quickest datagram that the last {@link #receiveAck} was the
-   * first to ack, or -1 when it acked none.
+   * Whether the snapshot begun last tells anything that the client isn't known to have: if so, it
+   * is asked to ack soon.
+   */
+  public boolean hasNews() {
+    return news;
+  }
+
+  /**
+   * Ticks from sending to ack of the quickest datagram with news that the last {@link #receiveAck}
+   * was the first to ack, or -1 when it acked none.
    */
   public int ackDelayTicks() {
     return ackDelayTicks;

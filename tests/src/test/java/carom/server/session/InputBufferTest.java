@@ -171,4 +171,94 @@ class InputBufferTest {
     }
     assertEquals(expectedMissing, buffer.missing(), "seed=" + seed);
   }
+
+  @Test
+  void whatHoldsIsNeitherMissingNorFading() {
+    buffer.offer(1, 77);
+    buffer.hold(1, 77, 20);
+    for (int tick = 1; tick <= 21; tick++) {
+      assertEquals(77, buffer.consume(tick));
+      assertFalse(buffer.lastWasMissing(), "tick=" + tick);
+      assertEquals(tick > 1, buffer.lastWasHeld(), "tick=" + tick);
+    }
+    assertEquals(0, buffer.missing());
+    assertEquals(0, buffer.arrivalMarginTicks(), "it came right for tick 1");
+    buffer.consume(22);
+    assertTrue(buffer.lastWasMissing());
+    assertFalse(buffer.lastWasHeld());
+  }
+
+  @Test
+  void aNewerInputEndsWhatHolds() {
+    buffer.offer(1, 77);
+    buffer.hold(1, 77, 20);
+    buffer.consume(1);
+    assertEquals(77, buffer.consume(2));
+    buffer.offer(4, 5);
+    buffer.hold(1, 77, 20); // overtaken: says nothing any more
+    buffer.consume(3);
+    assertTrue(buffer.lastWasMissing(), "nobody said that it holds until the newer one");
+    assertEquals(5, buffer.consume(4));
+    buffer.consume(5);
+    assertTrue(buffer.lastWasMissing());
+  }
+
+  @Test
+  void whatCameAfterItsTickIsComparedWithWhatHeld() {
+    buffer.offer(1, 77);
+    buffer.hold(1, 77, 20);
+    for (int tick = 1; tick <= 3; tick++) {
+      buffer.consume(tick);
+    }
+    assertEquals(InputBuffer.Verdict.CONFIRMED, buffer.offer(2, 77));
+    assertEquals(DUPLICATE, buffer.offer(2, 77));
+    assertEquals(0, buffer.missing());
+    assertEquals(TOO_LATE, buffer.offer(3, 78));
+    assertEquals(DUPLICATE, buffer.offer(3, 78));
+    assertEquals(1, buffer.missing(), "the server had to do without it");
+    assertEquals(1, buffer.tooLate());
+  }
+
+  /** Whatever is offered and said to hold in any order, each tick consumes what a model says. */
+  @Test
+  void holdsAsAModelDoes() {
+    long seed = Long.getLong("carom.seed", 7);
+    Random random = new Random(seed);
+    for (int round = 0; round < 300; round++) {
+      buffer.reset(0);
+      Map<Integer, Long> known = new HashMap<>();
+      int newest = 0;
+      int until = 0;
+      long held = 0;
+      for (int tick = 1; tick <= 80; tick++) {
+        for (int i = random.nextInt(3); i > 0; i--) {
+          int at = Math.max(1, tick - 4 + random.nextInt(12));
+          long input = 1L + random.nextInt(3);
+          int ticks = random.nextInt(3) * random.nextInt(30);
+          buffer.offer(at, input);
+          if (at >= tick) {
+            known.putIfAbsent(at, input);
+          }
+          if (newest == 0 || at > newest) {
+            newest = at;
+            until = at;
+          }
+          buffer.hold(at, input, ticks);
+          if (at == newest) {
+            until = at + ticks;
+            held = input;
+          }
+        }
+        long consumed = buffer.consume(tick);
+        String about = "seed=" + seed + " round=" + round + " tick=" + tick;
+        Long own = known.get(tick);
+        boolean holds = own == null && newest != 0 && tick > newest && tick <= until;
+        assertEquals(own == null && !holds, buffer.lastWasMissing(), about);
+        assertEquals(holds, buffer.lastWasHeld(), about);
+        if (own != null || holds) {
+          assertEquals(own != null ? own : held, consumed, about);
+        }
+      }
+    }
+  }
 }
