@@ -2,11 +2,13 @@ package carom.client.interpolation;
 
 /**
  * What a correction moved a body by, still shown and fading: the state jumps at once, the picture
- * glides after it. The offset shrinks by a factor of e each {@value #FADE_MS} ms; half a metre is
- * below a centimetre after 200 ms. What is too far to glide is shown at once. Mutable; one body's.
+ * glides after it. The offset shrinks by a factor of e each {@value #FADE_MS} ms; three metres, the
+ * farthest that glides, are below a centimetre after 250 ms; what is farther is shown at once.
+ * Mutable; one body's.
  */
 public final class VisualError {
-  public static final int FADE_MS = 50;
+  /** Time in which an offset shrinks by a factor of e, milliseconds. */
+  public static final int FADE_MS = 42;
 
   /** Farther than this a glide would look like flying. */
   private static final float SNAP_METRES = 3;
