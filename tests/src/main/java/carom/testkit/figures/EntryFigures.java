@@ -7,7 +7,6 @@ import carom.server.config.ServerConfig;
 import carom.sim.Level;
 import carom.testkit.BigWorlds;
 import carom.testkit.Scripts;
-import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.util.List;
 
@@ -25,7 +24,7 @@ final class EntryFigures {
       stepper.join("first", Impairment.NONE, Scripts.hold(0, 1)); // up, into the crates
       stepper.run(quick ? 2 : 6);
       long beginNs = stepper.nowNs();
-      SimulatedClient late = stepper.join("late", LINE, InputSource.IDLE);
+      stepper.join("late", LINE, InputSource.IDLE);
       double seconds = (stepper.nowNs() - beginNs) / 1e9;
       return List.of(
           Figure.atMost(
@@ -33,9 +32,7 @@ final class EntryFigures {
                   "late joiner of a world of 10,000 bodies plays, 2 Mbit/s, 100 ms",
                   seconds,
                   "s")
-              .withNote(
-                  "level %d bytes packed; round trip %.0f ms",
-                  PackedLevel.pack(level.source()).length, late.stats().rttMs()));
+              .withNote("level %d bytes packed", PackedLevel.pack(level.source()).length));
     }
   }
 }
