@@ -138,6 +138,9 @@ public final class NearSet {
   /** Whether even an update without rows is to be sent: that others went is all it tells. */
   private boolean announced;
 
+  /** Whether an update was followed by another before all of it had arrived, and none told all. */
+  private boolean torn;
+
   private int firstRow;
   private int partRows;
 
@@ -232,6 +235,7 @@ public final class NearSet {
     members = 0;
     known = 0;
     updating = false;
+    torn = false;
   }
 
   /** A client whose line is too slow for the update is told of fewer. */
@@ -319,7 +323,7 @@ public final class NearSet {
       gap = MIN_GAP;
     }
     boolean old = disagreedTick <= toldTick;
-    if (old || updating || (toldAllTick >= 0 && tick - toldAllTick < gap)) {
+    if (old || (updating && !torn) || (toldAllTick >= 0 && tick - toldAllTick < gap)) {
       return false;
     }
     gap = Math.min(MAX_GAP, 2 * gap);
@@ -328,6 +332,7 @@ public final class NearSet {
   }
 
   private void beginUpdate(boolean all) {
+    torn = !all && (torn || (updating && sentParts > 0));
     updating = true;
     announced = false;
     baseTick = simulation.tick();
