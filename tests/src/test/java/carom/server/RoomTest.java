@@ -132,7 +132,9 @@ class RoomTest {
       FakeClient client = rig.join("Ann");
       Entity body = rig.room.simulation().player(1).body();
       client.sends = false;
-      rig.seconds(5.2);
+      rig.seconds(5.8);
+      assertEquals(SessionState.PLAYING, rig.room.session(1).state());
+      rig.seconds(0.4);
       assertEquals(SessionState.GRACE, rig.room.session(1).state());
       assertEquals(GoodbyeReason.TIMEOUT, client.goodbye.reason());
       assertTrue(other.notices().contains("Ann lost the connection"), "" + other.notices());
