@@ -57,6 +57,9 @@ public final class NearSet {
   /** An update whose parts take longer is given up: its base would leave the client's memory. */
   private static final int MAX_AGE = 60;
 
+  /** Updates of so few parts are sent twice: waiting for one that got lost costs a round trip. */
+  private static final int TWICE_PARTS = 3;
+
   /** A snapshot is lost when one so many ticks younger has arrived. */
   private static final int OVERTAKEN_TICKS = 3;
 
@@ -138,6 +141,9 @@ public final class NearSet {
   /** Whether even an update without rows is to be sent: that others went is all it tells. */
   private boolean announced;
 
+  /** Whether all of it has been sent, though perhaps not all has arrived. */
+  private boolean sentOnce;
+
   /** Whether an update was followed by another before all of it had arrived, and none told all. */
   private boolean torn;
 
@@ -192,10 +198,10 @@ public final class NearSet {
     if (updating && simulation.tick() - baseTick > MAX_AGE) {
       giveUp();
     }
-    if (isDue() && !listMembers()) {
+    if (isDue() && !sentOnce && !listMembers()) {
       updating = false;
     }
-    if (!isDue()) {
+    if (!isDue() || sentOnce) {
       choose(player, all);
       boolean again = mustTellAll(disagreedTick);
       if (again || !isSameList()) {
@@ -334,6 +340,7 @@ public final class NearSet {
   private void beginUpdate(boolean all) {
     torn = !all && (torn || (updating && sentParts > 0));
     updating = true;
+    sentOnce = false;
     announced = false;
     baseTick = simulation.tick();
     sentParts = 0;
@@ -446,6 +453,12 @@ public final class NearSet {
       sentParts++;
     }
     if (dueRows == 0) {
+      if (!sentOnce && sentParts <= TWICE_PARTS) {
+        dueRows = toldCount + toldContacts;
+        Arrays.fill(due, 0, dueRows, true);
+        announced = false;
+      }
+      sentOnce = true;
       toldTick = simulation.tick();
       if (knownKey.length < members) {
         knownKey = new int[memberKey.length];
