@@ -82,12 +82,47 @@ public final class RangeEncoder extends BitCoder {
   }
 
   /**
+   * Writes what {@link BitTable#code} would bit by bit, in a fraction of the time: that of an
+   * unforeseen bit is mostly its branches, and here it has none.
+   *
+   * @param table whose nodes adapt
+   * @param steps each 2 node + bit
+   * @param from index of the first step
+   * @param to index behind the last step
+   */
+  public void code(BitTable table, char[] steps, int from, int to) {
+    int[] states = table.states;
+    long[] changed = table.changed;
+    int changes = table.changes;
+    long low = this.low;
+    long high = this.high;
+    for (int i = from; i < to; i++) {
+      int node = steps[i] >>> 1;
+      int bit = steps[i] & 1;
+      int state = states[node];
+      changed[changes++ & BitTable.MAX_MARKED - 1] = (long) node << 32 | state;
+      states[node] = BitTable.next(state, bit);
+      long middle = split(low, high, state & 0xffff);
+      long one = -(long) bit;
+      high ^= (high ^ middle) & one;
+      low = low & one | middle + 1 & ~one;
+      while ((low ^ high) >>> (STATE_BITS - 8) == 0) {
+        put((int) (high >>> (STATE_BITS - 8)));
+        low = low << 8 & MASK;
+        high = high << 8 & MASK | 0xff;
+      }
+    }
+    table.changes = changes;
+    this.low = low;
+    this.high = high;
+  }
+
+  /**
    * The last number of the part that belongs to a 1. Each part has at least one number while the
    * interval has two.
    */
   static long split(long low, long high, int probability) {
-    long range = high - low;
-    return low + (range >>> 16) * probability + ((range & 0xffff) * probability >>> 16);
+    return low + ((high - low) * probability >>> 16); // 48 and 16 bits: the product has 64
   }
 
   /**

@@ -22,6 +22,7 @@ public final class FrameRing {
   private final FrameState[] frames = new FrameState[SIZE];
   private final EventRing events = new EventRing();
   private final SlotSet asLevel = new SlotSet();
+  private Deltas deltas;
   private FrameState level;
   private float gravityX;
   private float gravityY;
@@ -74,6 +75,14 @@ public final class FrameRing {
 
   float gravityY() {
     return gravityY;
+  }
+
+  /** The deltas that the sessions of a tick rate share. */
+  Deltas deltas(int tickRate) {
+    if (deltas == null || deltas.tickRate() != tickRate) {
+      deltas = new Deltas(tickRate, gravityX, gravityY);
+    }
+    return deltas;
   }
 
   /** The state that all clients know from the level, or null. */

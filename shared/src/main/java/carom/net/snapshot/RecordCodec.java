@@ -1,8 +1,9 @@
 package carom.net.snapshot;
 
 import carom.net.codec.BitCoder;
+import carom.net.codec.BitTable;
 import carom.net.codec.Bits;
-import java.util.Arrays;
+import carom.net.codec.RangeEncoder;
 
 /**
  * The forms of which an entity's record is made, each described once: with a {@link
@@ -64,28 +65,7 @@ class RecordCodec {
   /** Length of the table. */
   static final int NODES = NUMBERS_AT + FIELDS * SITUATIONS * SIZES * NUMBER_NODES;
 
-  // How fast a node moves: as if its prior were that many bits old, and never older than so many.
-  private static final int PRIOR_AGE = 12;
-  private static final int MAX_SEEN = 60;
-  private static final int LEAST = 32;
-  private static final int[] STEP = new int[MAX_SEEN + 1];
-
-  /** More than any record has at nodes; a power of two. */
-  private static final int MAX_BITS = 256;
-
-  static {
-    for (int seen = 0; seen <= MAX_SEEN; seen++) {
-      STEP[seen] = BitCoder.ONE / (seen + PRIOR_AGE);
-    }
-  }
-
-  private final char[] prior;
-  private final char[] table = new char[NODES];
-  private final byte[] seen = new byte[NODES];
-  // What the nodes were before the bits since the last mark.
-  private final int[] changedNode = new int[MAX_BITS];
-  private final int[] changedFrom = new int[MAX_BITS];
-  private int changes;
+  private final BitTable table;
   private int slot;
   private int age;
   private int way;
@@ -102,23 +82,20 @@ class RecordCodec {
   /**
    * Creates a codec.
    *
-   * @param prior probability of a 1 for each node, in 1/65,536; not copied
+   * @param prior probability of a 1 for each node, in 1/65,536; copied
    */
   RecordCodec(char[] prior) {
-    this.prior = prior;
+    table = new BitTable(prior);
   }
 
   /** Codes a bit at a node. */
   int bit(BitCoder c, int node, int bit) {
-    int p = table[node];
-    int result = c.code(bit, p);
-    int n = seen[node];
-    changedNode[changes & MAX_BITS - 1] = node;
-    changedFrom[changes++ & MAX_BITS - 1] = n << 16 | p;
-    p += ((result == 0 ? LEAST : BitCoder.ONE - LEAST) - p) * STEP[n] >> 16;
-    table[node] = (char) p;
-    seen[node] = (byte) Math.min(n + 1, MAX_SEEN);
-    return result;
+    return table.code(c, node, bit);
+  }
+
+  /** Codes bits that are equally likely. */
+  int plain(BitCoder c, int value, int count) {
+    return c.plain(value, count);
   }
 
   private boolean flag(BitCoder c, int node, boolean value) {
@@ -127,8 +104,7 @@ class RecordCodec {
 
   /** Starts a datagram. */
   void begin() {
-    System.arraycopy(prior, 0, table, 0, NODES);
-    Arrays.fill(seen, (byte) 0);
+    table.begin();
     slot = -1;
     age = 0;
     way = Predictor.GOES_ON;
@@ -137,7 +113,7 @@ class RecordCodec {
 
   /** Remembers this place, before a record that may not fit. */
   void mark() {
-    changes = 0;
+    table.mark();
     markedSlot = slot;
     markedAge = age;
     markedWay = way;
@@ -146,11 +122,7 @@ class RecordCodec {
 
   /** Goes back to the last {@link #mark}. */
   void rewind() {
-    while (changes > 0) {
-      int node = changedNode[--changes];
-      table[node] = (char) changedFrom[changes];
-      seen[node] = (byte) (changedFrom[changes] >> 16);
-    }
+    table.rewind();
     slot = markedSlot;
     age = markedAge;
     way = markedWay;
@@ -198,7 +170,11 @@ class RecordCodec {
    * @param baseline what both sides know
    */
   int way(BitCoder c, Motion baseline, int value) {
-    int node = WAY_AT + 2 * (situation(baseline) * WAYS + way);
+    return way(c, situation(baseline, age), value);
+  }
+
+  private int way(BitCoder c, int situation, int value) {
+    int node = WAY_AT + 2 * (situation * WAYS + way);
     if (flag(c, node, value == Predictor.GOES_ON)) {
       way = Predictor.GOES_ON;
     } else {
@@ -209,7 +185,11 @@ class RecordCodec {
 
   /** Codes a delta's differences in place, after its way. */
   void residual(BitCoder c, Motion baseline, Motion residual) {
-    int situation = situation(baseline);
+    residual(c, situation(baseline, age), way, baseline, residual);
+  }
+
+  /** Codes a delta's differences in place, whatever was coded before. */
+  final void residual(BitCoder c, int situation, int way, Motion baseline, Motion residual) {
     if (flag(c, EXACT_AT + situation * WAYS + way, residual.isZero())) {
       residual.clear();
       return;
@@ -230,7 +210,19 @@ class RecordCodec {
     residual.angle = number(c, at, size(residual.omega), residual.angle, residual.omega);
   }
 
-  private int situation(Motion baseline) {
+  /**
+   * Writes a delta's age, way and differences.
+   *
+   * @param age ticks
+   */
+  void delta(RangeEncoder range, int age, Deltas deltas, int delta) {
+    age(range, age);
+    way(range, deltas.situation(delta), deltas.way(delta));
+    range.code(table, deltas.steps(), deltas.from(delta), deltas.to(delta));
+  }
+
+  /** What tells from each other the trees that a delta's bits are coded with, 0..3. */
+  static int situation(Motion baseline, int age) {
     boolean moving = (baseline.vx | baseline.vy | baseline.omega) != 0;
     return (moving ? 2 : 0) + (age > 6 ? 1 : 0);
   }
@@ -268,8 +260,10 @@ class RecordCodec {
     int low = digits - 2;
     int second = value >>> low & 1;
     second =
-        digits <= MODELLED_DIGITS ? bit(c, tree + SECOND + digits - 2, second) : c.plain(second, 1);
-    return (2 | second) << low | c.plain(value, low);
+        digits <= MODELLED_DIGITS
+            ? bit(c, tree + SECOND + digits - 2, second)
+            : plain(c, second, 1);
+    return (2 | second) << low | plain(c, value, low);
   }
 
   int generation(BitCoder c, int value) {

@@ -45,13 +45,11 @@ public final class SnapshotEncoder {
 
   private final FrameRing ring;
   private final int key;
-  private final Predictor predictor;
+  private final Deltas deltas;
   private final RangeEncoder range = new RangeEncoder();
   private final RecordCodec records = new RecordCodec();
   private final SentLog sent = new SentLog();
   private final BitWriter writer = new BitWriter();
-  private final Motion old = new Motion();
-  private final Motion residual = new Motion();
   private final Motion actual = new Motion();
 
   private final Selection selection;
@@ -97,8 +95,7 @@ public final class SnapshotEncoder {
     selection = new Selection(ring, interest);
     this.ring = ring;
     this.key = key;
-    predictor = new Predictor(tickRate);
-    predictor.gravity(ring.gravityX(), ring.gravityY());
+    deltas = ring.deltas(tickRate);
     for (int i = 0; i < ownSent.length; i++) {
       ownSent[i] = new OwnState();
     }
@@ -356,22 +353,17 @@ public final class SnapshotEncoder {
       records.kind(range, RecordCodec.GONE);
       return;
     }
-    frame.motion(slot, actual);
     if (baseline == Baseline.ACKED) {
-      int age = frame.tick() - selection.held().tick();
-      selection.held().motion(slot, old);
-      int way = predictor.way(old, actual, age);
-      residual.setResidual(predictor, old, actual, way, age);
+      FrameState held = selection.held();
       records.kind(range, RecordCodec.DELTA);
-      records.age(range, age);
-      records.way(range, old, way);
-      records.residual(range, old, residual);
+      records.delta(range, frame.tick() - held.tick(), deltas, deltas.of(frame, held, slot));
     } else {
       records.kind(range, RecordCodec.ABSOLUTE);
       records.generation(range, frame.generation(slot));
       records.archetype(range, frame.archetype(slot));
       records.owner(range, frame.owner(slot));
       records.teleports(range, frame.teleports(slot));
+      frame.motion(slot, actual);
       records.absolute(range, actual);
     }
   }

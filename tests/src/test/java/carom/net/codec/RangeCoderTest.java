@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.math.BigInteger;
 import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -54,6 +55,62 @@ final class RangeCoderTest {
         message[random.nextInt(length)] ^= (byte) (1 << random.nextInt(8));
         assertFalse(reads(message, bits, probabilities));
       }
+    }
+  }
+
+  @Test
+  void stepsAreWrittenAsTheSameBitsOneByOneAndTakenBack() {
+    Random random = new Random(SEED);
+    char[] prior = new char[300];
+    for (int node = 0; node < prior.length; node++) {
+      prior[node] = (char) probability(random);
+    }
+    BitTable single = new BitTable(prior);
+    BitTable many = new BitTable(prior);
+    RangeEncoder other = new RangeEncoder();
+    byte[] out = new byte[buffer.length];
+    char[] steps = new char[BitTable.MAX_MARKED];
+    for (int round = 0; round < 300; round++) {
+      single.begin();
+      many.begin();
+      encoder.reset(buffer, 0, buffer.length);
+      other.reset(out, 0, out.length);
+      for (int part = 0; part < 20; part++) {
+        int from = random.nextInt(steps.length);
+        int to = from + random.nextInt(steps.length - from + 1);
+        for (int i = from; i < to; i++) {
+          int node = random.nextInt(3) == 0 ? single.even() : random.nextInt(prior.length);
+          steps[i] = (char) (node << 1 | random.nextInt(2));
+        }
+        other.mark();
+        many.mark();
+        other.code(many, steps, from, to);
+        if (random.nextInt(3) == 0) {
+          other.rewind();
+          many.rewind();
+          continue;
+        }
+        for (int i = from; i < to; i++) {
+          single.code(encoder, steps[i] >>> 1, steps[i] & 1);
+        }
+        assertEquals(encoder.bits(), other.bits());
+      }
+      int length = encoder.finish();
+      assertEquals(length, other.finish());
+      assertArrayEquals(Arrays.copyOf(buffer, length), Arrays.copyOf(out, length));
+    }
+  }
+
+  @Test
+  void anIntervalIsSplitAsTheExactProductSays() {
+    Random random = new Random(SEED);
+    for (int i = 0; i < 10_000; i++) {
+      long range = RangeEncoder.MASK >>> random.nextInt(40);
+      range -= random.nextInt(1 << 7);
+      int probability = probability(random);
+      BigInteger product = BigInteger.valueOf(range).multiply(BigInteger.valueOf(probability));
+      assertEquals(
+          product.shiftRight(16).longValueExact(), RangeEncoder.split(0, range, probability));
     }
   }
 
