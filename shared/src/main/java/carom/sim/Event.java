@@ -82,8 +82,8 @@ public final class Event {
 
   /**
    * Who is told; {@link Audience#NEAR} unless said: whoever looks at the place and may know of the
-   * entities. {@link Audience#TEAM} and {@link Audience#OWNER} mean the team and the client of
-   * {@link #by}, who is told in any case but {@link Audience#NOBODY}.
+   * entities and of the body of {@link #by}. {@link Audience#TEAM} and {@link Audience#OWNER} mean
+   * the team and the client of {@link #by}, who is told in any case but {@link Audience#NOBODY}.
    */
   public Event to(Audience who) {
     audience = who;

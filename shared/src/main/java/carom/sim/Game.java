@@ -91,8 +91,9 @@ public interface Game {
 
   /**
    * {@link Role#AUTHORITY} only, after each tick for each entity: who is told about it. Players
-   * always know their own body. What nobody is told about costs nothing, and no client can cheat it
-   * out of the wire.
+   * always know their own body. Who isn't told about an entity isn't told its exact state either,
+   * nor of events of what is near that it takes part in; of a player whose body it is, no input.
+   * What nobody is told about costs nothing, and no client can cheat it out of the wire.
    */
   default Audience audience(Simulation s, Entity e) {
     return Audience.NEAR;

@@ -52,7 +52,7 @@ final class ScriptedServer {
     long last;
     int missing;
     final OwnState own = new OwnState();
-    final NearSet near = capture.nearSet();
+    final NearSet near = capture.nearSet(e -> true);
     int disagreedTick = -1;
 
     Guest(Link link) {

@@ -7,6 +7,7 @@ import carom.net.protocol.PackedLevel;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.DecodeStatus;
+import carom.net.snapshot.EventRecord;
 import carom.net.snapshot.FrameState;
 import carom.net.snapshot.OwnState;
 import carom.net.snapshot.SnapshotDecoder;
@@ -39,6 +40,7 @@ final class FakeClient implements LinkHandler {
   boolean loads = true;
   boolean sends = true;
   int leadTicks = 2;
+  int near = InputDatagram.NEAR_NONE;
   int sequence;
   int inputTick;
   long datagrams;
@@ -46,6 +48,9 @@ final class FakeClient implements LinkHandler {
   long undecodable;
   final long[] statuses = new long[DecodeStatus.values().length];
   Runnable onDecoded = () -> {};
+
+  /** Whose doing the events were that came. */
+  final List<Integer> eventsBy = new ArrayList<>();
 
   private final InputDatagram datagram = new InputDatagram();
   private final byte[] buffer = new byte[InputDatagram.MAX_BYTES];
@@ -88,6 +93,7 @@ final class FakeClient implements LinkHandler {
       sent.removeLast();
     }
     datagram.newestTick = tick;
+    datagram.near = near;
     datagram.count = 0;
     for (long packed : sent) {
       datagram.inputs[datagram.count++] = packed;
@@ -145,6 +151,9 @@ final class FakeClient implements LinkHandler {
     if (status == DecodeStatus.OK) {
       if (decoder.hasOwn()) {
         own.set(decoder.own());
+      }
+      for (EventRecord e; (e = decoder.events().poll()) != null; ) {
+        eventsBy.add(e.player);
       }
       onDecoded.run();
     } else {

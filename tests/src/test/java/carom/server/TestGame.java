@@ -4,6 +4,9 @@ import carom.physics.Material;
 import carom.physics.geometry.Circle;
 import carom.sim.Archetype;
 import carom.sim.ArchetypeDef;
+import carom.sim.Audience;
+import carom.sim.Entity;
+import carom.sim.EventKind;
 import carom.sim.Game;
 import carom.sim.Input;
 import carom.sim.Level;
@@ -31,12 +34,17 @@ final class TestGame implements Game {
 
   final int balls;
   boolean ballsMove = true;
+
+  /** Two teams that don't see each other; who presses the action emits an event. */
+  boolean teamsHide;
+
   int failEvery;
   boolean failInJoin;
   int joins;
   int leaves;
   int inputs;
   private Archetype ball;
+  private EventKind shout;
 
   TestGame(int balls) {
     this.balls = balls;
@@ -79,6 +87,7 @@ final class TestGame implements Game {
   public void setUp(Simulation s) {
     ball =
         s.archetypes().add(new ArchetypeDef("ball").shape(new Circle(0.4f), new Material(1, 0, 1)));
+    shout = s.eventKinds().add("shout", 0xffffff, 0, "");
     if (s.role() == Role.AUTHORITY) {
       for (int i = 0; i < balls; i++) {
         s.spawn(ball, -500 + 2 * (i % 64), 10 + 2 * (i / 64), 0, null);
@@ -91,6 +100,9 @@ final class TestGame implements Game {
     joins++;
     if (failInJoin) {
       throw new IllegalStateException("join fails on purpose");
+    }
+    if (teamsHide) {
+      p.team(1 + p.id() % 2);
     }
     s.spawn(ball, 3 * p.id(), -20, 0, p);
     p.memory()[0] = 77;
@@ -107,7 +119,16 @@ final class TestGame implements Game {
     p.body().body().setVelocity(SPEED * in.moveX(), SPEED * in.moveY());
     if (in.held(Input.ACTION)) {
       p.memory()[1]++;
+      if (teamsHide) {
+        s.emit(shout).at(p.body().body().x(), p.body().body().y()).by(p);
+      }
     }
+  }
+
+  @Override
+  public Audience audience(Simulation s, Entity e) {
+    boolean isBody = s.owner(e) != null;
+    return teamsHide && isBody ? Audience.TEAM : Audience.NEAR;
   }
 
   @Override

@@ -12,6 +12,7 @@ import carom.sim.Neighbourhood;
 import carom.sim.Player;
 import carom.sim.Simulation;
 import java.util.Arrays;
+import java.util.function.Predicate;
 
 /**
  * Who is near one player's body, for its client to simulate: what it touches, directly or through
@@ -23,6 +24,10 @@ import java.util.Arrays;
  * state is told of whoever comes near, and of all when the client finds that its hash differs: the
  * state at one tick, spread over as many snapshots as it takes. Meanwhile the list stays as it is.
  * Parts that got lost are sent again until somebody else comes near.
+ *
+ * <p>Whom the game {@linkplain carom.sim.Game#audience hides} from the player isn't near, and so
+ * neither its state nor its input is told; a client that is pushed by it learns that from the exact
+ * state of the own body.
  *
  * <p>One session's; the room's thread; allocates only to grow.
  */
@@ -104,6 +109,7 @@ public final class NearSet {
 
   private final Simulation simulation;
   private final Marks marks;
+  private final Predicate<Entity> mayKnow;
   private final Neighbourhood state = new Neighbourhood();
   private final Aabb box = new Aabb();
   private final BodyVisitor<Entity> closeBy = this::consider;
@@ -174,9 +180,10 @@ public final class NearSet {
   private Body<Entity> own;
   private float reachMetres;
 
-  NearSet(Simulation simulation, Marks marks) {
+  NearSet(Simulation simulation, Marks marks, Predicate<Entity> mayKnow) {
     this.simulation = simulation;
     this.marks = marks;
+    this.mayKnow = mayKnow;
   }
 
   /**
@@ -214,9 +221,9 @@ public final class NearSet {
     int relayed = 0;
     for (int i = 0; i < count; i++) {
       state.add(listed[i]);
-      int owner = listed[i].ownerId();
-      if (owner != Entity.NO_OWNER && owner != player.id() && relayed < OwnState.MAX_RELAYED) {
-        out.relayed().add(owner);
+      Player owner = simulation.owner(listed[i]);
+      if (owner != null && isTellable(owner, player) && relayed < OwnState.MAX_RELAYED) {
+        out.relayed().add(owner.id());
         relayed++;
       }
     }
@@ -230,6 +237,11 @@ public final class NearSet {
       writePart(near);
     }
     limitList(near.listBits());
+  }
+
+  /** Whether what another player does is told: not when its body is hidden. */
+  private boolean isTellable(Player other, Player to) {
+    return other != to && (other.body() == null || mayKnow.test(other.body()));
   }
 
   /** Whether the next snapshot has a part of an update. */
@@ -261,12 +273,12 @@ public final class NearSet {
     }
   }
 
-  /** Lists the members again; false when one of them is gone. */
+  /** Lists the members again; false when one of them is gone, or hidden from now on. */
   private boolean listMembers() {
     count = 0;
     for (int i = 0; i < members; i++) {
       Entity e = simulation.entity(Neighbourhood.id(memberKey[i]));
-      if (e == null || key(e) != memberKey[i]) {
+      if (e == null || key(e) != memberKey[i] || !mayKnow.test(e)) {
         return false;
       }
       list(e);
@@ -511,7 +523,7 @@ public final class NearSet {
 
   private void reach(Entity e) {
     boolean solid = !e.isLevel() && Neighbourhood.isSolid(e.archetype());
-    if (solid && count < limit && marks.list(e.id())) {
+    if (solid && count < limit && marks.list(e.id()) && mayKnow.test(e)) {
       list(e);
     }
   }
@@ -535,7 +547,8 @@ public final class NearSet {
 
   private boolean consider(Body<Entity> body) {
     Entity e = body.user();
-    if (e.isLevel() || body == own || !Neighbourhood.isSolid(e.archetype())) {
+    boolean solid = !e.isLevel() && Neighbourhood.isSolid(e.archetype());
+    if (!solid || body == own || !mayKnow.test(e)) {
       return true;
     }
     body.aabb(box);

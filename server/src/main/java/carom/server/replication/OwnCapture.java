@@ -5,6 +5,7 @@ import carom.physics.Body;
 import carom.sim.Entity;
 import carom.sim.Player;
 import carom.sim.Simulation;
+import java.util.function.Predicate;
 
 /**
  * Reads from the simulation the exact state of a player's body and its memory, which its client
@@ -19,9 +20,13 @@ public final class OwnCapture {
     this.simulation = simulation;
   }
 
-  /** Makes what chooses who is near one player. */
-  public NearSet nearSet() {
-    return new NearSet(simulation, marks);
+  /**
+   * Makes what chooses who is near one player.
+   *
+   * @param mayKnow whether the game lets that player know of an entity, at present
+   */
+  public NearSet nearSet(Predicate<Entity> mayKnow) {
+    return new NearSet(simulation, marks, mayKnow);
   }
 
   /** Reads a player's own section after the simulation's last step. */

@@ -2,6 +2,7 @@ package carom.server.replication;
 
 import carom.net.codec.Quantizer;
 import carom.net.snapshot.EventRecord;
+import carom.net.snapshot.FrameRing;
 import carom.net.snapshot.FrameState;
 import carom.net.snapshot.Interest;
 import carom.net.snapshot.SnapshotEncoder;
@@ -10,6 +11,7 @@ import carom.physics.broadphase.IntVisitor;
 import carom.sim.Audience;
 import carom.sim.Entity;
 import carom.sim.Level;
+import carom.sim.Neighbourhood;
 import carom.sim.Player;
 import carom.sim.Simulation;
 
@@ -169,23 +171,18 @@ public final class SessionView implements Interest {
     if (slot == ownSlot) {
       return true;
     }
-    Audience audience = FrameCapture.audience(frame, slot);
-    if (audience == Audience.NEAR) {
+    if (FrameCapture.audience(frame, slot) == Audience.NEAR) {
       return everything || distance(frame, slot) <= (known ? STAY : 1);
     }
-    return switch (audience) {
-      case ALL -> true;
-      case TEAM -> FrameCapture.team(frame, slot) == player.team() || seesAll();
-      case OWNER -> frame.owner(slot) == player.id() || seesAll();
-      default -> seesAll();
-    };
+    return mayKnow(frame, slot);
   }
 
   /**
    * Whether the player is told of an event: whose doing it is always, others as the game says; of
-   * what is near, if the place is in sight and nothing in it is hidden from the player.
+   * what is near, if the place is in sight and neither who is in it nor whose doing it is was
+   * hidden from the player at its tick.
    */
-  boolean hears(FrameState frame, EventRecord event, int whom) {
+  boolean hears(FrameRing frames, EventRecord event, int whom) {
     Audience audience = FrameCapture.audienceOf(whom);
     if (event.player == player.id() && audience != Audience.NOBODY) {
       return true;
@@ -194,8 +191,18 @@ public final class SessionView implements Interest {
       case ALL -> true;
       case TEAM -> FrameCapture.teamOf(whom) == player.team() || seesAll();
       case OWNER, NOBODY -> seesAll();
-      case NEAR -> isNear(event) && mayKnow(frame, event.first) && mayKnow(frame, event.second);
+      case NEAR ->
+          isNear(event)
+              && mightKnow(frames, event.tick, event.first)
+              && mightKnow(frames, event.tick, event.second)
+              && mightKnow(frames, event.tick, bodyOf(event.player));
     };
+  }
+
+  private int bodyOf(int id) {
+    Player other = id < 0 ? null : index.simulation().player(id);
+    Entity body = other == null ? null : other.body();
+    return body == null ? EventRecord.NONE : Neighbourhood.key(body.id(), body.generation());
   }
 
   private boolean isNear(EventRecord event) {
@@ -204,18 +211,48 @@ public final class SessionView implements Interest {
             && Math.abs(Quantizer.positionOf(event.y) - y) <= STAY * halfHeight);
   }
 
-  /** Whether an entity isn't hidden from the player, wherever it is; who is gone isn't. */
-  private boolean mayKnow(FrameState frame, int key) {
-    int slot = key & 0xffff;
-    if (key < 0
-        || slot >= frame.slotLimit()
-        || !frame.alive(slot)
-        || frame.generation(slot) != key >>> 16) {
+  /** Whether an entity wasn't hidden at a tick; who went in it counts as the tick before. */
+  private boolean mightKnow(FrameRing frames, int tick, int key) {
+    if (key < 0) {
       return true;
     }
-    return slot == ownSlot
-        || FrameCapture.audience(frame, slot) == Audience.NEAR
-        || sees(frame, slot, true);
+    FrameState frame = frames.at(tick);
+    if (!holds(frame, key)) {
+      frame = frames.at(tick - 1);
+    }
+    return !holds(frame, key) || mayKnow(frame, Neighbourhood.id(key));
+  }
+
+  private static boolean holds(FrameState frame, int key) {
+    int slot = Neighbourhood.id(key);
+    return frame != null
+        && slot < frame.slotLimit()
+        && frame.alive(slot)
+        && frame.generation(slot) == Neighbourhood.generation(key);
+  }
+
+  /**
+   * Whether the game lets the player know of an entity, wherever it is; who isn't in the frame is
+   * hidden, as the game hasn't been asked yet.
+   */
+  boolean mayKnow(FrameState frame, Entity e) {
+    return holds(frame, Neighbourhood.key(e.id(), e.generation())) && mayKnow(frame, e.id());
+  }
+
+  private boolean mayKnow(FrameState frame, int slot) {
+    Audience audience = FrameCapture.audience(frame, slot);
+    if (audience == Audience.NEAR || audience == Audience.ALL || isOwn(slot)) {
+      return true;
+    }
+    return switch (audience) {
+      case TEAM -> FrameCapture.team(frame, slot) == player.team() || seesAll();
+      case OWNER -> frame.owner(slot) == player.id() || seesAll();
+      default -> seesAll();
+    };
+  }
+
+  private boolean isOwn(int slot) {
+    return player.body() != null && player.body().id() == slot;
   }
 
   private boolean seesAll() {

@@ -9,6 +9,7 @@ import carom.net.transport.Link;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
+import carom.sim.Entity;
 import carom.sim.Player;
 
 /**
@@ -100,6 +101,11 @@ public final class SnapshotSender {
     view.look(x, y, halfWidth, halfHeight);
   }
 
+  /** Whether the game lets the player know of an entity, wherever it is; of the own body always. */
+  public boolean mayKnow(Entity e) {
+    return view.mayKnow(frames.newest(), e);
+  }
+
   /**
    * Whether {@link #send} may send at this tick; call once per tick, before it.
    *
@@ -133,7 +139,7 @@ public final class SnapshotSender {
     EventRing events = frames.events();
     for (; nextEvent < events.limit(); nextEvent++) {
       if (events.holds(nextEvent)
-          && view.hears(frames.newest(), events.at(nextEvent), events.audience(nextEvent))) {
+          && view.hears(frames, events.at(nextEvent), events.audience(nextEvent))) {
         encoder.offer(nextEvent);
         counters.add(Counter.EVENTS_OFFERED, 1);
       }

@@ -129,7 +129,7 @@ public final class Session implements LinkHandler {
     link = newLink;
     datagramKey = key;
     sender = new SnapshotSender(frames, player, key, config, counters);
-    nearSet = capture.nearSet();
+    nearSet = capture.nearSet(sender::mayKnow);
     near = InputDatagram.NEAR_NONE;
     disagreedTick = -1;
     inputs.reset(tick);

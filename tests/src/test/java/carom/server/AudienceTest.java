@@ -1,0 +1,172 @@
+package carom.server;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.net.protocol.InputDatagram;
+import carom.net.snapshot.NearState;
+import carom.server.config.ServerConfig;
+import carom.sim.Entity;
+import carom.sim.Input;
+import carom.sim.Neighbourhood;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Goal: whom {@link carom.sim.Game#audience} hides from a player, its client isn't told about in
+ * any way. Method: two teams that don't see each other play side by side on a whole server;
+ * everything that a client decodes is searched for the others' bodies, inputs and events, and for
+ * those of the own team, which must be there.
+ */
+class AudienceTest {
+  private final TestGame game = new TestGame(3);
+  private Rig rig;
+  private FakeClient red;
+  private FakeClient blue;
+  private FakeClient mate;
+  private boolean touched;
+
+  @BeforeEach
+  void begin() {
+    game.teamsHide = true;
+    rig = new Rig(ServerConfig.defaults(), game);
+    red = join("red");
+    blue = join("blue");
+    mate = join("mate");
+    rig.steps(30);
+  }
+
+  @AfterEach
+  void end() {
+    rig.close();
+  }
+
+  private FakeClient join(String name) {
+    FakeClient client = rig.join(name);
+    client.near = InputDatagram.NEAR_ALL;
+    return client;
+  }
+
+  private Entity body(FakeClient client) {
+    return rig.room.simulation().player(client.welcome.playerId()).body();
+  }
+
+  /** Searches all that a client is told from now on; {@code seen} afterwards. */
+  private final class Search {
+    private final FakeClient client;
+    private final int other;
+    private boolean body;
+    private boolean near;
+    private boolean exact;
+    private boolean input;
+    private final int eventsBefore;
+
+    Search(FakeClient client, FakeClient other) {
+      this.client = client;
+      this.other = other.welcome.playerId();
+      eventsBefore = client.eventsBy.size();
+      Runnable before = client.onDecoded;
+      client.onDecoded =
+          () -> {
+            before.run();
+            look();
+          };
+    }
+
+    private void look() {
+      Entity e = rig.room.simulation().player(other).body();
+      int key = Neighbourhood.key(e.id(), e.generation());
+      body |= client.decoder.history(e.id()) != null && client.decoder.history(e.id()).alive();
+      input |= client.own.relayed().has(other);
+      if (client.decoder.hasOwn()) {
+        look(client.decoder.own().near(), key);
+      }
+    }
+
+    private void look(NearState told, int key) {
+      for (int i = 0; i < told.count(); i++) {
+        near |= told.key(i) == key;
+      }
+      for (int i = 0; told.updating() && i < told.partRows(); i++) {
+        boolean isEntity = told.firstRow() + i < told.toldCount();
+        exact |= isEntity && told.rows()[told.rowAt(i)] == key;
+      }
+    }
+
+    private boolean event() {
+      return client.eventsBy.subList(eventsBefore, client.eventsBy.size()).contains(other);
+    }
+
+    private String found() {
+      return "body=" + body + " near=" + near + " exact=" + exact + " input=" + input + " event="
+          + event();
+    }
+
+    void requireNothing() {
+      assertFalse(body || near || exact || input || event(), found());
+    }
+
+    void requireAll() {
+      assertTrue(body && near && input && event(), found());
+    }
+  }
+
+  private void playTogether() {
+    blue.input.move(-1, 0); // into red, who is pushed by what it can't see
+    red.input.move(0.5f, 0);
+    mate.input.move(-1, 0);
+    for (int i = 0; i < 120; i++) {
+      for (FakeClient client : rig.clients) {
+        client.input.hold(Input.ACTION, i % 7 < 3);
+      }
+      rig.step();
+      body(red)
+          .body()
+          .forEachContact((with, x, y, impulse) -> touched |= with.user() == body(blue));
+    }
+  }
+
+  @Test
+  void hiddenPlayersAreToldOfInNoWayAndTheOwnTeamIs() {
+    Search redOfBlue = new Search(red, blue);
+    Search blueOfRed = new Search(blue, red);
+    Search mateOfBlue = new Search(mate, blue);
+    FakeClient late = join("late"); // blue's
+    Search lateOfRed = new Search(late, red);
+    Search redOfMate = new Search(red, mate);
+    Search lateOfBlue = new Search(late, blue);
+    playTogether();
+    assertTrue(touched, "red and blue touch");
+    redOfBlue.requireNothing();
+    blueOfRed.requireNothing();
+    mateOfBlue.requireNothing();
+    lateOfRed.requireNothing();
+    redOfMate.requireAll();
+    lateOfBlue.requireAll();
+    for (FakeClient client : rig.clients) {
+      assertEquals(0, client.undecodable);
+    }
+  }
+
+  @Test
+  void whoHidesIsOutOfSightAtOnceAndBackWhenShown() {
+    rig.room.simulation().player(blue.welcome.playerId()).team(1);
+    rig.steps(60);
+    Search shown = new Search(red, blue);
+    playTogether();
+    shown.requireAll();
+    assertTrue(shown.exact || red.decoder.own().near().count() > 0, shown.found());
+    rig.room.simulation().player(blue.welcome.playerId()).team(2);
+    rig.steps(10); // what changed sides leaves sight with a record of its own
+    Search hidden = new Search(red, blue);
+    playTogether();
+    hidden.requireNothing();
+    rig.room.simulation().player(blue.welcome.playerId()).team(1);
+    rig.steps(10);
+    Search again = new Search(red, blue);
+    playTogether();
+    again.requireAll();
+  }
+}
