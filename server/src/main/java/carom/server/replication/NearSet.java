@@ -62,8 +62,14 @@ public final class NearSet {
   /** An update whose parts take longer is given up: its base would leave the client's memory. */
   private static final int MAX_AGE = 60;
 
-  /** Updates of so few parts are sent twice: waiting for one that got lost costs a round trip. */
+  /**
+   * Updates of so few parts are sent twice where parts get lost: waiting for one costs a round
+   * trip.
+   */
   private static final int TWICE_PARTS = 3;
+
+  /** So long after a loss the line counts as one that loses. */
+  private static final int LOSSY_TICKS = 600;
 
   /** A snapshot is lost when one so many ticks younger has arrived. */
   private static final int OVERTAKEN_TICKS = 3;
@@ -146,6 +152,9 @@ public final class NearSet {
 
   /** Whether even an update without rows is to be sent: that others went is all it tells. */
   private boolean announced;
+
+  /** When a datagram was last known to be lost. */
+  private int lossTick = -LOSSY_TICKS;
 
   /** Whether all of it has been sent, though perhaps not all has arrived. */
   private boolean sentOnce;
@@ -465,7 +474,8 @@ public final class NearSet {
       sentParts++;
     }
     if (dueRows == 0) {
-      if (!sentOnce && sentParts <= TWICE_PARTS) {
+      boolean lossy = simulation.tick() - lossTick < LOSSY_TICKS;
+      if (lossy && !sentOnce && sentParts <= TWICE_PARTS) {
         dueRows = toldCount + toldContacts;
         Arrays.fill(due, 0, dueRows, true);
         announced = false;
@@ -482,6 +492,9 @@ public final class NearSet {
 
   /** Looks which parts have arrived, and which are lost and must be sent again. */
   public void acknowledge(SnapshotEncoder encoder) {
+    if (encoder.hasLost()) {
+      lossTick = simulation.tick();
+    }
     if (!updating) {
       return;
     }

@@ -22,6 +22,9 @@ import java.util.Arrays;
  * <p>One thread, no allocation in the steady state.
  */
 public final class SnapshotEncoder {
+  /** So many younger datagrams may overtake one before it counts as lost. */
+  private static final int OVERTAKING = 3;
+
 
   /** Largest datagram; the size of the array for {@link #next}. */
   public static final int MAX_DATAGRAM_BYTES = 1_200;
@@ -61,6 +64,7 @@ public final class SnapshotEncoder {
   private final OwnState ownAcked = new OwnState();
   private final OwnState nothing = new OwnState();
   private int ownAckedTick = -1;
+  private boolean hasLost;
 
   /** By tick: the last one of which the own section was acked. */
   private final int[] ownAckedTicks = new int[FrameRing.SIZE];
@@ -109,6 +113,7 @@ public final class SnapshotEncoder {
   public void reset() {
     selection.reset();
     ownAckedTick = -1;
+    hasLost = false;
     Arrays.fill(ownAckedTicks, -1);
     sent.forget();
     events.clear();
@@ -148,6 +153,8 @@ public final class SnapshotEncoder {
     if (ackDelayTicks >= 0) {
       events.ackTook(ackDelayTicks);
     }
+    // What came before the client could read it doesn't count.
+    hasLost = ackedDatagrams >= 2 * Long.SIZE && ~ackBits >>> OVERTAKING != 0;
   }
 
   private void take(int sequence, int before) {
@@ -465,6 +472,14 @@ public final class SnapshotEncoder {
   /** Whether the client has acked the own section of one of the last 64 ticks. */
   public boolean hasAckedOwn(int tick) {
     return tick >= 0 && ownAckedTicks[tick & (FrameRing.SIZE - 1)] == tick;
+  }
+
+  /**
+   * Whether the client's last acks tell of a datagram that got lost, among the last {@value
+   * Long#SIZE}; the newest ones may yet arrive and don't count.
+   */
+  public boolean hasLost() {
+    return hasLost;
   }
 
   /** Payload bytes of all datagrams acked. */
