@@ -37,6 +37,7 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CompletableFuture;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.slf4j.Logger;
@@ -302,14 +303,25 @@ public final class ServerMain implements Callable<Integer> {
     }
   }
 
-  private ServerMain() {}
+  /** Logging, as soon as its configuration is read; before that nothing may ask for a logger. */
+  private final CompletableFuture<LoggerContext> loggingSoon;
+
+  private ServerMain(CompletableFuture<LoggerContext> loggingSoon) {
+    this.loggingSoon = loggingSoon;
+  }
 
   /** Runs the server until it is stopped; see {@code --help}. */
   public static void main(String[] args) {
     if (System.getProperty(LOG_CONFIG_PROPERTY) == null) {
       System.setProperty(LOG_CONFIG_PROPERTY, LOG_CONFIG); // before the first logger
     }
-    CommandLine commandLine = new CommandLine(new ServerMain());
+    // Reading the flags takes as long as logging takes to start, and one needs nothing of the
+    // other.
+    CompletableFuture<LoggerContext> loggingSoon =
+        CompletableFuture.supplyAsync(
+            () -> (LoggerContext) LoggerFactory.getILoggerFactory(),
+            task -> new Thread(task, "carom-logging").start());
+    CommandLine commandLine = new CommandLine(new ServerMain(loggingSoon));
     commandLine.registerConverter(int.class, ServerMain::wholeNumber);
     commandLine.registerConverter(Long.class, ServerMain::longNumber);
     commandLine.registerConverter(LogLevel.class, LogLevel::of);
@@ -348,6 +360,7 @@ public final class ServerMain implements Callable<Integer> {
 
   @Override
   public Integer call() throws InterruptedException {
+    LoggerContext logging = loggingSoon.join();
     Level chosenLevel = scene == null ? chooseLevel() : SceneGame.level(chooseScene());
     String chosenGame = chooseGame(chosenLevel);
     Supplier<Game> games = () -> Games.create(chosenGame);
@@ -362,7 +375,6 @@ public final class ServerMain implements Callable<Integer> {
       throw bad(network.problem());
     }
     ServerConfig config = config(chosenGame);
-    LoggerContext logging = (LoggerContext) LoggerFactory.getILoggerFactory();
     ch.qos.logback.classic.Logger root = logging.getLogger(Logger.ROOT_LOGGER_NAME);
     root.setLevel(ch.qos.logback.classic.Level.ERROR);
     Rehearsal.play(config, games, rehearsed(chosenLevel), new KryoMessageCodec());

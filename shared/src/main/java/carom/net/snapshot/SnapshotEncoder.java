@@ -25,7 +25,6 @@ public final class SnapshotEncoder {
   /** So many younger datagrams may overtake one before it counts as lost. */
   private static final int OVERTAKING = 3;
 
-
   /** Largest datagram; the size of the array for {@link #next}. */
   public static final int MAX_DATAGRAM_BYTES = 1_200;
 
