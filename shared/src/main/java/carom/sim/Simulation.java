@@ -504,7 +504,7 @@ public final class Simulation {
     events.drain(consumer);
   }
 
-  /** How many events were lost because nobody drained them. */
+  /** How many events were lost because {@value #MAX_EVENTS} were told and not drained. */
   public long droppedEvents() {
     return events.dropped();
   }

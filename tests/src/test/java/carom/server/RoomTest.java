@@ -506,4 +506,17 @@ class RoomTest {
     }
     return answer.join();
   }
+
+  @Test
+  void eventsBeyondTheMostOfATickAreCountedAsLost() {
+    try (Rig rig = new Rig()) {
+      for (int i = 0; i < Simulation.MAX_EVENTS + 6; i++) {
+        rig.room.simulation().emit(rig.game.shout);
+      }
+      rig.step();
+      assertEquals(6, rig.count(Counter.EVENTS_LOST));
+      rig.step();
+      assertEquals(6, rig.count(Counter.EVENTS_LOST));
+    }
+  }
 }

@@ -44,7 +44,7 @@ final class TestGame implements Game {
   int leaves;
   int inputs;
   private Archetype ball;
-  private EventKind shout;
+  EventKind shout;
 
   TestGame(int balls) {
     this.balls = balls;

@@ -52,7 +52,9 @@ final class CaromWindow extends ApplicationAdapter {
   private void replay() {
     try {
       ReplayClient recording = new ReplayClient(options.replay());
-      ReplayScreen player = new ReplayScreen(canvas, fonts, recording, () -> Gdx.app.exit());
+      String heading = options.live() ? "WATCHING" : "REPLAY";
+      ReplayScreen player =
+          new ReplayScreen(canvas, fonts, recording, heading, () -> Gdx.app.exit());
       player.debug(options.debug());
       if (options.live()) {
         recording.seek(Integer.MAX_VALUE);

@@ -30,16 +30,19 @@ final class ReplayScreen extends ScreenAdapter {
   private final Flashes flashes = new Flashes();
   private final Fonts fonts;
   private final ReplayClient client;
+  private final String heading;
   private final Runnable exit;
   private boolean showDebug;
   private float seconds;
 
   /**
    * @param client closed with this screen
+   * @param heading what is looked at, in a word
    */
-  ReplayScreen(Canvas canvas, Fonts fonts, ReplayClient client, Runnable exit) {
+  ReplayScreen(Canvas canvas, Fonts fonts, ReplayClient client, String heading, Runnable exit) {
     this.fonts = fonts;
     this.client = client;
+    this.heading = heading;
     this.exit = exit;
     world = new WorldPainter(canvas);
     client.events(flashes);
@@ -118,7 +121,7 @@ final class ReplayScreen extends ScreenAdapter {
 
   private void title(int height) {
     int rate = client.view().tickRate();
-    StringBuilder text = new StringBuilder("REPLAY   ");
+    StringBuilder text = new StringBuilder(heading).append("   ");
     text.append(time(client.tick(), rate)).append(" / ");
     text.append(time(client.newestTick(), rate)).append("   tick ").append(client.tick());
     text.append(client.paused() ? "   paused" : "");

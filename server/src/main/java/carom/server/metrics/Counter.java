@@ -54,7 +54,10 @@ public enum Counter {
   NEAR_DISAGREEMENTS,
   /** Events that players were to be told of, each player counted. */
   EVENTS_OFFERED,
-  /** Those that were never told, because too many waited for a client's acks. */
+  /**
+   * Those that were never told, because too many waited for a client's acks; and those that the
+   * game told beyond the most of a tick, each once.
+   */
   EVENTS_LOST,
   /** Exceptions thrown by the game's callbacks. */
   GAME_FAILURES,

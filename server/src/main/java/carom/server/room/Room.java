@@ -88,6 +88,7 @@ public final class Room {
   private final GameFailures failures;
   private final Simulation simulation;
   private final FrameCapture capture;
+  private long droppedEvents;
   private final OwnCapture ownCapture;
   private final TickLoop loop;
   private final SendTurns turns;
@@ -255,6 +256,8 @@ public final class Room {
     boolean stepped = step();
     if (stepped) {
       capture.capture();
+      counters.add(Counter.EVENTS_LOST, simulation.droppedEvents() - droppedEvents);
+      droppedEvents = simulation.droppedEvents();
       if (sends) {
         replicate(beginNs, nowNs);
       }

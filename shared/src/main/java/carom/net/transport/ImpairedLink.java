@@ -23,6 +23,8 @@ public final class ImpairedLink implements Link {
   private final LinkCounters counters = new LinkCounters();
   private final Lane out;
   private final Lane in;
+  private boolean opened;
+  private boolean closedHere;
   private boolean innerClosed;
   private long closedDueNs;
   private boolean closeReported;
@@ -84,6 +86,7 @@ public final class ImpairedLink implements Link {
     this.messageBytes = messageBytes;
     out = new Lane(outgoing, 0);
     in = new Lane(incoming, 1);
+    opened = link.state() == State.OPEN;
   }
 
   /**
@@ -95,9 +98,15 @@ public final class ImpairedLink implements Link {
     in.impair(incoming);
   }
 
+  /**
+   * What is to be seen from here: the other side's close takes its time like all it sent before, so
+   * a link that was open stays so until {@link #poll} has told of its end.
+   */
   @Override
   public State state() {
-    return link.state();
+    State inner = link.state();
+    opened |= inner == State.OPEN;
+    return inner == State.CLOSED && opened && !closedHere && !closeReported ? State.OPEN : inner;
   }
 
   @Override
@@ -133,6 +142,7 @@ public final class ImpairedLink implements Link {
   public int poll(LinkHandler handler, int max) {
     long now = nowNs.getAsLong();
     flush(now);
+    opened |= link.state() == State.OPEN;
     if (!innerClosed) {
       link.poll(collector, INNER_POLL);
     }
@@ -183,6 +193,7 @@ public final class ImpairedLink implements Link {
 
   @Override
   public void close(String reason) {
+    closedHere = true;
     for (Lane.Item item; (item = out.takeMessage()) != null; ) {
       link.send(item.message);
     }
@@ -197,7 +208,7 @@ public final class ImpairedLink implements Link {
 
   @Override
   public String closeReason() {
-    return link.closeReason();
+    return state() == State.CLOSED ? link.closeReason() : "";
   }
 
   /**

@@ -182,9 +182,12 @@ class ImpairedLinkTest {
     tick(link, 0);
     tick(link, 50);
     assertEquals(0, atClient.closed);
+    assertEquals(Link.State.OPEN, link.state(), "the end is still on its way");
+    assertEquals("", link.closeReason());
     tick(link, 50);
     assertEquals(List.of("goodbye"), atClient.order);
     assertEquals(1, atClient.closed);
+    assertEquals(Link.State.CLOSED, link.state());
     tick(link, 50);
     assertEquals(1, atClient.closed);
   }
