@@ -80,7 +80,8 @@ public final class Dynamics {
   private final ContactSolver solver = new ContactSolver(ContactLanes.find(), crew);
   private final JointSolver jointSolver = new JointSolver(PinLanes.find(), crew);
   private final ContinuousCollision continuous;
-  private final NarrowPhase narrowPhase;
+  private final CollideStage collideStage;
+  private final EventStage eventStage;
   private final Transform poseA = new Transform();
   private final Aabb box = new Aabb();
   private final Aabb around = new Aabb();
@@ -163,11 +164,6 @@ public final class Dynamics {
 
   private int partListCount;
 
-  /** Rows of sleeping bodies whose response was refused in the step before, ascending. */
-  private int[] vetoedRows = new int[FIRST_CAPACITY];
-
-  private int vetoedCount;
-
   /** What was asked for in a callback: body * ASKED + what. */
   private long[] asked = new long[8];
 
@@ -176,18 +172,10 @@ public final class Dynamics {
   /** Whether callbacks run, in which bodies neither wake nor fall asleep. */
   private boolean busy;
 
-  /** Whether a veto of the step before decides if a sleeping body wakes. */
-  private boolean undecided;
-
-  private int touching;
-
   /** Contacts that come from another world. */
   private final ContactTable excerptRows = new ContactTable();
 
   private int[] excerptOrder = new int[0];
-
-  /** Per row: approach speed if this may be an impact worth telling, else 0. */
-  private float[] hitSpeeds = new float[0];
 
   /** Null, unless somebody measures. */
   private StageListener stages;
@@ -199,8 +187,9 @@ public final class Dynamics {
    */
   public Dynamics(Settings settings) {
     this.settings = settings;
-    narrowPhase = new NarrowPhase(settings, bodies, parts, contacts, crew);
     continuous = new ContinuousCollision(this, settings, bodies, parts, contacts);
+    collideStage = new CollideStage(this, settings, bodies, parts, contacts, crew, continuous);
+    eventStage = new EventStage(settings, bodies, contacts);
   }
 
   /**
@@ -497,6 +486,11 @@ public final class Dynamics {
     }
     searchAll |= isStatic;
     boxesStale = true;
+  }
+
+  /** Whether any body but static ones sleeps. */
+  boolean anyAsleep() {
+    return asleepCount > 0;
   }
 
   private void activate(int body) {
@@ -815,8 +809,8 @@ public final class Dynamics {
     wake(joints.bodyB[joint]);
   }
 
-  /** Remembers to wake a body. */
-  private void touch(int body) {
+  /** Remembers to wake a body, which may be awake already. */
+  void touch(int body) {
     if (!bodies.asleep(body)) {
       return;
     }
@@ -979,7 +973,8 @@ public final class Dynamics {
     }
   }
 
-  private boolean sleepsDynamic(int body) {
+  /** Whether a body is dynamic and asleep. */
+  boolean sleepsDynamic(int body) {
     return bodies.type[body] == BodyStore.DYNAMIC && bodies.asleep(body);
   }
 
@@ -1022,13 +1017,12 @@ public final class Dynamics {
     refilter();
     begins(StepStage.BOXES);
     refreshBoxes();
-    undecided = false;
     boolean all = true;
     do {
       begins(StepStage.PAIRS);
       findPairs();
       begins(StepStage.COLLIDE);
-      collide(all);
+      collideStage.run(all);
       all = false;
     } while (wakeTouched());
     if (teleported) {
@@ -1037,27 +1031,16 @@ public final class Dynamics {
     busy = true;
     begins(StepStage.EVENTS);
     if (events != null) {
-      announce(events);
-      measureHits();
+      eventStage.beforeSolving(events);
     }
-    if (undecided) {
-      holdBack();
-    }
+    collideStage.holdBack();
     solve(dt);
     boxesStale = true;
     begins(StepStage.CONTINUOUS);
     stopFast();
     begins(StepStage.EVENTS);
     if (events != null) {
-      for (int row = 0; row < contacts.count(); row++) {
-        if (contacts.points[row] > 0
-            && (contacts.flags[row] & (ContactTable.VETOED | ContactTable.DORMANT)) == 0) {
-          events.postSolve(row);
-          if (hitSpeeds[row] > 0 && contacts.pushed(row)) {
-            events.hit(row, hitSpeeds[row]);
-          }
-        }
-      }
+      eventStage.afterSolving(events);
     }
     if (breakable) {
       breakJoints(jointEvents);
@@ -1222,34 +1205,13 @@ public final class Dynamics {
   }
 
   /** Whether an active body pushes what it touches: a kinematic one only while it moves. */
-  private boolean drives(int body) {
+  boolean drives(int body) {
     return activeIndex[body] >= 0
         && (bodies.type[body] == BodyStore.DYNAMIC
             || bodies.vx[body] != 0
             || bodies.vy[body] != 0
             || bodies.w[body] != 0
             || bodies.sleepTime[body] == MOVED);
-  }
-
-  /** Keeps contacts with a sleeping body, whose veto just ended, from acting; it wakes next. */
-  private void holdBack() {
-    for (int row = 0; row < contacts.count(); row++) {
-      int skipped = ContactTable.VETOED | ContactTable.DORMANT;
-      if (contacts.points[row] > 0 && (contacts.flags[row] & skipped) == 0) {
-        int sleeper = sleeper(row);
-        if (sleeper >= 0) {
-          contacts.flags[row] |= ContactTable.VETOED;
-          wake(sleeper);
-        }
-      }
-    }
-  }
-
-  /** The sleeping dynamic body of a row, -1 if there is none. */
-  private int sleeper(int row) {
-    int a = contacts.bodyA(row);
-    int b = contacts.bodyB(row);
-    return sleepsDynamic(a) ? a : sleepsDynamic(b) ? b : -1;
   }
 
   private void breakJoints(JointEvents events) {
@@ -1447,154 +1409,6 @@ public final class Dynamics {
         ContactKey.of(a, p - bodies.firstPart[a], b, q - bodies.firstPart[b]);
   }
 
-  /** Updates all rows, or only those that came since. */
-  private void collide(boolean all) {
-    if (all) {
-      touching = 0;
-      continuous.begin();
-    }
-    contacts.flagsChanged();
-    narrowPhase.begin();
-    if (!all) {
-      for (int row = 0; row < contacts.count(); row++) {
-        if ((contacts.flags[row] & ContactTable.FRESH) == 0) {
-          narrowPhase.leave(row);
-        }
-      }
-    }
-    vetoedCount = 0;
-    if (asleepCount > 0) {
-      leaveDormant();
-    }
-    touching += narrowPhase.run();
-    if (asleepCount > 0) {
-      decide();
-    }
-    if (settings.continuous() && narrowPhase.pressed()) {
-      notePressed();
-    }
-  }
-
-  /** Leaves the rows out in which nothing can have changed; lists those that had a veto. */
-  private void leaveDormant() {
-    for (int row = 0; row < contacts.count(); row++) {
-      int sleeper = narrowPhase.isLeft(row) ? -1 : sleeper(row);
-      if (sleeper >= 0 && dormant(row, sleeper)) {
-        contacts.sleepOn(row);
-        narrowPhase.leave(row);
-      } else if (sleeper >= 0 && (contacts.flags[row] & ContactTable.VETOED) != 0) {
-        if (vetoedCount == vetoedRows.length) {
-          vetoedRows = Arrays.copyOf(vetoedRows, 2 * vetoedCount);
-        }
-        vetoedRows[vetoedCount++] = row;
-      }
-    }
-  }
-
-  /** Decides which of the updated contacts wake a sleeping body. */
-  private void decide() {
-    int next = 0;
-    for (int row = 0; row < contacts.count(); row++) {
-      boolean vetoed = next < vetoedCount && vetoedRows[next] == row;
-      next += vetoed ? 1 : 0;
-      if (!narrowPhase.isLeft(row) && !contacts.sensor(row)) {
-        int sleeper = sleeper(row);
-        if (sleeper >= 0) {
-          decide(row, sleeper, vetoed);
-        }
-      }
-    }
-  }
-
-  /** Whether nothing can have changed between a sleeping body and one that isn't awake either. */
-  private boolean dormant(int row, int sleeper) {
-    byte flags = contacts.flags[row];
-    boolean fresh = (flags & ContactTable.FRESH) != 0 && (flags & ContactTable.TOUCHING) == 0;
-    return !fresh && (flags & ContactTable.IGNORED) == 0 && !drives(other(row, sleeper));
-  }
-
-  private int other(int row, int body) {
-    return contacts.bodyA(row) == body ? contacts.bodyB(row) : contacts.bodyA(row);
-  }
-
-  /** Decides whether a contact wakes a sleeping body. */
-  private void decide(int row, int sleeper, boolean vetoed) {
-    if (contacts.points[row] == 0) {
-      if (!vetoed && (contacts.flags[row] & ContactTable.WAS_TOUCHING) != 0) {
-        touch(sleeper);
-      }
-    } else if (!drives(other(row, sleeper))) {
-      contacts.flags[row] |= ContactTable.DORMANT;
-    } else if (vetoed) {
-      undecided = true;
-    } else {
-      touch(sleeper);
-    }
-  }
-
-  /** Tells which dynamic bodies are in others that give no way. */
-  private void notePressed() {
-    for (int row = 0; row < contacts.count(); row++) {
-      float overlap = -contacts.leastSeparation(row);
-      if (overlap > settings.slop() && !narrowPhase.isLeft(row)) {
-        int a = contacts.bodyA(row);
-        int b = contacts.bodyB(row);
-        boolean dynamic = bodies.type[a] == BodyStore.DYNAMIC;
-        if (dynamic != (bodies.type[b] == BodyStore.DYNAMIC)) {
-          continuous.pressed(dynamic ? a : b, overlap);
-        }
-      }
-    }
-  }
-
-  private void announce(ContactEvents events) {
-    for (int row = 0; row < contacts.count(); row++) {
-      byte flags = contacts.flags[row];
-      boolean now = (flags & ContactTable.TOUCHING) != 0;
-      boolean before = (flags & ContactTable.WAS_TOUCHING) != 0;
-      if (before && !now) {
-        events.end(row);
-      } else if (now) {
-        if (!before) {
-          events.begin(row);
-        }
-        if (contacts.points[row] > 0
-            && (flags & ContactTable.DORMANT) == 0
-            && !events.preSolve(row)) {
-          contacts.flags[row] |= ContactTable.VETOED;
-        }
-      }
-    }
-  }
-
-  /** Looks how fast the contacts approach that no impulse held in the step before. */
-  private void measureHits() {
-    if (hitSpeeds.length < contacts.count()) {
-      hitSpeeds = new float[Math.max(contacts.count(), hitSpeeds.length * 2)];
-    }
-    for (int row = 0; row < contacts.count(); row++) {
-      hitSpeeds[row] = 0;
-      if (contacts.points[row] > 0 && (contacts.flags[row] & ContactTable.WAS_PUSHED) == 0) {
-        float speed = approach(row, contacts.x0[row], contacts.y0[row]);
-        if (contacts.points[row] > 1) {
-          speed = Math.max(speed, approach(row, contacts.x1[row], contacts.y1[row]));
-        }
-        hitSpeeds[row] = speed > settings.hitSpeed() ? speed : 0;
-      }
-    }
-  }
-
-  /** How fast the bodies of a row approach at a point relative to A, m/s. */
-  private float approach(int row, float ax, float ay) {
-    int a = contacts.bodyA(row);
-    int b = contacts.bodyB(row);
-    float bx = ax - (bodies.x[b] - bodies.x[a]);
-    float by = ay - (bodies.y[b] - bodies.y[a]);
-    float partX = bodies.vx[b] - bodies.w[b] * by - (bodies.vx[a] - bodies.w[a] * ay);
-    float partY = bodies.vy[b] + bodies.w[b] * bx - (bodies.vy[a] + bodies.w[a] * ax);
-    return -(partX * contacts.nx[row] + partY * contacts.ny[row]);
-  }
-
   private void solveJoints(int pass) {
     if (jointSolver.count() == 0) {
       return;
@@ -1790,7 +1604,7 @@ public final class Dynamics {
    * @return contacts with points
    */
   public int touchingCount() {
-    return touching;
+    return collideStage.touching();
   }
 
   /**

@@ -1,0 +1,178 @@
+package carom.physics.dynamics;
+
+import java.util.Arrays;
+
+/**
+ * The stage of a step that renews the contacts: has the narrow phase look at each row, and decides
+ * which rows concern a body that sleeps, what wakes it, and which bodies are pressed into others.
+ *
+ * <p>One thread at a time; the narrow phase itself shares its rows with the crew.
+ */
+final class CollideStage {
+  private final Dynamics dynamics;
+  private final Settings settings;
+  private final BodyStore bodies;
+  private final ContactTable contacts;
+  private final NarrowPhase narrowPhase;
+  private final ContinuousCollision continuous;
+
+  /** Rows of sleeping bodies whose response was refused in the step before, ascending. */
+  private int[] vetoedRows = new int[64];
+
+  private int vetoedCount;
+
+  /** Whether a veto of the step before decides if a sleeping body wakes. */
+  private boolean undecided;
+
+  private int touching;
+
+  CollideStage(
+      Dynamics dynamics,
+      Settings settings,
+      BodyStore bodies,
+      ShapeTable parts,
+      ContactTable contacts,
+      Crew crew,
+      ContinuousCollision continuous) {
+    this.dynamics = dynamics;
+    this.settings = settings;
+    this.bodies = bodies;
+    this.contacts = contacts;
+    this.continuous = continuous;
+    narrowPhase = new NarrowPhase(settings, bodies, parts, contacts, crew);
+  }
+
+  /** How many rows had contact points in this step, or the last one. */
+  int touching() {
+    return touching;
+  }
+
+  /**
+   * Updates rows.
+   *
+   * @param all whether all, as first in every step, or only those that came since
+   */
+  void run(boolean all) {
+    if (all) {
+      touching = 0;
+      undecided = false;
+      continuous.begin();
+    }
+    contacts.flagsChanged();
+    narrowPhase.begin();
+    if (!all) {
+      for (int row = 0; row < contacts.count(); row++) {
+        if ((contacts.flags[row] & ContactTable.FRESH) == 0) {
+          narrowPhase.leave(row);
+        }
+      }
+    }
+    vetoedCount = 0;
+    if (dynamics.anyAsleep()) {
+      leaveDormant();
+    }
+    touching += narrowPhase.run();
+    if (dynamics.anyAsleep()) {
+      decide();
+    }
+    if (settings.continuous() && narrowPhase.pressed()) {
+      notePressed();
+    }
+  }
+
+  /** Leaves the rows out in which nothing can have changed; lists those that had a veto. */
+  private void leaveDormant() {
+    for (int row = 0; row < contacts.count(); row++) {
+      int sleeper = narrowPhase.isLeft(row) ? -1 : sleeper(row);
+      if (sleeper >= 0 && dormant(row, sleeper)) {
+        contacts.sleepOn(row);
+        narrowPhase.leave(row);
+      } else if (sleeper >= 0 && (contacts.flags[row] & ContactTable.VETOED) != 0) {
+        if (vetoedCount == vetoedRows.length) {
+          vetoedRows = Arrays.copyOf(vetoedRows, 2 * vetoedCount);
+        }
+        vetoedRows[vetoedCount++] = row;
+      }
+    }
+  }
+
+  /** Decides which of the updated contacts wake a sleeping body. */
+  private void decide() {
+    int next = 0;
+    for (int row = 0; row < contacts.count(); row++) {
+      boolean vetoed = next < vetoedCount && vetoedRows[next] == row;
+      next += vetoed ? 1 : 0;
+      if (!narrowPhase.isLeft(row) && !contacts.sensor(row)) {
+        int sleeper = sleeper(row);
+        if (sleeper >= 0) {
+          decide(row, sleeper, vetoed);
+        }
+      }
+    }
+  }
+
+  /** Whether nothing can have changed between a sleeping body and one that isn't awake either. */
+  private boolean dormant(int row, int sleeper) {
+    byte flags = contacts.flags[row];
+    boolean fresh = (flags & ContactTable.FRESH) != 0 && (flags & ContactTable.TOUCHING) == 0;
+    return !fresh && (flags & ContactTable.IGNORED) == 0 && !dynamics.drives(other(row, sleeper));
+  }
+
+  private int other(int row, int body) {
+    return contacts.bodyA(row) == body ? contacts.bodyB(row) : contacts.bodyA(row);
+  }
+
+  /** Decides whether a contact wakes a sleeping body. */
+  private void decide(int row, int sleeper, boolean vetoed) {
+    if (contacts.points[row] == 0) {
+      if (!vetoed && (contacts.flags[row] & ContactTable.WAS_TOUCHING) != 0) {
+        dynamics.touch(sleeper);
+      }
+    } else if (!dynamics.drives(other(row, sleeper))) {
+      contacts.flags[row] |= ContactTable.DORMANT;
+    } else if (vetoed) {
+      undecided = true;
+    } else {
+      dynamics.touch(sleeper);
+    }
+  }
+
+  /** Tells which dynamic bodies are in others that give no way. */
+  private void notePressed() {
+    for (int row = 0; row < contacts.count(); row++) {
+      float overlap = -contacts.leastSeparation(row);
+      if (overlap > settings.slop() && !narrowPhase.isLeft(row)) {
+        int a = contacts.bodyA(row);
+        int b = contacts.bodyB(row);
+        boolean dynamic = bodies.type[a] == BodyStore.DYNAMIC;
+        if (dynamic != (bodies.type[b] == BodyStore.DYNAMIC)) {
+          continuous.pressed(dynamic ? a : b, overlap);
+        }
+      }
+    }
+  }
+
+  /** Keeps contacts with a sleeping body, whose veto just ended, from acting; it wakes next. */
+  void holdBack() {
+    if (!undecided) {
+      return;
+    }
+    for (int row = 0; row < contacts.count(); row++) {
+      int skipped = ContactTable.VETOED | ContactTable.DORMANT;
+      if (contacts.points[row] > 0 && (contacts.flags[row] & skipped) == 0) {
+        int sleeper = sleeper(row);
+        if (sleeper >= 0) {
+          contacts.flags[row] |= ContactTable.VETOED;
+          dynamics.wake(sleeper);
+        }
+      }
+    }
+  }
+
+  /** The sleeping dynamic body of a row, -1 if there is none. */
+  private int sleeper(int row) {
+    int a = contacts.bodyA(row);
+    int b = contacts.bodyB(row);
+    return dynamics.sleepsDynamic(a) ? a : dynamics.sleepsDynamic(b) ? b : -1;
+  }
+}

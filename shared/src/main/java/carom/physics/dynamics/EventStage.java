@@ -1,0 +1,87 @@
+package carom.physics.dynamics;
+
+/**
+ * What a step tells of its contacts, before and after they are solved; skipped where nobody
+ * listens. Callbacks run here, on the caller's thread.
+ */
+final class EventStage {
+  private final Settings settings;
+  private final BodyStore bodies;
+  private final ContactTable contacts;
+
+  /** Per row: approach speed if this may be an impact worth telling, else 0. */
+  private float[] hitSpeeds = new float[0];
+
+  EventStage(Settings settings, BodyStore bodies, ContactTable contacts) {
+    this.settings = settings;
+    this.bodies = bodies;
+    this.contacts = contacts;
+  }
+
+  /** Tells what ended, what began, and asks who responds; then notes what may be an impact. */
+  void beforeSolving(ContactEvents events) {
+    announce(events);
+    measureHits();
+  }
+
+  /** Tells what was solved, and what hit. */
+  void afterSolving(ContactEvents events) {
+    for (int row = 0; row < contacts.count(); row++) {
+      if (contacts.points[row] > 0
+          && (contacts.flags[row] & (ContactTable.VETOED | ContactTable.DORMANT)) == 0) {
+        events.postSolve(row);
+        if (hitSpeeds[row] > 0 && contacts.pushed(row)) {
+          events.hit(row, hitSpeeds[row]);
+        }
+      }
+    }
+  }
+
+  private void announce(ContactEvents events) {
+    for (int row = 0; row < contacts.count(); row++) {
+      byte flags = contacts.flags[row];
+      boolean now = (flags & ContactTable.TOUCHING) != 0;
+      boolean before = (flags & ContactTable.WAS_TOUCHING) != 0;
+      if (before && !now) {
+        events.end(row);
+      } else if (now) {
+        if (!before) {
+          events.begin(row);
+        }
+        if (contacts.points[row] > 0
+            && (flags & ContactTable.DORMANT) == 0
+            && !events.preSolve(row)) {
+          contacts.flags[row] |= ContactTable.VETOED;
+        }
+      }
+    }
+  }
+
+  /** Looks how fast the contacts approach that no impulse held in the step before. */
+  private void measureHits() {
+    if (hitSpeeds.length < contacts.count()) {
+      hitSpeeds = new float[Math.max(contacts.count(), hitSpeeds.length * 2)];
+    }
+    for (int row = 0; row < contacts.count(); row++) {
+      hitSpeeds[row] = 0;
+      if (contacts.points[row] > 0 && (contacts.flags[row] & ContactTable.WAS_PUSHED) == 0) {
+        float speed = approach(row, contacts.x0[row], contacts.y0[row]);
+        if (contacts.points[row] > 1) {
+          speed = Math.max(speed, approach(row, contacts.x1[row], contacts.y1[row]));
+        }
+        hitSpeeds[row] = speed > settings.hitSpeed() ? speed : 0;
+      }
+    }
+  }
+
+  /** How fast the bodies of a row approach at a point relative to A, m/s. */
+  private float approach(int row, float ax, float ay) {
+    int a = contacts.bodyA(row);
+    int b = contacts.bodyB(row);
+    float bx = ax - (bodies.x[b] - bodies.x[a]);
+    float by = ay - (bodies.y[b] - bodies.y[a]);
+    float partX = bodies.vx[b] - bodies.w[b] * by - (bodies.vx[a] - bodies.w[a] * ay);
+    float partY = bodies.vy[b] + bodies.w[b] * bx - (bodies.vy[a] + bodies.w[a] * ax);
+    return -(partX * contacts.nx[row] + partY * contacts.ny[row]);
+  }
+}
