@@ -95,6 +95,7 @@ public final class ContinuousCollision {
   private final Dynamics world;
   private final Settings settings;
   private final BodyStore bodies;
+  private final ActiveBodies active;
   private final ShapeTable parts;
   private final ContactTable contacts;
   private final TimeOfImpact impact = new TimeOfImpact();
@@ -131,7 +132,6 @@ public final class ContinuousCollision {
   /** The farthest any point of a slow body gets, m. */
   private float drift;
 
-  private int[] activeIndex;
   private SolverBodies solverBodies;
 
   // The search at present: whose part moves how, and what may be in its way.
@@ -178,11 +178,13 @@ public final class ContinuousCollision {
       Dynamics world,
       Settings settings,
       BodyStore bodies,
+      ActiveBodies active,
       ShapeTable parts,
       ContactTable contacts) {
     this.world = world;
     this.settings = settings;
     this.bodies = bodies;
+    this.active = active;
     this.parts = parts;
     this.contacts = contacts;
   }
@@ -218,14 +220,13 @@ public final class ContinuousCollision {
    *
    * @return whether there are any
    */
-  boolean collect(int[] active, int activeCount, int[] indexOfActive, SolverBodies solved) {
-    activeIndex = indexOfActive;
+  boolean collect(SolverBodies solved) {
     solverBodies = solved;
     count = 0;
     moving = false;
     float[] s = solved.state;
-    for (int i = 0; i < activeCount; i++) {
-      int body = active[i];
+    for (int i = 0; i < active.count; i++) {
+      int body = active.list[i];
       if (bodies.type[body] != BodyStore.DYNAMIC) {
         moving = true;
         continue;
@@ -289,7 +290,7 @@ public final class ContinuousCollision {
 
   /** How an awake body moved in this step, as the solver left it. */
   private void motion(int body, Sweep out) {
-    int at = (activeIndex[body] + 1) * SolverBodies.STRIDE;
+    int at = (active.index[body] + 1) * SolverBodies.STRIDE;
     float[] s = solverBodies.state;
     float dc = s[at + SolverBodies.COS];
     float ds = s[at + SolverBodies.SIN];
@@ -316,7 +317,7 @@ public final class ContinuousCollision {
    *
    * @return whether boxes and tree of the moving parts must be up to date
    */
-  boolean prepare(int[] active, int activeCount) {
+  boolean prepare() {
     if (flightOf.length < bodies.slots()) {
       flightOf = new int[bodies.type.length];
       Arrays.fill(flightOf, -1);
@@ -333,8 +334,8 @@ public final class ContinuousCollision {
     }
     order = sorter.sort(order, count);
     drift = 0;
-    for (int i = 0; i < activeCount && moving; i++) {
-      int body = active[i];
+    for (int i = 0; i < active.count && moving; i++) {
+      int body = active.list[i];
       if (flightOf[body] < 0) {
         motion(body, rest);
         float turn = Math.min(2, Math.abs(rest.angleRad));
@@ -586,7 +587,7 @@ public final class ContinuousCollision {
       targetSecond = f.second;
     } else {
       targetFirst = rest;
-      if (activeIndex[body] >= 0) {
+      if (active.contains(body)) {
         motion(body, rest);
       } else {
         pose.set(bodies.x[body], bodies.y[body], bodies.cos[body], bodies.sin[body]);

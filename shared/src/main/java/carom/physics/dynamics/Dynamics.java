@@ -109,11 +109,7 @@ public final class Dynamics {
 
   private float lastStep = 1 / 60f;
 
-  /** Bodies that move, in no particular order, and where each is (-1 if it isn't there). */
-  private int[] active = new int[FIRST_CAPACITY];
-
-  private int[] activeIndex = new int[FIRST_CAPACITY];
-  private int activeCount;
+  private final ActiveBodies active = new ActiveBodies();
 
   /** Parts that are in no tree yet, though their bodies take part. */
   private int[] newParts = new int[FIRST_CAPACITY];
@@ -187,7 +183,7 @@ public final class Dynamics {
    */
   public Dynamics(Settings settings) {
     this.settings = settings;
-    continuous = new ContinuousCollision(this, settings, bodies, parts, contacts);
+    continuous = new ContinuousCollision(this, settings, bodies, active, parts, contacts);
     collideStage = new CollideStage(this, settings, bodies, parts, contacts, crew, continuous);
     eventStage = new EventStage(settings, bodies, contacts);
   }
@@ -238,10 +234,7 @@ public final class Dynamics {
     bodies.firstPart[body] = parts.allocate(body, count);
     bodies.partCount[body] = count;
     fill(body, shapes, own, total);
-    if (activeIndex.length <= body) {
-      activeIndex = Arrays.copyOf(activeIndex, Math.max(body + 1, activeIndex.length * 2));
-    }
-    activeIndex[body] = -1;
+    active.reserve(body + 1);
     return body;
   }
 
@@ -470,7 +463,7 @@ public final class Dynamics {
     boolean isStatic = bodies.type[body] == BodyStore.STATIC;
     boolean rests = isStatic || bodies.asleep(body);
     if (!rests) {
-      activate(body);
+      active.add(body);
     } else if (!isStatic) {
       asleepCount++;
       sleep.change();
@@ -493,28 +486,12 @@ public final class Dynamics {
     return asleepCount > 0;
   }
 
-  private void activate(int body) {
-    if (activeCount == active.length) {
-      active = Arrays.copyOf(active, activeCount * 2);
-    }
-    active[activeCount] = body;
-    activeIndex[body] = activeCount++;
-  }
-
-  private void deactivate(int body) {
-    int at = activeIndex[body];
-    int last = active[--activeCount];
-    active[at] = last;
-    activeIndex[last] = at;
-    activeIndex[body] = -1;
-  }
-
   /** Takes a body out again; nothing may rely on it any longer. */
   private void leave(int body) {
     KdTree tree = resting;
-    if (activeIndex[body] >= 0) {
+    if (active.contains(body)) {
       tree = moving;
-      deactivate(body);
+      active.remove(body);
     } else if (bodies.type[body] != BodyStore.STATIC) {
       asleepCount--;
       sleep.change();
@@ -546,7 +523,7 @@ public final class Dynamics {
     }
   }
 
-  private void admit(KdTree tree, boolean active) {
+  private void admit(KdTree tree, boolean moves) {
     int others = 0;
     partListCount = 0;
     for (int i = 0; i < newCount; i++) {
@@ -554,7 +531,7 @@ public final class Dynamics {
       int body = parts.body[part];
       if (body < 0 || bodies.disabled(body)) {
         parts.expected[part] = false;
-      } else if (activeIndex[body] >= 0 != active) {
+      } else if (active.contains(body) != moves) {
         newParts[others++] = part;
       } else {
         parts.expected[part] = false;
@@ -725,17 +702,17 @@ public final class Dynamics {
   public void sleep(int body) {
     if (busy) {
       ask(body, ASK_SLEEP);
-    } else if (activeIndex[body] >= 0 && settings.sleeping()) {
+    } else if (active.contains(body) && settings.sleeping()) {
       mergeWoken();
       findIslands();
-      int island = islands.find(activeIndex[body]);
+      int island = islands.find(active.index[body]);
       gatheredCount = 0;
-      for (int i = 0; i < activeCount; i++) {
+      for (int i = 0; i < active.count; i++) {
         if (islands.find(i) == island) {
-          if ((bodies.flags[active[i]] & BodyStore.SLEEPLESS) != 0) {
+          if ((bodies.flags[active.list[i]] & BodyStore.SLEEPLESS) != 0) {
             return;
           }
-          gather(active[i]);
+          gather(active.list[i]);
         }
       }
       putToSleep();
@@ -929,7 +906,7 @@ public final class Dynamics {
     bodies.sleepTime[body] = bodies.sleepTime[body] == MOVED ? MOVED : 0;
     asleepCount--;
     sleep.change();
-    activate(body);
+    active.add(body);
     markBodyMoved(body);
     boxesStale = true;
   }
@@ -965,7 +942,7 @@ public final class Dynamics {
   private void refreshJoint(int joint) {
     int a = joints.bodyA[joint];
     int b = joints.bodyB[joint];
-    boolean awake = activeIndex[b] >= 0 || (a >= 0 && activeIndex[a] >= 0);
+    boolean awake = active.contains(b) || (a >= 0 && active.contains(a));
     boolean waits = sleepsDynamic(b) || (a >= 0 && sleepsDynamic(a));
     joints.setAwake(joint, awake && !waits);
     if (!awake && !waits) {
@@ -1000,11 +977,11 @@ public final class Dynamics {
     begins(StepStage.BEGIN);
     lastStep = dt;
     busy = false;
-    contacts.reserve(ROWS_AHEAD * activeCount);
+    contacts.reserve(ROWS_AHEAD * active.count);
     doAsked();
     boolean teleported = false;
-    for (int i = 0; i < activeCount; i++) {
-      int body = active[i];
+    for (int i = 0; i < active.count; i++) {
+      int body = active.list[i];
       if (bodies.type[body] == BodyStore.DYNAMIC) {
         bodies.applyImpulses(body);
       } else if (drives(body)) {
@@ -1082,8 +1059,8 @@ public final class Dynamics {
   }
 
   private void forgetMoves() {
-    for (int i = 0; i < activeCount; i++) {
-      int body = active[i];
+    for (int i = 0; i < active.count; i++) {
+      int body = active.list[i];
       if (bodies.sleepTime[body] == MOVED) {
         bodies.sleepTime[body] = 0;
       }
@@ -1093,23 +1070,24 @@ public final class Dynamics {
   /** Measures how long bodies have been slow, and puts islands to sleep. */
   private void rest(float dt) {
     boolean any = false;
-    for (int i = 0; i < activeCount; i++) {
-      any |= measure(active[i], dt);
+    for (int i = 0; i < active.count; i++) {
+      any |= measure(active.list[i], dt);
     }
     if (!any) {
       return;
     }
     mergeWoken();
     findIslands();
-    for (int i = 0; i < activeCount; i++) {
-      if (bodies.sleepTime[active[i]] < settings.sleepDelay() || bodies.pushed(active[i])) {
+    for (int i = 0; i < active.count; i++) {
+      if (bodies.sleepTime[active.list[i]] < settings.sleepDelay()
+          || bodies.pushed(active.list[i])) {
         islands.keepAwake(i);
       }
     }
     gatheredCount = 0;
-    for (int i = 0; i < activeCount; i++) {
+    for (int i = 0; i < active.count; i++) {
       if (!islands.keptAwake(i)) {
-        gather(active[i]);
+        gather(active.list[i]);
       }
     }
     putToSleep();
@@ -1136,7 +1114,7 @@ public final class Dynamics {
 
   /** Finds out which awake bodies hold each other, and what keeps them awake. */
   private void findIslands() {
-    islands.reset(activeCount);
+    islands.reset(active.count);
     for (int row = 0; row < contacts.count(); row++) {
       if (contacts.points[row] > 0 && (contacts.flags[row] & ContactTable.VETOED) == 0) {
         tie(contacts.bodyA(row), contacts.bodyB(row), contacts.surface[row] != 0);
@@ -1150,8 +1128,8 @@ public final class Dynamics {
 
   /** Dynamic bodies join; a kinematic one that hasn't rested for long keeps the other awake. */
   private void tie(int a, int b, boolean running) {
-    int i = a < 0 ? -1 : activeIndex[a];
-    int j = activeIndex[b];
+    int i = a < 0 ? -1 : active.index[a];
+    int j = active.index[b];
     boolean dynamicA = i >= 0 && bodies.type[a] == BodyStore.DYNAMIC;
     boolean dynamicB = j >= 0 && bodies.type[b] == BodyStore.DYNAMIC;
     boolean restless = running;
@@ -1179,7 +1157,7 @@ public final class Dynamics {
     moving.removeAll(partList, partListCount);
     for (int i = 0; i < gatheredCount; i++) {
       int body = gathered[i];
-      deactivate(body);
+      active.remove(body);
       bodies.flags[body] |= BodyStore.ASLEEP;
       bodies.sleepTime[body] = settings.sleepDelay();
       bodies.vx[body] = 0;
@@ -1201,12 +1179,12 @@ public final class Dynamics {
     for (int i = 0; i < gatheredCount; i++) {
       refreshJoints(gathered[i]);
     }
-    contacts.retire(activeIndex, sleepers);
+    contacts.retire(active.index, sleepers);
   }
 
   /** Whether an active body pushes what it touches: a kinematic one only while it moves. */
   boolean drives(int body) {
-    return activeIndex[body] >= 0
+    return active.contains(body)
         && (bodies.type[body] == BodyStore.DYNAMIC
             || bodies.vx[body] != 0
             || bodies.vy[body] != 0
@@ -1231,8 +1209,8 @@ public final class Dynamics {
       return;
     }
     boxesStale = false;
-    for (int i = 0; i < activeCount; i++) {
-      int body = active[i];
+    for (int i = 0; i < active.count; i++) {
+      int body = active.list[i];
       place(body, poseA);
       int first = bodies.firstPart[body];
       int end = first + bodies.partCount[body];
@@ -1263,10 +1241,10 @@ public final class Dynamics {
     int pairs = contacts.count();
     float margin = settings.aabbMargin();
     float ticks = SPARSE_TICKS;
-    if (pairs > CROWDED * activeCount) {
+    if (pairs > CROWDED * active.count) {
       margin = Math.abs(wayX) + Math.abs(wayY) > margin ? 0 : margin;
       ticks = 0;
-    } else if (2 * pairs > activeCount) {
+    } else if (2 * pairs > active.count) {
       ticks = 1;
     }
     margin += 0.5f * settings.speculativeDistance();
@@ -1319,11 +1297,10 @@ public final class Dynamics {
 
   /** Stops fast bodies at what they would have passed through. */
   private void stopFast() {
-    if (!settings.continuous()
-        || !continuous.collect(active, activeCount, activeIndex, solverBodies)) {
+    if (!settings.continuous() || !continuous.collect(solverBodies)) {
       return;
     }
-    if (continuous.prepare(active, activeCount)) {
+    if (continuous.prepare()) {
       refreshBoxes();
       continuous.widen();
     }
@@ -1391,7 +1368,7 @@ public final class Dynamics {
     }
     int a = parts.body[p];
     int b = parts.body[q];
-    if (a == b || (activeIndex[a] < 0 && activeIndex[b] < 0) || !mayTouch(p, q)) {
+    if (a == b || (!active.contains(a) && !active.contains(b)) || !mayTouch(p, q)) {
       return;
     }
     if (a > b) {
@@ -1432,10 +1409,10 @@ public final class Dynamics {
     int substeps = settings.substeps();
     float h = dt / substeps;
     begins(StepStage.PREPARE);
-    solverBodies.load(bodies, active, activeCount, settings, h);
-    solver.prepare(contacts, bodies, solverBodies, activeIndex, settings, h);
+    solverBodies.load(bodies, active.list, active.count, settings, h);
+    solver.prepare(contacts, bodies, solverBodies, active.index, settings, h);
     begins(StepStage.JOINTS);
-    jointSolver.prepare(joints, bodies, activeIndex, settings, h, solverBodies);
+    jointSolver.prepare(joints, bodies, active.index, settings, h, solverBodies);
     for (int i = 0; i < substeps; i++) {
       boolean warm = i > 0 && !settings.explicitEuler() && solver.blocks() > 0;
       begins(StepStage.INTEGRATE);
@@ -1613,7 +1590,7 @@ public final class Dynamics {
    * @return bodies the next step looks at
    */
   public int activeCount() {
-    return activeCount;
+    return active.count;
   }
 
   /**
@@ -1648,7 +1625,7 @@ public final class Dynamics {
     for (int i = 0; i < excerpt.count(); i++) {
       int body = excerpt.slot(i);
       excerpt.writeBody(bodies, i);
-      if (excerpt.sleeps(i) && activeIndex[body] >= 0) {
+      if (excerpt.sleeps(i) && active.contains(body)) {
         gather(body);
       }
     }
@@ -1742,7 +1719,8 @@ public final class Dynamics {
     } else {
       from.parts.copyTo(parts);
       movedCount = 0;
-      activeCount = 0;
+      active.clear();
+      active.reserve(bodies.slots());
       asleepCount = 0;
       for (int i = 0; i < newCount; i++) {
         parts.expected[newParts[i]] = false;
@@ -1750,12 +1728,6 @@ public final class Dynamics {
       newCount = 0;
       moving.clear();
       resting.clear();
-      Arrays.fill(activeIndex, -1);
-      if (activeIndex.length < bodies.slots()) {
-        int old = activeIndex.length;
-        activeIndex = Arrays.copyOf(activeIndex, Math.max(bodies.slots(), 2 * old));
-        Arrays.fill(activeIndex, old, activeIndex.length, -1);
-      }
       for (int body = 0; body < bodies.slots(); body++) {
         if (bodies.type[body] != BodyStore.FREE && !bodies.disabled(body)) {
           enter(body);
@@ -1787,9 +1759,9 @@ public final class Dynamics {
       if (bodies.type[body] == BodyStore.FREE || bodies.disabled(body)) {
         continue;
       }
-      boolean active = activeIndex[body] >= 0;
+      boolean moves = active.contains(body);
       boolean willRest = bodies.type[body] == BodyStore.STATIC || then.asleep(body);
-      if (active == willRest || (willRest && !samePlace(then, body))) {
+      if (moves == willRest || (willRest && !samePlace(then, body))) {
         gather(body);
       }
     }

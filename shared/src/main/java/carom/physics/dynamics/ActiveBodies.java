@@ -1,0 +1,54 @@
+package carom.physics.dynamics;
+
+import java.util.Arrays;
+
+/**
+ * The bodies that are awake and not static: all that a step looks at. Their order depends on what
+ * happened before, so no result may depend on it.
+ */
+final class ActiveBodies {
+  private static final int FIRST_CAPACITY = 64;
+
+  /** The slots of the bodies, the first {@link #count} entries. */
+  int[] list = new int[FIRST_CAPACITY];
+
+  /** Per slot: where the body is in the list, -1 if it isn't. */
+  int[] index = new int[0];
+
+  int count;
+
+  /** Makes room for the slots below a number; new ones are not in the list. */
+  void reserve(int slots) {
+    if (index.length < slots) {
+      int old = index.length;
+      index = Arrays.copyOf(index, Math.max(slots, 2 * old));
+      Arrays.fill(index, old, index.length, -1);
+    }
+  }
+
+  boolean contains(int body) {
+    return index[body] >= 0;
+  }
+
+  void add(int body) {
+    if (count == list.length) {
+      list = Arrays.copyOf(list, count * 2);
+    }
+    list[count] = body;
+    index[body] = count++;
+  }
+
+  void remove(int body) {
+    int at = index[body];
+    int last = list[--count];
+    list[at] = last;
+    index[last] = at;
+    index[body] = -1;
+  }
+
+  /** Empties the list. */
+  void clear() {
+    count = 0;
+    Arrays.fill(index, -1);
+  }
+}
