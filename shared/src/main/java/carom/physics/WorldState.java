@@ -1,6 +1,6 @@
 package carom.physics;
 
-import carom.physics.dynamics.Dynamics;
+import carom.physics.dynamics.DynamicsState;
 import carom.physics.dynamics.Stamp;
 import carom.physics.geometry.MassData;
 
@@ -13,7 +13,7 @@ import carom.physics.geometry.MassData;
  */
 public final class WorldState {
   final Object owner;
-  final Dynamics.State dynamics = new Dynamics.State();
+  final DynamicsState dynamics = new DynamicsState();
   Object[] handles = new Object[0];
   ShapeDef[][] shapes = new ShapeDef[0][];
   MassData[] ownMasses = new MassData[0];

@@ -68,11 +68,10 @@ public final class Dynamics {
   private static final int JOINTS_PUSH = 1;
   private static final int JOINTS_RELAX = 2;
 
-  private static final MassData NO_MASS = new MassData(0, 0, 0, 0);
-
   private final Settings settings;
   private final BodyStore bodies = new BodyStore();
   private final ShapeTable parts = new ShapeTable();
+  private final BodyMaker maker = new BodyMaker(bodies, parts);
   private final ContactTable contacts = new ContactTable();
   private final JointStore joints = new JointStore();
   private final Crew crew = new Crew();
@@ -168,11 +167,6 @@ public final class Dynamics {
   /** Whether callbacks run, in which bodies neither wake nor fall asleep. */
   private boolean busy;
 
-  /** Contacts that come from another world. */
-  private final ContactTable excerptRows = new ContactTable();
-
-  private int[] excerptOrder = new int[0];
-
   /** Null, unless somebody measures. */
   private StageListener stages;
 
@@ -216,24 +210,7 @@ public final class Dynamics {
    * @return the slot
    */
   public int create(byte type, ShapeSpec[] shapes, MassData own, boolean fixedRotation) {
-    int count = 0;
-    for (ShapeSpec spec : shapes) {
-      count += spec.shape().parts().size();
-    }
-    if (count > ContactKey.MAX_PARTS) {
-      throw new IllegalArgumentException(
-          "parts="
-              + count
-              + " is more than the "
-              + ContactKey.MAX_PARTS
-              + " convex parts one body can have; split it into several bodies");
-    }
-    MassData total = type == BodyStore.DYNAMIC ? massOf(shapes, own) : NO_MASS;
-    int body = bodies.allocate(type);
-    bodies.flags[body] = fixedRotation ? BodyStore.FIXED_ROTATION : 0;
-    bodies.firstPart[body] = parts.allocate(body, count);
-    bodies.partCount[body] = count;
-    fill(body, shapes, own, total);
+    int body = maker.make(type, shapes, own, fixedRotation);
     active.reserve(body + 1);
     return body;
   }
@@ -259,51 +236,6 @@ public final class Dynamics {
     }
   }
 
-  /** Takes mass and shapes over. */
-  private void fill(int body, ShapeSpec[] shapes, MassData own, MassData total) {
-    boolean dynamic = bodies.type[body] == BodyStore.DYNAMIC;
-    boolean turns = dynamic && (bodies.flags[body] & BodyStore.FIXED_ROTATION) == 0;
-    turns = turns && total.inertia() > 0;
-    bodies.mass[body] = total.mass();
-    bodies.invMass[body] = dynamic ? 1 / total.mass() : 0;
-    bodies.coldChanged();
-    bodies.inertia[body] = turns ? total.inertia() : 0;
-    bodies.invInertia[body] = turns ? 1 / total.inertia() : 0;
-    bodies.localX[body] = total.centerX();
-    bodies.localY[body] = total.centerY();
-    int part = bodies.firstPart[body];
-    long hash = StateHash.SEED;
-    if (own != null) {
-      hash = StateHash.mix(hash, own.mass(), own.inertia());
-      hash = StateHash.mix(hash, own.centerX(), own.centerY());
-    }
-    float inner = Float.POSITIVE_INFINITY;
-    float reach = 0;
-    poseA.setIdentity();
-    for (int i = 0; i < shapes.length; i++) {
-      ShapeSpec spec = shapes[i];
-      for (Convex convex : spec.shape().parts()) {
-        Convex local = convex.moved(-bodies.localX[body], -bodies.localY[body]);
-        parts.set(part, local, i, spec);
-        hash = StateHash.mix(hash, spec.friction(), spec.restitution());
-        hash = spec.mix(hash, dynamic && own == null);
-        hash = ShapeHash.mix(hash, local);
-        local.aabb(poseA, box);
-        if (!spec.sensor()) {
-          inner = Math.min(inner, local.innerRadius());
-        }
-        float furthestX = Math.max(-box.minX, box.maxX);
-        float furthestY = Math.max(-box.minY, box.maxY);
-        float square = furthestX * furthestX + furthestY * furthestY;
-        reach = Math.max(reach, (float) Math.sqrt(square));
-        part++;
-      }
-    }
-    bodies.reach[body] = reach;
-    bodies.shapeHash[body] = hash;
-    bodies.innerRadius[body] = inner;
-  }
-
   /**
    * Checks that a dynamic body could be made of some shapes.
    *
@@ -312,7 +244,7 @@ public final class Dynamics {
    * @throws IllegalArgumentException if they have no mass, or too much
    */
   public static void checkMass(ShapeSpec[] shapes, MassData own) {
-    massOf(shapes, own);
+    BodyMaker.massOf(shapes, own);
   }
 
   /**
@@ -328,14 +260,15 @@ public final class Dynamics {
     if (bodies.type[body] == type) {
       return;
     }
-    MassData total = type == BodyStore.DYNAMIC ? massOf(shapes, own) : NO_MASS;
+    MassData total = BodyMaker.total(type, shapes, own);
     disturb(body);
     boolean enabled = !bodies.disabled(body);
     if (enabled) {
       leave(body);
     }
     bodies.type[body] = type;
-    refill(body, shapes, own, total);
+    maker.refill(body, shapes, own, total);
+    contacts.forgetManifolds(body);
     if (type == BodyStore.STATIC) {
       bodies.vx[body] = 0;
       bodies.vy[body] = 0;
@@ -382,11 +315,11 @@ public final class Dynamics {
    * @param own its mass, null to compute it from the shapes
    */
   public void change(int body, ShapeSpec[] shapes, MassData own) {
-    boolean dynamic = bodies.type[body] == BodyStore.DYNAMIC;
-    MassData total = dynamic ? massOf(shapes, own) : NO_MASS;
+    MassData total = BodyMaker.total(bodies.type[body], shapes, own);
     disturb(body);
     mergeWoken();
-    refill(body, shapes, own, total);
+    maker.refill(body, shapes, own, total);
+    contacts.forgetManifolds(body);
     contacts.mixAgain(body, parts);
     wakeOverlapped(body);
     rulesStale = true;
@@ -405,57 +338,6 @@ public final class Dynamics {
     } else {
       bodies.flags[body] &= ~BodyStore.FIXED_ROTATION;
     }
-  }
-
-  /** Takes mass and shapes over where the body is. */
-  private void refill(int body, ShapeSpec[] shapes, MassData own, MassData total) {
-    float oldX = bodies.x[body];
-    float oldY = bodies.y[body];
-    float oldLocalX = bodies.localX[body];
-    float oldLocalY = bodies.localY[body];
-    float originX = bodies.originX(body);
-    float originY = bodies.originY(body);
-    fill(body, shapes, own, total);
-    contacts.forgetManifolds(body);
-    if (bodies.localX[body] == oldLocalX && bodies.localY[body] == oldLocalY) {
-      return;
-    }
-    bodies.setOriginPose(body, originX, originY, bodies.cos[body], bodies.sin[body]);
-    bodies.vx[body] -= bodies.w[body] * (bodies.y[body] - oldY);
-    bodies.vy[body] += bodies.w[body] * (bodies.x[body] - oldX);
-  }
-
-  private static MassData massOf(ShapeSpec[] shapes, MassData own) {
-    if (own != null) {
-      for (ShapeSpec spec : shapes) {
-        Checks.refuseLines(spec.shape());
-      }
-      return own;
-    }
-    if (shapes.length == 0) {
-      return new MassData(1, 0, 0, 0);
-    }
-    double mass = 0;
-    double mx = 0;
-    double my = 0;
-    for (ShapeSpec spec : shapes) {
-      Checks.refuseLines(spec.shape());
-      MassData m = spec.shape().mass(spec.density());
-      mass += m.mass();
-      mx += (double) m.mass() * m.centerX();
-      my += (double) m.mass() * m.centerY();
-    }
-    Checks.range("mass", (float) mass, 1e-9f, 1e15f);
-    float x = (float) (mx / mass);
-    float y = (float) (my / mass);
-    double inertia = 0;
-    for (ShapeSpec spec : shapes) {
-      MassData m = spec.shape().mass(spec.density());
-      double dx = m.centerX() - x;
-      double dy = m.centerY() - y;
-      inertia += m.inertia() + m.mass() * (dx * dx + dy * dy);
-    }
-    return new MassData((float) mass, x, y, (float) inertia);
   }
 
   /** Makes the broadphase and the solver know a body. */
@@ -1630,46 +1512,8 @@ public final class Dynamics {
       }
     }
     boxesStale = true;
-    excerptRows.clear();
-    int rows = excerpt.writeContacts(bodies, parts, excerptRows);
-    if (excerptOrder.length < rows) {
-      excerptOrder = new int[2 * rows];
-    }
-    for (int i = 0; i < rows; i++) {
-      excerptOrder[i] = i;
-    }
-    excerptRows.sortByKey(excerptOrder, rows);
-    int unique = 0;
-    for (int i = 0; i < rows; i++) {
-      if (i == 0 || excerptRows.key[excerptOrder[i]] != excerptRows.key[excerptOrder[i - 1]]) {
-        excerptOrder[unique++] = excerptOrder[i];
-      }
-    }
-    contacts.insert(excerptRows, excerptOrder, unique);
+    excerpt.writeContacts(bodies, parts, contacts);
     putToSleep();
-  }
-
-  /** The state of a world at one moment. */
-  public static final class State {
-    private final BodyStore bodies = new BodyStore();
-    private final ShapeTable parts = new ShapeTable();
-    private final ContactTable contacts = new ContactTable();
-    private final JointStore joints = new JointStore();
-    private final SleepingContacts sleepers = new SleepingContacts();
-    private final Stamp sleep = new Stamp();
-    private long bytes;
-
-    /** Makes an empty state to save into. */
-    public State() {}
-
-    /**
-     * What the last save copied, apart from shapes, which are copied if bodies came or went.
-     *
-     * @return bytes of bodies, contacts and joints
-     */
-    public long bytes() {
-      return bytes;
-    }
   }
 
   /**
@@ -1678,15 +1522,10 @@ public final class Dynamics {
    * @param to is overwritten
    * @param sameStructure whether no body came, went or changed since {@code to} was saved
    */
-  public void save(State to, boolean sameStructure) {
+  public void save(DynamicsState to, boolean sameStructure) {
     mergeWoken();
-    to.bytes = bodies.copyTo(to.bodies);
-    to.bytes += contacts.copyTo(to.contacts);
-    to.bytes += joints.copyTo(to.joints);
-    if (!sleep.same(to.sleep)) {
-      to.bytes += sleepers.copyTo(to.sleepers);
-      sleep.copyTo(to.sleep);
-    }
+    to.take(bodies, contacts, joints);
+    to.takeSleep(sleepers, sleep);
     if (!sameStructure) {
       parts.copyTo(to.parts);
     }
@@ -1699,7 +1538,7 @@ public final class Dynamics {
    * @param from stays as it is
    * @param sameStructure whether no body came, went or changed since {@code from} was saved
    */
-  public void restore(State from, boolean sameStructure) {
+  public void restore(DynamicsState from, boolean sameStructure) {
     wokenCount = 0;
     touchedCount = 0;
     askedCount = 0;
@@ -1750,7 +1589,7 @@ public final class Dynamics {
   }
 
   /** Finds the bodies that are in the wrong tree, or in the wrong place of the tree that rests. */
-  private void gatherMisplaced(State from) {
+  private void gatherMisplaced(DynamicsState from) {
     if (!staticMoved && sleep.same(from.sleep)) {
       return;
     }

@@ -46,6 +46,11 @@ public final class Excerpt {
   private long[] keys = new long[8];
   private int[] ends = new int[8];
 
+  /** Of contacts that come from another world, and their numbers by ascending key. */
+  private final ContactTable rows = new ContactTable();
+
+  private int[] order = new int[0];
+
   /** Makes an empty excerpt. */
   public Excerpt() {}
 
@@ -241,12 +246,30 @@ public final class Excerpt {
   }
 
   /**
-   * Puts the contacts into an empty table. What names no body, or no part, of this world is left
-   * out.
-   *
-   * @return how many
+   * Adds the contacts to a world's. What names no body, or no part, of this world is left out, and
+   * so is a contact that came before.
    */
-  int writeContacts(BodyStore store, ShapeTable parts, ContactTable to) {
+  void writeContacts(BodyStore store, ShapeTable parts, ContactTable to) {
+    rows.clear();
+    int written = readRows(store, parts);
+    if (order.length < written) {
+      order = new int[2 * written];
+    }
+    for (int i = 0; i < written; i++) {
+      order[i] = i;
+    }
+    rows.sortByKey(order, written);
+    int unique = 0;
+    for (int i = 0; i < written; i++) {
+      if (i == 0 || rows.key[order[i]] != rows.key[order[i - 1]]) {
+        order[unique++] = order[i];
+      }
+    }
+    to.insert(rows, order, unique);
+  }
+
+  /** Makes rows of the contacts; answers how many. */
+  private int readRows(BodyStore store, ShapeTable parts) {
     int written = 0;
     for (int i = 0; i < contactCount; i++) {
       int at = i * CONTACT_INTS;
@@ -264,21 +287,21 @@ public final class Excerpt {
         continue;
       }
       long key = ContactKey.of(a, partA, b, partB);
-      int row = to.append();
-      to.start(row, key, store, parts);
-      to.flags[row] |= (byte) (ContactTable.TOUCHING | (contacts[at + 3] >> 8 & KEPT_FLAGS));
-      to.points[row] = (byte) points;
-      to.id0[row] = contacts[at + 4];
-      to.id1[row] = contacts[at + 5];
-      to.nx[row] = Float.intBitsToFloat(contacts[at + 6]);
-      to.ny[row] = Float.intBitsToFloat(contacts[at + 7]);
-      to.normal0[row] = Float.intBitsToFloat(contacts[at + 8]);
-      to.tangent0[row] = Float.intBitsToFloat(contacts[at + 9]);
-      to.normal1[row] = Float.intBitsToFloat(contacts[at + 10]);
-      to.tangent1[row] = Float.intBitsToFloat(contacts[at + 11]);
-      to.roll[row] = Float.intBitsToFloat(contacts[at + 12]);
-      to.total0[row] = Float.intBitsToFloat(contacts[at + 13]);
-      to.total1[row] = Float.intBitsToFloat(contacts[at + 14]);
+      int row = rows.append();
+      rows.start(row, key, store, parts);
+      rows.flags[row] |= (byte) (ContactTable.TOUCHING | (contacts[at + 3] >> 8 & KEPT_FLAGS));
+      rows.points[row] = (byte) points;
+      rows.id0[row] = contacts[at + 4];
+      rows.id1[row] = contacts[at + 5];
+      rows.nx[row] = Float.intBitsToFloat(contacts[at + 6]);
+      rows.ny[row] = Float.intBitsToFloat(contacts[at + 7]);
+      rows.normal0[row] = Float.intBitsToFloat(contacts[at + 8]);
+      rows.tangent0[row] = Float.intBitsToFloat(contacts[at + 9]);
+      rows.normal1[row] = Float.intBitsToFloat(contacts[at + 10]);
+      rows.tangent1[row] = Float.intBitsToFloat(contacts[at + 11]);
+      rows.roll[row] = Float.intBitsToFloat(contacts[at + 12]);
+      rows.total0[row] = Float.intBitsToFloat(contacts[at + 13]);
+      rows.total1[row] = Float.intBitsToFloat(contacts[at + 14]);
       written++;
     }
     return written;
