@@ -93,6 +93,7 @@ public final class ContinuousCollision {
   private static final int FIRST_CAPACITY = 16;
 
   private final Dynamics world;
+  private final PairFinder pairs;
   private final Settings settings;
   private final BodyStore bodies;
   private final ActiveBodies active;
@@ -176,12 +177,14 @@ public final class ContinuousCollision {
 
   ContinuousCollision(
       Dynamics world,
+      PairFinder pairs,
       Settings settings,
       BodyStore bodies,
       ActiveBodies active,
       ShapeTable parts,
       ContactTable contacts) {
     this.world = world;
+    this.pairs = pairs;
     this.settings = settings;
     this.bodies = bodies;
     this.active = active;
@@ -353,7 +356,7 @@ public final class ContinuousCollision {
       for (int part = first; part < first + bodies.partCount[body]; part++) {
         swept.setEmpty();
         addSweep(part, flights[k].whole);
-        world.cover(part, swept);
+        pairs.cover(part, swept);
       }
     }
   }
@@ -484,7 +487,7 @@ public final class ContinuousCollision {
   private float candidate(int part, float end) {
     int body = parts.body[part];
     boolean target = bodies.type[body] != BodyStore.DYNAMIC || bullet;
-    if (body == mover || !target || parts.sensor[part] || !world.mayTouch(moverPart, part)) {
+    if (body == mover || !target || parts.sensor[part] || !pairs.mayTouch(moverPart, part)) {
       return end;
     }
     targetMotion(body);

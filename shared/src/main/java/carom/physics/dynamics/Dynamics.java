@@ -1,15 +1,11 @@
 package carom.physics.dynamics;
 
-import carom.physics.broadphase.AabbArray;
 import carom.physics.broadphase.CastVisitor;
 import carom.physics.broadphase.CellVisitor;
 import carom.physics.broadphase.IntVisitor;
-import carom.physics.broadphase.KdTree;
-import carom.physics.broadphase.PairVisitor;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.MassData;
 import carom.physics.math.Aabb;
-import carom.physics.math.Transform;
 import carom.physics.threads.Workers;
 import java.util.Arrays;
 
@@ -44,17 +40,8 @@ import java.util.Arrays;
 public final class Dynamics {
   private static final int FIRST_CAPACITY = 64;
 
-  /** More pairs than this per awake body are a crowd. */
-  private static final int CROWDED = 2;
-
   /** Rows to have room for per awake body before there are as many, so that few steps allocate. */
   private static final int ROWS_AHEAD = 2;
-
-  /** For how many ticks fat boxes are meant to last where pairs are few. */
-  private static final int SPARSE_TICKS = 5;
-
-  /** Up to this fraction (1 / n) of moved parts, each is searched for itself. */
-  private static final int SEARCH_SHARE = 16;
 
   /** Sleep time of a kinematic body that was set somewhere else since the last step. */
   private static final float MOVED = -1;
@@ -79,23 +66,14 @@ public final class Dynamics {
   private final ContactSolver solver = new ContactSolver(ContactLanes.find(), crew);
   private final JointSolver jointSolver = new JointSolver(PinLanes.find(), crew);
   private final ContinuousCollision continuous;
+  private final PairFinder pairs;
   private final CollideStage collideStage;
   private final EventStage eventStage;
-  private final Transform poseA = new Transform();
   private final Aabb box = new Aabb();
   private final Aabb around = new Aabb();
 
-  /** Parts of active bodies, and of those that are static or sleep. */
-  private final KdTree moving = new KdTree(parts.fat);
-
-  private final KdTree resting = new KdTree(parts.fat);
-  private boolean movingStale;
-
   /** Whether a static body was ever moved by hand. */
   private boolean staticMoved;
-
-  /** Whether all pairs must be searched, for instance because a static body is new. */
-  private boolean searchAll;
 
   /** Whether it must be decided anew which pairs may touch. */
   private boolean rulesStale;
@@ -103,32 +81,13 @@ public final class Dynamics {
   /** Whether any joint ever could break. */
   private boolean breakable;
 
-  /** Whether poses changed since fat boxes were refreshed. */
-  private boolean boxesStale;
-
   private float lastStep = 1 / 60f;
 
   private final ActiveBodies active = new ActiveBodies();
 
-  /** Parts that are in no tree yet, though their bodies take part. */
-  private int[] newParts = new int[FIRST_CAPACITY];
-
-  private int newCount;
-
-  private int[] movedParts = new int[FIRST_CAPACITY];
-  private int movedCount;
-
-  private final KeySorter sorter = new KeySorter();
-  private long[] candidates = new long[FIRST_CAPACITY];
-  private int candidateCount;
+  /** The part of a static body of which is asked what sleeps in its reach. */
   private int searchPart;
 
-  private final PairVisitor onPair = this::candidate;
-  private final IntVisitor onFound =
-      found -> {
-        candidate(searchPart, found);
-        return true;
-      };
   private final IntVisitor onOverlapped = this::overlapped;
 
   private final SleepingContacts sleepers = new SleepingContacts();
@@ -154,11 +113,6 @@ public final class Dynamics {
 
   private int gatheredCount;
 
-  /** Their parts. */
-  private int[] partList = new int[FIRST_CAPACITY];
-
-  private int partListCount;
-
   /** What was asked for in a callback: body * ASKED + what. */
   private long[] asked = new long[8];
 
@@ -177,7 +131,8 @@ public final class Dynamics {
    */
   public Dynamics(Settings settings) {
     this.settings = settings;
-    continuous = new ContinuousCollision(this, settings, bodies, active, parts, contacts);
+    pairs = new PairFinder(settings, bodies, parts, contacts, joints);
+    continuous = new ContinuousCollision(this, pairs, settings, bodies, active, parts, contacts);
     collideStage = new CollideStage(this, settings, bodies, parts, contacts, crew, continuous);
     eventStage = new EventStage(settings, bodies, contacts);
   }
@@ -229,7 +184,7 @@ public final class Dynamics {
       bodies.vy[body] = 0;
       bodies.w[body] = 0;
       enter(body);
-      markBodyMoved(body);
+      pairs.searchBody(body);
     } else {
       enter(body);
       wakeOverlapped(body);
@@ -350,17 +305,7 @@ public final class Dynamics {
       asleepCount++;
       sleep.change();
     }
-    int first = bodies.firstPart[body];
-    for (int part = first; part < first + bodies.partCount[body]; part++) {
-      if (rests) {
-        restingBox(body, part);
-      } else {
-        parts.fat.set(part, bodies.x[body], bodies.y[body], bodies.x[body], bodies.y[body]);
-      }
-      expect(part);
-    }
-    searchAll |= isStatic;
-    boxesStale = true;
+    pairs.enter(body);
   }
 
   /** Whether any body but static ones sleeps. */
@@ -370,58 +315,13 @@ public final class Dynamics {
 
   /** Takes a body out again; nothing may rely on it any longer. */
   private void leave(int body) {
-    KdTree tree = resting;
     if (active.contains(body)) {
-      tree = moving;
       active.remove(body);
     } else if (bodies.type[body] != BodyStore.STATIC) {
       asleepCount--;
       sleep.change();
     }
-    int first = bodies.firstPart[body];
-    for (int part = first; part < first + bodies.partCount[body]; part++) {
-      tree.remove(part);
-    }
-  }
-
-  /** Has a part put into its tree before one is used, so that crowds come at once. */
-  private void expect(int part) {
-    if (parts.expected[part]) {
-      return;
-    }
-    parts.expected[part] = true;
-    if (newCount == newParts.length) {
-      newParts = Arrays.copyOf(newParts, newCount * 2);
-    }
-    newParts[newCount++] = part;
-  }
-
-  /** Puts the parts that came into the trees. */
-  private void admit() {
-    if (newCount > 0) {
-      admit(moving, true);
-      admit(resting, false);
-      newCount = 0;
-    }
-  }
-
-  private void admit(KdTree tree, boolean moves) {
-    int others = 0;
-    partListCount = 0;
-    for (int i = 0; i < newCount; i++) {
-      int part = newParts[i];
-      int body = parts.body[part];
-      if (body < 0 || bodies.disabled(body)) {
-        parts.expected[part] = false;
-      } else if (active.contains(body) != moves) {
-        newParts[others++] = part;
-      } else {
-        parts.expected[part] = false;
-        listPart(part);
-      }
-    }
-    newCount = others;
-    tree.addAll(partList, partListCount);
+    pairs.leave(body);
   }
 
   /**
@@ -446,7 +346,7 @@ public final class Dynamics {
       }
     }
     contacts.removeBody(body);
-    searchAll = true;
+    pairs.searchAll();
   }
 
   /**
@@ -512,22 +412,13 @@ public final class Dynamics {
       return;
     }
     rulesStale = false;
-    searchAll = true;
+    pairs.searchAll();
     for (int row = 0; row < contacts.count(); row++) {
       int p = contacts.partA[row];
       int q = contacts.partB[row];
       boolean gone = bodies.disabled(parts.body[p]) || bodies.disabled(parts.body[q]);
-      contacts.ignore(row, gone || !mayTouch(p, q));
+      contacts.ignore(row, gone || !pairs.mayTouch(p, q));
     }
-  }
-
-  /** Whether filters, joints and types let two parts touch. */
-  boolean mayTouch(int p, int q) {
-    int a = parts.body[p];
-    int b = parts.body[q];
-    return (bodies.invMass[a] != 0 || bodies.invMass[b] != 0)
-        && parts.meet(p, q)
-        && (joints.count() == 0 || !joints.keepsApart(a, b));
   }
 
   /**
@@ -540,18 +431,12 @@ public final class Dynamics {
       return;
     }
     if (bodies.type[body] == BodyStore.STATIC) {
-      int first = bodies.firstPart[body];
-      for (int part = first; part < first + bodies.partCount[body]; part++) {
-        resting.remove(part);
-        restingBox(body, part);
-        expect(part);
-      }
+      pairs.movedStatic(body);
       staticMoved = true;
-      searchAll = true;
       disturb(body);
       wakeOverlapped(body);
     } else {
-      boxesStale = true;
+      pairs.posesChanged();
       wake(body);
       if (bodies.type[body] == BodyStore.KINEMATIC && settings.sleeping()) {
         bodies.sleepTime[body] = MOVED;
@@ -697,23 +582,23 @@ public final class Dynamics {
     if (asleepCount == 0 || bodies.type[body] != BodyStore.STATIC) {
       return;
     }
-    admit();
+    pairs.admit();
     int first = bodies.firstPart[body];
     for (int part = first; part < first + bodies.partCount[body]; part++) {
       searchPart = part;
       float reach = settings.speculativeDistance();
-      boxOf(part, false, around);
+      pairs.tightBox(part, around);
       around.set(
           around.minX - reach, around.minY - reach, around.maxX + reach, around.maxY + reach);
-      resting.query(around.minX, around.minY, around.maxX, around.maxY, onOverlapped);
+      pairs.resting().query(around.minX, around.minY, around.maxX, around.maxY, onOverlapped);
     }
     wakeTouched();
   }
 
   /** Looks at the box itself, as the fat one depends on what was before. */
   private boolean overlapped(int part) {
-    if (bodies.asleep(parts.body[part]) && mayTouch(part, searchPart)) {
-      boxOf(part, false, box);
+    if (bodies.asleep(parts.body[part]) && pairs.mayTouch(part, searchPart)) {
+      pairs.tightBox(part, box);
       if (box.overlaps(around)) {
         touch(parts.body[part]);
       }
@@ -726,7 +611,7 @@ public final class Dynamics {
     if (!bodies.asleep(body)) {
       return;
     }
-    admit();
+    pairs.admit();
     gatheredCount = 0;
     rouse(body);
     for (int i = 0; i < gatheredCount; i++) {
@@ -750,30 +635,10 @@ public final class Dynamics {
         }
       }
     }
-    listParts();
-    resting.removeAll(partList, partListCount);
-    moving.addAll(partList, partListCount);
+    pairs.wake(gathered, gatheredCount);
     for (int i = 0; i < gatheredCount; i++) {
       refreshJoints(gathered[i]);
     }
-  }
-
-  /** Lists the parts of the gathered bodies. */
-  private void listParts() {
-    partListCount = 0;
-    for (int i = 0; i < gatheredCount; i++) {
-      int first = bodies.firstPart[gathered[i]];
-      for (int part = first; part < first + bodies.partCount[gathered[i]]; part++) {
-        listPart(part);
-      }
-    }
-  }
-
-  private void listPart(int part) {
-    if (partListCount == partList.length) {
-      partList = Arrays.copyOf(partList, partListCount * 2);
-    }
-    partList[partListCount++] = part;
   }
 
   private void rouseDynamic(int body) {
@@ -789,8 +654,6 @@ public final class Dynamics {
     asleepCount--;
     sleep.change();
     active.add(body);
-    markBodyMoved(body);
-    boxesStale = true;
   }
 
   private void gather(int body) {
@@ -837,17 +700,6 @@ public final class Dynamics {
     return bodies.type[body] == BodyStore.DYNAMIC && bodies.asleep(body);
   }
 
-  private void restingBox(int body, int part) {
-    place(body, poseA);
-    parts.convex[part].aabb(poseA, box);
-    float margin = 0.5f * settings.speculativeDistance();
-    parts.fat.set(part, box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin);
-  }
-
-  private void place(int body, Transform pose) {
-    pose.set(bodies.x[body], bodies.y[body], bodies.cos[body], bodies.sin[body]);
-  }
-
   /**
    * Advances the world.
    *
@@ -872,14 +724,14 @@ public final class Dynamics {
       }
     }
     mergeWoken();
-    boxesStale = true;
+    pairs.posesChanged();
     refilter();
     begins(StepStage.BOXES);
     refreshBoxes();
     boolean all = true;
     do {
       begins(StepStage.PAIRS);
-      findPairs();
+      pairs.find();
       begins(StepStage.COLLIDE);
       collideStage.run(all);
       all = false;
@@ -894,7 +746,7 @@ public final class Dynamics {
     }
     collideStage.holdBack();
     solve(dt);
-    boxesStale = true;
+    pairs.posesChanged();
     begins(StepStage.CONTINUOUS);
     stopFast();
     begins(StepStage.EVENTS);
@@ -1034,9 +886,7 @@ public final class Dynamics {
     if (gatheredCount == 0) {
       return;
     }
-    admit();
-    listParts();
-    moving.removeAll(partList, partListCount);
+    pairs.admit();
     for (int i = 0; i < gatheredCount; i++) {
       int body = gathered[i];
       active.remove(body);
@@ -1047,16 +897,8 @@ public final class Dynamics {
       bodies.w[body] = 0;
       bodies.clearForces(body);
       asleepCount++;
-      place(body, poseA);
-      int first = bodies.firstPart[body];
-      for (int part = first; part < first + bodies.partCount[body]; part++) {
-        if (!holds(part)) {
-          widen(part, 0, 0);
-          markMoved(part);
-        }
-      }
     }
-    resting.addAll(partList, partListCount);
+    pairs.rest(gathered, gatheredCount);
     sleep.change();
     for (int i = 0; i < gatheredCount; i++) {
       refreshJoints(gathered[i]);
@@ -1085,91 +927,8 @@ public final class Dynamics {
     }
   }
 
-  /** Gives every moving part whose fat box no longer contains it a new one. */
   private void refreshBoxes() {
-    if (!boxesStale) {
-      return;
-    }
-    boxesStale = false;
-    for (int i = 0; i < active.count; i++) {
-      int body = active.list[i];
-      place(body, poseA);
-      int first = bodies.firstPart[body];
-      int end = first + bodies.partCount[body];
-      for (int part = first; part < end; part++) {
-        if (!holds(part)) {
-          widen(part, lastStep * bodies.vx[body], lastStep * bodies.vy[body]);
-          movingStale = true;
-          markMoved(part);
-        }
-      }
-    }
-  }
-
-  /** Whether a part at poseA, and what it may reach, is within its fat box. Computes its box. */
-  private boolean holds(int part) {
-    parts.convex[part].aabb(poseA, box);
-    float reach = 0.5f * settings.speculativeDistance();
-    return parts.fat.contains(
-        part, box.minX - reach, box.minY - reach, box.maxX + reach, box.maxY + reach);
-  }
-
-  /**
-   * Gives a part a new fat box around its box, for some ticks of motion. Where there are few pairs
-   * a roomy box spares searches; in a crowd a needless pair costs more than a search, so the boxes
-   * of what moves fast are hardly larger than it.
-   */
-  private void widen(int part, float wayX, float wayY) {
-    int pairs = contacts.count();
-    float margin = settings.aabbMargin();
-    float ticks = SPARSE_TICKS;
-    if (pairs > CROWDED * active.count) {
-      margin = Math.abs(wayX) + Math.abs(wayY) > margin ? 0 : margin;
-      ticks = 0;
-    } else if (2 * pairs > active.count) {
-      ticks = 1;
-    }
-    margin += 0.5f * settings.speculativeDistance();
-    parts.fat.set(
-        part,
-        box.minX - margin + Math.min(ticks * wayX, 0),
-        box.minY - margin + Math.min(ticks * wayY, 0),
-        box.maxX + margin + Math.max(ticks * wayX, 0),
-        box.maxY + margin + Math.max(ticks * wayY, 0));
-  }
-
-  /** Has the pairs of all parts of a body searched in the next step. */
-  private void markBodyMoved(int body) {
-    int first = bodies.firstPart[body];
-    for (int part = first; part < first + bodies.partCount[body]; part++) {
-      markMoved(part);
-    }
-  }
-
-  private void markMoved(int part) {
-    if (parts.moved[part]) {
-      return;
-    }
-    parts.moved[part] = true;
-    if (movedCount == movedParts.length) {
-      movedParts = Arrays.copyOf(movedParts, Math.max(parts.moved.length, movedCount * 2));
-    }
-    movedParts[movedCount++] = part;
-  }
-
-  /** Makes the fat box of a moving part contain another box, too. */
-  void cover(int part, Aabb other) {
-    AabbArray fat = parts.fat;
-    if (!fat.contains(part, other.minX, other.minY, other.maxX, other.maxY)) {
-      fat.set(
-          part,
-          Math.min(fat.minX(part), other.minX),
-          Math.min(fat.minY(part), other.minY),
-          Math.max(fat.maxX(part), other.maxX),
-          Math.max(fat.maxY(part), other.maxY));
-      movingStale = true;
-      markMoved(part);
-    }
+    pairs.refresh(active, lastStep);
   }
 
   /** The length of the last step, s. */
@@ -1186,86 +945,9 @@ public final class Dynamics {
       refreshBoxes();
       continuous.widen();
     }
-    refreshTrees();
-    continuous.settle(moving, resting);
-    boxesStale = true;
-  }
-
-  private void refreshTrees() {
-    admit();
-    if (movingStale) {
-      moving.refit(movedParts, movedCount);
-      movingStale = false;
-    }
-  }
-
-  private void findPairs() {
-    if (movedCount == 0 && !searchAll) {
-      return;
-    }
-    refreshTrees();
-    candidateCount = 0;
-    if (searchAll) {
-      moving.pairs(onPair);
-      moving.join(resting, onPair);
-    } else {
-      boolean each = movedCount <= moving.size() / SEARCH_SHARE;
-      if (!each) {
-        moving.pairs(parts.moved, onPair);
-        moving.join(resting, parts.moved, onPair);
-      }
-      for (int i = 0; i < movedCount; i++) {
-        int part = movedParts[i];
-        boolean moves = moving.contains(part);
-        if ((each && moves) || resting.contains(part)) {
-          searchAround(part, moves);
-        }
-      }
-    }
-    candidates = sorter.sort(candidates, candidateCount);
-    contacts.merge(candidates, candidateCount, bodies, parts, searchAll);
-    for (int i = 0; i < movedCount; i++) {
-      parts.moved[movedParts[i]] = false;
-    }
-    movedCount = 0;
-    searchAll = false;
-  }
-
-  /** Finds what a moved part's fat box overlaps; two parts that rest needn't find each other. */
-  private void searchAround(int part, boolean moves) {
-    searchPart = part;
-    float minX = parts.fat.minX(part);
-    float minY = parts.fat.minY(part);
-    float maxX = parts.fat.maxX(part);
-    float maxY = parts.fat.maxY(part);
-    moving.query(minX, minY, maxX, maxY, onFound);
-    if (moves) {
-      resting.query(minX, minY, maxX, maxY, onFound);
-    }
-  }
-
-  private void candidate(int p, int q) {
-    if (!searchAll && !parts.moved[p] && !parts.moved[q]) {
-      return;
-    }
-    int a = parts.body[p];
-    int b = parts.body[q];
-    if (a == b || (!active.contains(a) && !active.contains(b)) || !mayTouch(p, q)) {
-      return;
-    }
-    if (a > b) {
-      int swap = a;
-      a = b;
-      b = swap;
-      swap = p;
-      p = q;
-      q = swap;
-    }
-    if (candidateCount == candidates.length) {
-      candidates = Arrays.copyOf(candidates, candidateCount * 2);
-    }
-    candidates[candidateCount++] =
-        ContactKey.of(a, p - bodies.firstPart[a], b, q - bodies.firstPart[b]);
+    pairs.refit();
+    continuous.settle(pairs.moving(), pairs.resting());
+    pairs.posesChanged();
   }
 
   private void solveJoints(int pass) {
@@ -1332,9 +1014,9 @@ public final class Dynamics {
    */
   public void query(float minX, float minY, float maxX, float maxY, IntVisitor visitor) {
     refreshBoxes();
-    refreshTrees();
-    moving.query(minX, minY, maxX, maxY, visitor);
-    resting.query(minX, minY, maxX, maxY, visitor);
+    pairs.refit();
+    pairs.moving().query(minX, minY, maxX, maxY, visitor);
+    pairs.resting().query(minX, minY, maxX, maxY, visitor);
   }
 
   /**
@@ -1352,9 +1034,9 @@ public final class Dynamics {
   public void cast(
       float minX, float minY, float maxX, float maxY, float dx, float dy, CastVisitor visitor) {
     refreshBoxes();
-    refreshTrees();
-    moving.cast(minX, minY, maxX, maxY, dx, dy, 1, visitor);
-    resting.cast(minX, minY, maxX, maxY, dx, dy, 1, visitor);
+    pairs.refit();
+    pairs.moving().cast(minX, minY, maxX, maxY, dx, dy, 1, visitor);
+    pairs.resting().cast(minX, minY, maxX, maxY, dx, dy, 1, visitor);
   }
 
   /**
@@ -1370,8 +1052,7 @@ public final class Dynamics {
       out.set(
           parts.fat.minX(part), parts.fat.minY(part), parts.fat.maxX(part), parts.fat.maxY(part));
     } else {
-      place(parts.body[part], poseA);
-      parts.convex[part].aabb(poseA, out);
+      pairs.tightBox(part, out);
     }
   }
 
@@ -1382,9 +1063,9 @@ public final class Dynamics {
    */
   public void cells(CellVisitor visitor) {
     refreshBoxes();
-    refreshTrees();
-    moving.cells(visitor);
-    resting.cells(visitor);
+    pairs.refit();
+    pairs.moving().cells(visitor);
+    pairs.resting().cells(visitor);
   }
 
   /**
@@ -1511,7 +1192,7 @@ public final class Dynamics {
         gather(body);
       }
     }
-    boxesStale = true;
+    pairs.posesChanged();
     excerpt.writeContacts(bodies, parts, contacts);
     putToSleep();
   }
@@ -1557,16 +1238,10 @@ public final class Dynamics {
       }
     } else {
       from.parts.copyTo(parts);
-      movedCount = 0;
+      pairs.clear();
       active.clear();
       active.reserve(bodies.slots());
       asleepCount = 0;
-      for (int i = 0; i < newCount; i++) {
-        parts.expected[newParts[i]] = false;
-      }
-      newCount = 0;
-      moving.clear();
-      resting.clear();
       for (int body = 0; body < bodies.slots(); body++) {
         if (bodies.type[body] != BodyStore.FREE && !bodies.disabled(body)) {
           enter(body);
@@ -1584,8 +1259,8 @@ public final class Dynamics {
       }
     }
     rulesStale = true;
-    searchAll = true;
-    boxesStale = true;
+    pairs.searchAll();
+    pairs.posesChanged();
   }
 
   /** Finds the bodies that are in the wrong tree, or in the wrong place of the tree that rests. */

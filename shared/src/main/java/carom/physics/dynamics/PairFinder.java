@@ -1,0 +1,460 @@
+package carom.physics.dynamics;
+
+import carom.physics.broadphase.AabbArray;
+import carom.physics.broadphase.IntVisitor;
+import carom.physics.broadphase.KdTree;
+import carom.physics.broadphase.PairVisitor;
+import carom.physics.math.Aabb;
+import carom.physics.math.Transform;
+import java.util.Arrays;
+
+/**
+ * The first stages of a step: keeps the fat boxes of all parts, and has a row in the contact table
+ * for every pair whose boxes overlap and of which one body is awake.
+ *
+ * <p>There are two trees, one for the parts of active bodies and one for those of static and
+ * sleeping bodies. Only pairs with a part that got a new box since the last search are searched, so
+ * what is quiet costs nothing. Pairs are handed to the contact table in the order of their keys;
+ * which of them were found when never shows in a result.
+ */
+final class PairFinder {
+  private static final int FIRST_CAPACITY = 64;
+
+  /** More pairs than this per awake body are a crowd. */
+  private static final int CROWDED = 2;
+
+  /** For how many ticks fat boxes are meant to last where pairs are few. */
+  private static final int SPARSE_TICKS = 5;
+
+  /** Up to this fraction (1 / n) of moved parts, each is searched for itself. */
+  private static final int SEARCH_SHARE = 16;
+
+  private final Settings settings;
+  private final BodyStore bodies;
+  private final ShapeTable parts;
+  private final ContactTable contacts;
+  private final JointStore joints;
+  private final Transform pose = new Transform();
+  private final Aabb box = new Aabb();
+
+  /** Parts of active bodies, and of those that are static or sleep. */
+  private final KdTree moving;
+
+  private final KdTree resting;
+
+  /** Whether boxes in the moving tree changed since it was refitted. */
+  private boolean movingStale;
+
+  /** Whether poses changed since fat boxes were refreshed. */
+  private boolean boxesStale;
+
+  /** Whether all pairs must be searched, for instance because a static body is new. */
+  private boolean searchAll;
+
+  /** Parts that are in no tree yet, though their bodies take part. */
+  private int[] newParts = new int[FIRST_CAPACITY];
+
+  private int newCount;
+
+  /** Parts that got another box since pairs were searched. */
+  private int[] movedParts = new int[FIRST_CAPACITY];
+
+  private int movedCount;
+
+  /** Scratch: parts that go from one tree to the other. */
+  private int[] partList = new int[FIRST_CAPACITY];
+
+  private int partListCount;
+
+  private final KeySorter sorter = new KeySorter();
+  private long[] candidates = new long[FIRST_CAPACITY];
+  private int candidateCount;
+  private int searchPart;
+  private final PairVisitor onPair = this::candidate;
+  private final IntVisitor onFound =
+      found -> {
+        candidate(searchPart, found);
+        return true;
+      };
+
+  PairFinder(
+      Settings settings,
+      BodyStore bodies,
+      ShapeTable parts,
+      ContactTable contacts,
+      JointStore joints) {
+    this.settings = settings;
+    this.bodies = bodies;
+    this.parts = parts;
+    this.contacts = contacts;
+    this.joints = joints;
+    moving = new KdTree(parts.fat);
+    resting = new KdTree(parts.fat);
+  }
+
+  // ---------------------------------------------------------------- who takes part
+
+  /** Takes a body in, where it is now: among the active ones unless it is static or sleeps. */
+  void enter(int body) {
+    boolean rests = rests(body);
+    int first = bodies.firstPart[body];
+    for (int part = first; part < first + bodies.partCount[body]; part++) {
+      if (rests) {
+        restingBox(body, part);
+      } else {
+        parts.fat.set(part, bodies.x[body], bodies.y[body], bodies.x[body], bodies.y[body]);
+      }
+      expect(part);
+    }
+    searchAll |= bodies.type[body] == BodyStore.STATIC;
+    boxesStale = true;
+  }
+
+  /** Takes a body out. */
+  void leave(int body) {
+    int first = bodies.firstPart[body];
+    for (int part = first; part < first + bodies.partCount[body]; part++) {
+      if (!moving.remove(part)) {
+        resting.remove(part);
+      }
+    }
+  }
+
+  /** Must be called when a static body was put elsewhere. */
+  void movedStatic(int body) {
+    int first = bodies.firstPart[body];
+    for (int part = first; part < first + bodies.partCount[body]; part++) {
+      resting.remove(part);
+      restingBox(body, part);
+      expect(part);
+    }
+    searchAll = true;
+  }
+
+  /** Takes everything out. */
+  void clear() {
+    movedCount = 0;
+    for (int i = 0; i < newCount; i++) {
+      parts.expected[newParts[i]] = false;
+    }
+    newCount = 0;
+    moving.clear();
+    resting.clear();
+  }
+
+  /** Must be called after active bodies fell asleep; {@link #admit} before they did. */
+  void rest(int[] which, int count) {
+    listParts(which, count);
+    moving.removeAll(partList, partListCount);
+    for (int i = 0; i < count; i++) {
+      place(which[i]);
+      int first = bodies.firstPart[which[i]];
+      for (int part = first; part < first + bodies.partCount[which[i]]; part++) {
+        if (!holds(part)) {
+          fatten(part, settings.aabbMargin(), 0, 0);
+          markMoved(part);
+        }
+      }
+    }
+    resting.addAll(partList, partListCount);
+  }
+
+  /** Must be called after sleeping bodies woke; {@link #admit} before they did. */
+  void wake(int[] which, int count) {
+    listParts(which, count);
+    resting.removeAll(partList, partListCount);
+    moving.addAll(partList, partListCount);
+    for (int i = 0; i < partListCount; i++) {
+      markMoved(partList[i]);
+    }
+    boxesStale = true;
+  }
+
+  private boolean rests(int body) {
+    return bodies.type[body] == BodyStore.STATIC || bodies.asleep(body);
+  }
+
+  private void restingBox(int body, int part) {
+    place(body);
+    parts.convex[part].aabb(pose, box);
+    float margin = 0.5f * settings.speculativeDistance();
+    parts.fat.set(part, box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin);
+  }
+
+  /** Has a part put into its tree before one is used, so that crowds come at once. */
+  private void expect(int part) {
+    if (parts.expected[part]) {
+      return;
+    }
+    parts.expected[part] = true;
+    if (newCount == newParts.length) {
+      newParts = Arrays.copyOf(newParts, newCount * 2);
+    }
+    newParts[newCount++] = part;
+  }
+
+  /** Puts the parts that came into the trees. */
+  void admit() {
+    if (newCount > 0) {
+      admit(moving, false);
+      admit(resting, true);
+      newCount = 0;
+    }
+  }
+
+  private void admit(KdTree tree, boolean restingOnes) {
+    int others = 0;
+    partListCount = 0;
+    for (int i = 0; i < newCount; i++) {
+      int part = newParts[i];
+      int body = parts.body[part];
+      if (body < 0 || bodies.disabled(body)) {
+        parts.expected[part] = false;
+      } else if (rests(body) != restingOnes) {
+        newParts[others++] = part;
+      } else {
+        parts.expected[part] = false;
+        listPart(part);
+      }
+    }
+    newCount = others;
+    tree.addAll(partList, partListCount);
+  }
+
+  private void listParts(int[] which, int count) {
+    partListCount = 0;
+    for (int i = 0; i < count; i++) {
+      int first = bodies.firstPart[which[i]];
+      for (int part = first; part < first + bodies.partCount[which[i]]; part++) {
+        listPart(part);
+      }
+    }
+  }
+
+  private void listPart(int part) {
+    if (partListCount == partList.length) {
+      partList = Arrays.copyOf(partList, partListCount * 2);
+    }
+    partList[partListCount++] = part;
+  }
+
+  // ---------------------------------------------------------------- boxes
+
+  /** Must be called when poses changed. */
+  void posesChanged() {
+    boxesStale = true;
+  }
+
+  /** Must be called when pairs may be missing of which no part moved. */
+  void searchAll() {
+    searchAll = true;
+  }
+
+  /**
+   * Gives every part of an active body whose fat box no longer contains it a new one.
+   *
+   * @param dt length of the last step, s
+   */
+  void refresh(ActiveBodies active, float dt) {
+    if (!boxesStale) {
+      return;
+    }
+    boxesStale = false;
+    for (int i = 0; i < active.count; i++) {
+      int body = active.list[i];
+      place(body);
+      int first = bodies.firstPart[body];
+      int end = first + bodies.partCount[body];
+      for (int part = first; part < end; part++) {
+        if (!holds(part)) {
+          widen(part, dt * bodies.vx[body], dt * bodies.vy[body], active.count);
+          movingStale = true;
+          markMoved(part);
+        }
+      }
+    }
+  }
+
+  private void place(int body) {
+    pose.set(bodies.x[body], bodies.y[body], bodies.cos[body], bodies.sin[body]);
+  }
+
+  /** Whether a part at {@link #pose}, and what it may reach, is within its fat box. */
+  private boolean holds(int part) {
+    parts.convex[part].aabb(pose, box);
+    float reach = 0.5f * settings.speculativeDistance();
+    return parts.fat.contains(
+        part, box.minX - reach, box.minY - reach, box.maxX + reach, box.maxY + reach);
+  }
+
+  /**
+   * Gives a part a new fat box around its box, for some ticks of motion. Where there are few pairs
+   * a roomy box spares searches; in a crowd a needless pair costs more than a search, so the boxes
+   * of what moves fast are hardly larger than it.
+   */
+  private void widen(int part, float wayX, float wayY, int activeCount) {
+    int pairs = contacts.count();
+    float margin = settings.aabbMargin();
+    float ticks = SPARSE_TICKS;
+    if (pairs > CROWDED * activeCount) {
+      margin = Math.abs(wayX) + Math.abs(wayY) > margin ? 0 : margin;
+      ticks = 0;
+    } else if (2 * pairs > activeCount) {
+      ticks = 1;
+    }
+    fatten(part, margin, ticks * wayX, ticks * wayY);
+  }
+
+  /** Sets a part's fat box: {@link #box} with a margin, and room for a way. */
+  private void fatten(int part, float margin, float wayX, float wayY) {
+    float m = margin + 0.5f * settings.speculativeDistance();
+    parts.fat.set(
+        part,
+        box.minX - m + Math.min(wayX, 0),
+        box.minY - m + Math.min(wayY, 0),
+        box.maxX + m + Math.max(wayX, 0),
+        box.maxY + m + Math.max(wayY, 0));
+  }
+
+  /** Has the pairs of all parts of a body searched in the next step. */
+  void searchBody(int body) {
+    int first = bodies.firstPart[body];
+    for (int part = first; part < first + bodies.partCount[body]; part++) {
+      markMoved(part);
+    }
+  }
+
+  private void markMoved(int part) {
+    if (parts.moved[part]) {
+      return;
+    }
+    parts.moved[part] = true;
+    if (movedCount == movedParts.length) {
+      movedParts = Arrays.copyOf(movedParts, Math.max(parts.moved.length, movedCount * 2));
+    }
+    movedParts[movedCount++] = part;
+  }
+
+  /** Makes the fat box of a moving part contain another box, too. */
+  void cover(int part, Aabb other) {
+    AabbArray fat = parts.fat;
+    if (!fat.contains(part, other.minX, other.minY, other.maxX, other.maxY)) {
+      fat.set(
+          part,
+          Math.min(fat.minX(part), other.minX),
+          Math.min(fat.minY(part), other.minY),
+          Math.max(fat.maxX(part), other.maxX),
+          Math.max(fat.maxY(part), other.maxY));
+      movingStale = true;
+      markMoved(part);
+    }
+  }
+
+  /** The tight box of a part, at the pose of its body now. */
+  void tightBox(int part, Aabb out) {
+    place(parts.body[part]);
+    parts.convex[part].aabb(pose, out);
+  }
+
+  // ---------------------------------------------------------------- pairs
+
+  /** Whether filters, joints and types let two parts touch. */
+  boolean mayTouch(int p, int q) {
+    int a = parts.body[p];
+    int b = parts.body[q];
+    return (bodies.invMass[a] != 0 || bodies.invMass[b] != 0)
+        && parts.meet(p, q)
+        && (joints.count() == 0 || !joints.keepsApart(a, b));
+  }
+
+  /** Brings the trees up to the fat boxes. */
+  void refit() {
+    admit();
+    if (movingStale) {
+      moving.refit(movedParts, movedCount);
+      movingStale = false;
+    }
+  }
+
+  /** Brings the contact table's rows up to the fat boxes. */
+  void find() {
+    if (movedCount == 0 && !searchAll) {
+      return;
+    }
+    refit();
+    candidateCount = 0;
+    if (searchAll) {
+      moving.pairs(onPair);
+      moving.join(resting, onPair);
+    } else {
+      boolean each = movedCount <= moving.size() / SEARCH_SHARE;
+      if (!each) {
+        moving.pairs(parts.moved, onPair);
+        moving.join(resting, parts.moved, onPair);
+      }
+      for (int i = 0; i < movedCount; i++) {
+        int part = movedParts[i];
+        boolean moves = moving.contains(part);
+        if ((each && moves) || resting.contains(part)) {
+          searchAround(part, moves);
+        }
+      }
+    }
+    candidates = sorter.sort(candidates, candidateCount);
+    contacts.merge(candidates, candidateCount, bodies, parts, searchAll);
+    for (int i = 0; i < movedCount; i++) {
+      parts.moved[movedParts[i]] = false;
+    }
+    movedCount = 0;
+    searchAll = false;
+  }
+
+  /** Finds what a moved part's fat box overlaps; two parts that rest needn't find each other. */
+  private void searchAround(int part, boolean moves) {
+    searchPart = part;
+    float minX = parts.fat.minX(part);
+    float minY = parts.fat.minY(part);
+    float maxX = parts.fat.maxX(part);
+    float maxY = parts.fat.maxY(part);
+    moving.query(minX, minY, maxX, maxY, onFound);
+    if (moves) {
+      resting.query(minX, minY, maxX, maxY, onFound);
+    }
+  }
+
+  private void candidate(int p, int q) {
+    if (!searchAll && !parts.moved[p] && !parts.moved[q]) {
+      return;
+    }
+    int a = parts.body[p];
+    int b = parts.body[q];
+    if (a == b || !mayTouch(p, q)) {
+      return;
+    }
+    if (a > b) {
+      int swap = a;
+      a = b;
+      b = swap;
+      swap = p;
+      p = q;
+      q = swap;
+    }
+    if (candidateCount == candidates.length) {
+      candidates = Arrays.copyOf(candidates, candidateCount * 2);
+    }
+    candidates[candidateCount++] =
+        ContactKey.of(a, p - bodies.firstPart[a], b, q - bodies.firstPart[b]);
+  }
+
+  // ---------------------------------------------------------------- questions
+
+  /** The tree of the active bodies' parts, as of the last {@link #refit}. */
+  KdTree moving() {
+    return moving;
+  }
+
+  /** The tree of the static and sleeping bodies' parts, as of the last {@link #refit}. */
+  KdTree resting() {
+    return resting;
+  }
+}
