@@ -123,7 +123,7 @@ public final class Body<T> {
    */
   public void setType(BodyType newType) {
     check();
-    world.changeType(this, newType);
+    world.changes().changeType(this, newType);
   }
 
   /**
@@ -147,7 +147,7 @@ public final class Body<T> {
    */
   public void setEnabled(boolean enabled) {
     check();
-    world.enable(this, enabled);
+    world.changes().enable(this, enabled);
   }
 
   /**
@@ -666,7 +666,7 @@ public final class Body<T> {
    */
   public void setMass(float kilograms, float inertia, float centerX, float centerY) {
     check();
-    world.changeMass(this, BodyDef.checkedMass(kilograms, inertia, centerX, centerY));
+    world.changes().changeMass(this, BodyDef.checkedMass(kilograms, inertia, centerX, centerY));
   }
 
   /**
@@ -677,7 +677,7 @@ public final class Body<T> {
    */
   public void computeMass() {
     check();
-    world.changeMass(this, null);
+    world.changes().changeMass(this, null);
   }
 
   /**
@@ -709,7 +709,7 @@ public final class Body<T> {
    */
   public void setFixedRotation(boolean fixed) {
     check();
-    world.fixRotation(this, fixed);
+    world.changes().fixRotation(this, fixed);
   }
 
   /**
@@ -752,7 +752,7 @@ public final class Body<T> {
    */
   public void setMaterial(int i, Material newMaterial) {
     check();
-    world.changeShape(this, i, shape -> shape.withMaterial(newMaterial));
+    world.changes().changeShape(this, i, shape -> shape.withMaterial(newMaterial));
   }
 
   /**
@@ -776,7 +776,7 @@ public final class Body<T> {
    */
   public void setFilter(int i, Filter newFilter) {
     check();
-    world.changeShape(this, i, shape -> shape.withFilter(newFilter));
+    world.changes().changeShape(this, i, shape -> shape.withFilter(newFilter));
   }
 
   /**
@@ -800,7 +800,7 @@ public final class Body<T> {
    */
   public void setSensor(int i, boolean sensor) {
     check();
-    world.changeShape(this, i, shape -> shape.withSensor(sensor));
+    world.changes().changeShape(this, i, shape -> shape.withSensor(sensor));
   }
 
   /**

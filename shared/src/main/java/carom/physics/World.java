@@ -14,7 +14,6 @@ import carom.physics.dynamics.JointStore;
 import carom.physics.dynamics.Settings;
 import carom.physics.dynamics.ShapeSpec;
 import carom.physics.dynamics.StageListener;
-import carom.physics.dynamics.Stamp;
 import carom.physics.geometry.MassData;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
@@ -22,7 +21,6 @@ import carom.physics.math.Trig;
 import carom.physics.threads.Workers;
 import java.util.Arrays;
 import java.util.function.Consumer;
-import java.util.function.UnaryOperator;
 
 /**
  * A rigid-body world: create bodies, step, look.
@@ -34,28 +32,6 @@ import java.util.function.UnaryOperator;
  * @param <T> what bodies stand for in the user's program, see {@link Body#user()}
  */
 public final class World<T> {
-  private static final byte DESTROY_BODY = 0;
-  private static final byte DESTROY_JOINT = 1;
-  private static final byte ENABLE = 2;
-  private static final byte DISABLE = 3;
-
-  /** Plus the new type's code. */
-  private static final byte CHANGE_TYPE = 4;
-
-  private static final byte CHANGE_SHAPE = 7;
-  private static final byte CHANGE_MASS = 8;
-  private static final byte FIX_ROTATION = 9;
-  private static final byte FREE_ROTATION = 10;
-
-  /** Another material, filter or kind for one of a body's shapes. */
-  private record ShapeChange(int shape, UnaryOperator<ShapeDef> how) {
-    ShapeDef[] of(ShapeDef[] shapes) {
-      ShapeDef[] changed = shapes.clone();
-      changed[shape] = how.apply(shapes[shape]);
-      return changed;
-    }
-  }
-
   private final WorldDef def;
   private final Dynamics dynamics;
   private final BodyStore store;
@@ -63,38 +39,16 @@ public final class World<T> {
   private final JointStore joints;
   private final Events events = new Events();
   private final Queries<T> queries;
+  private final Handles<T> handles = new Handles<>();
+  private final Changes<T> changes;
   private long moves;
   private final JointEvents onBroke = this::broke;
-
-  /** Handles by slot; those of free slots are null. */
-  private Object[] handles = new Object[64];
-
-  /** What bodies consist of, by slot, and what they weigh if it isn't computed from that. */
-  private ShapeDef[][] shapes = new ShapeDef[64][];
-
-  private MassData[] ownMasses = new MassData[64];
-
-  private Object[] jointHandles = new Object[0];
-
-  /** Changes whenever a body comes, goes, or changes what the broadphase knows of it. */
-  private final Stamp structure = new Stamp();
-
-  /** Changes whenever a joint comes or goes. */
-  private final Stamp jointStructure = new Stamp();
 
   private CollisionListener<T> listener;
   private JointListener<T> jointListener;
 
   private boolean stepping;
   private boolean querying;
-
-  /** What was asked for in a callback: what, to which slot of which generation. */
-  private byte[] pending = new byte[8];
-
-  private int[] pendingSlot = new int[8];
-  private int[] pendingGeneration = new int[8];
-  private Object[] pendingValue = new Object[8];
-  private int pendingCount;
 
   private final Aabb box = new Aabb();
   private final Aabb queryBox = new Aabb();
@@ -137,6 +91,7 @@ public final class World<T> {
     joints = dynamics.joints();
     collision = new Collision<>(this, dynamics.contacts());
     queries = new Queries<>(this, null);
+    changes = new Changes<>(this, dynamics, handles);
   }
 
   /**
@@ -195,16 +150,8 @@ public final class World<T> {
       store.flags[slot] |= BodyStore.SLEEPLESS;
     }
     dynamics.enter(slot, bodyDef.awake);
-    if (slot >= handles.length) {
-      handles = Arrays.copyOf(handles, Math.max(slot + 1, handles.length * 2));
-      shapes = Arrays.copyOf(shapes, handles.length);
-      ownMasses = Arrays.copyOf(ownMasses, handles.length);
-    }
-    shapes[slot] = given;
-    ownMasses[slot] = bodyDef.mass;
     Body<T> body = new Body<>(this, store, slot, store.generation[slot], bodyDef.type, given, user);
-    handles[slot] = body;
-    structure.change();
+    handles.put(body, given, bodyDef.mass);
     return body;
   }
 
@@ -229,7 +176,7 @@ public final class World<T> {
     return specs;
   }
 
-  private static byte code(BodyType type) {
+  static byte code(BodyType type) {
     return switch (type) {
       case STATIC -> BodyStore.STATIC;
       case KINEMATIC -> BodyStore.KINEMATIC;
@@ -247,141 +194,28 @@ public final class World<T> {
   public void destroyBody(Body<T> body) {
     refuseDuringQuery("destroyBody");
     own(body);
-    request(DESTROY_BODY, body.index(), body.generation(), null);
-  }
-
-  /** Has something done now, or at the end of the step. */
-  private void request(byte what, int slot, int generation, Object value) {
-    if (pendingCount == pending.length) {
-      pending = Arrays.copyOf(pending, pendingCount * 2);
-      pendingSlot = Arrays.copyOf(pendingSlot, pendingCount * 2);
-      pendingGeneration = Arrays.copyOf(pendingGeneration, pendingCount * 2);
-      pendingValue = Arrays.copyOf(pendingValue, pendingCount * 2);
-    }
-    pending[pendingCount] = what;
-    pendingSlot[pendingCount] = slot;
-    pendingValue[pendingCount] = value;
-    pendingGeneration[pendingCount++] = generation;
-    if (!stepping) {
-      stepping = true;
-      try {
-        carryOut();
-      } finally {
-        stepping = false;
-      }
-    }
-  }
-
-  /** Does what was asked for; end callbacks may ask for more. */
-  private void carryOut() {
-    try {
-      for (int i = 0; i < pendingCount; i++) {
-        int slot = pendingSlot[i];
-        int generation = pendingGeneration[i];
-        if (pending[i] == DESTROY_JOINT) {
-          if (joints.alive(slot, generation)) {
-            removeJoint(slot);
-          }
-        } else if (store.alive(slot, generation)) {
-          carryOut(pending[i], slot, pendingValue[i]);
-        }
-      }
-    } finally {
-      Arrays.fill(pendingValue, 0, pendingCount, null);
-      pendingCount = 0;
-    }
-  }
-
-  private void carryOut(byte what, int slot, Object value) {
-    switch (what) {
-      case DESTROY_BODY -> removeBody(slot);
-      case ENABLE, DISABLE -> dynamics.setEnabled(slot, what == ENABLE);
-      case CHANGE_SHAPE -> changeShape(slot, (ShapeChange) value);
-      case CHANGE_MASS -> {
-        dynamics.change(slot, specs(shapes[slot]), (MassData) value);
-        ownMasses[slot] = (MassData) value;
-      }
-      case FIX_ROTATION, FREE_ROTATION -> {
-        dynamics.setFixedRotation(slot, what == FIX_ROTATION);
-        dynamics.change(slot, specs(shapes[slot]), ownMasses[slot]);
-      }
-      default ->
-          dynamics.setType(slot, (byte) (what - CHANGE_TYPE), specs(shapes[slot]), ownMasses[slot]);
-    }
-    structure.change();
-  }
-
-  private void changeShape(int slot, ShapeChange change) {
-    ShapeDef[] changed = change.of(shapes[slot]);
-    if (changed[change.shape].sensor() != shapes[slot][change.shape].sensor()) {
-      dynamics.endContacts(slot, listener == null ? null : events);
-    }
-    dynamics.change(slot, specs(changed), ownMasses[slot]);
-    shapes[slot] = changed;
-  }
-
-  void enable(Body<T> body, boolean enabled) {
-    refuseDuringQuery("setEnabled");
-    request(enabled ? ENABLE : DISABLE, body.index(), body.generation(), null);
-  }
-
-  void changeType(Body<T> body, BodyType type) {
-    refuseDuringQuery("setType");
-    if (type == BodyType.DYNAMIC) {
-      Dynamics.checkMass(body.specs(), ownMass(body.index()));
-    }
-    request((byte) (CHANGE_TYPE + code(type)), body.index(), body.generation(), null);
-  }
-
-  void changeShape(Body<T> body, int shape, UnaryOperator<ShapeDef> how) {
-    refuseDuringQuery("changing a shape");
-    if (shape < 0 || shape >= body.shapeCount()) {
-      throw new IndexOutOfBoundsException(
-          "shape=" + shape + " is outside 0.." + (body.shapeCount() - 1) + "; see shapeCount()");
-    }
-    ShapeChange change = new ShapeChange(shape, how);
-    ShapeDef[] changed = change.of(shapes(body.index()));
-    if (body.type() == BodyType.DYNAMIC) {
-      Dynamics.checkMass(specs(changed), ownMass(body.index()));
-    }
-    request(CHANGE_SHAPE, body.index(), body.generation(), change);
-  }
-
-  void changeMass(Body<T> body, MassData ownOrNull) {
-    refuseDuringQuery("setMass");
-    if (body.type() == BodyType.DYNAMIC) {
-      Dynamics.checkMass(body.specs(), ownOrNull);
-    }
-    request(CHANGE_MASS, body.index(), body.generation(), ownOrNull);
-  }
-
-  void fixRotation(Body<T> body, boolean fixed) {
-    refuseDuringQuery("setFixedRotation");
-    request(fixed ? FIX_ROTATION : FREE_ROTATION, body.index(), body.generation(), null);
+    changes.destroy(body);
   }
 
   ShapeDef[] shapes(int slot) {
-    return shapes[slot];
+    return handles.shapes(slot);
   }
 
   MassData ownMass(int slot) {
-    return ownMasses[slot];
+    return handles.ownMass(slot);
   }
 
-  private void removeBody(int slot) {
+  void removeBody(int slot) {
     while (joints.firstEnd(slot) >= 0) {
       removeJoint(joints.firstEnd(slot) >> 1);
     }
-    dynamics.destroy(slot, listener == null ? null : events);
-    handles[slot] = null;
-    shapes[slot] = null;
-    ownMasses[slot] = null;
+    dynamics.destroy(slot, contactEvents());
+    handles.removeBody(slot);
   }
 
-  private void removeJoint(int slot) {
+  void removeJoint(int slot) {
     dynamics.destroyJoint(slot);
-    jointHandles[slot] = null;
-    jointStructure.change();
+    handles.removeJoint(slot);
   }
 
   /**
@@ -400,74 +234,14 @@ public final class World<T> {
     }
     int a = d.bodyA == null ? -1 : d.bodyA.index();
     int b = d.bodyB.index();
-    float cA = a < 0 ? 1 : store.cos[a];
-    float sA = a < 0 ? 0 : store.sin[a];
     int j = dynamics.createJoint((byte) d.type.ordinal(), a, b);
-    joints.flags[j] = d.flags();
-    joints.anchorAx[j] = a < 0 ? d.ax : localX(a, d.ax, d.ay);
-    joints.anchorAy[j] = a < 0 ? d.ay : localY(a, d.ax, d.ay);
-    joints.anchorBx[j] = localX(b, d.bx, d.by);
-    joints.anchorBy[j] = localY(b, d.bx, d.by);
-    joints.axisX[j] = cA * d.axisX + sA * d.axisY;
-    joints.axisY[j] = cA * d.axisY - sA * d.axisX;
-    joints.refCos[j] = store.cos[b] * cA + store.sin[b] * sA;
-    joints.refSin[j] = store.sin[b] * cA - store.cos[b] * sA;
-    joints.rest[j] = d.rest;
-    couple(d, j);
-    if (!d.restGiven && d.type == JointType.DISTANCE) {
-      joints.rest[j] = length(d.bx - d.ax, d.by - d.ay);
-    }
-    joints.lower[j] = d.lower;
-    joints.upper[j] = d.upper;
-    joints.motorSpeed[j] = d.motorSpeed;
-    joints.motorMax[j] = d.motorMax;
-    joints.hertz[j] = d.hertz;
-    joints.damping[j] = d.damping;
-    joints.angularHertz[j] = d.angularHertz;
-    joints.angularDamping[j] = d.angularDamping;
-    joints.maxForce[j] = d.maxForce;
-    joints.maxTorque[j] = d.maxTorque;
-    joints.breakForce[j] = d.breakForce;
-    joints.breakTorque[j] = d.breakTorque;
+    new JointMaker(store, joints).fill(j, d);
     if (d.breakForce < Float.POSITIVE_INFINITY || d.breakTorque < Float.POSITIVE_INFINITY) {
       dynamics.watchBreaking();
     }
-    if (j >= jointHandles.length) {
-      jointHandles = Arrays.copyOf(jointHandles, Math.max(j + 1, jointHandles.length * 2));
-    }
     Joint<T> joint = new Joint<>(this, joints, j, d.type);
-    jointHandles[j] = joint;
-    jointStructure.change();
+    handles.put(joint);
     return joint;
-  }
-
-  /** Takes over where the coordinates of gear, rack and pulley count from. */
-  private void couple(JointDef<T> d, int j) {
-    joints.ratio[j] = d.ratio;
-    joints.baseAx[j] = d.baseAx;
-    joints.baseAy[j] = d.baseAy;
-    joints.baseBx[j] = d.baseBx;
-    joints.baseBy[j] = d.baseBy;
-    if (d.type == JointType.GEAR) {
-      joints.baseAx[j] = d.bodyA.cos();
-      joints.baseAy[j] = d.bodyA.sin();
-      joints.baseBx[j] = d.bodyB.cos();
-      joints.baseBy[j] = d.bodyB.sin();
-    } else if (d.type == JointType.RACK) {
-      float c = d.bodyB.cos();
-      float s = d.bodyB.sin();
-      joints.axisX[j] = c * d.axisX + s * d.axisY;
-      joints.axisY[j] = c * d.axisY - s * d.axisX;
-      joints.rest[j] = (d.bx - d.ax) * d.axisX + (d.by - d.ay) * d.axisY;
-    } else if (d.type == JointType.PULLEY && !d.restGiven) {
-      joints.rest[j] =
-          length(d.ax - d.baseAx, d.ay - d.baseAy)
-              + d.ratio * length(d.bx - d.baseBx, d.by - d.baseBy);
-    }
-  }
-
-  private static float length(float x, float y) {
-    return (float) Math.sqrt(x * x + y * y);
   }
 
   private void own(Body<T> body) {
@@ -475,19 +249,6 @@ public final class World<T> {
     if (body.world() != this) {
       throw new IllegalArgumentException("body=" + body + " belongs to another world");
     }
-  }
-
-  /** A point of the world in a body's frame. */
-  private float localX(int body, float x, float y) {
-    float dx = x - store.x[body];
-    float dy = y - store.y[body];
-    return store.localX[body] + (store.cos[body] * dx + store.sin[body] * dy);
-  }
-
-  private float localY(int body, float x, float y) {
-    float dx = x - store.x[body];
-    float dy = y - store.y[body];
-    return store.localY[body] + (store.cos[body] * dy - store.sin[body] * dx);
   }
 
   /**
@@ -502,7 +263,7 @@ public final class World<T> {
     if (joint.world() != this) {
       throw new IllegalArgumentException("joint=" + joint + " belongs to another world");
     }
-    request(DESTROY_JOINT, joint.index(), joint.generation(), null);
+    changes.destroy(joint);
   }
 
   /**
@@ -520,9 +281,8 @@ public final class World<T> {
    * @param index see {@link Joint#index()}
    * @return null if there is none
    */
-  @SuppressWarnings("unchecked")
   public Joint<T> joint(int index) {
-    return index >= 0 && index < jointHandles.length ? (Joint<T>) jointHandles[index] : null;
+    return handles.joint(index);
   }
 
   /**
@@ -563,7 +323,7 @@ public final class World<T> {
     if (jointListener != null) {
       jointListener.broke(joint);
     }
-    request(DESTROY_JOINT, slot, joint.generation(), null);
+    changes.destroy(joint);
   }
 
   /**
@@ -581,11 +341,11 @@ public final class World<T> {
     stepping = true;
     try {
       moves++;
-      dynamics.step(dtSeconds, listener == null ? null : events, onBroke);
-      carryOut();
+      dynamics.step(dtSeconds, contactEvents(), onBroke);
+      changes.carryOut();
     } finally {
       stepping = false;
-      pendingCount = 0;
+      changes.forget();
     }
   }
 
@@ -670,35 +430,8 @@ public final class World<T> {
     refuseDuringStep("save");
     WorldState s = reuseOrNull == null ? new WorldState(this) : reuseOrNull;
     checkOwner(s);
-    dynamics.save(s.dynamics, structure.same(s.structure));
-    if (!structure.same(s.structure)) {
-      int slots = store.slots();
-      if (s.handles.length < slots) {
-        s.handles = new Object[handles.length];
-        s.shapes = new ShapeDef[handles.length][];
-        s.ownMasses = new MassData[handles.length];
-      } else if (s.slots > slots) {
-        Arrays.fill(s.handles, slots, s.slots, null);
-        Arrays.fill(s.shapes, slots, s.slots, null);
-        Arrays.fill(s.ownMasses, slots, s.slots, null);
-      }
-      System.arraycopy(handles, 0, s.handles, 0, slots);
-      System.arraycopy(shapes, 0, s.shapes, 0, slots);
-      System.arraycopy(ownMasses, 0, s.ownMasses, 0, slots);
-      s.slots = slots;
-      structure.copyTo(s.structure);
-    }
-    if (!jointStructure.same(s.jointStructure)) {
-      int slots = joints.slots();
-      if (s.jointHandles.length < slots) {
-        s.jointHandles = new Object[jointHandles.length];
-      } else if (s.jointSlots > slots) {
-        Arrays.fill(s.jointHandles, slots, s.jointSlots, null);
-      }
-      System.arraycopy(jointHandles, 0, s.jointHandles, 0, slots);
-      s.jointSlots = slots;
-      jointStructure.copyTo(s.jointStructure);
-    }
+    dynamics.save(s.dynamics, handles.sameBodies(s.handles));
+    handles.copyTo(s.handles, store.slots(), joints.slots());
     return s;
   }
 
@@ -716,23 +449,8 @@ public final class World<T> {
     refuseDuringQuery("restore");
     checkOwner(s);
     moves++;
-    dynamics.restore(s.dynamics, structure.same(s.structure));
-    if (!structure.same(s.structure)) {
-      int slots = store.slots();
-      System.arraycopy(s.handles, 0, handles, 0, slots);
-      Arrays.fill(handles, slots, handles.length, null);
-      System.arraycopy(s.shapes, 0, shapes, 0, slots);
-      Arrays.fill(shapes, slots, shapes.length, null);
-      System.arraycopy(s.ownMasses, 0, ownMasses, 0, slots);
-      Arrays.fill(ownMasses, slots, ownMasses.length, null);
-      s.structure.copyTo(structure);
-    }
-    if (!jointStructure.same(s.jointStructure)) {
-      int slots = joints.slots();
-      System.arraycopy(s.jointHandles, 0, jointHandles, 0, slots);
-      Arrays.fill(jointHandles, slots, jointHandles.length, null);
-      s.jointStructure.copyTo(jointStructure);
-    }
+    dynamics.restore(s.dynamics, handles.sameBodies(s.handles));
+    s.handles.copyTo(handles, store.slots(), joints.slots());
   }
 
   /**
@@ -817,9 +535,8 @@ public final class World<T> {
    * @param index see {@link Body#index()}
    * @return null if there is none
    */
-  @SuppressWarnings("unchecked")
   public Body<T> body(int index) {
-    return index >= 0 && index < handles.length ? (Body<T>) handles[index] : null;
+    return handles.body(index);
   }
 
   /**
@@ -1086,6 +803,26 @@ public final class World<T> {
     return new Queries<>(this, poses);
   }
 
+  Changes<T> changes() {
+    return changes;
+  }
+
+  /** Who hears of contacts that end because a body goes or changes, null for nobody. */
+  ContactEvents contactEvents() {
+    return listener == null ? null : events;
+  }
+
+  /** Begins what callbacks may not disturb; answers false if it has begun already. */
+  boolean beginChanges() {
+    boolean begins = !stepping;
+    stepping = true;
+    return begins;
+  }
+
+  void endChanges() {
+    stepping = false;
+  }
+
   void beginQuery(String what) {
     refuseDuringQuery(what);
     querying = true;
@@ -1101,7 +838,7 @@ public final class World<T> {
     }
   }
 
-  private void refuseDuringQuery(String what) {
+  void refuseDuringQuery(String what) {
     if (querying) {
       throw new IllegalStateException(what + " is not possible while a query visits bodies");
     }

@@ -1,8 +1,6 @@
 package carom.physics;
 
 import carom.physics.dynamics.DynamicsState;
-import carom.physics.dynamics.Stamp;
-import carom.physics.geometry.MassData;
 
 /**
  * A world at one moment: a handful of arrays, made by {@link World#save} and taken over by {@link
@@ -14,14 +12,7 @@ import carom.physics.geometry.MassData;
 public final class WorldState {
   final Object owner;
   final DynamicsState dynamics = new DynamicsState();
-  Object[] handles = new Object[0];
-  ShapeDef[][] shapes = new ShapeDef[0][];
-  MassData[] ownMasses = new MassData[0];
-  int slots;
-  Object[] jointHandles = new Object[0];
-  int jointSlots;
-  final Stamp structure = new Stamp();
-  final Stamp jointStructure = new Stamp();
+  final Handles<?> handles = new Handles<>();
 
   WorldState(Object owner) {
     this.owner = owner;

@@ -1,0 +1,125 @@
+package carom.physics;
+
+import carom.physics.dynamics.Stamp;
+import carom.physics.geometry.MassData;
+import java.util.Arrays;
+
+/**
+ * The objects that stand for bodies and joints, by slot, with what bodies were made of. The living
+ * ones belong to a world, copies to its saved states; a copy is only made anew if something came,
+ * went or changed.
+ */
+final class Handles<T> {
+  private Object[] bodies = new Object[64];
+
+  /** What bodies consist of, and what they weigh if it isn't computed from that. */
+  private ShapeDef[][] shapes = new ShapeDef[64][];
+
+  private MassData[] ownMasses = new MassData[64];
+  private Object[] joints = new Object[16];
+
+  /** Changes whenever a body comes, goes, or changes what the broadphase knows of it. */
+  private final Stamp structure = new Stamp();
+
+  /** Changes whenever a joint comes or goes. */
+  private final Stamp jointStructure = new Stamp();
+
+  @SuppressWarnings("unchecked")
+  Body<T> body(int slot) {
+    return slot >= 0 && slot < bodies.length ? (Body<T>) bodies[slot] : null;
+  }
+
+  @SuppressWarnings("unchecked")
+  Joint<T> joint(int slot) {
+    return slot >= 0 && slot < joints.length ? (Joint<T>) joints[slot] : null;
+  }
+
+  ShapeDef[] shapes(int slot) {
+    return shapes[slot];
+  }
+
+  void shapes(int slot, ShapeDef[] changed) {
+    shapes[slot] = changed;
+  }
+
+  MassData ownMass(int slot) {
+    return ownMasses[slot];
+  }
+
+  void ownMass(int slot, MassData changed) {
+    ownMasses[slot] = changed;
+  }
+
+  void put(Body<T> body, ShapeDef[] itsShapes, MassData itsOwnMass) {
+    int slot = body.index();
+    ensureBodies(slot + 1);
+    bodies[slot] = body;
+    shapes[slot] = itsShapes;
+    ownMasses[slot] = itsOwnMass;
+    structure.change();
+  }
+
+  void put(Joint<T> joint) {
+    ensureJoints(joint.index() + 1);
+    joints[joint.index()] = joint;
+    jointStructure.change();
+  }
+
+  void removeBody(int slot) {
+    bodies[slot] = null;
+    shapes[slot] = null;
+    ownMasses[slot] = null;
+    structure.change();
+  }
+
+  void removeJoint(int slot) {
+    joints[slot] = null;
+    jointStructure.change();
+  }
+
+  void bodiesChanged() {
+    structure.change();
+  }
+
+  /** Whether no body came, went or changed since one was copied to the other. */
+  boolean sameBodies(Handles<?> other) {
+    return structure.same(other.structure);
+  }
+
+  /** Overwrites other handles as far as they differ. */
+  void copyTo(Handles<?> to, int slots, int jointSlots) {
+    if (!structure.same(to.structure)) {
+      to.ensureBodies(slots);
+      copy(bodies, to.bodies, slots);
+      copy(shapes, to.shapes, slots);
+      copy(ownMasses, to.ownMasses, slots);
+      structure.copyTo(to.structure);
+    }
+    if (!jointStructure.same(to.jointStructure)) {
+      to.ensureJoints(jointSlots);
+      copy(joints, to.joints, jointSlots);
+      jointStructure.copyTo(to.jointStructure);
+    }
+  }
+
+  private static void copy(Object[] from, Object[] to, int count) {
+    int n = Math.min(count, from.length); // beyond, there never was anything
+    System.arraycopy(from, 0, to, 0, n);
+    Arrays.fill(to, n, to.length, null);
+  }
+
+  private void ensureBodies(int slots) {
+    if (slots > bodies.length) {
+      int capacity = Math.max(slots, 2 * bodies.length);
+      bodies = Arrays.copyOf(bodies, capacity);
+      shapes = Arrays.copyOf(shapes, capacity);
+      ownMasses = Arrays.copyOf(ownMasses, capacity);
+    }
+  }
+
+  private void ensureJoints(int slots) {
+    if (slots > joints.length) {
+      joints = Arrays.copyOf(joints, Math.max(slots, 2 * joints.length));
+    }
+  }
+}
