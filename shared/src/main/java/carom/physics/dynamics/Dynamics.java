@@ -51,10 +51,6 @@ public final class Dynamics {
   private static final int ASK_SLEEP = 2;
   private static final int ASKED = 3;
 
-  private static final int JOINTS_WARM = 0;
-  private static final int JOINTS_PUSH = 1;
-  private static final int JOINTS_RELAX = 2;
-
   private final Settings settings;
   private final BodyStore bodies = new BodyStore();
   private final ShapeTable parts = new ShapeTable();
@@ -62,9 +58,7 @@ public final class Dynamics {
   private final ContactTable contacts = new ContactTable();
   private final JointStore joints = new JointStore();
   private final Crew crew = new Crew();
-  private final SolverBodies solverBodies = new SolverBodies(crew);
-  private final ContactSolver solver = new ContactSolver(ContactLanes.find(), crew);
-  private final JointSolver jointSolver = new JointSolver(PinLanes.find(), crew);
+  private final Substeps substeps;
   private final ContinuousCollision continuous;
   private final PairFinder pairs;
   private final CollideStage collideStage;
@@ -135,6 +129,7 @@ public final class Dynamics {
     continuous = new ContinuousCollision(this, pairs, settings, bodies, active, parts, contacts);
     collideStage = new CollideStage(this, settings, bodies, parts, contacts, crew, continuous);
     eventStage = new EventStage(settings, bodies, contacts);
+    substeps = new Substeps(settings, bodies, active, contacts, joints, crew);
   }
 
   /**
@@ -745,7 +740,7 @@ public final class Dynamics {
       eventStage.beforeSolving(events);
     }
     collideStage.holdBack();
-    solve(dt);
+    substeps.run(dt);
     pairs.posesChanged();
     begins(StepStage.CONTINUOUS);
     stopFast();
@@ -774,6 +769,7 @@ public final class Dynamics {
    */
   public void stageListener(StageListener listener) {
     stages = listener;
+    substeps.stageListener(listener);
   }
 
   private void begins(StepStage stage) {
@@ -938,7 +934,7 @@ public final class Dynamics {
 
   /** Stops fast bodies at what they would have passed through. */
   private void stopFast() {
-    if (!settings.continuous() || !continuous.collect(solverBodies)) {
+    if (!settings.continuous() || !continuous.collect(substeps.solverBodies)) {
       return;
     }
     if (continuous.prepare()) {
@@ -948,59 +944,6 @@ public final class Dynamics {
     pairs.refit();
     continuous.settle(pairs.moving(), pairs.resting());
     pairs.posesChanged();
-  }
-
-  private void solveJoints(int pass) {
-    if (jointSolver.count() == 0) {
-      return;
-    }
-    begins(StepStage.JOINTS);
-    boolean contactsToo = solver.blocks() > 0;
-    if (contactsToo) {
-      solverBodies.mark();
-    }
-    switch (pass) {
-      case JOINTS_WARM -> jointSolver.warmStart();
-      case JOINTS_PUSH -> jointSolver.push();
-      default -> jointSolver.relax();
-    }
-    if (contactsToo) {
-      solverBodies.except();
-    }
-  }
-
-  private void solve(float dt) {
-    int substeps = settings.substeps();
-    float h = dt / substeps;
-    begins(StepStage.PREPARE);
-    solverBodies.load(bodies, active.list, active.count, settings, h);
-    solver.prepare(contacts, bodies, solverBodies, active.index, settings, h);
-    begins(StepStage.JOINTS);
-    jointSolver.prepare(joints, bodies, active.index, settings, h, solverBodies);
-    for (int i = 0; i < substeps; i++) {
-      boolean warm = i > 0 && !settings.explicitEuler() && solver.blocks() > 0;
-      begins(StepStage.INTEGRATE);
-      solverBodies.integrateVelocities(warm);
-      solveJoints(JOINTS_WARM);
-      if (!warm) {
-        begins(StepStage.WARM);
-        solver.warmStart();
-      }
-      solveJoints(JOINTS_PUSH);
-      begins(StepStage.SOLVE);
-      solver.push();
-      begins(StepStage.INTEGRATE);
-      solverBodies.integratePositions();
-      solveJoints(JOINTS_RELAX);
-      begins(StepStage.RELAX);
-      solver.relax();
-    }
-    begins(StepStage.BOUNCE);
-    solver.restitution();
-    begins(StepStage.FINISH);
-    solver.store();
-    jointSolver.store();
-    solverBodies.store();
   }
 
   /**

@@ -20,7 +20,7 @@ import java.util.Arrays;
  * after that, finds them, and {@link #warmStart} and {@link #push} of the next substep find them
  * where it left them, with the inverse of the mass; in the first substep {@link #ready} did.
  *
- * <p>Laid out as {@link ContactSolver} lays out contacts: all quantities of a block follow each
+ * <p>Laid out as {@link ContactBlocks} lays out contacts: all quantities of a block follow each
  * other, each for all its lanes.
  */
 final class PinSolver {

@@ -1,33 +1,33 @@
 package carom.physics.dynamics;
 
-import static carom.physics.dynamics.ContactSolver.CROSS;
-import static carom.physics.dynamics.ContactSolver.EXTRA;
-import static carom.physics.dynamics.ContactSolver.FIRST;
-import static carom.physics.dynamics.ContactSolver.FRICTION;
-import static carom.physics.dynamics.ContactSolver.GAP;
-import static carom.physics.dynamics.ContactSolver.INERTIA_A;
-import static carom.physics.dynamics.ContactSolver.INERTIA_B;
-import static carom.physics.dynamics.ContactSolver.LANES;
-import static carom.physics.dynamics.ContactSolver.MASS_A;
-import static carom.physics.dynamics.ContactSolver.MASS_B;
-import static carom.physics.dynamics.ContactSolver.NORMAL;
-import static carom.physics.dynamics.ContactSolver.NORMAL_ARM_A;
-import static carom.physics.dynamics.ContactSolver.NORMAL_ARM_B;
-import static carom.physics.dynamics.ContactSolver.NX;
-import static carom.physics.dynamics.ContactSolver.NY;
-import static carom.physics.dynamics.ContactSolver.RECORD;
-import static carom.physics.dynamics.ContactSolver.ROUND_A;
-import static carom.physics.dynamics.ContactSolver.ROUND_B;
-import static carom.physics.dynamics.ContactSolver.SECOND;
-import static carom.physics.dynamics.ContactSolver.SEPARATION;
-import static carom.physics.dynamics.ContactSolver.SLIDE;
-import static carom.physics.dynamics.ContactSolver.SURFACE;
-import static carom.physics.dynamics.ContactSolver.TANGENT;
-import static carom.physics.dynamics.ContactSolver.TANGENT_ARM_A;
-import static carom.physics.dynamics.ContactSolver.TANGENT_ARM_B;
-import static carom.physics.dynamics.ContactSolver.TANGENT_MASS;
-import static carom.physics.dynamics.ContactSolver.TOTAL;
-import static carom.physics.dynamics.ContactSolver.YIELD;
+import static carom.physics.dynamics.ContactBlocks.CROSS;
+import static carom.physics.dynamics.ContactBlocks.EXTRA;
+import static carom.physics.dynamics.ContactBlocks.FIRST;
+import static carom.physics.dynamics.ContactBlocks.FRICTION;
+import static carom.physics.dynamics.ContactBlocks.GAP;
+import static carom.physics.dynamics.ContactBlocks.INERTIA_A;
+import static carom.physics.dynamics.ContactBlocks.INERTIA_B;
+import static carom.physics.dynamics.ContactBlocks.LANES;
+import static carom.physics.dynamics.ContactBlocks.MASS_A;
+import static carom.physics.dynamics.ContactBlocks.MASS_B;
+import static carom.physics.dynamics.ContactBlocks.NORMAL;
+import static carom.physics.dynamics.ContactBlocks.NORMAL_ARM_A;
+import static carom.physics.dynamics.ContactBlocks.NORMAL_ARM_B;
+import static carom.physics.dynamics.ContactBlocks.NX;
+import static carom.physics.dynamics.ContactBlocks.NY;
+import static carom.physics.dynamics.ContactBlocks.RECORD;
+import static carom.physics.dynamics.ContactBlocks.ROUND_A;
+import static carom.physics.dynamics.ContactBlocks.ROUND_B;
+import static carom.physics.dynamics.ContactBlocks.SECOND;
+import static carom.physics.dynamics.ContactBlocks.SEPARATION;
+import static carom.physics.dynamics.ContactBlocks.SLIDE;
+import static carom.physics.dynamics.ContactBlocks.SURFACE;
+import static carom.physics.dynamics.ContactBlocks.TANGENT;
+import static carom.physics.dynamics.ContactBlocks.TANGENT_ARM_A;
+import static carom.physics.dynamics.ContactBlocks.TANGENT_ARM_B;
+import static carom.physics.dynamics.ContactBlocks.TANGENT_MASS;
+import static carom.physics.dynamics.ContactBlocks.TOTAL;
+import static carom.physics.dynamics.ContactBlocks.YIELD;
 
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
@@ -104,20 +104,20 @@ final class VectorLanes extends ContactLanes {
 
   @Override
   void push(ContactSolver solver, float[] v, float[] s, int block) {
-    float[] d = solver.data;
+    float[] d = solver.blocks.data;
     int at = block * RECORD;
-    int traits = solver.traits[block];
-    int softness = traits & (ContactSolver.TWO | ContactSolver.FIXED);
+    int traits = solver.blocks.traits[block];
+    int softness = traits & (ContactBlocks.TWO | ContactBlocks.FIXED);
     float rate = solver.biasRate[softness];
-    gather(s, v, solver.bodyA, solver.bodyB, block * LANES);
+    gather(s, v, solver.blocks.bodyA, solver.blocks.bodyB, block * LANES);
     turnToFrame(s, d, at);
-    if ((traits & ContactSolver.MOVING_SURFACE) != 0) {
-      surface(s, solver.extra, block * EXTRA);
+    if ((traits & ContactBlocks.MOVING_SURFACE) != 0) {
+      surface(s, solver.blocks.extra, block * EXTRA);
     }
     soften(s, d, at, solver.soft[softness]);
     urge(s, d, at + FIRST, 0, rate, solver.inverseH, solver.slop, solver.maxPush);
     friction(s, d, at, at + FIRST);
-    if ((traits & ContactSolver.TWO) != 0) {
+    if ((traits & ContactBlocks.TWO) != 0) {
       urge(s, d, at + SECOND, LANES, rate, solver.inverseH, solver.slop, solver.maxPush);
       friction(s, d, at, at + SECOND);
       pressBoth(s, d, at);
@@ -132,21 +132,21 @@ final class VectorLanes extends ContactLanes {
 
   @Override
   void relax(ContactSolver solver, float[] v, float[] s, int block) {
-    float[] d = solver.data;
+    float[] d = solver.blocks.data;
     int at = block * RECORD;
-    int traits = solver.traits[block];
-    gather(s, v, solver.bodyA, solver.bodyB, block * LANES);
-    gatherMotion(s, v, solver.bodyA, solver.bodyB, block * LANES);
+    int traits = solver.blocks.traits[block];
+    gather(s, v, solver.blocks.bodyA, solver.blocks.bodyB, block * LANES);
+    gatherMotion(s, v, solver.blocks.bodyA, solver.blocks.bodyB, block * LANES);
     turnToFrame(s, d, at);
     move(s, d, at);
-    if ((traits & ContactSolver.MOVING_SURFACE) != 0) {
-      surface(s, solver.extra, block * EXTRA);
+    if ((traits & ContactBlocks.MOVING_SURFACE) != 0) {
+      surface(s, solver.blocks.extra, block * EXTRA);
     }
-    if ((traits & ContactSolver.ROUND) != 0) {
-      round(s, solver.extra, block * EXTRA);
+    if ((traits & ContactBlocks.ROUND) != 0) {
+      round(s, solver.blocks.extra, block * EXTRA);
     }
     room(s, d, at + FIRST, 0, solver.inverseH);
-    if ((traits & ContactSolver.TWO) != 0) {
+    if ((traits & ContactBlocks.TWO) != 0) {
       room(s, d, at + SECOND, LANES, solver.inverseH);
       pressBoth(s, d, at);
       turnBoth(s, d, at);
@@ -188,10 +188,10 @@ final class VectorLanes extends ContactLanes {
   }
 
   private static void scatter(float[] s, float[] v, ContactSolver solver, int block) {
-    if ((solver.traits[block] & ContactSolver.FIXED) != 0) {
+    if ((solver.blocks.traits[block] & ContactBlocks.FIXED) != 0) {
       scatterMoved(s, v, solver, block);
     } else {
-      scatterBoth(s, v, solver.bodyA, solver.bodyB, block * LANES);
+      scatterBoth(s, v, solver.blocks.bodyA, solver.blocks.bodyB, block * LANES);
     }
   }
 
@@ -210,10 +210,10 @@ final class VectorLanes extends ContactLanes {
 
   /** Writes nothing to bodies that can't be moved: other workers may be reading them. */
   private static void scatterMoved(float[] s, float[] v, ContactSolver solver, int block) {
-    float[] d = solver.data;
+    float[] d = solver.blocks.data;
     for (int i = 0; i < LANES; i++) {
-      int a = solver.bodyA[block * LANES + i];
-      int b = solver.bodyB[block * LANES + i];
+      int a = solver.blocks.bodyA[block * LANES + i];
+      int b = solver.blocks.bodyB[block * LANES + i];
       if (d[block * RECORD + MASS_A + i] != 0) {
         v[a + SolverBodies.VX] -= s[AX + i];
         v[a + SolverBodies.VY] -= s[AY + i];

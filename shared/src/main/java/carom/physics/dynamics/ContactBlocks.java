@@ -1,0 +1,403 @@
+package carom.physics.dynamics;
+
+import static carom.physics.dynamics.SolverBodies.COS;
+import static carom.physics.dynamics.SolverBodies.DX;
+import static carom.physics.dynamics.SolverBodies.DY;
+import static carom.physics.dynamics.SolverBodies.SIN;
+import static carom.physics.dynamics.SolverBodies.VX;
+import static carom.physics.dynamics.SolverBodies.VY;
+import static carom.physics.dynamics.SolverBodies.W;
+
+import java.util.Arrays;
+
+/**
+ * The contacts of a step as the solver visits them: coloured, in blocks of {@value #LANES}.
+ *
+ * <p><b>Colours.</b> Sequential impulses need an order. Contacts are given colours, greedily in the
+ * order of their keys: the first colour that neither body has yet. Contacts of one colour share no
+ * body that can be moved, so the order within a colour changes no bit of the result, and they can
+ * be solved in lanes, or by several threads. Contacts between bodies that move come first and those
+ * with the static world last, which thus has the last word: what rests on the ground doesn't sink
+ * into it. A body with more than {@value #LAST_COLOUR} contacts spills into a last colour that is
+ * solved one by one. The colouring depends on the touching contacts of this step alone and costs a
+ * few ns per contact, so there is no history to save or to hash.
+ *
+ * <p><b>Layout.</b> Contacts are packed in blocks, a colour beginning a new block. Each quantity of
+ * a block lies side by side for all its contacts; all quantities of a block follow each other
+ * ({@code data[block * RECORD + quantity + lane]}). So a pass is one stream through memory, and a
+ * block's quantity is one vector register.
+ */
+final class ContactBlocks {
+  /** Contacts in a block. */
+  static final int LANES = 8;
+
+  /** The last colour among moving bodies, and with static ones; it takes what found no other. */
+  static final int LAST_COLOUR = 63;
+
+  /** Blocks with fewer contacts are solved one by one. */
+  private static final int FEWEST = 3;
+
+  /** Steps with fewer blocks don't use vectors. */
+  private static final int FEWEST_BLOCKS = 64;
+
+  /** Blocks that are worth a piece of work for a worker. */
+  static final int AT_LEAST = 16;
+
+  /** Every colour has a group of contacts with one point, and one of those with two. */
+  private static final int GROUPS = 2 * 2 * (LAST_COLOUR + 1);
+
+  // Offsets of the quantities of a block in data: of the contact,
+  static final int NX = 0;
+  static final int NY = NX + LANES;
+  static final int FRICTION = NY + LANES;
+  static final int MASS_A = FRICTION + LANES;
+  static final int MASS_B = MASS_A + LANES;
+  static final int INERTIA_A = MASS_B + LANES;
+  static final int INERTIA_B = INERTIA_A + LANES;
+
+  /** What an impulse at one point does to the other's speed along the normal, 1/kg. */
+  static final int CROSS = INERTIA_B + LANES;
+
+  // of each of its two points, relative to FIRST or SECOND: lever arms of impulses along the
+  // normal, r x n, and along the tangent, r x t = r . n, of both bodies, m,
+  static final int NORMAL_ARM_A = 0;
+  static final int NORMAL_ARM_B = NORMAL_ARM_A + LANES;
+  static final int TANGENT_ARM_A = NORMAL_ARM_B + LANES;
+  static final int TANGENT_ARM_B = TANGENT_ARM_A + LANES;
+
+  /** gap when the step began, and now, m, */
+  static final int SEPARATION = TANGENT_ARM_B + LANES;
+
+  static final int GAP = SEPARATION + LANES;
+
+  /** what an impulse does to the point's speed along the normal, 1/kg, */
+  static final int YIELD = GAP + LANES;
+
+  /** its inverse along the tangent, kg, */
+  static final int TANGENT_MASS = YIELD + LANES;
+
+  /** impulses along normal and tangent, of the substep and of the whole step. */
+  static final int NORMAL = TANGENT_MASS + LANES;
+
+  static final int TANGENT = NORMAL + LANES;
+  static final int TOTAL = TANGENT + LANES;
+  static final int SLIDE = TOTAL + LANES;
+  static final int POINT = SLIDE + LANES;
+
+  static final int FIRST = CROSS + LANES;
+  static final int SECOND = FIRST + POINT;
+  static final int RECORD = SECOND + POINT;
+
+  // What few contacts need, relative to the block in extra; each part is only valid if the block
+  // has the trait. Speed of moving surfaces, m/s:
+  static final int SURFACE = 0;
+
+  /** Radii of the parts' rounding, m. */
+  static final int ROUND_A = SURFACE + LANES;
+
+  static final int ROUND_B = ROUND_A + LANES;
+  static final int ROLLING = ROUND_B + LANES;
+  static final int ROLL_MASS = ROLLING + LANES;
+  static final int ROLL = ROLL_MASS + LANES;
+
+  /** Acceleration with which gravity and forces press the bodies together, m/s^2. */
+  static final int PULL = ROLL + LANES;
+
+  /** Approach speed of each point to answer with a bounce, m/s, 0 if there is none to answer. */
+  static final int BOUNCE_FIRST = PULL + LANES;
+
+  static final int BOUNCE_SECOND = BOUNCE_FIRST + LANES;
+
+  /** How much further the bounce's impulse along the normal, and that of its friction, are. */
+  static final int BOUNCED = 2 * LANES;
+
+  static final int RUBBED = BOUNCED + 2 * LANES;
+  static final int EXTRA = BOUNCE_FIRST + RUBBED + 2 * LANES;
+
+  // Traits of blocks.
+  /** Its contacts have two points. */
+  static final int TWO = 1;
+
+  /** They are with bodies that can't be moved: several touch the same, none writes to it. */
+  static final int FIXED = 2;
+
+  /** Some contact has a moving surface, a round part, rolling resistance, a bounce to come. */
+  static final int MOVING_SURFACE = 4;
+
+  static final int ROUND = 8;
+  static final int ROLLS = 16;
+  static final int BOUNCES = 32;
+
+  /** Solved by vectors. */
+  static final int WIDE = 64;
+
+  /** The traits that softness depends on. */
+  static final int SOFTNESS = TWO | FIXED;
+
+  /** Number of contacts, and of blocks. */
+  private int contacts;
+
+  private int count;
+
+  /** The touching rows and their groups, in the order of the keys. */
+  private int[] touching = new int[0];
+
+  private int[] group = new int[0];
+
+  /** Colours each slot of {@link SolverBodies} has, among moving bodies and with static ones. */
+  private long[] taken = new long[0];
+
+  private long[] takenFixed = new long[0];
+
+  /** Per group: its contacts; then, while they are packed, its next lane. */
+  private final int[] next = new int[GROUPS];
+
+  /** Per block: contacts in it, and its traits. */
+  byte[] used = new byte[0];
+
+  byte[] traits = new byte[0];
+
+  /** Per lane: row of the contact table; offsets of the two bodies in the solver's state. */
+  int[] row = new int[0];
+
+  int[] bodyA = new int[0];
+  int[] bodyB = new int[0];
+
+  float[] data = new float[0];
+  float[] extra = new float[0];
+
+  /** {@link SolverBodies#state}, which the offsets are of. */
+  float[] v;
+
+  /** First block of each colour. */
+  private final int[] colourStart = new int[2 * (LAST_COLOUR + 1) + 1];
+
+  private final Crew crew;
+
+  /** Makes room for nothing yet; the crew does colours. */
+  ContactBlocks(Crew crew) {
+    this.crew = crew;
+  }
+
+  /** The number of blocks. */
+  int count() {
+    return count;
+  }
+
+  /**
+   * Finds the contacts to solve, touching and not vetoed, colours them and gives each a lane. What
+   * it holds of them is to be filled in.
+   *
+   * @param lanes kernels that take whole blocks, null for none
+   */
+  void lay(
+      ContactTable table,
+      BodyStore bodies,
+      SolverBodies solverBodies,
+      int[] activeIndex,
+      ContactLanes lanes) {
+    v = solverBodies.state;
+    paint(table, bodies, activeIndex, solverBodies.count());
+    layOut(lanes);
+    for (int k = 0; k < contacts; k++) {
+      row[next[group[k]]++] = touching[k];
+    }
+  }
+
+  /** Finds the contacts to solve and gives each its colour. */
+  private void paint(ContactTable t, BodyStore b, int[] activeIndex, int slots) {
+    if (touching.length < t.count()) {
+      int capacity = Math.max(t.count(), touching.length * 2);
+      touching = new int[capacity];
+      group = new int[capacity];
+    }
+    if (taken.length < slots) {
+      int capacity = Math.max(slots, taken.length * 2);
+      taken = new long[capacity];
+      takenFixed = new long[capacity];
+    }
+    Arrays.fill(taken, 0, slots, 0);
+    Arrays.fill(takenFixed, 0, slots, 0);
+    Arrays.fill(next, 0);
+    contacts = 0;
+    for (int r = 0; r < t.count(); r++) {
+      if (t.points[r] == 0 || (t.flags[r] & ContactTable.DORMANT) != 0) {
+        continue;
+      }
+      if ((t.flags[r] & ContactTable.VETOED) != 0) {
+        t.forget(r);
+        continue;
+      }
+      int a = ContactKey.bodyA(t.key[r]);
+      int o = ContactKey.bodyB(t.key[r]);
+      int c;
+      if (b.invMass[a] == 0) {
+        c = LAST_COLOUR + 1 + paint(takenFixed, activeIndex[o] + 1);
+      } else if (b.invMass[o] == 0) {
+        c = LAST_COLOUR + 1 + paint(takenFixed, activeIndex[a] + 1);
+      } else {
+        int slotA = activeIndex[a] + 1;
+        int slotB = activeIndex[o] + 1;
+        c = Math.min(Long.numberOfTrailingZeros(~(taken[slotA] | taken[slotB])), LAST_COLOUR);
+        long bit = 1L << c;
+        taken[slotA] |= bit;
+        taken[slotB] |= bit;
+      }
+      group[contacts] = 2 * c + t.points[r] - 1;
+      next[group[contacts]]++;
+      touching[contacts++] = r;
+    }
+  }
+
+  private static int paint(long[] masks, int slot) {
+    int c = Math.min(Long.numberOfTrailingZeros(~masks[slot]), LAST_COLOUR);
+    masks[slot] |= 1L << c;
+    return c;
+  }
+
+  /** Gives each group its count. */
+  private void layOut(ContactLanes lanes) {
+    count = 0;
+    for (int g = 0; g < GROUPS; g++) {
+      count += (next[g] + LANES - 1) / LANES;
+    }
+    if (used.length < count) {
+      int capacity = Math.max(count, used.length * 2);
+      used = new byte[capacity];
+      traits = new byte[capacity];
+      row = new int[capacity * LANES];
+      bodyA = new int[capacity * LANES];
+      bodyB = new int[capacity * LANES];
+      data = new float[capacity * RECORD];
+      extra = new float[capacity * EXTRA];
+    }
+    int widest = lanes == null || count < FEWEST_BLOCKS ? 0 : lanes.trusted(count);
+    int block = 0;
+    for (int g = 0; g < GROUPS; g++) {
+      int colour = g >> 1;
+      if ((g & 1) == 0) {
+        colourStart[colour] = block;
+      }
+      int kind = ((g & 1) != 0 ? TWO : 0) | (colour > LAST_COLOUR ? FIXED : 0);
+      int left = next[g];
+      next[g] = block * LANES;
+      for (; left > 0; left -= LANES) {
+        used[block] = (byte) Math.min(left, LANES);
+        boolean wide = block < widest && left >= FEWEST && (colour & LAST_COLOUR) != LAST_COLOUR;
+        traits[block] = (byte) (kind | (wide ? WIDE : 0));
+        if (left < LANES) {
+          clear(block);
+        }
+        block++;
+      }
+    }
+    colourStart[GROUPS >> 1] = count;
+  }
+
+  /** Makes the empty lanes of a block contacts of nothing with nothing. */
+  private void clear(int block) {
+    int at = block * RECORD;
+    Arrays.fill(data, at, at + RECORD, 0);
+    Arrays.fill(data, at + FIRST + YIELD, at + FIRST + YIELD + LANES, 1);
+    Arrays.fill(data, at + SECOND + YIELD, at + SECOND + YIELD + LANES, 1);
+    Arrays.fill(bodyA, block * LANES, (block + 1) * LANES, 0);
+    Arrays.fill(bodyB, block * LANES, (block + 1) * LANES, 0);
+  }
+
+  /** Does a stage colour by colour; what found no colour is done by the caller alone. */
+  void byColours(Crew.Range stage) {
+    if (crew.count() == 1) {
+      stage.run(0, count, 0);
+      return;
+    }
+    for (int c = 0; c < GROUPS >> 1; c++) {
+      int least = (c & LAST_COLOUR) == LAST_COLOUR ? Integer.MAX_VALUE : AT_LEAST;
+      crew.run(colourStart[c], colourStart[c + 1], least, stage);
+    }
+  }
+
+  /** Gives a block a trait; its part of extra is zero for those lanes that don't have it. */
+  void has(int block, int trait, int from, int to) {
+    if ((traits[block] & trait) == 0) {
+      traits[block] |= (byte) trait;
+      Arrays.fill(extra, block * EXTRA + from, block * EXTRA + to, 0);
+    }
+  }
+
+  /** Speed at which a point parts along the normal, m/s. */
+  float normalSpeed(int lane, int point) {
+    float[] d = data;
+    int at = lane / LANES * RECORD + lane % LANES;
+    int a = bodyA[lane];
+    int b = bodyB[lane];
+    float dvx = v[b + VX] - v[a + VX];
+    float dvy = v[b + VY] - v[a + VY];
+    float linear = dvx * d[at + NX] + dvy * d[at + NY];
+    float armA = d[at + point + NORMAL_ARM_A];
+    float armB = d[at + point + NORMAL_ARM_B];
+    return linear + (v[b + W] * armB - v[a + W] * armA);
+  }
+
+  /**
+   * Gives B impulses along normal and tangent, and A their opposites; the angular velocities are
+   * already the new ones. Writes nothing to what can't be moved: other workers may be reading it.
+   */
+  void give(int lane, int at, float normal, float tangent, float wa, float wb) {
+    float[] d = data;
+    float nx = d[at + NX];
+    float ny = d[at + NY];
+    float px = normal * nx - tangent * ny;
+    float py = normal * ny + tangent * nx;
+    float massA = d[at + MASS_A];
+    float massB = d[at + MASS_B];
+    if (massA != 0) {
+      int a = bodyA[lane];
+      v[a + VX] -= massA * px;
+      v[a + VY] -= massA * py;
+      v[a + W] = wa;
+    }
+    if (massB != 0) {
+      int b = bodyB[lane];
+      v[b + VX] += massB * px;
+      v[b + VY] += massB * py;
+      v[b + W] = wb;
+    }
+  }
+
+  /**
+   * How far B moved away from A along the normal since the step began, rotation of lever arms not
+   * counted. Rounding doesn't turn: the lowest point of a rolling disc is always another one. So
+   * the anchor of a round part is a radius inside, {@code r - R n}, which makes a difference of
+   * {@code R (cos - 1)}. Without it a fast disc would seem to lift off while it turns, and sink in.
+   */
+  float moved(int block, int i) {
+    float[] d = data;
+    int at = block * RECORD + i;
+    int a = bodyA[block * LANES + i];
+    int b = bodyB[block * LANES + i];
+    float movedX = v[b + DX] - v[a + DX];
+    float movedY = v[b + DY] - v[a + DY];
+    float moved = movedX * d[at + NX] + movedY * d[at + NY];
+    if ((traits[block] & ROUND) != 0) {
+      int more = block * EXTRA + i;
+      moved += extra[more + ROUND_A] * (v[a + COS] - 1) + extra[more + ROUND_B] * (v[b + COS] - 1);
+    }
+    return moved;
+  }
+
+  /**
+   * The gap at a point now: that of the start, plus how far the two anchors moved and turned apart.
+   * A lever arm r that turned by R moves along the normal by {@code (R r - r) . n = (cos - 1) (r .
+   * n) + sin (r x n)}.
+   */
+  float gap(int p, float moved, int a, int b) {
+    float[] d = data;
+    float ca = v[a + COS] - 1;
+    float sa = v[a + SIN];
+    float cb = v[b + COS] - 1;
+    float sb = v[b + SIN];
+    float turnedA = ca * d[p + TANGENT_ARM_A] + sa * d[p + NORMAL_ARM_A];
+    float turnedB = cb * d[p + TANGENT_ARM_B] + sb * d[p + NORMAL_ARM_B];
+    return d[p + SEPARATION] + (moved + (turnedB - turnedA));
+  }
+}

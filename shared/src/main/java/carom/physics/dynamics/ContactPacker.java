@@ -1,0 +1,265 @@
+package carom.physics.dynamics;
+
+import static carom.physics.dynamics.ContactBlocks.BOUNCES;
+import static carom.physics.dynamics.ContactBlocks.BOUNCE_FIRST;
+import static carom.physics.dynamics.ContactBlocks.BOUNCE_SECOND;
+import static carom.physics.dynamics.ContactBlocks.CROSS;
+import static carom.physics.dynamics.ContactBlocks.EXTRA;
+import static carom.physics.dynamics.ContactBlocks.FIRST;
+import static carom.physics.dynamics.ContactBlocks.FRICTION;
+import static carom.physics.dynamics.ContactBlocks.GAP;
+import static carom.physics.dynamics.ContactBlocks.INERTIA_A;
+import static carom.physics.dynamics.ContactBlocks.INERTIA_B;
+import static carom.physics.dynamics.ContactBlocks.LANES;
+import static carom.physics.dynamics.ContactBlocks.MASS_A;
+import static carom.physics.dynamics.ContactBlocks.MASS_B;
+import static carom.physics.dynamics.ContactBlocks.MOVING_SURFACE;
+import static carom.physics.dynamics.ContactBlocks.NORMAL;
+import static carom.physics.dynamics.ContactBlocks.NORMAL_ARM_A;
+import static carom.physics.dynamics.ContactBlocks.NORMAL_ARM_B;
+import static carom.physics.dynamics.ContactBlocks.NX;
+import static carom.physics.dynamics.ContactBlocks.NY;
+import static carom.physics.dynamics.ContactBlocks.PULL;
+import static carom.physics.dynamics.ContactBlocks.RECORD;
+import static carom.physics.dynamics.ContactBlocks.ROLL;
+import static carom.physics.dynamics.ContactBlocks.ROLLING;
+import static carom.physics.dynamics.ContactBlocks.ROLLS;
+import static carom.physics.dynamics.ContactBlocks.ROLL_MASS;
+import static carom.physics.dynamics.ContactBlocks.ROUND;
+import static carom.physics.dynamics.ContactBlocks.ROUND_A;
+import static carom.physics.dynamics.ContactBlocks.ROUND_B;
+import static carom.physics.dynamics.ContactBlocks.SECOND;
+import static carom.physics.dynamics.ContactBlocks.SEPARATION;
+import static carom.physics.dynamics.ContactBlocks.SLIDE;
+import static carom.physics.dynamics.ContactBlocks.SURFACE;
+import static carom.physics.dynamics.ContactBlocks.TANGENT;
+import static carom.physics.dynamics.ContactBlocks.TANGENT_ARM_A;
+import static carom.physics.dynamics.ContactBlocks.TANGENT_ARM_B;
+import static carom.physics.dynamics.ContactBlocks.TANGENT_MASS;
+import static carom.physics.dynamics.ContactBlocks.TOTAL;
+import static carom.physics.dynamics.ContactBlocks.TWO;
+import static carom.physics.dynamics.ContactBlocks.WIDE;
+import static carom.physics.dynamics.ContactBlocks.YIELD;
+import static carom.physics.dynamics.SolverBodies.STRIDE;
+
+/**
+ * Carries contacts between the {@link ContactTable} and the blocks of the solver: what they are
+ * when a step begins, and the impulses when it ends.
+ */
+final class ContactPacker {
+  /** Two points yield that much more, so that points in one place share the load. */
+  private static final float SHARE = 1 + 1 / 1024f;
+
+  /** Blocks that are worth a piece of work for a worker. */
+  private static final int AT_LEAST = 16;
+
+  private final ContactBlocks blocks;
+  private final Crew crew;
+
+  // The stages, made once so that a step allocates nothing.
+  private final Crew.Range packing = (from, to, worker) -> packBlocks(from, to);
+  private final Crew.Range storing = (from, to, worker) -> storeBlocks(from, to);
+
+  // What the step is about.
+  private ContactTable table;
+  private BodyStore store;
+  private SolverBodies bodies;
+  private int[] activeIndex;
+  private Settings settings;
+  private float h;
+
+  /** The crew fills the blocks. */
+  ContactPacker(ContactBlocks blocks, Crew crew) {
+    this.blocks = blocks;
+    this.crew = crew;
+  }
+
+  /** Fills the blocks, which are laid out. */
+  void pack(
+      ContactTable contacts,
+      BodyStore bodyStore,
+      SolverBodies solverBodies,
+      int[] activeIndices,
+      Settings constants,
+      float substep) {
+    table = contacts;
+    store = bodyStore;
+    bodies = solverBodies;
+    activeIndex = activeIndices;
+    settings = constants;
+    h = substep;
+    crew.run(0, blocks.count(), AT_LEAST, packing);
+  }
+
+  private void packBlocks(int from, int to) {
+    for (int block = from; block < to; block++) {
+      for (int i = 0; i < blocks.used[block]; i++) {
+        packContact(block, i);
+      }
+    }
+  }
+
+  private void packContact(int block, int i) {
+    ContactTable t = table;
+    BodyStore b = store;
+    float[] d = blocks.data;
+    int lane = block * LANES + i;
+    int at = block * RECORD + i;
+    int r = blocks.row[lane];
+    int a = ContactKey.bodyA(t.key[r]);
+    int o = ContactKey.bodyB(t.key[r]);
+    blocks.bodyA[lane] = (activeIndex[a] + 1) * STRIDE;
+    blocks.bodyB[lane] = (activeIndex[o] + 1) * STRIDE;
+    float nx = t.nx[r];
+    float ny = t.ny[r];
+    d[at + NX] = nx;
+    d[at + NY] = ny;
+    d[at + FRICTION] = t.friction[r];
+    d[at + MASS_A] = b.invMass[a];
+    d[at + MASS_B] = b.invMass[o];
+    d[at + INERTIA_A] = b.invInertia[a];
+    d[at + INERTIA_B] = b.invInertia[o];
+    float gapX = b.x[o] - b.x[a];
+    float gapY = b.y[o] - b.y[a];
+    packPoint(at, FIRST, t.x0[r], t.y0[r], gapX, gapY, t.separation0[r]);
+    d[at + FIRST + NORMAL] = t.normal0[r];
+    d[at + FIRST + TANGENT] = t.tangent0[r];
+    if ((blocks.traits[block] & TWO) != 0) {
+      packPoint(at, SECOND, t.x1[r], t.y1[r], gapX, gapY, t.separation1[r]);
+      d[at + SECOND + NORMAL] = t.normal1[r];
+      d[at + SECOND + TANGENT] = t.tangent1[r];
+      d[at + CROSS] = cross(at);
+      d[at + FIRST + YIELD] *= SHARE;
+      d[at + SECOND + YIELD] *= SHARE;
+    }
+    if (t.surface[r] != 0) {
+      blocks.has(block, MOVING_SURFACE, SURFACE, ROUND_A);
+      blocks.extra[block * EXTRA + i + SURFACE] = t.surface[r];
+    }
+    if (t.roundA[r] != 0 || t.roundB[r] != 0) {
+      blocks.has(block, ROUND, ROUND_A, ROLLING);
+      blocks.extra[block * EXTRA + i + ROUND_A] = t.roundA[r];
+      blocks.extra[block * EXTRA + i + ROUND_B] = t.roundB[r];
+    }
+    if (t.rolling[r] > 0) {
+      blocks.has(block, ROLLS, ROLLING, PULL);
+      float turning = b.invInertia[a] + b.invInertia[o];
+      blocks.extra[block * EXTRA + i + ROLLING] = t.rolling[r];
+      blocks.extra[block * EXTRA + i + ROLL_MASS] = turning > 0 ? 1 / turning : 0;
+      blocks.extra[block * EXTRA + i + ROLL] = t.roll[r];
+      blocks.traits[block] &= ~WIDE;
+    }
+    if (t.restitution[r] > 0) {
+      packBounce(block, i, t.restitution[r]);
+    }
+  }
+
+  private void packPoint(
+      int at, int point, float x, float y, float gapX, float gapY, float separation) {
+    float[] d = blocks.data;
+    int p = at + point;
+    float bx = x - gapX;
+    float by = y - gapY;
+    float nx = d[at + NX];
+    float ny = d[at + NY];
+    float masses = d[at + MASS_A] + d[at + MASS_B];
+    float inertiaA = d[at + INERTIA_A];
+    float inertiaB = d[at + INERTIA_B];
+    float normalA = x * ny - y * nx;
+    float normalB = bx * ny - by * nx;
+    float tangentA = x * nx + y * ny;
+    float tangentB = bx * nx + by * ny;
+    float kt = masses + inertiaA * tangentA * tangentA + inertiaB * tangentB * tangentB;
+    d[p + NORMAL_ARM_A] = normalA;
+    d[p + NORMAL_ARM_B] = normalB;
+    d[p + TANGENT_ARM_A] = tangentA;
+    d[p + TANGENT_ARM_B] = tangentB;
+    d[p + SEPARATION] = separation;
+    d[p + GAP] = separation;
+    d[p + YIELD] = masses + inertiaA * normalA * normalA + inertiaB * normalB * normalB;
+    d[p + TANGENT_MASS] = kt > 0 ? 1 / kt : 0;
+    d[p + TOTAL] = 0;
+    d[p + SLIDE] = 0;
+  }
+
+  private float cross(int at) {
+    float[] d = blocks.data;
+    int p = at + FIRST;
+    int q = at + SECOND;
+    float turnA = d[p + NORMAL_ARM_A] * d[q + NORMAL_ARM_A];
+    float turnB = d[p + NORMAL_ARM_B] * d[q + NORMAL_ARM_B];
+    float masses = d[at + MASS_A] + d[at + MASS_B];
+    return masses + d[at + INERTIA_A] * turnA + d[at + INERTIA_B] * turnB;
+  }
+
+  private void packBounce(int block, int i, float restitution) {
+    int at = block * RECORD + i;
+    int lane = block * LANES + i;
+    int slotA = blocks.bodyA[lane] / STRIDE;
+    int slotB = blocks.bodyB[lane] / STRIDE;
+    float pull =
+        (bodies.ax(slotA) - bodies.ax(slotB)) * blocks.data[at + NX]
+            + (bodies.ay(slotA) - bodies.ay(slotB)) * blocks.data[at + NY];
+    float first = restitution * approach(lane, FIRST, pull);
+    float second =
+        (blocks.traits[block] & TWO) == 0 ? 0 : restitution * approach(lane, SECOND, pull);
+    if (first != 0 || second != 0) {
+      blocks.has(block, BOUNCES, PULL, EXTRA);
+      blocks.extra[block * EXTRA + i + PULL] = pull;
+      blocks.extra[block * EXTRA + i + BOUNCE_FIRST] = first;
+      blocks.extra[block * EXTRA + i + BOUNCE_SECOND] = second;
+    }
+  }
+
+  /**
+   * Speed with which the surfaces will meet at a point, m/s: that of now, plus what the relative
+   * acceleration a adds over the gap, v^2 = v0^2 + 2 a s; 0 below the threshold. In symplectic
+   * Euler a velocity is that of half a substep ago, hence a h / 2 is added here and again after the
+   * bounce. Without these terms a perfectly elastic ball would lose 2 % of its height with every
+   * bounce.
+   */
+  private float approach(int lane, int point, float pull) {
+    int at = lane / LANES * RECORD + lane % LANES;
+    float closing = 0.5f * h * pull - blocks.normalSpeed(lane, point);
+    if (!(closing > settings.restitutionThreshold())) {
+      return 0;
+    }
+    float square = closing * closing + 2 * pull * blocks.data[at + point + SEPARATION];
+    return square > 0 ? (float) Math.sqrt(square) : 0;
+  }
+
+  /** Hands the impulses back to the table, but for those that overflowed. */
+  void store() {
+    crew.run(0, blocks.count(), AT_LEAST, storing);
+  }
+
+  private void storeBlocks(int from, int to) {
+    ContactTable t = table;
+    float[] d = blocks.data;
+    for (int block = from; block < to; block++) {
+      for (int i = 0; i < blocks.used[block]; i++) {
+        int at = block * RECORD + i;
+        int r = blocks.row[block * LANES + i];
+        float load = d[at + FIRST + NORMAL];
+        t.normal0[r] = load;
+        t.tangent0[r] = d[at + FIRST + TANGENT];
+        t.total0[r] = d[at + FIRST + TOTAL];
+        t.slide0[r] = d[at + FIRST + SLIDE];
+        if ((blocks.traits[block] & TWO) != 0) {
+          t.normal1[r] = d[at + SECOND + NORMAL];
+          t.tangent1[r] = d[at + SECOND + TANGENT];
+          t.total1[r] = d[at + SECOND + TOTAL];
+          t.slide1[r] = d[at + SECOND + SLIDE];
+          load += t.normal1[r];
+        }
+        if ((blocks.traits[block] & ROLLS) != 0) {
+          t.roll[r] = blocks.extra[block * EXTRA + i + ROLL];
+          load += Math.abs(t.roll[r]);
+        }
+        if (!(load <= Float.MAX_VALUE)) {
+          t.forget(r);
+        }
+      }
+    }
+  }
+}
