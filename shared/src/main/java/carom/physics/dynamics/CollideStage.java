@@ -9,7 +9,7 @@ import java.util.Arrays;
  * <p>One thread at a time; the narrow phase itself shares its rows with the crew.
  */
 final class CollideStage {
-  private final Dynamics dynamics;
+  private final Sleeping sleeping;
   private final Settings settings;
   private final BodyStore bodies;
   private final ContactTable contacts;
@@ -27,14 +27,14 @@ final class CollideStage {
   private int touching;
 
   CollideStage(
-      Dynamics dynamics,
+      Sleeping sleeping,
       Settings settings,
       BodyStore bodies,
       ShapeTable parts,
       ContactTable contacts,
       Crew crew,
       ContinuousCollision continuous) {
-    this.dynamics = dynamics;
+    this.sleeping = sleeping;
     this.settings = settings;
     this.bodies = bodies;
     this.contacts = contacts;
@@ -68,11 +68,11 @@ final class CollideStage {
       }
     }
     vetoedCount = 0;
-    if (dynamics.anyAsleep()) {
+    if (sleeping.anyAsleep()) {
       leaveDormant();
     }
     touching += narrowPhase.run();
-    if (dynamics.anyAsleep()) {
+    if (sleeping.anyAsleep()) {
       decide();
     }
     if (settings.continuous() && narrowPhase.pressed()) {
@@ -115,7 +115,7 @@ final class CollideStage {
   private boolean dormant(int row, int sleeper) {
     byte flags = contacts.flags[row];
     boolean fresh = (flags & ContactTable.FRESH) != 0 && (flags & ContactTable.TOUCHING) == 0;
-    return !fresh && (flags & ContactTable.IGNORED) == 0 && !dynamics.drives(other(row, sleeper));
+    return !fresh && (flags & ContactTable.IGNORED) == 0 && !sleeping.drives(other(row, sleeper));
   }
 
   private int other(int row, int body) {
@@ -126,14 +126,14 @@ final class CollideStage {
   private void decide(int row, int sleeper, boolean vetoed) {
     if (contacts.points[row] == 0) {
       if (!vetoed && (contacts.flags[row] & ContactTable.WAS_TOUCHING) != 0) {
-        dynamics.touch(sleeper);
+        sleeping.touch(sleeper);
       }
-    } else if (!dynamics.drives(other(row, sleeper))) {
+    } else if (!sleeping.drives(other(row, sleeper))) {
       contacts.flags[row] |= ContactTable.DORMANT;
     } else if (vetoed) {
       undecided = true;
     } else {
-      dynamics.touch(sleeper);
+      sleeping.touch(sleeper);
     }
   }
 
@@ -163,7 +163,7 @@ final class CollideStage {
         int sleeper = sleeper(row);
         if (sleeper >= 0) {
           contacts.flags[row] |= ContactTable.VETOED;
-          dynamics.wake(sleeper);
+          sleeping.wake(sleeper);
         }
       }
     }
@@ -173,6 +173,6 @@ final class CollideStage {
   private int sleeper(int row) {
     int a = contacts.bodyA(row);
     int b = contacts.bodyB(row);
-    return dynamics.sleepsDynamic(a) ? a : dynamics.sleepsDynamic(b) ? b : -1;
+    return sleeping.sleepsDynamic(a) ? a : sleeping.sleepsDynamic(b) ? b : -1;
   }
 }

@@ -7,7 +7,6 @@ import carom.physics.geometry.Convex;
 import carom.physics.geometry.MassData;
 import carom.physics.math.Aabb;
 import carom.physics.threads.Workers;
-import java.util.Arrays;
 
 /**
  * Bodies, their shapes and contacts, and the step that moves them; the engine behind {@code
@@ -25,31 +24,14 @@ import java.util.Arrays;
  * body. So the result depends on the state alone, never on the shape of a tree or on when a pair
  * was found.
  *
- * <p><b>Sleep.</b> The active list holds the bodies that are awake and not static, and a step looks
- * at these alone: the parts of all others are in a tree of their own, contacts between them in
- * {@link SleepingContacts}, their joints are passed over. An island (dynamic bodies that hold each
- * other by touching contacts or joints) falls asleep when all its bodies have been slow for long
- * enough and nothing keeps it awake: a pending force, a moving kinematic body, a running belt or
- * motor, a body that may not sleep. Kinematic bodies at rest fall asleep alone. A body wakes with
- * its whole island: when something awake begins to touch it or no longer does, when its velocity,
- * forces, pose or joints change, and when what it touches, static bodies too, is moved, changed or
- * taken away. Islands are found anew each time, from contacts and joints; nothing is kept.
+ * <p><b>Sleep.</b> A step looks at the {@linkplain ActiveBodies active bodies} alone; see {@link
+ * Sleeping}.
  *
  * <p>One thread at a time. A steady step allocates nothing.
  */
 public final class Dynamics {
-  private static final int FIRST_CAPACITY = 64;
-
   /** Rows to have room for per awake body before there are as many, so that few steps allocate. */
   private static final int ROWS_AHEAD = 2;
-
-  /** Sleep time of a kinematic body that was set somewhere else since the last step. */
-  private static final float MOVED = -1;
-
-  private static final int ASK_WAKE = 0;
-  private static final int ASK_DISTURB = 1;
-  private static final int ASK_SLEEP = 2;
-  private static final int ASKED = 3;
 
   private final Settings settings;
   private final BodyStore bodies = new BodyStore();
@@ -61,10 +43,9 @@ public final class Dynamics {
   private final Substeps substeps;
   private final ContinuousCollision continuous;
   private final PairFinder pairs;
+  private final Sleeping sleeping;
   private final CollideStage collideStage;
   private final EventStage eventStage;
-  private final Aabb box = new Aabb();
-  private final Aabb around = new Aabb();
 
   /** Whether a static body was ever moved by hand. */
   private boolean staticMoved;
@@ -79,41 +60,8 @@ public final class Dynamics {
 
   private final ActiveBodies active = new ActiveBodies();
 
-  /** The part of a static body of which is asked what sleeps in its reach. */
-  private int searchPart;
-
-  private final IntVisitor onOverlapped = this::overlapped;
-
   private final SleepingContacts sleepers = new SleepingContacts();
   private final BodyContacts bodyContacts = new BodyContacts(contacts, sleepers);
-  private final Islands islands = new Islands();
-  private int asleepCount;
-
-  /** Changes whenever a body falls asleep or wakes. */
-  private final Stamp sleep = new Stamp();
-
-  /** Rows of the sleeping contacts whose bodies woke and that must go to the contact table. */
-  private int[] wokenRows = new int[FIRST_CAPACITY];
-
-  private int wokenCount;
-
-  /** Bodies to wake once a loop is through. */
-  private int[] touched = new int[FIRST_CAPACITY];
-
-  private int touchedCount;
-
-  /** Bodies about to fall asleep, or just woken. */
-  private int[] gathered = new int[FIRST_CAPACITY];
-
-  private int gatheredCount;
-
-  /** What was asked for in a callback: body * ASKED + what. */
-  private long[] asked = new long[8];
-
-  private int askedCount;
-
-  /** Whether callbacks run, in which bodies neither wake nor fall asleep. */
-  private boolean busy;
 
   /** Null, unless somebody measures. */
   private StageListener stages;
@@ -127,7 +75,8 @@ public final class Dynamics {
     this.settings = settings;
     pairs = new PairFinder(settings, bodies, parts, contacts, joints);
     continuous = new ContinuousCollision(this, pairs, settings, bodies, active, parts, contacts);
-    collideStage = new CollideStage(this, settings, bodies, parts, contacts, crew, continuous);
+    sleeping = new Sleeping(settings, bodies, active, parts, contacts, sleepers, joints, pairs);
+    collideStage = new CollideStage(sleeping, settings, bodies, parts, contacts, crew, continuous);
     eventStage = new EventStage(settings, bodies, contacts);
     substeps = new Substeps(settings, bodies, active, contacts, joints, crew);
   }
@@ -182,7 +131,7 @@ public final class Dynamics {
       pairs.searchBody(body);
     } else {
       enter(body);
-      wakeOverlapped(body);
+      sleeping.wakeOverlapped(body);
     }
   }
 
@@ -227,9 +176,9 @@ public final class Dynamics {
     bodies.clearForces(body);
     if (enabled) {
       enter(body);
-      wakeOverlapped(body);
+      sleeping.wakeOverlapped(body);
     }
-    refreshJoints(body);
+    sleeping.refreshJoints(body);
     rulesStale = true;
   }
 
@@ -248,11 +197,11 @@ public final class Dynamics {
     bodies.clearForces(body);
     if (enabled) {
       enter(body);
-      wakeOverlapped(body);
+      sleeping.wakeOverlapped(body);
     } else {
       leave(body);
     }
-    refreshJoints(body);
+    sleeping.refreshJoints(body);
     rulesStale = true;
   }
 
@@ -267,11 +216,11 @@ public final class Dynamics {
   public void change(int body, ShapeSpec[] shapes, MassData own) {
     MassData total = BodyMaker.total(bodies.type[body], shapes, own);
     disturb(body);
-    mergeWoken();
+    sleeping.mergeWoken();
     maker.refill(body, shapes, own, total);
     contacts.forgetManifolds(body);
     contacts.mixAgain(body, parts);
-    wakeOverlapped(body);
+    sleeping.wakeOverlapped(body);
     rulesStale = true;
   }
 
@@ -292,30 +241,13 @@ public final class Dynamics {
 
   /** Makes the broadphase and the solver know a body. */
   private void enter(int body) {
-    boolean isStatic = bodies.type[body] == BodyStore.STATIC;
-    boolean rests = isStatic || bodies.asleep(body);
-    if (!rests) {
-      active.add(body);
-    } else if (!isStatic) {
-      asleepCount++;
-      sleep.change();
-    }
+    sleeping.enter(body);
     pairs.enter(body);
-  }
-
-  /** Whether any body but static ones sleeps. */
-  boolean anyAsleep() {
-    return asleepCount > 0;
   }
 
   /** Takes a body out again; nothing may rely on it any longer. */
   private void leave(int body) {
-    if (active.contains(body)) {
-      active.remove(body);
-    } else if (bodies.type[body] != BodyStore.STATIC) {
-      asleepCount--;
-      sleep.change();
-    }
+    sleeping.leave(body);
     pairs.leave(body);
   }
 
@@ -327,9 +259,9 @@ public final class Dynamics {
    */
   public void endContacts(int body, ContactEvents events) {
     disturb(body);
-    mergeWoken();
+    sleeping.mergeWoken();
     if (events != null) {
-      busy = true;
+      sleeping.suspend();
       try {
         for (int row = 0; row < contacts.count(); row++) {
           if (touches(row) && (contacts.bodyA(row) == body || contacts.bodyB(row) == body)) {
@@ -337,7 +269,7 @@ public final class Dynamics {
           }
         }
       } finally {
-        busy = false;
+        sleeping.resume();
       }
     }
     contacts.removeBody(body);
@@ -357,7 +289,7 @@ public final class Dynamics {
     }
     parts.release(bodies.firstPart[body], bodies.partCount[body]);
     bodies.release(body);
-    doAsked();
+    sleeping.doAsked();
   }
 
   /**
@@ -380,8 +312,8 @@ public final class Dynamics {
   public int createJoint(byte type, int bodyA, int bodyB) {
     rulesStale = true;
     int joint = joints.allocate(type, bodyA, bodyB);
-    wakeEnds(joint);
-    refreshJoint(joint);
+    sleeping.wakeEnds(joint);
+    sleeping.refreshJoint(joint);
     return joint;
   }
 
@@ -391,7 +323,7 @@ public final class Dynamics {
    * @param joint a slot in use
    */
   public void destroyJoint(int joint) {
-    wakeEnds(joint);
+    sleeping.wakeEnds(joint);
     joints.release(joint);
     rulesStale = true;
   }
@@ -429,13 +361,11 @@ public final class Dynamics {
       pairs.movedStatic(body);
       staticMoved = true;
       disturb(body);
-      wakeOverlapped(body);
+      sleeping.wakeOverlapped(body);
     } else {
       pairs.posesChanged();
       wake(body);
-      if (bodies.type[body] == BodyStore.KINEMATIC && settings.sleeping()) {
-        bodies.sleepTime[body] = MOVED;
-      }
+      sleeping.moved(body);
     }
   }
 
@@ -446,13 +376,7 @@ public final class Dynamics {
    * @param body the slot
    */
   public void wake(int body) {
-    if (!bodies.asleep(body)) {
-      bodies.sleepTime[body] = Math.min(bodies.sleepTime[body], 0);
-    } else if (busy) {
-      ask(body, ASK_WAKE);
-    } else {
-      wakeIsland(body);
-    }
+    sleeping.wake(body);
   }
 
   /**
@@ -462,23 +386,7 @@ public final class Dynamics {
    * @param body the slot
    */
   public void sleep(int body) {
-    if (busy) {
-      ask(body, ASK_SLEEP);
-    } else if (active.contains(body) && settings.sleeping()) {
-      mergeWoken();
-      findIslands();
-      int island = islands.find(active.index[body]);
-      gatheredCount = 0;
-      for (int i = 0; i < active.count; i++) {
-        if (islands.find(i) == island) {
-          if ((bodies.flags[active.list[i]] & BodyStore.SLEEPLESS) != 0) {
-            return;
-          }
-          gather(active.list[i]);
-        }
-      }
-      putToSleep();
-    }
+    sleeping.sleep(body);
   }
 
   /**
@@ -488,52 +396,7 @@ public final class Dynamics {
    * @param body the slot
    */
   public void disturb(int body) {
-    if (busy) {
-      ask(body, ASK_DISTURB);
-      return;
-    }
-    wake(body);
-    for (int end = sleepers.first(body); end >= 0; end = sleepers.first(body)) {
-      wakeIsland(sleepers.other(end));
-    }
-    for (int end = joints.firstEnd(body); end >= 0; end = joints.nextEnd(end)) {
-      wakeEnds(end >> 1);
-    }
-    if (asleepCount == 0 || bodies.type[body] == BodyStore.STATIC) {
-      return;
-    }
-    mergeWoken();
-    for (int row = 0; row < contacts.count(); row++) {
-      int a = contacts.bodyA(row);
-      int b = contacts.bodyB(row);
-      if ((a == body || b == body) && touches(row)) {
-        touch(a == body ? b : a);
-      }
-    }
-    wakeTouched();
-  }
-
-  private void ask(int body, int what) {
-    if (askedCount == asked.length) {
-      asked = Arrays.copyOf(asked, askedCount * 2);
-    }
-    asked[askedCount++] = (long) body * ASKED + what;
-  }
-
-  /** Does what was asked for in callbacks. */
-  private void doAsked() {
-    for (int i = 0; i < askedCount; i++) {
-      int body = (int) (asked[i] / ASKED);
-      if (bodies.type[body] == BodyStore.FREE) {
-        continue;
-      }
-      switch ((int) (asked[i] % ASKED)) {
-        case ASK_WAKE -> wake(body);
-        case ASK_DISTURB -> disturb(body);
-        default -> sleep(body);
-      }
-    }
-    askedCount = 0;
+    sleeping.disturb(body);
   }
 
   /**
@@ -542,157 +405,7 @@ public final class Dynamics {
    * @param joint a slot in use
    */
   public void wakeEnds(int joint) {
-    if (joints.bodyA[joint] >= 0) {
-      wake(joints.bodyA[joint]);
-    }
-    wake(joints.bodyB[joint]);
-  }
-
-  /** Remembers to wake a body, which may be awake already. */
-  void touch(int body) {
-    if (!bodies.asleep(body)) {
-      return;
-    }
-    if (touchedCount == touched.length) {
-      touched = Arrays.copyOf(touched, touchedCount * 2);
-    }
-    touched[touchedCount++] = body;
-  }
-
-  /** Wakes what was touched; answers whether there was anything. */
-  private boolean wakeTouched() {
-    if (touchedCount == 0) {
-      return false;
-    }
-    for (int i = 0; i < touchedCount; i++) {
-      wake(touched[i]);
-    }
-    touchedCount = 0;
-    mergeWoken();
-    return true;
-  }
-
-  /** Wakes what sleeps within reach of a static body. */
-  private void wakeOverlapped(int body) {
-    if (asleepCount == 0 || bodies.type[body] != BodyStore.STATIC) {
-      return;
-    }
-    pairs.admit();
-    int first = bodies.firstPart[body];
-    for (int part = first; part < first + bodies.partCount[body]; part++) {
-      searchPart = part;
-      float reach = settings.speculativeDistance();
-      pairs.tightBox(part, around);
-      around.set(
-          around.minX - reach, around.minY - reach, around.maxX + reach, around.maxY + reach);
-      pairs.resting().query(around.minX, around.minY, around.maxX, around.maxY, onOverlapped);
-    }
-    wakeTouched();
-  }
-
-  /** Looks at the box itself, as the fat one depends on what was before. */
-  private boolean overlapped(int part) {
-    if (bodies.asleep(parts.body[part]) && pairs.mayTouch(part, searchPart)) {
-      pairs.tightBox(part, box);
-      if (box.overlaps(around)) {
-        touch(parts.body[part]);
-      }
-    }
-    return true;
-  }
-
-  /** Wakes a sleeping body and all that is tied to it by contacts and joints. */
-  private void wakeIsland(int body) {
-    if (!bodies.asleep(body)) {
-      return;
-    }
-    pairs.admit();
-    gatheredCount = 0;
-    rouse(body);
-    for (int i = 0; i < gatheredCount; i++) {
-      int at = gathered[i];
-      boolean ties = bodies.type[at] == BodyStore.DYNAMIC;
-      for (int end = sleepers.first(at); end >= 0; end = sleepers.first(at)) {
-        int other = sleepers.other(end);
-        if (ties && sleepers.solid(end)) {
-          rouseDynamic(other);
-        }
-        sleepers.unlink(end >> 1);
-        if (wokenCount == wokenRows.length) {
-          wokenRows = Arrays.copyOf(wokenRows, wokenCount * 2);
-        }
-        wokenRows[wokenCount++] = end >> 1;
-      }
-      for (int end = joints.firstEnd(at); ties && end >= 0; end = joints.nextEnd(end)) {
-        int other = joints.other(end);
-        if (other >= 0) {
-          rouseDynamic(other);
-        }
-      }
-    }
-    pairs.wake(gathered, gatheredCount);
-    for (int i = 0; i < gatheredCount; i++) {
-      refreshJoints(gathered[i]);
-    }
-  }
-
-  private void rouseDynamic(int body) {
-    if (bodies.type[body] == BodyStore.DYNAMIC && bodies.asleep(body)) {
-      rouse(body);
-    }
-  }
-
-  private void rouse(int body) {
-    gather(body);
-    bodies.flags[body] &= ~BodyStore.ASLEEP;
-    bodies.sleepTime[body] = bodies.sleepTime[body] == MOVED ? MOVED : 0;
-    asleepCount--;
-    sleep.change();
-    active.add(body);
-  }
-
-  private void gather(int body) {
-    if (gatheredCount == gathered.length) {
-      gathered = Arrays.copyOf(gathered, gatheredCount * 2);
-    }
-    gathered[gatheredCount++] = body;
-  }
-
-  /** Brings the contacts of bodies that woke back to the table. */
-  private void mergeWoken() {
-    if (wokenCount == 0) {
-      return;
-    }
-    sleepers.rows.sortByKey(wokenRows, wokenCount);
-    contacts.insert(sleepers.rows, wokenRows, wokenCount);
-    for (int i = 0; i < wokenCount; i++) {
-      sleepers.release(wokenRows[i]);
-    }
-    wokenCount = 0;
-  }
-
-  /** Decides which joints the solver looks at, after a body came, went, woke or fell asleep. */
-  private void refreshJoints(int body) {
-    for (int end = joints.firstEnd(body); end >= 0; end = joints.nextEnd(end)) {
-      refreshJoint(end >> 1);
-    }
-  }
-
-  /** A joint is awake if a body of it is, and none sleeps that it could move. */
-  private void refreshJoint(int joint) {
-    int a = joints.bodyA[joint];
-    int b = joints.bodyB[joint];
-    boolean awake = active.contains(b) || (a >= 0 && active.contains(a));
-    boolean waits = sleepsDynamic(b) || (a >= 0 && sleepsDynamic(a));
-    joints.setAwake(joint, awake && !waits);
-    if (!awake && !waits) {
-      joints.forget(joint);
-    }
-  }
-
-  /** Whether a body is dynamic and asleep. */
-  boolean sleepsDynamic(int body) {
-    return bodies.type[body] == BodyStore.DYNAMIC && bodies.asleep(body);
+    sleeping.wakeEnds(joint);
   }
 
   /**
@@ -705,20 +418,18 @@ public final class Dynamics {
   public void step(float dt, ContactEvents events, JointEvents jointEvents) {
     begins(StepStage.BEGIN);
     lastStep = dt;
-    busy = false;
+    sleeping.resume();
     contacts.reserve(ROWS_AHEAD * active.count);
-    doAsked();
-    boolean teleported = false;
+    sleeping.doAsked();
     for (int i = 0; i < active.count; i++) {
       int body = active.list[i];
       if (bodies.type[body] == BodyStore.DYNAMIC) {
         bodies.applyImpulses(body);
-      } else if (drives(body)) {
-        teleported |= bodies.sleepTime[body] == MOVED;
-        wakeJointed(body);
+      } else {
+        sleeping.wakeJointed(body);
       }
     }
-    mergeWoken();
+    sleeping.mergeWoken();
     pairs.posesChanged();
     refilter();
     begins(StepStage.BOXES);
@@ -730,11 +441,9 @@ public final class Dynamics {
       begins(StepStage.COLLIDE);
       collideStage.run(all);
       all = false;
-    } while (wakeTouched());
-    if (teleported) {
-      forgetMoves();
-    }
-    busy = true;
+    } while (sleeping.wakeTouched());
+    sleeping.forgetMoves();
+    sleeping.suspend();
     begins(StepStage.EVENTS);
     if (events != null) {
       eventStage.beforeSolving(events);
@@ -751,11 +460,11 @@ public final class Dynamics {
     if (breakable) {
       breakJoints(jointEvents);
     }
-    busy = false;
-    doAsked();
+    sleeping.resume();
+    sleeping.doAsked();
     begins(StepStage.SLEEP);
     if (settings.sleeping()) {
-      rest(dt);
+      sleeping.rest(dt);
     }
     if (stages != null) {
       stages.done();
@@ -776,140 +485,6 @@ public final class Dynamics {
     if (stages != null) {
       stages.begins(stage);
     }
-  }
-
-  /** Wakes what a body that moves holds by joints. */
-  private void wakeJointed(int body) {
-    for (int end = joints.firstEnd(body); end >= 0; end = joints.nextEnd(end)) {
-      int other = joints.other(end);
-      if (other >= 0) {
-        wakeIsland(other);
-      }
-    }
-  }
-
-  private void forgetMoves() {
-    for (int i = 0; i < active.count; i++) {
-      int body = active.list[i];
-      if (bodies.sleepTime[body] == MOVED) {
-        bodies.sleepTime[body] = 0;
-      }
-    }
-  }
-
-  /** Measures how long bodies have been slow, and puts islands to sleep. */
-  private void rest(float dt) {
-    boolean any = false;
-    for (int i = 0; i < active.count; i++) {
-      any |= measure(active.list[i], dt);
-    }
-    if (!any) {
-      return;
-    }
-    mergeWoken();
-    findIslands();
-    for (int i = 0; i < active.count; i++) {
-      if (bodies.sleepTime[active.list[i]] < settings.sleepDelay()
-          || bodies.pushed(active.list[i])) {
-        islands.keepAwake(i);
-      }
-    }
-    gatheredCount = 0;
-    for (int i = 0; i < active.count; i++) {
-      if (!islands.keptAwake(i)) {
-        gather(active.list[i]);
-      }
-    }
-    putToSleep();
-  }
-
-  /** Lets a body's time of rest go on; answers whether it is long enough. */
-  private boolean measure(int body, float dt) {
-    float vx = bodies.vx[body];
-    float vy = bodies.vy[body];
-    float most = bodies.type[body] == BodyStore.DYNAMIC ? settings.sleepSpeed() : 0;
-    float spin = bodies.reach[body] * bodies.w[body];
-    boolean slow = vx * vx + vy * vy <= most * most && Math.abs(spin) <= most;
-    if (bodies.sleepTime[body] == MOVED) {
-      return false;
-    }
-    if (!slow || (bodies.flags[body] & BodyStore.SLEEPLESS) != 0) {
-      bodies.sleepTime[body] = 0;
-      return false;
-    }
-    float time = bodies.sleepTime[body] + dt;
-    bodies.sleepTime[body] = Math.min(time, settings.sleepDelay());
-    return time >= settings.sleepDelay();
-  }
-
-  /** Finds out which awake bodies hold each other, and what keeps them awake. */
-  private void findIslands() {
-    islands.reset(active.count);
-    for (int row = 0; row < contacts.count(); row++) {
-      if (contacts.points[row] > 0 && (contacts.flags[row] & ContactTable.VETOED) == 0) {
-        tie(contacts.bodyA(row), contacts.bodyB(row), contacts.surface[row] != 0);
-      }
-    }
-    for (int j = joints.nextAwake(0); j >= 0; j = joints.nextAwake(j + 1)) {
-      boolean runs = (joints.flags[j] & JointStore.DRIVEN) != 0 && joints.motorSpeed[j] != 0;
-      tie(joints.bodyA[j], joints.bodyB[j], runs);
-    }
-  }
-
-  /** Dynamic bodies join; a kinematic one that hasn't rested for long keeps the other awake. */
-  private void tie(int a, int b, boolean running) {
-    int i = a < 0 ? -1 : active.index[a];
-    int j = active.index[b];
-    boolean dynamicA = i >= 0 && bodies.type[a] == BodyStore.DYNAMIC;
-    boolean dynamicB = j >= 0 && bodies.type[b] == BodyStore.DYNAMIC;
-    boolean restless = running;
-    if (dynamicA && dynamicB) {
-      islands.join(i, j);
-    } else {
-      restless |= i >= 0 && !dynamicA && bodies.sleepTime[a] < settings.sleepDelay();
-      restless |= j >= 0 && !dynamicB && bodies.sleepTime[b] < settings.sleepDelay();
-    }
-    if (restless && dynamicA) {
-      islands.keepAwake(i);
-    }
-    if (restless && dynamicB) {
-      islands.keepAwake(j);
-    }
-  }
-
-  /** Puts the gathered bodies to sleep; they must be whole islands. */
-  private void putToSleep() {
-    if (gatheredCount == 0) {
-      return;
-    }
-    pairs.admit();
-    for (int i = 0; i < gatheredCount; i++) {
-      int body = gathered[i];
-      active.remove(body);
-      bodies.flags[body] |= BodyStore.ASLEEP;
-      bodies.sleepTime[body] = settings.sleepDelay();
-      bodies.vx[body] = 0;
-      bodies.vy[body] = 0;
-      bodies.w[body] = 0;
-      bodies.clearForces(body);
-      asleepCount++;
-    }
-    pairs.rest(gathered, gatheredCount);
-    sleep.change();
-    for (int i = 0; i < gatheredCount; i++) {
-      refreshJoints(gathered[i]);
-    }
-    contacts.retire(active.index, sleepers);
-  }
-
-  /** Whether an active body pushes what it touches: a kinematic one only while it moves. */
-  boolean drives(int body) {
-    return active.contains(body)
-        && (bodies.type[body] == BodyStore.DYNAMIC
-            || bodies.vx[body] != 0
-            || bodies.vy[body] != 0
-            || bodies.w[body] != 0
-            || bodies.sleepTime[body] == MOVED);
   }
 
   private void breakJoints(JointEvents events) {
@@ -1047,7 +622,7 @@ public final class Dynamics {
    * @return the live table
    */
   public ContactTable contacts() {
-    mergeWoken();
+    sleeping.mergeWoken();
     return contacts;
   }
 
@@ -1057,7 +632,7 @@ public final class Dynamics {
    * @return the live table; some rows are {@linkplain ContactTable#unused unused}
    */
   public ContactTable sleepingContacts() {
-    mergeWoken();
+    sleeping.mergeWoken();
     return sleepers.rows;
   }
 
@@ -1067,7 +642,7 @@ public final class Dynamics {
    * @return answers from both tables
    */
   public BodyContacts bodyContacts() {
-    mergeWoken();
+    sleeping.mergeWoken();
     return bodyContacts;
   }
 
@@ -1105,7 +680,7 @@ public final class Dynamics {
    * @return 64 bits
    */
   public long hash() {
-    mergeWoken();
+    sleeping.mergeWoken();
     long h = StateHash.mix(bodies.hash(StateHash.SEED), contacts.hash());
     return StateHash.finish(joints.hash(sleepers.hash(h)));
   }
@@ -1116,7 +691,7 @@ public final class Dynamics {
    * @param excerpt lists bodies in use
    */
   public void read(Excerpt excerpt) {
-    mergeWoken();
+    sleeping.mergeWoken();
     excerpt.read(bodies, bodyContacts, contacts, sleepers);
   }
 
@@ -1126,18 +701,13 @@ public final class Dynamics {
    * @param excerpt lists bodies that were made since the last step, awake
    */
   public void write(Excerpt excerpt) {
-    mergeWoken();
-    gatheredCount = 0;
+    sleeping.mergeWoken();
     for (int i = 0; i < excerpt.count(); i++) {
-      int body = excerpt.slot(i);
       excerpt.writeBody(bodies, i);
-      if (excerpt.sleeps(i) && active.contains(body)) {
-        gather(body);
-      }
     }
     pairs.posesChanged();
     excerpt.writeContacts(bodies, parts, contacts);
-    putToSleep();
+    sleeping.putToSleep(excerpt);
   }
 
   /**
@@ -1147,9 +717,9 @@ public final class Dynamics {
    * @param sameStructure whether no body came, went or changed since {@code to} was saved
    */
   public void save(DynamicsState to, boolean sameStructure) {
-    mergeWoken();
+    sleeping.mergeWoken();
     to.take(bodies, contacts, joints);
-    to.takeSleep(sleepers, sleep);
+    to.takeSleep(sleepers, sleeping.stamp());
     if (!sameStructure) {
       parts.copyTo(to.parts);
     }
@@ -1163,71 +733,31 @@ public final class Dynamics {
    * @param sameStructure whether no body came, went or changed since {@code from} was saved
    */
   public void restore(DynamicsState from, boolean sameStructure) {
-    wokenCount = 0;
-    touchedCount = 0;
-    askedCount = 0;
-    busy = false;
-    gatheredCount = 0;
-    if (sameStructure) {
-      gatherMisplaced(from);
-    }
+    sleeping.reset();
+    int misplaced = sameStructure ? sleeping.gatherMisplaced(from, staticMoved) : 0;
     from.bodies.copyTo(bodies);
     from.contacts.copyTo(contacts);
     from.joints.copyTo(joints);
     if (sameStructure) {
-      for (int i = 0; i < gatheredCount; i++) {
-        leave(gathered[i]);
-        enter(gathered[i]);
+      for (int i = 0; i < misplaced; i++) {
+        leave(sleeping.gathered(i));
+        enter(sleeping.gathered(i));
       }
     } else {
       from.parts.copyTo(parts);
       pairs.clear();
       active.clear();
       active.reserve(bodies.slots());
-      asleepCount = 0;
+      sleeping.clear();
       for (int body = 0; body < bodies.slots(); body++) {
         if (bodies.type[body] != BodyStore.FREE && !bodies.disabled(body)) {
           enter(body);
         }
       }
     }
-    if (!sleep.same(from.sleep)) {
-      from.sleepers.copyTo(sleepers);
-      from.sleep.copyTo(sleep);
-    }
-    joints.clearAwake();
-    for (int j = 0; j < joints.slots(); j++) {
-      if (joints.type[j] != JointStore.FREE) {
-        refreshJoint(j);
-      }
-    }
+    sleeping.take(from);
     rulesStale = true;
     pairs.searchAll();
     pairs.posesChanged();
-  }
-
-  /** Finds the bodies that are in the wrong tree, or in the wrong place of the tree that rests. */
-  private void gatherMisplaced(DynamicsState from) {
-    if (!staticMoved && sleep.same(from.sleep)) {
-      return;
-    }
-    BodyStore then = from.bodies;
-    for (int body = 0; body < bodies.slots(); body++) {
-      if (bodies.type[body] == BodyStore.FREE || bodies.disabled(body)) {
-        continue;
-      }
-      boolean moves = active.contains(body);
-      boolean willRest = bodies.type[body] == BodyStore.STATIC || then.asleep(body);
-      if (moves == willRest || (willRest && !samePlace(then, body))) {
-        gather(body);
-      }
-    }
-  }
-
-  private boolean samePlace(BodyStore then, int body) {
-    return bodies.x[body] == then.x[body]
-        && bodies.y[body] == then.y[body]
-        && bodies.cos[body] == then.cos[body]
-        && bodies.sin[body] == then.sin[body];
   }
 }
