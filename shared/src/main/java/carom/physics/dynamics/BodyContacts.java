@@ -165,9 +165,9 @@ public final class BodyContacts {
     boolean isA = t.bodyA(row) == body;
     other[size] = isA ? t.bodyB(row) : t.bodyA(row);
     sensor[size] = t.sensor(row);
-    nx[size] = isA ? t.nx[row] : -t.nx[row];
-    ny[size] = isA ? t.ny[row] : -t.ny[row];
-    impulse[size] = t.total0[row] + (t.points[row] > 1 ? t.total1[row] : 0);
+    nx[size] = isA ? t.normalX(row) : -t.normalX(row);
+    ny[size] = isA ? t.normalY(row) : -t.normalY(row);
+    impulse[size] = t.impulse(row, 0) + (t.points[row] > 1 ? t.impulse(row, 1) : 0);
     size++;
   }
 

@@ -110,47 +110,65 @@ final class ContactPacker {
     int o = ContactKey.bodyB(t.key[r]);
     blocks.bodyA[lane] = (activeIndex[a] + 1) * STRIDE;
     blocks.bodyB[lane] = (activeIndex[o] + 1) * STRIDE;
-    float nx = t.nx[r];
-    float ny = t.ny[r];
+    float[] c = t.contact;
+    int from = r * ContactTable.CONTACT;
+    float[] m = t.material;
+    int mixed = r * ContactTable.MATERIAL;
+    float nx = c[from + ContactTable.NX];
+    float ny = c[from + ContactTable.NY];
     d[at + NX] = nx;
     d[at + NY] = ny;
-    d[at + FRICTION] = t.friction[r];
+    d[at + FRICTION] = m[mixed + ContactTable.FRICTION];
     d[at + MASS_A] = b.invMass[a];
     d[at + MASS_B] = b.invMass[o];
     d[at + INERTIA_A] = b.invInertia[a];
     d[at + INERTIA_B] = b.invInertia[o];
     float gapX = b.x[o] - b.x[a];
     float gapY = b.y[o] - b.y[a];
-    packPoint(at, FIRST, t.x0[r], t.y0[r], gapX, gapY, t.separation0[r]);
-    d[at + FIRST + NORMAL] = t.normal0[r];
-    d[at + FIRST + TANGENT] = t.tangent0[r];
+    packPoint(
+        at,
+        FIRST,
+        c[from + ContactTable.X0],
+        c[from + ContactTable.Y0],
+        gapX,
+        gapY,
+        c[from + ContactTable.GAP0]);
+    d[at + FIRST + NORMAL] = c[from + ContactTable.NORMAL0];
+    d[at + FIRST + TANGENT] = c[from + ContactTable.TANGENT0];
     if ((blocks.traits[block] & TWO) != 0) {
-      packPoint(at, SECOND, t.x1[r], t.y1[r], gapX, gapY, t.separation1[r]);
-      d[at + SECOND + NORMAL] = t.normal1[r];
-      d[at + SECOND + TANGENT] = t.tangent1[r];
+      packPoint(
+          at,
+          SECOND,
+          c[from + ContactTable.X1],
+          c[from + ContactTable.Y1],
+          gapX,
+          gapY,
+          c[from + ContactTable.GAP1]);
+      d[at + SECOND + NORMAL] = c[from + ContactTable.NORMAL1];
+      d[at + SECOND + TANGENT] = c[from + ContactTable.TANGENT1];
       d[at + CROSS] = cross(at);
       d[at + FIRST + YIELD] *= SHARE;
       d[at + SECOND + YIELD] *= SHARE;
     }
-    if (t.surface[r] != 0) {
+    if (m[mixed + ContactTable.SURFACE] != 0) {
       blocks.has(block, MOVING_SURFACE, SURFACE, ROUND_A);
-      blocks.extra[block * EXTRA + i + SURFACE] = t.surface[r];
+      blocks.extra[block * EXTRA + i + SURFACE] = m[mixed + ContactTable.SURFACE];
     }
-    if (t.roundA[r] != 0 || t.roundB[r] != 0) {
+    if (m[mixed + ContactTable.ROUND_A] != 0 || m[mixed + ContactTable.ROUND_B] != 0) {
       blocks.has(block, ROUND, ROUND_A, ROLLING);
-      blocks.extra[block * EXTRA + i + ROUND_A] = t.roundA[r];
-      blocks.extra[block * EXTRA + i + ROUND_B] = t.roundB[r];
+      blocks.extra[block * EXTRA + i + ROUND_A] = m[mixed + ContactTable.ROUND_A];
+      blocks.extra[block * EXTRA + i + ROUND_B] = m[mixed + ContactTable.ROUND_B];
     }
-    if (t.rolling[r] > 0) {
+    if (m[mixed + ContactTable.ROLLING] > 0) {
       blocks.has(block, ROLLS, ROLLING, PULL);
       float turning = b.invInertia[a] + b.invInertia[o];
-      blocks.extra[block * EXTRA + i + ROLLING] = t.rolling[r];
+      blocks.extra[block * EXTRA + i + ROLLING] = m[mixed + ContactTable.ROLLING];
       blocks.extra[block * EXTRA + i + ROLL_MASS] = turning > 0 ? 1 / turning : 0;
       blocks.extra[block * EXTRA + i + ROLL] = t.roll[r];
       blocks.traits[block] &= ~WIDE;
     }
-    if (t.restitution[r] > 0) {
-      packBounce(block, i, t.restitution[r]);
+    if (m[mixed + ContactTable.RESTITUTION] > 0) {
+      packBounce(block, i, m[mixed + ContactTable.RESTITUTION]);
     }
   }
 
@@ -235,22 +253,24 @@ final class ContactPacker {
 
   private void storeBlocks(int from, int to) {
     ContactTable t = table;
+    float[] c = t.contact;
     float[] d = blocks.data;
     for (int block = from; block < to; block++) {
       for (int i = 0; i < blocks.used[block]; i++) {
         int at = block * RECORD + i;
         int r = blocks.row[block * LANES + i];
+        int into = r * ContactTable.CONTACT;
         float load = d[at + FIRST + NORMAL];
-        t.normal0[r] = load;
-        t.tangent0[r] = d[at + FIRST + TANGENT];
-        t.total0[r] = d[at + FIRST + TOTAL];
-        t.slide0[r] = d[at + FIRST + SLIDE];
+        c[into + ContactTable.NORMAL0] = load;
+        c[into + ContactTable.TANGENT0] = d[at + FIRST + TANGENT];
+        c[into + ContactTable.TOTAL0] = d[at + FIRST + TOTAL];
+        c[into + ContactTable.SLIDE0] = d[at + FIRST + SLIDE];
         if ((blocks.traits[block] & TWO) != 0) {
-          t.normal1[r] = d[at + SECOND + NORMAL];
-          t.tangent1[r] = d[at + SECOND + TANGENT];
-          t.total1[r] = d[at + SECOND + TOTAL];
-          t.slide1[r] = d[at + SECOND + SLIDE];
-          load += t.normal1[r];
+          c[into + ContactTable.NORMAL1] = d[at + SECOND + NORMAL];
+          c[into + ContactTable.TANGENT1] = d[at + SECOND + TANGENT];
+          c[into + ContactTable.TOTAL1] = d[at + SECOND + TOTAL];
+          c[into + ContactTable.SLIDE1] = d[at + SECOND + SLIDE];
+          load += d[at + SECOND + NORMAL];
         }
         if ((blocks.traits[block] & ROLLS) != 0) {
           t.roll[r] = blocks.extra[block * EXTRA + i + ROLL];

@@ -40,20 +40,68 @@ public final class ContactTable {
   /** Flag: neither body is dynamic and awake, so there is nothing to solve. */
   static final byte DORMANT = -128;
 
+  /** Floats per row in {@link #contact}: as much as a line of the processor's caches. */
+  static final int CONTACT = 16;
+
+  /** Unit normal from A to B. */
+  static final int NX = 0;
+
+  static final int NY = 1;
+
+  /** Points relative to A's centre of mass, world axes, m; and their gaps, m. */
+  static final int X0 = 2;
+
+  static final int Y0 = 3;
+  static final int GAP0 = 4;
+  static final int X1 = 5;
+  static final int Y1 = 6;
+  static final int GAP1 = 7;
+
+  /** Of each point: impulses to start the next step with, N s per substep, */
+  static final int NORMAL0 = 8;
+
+  static final int TANGENT0 = 9;
+
+  /** and those of the whole step, N s, along normal and tangent. */
+  static final int TOTAL0 = 10;
+
+  static final int SLIDE0 = 11;
+  static final int NORMAL1 = 12;
+  static final int TANGENT1 = 13;
+  static final int TOTAL1 = 14;
+  static final int SLIDE1 = 15;
+
+  /** Floats per row in {@link #material}; they change with the rows only. */
+  static final int MATERIAL = 6;
+
+  static final int FRICTION = 0;
+  static final int RESTITUTION = 1;
+
+  /** Torque against rolling per normal force, m. */
+  static final int ROLLING = 2;
+
+  /** Speed of both surfaces together, along the normal turned right, m/s. */
+  static final int SURFACE = 3;
+
+  /** Radii of the parts' rounding, m. */
+  static final int ROUND_A = 4;
+
+  static final int ROUND_B = 5;
+
   private static final int FIRST_CAPACITY = 128;
 
   long[] key = new long[FIRST_CAPACITY];
-  int[] partA = new int[FIRST_CAPACITY];
-  int[] partB = new int[FIRST_CAPACITY];
+
+  /** Two per row: the part of A, and of B. */
+  int[] part = new int[2 * FIRST_CAPACITY];
+
   byte[] flags = new byte[FIRST_CAPACITY];
 
   /** Number of points: 0, 1 or 2. */
   byte[] points = new byte[FIRST_CAPACITY];
 
-  /** Feature ids of the points. */
-  int[] id0 = new int[FIRST_CAPACITY];
-
-  int[] id1 = new int[FIRST_CAPACITY];
+  /** Two per row: the feature ids of the points. */
+  int[] id = new int[2 * FIRST_CAPACITY];
 
   /** Where the search for the best face ended; changes no result, so it isn't saved. */
   int[] hint = new int[FIRST_CAPACITY];
@@ -61,57 +109,14 @@ public final class ContactTable {
   /** Manifolds of steps before; change no result, so they aren't saved. */
   final KeptManifolds kept = new KeptManifolds();
 
-  /** Impulses to start the next step with, N s per substep: normal and tangential of each point. */
-  float[] normal0 = new float[FIRST_CAPACITY];
+  /** What steps change, {@value #CONTACT} floats per row. */
+  float[] contact = new float[CONTACT * FIRST_CAPACITY];
 
-  float[] normal1 = new float[FIRST_CAPACITY];
-  float[] tangent0 = new float[FIRST_CAPACITY];
-  float[] tangent1 = new float[FIRST_CAPACITY];
+  /** What the materials of both parts make together, {@value #MATERIAL} floats per row. */
+  float[] material = new float[MATERIAL * FIRST_CAPACITY];
 
   /** Impulse against rolling to start the next step with, N m s per substep. */
   float[] roll = new float[FIRST_CAPACITY];
-
-  /** Mixed materials. */
-  float[] friction = new float[FIRST_CAPACITY];
-
-  float[] restitution = new float[FIRST_CAPACITY];
-
-  /** Torque against rolling per normal force, m. */
-  float[] rolling = new float[FIRST_CAPACITY];
-
-  /** Speed of both surfaces together, along the normal turned right, m/s. */
-  float[] surface = new float[FIRST_CAPACITY];
-
-  /** Radii of the parts' rounding, m. */
-  float[] roundA = new float[FIRST_CAPACITY];
-
-  float[] roundB = new float[FIRST_CAPACITY];
-
-  /** Unit normal from A to B. */
-  float[] nx = new float[FIRST_CAPACITY];
-
-  float[] ny = new float[FIRST_CAPACITY];
-
-  /** Points relative to A's centre of mass, world axes, m; and their gaps. */
-  float[] x0 = new float[FIRST_CAPACITY];
-
-  float[] y0 = new float[FIRST_CAPACITY];
-  float[] separation0 = new float[FIRST_CAPACITY];
-  float[] x1 = new float[FIRST_CAPACITY];
-  float[] y1 = new float[FIRST_CAPACITY];
-  float[] separation1 = new float[FIRST_CAPACITY];
-
-  /** Impulses of the whole step, N s. */
-  float[] total0 = new float[FIRST_CAPACITY];
-
-  float[] total1 = new float[FIRST_CAPACITY];
-  float[] slide0 = new float[FIRST_CAPACITY];
-  float[] slide1 = new float[FIRST_CAPACITY];
-
-  private float[][] floats = gather();
-
-  /** The first of the float arrays change with the rows only. */
-  private static final int COLD = 6;
 
   private final Stamp rows = new Stamp();
   private final RowMoves moves = new RowMoves();
@@ -170,7 +175,7 @@ public final class ContactTable {
    * @return its number in the shape table
    */
   public int partA(int row) {
-    return partA[row];
+    return part[2 * row];
   }
 
   /**
@@ -180,7 +185,7 @@ public final class ContactTable {
    * @return its number in the shape table
    */
   public int partB(int row) {
-    return partB[row];
+    return part[2 * row + 1];
   }
 
   /**
@@ -210,7 +215,7 @@ public final class ContactTable {
    * @return x
    */
   public float normalX(int row) {
-    return nx[row];
+    return contact[row * CONTACT + NX];
   }
 
   /**
@@ -220,7 +225,7 @@ public final class ContactTable {
    * @return y
    */
   public float normalY(int row) {
-    return ny[row];
+    return contact[row * CONTACT + NY];
   }
 
   /**
@@ -230,7 +235,7 @@ public final class ContactTable {
    * @return Coulomb coefficient
    */
   public float friction(int row) {
-    return friction[row];
+    return material[row * MATERIAL + FRICTION];
   }
 
   /**
@@ -240,7 +245,7 @@ public final class ContactTable {
    * @return speed after by speed before
    */
   public float restitution(int row) {
-    return restitution[row];
+    return material[row * MATERIAL + RESTITUTION];
   }
 
   /**
@@ -251,7 +256,7 @@ public final class ContactTable {
    * @return x, m
    */
   public float pointX(int row, int point) {
-    return point == 0 ? x0[row] : x1[row];
+    return contact[row * CONTACT + (point == 0 ? X0 : X1)];
   }
 
   /**
@@ -262,7 +267,7 @@ public final class ContactTable {
    * @return y, m
    */
   public float pointY(int row, int point) {
-    return point == 0 ? y0[row] : y1[row];
+    return contact[row * CONTACT + (point == 0 ? Y0 : Y1)];
   }
 
   /**
@@ -273,7 +278,7 @@ public final class ContactTable {
    * @return m, negative when overlapping
    */
   public float separation(int row, int point) {
-    return point == 0 ? separation0[row] : separation1[row];
+    return contact[row * CONTACT + (point == 0 ? GAP0 : GAP1)];
   }
 
   /**
@@ -284,7 +289,7 @@ public final class ContactTable {
    * @return N s
    */
   public float impulse(int row, int point) {
-    return point == 0 ? total0[row] : total1[row];
+    return contact[row * CONTACT + (point == 0 ? TOTAL0 : TOTAL1)];
   }
 
   /**
@@ -295,7 +300,7 @@ public final class ContactTable {
    * @return N s
    */
   public float slide(int row, int point) {
-    return point == 0 ? slide0[row] : slide1[row];
+    return contact[row * CONTACT + (point == 0 ? SLIDE0 : SLIDE1)];
   }
 
   /**
@@ -306,7 +311,12 @@ public final class ContactTable {
    * @return N s
    */
   public float warmImpulse(int row, int point) {
-    return point == 0 ? normal0[row] : normal1[row];
+    return contact[row * CONTACT + (point == 0 ? NORMAL0 : NORMAL1)];
+  }
+
+  /** Speed of both surfaces together, m/s. */
+  float surface(int row) {
+    return material[row * MATERIAL + SURFACE];
   }
 
   /** The row of a pair, negative if there is none. */
@@ -316,7 +326,7 @@ public final class ContactTable {
 
   /** Whether the last step, or this one once it is solved, pushed the parts apart. */
   boolean pushed(int row) {
-    return total0[row] > 0 || total1[row] > 0;
+    return contact[row * CONTACT + TOTAL0] > 0 || contact[row * CONTACT + TOTAL1] > 0;
   }
 
   /**
@@ -356,62 +366,66 @@ public final class ContactTable {
       return;
     }
     // Mostly the same points touch as before, and their impulses stay where they are.
-    boolean same = n == oldPoints && m.id0 == id0[row] && (n == 1 || m.id1 == id1[row]);
+    boolean same = n == oldPoints && m.id0 == id[2 * row] && (n == 1 || m.id1 == id[2 * row + 1]);
     if (!same) {
       inherit(row, m, oldPoints);
     }
-    total0[row] = 0;
-    total1[row] = 0;
-    slide0[row] = 0;
-    slide1[row] = 0;
+    float[] c = contact;
+    int at = row * CONTACT;
+    c[at + TOTAL0] = 0;
+    c[at + SLIDE0] = 0;
+    c[at + TOTAL1] = 0;
+    c[at + SLIDE1] = 0;
     if (n == 0) {
       roll[row] = 0;
       return;
     }
-    nx[row] = m.normalX;
-    ny[row] = m.normalY;
-    x0[row] = m.x0;
-    y0[row] = m.y0;
-    separation0[row] = m.separation0;
+    c[at + NX] = m.normalX;
+    c[at + NY] = m.normalY;
+    c[at + X0] = m.x0;
+    c[at + Y0] = m.y0;
+    c[at + GAP0] = m.separation0;
     if (n > 1) {
-      x1[row] = m.x1;
-      y1[row] = m.y1;
-      separation1[row] = m.separation1;
+      c[at + X1] = m.x1;
+      c[at + Y1] = m.y1;
+      c[at + GAP1] = m.separation1;
     }
   }
 
   /** Takes the points' ids over, and gives each the impulses of the one that had its id. */
   private void inherit(int row, Manifold m, int oldPoints) {
     int n = m.count;
-    float oldNormal0 = normal0[row];
-    float oldTangent0 = tangent0[row];
-    float oldNormal1 = normal1[row];
-    float oldTangent1 = tangent1[row];
-    int oldId0 = id0[row];
-    int oldId1 = id1[row];
+    float[] c = contact;
+    int at = row * CONTACT;
+    float oldNormal0 = c[at + NORMAL0];
+    float oldTangent0 = c[at + TANGENT0];
+    float oldNormal1 = c[at + NORMAL1];
+    float oldTangent1 = c[at + TANGENT1];
+    int oldId0 = id[2 * row];
+    int oldId1 = id[2 * row + 1];
     points[row] = (byte) n;
-    normal0[row] = 0;
-    tangent0[row] = 0;
-    normal1[row] = 0;
-    tangent1[row] = 0;
+    c[at + NORMAL0] = 0;
+    c[at + TANGENT0] = 0;
+    c[at + NORMAL1] = 0;
+    c[at + TANGENT1] = 0;
     if (n > 0) {
-      id0[row] = m.id0;
+      id[2 * row] = m.id0;
       if (oldPoints > 0 && oldId0 == m.id0) {
-        normal0[row] = oldNormal0;
-        tangent0[row] = oldTangent0;
+        c[at + NORMAL0] = oldNormal0;
+        c[at + TANGENT0] = oldTangent0;
       } else if (oldPoints > 1 && oldId1 == m.id0) {
-        normal0[row] = oldNormal1;
-        tangent0[row] = oldTangent1;
+        c[at + NORMAL0] = oldNormal1;
+        c[at + TANGENT0] = oldTangent1;
       }
     }
     if (n > 1) {
-      id1[row] = m.id1;
+      id[2 * row + 1] = m.id1;
       if (oldPoints > 1 && oldId1 == m.id1) {
-        normal1[row] = oldNormal1;
-        tangent1[row] = oldTangent1;
+        c[at + NORMAL1] = oldNormal1;
+        c[at + TANGENT1] = oldTangent1;
       } else if (oldPoints > 0 && oldId0 == m.id1) {
-        normal1[row] = oldNormal0;
-        tangent1[row] = oldTangent0;
+        c[at + NORMAL1] = oldNormal0;
+        c[at + TANGENT1] = oldTangent0;
       }
     }
   }
@@ -421,7 +435,8 @@ public final class ContactTable {
     if (points[row] == 0) {
       return Float.POSITIVE_INFINITY;
     }
-    return points[row] == 1 ? separation0[row] : Math.min(separation0[row], separation1[row]);
+    float gap = contact[row * CONTACT + GAP0];
+    return points[row] == 1 ? gap : Math.min(gap, contact[row * CONTACT + GAP1]);
   }
 
   /** Leaves a row as it is for a step. */
@@ -432,10 +447,11 @@ public final class ContactTable {
 
   /** Starts cold: the contact was not solved. */
   void forget(int row) {
-    normal0[row] = 0;
-    normal1[row] = 0;
-    tangent0[row] = 0;
-    tangent1[row] = 0;
+    int at = row * CONTACT;
+    contact[at + NORMAL0] = 0;
+    contact[at + TANGENT0] = 0;
+    contact[at + NORMAL1] = 0;
+    contact[at + TANGENT1] = 0;
     roll[row] = 0;
   }
 
@@ -488,8 +504,8 @@ public final class ContactTable {
     if ((flags[row] & IGNORED) != 0) {
       return false;
     }
-    int a = partA[row];
-    int b = partB[row];
+    int a = part[2 * row];
+    int b = part[2 * row + 1];
     return !(all || parts.moved[a] || parts.moved[b]) || parts.fat.overlaps(a, b);
   }
 
@@ -497,18 +513,16 @@ public final class ContactTable {
     if (moves.count() == 0) {
       return;
     }
-    moves.apply(key);
-    moves.apply(partA);
-    moves.apply(partB);
-    moves.apply(flags);
-    moves.apply(points);
-    moves.apply(id0);
-    moves.apply(id1);
-    moves.apply(hint);
+    moves.apply(key, 1);
+    moves.apply(part, 2);
+    moves.apply(flags, 1);
+    moves.apply(points, 1);
+    moves.apply(id, 2);
+    moves.apply(hint, 1);
+    moves.apply(contact, CONTACT);
+    moves.apply(material, MATERIAL);
+    moves.apply(roll, 1);
     kept.move(moves);
-    for (float[] field : floats) {
-      moves.apply(field);
-    }
   }
 
   /**
@@ -608,33 +622,35 @@ public final class ContactTable {
   void start(int row, long k, BodyStore bodies, ShapeTable parts) {
     int a = bodies.firstPart[ContactKey.bodyA(k)] + ContactKey.partA(k);
     int b = bodies.firstPart[ContactKey.bodyB(k)] + ContactKey.partB(k);
-    for (float[] field : floats) {
-      field[row] = 0;
-    }
     key[row] = k;
-    partA[row] = a;
-    partB[row] = b;
+    part[2 * row] = a;
+    part[2 * row + 1] = b;
     flags[row] = parts.sensor[a] || parts.sensor[b] ? SENSOR | FRESH : FRESH;
     points[row] = 0;
-    id0[row] = 0;
-    id1[row] = 0;
+    id[2 * row] = 0;
+    id[2 * row + 1] = 0;
     hint[row] = 0;
+    roll[row] = 0;
+    Arrays.fill(contact, row * CONTACT, (row + 1) * CONTACT, 0);
     kept.forget(row);
     mix(row, parts);
   }
 
   /** Mixes the materials of a row's parts. */
   private void mix(int row, ShapeTable parts) {
-    int a = partA[row];
-    int b = partB[row];
-    friction[row] = (float) Math.sqrt(parts.friction[a] * parts.friction[b]);
-    restitution[row] = Math.max(parts.restitution[a], parts.restitution[b]);
-    roundA[row] = parts.convex[a].radius();
-    roundB[row] = parts.convex[b].radius();
-    float radius = Math.max(roundA[row], roundB[row]);
-    rolling[row] = Math.max(parts.rolling[a], parts.rolling[b]) * radius;
-    rolls |= rolling[row] != 0;
-    surface[row] = parts.tangentSpeed[a] + parts.tangentSpeed[b];
+    int a = part[2 * row];
+    int b = part[2 * row + 1];
+    float roundA = parts.convex[a].radius();
+    float roundB = parts.convex[b].radius();
+    float rolling = Math.max(parts.rolling[a], parts.rolling[b]) * Math.max(roundA, roundB);
+    rolls |= rolling != 0;
+    int at = row * MATERIAL;
+    material[at + FRICTION] = (float) Math.sqrt(parts.friction[a] * parts.friction[b]);
+    material[at + RESTITUTION] = Math.max(parts.restitution[a], parts.restitution[b]);
+    material[at + ROLLING] = rolling;
+    material[at + SURFACE] = parts.tangentSpeed[a] + parts.tangentSpeed[b];
+    material[at + ROUND_A] = roundA;
+    material[at + ROUND_B] = roundB;
   }
 
   /** Makes room to keep manifolds; where nobody does so none are kept. */
@@ -662,8 +678,7 @@ public final class ContactTable {
   }
 
   /**
-   * Overwrites rows by those of another table, array by array: row by row, each would touch some
-   * thirty places in memory.
+   * Overwrites rows by those of another table.
    *
    * @param from the other table
    * @param which rows of it
@@ -672,40 +687,20 @@ public final class ContactTable {
    */
   void copyRows(ContactTable from, int[] which, int[] to, int n) {
     for (int i = 0; i < n; i++) {
-      key[to[i]] = from.key[which[i]];
-    }
-    copy(from.partA, which, partA, to, n);
-    copy(from.partB, which, partB, to, n);
-    copy(from.flags, which, flags, to, n);
-    copy(from.points, which, points, to, n);
-    copy(from.id0, which, id0, to, n);
-    copy(from.id1, which, id1, to, n);
-    copy(from.hint, which, hint, to, n);
-    for (int f = 0; f < floats.length; f++) {
-      copy(from.floats[f], which, floats[f], to, n);
-    }
-    for (int i = 0; i < n; i++) {
-      kept.forget(to[i]);
+      int then = which[i];
+      int now = to[i];
+      key[now] = from.key[then];
+      flags[now] = from.flags[then];
+      points[now] = from.points[then];
+      hint[now] = from.hint[then];
+      roll[now] = from.roll[then];
+      System.arraycopy(from.part, 2 * then, part, 2 * now, 2);
+      System.arraycopy(from.id, 2 * then, id, 2 * now, 2);
+      System.arraycopy(from.contact, CONTACT * then, contact, CONTACT * now, CONTACT);
+      System.arraycopy(from.material, MATERIAL * then, material, MATERIAL * now, MATERIAL);
+      kept.forget(now);
     }
     rolls |= from.rolls;
-  }
-
-  private static void copy(int[] from, int[] which, int[] target, int[] to, int n) {
-    for (int i = 0; i < n; i++) {
-      target[to[i]] = from[which[i]];
-    }
-  }
-
-  private static void copy(byte[] from, int[] which, byte[] target, int[] to, int n) {
-    for (int i = 0; i < n; i++) {
-      target[to[i]] = from[which[i]];
-    }
-  }
-
-  private static void copy(float[] from, int[] which, float[] target, int[] to, int n) {
-    for (int i = 0; i < n; i++) {
-      target[to[i]] = from[which[i]];
-    }
   }
 
   /** Bits of the rows that touch, which are all that influences the future. */
@@ -740,10 +735,9 @@ public final class ContactTable {
       int row = records.record(i);
       int state = flags[row] & 0xff & ~(FRESH | WAS_PUSHED);
       records.add(i, 0, key[row]);
-      records.add(i, 1, (long) points[row] << 40 | (long) state << 32 | id0[row] & 0xffffffffL);
+      records.add(i, 1, (long) points[row] << 40 | (long) state << 32 | id[2 * row] & 0xffffffffL);
     }
-    records.add(2, normal0, tangent0);
-    records.add(4, total0);
+    records.addThree(2, contact, CONTACT, NORMAL0);
     if (rolls) {
       records.add(5, roll);
     }
@@ -758,10 +752,9 @@ public final class ContactTable {
     for (int i = 0; i < two; i++) {
       int row = records.record(i);
       records.add(i, 6, key[row]);
-      records.add(i, 7, id1[row]);
+      records.add(i, 7, id[2 * row + 1]);
     }
-    records.add(8, normal1, tangent1);
-    records.add(10, total1);
+    records.addThree(8, contact, CONTACT, NORMAL1);
     return sum + records.finish();
   }
 
@@ -774,23 +767,18 @@ public final class ContactTable {
     to.ensure(count);
     System.arraycopy(flags, 0, to.flags, 0, count);
     System.arraycopy(points, 0, to.points, 0, count);
-    System.arraycopy(id0, 0, to.id0, 0, count);
-    System.arraycopy(id1, 0, to.id1, 0, count);
-    for (int f = COLD; f < floats.length; f++) {
-      System.arraycopy(floats[f], 0, to.floats[f], 0, count);
-    }
-    int perRow = 2 + 2 * Integer.BYTES + Float.BYTES * (floats.length - COLD);
+    System.arraycopy(id, 0, to.id, 0, 2 * count);
+    System.arraycopy(roll, 0, to.roll, 0, count);
+    System.arraycopy(contact, 0, to.contact, 0, CONTACT * count);
+    int perRow = 2 + 2 * Integer.BYTES + Float.BYTES * (CONTACT + 1);
     if (!rows.same(to.rows)) {
       System.arraycopy(key, 0, to.key, 0, count);
-      System.arraycopy(partA, 0, to.partA, 0, count);
-      System.arraycopy(partB, 0, to.partB, 0, count);
-      for (int f = 0; f < COLD; f++) {
-        System.arraycopy(floats[f], 0, to.floats[f], 0, count);
-      }
+      System.arraycopy(part, 0, to.part, 0, 2 * count);
+      System.arraycopy(material, 0, to.material, 0, MATERIAL * count);
       to.count = count;
       to.kept.clear();
       rows.copyTo(to.rows);
-      perRow += Long.BYTES + 2 * Integer.BYTES + Float.BYTES * COLD;
+      perRow += Long.BYTES + 2 * Integer.BYTES + Float.BYTES * MATERIAL;
     }
     to.rolls = rolls;
     to.version++;
@@ -809,64 +797,13 @@ public final class ContactTable {
     int grown = Math.max(capacity, key.length * 2);
     kept.grow(grown);
     key = Arrays.copyOf(key, grown);
-    partA = Arrays.copyOf(partA, grown);
-    partB = Arrays.copyOf(partB, grown);
+    part = Arrays.copyOf(part, 2 * grown);
     flags = Arrays.copyOf(flags, grown);
     points = Arrays.copyOf(points, grown);
-    id0 = Arrays.copyOf(id0, grown);
-    id1 = Arrays.copyOf(id1, grown);
+    id = Arrays.copyOf(id, 2 * grown);
     hint = Arrays.copyOf(hint, grown);
-    normal0 = Arrays.copyOf(normal0, grown);
-    normal1 = Arrays.copyOf(normal1, grown);
-    tangent0 = Arrays.copyOf(tangent0, grown);
-    tangent1 = Arrays.copyOf(tangent1, grown);
+    contact = Arrays.copyOf(contact, CONTACT * grown);
+    material = Arrays.copyOf(material, MATERIAL * grown);
     roll = Arrays.copyOf(roll, grown);
-    friction = Arrays.copyOf(friction, grown);
-    restitution = Arrays.copyOf(restitution, grown);
-    rolling = Arrays.copyOf(rolling, grown);
-    surface = Arrays.copyOf(surface, grown);
-    roundA = Arrays.copyOf(roundA, grown);
-    roundB = Arrays.copyOf(roundB, grown);
-    nx = Arrays.copyOf(nx, grown);
-    ny = Arrays.copyOf(ny, grown);
-    x0 = Arrays.copyOf(x0, grown);
-    y0 = Arrays.copyOf(y0, grown);
-    separation0 = Arrays.copyOf(separation0, grown);
-    x1 = Arrays.copyOf(x1, grown);
-    y1 = Arrays.copyOf(y1, grown);
-    separation1 = Arrays.copyOf(separation1, grown);
-    total0 = Arrays.copyOf(total0, grown);
-    total1 = Arrays.copyOf(total1, grown);
-    slide0 = Arrays.copyOf(slide0, grown);
-    slide1 = Arrays.copyOf(slide1, grown);
-    floats = gather();
-  }
-
-  private float[][] gather() {
-    return new float[][] {
-      friction,
-      restitution,
-      rolling,
-      surface,
-      roundA,
-      roundB,
-      normal0,
-      normal1,
-      tangent0,
-      tangent1,
-      roll,
-      nx,
-      ny,
-      x0,
-      y0,
-      separation0,
-      x1,
-      y1,
-      separation1,
-      total0,
-      total1,
-      slide0,
-      slide1
-    };
   }
 }

@@ -341,8 +341,8 @@ public final class Dynamics {
     rulesStale = false;
     pairs.searchAll();
     for (int row = 0; row < contacts.count(); row++) {
-      int p = contacts.partA[row];
-      int q = contacts.partB[row];
+      int p = contacts.partA(row);
+      int q = contacts.partB(row);
       boolean gone = bodies.disabled(parts.body[p]) || bodies.disabled(parts.body[q]);
       contacts.ignore(row, gone || !pairs.mayTouch(p, q));
     }

@@ -65,9 +65,9 @@ final class EventStage {
     for (int row = 0; row < contacts.count(); row++) {
       hitSpeeds[row] = 0;
       if (contacts.points[row] > 0 && (contacts.flags[row] & ContactTable.WAS_PUSHED) == 0) {
-        float speed = approach(row, contacts.x0[row], contacts.y0[row]);
+        float speed = approach(row, contacts.pointX(row, 0), contacts.pointY(row, 0));
         if (contacts.points[row] > 1) {
-          speed = Math.max(speed, approach(row, contacts.x1[row], contacts.y1[row]));
+          speed = Math.max(speed, approach(row, contacts.pointX(row, 1), contacts.pointY(row, 1)));
         }
         hitSpeeds[row] = speed > settings.hitSpeed() ? speed : 0;
       }
@@ -82,6 +82,6 @@ final class EventStage {
     float by = ay - (bodies.y[b] - bodies.y[a]);
     float partX = bodies.vx[b] - bodies.w[b] * by - (bodies.vx[a] - bodies.w[a] * ay);
     float partY = bodies.vy[b] + bodies.w[b] * bx - (bodies.vy[a] + bodies.w[a] * ax);
-    return -(partX * contacts.nx[row] + partY * contacts.ny[row]);
+    return -(partX * contacts.normalX(row) + partY * contacts.normalY(row));
   }
 }

@@ -206,17 +206,19 @@ public final class Excerpt {
     contacts[at + 2] =
         ContactKey.partA(t.key[row]) << ContactKey.PART_BITS | ContactKey.partB(t.key[row]);
     contacts[at + 3] = n | (t.flags[row] & KEPT_FLAGS) << 8;
-    contacts[at + 4] = t.id0[row];
-    contacts[at + 5] = n > 1 ? t.id1[row] : 0;
-    contacts[at + 6] = Float.floatToRawIntBits(t.nx[row]);
-    contacts[at + 7] = Float.floatToRawIntBits(t.ny[row]);
-    contacts[at + 8] = Float.floatToRawIntBits(t.normal0[row]);
-    contacts[at + 9] = Float.floatToRawIntBits(t.tangent0[row]);
-    contacts[at + 10] = n > 1 ? Float.floatToRawIntBits(t.normal1[row]) : 0;
-    contacts[at + 11] = n > 1 ? Float.floatToRawIntBits(t.tangent1[row]) : 0;
+    contacts[at + 4] = t.id[2 * row];
+    contacts[at + 5] = n > 1 ? t.id[2 * row + 1] : 0;
+    float[] c = t.contact;
+    int from = row * ContactTable.CONTACT;
+    contacts[at + 6] = Float.floatToRawIntBits(c[from + ContactTable.NX]);
+    contacts[at + 7] = Float.floatToRawIntBits(c[from + ContactTable.NY]);
+    contacts[at + 8] = Float.floatToRawIntBits(c[from + ContactTable.NORMAL0]);
+    contacts[at + 9] = Float.floatToRawIntBits(c[from + ContactTable.TANGENT0]);
+    contacts[at + 10] = n > 1 ? Float.floatToRawIntBits(c[from + ContactTable.NORMAL1]) : 0;
+    contacts[at + 11] = n > 1 ? Float.floatToRawIntBits(c[from + ContactTable.TANGENT1]) : 0;
     contacts[at + 12] = Float.floatToRawIntBits(t.roll[row]);
-    contacts[at + 13] = Float.floatToRawIntBits(t.total0[row]);
-    contacts[at + 14] = n > 1 ? Float.floatToRawIntBits(t.total1[row]) : 0;
+    contacts[at + 13] = Float.floatToRawIntBits(c[from + ContactTable.TOTAL0]);
+    contacts[at + 14] = n > 1 ? Float.floatToRawIntBits(c[from + ContactTable.TOTAL1]) : 0;
   }
 
   private int name(int slot) {
@@ -291,17 +293,19 @@ public final class Excerpt {
       rows.start(row, key, store, parts);
       rows.flags[row] |= (byte) (ContactTable.TOUCHING | (contacts[at + 3] >> 8 & KEPT_FLAGS));
       rows.points[row] = (byte) points;
-      rows.id0[row] = contacts[at + 4];
-      rows.id1[row] = contacts[at + 5];
-      rows.nx[row] = Float.intBitsToFloat(contacts[at + 6]);
-      rows.ny[row] = Float.intBitsToFloat(contacts[at + 7]);
-      rows.normal0[row] = Float.intBitsToFloat(contacts[at + 8]);
-      rows.tangent0[row] = Float.intBitsToFloat(contacts[at + 9]);
-      rows.normal1[row] = Float.intBitsToFloat(contacts[at + 10]);
-      rows.tangent1[row] = Float.intBitsToFloat(contacts[at + 11]);
+      rows.id[2 * row] = contacts[at + 4];
+      rows.id[2 * row + 1] = contacts[at + 5];
+      float[] c = rows.contact;
+      int into = row * ContactTable.CONTACT;
+      c[into + ContactTable.NX] = Float.intBitsToFloat(contacts[at + 6]);
+      c[into + ContactTable.NY] = Float.intBitsToFloat(contacts[at + 7]);
+      c[into + ContactTable.NORMAL0] = Float.intBitsToFloat(contacts[at + 8]);
+      c[into + ContactTable.TANGENT0] = Float.intBitsToFloat(contacts[at + 9]);
+      c[into + ContactTable.NORMAL1] = Float.intBitsToFloat(contacts[at + 10]);
+      c[into + ContactTable.TANGENT1] = Float.intBitsToFloat(contacts[at + 11]);
       rows.roll[row] = Float.intBitsToFloat(contacts[at + 12]);
-      rows.total0[row] = Float.intBitsToFloat(contacts[at + 13]);
-      rows.total1[row] = Float.intBitsToFloat(contacts[at + 14]);
+      c[into + ContactTable.TOTAL0] = Float.intBitsToFloat(contacts[at + 13]);
+      c[into + ContactTable.TOTAL1] = Float.intBitsToFloat(contacts[at + 14]);
       written++;
     }
     return written;

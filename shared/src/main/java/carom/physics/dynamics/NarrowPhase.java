@@ -123,7 +123,8 @@ final class NarrowPhase {
     Arrays.fill(next, 0);
     for (int row = from; row < to; row++) {
       int kind =
-          parts.kind[contacts.partA[row]] * ShapeTable.KINDS + parts.kind[contacts.partB[row]];
+          parts.kind[contacts.part[2 * row]] * ShapeTable.KINDS
+              + parts.kind[contacts.part[2 * row + 1]];
       kinds[row - from] = (byte) kind;
       next[kind]++;
     }
@@ -158,8 +159,8 @@ final class NarrowPhase {
   }
 
   private void collide(int row, boolean sensor, Desk desk) {
-    int partA = contacts.partA[row];
-    int partB = contacts.partB[row];
+    int partA = contacts.part[2 * row];
+    int partB = contacts.part[2 * row + 1];
     int b = contacts.bodyB(row);
     place(contacts.bodyA(row), desk.poseA);
     place(b, desk.poseB);

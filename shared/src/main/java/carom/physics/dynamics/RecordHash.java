@@ -112,6 +112,29 @@ final class RecordHash {
     }
   }
 
+  /**
+   * Adds three neighbours of each record, as words at {@code place} and the two after it.
+   *
+   * @param place as in {@link #add(int, int, long)}
+   * @param a the records
+   * @param stride floats of {@code a} per record
+   * @param offset the first of the three within a record
+   */
+  void addThree(int place, float[] a, int stride, int offset) {
+    int[] which = records;
+    long[] to = sums;
+    long factorA = FACTORS[place];
+    long factorB = FACTORS[place + 1];
+    long factorC = FACTORS[place + 2];
+    for (int i = 0; i < count; i++) {
+      int at = which[i] * stride + offset;
+      to[i] +=
+          Float.floatToRawIntBits(a[at]) * factorA
+              + Float.floatToRawIntBits(a[at + 1]) * factorB
+              + Float.floatToRawIntBits(a[at + 2]) * factorC;
+    }
+  }
+
   /** The hash of all listed records. */
   long finish() {
     long all = 0;

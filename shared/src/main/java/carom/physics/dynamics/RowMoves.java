@@ -11,9 +11,6 @@ import java.util.Arrays;
  * latter in descending order, and nothing is lost.
  */
 final class RowMoves {
-  /** Below this length a loop is faster than a call. */
-  private static final int SHORT = 6;
-
   /** Where new rows go, by their number. */
   int[] inserted = new int[64];
 
@@ -62,79 +59,27 @@ final class RowMoves {
     inserted[number] = to;
   }
 
-  /** Moves the rows of an array. */
-  void apply(float[] a) {
+  /**
+   * Moves the rows of an array.
+   *
+   * @param array of floats, ints, longs or bytes
+   * @param stride how many of these a row has
+   */
+  void apply(Object array, int stride) {
     for (int i = 0; i < count; i++) {
       if (offset[i] < 0) {
-        back(a, from[i], length[i], offset[i]);
+        move(array, i, stride);
       }
     }
     for (int i = count - 1; i >= 0; i--) {
       if (offset[i] > 0) {
-        on(a, from[i], length[i], offset[i]);
+        move(array, i, stride);
       }
     }
   }
 
-  /** Moves the rows of an array in which each takes several places. */
-  void apply(float[] a, int stride) {
-    for (int i = 0; i < count; i++) {
-      if (offset[i] < 0) {
-        back(a, from[i] * stride, length[i] * stride, offset[i] * stride);
-      }
-    }
-    for (int i = count - 1; i >= 0; i--) {
-      if (offset[i] > 0) {
-        on(a, from[i] * stride, length[i] * stride, offset[i] * stride);
-      }
-    }
-  }
-
-  private static void back(float[] a, int first, int n, int by) {
-    if (n >= SHORT) {
-      System.arraycopy(a, first, a, first + by, n);
-      return;
-    }
-    for (int i = first; i < first + n; i++) {
-      a[i + by] = a[i];
-    }
-  }
-
-  private static void on(float[] a, int first, int n, int by) {
-    if (n >= SHORT) {
-      System.arraycopy(a, first, a, first + by, n);
-      return;
-    }
-    for (int i = first + n - 1; i >= first; i--) {
-      a[i + by] = a[i];
-    }
-  }
-
-  /** Moves the rows of an array. */
-  void apply(int[] a) {
-    applyTo(a);
-  }
-
-  /** Moves the rows of an array. */
-  void apply(long[] a) {
-    applyTo(a);
-  }
-
-  /** Moves the rows of an array. */
-  void apply(byte[] a) {
-    applyTo(a);
-  }
-
-  private void applyTo(Object array) {
-    for (int i = 0; i < count; i++) {
-      if (offset[i] < 0) {
-        System.arraycopy(array, from[i], array, from[i] + offset[i], length[i]);
-      }
-    }
-    for (int i = count - 1; i >= 0; i--) {
-      if (offset[i] > 0) {
-        System.arraycopy(array, from[i], array, from[i] + offset[i], length[i]);
-      }
-    }
+  private void move(Object array, int run, int stride) {
+    int first = from[run] * stride;
+    System.arraycopy(array, first, array, first + offset[run] * stride, length[run] * stride);
   }
 }

@@ -490,7 +490,7 @@ final class Sleeping {
     islands.reset(active.count);
     for (int row = 0; row < contacts.count(); row++) {
       if (contacts.points[row] > 0 && (contacts.flags[row] & ContactTable.VETOED) == 0) {
-        tie(contacts.bodyA(row), contacts.bodyB(row), contacts.surface[row] != 0);
+        tie(contacts.bodyA(row), contacts.bodyB(row), contacts.surface(row) != 0);
       }
     }
     for (int j = joints.nextAwake(0); j >= 0; j = joints.nextAwake(j + 1)) {

@@ -29,23 +29,25 @@ final class RowMovesTest {
           expected[to++] = row;
         }
       }
-      float[] floats = new float[expected.length];
+      float[] floats = new float[3 * expected.length];
       long[] longs = new long[expected.length];
       for (int row = 0; row < n; row++) {
-        floats[row] = row;
+        Arrays.fill(floats, 3 * row, 3 * row + 3, row);
         longs[row] = row;
       }
-      moves.apply(floats);
-      moves.apply(longs);
+      moves.apply(floats, 3);
+      moves.apply(longs, 1);
       for (int i = 0; i < fresh; i++) {
-        floats[moves.inserted[i]] = -(i + 1);
+        Arrays.fill(floats, 3 * moves.inserted[i], 3 * moves.inserted[i] + 3, -(i + 1));
         longs[moves.inserted[i]] = -(i + 1);
       }
       float[] copied = new float[to];
+      float[] thrice = new float[3 * to];
       for (int i = 0; i < to; i++) {
         copied[i] = longs[i];
+        Arrays.fill(thrice, 3 * i, 3 * i + 3, expected[i]);
       }
-      assertArrayEquals(Arrays.copyOf(expected, to), Arrays.copyOf(floats, to), "seed=" + seed);
+      assertArrayEquals(thrice, Arrays.copyOf(floats, 3 * to), "seed=" + seed);
       assertArrayEquals(Arrays.copyOf(expected, to), copied, "seed=" + seed);
     }
   }
