@@ -250,7 +250,7 @@ public final class Neighbourhood {
 
   /** Whether a listed entity's body is awake and may move. */
   public boolean awake(int index) {
-    return entities[index * ENTITY_INTS + Excerpt.BODY_INTS] != Excerpt.ASLEEP;
+    return entities[index * ENTITY_INTS + 1 + Excerpt.REST] != Excerpt.ASLEEP;
   }
 
   /**

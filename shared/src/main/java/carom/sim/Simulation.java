@@ -75,6 +75,11 @@ public final class Simulation {
   private boolean inTick;
   private Journal journal;
 
+  /** Whose {@link Entity#ruledTick} somebody wants to know in the next step. */
+  private Entity[] watched = new Entity[16];
+
+  private int watchedCount;
+
   /** On AUTHORITY, if the game looks back; else null. */
   private final PoseHistory history;
 
@@ -536,7 +541,7 @@ public final class Simulation {
     if (role == Role.AUTHORITY) {
       rulesBegin();
       game.beforeStep(this);
-      rulesEnd(tick);
+      rulesEnd(true);
     }
     for (int i = 0; i < playerLimit; i++) {
       Player player = players[i];
@@ -553,8 +558,30 @@ public final class Simulation {
     if (role == Role.AUTHORITY) {
       rulesBegin();
       game.afterStep(this);
-      rulesEnd(tick + 1);
+      rulesEnd(false);
+      Arrays.fill(watched, 0, watchedCount, null);
+      watchedCount = 0;
     }
+  }
+
+  /**
+   * Asks for {@link Entity#ruledTick} of the next step; on {@link Role#AUTHORITY}. What nobody
+   * watches costs nothing.
+   */
+  public void watch(Entity entity) {
+    if (entity.watchedTick == tick) {
+      return;
+    }
+    entity.watchedTick = tick;
+    if (watchedCount == watched.length) {
+      watched = Arrays.copyOf(watched, 2 * watchedCount);
+    }
+    watched[watchedCount++] = entity;
+  }
+
+  /** Whether an entity of {@link #watched} is still there. */
+  private boolean isHere(Entity entity) {
+    return entity(entity.id()) == entity;
   }
 
   private void rulesBegin() {
@@ -563,12 +590,23 @@ public final class Simulation {
         players[i].rulesBegin();
       }
     }
+    for (int i = 0; i < watchedCount; i++) {
+      if (isHere(watched[i])) {
+        watched[i].rulesBegin(owner(watched[i]));
+      }
+    }
   }
 
-  private void rulesEnd(int shownTick) {
+  /** What is pushed after the physics shows a tick later. */
+  private void rulesEnd(boolean early) {
     for (int i = 0; i < playerLimit; i++) {
       if (players[i] != null) {
-        players[i].rulesEnd(shownTick);
+        players[i].rulesEnd(early ? tick : tick + 1);
+      }
+    }
+    for (int i = 0; i < watchedCount; i++) {
+      if (isHere(watched[i])) {
+        watched[i].rulesEnd(owner(watched[i]), tick, early);
       }
     }
   }

@@ -17,7 +17,9 @@ import java.util.Arrays;
  */
 final class Mending {
   private static final int BODY = 1;
-  private static final int REST = Excerpt.BODY_INTS;
+  private static final int REST = BODY + Excerpt.REST;
+  private static final int PUSHES = REST + 1;
+  private static final int MEMORY = BODY + Excerpt.BODY_INTS;
 
   /** End of a contact that isn't taken over. */
   private static final int NOWHERE = Integer.MAX_VALUE;
@@ -179,16 +181,17 @@ final class Mending {
     row[BODY + 5] = Float.floatToRawIntBits(own.vy());
     row[BODY + 6] = Float.floatToRawIntBits(own.omega());
     row[REST] = 0; // players' bodies never rest
+    Arrays.fill(row, PUSHES, MEMORY, 0);
     for (int i = 0; i < OwnState.MEMORY; i++) {
-      row[REST + 1 + i] = own.memory(i);
+      row[MEMORY + i] = own.memory(i);
     }
   }
 
   /** What comes from the network must not poison the simulation. */
   private static boolean isFinite(int[] rows, int at) {
-    for (int i = 0; i < 7; i++) {
-      float value = Float.intBitsToFloat(rows[at + BODY + i]);
-      if (!(Math.abs(value) < 1e9f)) {
+    for (int i = BODY; i < MEMORY; i++) {
+      float value = Float.intBitsToFloat(rows[at + i]);
+      if (i != REST && !(Math.abs(value) < 1e9f)) {
         return false;
       }
     }
@@ -227,5 +230,6 @@ final class Mending {
     row[BODY + 5] = Float.floatToRawIntBits(target.vy);
     row[BODY + 6] = Float.floatToRawIntBits(target.omega);
     row[REST] = 0;
+    Arrays.fill(row, PUSHES, MEMORY, 0);
   }
 }

@@ -31,6 +31,11 @@ final class NearUpdate {
     used = true;
   }
 
+  /** Whether a snapshot belongs to a later update than this. */
+  boolean isFollowedBy(NearState near, int tick) {
+    return near.present() && near.updating() && tick - near.age() > baseTick;
+  }
+
   /** Takes what a snapshot brings. */
   void hear(NearState near, int tick) {
     if (!near.present() || !near.updating()) {

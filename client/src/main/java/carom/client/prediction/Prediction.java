@@ -68,11 +68,15 @@ public final class Prediction {
   private final Neighbourhood here = new Neighbourhood();
   private final OwnState server = new OwnState();
   private final OwnState predicted = new OwnState();
-  private final NearUpdate update = new NearUpdate();
   private final Records records;
   private final PlayerInputs inputs;
   private final Mending mending;
   private final Pictures pictures;
+
+  /** The update that snapshots bring at present, and a complete one before it that waits for use. */
+  private NearUpdate update = new NearUpdate();
+
+  private NearUpdate earlier = new NearUpdate();
 
   private boolean active;
   private int tick = -1;
@@ -281,6 +285,12 @@ public final class Prediction {
    * @param stateTick its tick
    */
   public void hear(NearState near, int stateTick) {
+    if (update.isReady() && update.isFollowedBy(near, stateTick)) {
+      NearUpdate done = update;
+      update = earlier;
+      earlier = done;
+      update.clear();
+    }
     update.hear(near, stateTick);
   }
 
@@ -365,24 +375,14 @@ public final class Prediction {
     if (isSaved(wrong - 1) && present - wrong < affordable(maxReplayNs)) {
       from = wrong - 1;
     }
-    boolean told = update.isReady() && isSaved(update.baseTick()) && isUsable();
-    if (told && present - update.baseTick() > affordable(UPDATE_WORTH * maxReplayNs)) {
-      update.use();
-      cutShort++;
-      told = false;
-    }
-    if (told) {
-      from = Math.min(from, update.baseTick());
-      worthNs = UPDATE_WORTH * maxReplayNs;
-    }
+    from = Math.min(from, Math.min(tellsFrom(earlier, present), tellsFrom(update, present)));
     if (from > stateTick) {
       return -1;
     }
     restore(from);
     while (true) {
-      if (told && tick == update.baseTick()) {
-        takeUpdate();
-      }
+      takeUpdate(earlier);
+      takeUpdate(update);
       if (tick == stateTick) {
         return from;
       }
@@ -390,9 +390,26 @@ public final class Prediction {
     }
   }
 
-  private void takeUpdate() {
+  /** The tick whose state an update tells, or a huge one when it is of no use now. */
+  private int tellsFrom(NearUpdate told, int present) {
+    if (!told.isReady() || !isSaved(told.baseTick()) || !isUsable(told)) {
+      return Integer.MAX_VALUE;
+    }
+    if (present - told.baseTick() > affordable(UPDATE_WORTH * maxReplayNs)) {
+      told.use();
+      cutShort++;
+      return Integer.MAX_VALUE;
+    }
+    worthNs = UPDATE_WORTH * maxReplayNs;
+    return told.baseTick();
+  }
+
+  private void takeUpdate(NearUpdate told) {
+    if (!told.isReady() || tick != told.baseTick() || !isUsable(told)) {
+      return;
+    }
     Neighbour own = pictures.own();
-    if (mending.take(update, Neighbourhood.key(own.id, own.generation))) {
+    if (mending.take(told, Neighbourhood.key(own.id, own.generation))) {
       changed();
     }
   }
@@ -410,9 +427,9 @@ public final class Prediction {
   }
 
   /** Whether it is known who all those are that the update lists. */
-  private boolean isUsable() {
-    for (int i = 0; i < update.count(); i++) {
-      if (!records.know(update.key(i))) {
+  private boolean isUsable(NearUpdate told) {
+    for (int i = 0; i < told.count(); i++) {
+      if (!records.know(told.key(i))) {
         return false;
       }
     }
@@ -482,6 +499,7 @@ public final class Prediction {
   private void stop() {
     pictures.clear();
     update.clear();
+    earlier.clear();
     active = false;
     disagreedTick = -1;
     mending.empty();

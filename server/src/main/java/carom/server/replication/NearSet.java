@@ -20,10 +20,12 @@ import java.util.function.Predicate;
  * that touches, up to {@value #MOST_CLOSE}.
  *
  * <p>A client that simulates these from the same state, with the same inputs, has the same state
- * ever after, so all it must be told is a hash, and what the other players among them do. The exact
- * state is told of whoever comes near, and of all when the client finds that its hash differs: the
- * state at one tick, spread over as many snapshots as it takes. Meanwhile the list stays as it is.
- * Parts that got lost are sent again until somebody else comes near.
+ * ever after, so all it must be told is a hash, what the other players among them do, and what the
+ * game does to one of them by itself. The exact state is told of whoever comes near, of whom the
+ * game {@linkplain Entity#ruledTick moved or pushed}, and of all when the client finds that its hash
+ * differs: the state at one tick, spread over as many snapshots as it takes. Meanwhile the list
+ * stays as it is. Parts that got lost are sent again until another update begins, which tells them
+ * again.
  *
  * <p>Whom the game {@linkplain carom.sim.Game#audience hides} from the player isn't near, and so
  * neither its state nor its input is told; a client that is pushed by it learns that from the exact
@@ -58,6 +60,12 @@ public final class NearSet {
   private static final int MIN_GAP = 4;
 
   private static final int MAX_GAP = 120;
+
+  /** Updates for what the game did begin at most so often: one in so many ticks in the long run. */
+  private static final int RULING_TICKS = 5;
+
+  /** So many may begin at once, after a quiet time. */
+  private static final int MOST_RULINGS = 6;
 
   /** An update whose parts take longer is given up: its base would leave the client's memory. */
   private static final int MAX_AGE = 60;
@@ -150,6 +158,14 @@ public final class NearSet {
   private boolean[] due = new boolean[16];
   private int dueRows;
 
+  /** Told by updates before this one that may not have arrived: keys. */
+  private int[] unsureKey = new int[16];
+
+  private int unsure;
+
+  /** Whether the next update tells all. */
+  private boolean tellsAll;
+
   /** Whether even an update without rows is to be sent: that others went is all it tells. */
   private boolean announced;
 
@@ -164,6 +180,11 @@ public final class NearSet {
 
   private int firstRow;
   private int partRows;
+
+  /** Ticks' worth of updates that may begin for what the game did. */
+  private int rulingCredit = RULING_TICKS * MOST_RULINGS;
+
+  private int capturedTick = -1;
 
   /** Tick at which the last row went out that had to; what differs later differs all the same. */
   private int toldTick = -1;
@@ -220,16 +241,22 @@ public final class NearSet {
     if (!isDue() || sentOnce) {
       choose(player, all);
       boolean again = mustTellAll(disagreedTick);
-      if (again || !isSameList()) {
-        beginUpdate(again);
+      boolean ruled = isRuled();
+      if (again || ruled || !isSameList()) {
+        beginUpdate(again || tellsAll);
         updates += again ? 0 : 1;
         disagreements += again ? 1 : 0;
+        tellsAll = false;
       }
+    } else if (isRuled()) {
+      tellsAll = true; // the base is of another tick
     }
+    capturedTick = simulation.tick();
     state.clear();
     int relayed = 0;
     for (int i = 0; i < count; i++) {
       state.add(listed[i]);
+      simulation.watch(listed[i]);
       Player owner = simulation.owner(listed[i]);
       if (owner != null && isTellable(owner, player) && relayed < OwnState.MAX_RELAYED) {
         out.relayed().add(owner.id());
@@ -263,6 +290,29 @@ public final class NearSet {
     known = 0;
     updating = false;
     torn = false;
+    tellsAll = false;
+  }
+
+  /**
+   * Whether the client must be told what the game did to one of those listed since the last time.
+   * In a game that pushes all the time that would be too much: then the client finds out.
+   */
+  private boolean isRuled() {
+    int tick = simulation.tick();
+    rulingCredit = Math.min(RULING_TICKS * MOST_RULINGS, rulingCredit + tick - capturedTick);
+    boolean ruled = tellsAll;
+    for (int i = 0; i < count; i++) {
+      Entity e = listed[i];
+      if (e.ruledTick() > capturedTick) {
+        ruled = true;
+        tellsAll |= e.ruledEarly() || e.ruledTick() < tick;
+      }
+    }
+    if (!ruled || rulingCredit < RULING_TICKS) {
+      return false;
+    }
+    rulingCredit -= RULING_TICKS;
+    return true;
   }
 
   /** A client whose line is too slow for the update is told of fewer. */
@@ -360,6 +410,7 @@ public final class NearSet {
 
   private void beginUpdate(boolean all) {
     torn = !all && (torn || (updating && sentParts > 0));
+    noteUnsure();
     updating = true;
     sentOnce = false;
     announced = false;
@@ -375,10 +426,10 @@ public final class NearSet {
     base.read(simulation);
     toldCount = 0;
     for (int i = 0, from = 0; i < count; i++) {
-      int at = all ? -1 : findKnown(memberKey[i], from);
+      int at = findKnown(memberKey[i], from);
       from = at < 0 ? from : at + 1;
-      isTold[i] = at < 0;
-      if (at < 0) {
+      isTold[i] = all || at < 0 || listed[i].ruledTick() == baseTick || isUnsure(memberKey[i]);
+      if (isTold[i]) {
         told[toldCount++] = i;
       }
     }
@@ -398,6 +449,33 @@ public final class NearSet {
       due = new boolean[Math.max(2 * due.length, dueRows)];
     }
     Arrays.fill(due, 0, dueRows, true);
+  }
+
+  /** Where datagrams get lost, what was told lately may not have arrived: it is told again. */
+  private void noteUnsure() {
+    unsure = 0;
+    if (!updating || !isLossy()) {
+      return;
+    }
+    if (unsureKey.length < toldCount) {
+      unsureKey = new int[told.length];
+    }
+    for (int i = 0; i < toldCount; i++) {
+      unsureKey[unsure++] = memberKey[told[i]];
+    }
+  }
+
+  private boolean isUnsure(int key) {
+    for (int i = 0; i < unsure; i++) {
+      if (unsureKey[i] == key) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private boolean isLossy() {
+    return simulation.tick() - lossTick < LOSSY_TICKS;
   }
 
   private void ensure() {
@@ -474,8 +552,7 @@ public final class NearSet {
       sentParts++;
     }
     if (dueRows == 0) {
-      boolean lossy = simulation.tick() - lossTick < LOSSY_TICKS;
-      if (lossy && !sentOnce && sentParts <= TWICE_PARTS) {
+      if (isLossy() && !sentOnce && sentParts <= TWICE_PARTS) {
         dueRows = toldCount + toldContacts;
         Arrays.fill(due, 0, dueRows, true);
         announced = false;

@@ -6,19 +6,24 @@ import java.util.Arrays;
  * The exact state of some bodies, with what they learnt about each other by touching, as numbers
  * that can be carried to another world: there the same bodies go on in the same way, to the bit.
  *
- * <p>A world continues alike if three things are alike: its bodies, the order of their slots
- * (constraints are solved in that order), and the impulses its contacts start with. So an excerpt
+ * <p>A world continues alike if three things are alike: its bodies, with what pushes them in the
+ * next step, the order of their slots (constraints are solved in that order), and the impulses its contacts start with. So an excerpt
  * lists bodies by ascending slot and names them by their place in that list; static bodies that are
  * not listed are named by their slot, so both worlds must have the same ones there. What touches
  * bodies outside of the list is left out and counted as a {@linkplain #leaks leak}: such an excerpt
  * goes on alike only until those bodies matter.
  *
- * <p>Mutable, reused; allocates only to grow. Joints and forces that are still to act are not in
- * it.
+ * <p>Mutable, reused; allocates only to grow. Joints are not in it.
  */
 public final class Excerpt {
-  /** Numbers per body: x, y, cos, sin, vx, vy, omega, time of rest; all but the last are floats. */
-  public static final int BODY_INTS = 8;
+  /**
+   * Numbers per body: x, y, cos, sin, vx, vy, omega, time of rest, and what acts in the next step:
+   * impulse (x, y, turning) and force (x, y, torque); all are floats but {@link #ASLEEP}.
+   */
+  public static final int BODY_INTS = 14;
+
+  /** The place of the time of rest among a body's numbers. */
+  public static final int REST = 7;
 
   /**
    * Numbers per contact: A, B (places in the list, or the slot of a static body, inverted), parts,
@@ -34,7 +39,6 @@ public final class Excerpt {
   public static final int ASLEEP = -1;
 
   private static final int KEPT_FLAGS = ContactTable.VETOED;
-  private static final int REST = 7;
 
   private int count;
   private int[] slots = new int[8];
@@ -158,6 +162,12 @@ public final class Excerpt {
     bodies[at + 6] = Float.floatToRawIntBits(store.w[slot]);
     bodies[at + REST] =
         store.asleep(slot) ? ASLEEP : Float.floatToRawIntBits(store.sleepTime[slot]);
+    bodies[at + 8] = Float.floatToRawIntBits(store.impulseX[slot]);
+    bodies[at + 9] = Float.floatToRawIntBits(store.impulseY[slot]);
+    bodies[at + 10] = Float.floatToRawIntBits(store.impulseW[slot]);
+    bodies[at + 11] = Float.floatToRawIntBits(store.forceX[slot]);
+    bodies[at + 12] = Float.floatToRawIntBits(store.forceY[slot]);
+    bodies[at + 13] = Float.floatToRawIntBits(store.torque[slot]);
   }
 
   /** Remembers a row that belongs to the excerpt, once. */
@@ -241,6 +251,12 @@ public final class Excerpt {
     store.vy[slot] = Float.intBitsToFloat(bodies[at + 5]);
     store.w[slot] = Float.intBitsToFloat(bodies[at + 6]);
     store.sleepTime[slot] = sleeps(place) ? 0 : Float.intBitsToFloat(bodies[at + REST]);
+    store.impulseX[slot] = Float.intBitsToFloat(bodies[at + 8]);
+    store.impulseY[slot] = Float.intBitsToFloat(bodies[at + 9]);
+    store.impulseW[slot] = Float.intBitsToFloat(bodies[at + 10]);
+    store.forceX[slot] = Float.intBitsToFloat(bodies[at + 11]);
+    store.forceY[slot] = Float.intBitsToFloat(bodies[at + 12]);
+    store.torque[slot] = Float.intBitsToFloat(bodies[at + 13]);
   }
 
   boolean sleeps(int place) {
