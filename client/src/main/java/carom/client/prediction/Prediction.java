@@ -73,7 +73,9 @@ public final class Prediction {
   private final Mending mending;
   private final Pictures pictures;
 
-  /** The update that snapshots bring at present, and a complete one before it that waits for use. */
+  /**
+   * The update that snapshots bring at present, and a complete one before it that waits for use.
+   */
   private NearUpdate update = new NearUpdate();
 
   private NearUpdate earlier = new NearUpdate();

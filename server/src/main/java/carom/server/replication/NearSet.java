@@ -22,10 +22,10 @@ import java.util.function.Predicate;
  * <p>A client that simulates these from the same state, with the same inputs, has the same state
  * ever after, so all it must be told is a hash, what the other players among them do, and what the
  * game does to one of them by itself. The exact state is told of whoever comes near, of whom the
- * game {@linkplain Entity#ruledTick moved or pushed}, and of all when the client finds that its hash
- * differs: the state at one tick, spread over as many snapshots as it takes. Meanwhile the list
- * stays as it is. Parts that got lost are sent again until another update begins, which tells them
- * again.
+ * game {@linkplain Entity#ruledTick moved or pushed}, and of all when the client finds that its
+ * hash differs: the state at one tick, spread over as many snapshots as it takes. Meanwhile the
+ * list stays as it is. Parts that got lost are sent again until another update begins, which tells
+ * them again.
  *
  * <p>Whom the game {@linkplain carom.sim.Game#audience hides} from the player isn't near, and so
  * neither its state nor its input is told; a client that is pushed by it learns that from the exact

@@ -6,14 +6,14 @@ import java.util.Arrays;
  * The entities that the server counts as near a player's body, the own one included, and a hash of
  * their exact state: what tells a client that it simulates them right.
  *
- * <p>When somebody comes near, or the client's hash was another, or the game pushed
- * one of them, the server tells exact state, in an <em>update</em>: the state at one tick, its <em>base</em>, of those entities of the list that
- * are <em>told</em>, with their contacts. An update is a number of rows, spread over as many
- * snapshots as it takes; whoever has all of them knows the state at the base tick, and computes
- * what follows. First come the told entities ({@value #ENTITY_INTS} ints: key, exact body with
- * what acts on it in the next step, memory of its player), in the order of the list; then contacts ({@value #CONTACT_INTS} ints: two ends,
- * each a place in the list or the inverted slot of a static body; parts; points and flags; feature
- * ids; floats).
+ * <p>When somebody comes near, or the client's hash was another, or the game pushed one of them,
+ * the server tells exact state, in an <em>update</em>: the state at one tick, its <em>base</em>, of
+ * those entities of the list that are <em>told</em>, with their contacts. An update is a number of
+ * rows, spread over as many snapshots as it takes; whoever has all of them knows the state at the
+ * base tick, and computes what follows. First come the told entities ({@value #ENTITY_INTS} ints:
+ * key, exact body with what acts on it in the next step, memory of its player), in the order of the
+ * list; then contacts ({@value #CONTACT_INTS} ints: two ends, each a place in the list or the
+ * inverted slot of a static body; parts; points and flags; feature ids; floats).
  *
  * <p>The order of the list is that of the server's world and part of the state. Mutable, reused.
  */

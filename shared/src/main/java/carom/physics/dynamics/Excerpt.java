@@ -7,11 +7,11 @@ import java.util.Arrays;
  * that can be carried to another world: there the same bodies go on in the same way, to the bit.
  *
  * <p>A world continues alike if three things are alike: its bodies, with what pushes them in the
- * next step, the order of their slots (constraints are solved in that order), and the impulses its contacts start with. So an excerpt
- * lists bodies by ascending slot and names them by their place in that list; static bodies that are
- * not listed are named by their slot, so both worlds must have the same ones there. What touches
- * bodies outside of the list is left out and counted as a {@linkplain #leaks leak}: such an excerpt
- * goes on alike only until those bodies matter.
+ * next step, the order of their slots (constraints are solved in that order), and the impulses its
+ * contacts start with. So an excerpt lists bodies by ascending slot and names them by their place
+ * in that list; static bodies that are not listed are named by their slot, so both worlds must have
+ * the same ones there. What touches bodies outside of the list is left out and counted as a
+ * {@linkplain #leaks leak}: such an excerpt goes on alike only until those bodies matter.
  *
  * <p>Mutable, reused; allocates only to grow. Joints are not in it.
  */
