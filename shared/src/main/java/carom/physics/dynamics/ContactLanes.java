@@ -15,6 +15,8 @@ abstract class ContactLanes {
   /** How long the scratch array of each worker must be. */
   abstract int scratchSize();
 
+  abstract void warm(ContactSolver solver, float[] v, float[] scratch, int block);
+
   abstract void push(ContactSolver solver, float[] v, float[] scratch, int block);
 
   abstract void relax(ContactSolver solver, float[] v, float[] scratch, int block);

@@ -165,7 +165,7 @@ final class ContactSolver {
   private final Crew crew;
 
   // The stages, made once so that a step allocates nothing.
-  private final Crew.Range warming = (from, to, worker) -> warmBlocks(from, to);
+  private final Crew.Range warming = this::warmBlocks;
   private final Crew.Range pushing = this::pushBlocks;
   private final Crew.Range relaxing = this::relaxBlocks;
 
@@ -250,8 +250,12 @@ final class ContactSolver {
     blocks.byColours(warming);
   }
 
-  private void warmBlocks(int from, int to) {
+  private void warmBlocks(int from, int to, int worker) {
     for (int block = from; block < to; block++) {
+      if ((blocks.traits[block] & WIDE) != 0) {
+        lanes.warm(this, v, scratch[worker], block);
+        continue;
+      }
       for (int i = 0; i < blocks.used[block]; i++) {
         warm(block, i);
       }

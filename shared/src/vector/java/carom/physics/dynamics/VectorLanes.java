@@ -47,17 +47,21 @@ import jdk.incubator.vector.VectorSpecies;
 final class VectorLanes extends ContactLanes {
   private static final VectorSpecies<Float> LANE = FloatVector.SPECIES_256;
 
-  // Quantities of the scratch array: how fast B leaves A, without rotation; along the normal and
-  // the tangent; angular velocities.
-  private static final int DVX = 0;
-  private static final int DVY = DVX + LANES;
-  private static final int SPEED = DVY + LANES;
+  // Quantities of the scratch array: velocities of the bodies;
+  private static final int VXA = 0;
+  private static final int VYA = VXA + LANES;
+  private static final int WA = VYA + LANES;
+  private static final int VXB = WA + LANES;
+  private static final int VYB = VXB + LANES;
+  private static final int WB = VYB + LANES;
+
+  /** how fast B leaves A along the normal and the tangent, without rotation. */
+  private static final int SPEED = WB + LANES;
+
   private static final int SLIP = SPEED + LANES;
-  private static final int WA = SLIP + LANES;
-  private static final int WB = WA + LANES;
 
   /** How far the bodies have moved apart and turned. */
-  private static final int MOVED_X = WB + LANES;
+  private static final int MOVED_X = SLIP + LANES;
 
   private static final int MOVED_Y = MOVED_X + LANES;
   private static final int MOVED = MOVED_Y + LANES;
@@ -80,15 +84,8 @@ final class VectorLanes extends ContactLanes {
 
   private static final int TANGENT_SUM = NORMAL_SUM + LANES;
 
-  /** Changes of velocity. */
-  private static final int AX = TANGENT_SUM + LANES;
-
-  private static final int AY = AX + LANES;
-  private static final int BX = AY + LANES;
-  private static final int BY = BX + LANES;
-
   /** And room behind, so that no two workers' arrays share a line of the cache. */
-  private static final int SCRATCH = BY + 3 * LANES;
+  private static final int SCRATCH = TANGENT_SUM + 3 * LANES;
 
   /** Loaded by name, see { link ContactLanes#find}. */
   VectorLanes() {
@@ -100,6 +97,20 @@ final class VectorLanes extends ContactLanes {
   @Override
   int scratchSize() {
     return SCRATCH;
+  }
+
+  @Override
+  void warm(ContactSolver solver, float[] v, float[] s, int block) {
+    float[] d = solver.blocks.data;
+    int at = block * RECORD;
+    gather(s, v, solver.blocks.bodyA, solver.blocks.bodyB, block * LANES);
+    if ((solver.blocks.traits[block] & ContactBlocks.TWO) != 0) {
+      warmBoth(s, d, at);
+    } else {
+      warmOne(s, d, at);
+    }
+    give(s, d, at);
+    scatter(s, v, solver, block);
   }
 
   @Override
@@ -163,28 +174,54 @@ final class VectorLanes extends ContactLanes {
     scatter(s, v, solver, block);
   }
 
+  /*
+   * One lane after the other, spelt out: as loops the JIT compiler gives them pre- and post-loops
+   * around an unrolled one, for eight turns.
+   */
+
   private static void gather(float[] s, float[] v, int[] bodyA, int[] bodyB, int lane) {
-    for (int i = 0; i < LANES; i++) {
-      int a = bodyA[lane + i];
-      int b = bodyB[lane + i];
-      s[DVX + i] = v[b + SolverBodies.VX] - v[a + SolverBodies.VX];
-      s[DVY + i] = v[b + SolverBodies.VY] - v[a + SolverBodies.VY];
-      s[WA + i] = v[a + SolverBodies.W];
-      s[WB + i] = v[b + SolverBodies.W];
-    }
+    gatherLane(s, v, bodyA, bodyB, lane, 0);
+    gatherLane(s, v, bodyA, bodyB, lane, 1);
+    gatherLane(s, v, bodyA, bodyB, lane, 2);
+    gatherLane(s, v, bodyA, bodyB, lane, 3);
+    gatherLane(s, v, bodyA, bodyB, lane, 4);
+    gatherLane(s, v, bodyA, bodyB, lane, 5);
+    gatherLane(s, v, bodyA, bodyB, lane, 6);
+    gatherLane(s, v, bodyA, bodyB, lane, 7);
+  }
+
+  private static void gatherLane(float[] s, float[] v, int[] bodyA, int[] bodyB, int lane, int i) {
+    int a = bodyA[lane + i];
+    int b = bodyB[lane + i];
+    s[VXA + i] = v[a + SolverBodies.VX];
+    s[VYA + i] = v[a + SolverBodies.VY];
+    s[WA + i] = v[a + SolverBodies.W];
+    s[VXB + i] = v[b + SolverBodies.VX];
+    s[VYB + i] = v[b + SolverBodies.VY];
+    s[WB + i] = v[b + SolverBodies.W];
   }
 
   private static void gatherMotion(float[] s, float[] v, int[] bodyA, int[] bodyB, int lane) {
-    for (int i = 0; i < LANES; i++) {
-      int a = bodyA[lane + i];
-      int b = bodyB[lane + i];
-      s[MOVED_X + i] = v[b + SolverBodies.DX] - v[a + SolverBodies.DX];
-      s[MOVED_Y + i] = v[b + SolverBodies.DY] - v[a + SolverBodies.DY];
-      s[COS_A + i] = v[a + SolverBodies.COS] - 1;
-      s[SIN_A + i] = v[a + SolverBodies.SIN];
-      s[COS_B + i] = v[b + SolverBodies.COS] - 1;
-      s[SIN_B + i] = v[b + SolverBodies.SIN];
-    }
+    gatherMotionLane(s, v, bodyA, bodyB, lane, 0);
+    gatherMotionLane(s, v, bodyA, bodyB, lane, 1);
+    gatherMotionLane(s, v, bodyA, bodyB, lane, 2);
+    gatherMotionLane(s, v, bodyA, bodyB, lane, 3);
+    gatherMotionLane(s, v, bodyA, bodyB, lane, 4);
+    gatherMotionLane(s, v, bodyA, bodyB, lane, 5);
+    gatherMotionLane(s, v, bodyA, bodyB, lane, 6);
+    gatherMotionLane(s, v, bodyA, bodyB, lane, 7);
+  }
+
+  private static void gatherMotionLane(
+      float[] s, float[] v, int[] bodyA, int[] bodyB, int lane, int i) {
+    int a = bodyA[lane + i];
+    int b = bodyB[lane + i];
+    s[MOVED_X + i] = v[b + SolverBodies.DX] - v[a + SolverBodies.DX];
+    s[MOVED_Y + i] = v[b + SolverBodies.DY] - v[a + SolverBodies.DY];
+    s[COS_A + i] = v[a + SolverBodies.COS] - 1;
+    s[SIN_A + i] = v[a + SolverBodies.SIN];
+    s[COS_B + i] = v[b + SolverBodies.COS] - 1;
+    s[SIN_B + i] = v[b + SolverBodies.SIN];
   }
 
   private static void scatter(float[] s, float[] v, ContactSolver solver, int block) {
@@ -196,16 +233,25 @@ final class VectorLanes extends ContactLanes {
   }
 
   private static void scatterBoth(float[] s, float[] v, int[] bodyA, int[] bodyB, int lane) {
-    for (int i = 0; i < LANES; i++) {
-      int a = bodyA[lane + i];
-      int b = bodyB[lane + i];
-      v[a + SolverBodies.VX] -= s[AX + i];
-      v[a + SolverBodies.VY] -= s[AY + i];
-      v[a + SolverBodies.W] = s[WA + i];
-      v[b + SolverBodies.VX] += s[BX + i];
-      v[b + SolverBodies.VY] += s[BY + i];
-      v[b + SolverBodies.W] = s[WB + i];
-    }
+    scatterLane(s, v, bodyA, bodyB, lane, 0);
+    scatterLane(s, v, bodyA, bodyB, lane, 1);
+    scatterLane(s, v, bodyA, bodyB, lane, 2);
+    scatterLane(s, v, bodyA, bodyB, lane, 3);
+    scatterLane(s, v, bodyA, bodyB, lane, 4);
+    scatterLane(s, v, bodyA, bodyB, lane, 5);
+    scatterLane(s, v, bodyA, bodyB, lane, 6);
+    scatterLane(s, v, bodyA, bodyB, lane, 7);
+  }
+
+  private static void scatterLane(float[] s, float[] v, int[] bodyA, int[] bodyB, int lane, int i) {
+    int a = bodyA[lane + i];
+    int b = bodyB[lane + i];
+    v[a + SolverBodies.VX] = s[VXA + i];
+    v[a + SolverBodies.VY] = s[VYA + i];
+    v[a + SolverBodies.W] = s[WA + i];
+    v[b + SolverBodies.VX] = s[VXB + i];
+    v[b + SolverBodies.VY] = s[VYB + i];
+    v[b + SolverBodies.W] = s[WB + i];
   }
 
   /** Writes nothing to bodies that can't be moved: other workers may be reading them. */
@@ -215,13 +261,13 @@ final class VectorLanes extends ContactLanes {
       int a = solver.blocks.bodyA[block * LANES + i];
       int b = solver.blocks.bodyB[block * LANES + i];
       if (d[block * RECORD + MASS_A + i] != 0) {
-        v[a + SolverBodies.VX] -= s[AX + i];
-        v[a + SolverBodies.VY] -= s[AY + i];
+        v[a + SolverBodies.VX] = s[VXA + i];
+        v[a + SolverBodies.VY] = s[VYA + i];
         v[a + SolverBodies.W] = s[WA + i];
       }
       if (d[block * RECORD + MASS_B + i] != 0) {
-        v[b + SolverBodies.VX] += s[BX + i];
-        v[b + SolverBodies.VY] += s[BY + i];
+        v[b + SolverBodies.VX] = s[VXB + i];
+        v[b + SolverBodies.VY] = s[VYB + i];
         v[b + SolverBodies.W] = s[WB + i];
       }
     }
@@ -231,8 +277,8 @@ final class VectorLanes extends ContactLanes {
   private static void turnToFrame(float[] s, float[] d, int at) {
     FloatVector nx = FloatVector.fromArray(LANE, d, at + NX);
     FloatVector ny = FloatVector.fromArray(LANE, d, at + NY);
-    FloatVector dvx = FloatVector.fromArray(LANE, s, DVX);
-    FloatVector dvy = FloatVector.fromArray(LANE, s, DVY);
+    FloatVector dvx = FloatVector.fromArray(LANE, s, VXB).sub(FloatVector.fromArray(LANE, s, VXA));
+    FloatVector dvy = FloatVector.fromArray(LANE, s, VYB).sub(FloatVector.fromArray(LANE, s, VYA));
     dvx.mul(nx).add(dvy.mul(ny)).intoArray(s, SPEED);
     dvy.mul(nx).sub(dvx.mul(ny)).intoArray(s, SLIP);
     FloatVector.zero(LANE).intoArray(s, TANGENT_SUM);
@@ -456,7 +502,63 @@ final class VectorLanes extends ContactLanes {
     change1.add(change2).intoArray(s, NORMAL_SUM);
   }
 
-  /** The impulses as changes of velocity. */
+  /** Lets the impulse of the one point turn the bodies. */
+  private static void warmOne(float[] s, float[] d, int at) {
+    FloatVector normal = FloatVector.fromArray(LANE, d, at + FIRST + NORMAL);
+    FloatVector tangent = FloatVector.fromArray(LANE, d, at + FIRST + TANGENT);
+    FloatVector turnA =
+        FloatVector.fromArray(LANE, d, at + FIRST + NORMAL_ARM_A)
+            .mul(normal)
+            .add(FloatVector.fromArray(LANE, d, at + FIRST + TANGENT_ARM_A).mul(tangent));
+    FloatVector turnB =
+        FloatVector.fromArray(LANE, d, at + FIRST + NORMAL_ARM_B)
+            .mul(normal)
+            .add(FloatVector.fromArray(LANE, d, at + FIRST + TANGENT_ARM_B).mul(tangent));
+    FloatVector.fromArray(LANE, s, WA)
+        .sub(FloatVector.fromArray(LANE, d, at + INERTIA_A).mul(turnA))
+        .intoArray(s, WA);
+    FloatVector.fromArray(LANE, s, WB)
+        .add(FloatVector.fromArray(LANE, d, at + INERTIA_B).mul(turnB))
+        .intoArray(s, WB);
+    normal.intoArray(s, NORMAL_SUM);
+    tangent.intoArray(s, TANGENT_SUM);
+  }
+
+  /** Lets the impulses of both points turn the bodies. */
+  private static void warmBoth(float[] s, float[] d, int at) {
+    FloatVector normal1 = FloatVector.fromArray(LANE, d, at + FIRST + NORMAL);
+    FloatVector tangent1 = FloatVector.fromArray(LANE, d, at + FIRST + TANGENT);
+    FloatVector normal2 = FloatVector.fromArray(LANE, d, at + SECOND + NORMAL);
+    FloatVector tangent2 = FloatVector.fromArray(LANE, d, at + SECOND + TANGENT);
+    FloatVector turnA =
+        FloatVector.fromArray(LANE, d, at + FIRST + NORMAL_ARM_A)
+            .mul(normal1)
+            .add(FloatVector.fromArray(LANE, d, at + FIRST + TANGENT_ARM_A).mul(tangent1))
+            .add(
+                FloatVector.fromArray(LANE, d, at + SECOND + NORMAL_ARM_A)
+                    .mul(normal2)
+                    .add(
+                        FloatVector.fromArray(LANE, d, at + SECOND + TANGENT_ARM_A).mul(tangent2)));
+    FloatVector turnB =
+        FloatVector.fromArray(LANE, d, at + FIRST + NORMAL_ARM_B)
+            .mul(normal1)
+            .add(FloatVector.fromArray(LANE, d, at + FIRST + TANGENT_ARM_B).mul(tangent1))
+            .add(
+                FloatVector.fromArray(LANE, d, at + SECOND + NORMAL_ARM_B)
+                    .mul(normal2)
+                    .add(
+                        FloatVector.fromArray(LANE, d, at + SECOND + TANGENT_ARM_B).mul(tangent2)));
+    FloatVector.fromArray(LANE, s, WA)
+        .sub(FloatVector.fromArray(LANE, d, at + INERTIA_A).mul(turnA))
+        .intoArray(s, WA);
+    FloatVector.fromArray(LANE, s, WB)
+        .add(FloatVector.fromArray(LANE, d, at + INERTIA_B).mul(turnB))
+        .intoArray(s, WB);
+    normal1.add(normal2).intoArray(s, NORMAL_SUM);
+    tangent1.add(tangent2).intoArray(s, TANGENT_SUM);
+  }
+
+  /** Lets the impulses change the velocities. */
   private static void give(float[] s, float[] d, int at) {
     FloatVector normal = FloatVector.fromArray(LANE, s, NORMAL_SUM);
     FloatVector tangent = FloatVector.fromArray(LANE, s, TANGENT_SUM);
@@ -466,10 +568,10 @@ final class VectorLanes extends ContactLanes {
     FloatVector py = normal.mul(ny).add(tangent.mul(nx));
     FloatVector massA = FloatVector.fromArray(LANE, d, at + MASS_A);
     FloatVector massB = FloatVector.fromArray(LANE, d, at + MASS_B);
-    massA.mul(px).intoArray(s, AX);
-    massA.mul(py).intoArray(s, AY);
-    massB.mul(px).intoArray(s, BX);
-    massB.mul(py).intoArray(s, BY);
+    FloatVector.fromArray(LANE, s, VXA).sub(massA.mul(px)).intoArray(s, VXA);
+    FloatVector.fromArray(LANE, s, VYA).sub(massA.mul(py)).intoArray(s, VYA);
+    FloatVector.fromArray(LANE, s, VXB).add(massB.mul(px)).intoArray(s, VXB);
+    FloatVector.fromArray(LANE, s, VYB).add(massB.mul(py)).intoArray(s, VYB);
   }
 
   private static void addUp(float[] d, int p) {
