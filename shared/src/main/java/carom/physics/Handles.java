@@ -50,6 +50,30 @@ final class Handles<T> {
     ownMasses[slot] = changed;
   }
 
+  /** Says what a body consists of whose handle follows. */
+  void consistsOf(int slot, ShapeDef[] itsShapes, MassData itsOwnMass) {
+    ensureBodies(slot + 1);
+    shapes[slot] = itsShapes;
+    ownMasses[slot] = itsOwnMass;
+  }
+
+  /** Gives a state that was read the handle of a body. */
+  void handle(int slot, Body<?> body) {
+    bodies[slot] = body;
+  }
+
+  /** Gives a state that was read the handle of a joint. */
+  void handle(int slot, Joint<?> joint) {
+    ensureJoints(slot + 1);
+    joints[slot] = joint;
+  }
+
+  /** Makes handles that were read differ from all that were copied from these. */
+  void distinguish(Handles<?> read) {
+    structure.distinguish(read.structure);
+    jointStructure.distinguish(read.jointStructure);
+  }
+
   void put(Body<T> body, ShapeDef[] itsShapes, MassData itsOwnMass) {
     int slot = body.index();
     ensureBodies(slot + 1);

@@ -26,11 +26,11 @@ public final class Joint<T> {
   private final int generation;
   private final JointType type;
 
-  Joint(World<T> world, JointStore store, int index, JointType type) {
+  Joint(World<T> world, JointStore store, int index, int generation, JointType type) {
     this.world = world;
     this.store = store;
     this.index = index;
-    this.generation = store.generation[index];
+    this.generation = generation;
     this.type = type;
   }
 

@@ -1,5 +1,7 @@
 package carom.physics;
 
+import carom.physics.archive.ArchiveException;
+import carom.physics.archive.ArchiveReader;
 import carom.physics.broadphase.CellVisitor;
 import carom.physics.broadphase.IntVisitor;
 import carom.physics.dynamics.BodyContacts;
@@ -21,6 +23,7 @@ import carom.physics.math.Trig;
 import carom.physics.threads.Workers;
 import java.util.Arrays;
 import java.util.function.Consumer;
+import java.util.function.IntFunction;
 
 /**
  * A rigid-body world: create bodies, step, look.
@@ -32,6 +35,12 @@ import java.util.function.Consumer;
  * @param <T> what bodies stand for in the user's program, see {@link Body#user()}
  */
 public final class World<T> {
+  /**
+   * Changes whenever equal worlds come to behave otherwise than in the version before. States as
+   * bytes, recordings and connections of another version are refused.
+   */
+  public static final int PHYSICS_VERSION = 2;
+
   private final WorldDef def;
   private final Dynamics dynamics;
   private final BodyStore store;
@@ -239,7 +248,7 @@ public final class World<T> {
     if (d.breakForce < Float.POSITIVE_INFINITY || d.breakTorque < Float.POSITIVE_INFINITY) {
       dynamics.watchBreaking();
     }
-    Joint<T> joint = new Joint<>(this, joints, j, d.type);
+    Joint<T> joint = new Joint<>(this, joints, j, joints.generation[j], d.type);
     handles.put(joint);
     return joint;
   }
@@ -451,6 +460,29 @@ public final class World<T> {
     moves++;
     dynamics.restore(s.dynamics, handles.sameBodies(s.handles));
     s.handles.copyTo(handles, store.slots(), joints.slots());
+  }
+
+  /**
+   * Reads a state that {@link WorldState#write} has written, in this or another program, to be
+   * taken over by {@link #restore}: bodies keep their slots and generations, and from then on this
+   * world goes on like the one it was saved from, to the bit. Bodies and joints that this world has
+   * under the same slot and generation keep their handles and users.
+   *
+   * <p>Trusts nothing: whatever the bytes are, they make a state that can be stepped or are
+   * refused, and memory stays in proportion to them, but for parts of shapes, which are at most
+   * 2^20. The world isn't touched.
+   *
+   * @param archive from where the state begins; read up to its end
+   * @param users what the other bodies stand for, by slot
+   * @return the state, of this world
+   * @throws ArchiveException if the bytes are damaged, of another physics version, or of a world
+   *     with another definition
+   */
+  public WorldState read(ArchiveReader archive, IntFunction<T> users) {
+    WorldState s = WorldState.read(archive, this, users);
+    s.dynamics.distinguish(dynamics);
+    handles.distinguish(s.handles);
+    return s;
   }
 
   /**

@@ -1,20 +1,35 @@
 package carom.physics;
 
+import carom.physics.archive.Archive;
+import carom.physics.archive.ArchiveException;
+import carom.physics.archive.ArchiveReader;
+import carom.physics.archive.ArchiveWriter;
+import carom.physics.dynamics.BodyStore;
 import carom.physics.dynamics.DynamicsState;
+import carom.physics.dynamics.JointStore;
+import carom.physics.dynamics.StateHash;
+import carom.physics.geometry.MassData;
+import java.util.function.IntFunction;
 
 /**
  * A world at one moment: a handful of arrays, made by {@link World#save} and taken over by {@link
- * World#restore}.
+ * World#restore}; as bytes by {@link #write} and {@link World#read}.
  *
  * <p>Belongs to the world that made it. Saving into the same object again costs no allocation
  * unless the world grew.
  */
 public final class WorldState {
-  final Object owner;
+  /** Of the bytes; whoever changes one of them raises this. */
+  private static final int FORMAT = 1;
+
+  private static final BodyType[] BODY_TYPES = BodyType.values();
+  private static final JointType[] JOINT_TYPES = JointType.values();
+
+  final World<?> owner;
   final DynamicsState dynamics = new DynamicsState();
   final Handles<?> handles = new Handles<>();
 
-  WorldState(Object owner) {
+  WorldState(World<?> owner) {
     this.owner = owner;
   }
 
@@ -26,5 +41,101 @@ public final class WorldState {
    */
   public long bytes() {
     return dynamics.bytes();
+  }
+
+  /**
+   * Appends the state to an archive: everything that {@link World#stateHash} covers, shapes,
+   * materials and filters included, and the touching contacts as they can be asked for. Users
+   * aren't in it. The world may be stepped meanwhile, by another thread, too.
+   *
+   * @param archive receives some 200 bytes a body and 90 a touching contact
+   * @throws IllegalArgumentException if the world has numbers beyond 1e30, or none at all
+   */
+  public void write(ArchiveWriter archive) {
+    pass(archive);
+  }
+
+  /** Reads a state of a world, with handles: its own where it has them, others for the users. */
+  static <T> WorldState read(ArchiveReader archive, World<T> world, IntFunction<T> users) {
+    WorldState s = new WorldState(world);
+    try {
+      s.pass(archive);
+    } catch (ArchiveException e) {
+      throw e;
+    } catch (IllegalArgumentException e) {
+      throw archive.refused(e.getMessage());
+    }
+    BodyStore bodies = s.dynamics.bodies();
+    for (int slot = 0; slot < bodies.slots(); slot++) {
+      if (bodies.type[slot] != BodyStore.FREE) {
+        s.handles.handle(slot, s.handle(world, slot, users));
+      }
+    }
+    JointStore joints = s.dynamics.joints();
+    for (int j = 0; j < joints.slots(); j++) {
+      if (joints.type[j] != JointStore.FREE) {
+        s.handles.handle(j, handle(world, joints, j));
+      }
+    }
+    return s;
+  }
+
+  private <T> Body<T> handle(World<T> world, int slot, IntFunction<T> users) {
+    Body<T> known = world.body(slot);
+    int generation = dynamics.bodies().generation[slot];
+    if (known != null && known.generation() == generation) {
+      return known;
+    }
+    BodyType type = BODY_TYPES[dynamics.bodies().type[slot]];
+    return new Body<>(
+        world, world.store(), slot, generation, type, handles.shapes(slot), users.apply(slot));
+  }
+
+  private static <T> Joint<T> handle(World<T> world, JointStore read, int j) {
+    Joint<T> known = world.joint(j);
+    JointType type = JOINT_TYPES[read.type[j]];
+    int generation = read.generation[j];
+    boolean same = known != null && known.generation() == generation && known.type() == type;
+    return same ? known : new Joint<>(world, world.dynamics().joints(), j, generation, type);
+  }
+
+  /** Passes all but handles through an archive; reads into an empty state. */
+  private void pass(Archive a) {
+    a.integer("format of the state", FORMAT, FORMAT, FORMAT);
+    int version = a.integer("physics version", World.PHYSICS_VERSION, 0, Integer.MAX_VALUE);
+    a.require(
+        version == World.PHYSICS_VERSION,
+        "physics version=" + version + ", this build computes " + World.PHYSICS_VERSION);
+    long constants = a.bits("constants of the world", hash(owner.def()));
+    a.require(
+        constants == hash(owner.def()), "the world was made with another WorldDef than this one");
+    dynamics.passSlots(a);
+    BodyStore bodies = dynamics.bodies();
+    BodyArchive archive = new BodyArchive(a);
+    for (int slot = 0; slot < bodies.slots(); slot++) {
+      if (bodies.type[slot] != BodyStore.FREE) {
+        ShapeDef[] shapes = archive.passShapes(a.reads() ? null : handles.shapes(slot));
+        MassData own = archive.passMass(a.reads() ? null : handles.ownMass(slot));
+        if (a.reads()) {
+          handles.consistsOf(slot, shapes, own);
+          dynamics.embody(a, slot, World.specs(shapes), own);
+        }
+      }
+    }
+    dynamics.passRest(a);
+  }
+
+  private static long hash(WorldDef d) {
+    long h = StateHash.mix(StateHash.SEED, d.gravityX(), d.gravityY());
+    h = StateHash.mix(h, d.substeps());
+    h = StateHash.mix(h, d.contactHertz(), d.contactDampingRatio());
+    h = StateHash.mix(h, d.restitutionThreshold(), d.maxPushSpeed());
+    h = StateHash.mix(h, d.slop(), d.speculativeDistance());
+    h = StateHash.mix(h, d.aabbMargin(), d.hitSpeed());
+    h = StateHash.mix(h, d.maxSpeed(), d.maxAngularSpeed());
+    h = StateHash.mix(h, d.jointHertz(), d.jointDampingRatio());
+    h = StateHash.mix(h, d.sleepSpeed(), d.sleepDelay());
+    h = StateHash.mix(h, (d.sleeping() ? 1 : 0) | (d.continuous() ? 2 : 0));
+    return StateHash.finish(StateHash.mix(h, d.integrator().ordinal()));
   }
 }

@@ -53,12 +53,14 @@ final class ArchitectureTest {
 
   static {
     allow("carom.physics.math");
-    allow("carom.physics.geometry", "carom.physics.math");
+    allow("carom.physics.archive");
+    allow("carom.physics.geometry", "carom.physics.math", "carom.physics.archive");
     allow("carom.physics.collision", "carom.physics.math", "carom.physics.geometry");
     allow("carom.physics.threads");
     allow("carom.physics.broadphase", "carom.physics.math", "carom.physics.threads");
     allow(
         "carom.physics.dynamics",
+        "carom.physics.archive",
         "carom.physics.math",
         "carom.physics.geometry",
         "carom.physics.collision",

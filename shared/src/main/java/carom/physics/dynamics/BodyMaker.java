@@ -36,6 +36,15 @@ final class BodyMaker {
     return body;
   }
 
+  /** Fills in a slot that was read: its type, flags and generation are known. */
+  void embody(int body, ShapeSpec[] shapes, MassData own) {
+    int count = partCount(shapes);
+    MassData total = total(bodies.type[body], shapes, own);
+    bodies.firstPart[body] = parts.allocate(body, count);
+    bodies.partCount[body] = count;
+    fill(body, shapes, own, total);
+  }
+
   private static int partCount(ShapeSpec[] shapes) {
     int count = 0;
     for (ShapeSpec spec : shapes) {

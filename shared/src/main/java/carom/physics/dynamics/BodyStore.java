@@ -1,5 +1,6 @@
 package carom.physics.dynamics;
 
+import carom.physics.archive.Archive;
 import java.util.Arrays;
 
 /**
@@ -54,6 +55,9 @@ public final class BodyStore {
 
   /** The first of the float arrays are hot. */
   private static final int HOT = 13;
+
+  /** Numbers of larger size are in no archive: a world that has them has blown up. */
+  static final float MOST = 1e30f;
 
   private static final int HOT_BYTES = Float.BYTES * (HOT + 1) + 1;
 
@@ -272,6 +276,11 @@ public final class BodyStore {
     return (flags[slot] & ASLEEP) != 0;
   }
 
+  /** Whether steps look at a body. */
+  boolean active(int slot) {
+    return type[slot] != STATIC && !asleep(slot) && !disabled(slot);
+  }
+
   /**
    * Whether a body is a bullet.
    *
@@ -477,6 +486,69 @@ public final class BodyStore {
     cold.copyTo(to.cold);
     int perSlot = 1 + 4 * Integer.BYTES + Long.BYTES + Float.BYTES * (floats.length - HOT);
     return (long) slots * perSlot + (long) freeCount * Integer.BYTES;
+  }
+
+  /**
+   * Passes slots through an archive: which are in use, by what, and in which order free ones will
+   * be given out. What they hold follows by {@link #passMotion}.
+   */
+  void passSlots(Archive a) {
+    int n = a.count("body slots", slots, MAX_BODIES, 2 + Integer.BYTES);
+    while (type.length < n) {
+      grow();
+    }
+    a.bytes("type of body", type, n, FREE, DYNAMIC);
+    a.bytes("flags of body", flags, n, 0, FIXED_ROTATION | DISABLED | ASLEEP | SLEEPLESS | BULLET);
+    a.integers("generation of body", generation, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
+    freeCount = a.count("free body slots", freeCount, n, Integer.BYTES);
+    a.integers("free body slot", freeSlots, freeCount, 0, n - 1);
+    if (a.reads()) {
+      slots = n;
+      count = n - freeCount;
+      checkSlots(a);
+      coldChanged();
+    }
+  }
+
+  /** Makes a copy that was read differ from all that were copied from this. */
+  void distinguish(BodyStore copy) {
+    cold.distinguish(copy.cold);
+  }
+
+  private void checkSlots(Archive a) {
+    boolean[] free = new boolean[slots];
+    for (int i = 0; i < freeCount; i++) {
+      int slot = freeSlots[i];
+      a.require(!free[slot] && type[slot] == FREE, "body slot=" + slot + " can't be free");
+      free[slot] = true;
+    }
+    for (int slot = 0; slot < slots; slot++) {
+      boolean sleeps = asleep(slot) && type[slot] != FREE;
+      a.require(free[slot] == (type[slot] == FREE), "body slot=" + slot + " is lost");
+      a.require(
+          !sleeps || (type[slot] != STATIC && !disabled(slot)), "body=" + slot + " can't sleep");
+    }
+  }
+
+  /** Passes poses, velocities, what acts on bodies, and damping through an archive. */
+  void passMotion(Archive a) {
+    a.numbers("x", x, slots, MOST);
+    a.numbers("y", y, slots, MOST);
+    a.numbers("cos", cos, slots, 2);
+    a.numbers("sin", sin, slots, 2);
+    for (int f = 4; f < HOT; f++) {
+      a.numbers("velocity or force", floats[f], slots, MOST);
+    }
+    a.numbers("time of rest", sleepTime, slots, MOST);
+    a.numbers("linear damping", linearDamping, slots, MOST);
+    a.numbers("angular damping", angularDamping, slots, MOST);
+    a.numbers("gravity scale", gravityScale, slots, MOST);
+    for (int slot = 0; a.reads() && slot < slots; slot++) {
+      float square = cos[slot] * cos[slot] + sin[slot] * sin[slot];
+      a.require(
+          type[slot] == FREE || Math.abs(square - 1) < 0.01f,
+          "cos^2+sin^2=" + square + " of body=" + slot + " is no rotation");
+    }
   }
 
   private void grow() {

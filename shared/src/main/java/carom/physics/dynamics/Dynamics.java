@@ -725,6 +725,10 @@ public final class Dynamics {
     }
   }
 
+  void distinguish(DynamicsState read) {
+    read.distinguish(bodies, contacts, joints, sleepers, sleeping.stamp());
+  }
+
   /**
    * Takes a saved state over. The fat boxes stay as they are until a part leaves its own: they
    * don't influence results.
@@ -756,6 +760,7 @@ public final class Dynamics {
       }
     }
     sleeping.take(from);
+    breakable |= joints.anyBreakable();
     rulesStale = true;
     pairs.searchAll();
     pairs.posesChanged();

@@ -1,16 +1,23 @@
 package carom.physics.dynamics;
 
+import carom.physics.archive.Archive;
+import carom.physics.geometry.MassData;
+
 /**
  * The state of a world at one moment: copies of its stores. Trees, fat boxes and rows of parts that
  * are close but don't touch are not in it; they follow from the rest.
  */
 public final class DynamicsState {
+  /** Most parts of all bodies together that are read: what bounds the memory they take. */
+  private static final int MAX_PARTS = 1 << 20;
+
   final BodyStore bodies = new BodyStore();
   final ShapeTable parts = new ShapeTable();
   final ContactTable contacts = new ContactTable();
   final JointStore joints = new JointStore();
   final SleepingContacts sleepers = new SleepingContacts();
   final Stamp sleep = new Stamp();
+  private final BodyMaker maker = new BodyMaker(bodies, parts);
   private long bytes;
 
   /** Makes an empty state to save into. */
@@ -34,5 +41,92 @@ public final class DynamicsState {
       bytes += fromSleepers.copyTo(sleepers);
       fromSleep.copyTo(sleep);
     }
+  }
+
+  /**
+   * The bodies' slots: how many, of which type and generation.
+   *
+   * @return the store; owned by this
+   */
+  public BodyStore bodies() {
+    return bodies;
+  }
+
+  /**
+   * The joints.
+   *
+   * @return the store; owned by this
+   */
+  public JointStore joints() {
+    return joints;
+  }
+
+  /**
+   * Passes the bodies' slots through an archive, first of all; when reading, {@link #embody} must
+   * follow for each slot in use, then {@link #passRest}.
+   *
+   * @param a reads into an empty state
+   */
+  public void passSlots(Archive a) {
+    bodies.passSlots(a);
+  }
+
+  /**
+   * Tells what a body that is being read consists of.
+   *
+   * @param a for complaints
+   * @param body its slot; by ascending slots
+   * @param shapes its shapes
+   * @param own its mass, null to compute it from the shapes
+   * @throws IllegalArgumentException if no body can be made of that
+   */
+  public void embody(Archive a, int body, ShapeSpec[] shapes, MassData own) {
+    maker.embody(body, shapes, own);
+    a.require(parts.used() <= MAX_PARTS, "parts=" + parts.used() + " are more than " + MAX_PARTS);
+  }
+
+  /**
+   * Passes motion, joints and contacts through an archive.
+   *
+   * @param a see {@link #passSlots}
+   */
+  public void passRest(Archive a) {
+    bodies.passMotion(a);
+    joints.pass(a, bodies);
+    ContactTable touching = contacts;
+    if (!a.reads()) {
+      touching = new ContactTable();
+      int[] which = new int[contacts.count()];
+      touching.take(contacts, which, contacts.touching(which));
+    }
+    touching.pass(a, bodies, parts);
+    for (int row = 0; a.reads() && row < touching.count(); row++) {
+      a.require(
+          bodies.active(contacts.bodyA(row)) || bodies.active(contacts.bodyB(row)),
+          "contact=" + row + " sleeps");
+    }
+    sleepers.pass(a, bodies, parts);
+  }
+
+  /**
+   * Must be called once everything is read: no copy of the world is equal to this state.
+   *
+   * @param world whose state this is
+   */
+  public void distinguish(Dynamics world) {
+    world.distinguish(this);
+  }
+
+  void distinguish(
+      BodyStore ownBodies,
+      ContactTable ownContacts,
+      JointStore ownJoints,
+      SleepingContacts ownSleepers,
+      Stamp ownSleep) {
+    ownBodies.distinguish(bodies);
+    ownContacts.distinguish(contacts);
+    ownJoints.distinguish(joints);
+    ownSleepers.rows.distinguish(sleepers.rows);
+    ownSleep.distinguish(sleep);
   }
 }

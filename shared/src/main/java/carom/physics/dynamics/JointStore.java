@@ -1,5 +1,6 @@
 package carom.physics.dynamics;
 
+import carom.physics.archive.Archive;
 import java.util.Arrays;
 
 /**
@@ -65,6 +66,9 @@ public final class JointStore {
   private static final double TWO_PI = 2 * Math.PI;
 
   private static final int FIRST_CAPACITY = 16;
+
+  /** Most joints in an archive. */
+  private static final int MAX_JOINTS = 1 << 22;
 
   /** The last of the float arrays change in every step: those from this one on. */
   private static final int HOT = 21;
@@ -479,6 +483,18 @@ public final class JointStore {
     return way > Math.PI ? -1 : way < -Math.PI ? 1 : 0;
   }
 
+  /** Whether any joint breaks under some force or torque. */
+  boolean anyBreakable() {
+    for (int j = 0; j < slots; j++) {
+      if (type[j] != FREE
+          && (breakForce[j] < Float.POSITIVE_INFINITY
+              || breakTorque[j] < Float.POSITIVE_INFINITY)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /** Starts cold. */
   void forget(int slot) {
     impulseX[slot] = 0;
@@ -609,6 +625,122 @@ public final class JointStore {
     to.version++;
     int perSlot = 2 + 5 * Integer.BYTES + Float.BYTES * (HOT + 5);
     return (long) slots * perSlot + (long) (freeCount + first.length) * Integer.BYTES;
+  }
+
+  /** Passes all joints through an archive; reading begins with an empty store. */
+  void pass(Archive a, BodyStore bodies) {
+    int n = a.count("joint slots", slots, MAX_JOINTS, 2 + Float.BYTES * floats.length);
+    while (type.length < n) {
+      grow();
+    }
+    a.bytes("type of joint", type, n, FREE, PULLEY);
+    a.bytes("flags of joint", flags, n, 0, COLLIDE | LIMITED | DRIVEN | SPRUNG | WINDS);
+    a.integers("generation of joint", generation, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
+    a.integers("body of joint", bodyA, n, -1, bodies.slots() - 1);
+    a.integers("body of joint", bodyB, n, -1, bodies.slots() - 1);
+    for (float[] field : floats) {
+      boolean unbounded = field == breakForce || field == breakTorque;
+      a.numbers("number of joint", field, n, unbounded ? Float.POSITIVE_INFINITY : BodyStore.MOST);
+    }
+    a.numbers("ratio of joint", ratio, n, BodyStore.MOST);
+    a.numbers("base of joint", baseAx, n, BodyStore.MOST);
+    a.numbers("base of joint", baseAy, n, BodyStore.MOST);
+    a.numbers("base of joint", baseBx, n, BodyStore.MOST);
+    a.numbers("base of joint", baseBy, n, BodyStore.MOST);
+    a.integers("turns of joint", turnsA, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
+    a.integers("turns of joint", turnsB, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
+    a.numbers("angle of joint", lastA, n, BodyStore.MOST);
+    a.numbers("angle of joint", lastB, n, BodyStore.MOST);
+    freeCount = a.count("free joint slots", freeCount, n, Integer.BYTES);
+    a.integers("free joint slot", freeSlots, freeCount, 0, n - 1);
+    if (a.reads()) {
+      slots = n;
+      count = n - freeCount;
+      checkJoints(a, bodies);
+      coldChanged();
+    }
+    passLists(a, bodies);
+  }
+
+  /** Makes a copy that was read differ from all that were copied from this. */
+  void distinguish(JointStore copy) {
+    cold.distinguish(copy.cold);
+  }
+
+  private void checkJoints(Archive a, BodyStore bodies) {
+    boolean[] free = new boolean[slots];
+    for (int i = 0; i < freeCount; i++) {
+      a.require(!free[freeSlots[i]], "joint slot=" + freeSlots[i] + " is free twice");
+      free[freeSlots[i]] = true;
+    }
+    for (int j = 0; j < slots; j++) {
+      a.require(free[j] == (type[j] == FREE), "joint slot=" + j + " is lost");
+      if (free[j]) {
+        continue;
+      }
+      boolean grounded = bodyA[j] < 0 && type[j] < GEAR;
+      a.require(
+          bodyB[j] >= 0
+              && bodies.type[bodyB[j]] != BodyStore.FREE
+              && bodyA[j] != bodyB[j]
+              && (grounded || (bodyA[j] >= 0 && bodies.type[bodyA[j]] != BodyStore.FREE)),
+          "joint=" + j + " of body=" + bodyA[j] + " with body=" + bodyB[j]);
+      a.require(
+          lower[j] <= upper[j]
+              && hertz[j] >= 0
+              && damping[j] >= 0
+              && angularHertz[j] >= 0
+              && angularDamping[j] >= 0
+              && motorMax[j] >= 0
+              && maxForce[j] >= 0
+              && maxTorque[j] >= 0
+              && breakForce[j] >= 0
+              && breakTorque[j] >= 0,
+          "joint=" + j + " has a negative limit, or limits in the wrong order");
+    }
+  }
+
+  /** The ends of each body's joints in the order of its list, body after body. */
+  private void passLists(Archive a, BodyStore bodies) {
+    int[] ends = new int[2 * slots];
+    int n = 0;
+    for (int body = 0; !a.reads() && body < first.length; body++) {
+      for (int end = first[body]; end >= 0; end = next[end]) {
+        ends[n++] = end;
+      }
+    }
+    n = a.count("ends of joints", n, 2 * slots, Integer.BYTES);
+    a.integers("end of joint", ends, n, 0, 2 * slots - 1);
+    if (!a.reads()) {
+      return;
+    }
+    first = new int[bodies.slots()];
+    Arrays.fill(first, -1);
+    boolean[] seen = new boolean[2 * slots];
+    int listed = 0;
+    int last = -1;
+    for (int i = 0; i < n; i++) {
+      int end = ends[i];
+      int body = end(end);
+      a.require(type[end >> 1] != FREE && body >= 0 && !seen[end], "end=" + end + " of no joint");
+      seen[end] = true;
+      next[end] = -1;
+      if (last >= 0 && end(last) == body) {
+        next[last] = end;
+      } else {
+        a.require(first[body] < 0, "the joints of body=" + body + " are in two lists");
+        first[body] = end;
+      }
+      last = end;
+    }
+    for (int end = 0; end < 2 * slots; end++) {
+      listed += type[end >> 1] != FREE && end(end) >= 0 ? 1 : 0;
+    }
+    a.require(listed == n, "listed ends of joints=" + n + " of " + listed);
+  }
+
+  private int end(int end) {
+    return (end & 1) == 0 ? bodyA[end >> 1] : bodyB[end >> 1];
   }
 
   private void grow() {

@@ -1,5 +1,6 @@
 package carom.physics.dynamics;
 
+import carom.physics.archive.Archive;
 import java.util.Arrays;
 
 /**
@@ -158,5 +159,29 @@ final class SleepingContacts {
     System.arraycopy(freeRows, 0, to.freeRows, 0, freeCount);
     to.freeCount = freeCount;
     return bytes + (4L * slots() + first.length + freeCount) * Integer.BYTES;
+  }
+
+  /** Passes all rows through an archive; reading begins with an empty store. */
+  void pass(Archive a, BodyStore bodies, ShapeTable parts) {
+    ContactTable packed = new ContactTable();
+    int[] which = new int[slots() + 1];
+    int used = 0;
+    for (int row = 0; row < slots(); row++) {
+      which[used] = row;
+      used += rows.unused(row) ? 0 : 1;
+    }
+    rows.sortByKey(which, used);
+    packed.take(rows, which, used);
+    packed.pass(a, bodies, parts);
+    if (a.reads()) {
+      which = new int[packed.count()];
+      for (int row = 0; row < which.length; row++) {
+        which[row] = row;
+        a.require(
+            !bodies.active(packed.bodyA(row)) && !bodies.active(packed.bodyB(row)),
+            "contact=" + row + " doesn't sleep");
+      }
+      put(packed, which, which.length);
+    }
   }
 }

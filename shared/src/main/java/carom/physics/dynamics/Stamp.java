@@ -37,4 +37,13 @@ public final class Stamp {
   public void copyTo(Stamp to) {
     to.value = value;
   }
+
+  /**
+   * Gives a copy that was filled in another way a value of its own, which none had before.
+   *
+   * @param copy its stamp
+   */
+  public void distinguish(Stamp copy) {
+    copy.value = next++;
+  }
 }

@@ -139,6 +139,13 @@ public final class Polygon extends Convex {
     return new Polygon(vx, vy, nx, ny, 0);
   }
 
+  /** A polygon with these vertices and normals, as it once was built. */
+  static Polygon exact(float[] vx, float[] vy, float[] nx, float[] ny, float radius) {
+    Polygon polygon = new Polygon(vx, vy, nx, ny, radius);
+    polygon.checkEdges("polygon");
+    return polygon;
+  }
+
   /** The strict convex hull, counter-clockwise, from the leftmost lowest point. */
   private static Vec2[] hull(Vec2[] points) {
     Vec2[] sorted = points.clone();

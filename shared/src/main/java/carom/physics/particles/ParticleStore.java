@@ -1,5 +1,7 @@
 package carom.physics.particles;
 
+import carom.physics.archive.Archive;
+import carom.physics.dynamics.Checks;
 import carom.physics.dynamics.StateHash;
 import java.util.Arrays;
 
@@ -153,6 +155,42 @@ final class ParticleStore {
     System.arraycopy(from.index, 0, index, 0, slots);
     System.arraycopy(from.generation, 0, generation, 0, slots);
     System.arraycopy(from.free, 0, free, 0, freeCount);
+  }
+
+  /** Passes all through an archive. */
+  void pass(Archive a, int most) {
+    int n = a.count("particle slots", slots, most, 2 * Integer.BYTES);
+    if (a.reads() && capacity() < n) {
+      allocate(n);
+    }
+    slots = n;
+    a.integers("generation of particle", generation, n, 0, Integer.MAX_VALUE);
+    count = a.count("particles", count, n, Integer.BYTES + 5 * Float.BYTES);
+    a.integers("slot of particle", slot, count, 0, n - 1);
+    a.numbers("particle x", x, count, Checks.MAX_COORDINATE);
+    a.numbers("particle y", y, count, Checks.MAX_COORDINATE);
+    a.numbers("particle velocity", vx, count, 3 * Checks.MAX_VELOCITY);
+    a.numbers("particle velocity", vy, count, 3 * Checks.MAX_VELOCITY);
+    a.numbers("particle age", age, count, Float.MAX_VALUE);
+    freeCount = a.count("free particle slots", freeCount, n, Integer.BYTES);
+    a.integers("free particle slot", free, freeCount, 0, n - 1);
+    if (a.reads()) {
+      findPlaces(a);
+    }
+  }
+
+  /** Every slot is used once or free once. */
+  private void findPlaces(Archive a) {
+    Arrays.fill(index, 0, slots, -1);
+    for (int i = 0; i < count; i++) {
+      a.require(index[slot[i]] < 0, "slot=" + slot[i] + " has two particles");
+      index[slot[i]] = i;
+    }
+    for (int i = 0; i < freeCount; i++) {
+      a.require(index[free[i]] < 0, "slot=" + free[i] + " can't be free");
+      index[free[i]] = count;
+    }
+    a.require(count + freeCount == slots, "particle slots=" + slots + " of which some are lost");
   }
 
   long hash() {

@@ -1,6 +1,7 @@
 package carom.physics.particles;
 
 import carom.physics.World;
+import carom.physics.archive.ArchiveReader;
 import carom.physics.dynamics.Checks;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
@@ -402,6 +403,25 @@ public final class Particles {
   public void restore(ParticleState s) {
     checkOwner(s);
     store.copy(s.store);
+  }
+
+  /**
+   * Reads a state that {@link ParticleState#write} has written, of particles of an equal
+   * definition, to be taken over by {@link #restore}. Trusts nothing; these particles aren't
+   * touched.
+   *
+   * @param archive from where the state begins; read up to its end
+   * @return the state, of these particles
+   * @throws carom.physics.archive.ArchiveException if the bytes are damaged
+   */
+  public ParticleState read(ArchiveReader archive) {
+    ParticleState s = new ParticleState(this);
+    s.store.pass(archive, most());
+    return s;
+  }
+
+  int most() {
+    return def.maxCount;
   }
 
   private void checkOwner(ParticleState s) {

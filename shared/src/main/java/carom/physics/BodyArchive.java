@@ -1,0 +1,77 @@
+package carom.physics;
+
+import carom.physics.archive.Archive;
+import carom.physics.geometry.Convex;
+import carom.physics.geometry.MassData;
+import carom.physics.geometry.Shape;
+import carom.physics.geometry.ShapeArchive;
+
+/** What bodies consist of, as numbers. */
+final class BodyArchive {
+  private static final float MOST = Float.MAX_VALUE;
+  private static final int SHAPE_BYTES = 4 * Integer.BYTES;
+
+  private final Archive a;
+  private final Palette<Shape> shapes = new Palette<>(BodyArchive::same);
+  private final Palette<Material> materials = new Palette<>(Material::equals);
+  private final Palette<Filter> filters = new Palette<>(Filter::equals);
+
+  BodyArchive(Archive a) {
+    this.a = a;
+  }
+
+  private static boolean same(Shape p, Shape q) {
+    return p == q || (p instanceof Convex x && q instanceof Convex y && x.isSame(y));
+  }
+
+  /** Passes a body's shapes through the archive; null when reading. */
+  ShapeDef[] passShapes(ShapeDef[] given) {
+    int most = Integer.MAX_VALUE / SHAPE_BYTES;
+    int count = a.count("shapes of body", a.reads() ? 0 : given.length, most, SHAPE_BYTES);
+    ShapeDef[] passed = new ShapeDef[count];
+    for (int i = 0; i < count; i++) {
+      ShapeDef d = a.reads() ? null : given[i];
+      passed[i] =
+          new ShapeDef(
+              shapes.pass(a, "shape", d == null ? null : d.shape(), s -> ShapeArchive.pass(a, s)),
+              materials.pass(a, "material", d == null ? null : d.material(), this::pass),
+              filters.pass(a, "filter", d == null ? null : d.filter(), this::pass),
+              a.flag("sensor", d != null && d.sensor()));
+    }
+    return passed;
+  }
+
+  private Material pass(Material m) {
+    boolean reads = m == null;
+    return new Material(
+        a.number("density", reads ? 0 : m.density(), 0, MOST),
+        a.number("friction", reads ? 0 : m.friction(), 0, MOST),
+        a.number("restitution", reads ? 0 : m.restitution(), 0, MOST),
+        a.number("rolling resistance", reads ? 0 : m.rollingResistance(), 0, MOST),
+        a.number("tangent speed", reads ? 0 : m.tangentSpeed(), -MOST, MOST),
+        a.integer("tag", reads ? 0 : m.tag(), Integer.MIN_VALUE, Integer.MAX_VALUE));
+  }
+
+  private Filter pass(Filter f) {
+    boolean reads = f == null;
+    int least = Integer.MIN_VALUE;
+    int most = Integer.MAX_VALUE;
+    return new Filter(
+        a.integer("category", reads ? 0 : f.category(), least, most),
+        a.integer("mask", reads ? 0 : f.mask(), least, most),
+        a.integer("group", reads ? 0 : f.group(), least, most));
+  }
+
+  /** Passes a body's own mass through the archive; null if it has none. */
+  MassData passMass(MassData own) {
+    if (!a.flag("own mass", own != null)) {
+      return null;
+    }
+    boolean reads = a.reads();
+    return BodyDef.checkedMass(
+        a.number("mass", reads ? 0 : own.mass(), 0, MOST),
+        a.number("inertia", reads ? 0 : own.inertia(), 0, MOST),
+        a.number("centre x", reads ? 0 : own.centerX(), -MOST, MOST),
+        a.number("centre y", reads ? 0 : own.centerY(), -MOST, MOST));
+  }
+}
