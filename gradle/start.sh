@@ -6,5 +6,12 @@ while [ -h "\$self" ]; do
     case \$link in /*) self=\$link ;; *) self=\$(dirname "\$self")/\$link ;; esac
 done
 APP_HOME=\$(cd "\$(dirname "\$self")/.." && pwd -P) || exit
-exec "\${JAVA_HOME:+\$JAVA_HOME/bin/}java" <% print defaultJvmOpts.replace("'", '') %> \$JAVA_OPTS \\
+# Classes that installDist prepared, for the JDK that made them alone: others crashed on them.
+classes=
+if [ -f "\$APP_HOME/lib/${applicationName}.jsa" ]; then
+    jdk=\${JAVA_HOME:-\$(dirname "\$(readlink -f "\$(command -v java)")")/..}
+    cmp -s "\$jdk/release" "\$APP_HOME/lib/${applicationName}.release" && classes=\$APP_HOME/lib/${applicationName}.jsa
+fi
+exec "\${JAVA_HOME:+\$JAVA_HOME/bin/}java" <% print defaultJvmOpts.replace("'", '') %> \\
+    \${classes:+"-Xlog:cds*=off" "-XX:SharedArchiveFile=\$classes"} \$JAVA_OPTS \\
     -cp "$classpath" $mainClassName "\$@"

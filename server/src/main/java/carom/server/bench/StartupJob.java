@@ -6,6 +6,8 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
+import java.net.URISyntaxException;
+import java.net.URL;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -13,7 +15,8 @@ import java.util.List;
 
 /**
  * The start of a server with a level of 10,000 bodies, from starting the process to the end of the
- * first tick, by the clock.
+ * first tick, by the clock. Of an installation it starts {@code bin/carom-server}, as users do; of
+ * a build, whose classes nobody prepared, the class.
  */
 record StartupJob() implements BenchJob {
   /** By name, as it uses this package. */
@@ -68,16 +71,37 @@ record StartupJob() implements BenchJob {
         .formatted(COLUMNS, ROWS);
   }
 
-  private static double start(Path level) throws IOException {
+  private static List<String> program() {
+    Path script = installed();
+    if (Files.isExecutable(script)) {
+      return List.of(script.toString());
+    }
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-    command.addAll(List.of("-Xms64m", "-XX:+UseSerialGC", "-Dkryo.unsafe=false"));
+    command.addAll(List.of("-Xms256m", "-XX:+UseSerialGC", "-Dkryo.unsafe=false"));
     command.addAll(List.of("--add-modules", "jdk.incubator.vector"));
-    command.addAll(List.of("-cp", System.getProperty("java.class.path")));
-    command.addAll(List.of(SERVER, "--tcp-port=0", "--udp-port=0"));
+    command.addAll(List.of("-cp", System.getProperty("java.class.path"), SERVER));
+    return command;
+  }
+
+  /** Where the start script is if this class is in a jar of an installation. */
+  private static Path installed() {
+    try {
+      URL mine = StartupJob.class.getProtectionDomain().getCodeSource().getLocation();
+      return Path.of(mine.toURI()).resolveSibling("../bin/carom-server").normalize();
+    } catch (URISyntaxException e) {
+      throw new IllegalStateException(e); // the JVM made it
+    }
+  }
+
+  private static double start(Path level) throws IOException {
+    List<String> command = new ArrayList<>(program());
+    command.addAll(List.of("--tcp-port=0", "--udp-port=0"));
     command.addAll(List.of("--log-level=error", "--level=" + level));
+    ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
+    builder.environment().put("JAVA_HOME", System.getProperty("java.home"));
     long begin = System.nanoTime();
-    Process server = new ProcessBuilder(command).redirectErrorStream(true).start();
+    Process server = builder.start();
     StringBuilder said = new StringBuilder();
     try (BufferedReader in =
         new BufferedReader(new InputStreamReader(server.getInputStream(), UTF_8))) {
