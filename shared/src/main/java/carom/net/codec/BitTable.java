@@ -10,15 +10,14 @@ package carom.net.codec;
 public final class BitTable {
 
   /** Most bits between a {@link #mark} and the {@link #rewind} to it. */
-  public static final int MAX_MARKED = 512;
+  public static final int MAX_MARKED = 64;
 
   // How fast a node moves: as if its prior were that many bits old, and never older than so many.
   private static final int PRIOR_AGE = 12;
   private static final int MAX_SEEN = 60;
   private static final int LEAST = 32;
   private static final int SPAN = BitCoder.ONE - 2 * LEAST;
-  private static final int FIXED = MAX_SEEN + 1;
-  private static final int[] STEP = new int[FIXED + 1];
+  private static final int[] STEP = new int[MAX_SEEN + 1];
 
   static {
     for (int seen = 0; seen <= MAX_SEEN; seen++) {
@@ -29,12 +28,12 @@ public final class BitTable {
   private final int[] prior;
 
   /** By node: bits seen, and in the lower 16 bits the probability of a 1. */
-  final int[] states;
+  private final int[] states;
 
   /** Node and former state of the bits since the last mark. */
-  final long[] changed = new long[MAX_MARKED];
+  private final long[] changed = new long[MAX_MARKED];
 
-  int changes;
+  private int changes;
 
   /**
    * Creates a table; call {@link #begin}.
@@ -42,23 +41,17 @@ public final class BitTable {
    * @param prior probability of a 1 for each node, in 1/65,536: 1..65,535; copied
    */
   public BitTable(char[] prior) {
-    this.prior = new int[prior.length + 1];
+    this.prior = new int[prior.length];
     for (int node = 0; node < prior.length; node++) {
       this.prior[node] = prior[node];
     }
-    this.prior[prior.length] = FIXED << 16 | BitCoder.ONE / 2;
-    states = new int[this.prior.length];
+    states = new int[prior.length];
   }
 
   /** Each node is as it was given. */
   public void begin() {
     System.arraycopy(prior, 0, states, 0, states.length);
     changes = 0;
-  }
-
-  /** The node behind the given ones: its bits are equally likely and stay so. */
-  public int even() {
-    return prior.length - 1;
   }
 
   /** Remembers this place for {@link #rewind}. */
@@ -90,7 +83,7 @@ public final class BitTable {
   }
 
   /** A node's state after a bit: without a branch, as nothing foresees the bit. */
-  static int next(int state, int bit) {
+  private static int next(int state, int bit) {
     int p = state & 0xffff;
     int seen = state >>> 16;
     p += (LEAST + SPAN * bit - p) * STEP[seen] >> 16;

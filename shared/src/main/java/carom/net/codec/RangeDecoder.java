@@ -7,8 +7,6 @@ package carom.net.codec;
  */
 public final class RangeDecoder extends BitCoder {
 
-  private static final int TOP = RangeEncoder.STATE_BITS - 8;
-
   /** An encoder drops zeros at its end, but never so many of them by chance. */
   private static final int MAX_MISSING = 64;
 
@@ -18,9 +16,18 @@ public final class RangeDecoder extends BitCoder {
   private int position;
   private int missing;
   private boolean failed;
+
+  // The encoder's interval, and how far from its begin the message is: unsigned.
   private long low;
-  private long high = RangeEncoder.MASK;
-  private long value;
+  private long range = -1;
+  private long ahead;
+
+  // The slice that was begun: how much of the interval each of its numbers is, those that are left,
+  // how many are before them, and how far behind the first of them the message's is.
+  private long step;
+  private long width = SliceWriter.ALL;
+  private long first;
+  private long rest;
 
   /** Creates a reader of nothing; call {@link #reset}. */
   public RangeDecoder() {}
@@ -38,10 +45,11 @@ public final class RangeDecoder extends BitCoder {
     missing = 0;
     failed = false;
     low = 0;
-    high = RangeEncoder.MASK;
-    value = 0;
-    for (int i = 0; i < RangeEncoder.STATE_BITS / 8; i++) {
-      value = value << 8 | next();
+    range = -1;
+    width = SliceWriter.ALL;
+    ahead = 0;
+    for (int i = 0; i < Long.BYTES; i++) {
+      ahead = ahead << Byte.SIZE | next();
     }
   }
 
@@ -63,21 +71,51 @@ public final class RangeDecoder extends BitCoder {
 
   @Override
   public int code(int bit, int probability) {
-    long middle = RangeEncoder.split(low, high, probability);
+    if (width == SliceWriter.ALL) {
+      begin();
+    }
+    long ones = SliceWriter.ones(width, probability);
     int result;
-    if (value <= middle) {
-      high = middle;
+    if (rest < ones) {
+      width = ones;
       result = 1;
     } else {
-      low = middle + 1;
+      rest -= ones;
+      first += ones;
+      width -= ones;
       result = 0;
     }
-    while ((low ^ high) >>> TOP == 0) {
-      low = low << 8 & RangeEncoder.MASK;
-      high = high << 8 & RangeEncoder.MASK | 0xff;
-      value = value << 8 & RangeEncoder.MASK | next();
+    if (width >>> SliceWriter.LEAST_BITS == 0) {
+      cut();
     }
     return result;
+  }
+
+  private void begin() {
+    step = range >>> SliceWriter.BITS;
+    rest = Long.divideUnsigned(ahead, step);
+    first = 0;
+    if (rest < 0 || rest >= SliceWriter.ALL) {
+      failed = true; // of what is left over by the division, an encoder uses nothing
+      rest = SliceWriter.ALL - 1;
+    }
+  }
+
+  /** Ends the slice that was begun, where the encoder did. */
+  public void cut() {
+    if (width == SliceWriter.ALL) {
+      return;
+    }
+    low += first * step;
+    ahead -= first * step;
+    range = width * step;
+    width = SliceWriter.ALL;
+    while (range >>> RangeEncoder.RANGE_BITS == 0) {
+      low <<= RangeEncoder.WORD_BITS;
+      range <<= RangeEncoder.WORD_BITS;
+      int high = next();
+      ahead = ahead << RangeEncoder.WORD_BITS | high << Byte.SIZE | next();
+    }
   }
 
   /** Marks what was read as wrong: a decoder found a value that no encoder writes. */
@@ -85,17 +123,18 @@ public final class RangeDecoder extends BitCoder {
     failed = true;
   }
 
-  /** Whether {@link #fail} was called. */
+  /** Whether something was read that no encoder writes. */
   public boolean failed() {
     return failed;
   }
 
   /**
    * Whether the bytes are exactly those that an encoder writes for what was read: all of them
-   * needed, none missing.
+   * needed, none missing. What was read ends here.
    */
   public boolean finished() {
-    if (failed || value != RangeEncoder.shortest(low, high)) {
+    cut();
+    if (failed || ahead != RangeEncoder.toShortest(low, range)) {
       return false;
     }
     // No byte may be left over, and the last one isn't a zero, as the encoder drops those.

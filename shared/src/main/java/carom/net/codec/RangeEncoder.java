@@ -1,27 +1,44 @@
 package carom.net.codec;
 
 /**
- * Writes bits of known probability into a caller's array, each at the cost of its surprise: a
- * binary arithmetic coder without carries. The state is an interval of 48-bit numbers; each bit
- * keeps the part of the interval that belongs to it, and bytes leave when both ends agree on them.
+ * Writes bits of known probability into a caller's array, each at the cost of its surprise: an
+ * arithmetic coder. The message so far is an interval of fractions, of which 64 bits are at hand;
+ * each slice keeps its part of the interval, and words of 16 bits leave when the interval has
+ * become so short that they are certain but for a carry.
  *
  * <p>What is longer than the room sets a sticky overflow. One thread, no allocation.
  */
-public final class RangeEncoder extends BitCoder {
+public final class RangeEncoder extends SliceWriter {
 
-  static final int STATE_BITS = 48;
-  static final long MASK = (1L << STATE_BITS) - 1;
+  /** The interval is kept longer than 2^{@value}. */
+  static final int RANGE_BITS = 48;
+
+  static final int WORD_BITS = 16;
+  static final int WORD = (1 << WORD_BITS) - 1;
+  private static final int NONE = -1;
 
   private byte[] bytes = new byte[0];
   private int start;
   private int limit;
   private int position;
   private boolean overflow;
+
+  // The interval behind what left: its begin, and its length, both unsigned.
   private long low;
-  private long high = MASK;
+  private long range = -1;
+
+  /** The last word that isn't all ones, and how many such follow it: a carry may change them. */
+  private int held = NONE;
+
+  private int fullWords;
+
   private int markedPosition;
   private long markedLow;
-  private long markedHigh;
+  private long markedRange;
+  private int markedHeld;
+  private int markedFullWords;
+  private long markedFirst;
+  private long markedWidth;
 
   /** Creates an encoder without room; call {@link #reset}. */
   public RangeEncoder() {}
@@ -38,7 +55,10 @@ public final class RangeEncoder extends BitCoder {
     position = offset;
     overflow = false;
     low = 0;
-    high = MASK;
+    range = -1;
+    held = NONE;
+    fullWords = 0;
+    begin(0, ALL);
     mark();
   }
 
@@ -46,15 +66,22 @@ public final class RangeEncoder extends BitCoder {
   public void mark() {
     markedPosition = position;
     markedLow = low;
-    markedHigh = high;
+    markedRange = range;
+    markedHeld = held;
+    markedFullWords = fullWords;
+    markedFirst = first();
+    markedWidth = width;
   }
 
   /** Goes back to the last {@link #mark} and forgets an overflow since. */
   public void rewind() {
     position = markedPosition;
     low = markedLow;
-    high = markedHigh;
+    range = markedRange;
+    held = markedHeld;
+    fullWords = markedFullWords;
     overflow = false;
+    begin(markedFirst, markedWidth);
   }
 
   /**
@@ -62,67 +89,68 @@ public final class RangeEncoder extends BitCoder {
    * most n / 8 + 1 bytes.
    */
   public int bits() {
-    return 8 * (position - start) + STATE_BITS - (64 - Long.numberOfLeadingZeros(high - low));
+    long rest = width == ALL ? range : (range >>> BITS) * width;
+    int words = fullWords + (held == NONE ? 0 : 1);
+    return 8 * (position - start) + WORD_BITS * words + Long.numberOfLeadingZeros(rest);
+  }
+
+  /** Writes slices that were worked out before, at a cut. */
+  public void slices(SliceList list, int from, int to) {
+    for (int i = from; i < to; i++) {
+      slice(list.first(i), list.width(i));
+    }
   }
 
   @Override
-  public int code(int bit, int probability) {
-    long middle = split(low, high, probability);
-    if (bit != 0) {
-      high = middle;
-    } else {
-      low = middle + 1;
+  void slice(long first, long width) {
+    long step = range >>> BITS;
+    add(first * step);
+    range = width * step;
+    while (range >>> RANGE_BITS == 0) {
+      shift();
+      range <<= WORD_BITS;
     }
-    while ((low ^ high) >>> (STATE_BITS - 8) == 0) {
-      put((int) (high >>> (STATE_BITS - 8)));
-      low = low << 8 & MASK;
-      high = high << 8 & MASK | 0xff;
-    }
-    return bit;
   }
 
-  /**
-   * Writes what {@link BitTable#code} would bit by bit, in a fraction of the time: that of an
-   * unforeseen bit is mostly its branches, and here it has none.
-   *
-   * @param table whose nodes adapt
-   * @param steps each 2 node + bit
-   * @param from index of the first step
-   * @param to index behind the last step
-   */
-  public void code(BitTable table, char[] steps, int from, int to) {
-    int[] states = table.states;
-    long[] changed = table.changed;
-    int changes = table.changes;
-    long low = this.low;
-    long high = this.high;
-    for (int i = from; i < to; i++) {
-      int node = steps[i] >>> 1;
-      int bit = steps[i] & 1;
-      int state = states[node];
-      changed[changes++ & BitTable.MAX_MARKED - 1] = (long) node << 32 | state;
-      states[node] = BitTable.next(state, bit);
-      long middle = split(low, high, state & 0xffff);
-      long one = -(long) bit;
-      high ^= (high ^ middle) & one;
-      low = low & one | middle + 1 & ~one;
-      while ((low ^ high) >>> (STATE_BITS - 8) == 0) {
-        put((int) (high >>> (STATE_BITS - 8)));
-        low = low << 8 & MASK;
-        high = high << 8 & MASK | 0xff;
+  private void add(long forward) {
+    low += forward;
+    if (Long.compareUnsigned(low, forward) < 0) {
+      carry();
+    }
+  }
+
+  private void carry() {
+    held++;
+    if (fullWords > 0) {
+      put(held);
+      for (; fullWords > 1; fullWords--) {
+        put(0);
       }
+      held = 0;
+      fullWords = 0;
     }
-    table.changes = changes;
-    this.low = low;
-    this.high = high;
   }
 
-  /**
-   * The last number of the part that belongs to a 1. Each part has at least one number while the
-   * interval has two.
-   */
-  static long split(long low, long high, int probability) {
-    return low + ((high - low) * probability >>> 16); // 48 and 16 bits: the product has 64
+  /** The highest word leaves. */
+  private void shift() {
+    int word = (int) (low >>> RANGE_BITS);
+    if (word == WORD && held != NONE) {
+      fullWords++;
+    } else {
+      flush();
+      held = word;
+    }
+    low <<= WORD_BITS;
+  }
+
+  private void flush() {
+    if (held != NONE) {
+      put(held);
+    }
+    for (; fullWords > 0; fullWords--) {
+      put(WORD);
+    }
+    held = NONE;
   }
 
   /**
@@ -131,32 +159,37 @@ public final class RangeEncoder extends BitCoder {
    * @return bytes written since {@link #reset}
    */
   public int finish() {
-    long end = shortest(low, high);
-    while (end != 0) {
-      put((int) (end >>> (STATE_BITS - 8)));
-      end = end << 8 & MASK;
+    cut();
+    add(toShortest(low, range));
+    while (low != 0) {
+      shift();
     }
+    flush();
     while (!overflow && position > start && bytes[position - 1] == 0) {
       position--;
     }
     return position - start;
   }
 
-  /** The number within an interval that has the most zeros at its end, in bytes. */
-  static long shortest(long low, long high) {
-    for (int shift = STATE_BITS; shift > 0; shift -= 8) {
-      long step = 1L << shift;
-      long up = low + step - 1 & -step;
-      if (up <= high) {
-        return up;
+  /** How far it is to the number of an interval that has the most zeros at its end, in bytes. */
+  static long toShortest(long low, long range) {
+    for (int bits = Long.SIZE; bits > 0; bits -= Byte.SIZE) {
+      long far = bits == Long.SIZE ? -low : -low & (1L << bits) - 1;
+      if (Long.compareUnsigned(far, range) < 0) {
+        return far;
       }
     }
-    return low;
+    return 0;
   }
 
-  private void put(int octet) {
+  private void put(int word) {
+    putByte(word >>> Byte.SIZE);
+    putByte(word);
+  }
+
+  private void putByte(int octet) {
     if (position == limit) {
-      overflow = true;
+      overflow |= (octet & 0xff) != 0; // zeros at the end are dropped anyway
       return;
     }
     bytes[position++] = (byte) octet;

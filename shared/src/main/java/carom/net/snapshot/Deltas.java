@@ -1,55 +1,75 @@
 package carom.net.snapshot;
 
-import carom.net.codec.BitCoder;
-import carom.net.codec.BitTable;
+import carom.net.codec.RangeEncoder;
+import carom.net.codec.SliceList;
+import carom.net.codec.Surprise;
 import java.util.Arrays;
 
 /**
  * The deltas of a room's newest frame, each worked out once for all sessions: how a body differs
- * from what is predicted out of an older frame, as steps for {@link
- * carom.net.codec.RangeEncoder#code(BitTable, char[], int, int)}. Most sessions have acked one of a
- * few ticks, so what one of them needs is mostly there already. Where room for all of them ends,
- * the rest is worked out each time.
+ * from what is predicted out of an older frame, as slices for {@link RangeEncoder#slices}. Most
+ * sessions have acked one of a few ticks, so what one of them needs is mostly there already. Where
+ * room for all of them ends, the rest is worked out each time.
  *
- * <p>One thread, no allocation in the steady state. Memory: 256 bytes per slot and up to 2 MiB.
+ * <p>One thread, no allocation in the steady state. Memory: 256 bytes per slot and up to 4 MiB.
  */
 final class Deltas {
 
   private static final int MIN_SLOTS = 64;
-  private static final int MIN_LENGTH = 1 << 12;
-  private static final int MAX_LENGTH = 1 << 20;
 
-  /** More than any delta takes. */
-  private static final int MAX_DELTA = BitTable.MAX_MARKED;
+  /** Slices kept. */
+  private static final int MAX_SLICES = 1 << 17;
 
-  // Before the steps of a delta: its situation and way, and their number.
-  private static final int WAY_BITS = 2;
-  private static final int HEAD = 2;
+  /** So many neighbouring slots have one profile: what is alike was mostly made together. */
+  private static final int BLOCK_BITS = 5;
+
+  /** On every so many-th slot that changed each profile is tried, to find the one that fits. */
+  private static final int SAMPLED = 8;
+
+  /** Share of what was before in what is known of a block's profiles: 1 - 2^-{@value}. */
+  private static final int FORGET_SHIFT = 3;
+
+  // A delta as a number: one more than its first slice, and how many there are.
+  private static final int COUNT_BITS = 8;
+  private static final int COUNT = (1 << COUNT_BITS) - 1;
 
   private final int tickRate;
   private final Predictor predictor;
-  private final Recorder recorder = new Recorder();
+  private final DeltaCodec codec;
+  private final SliceList slices = new SliceList();
+  private final Surprise surprise = new Surprise();
   private final Motion old = new Motion();
   private final Motion actual = new Motion();
   private final Motion residual = new Motion();
 
-  /** By age and slot: where in {@link #steps} the delta begins, plus 1; 0 when it isn't there. */
+  /** By age and slot: the delta as a number, 0 when it isn't there. */
   private int[] known = {};
 
   private int slots;
   private long agesKnown;
-  private char[] steps = new char[MIN_LENGTH + MAX_DELTA];
-  private int written;
+  private int kept;
   private int tick = -1;
+
+  /** By block and profile: what the bits of its deltas would lately have cost. */
+  private long[] costs = {};
+
+  /** By block: the cheapest. */
+  private byte[] profiles = {};
 
   Deltas(int tickRate, float gravityX, float gravityY) {
     this.tickRate = tickRate;
     predictor = new Predictor(tickRate);
     predictor.gravity(gravityX, gravityY);
+    codec = new DeltaCodec(tickRate);
   }
 
   int tickRate() {
     return tickRate;
+  }
+
+  /** The profile that the slot's deltas of the newest frame are coded with. */
+  int profile(int slot) {
+    return profiles[slot >> BLOCK_BITS];
   }
 
   /**
@@ -57,33 +77,28 @@ final class Deltas {
    *
    * @param now the ring's newest frame
    * @param held an older one that holds the slot
-   * @return for {@link #way} and the others, until the next call
+   * @return for {@link #write}, until the next call
    */
   int of(FrameState now, FrameState held, int slot) {
     if (now.tick() != tick) {
-      forget(now);
+      begin(now, held);
     }
     int age = now.tick() - held.tick();
     int at = age * slots + slot;
-    if (known[at] > 0) {
-      return known[at] - 1;
-    }
-    int delta = written;
-    int end = record(delta, now, held, slot, age);
-    if (end <= MAX_LENGTH) {
-      known[at] = delta + 1;
-      agesKnown |= 1L << age;
-      written = end;
-    }
-    return delta;
+    int delta = known[at];
+    return delta != 0 ? delta : add(at, age, now, held, slot);
   }
 
-  private void forget(FrameState now) {
+  private void begin(FrameState now, FrameState held) {
     tick = now.tick();
-    written = 0;
+    slices.clear();
+    kept = 0;
     if (now.slotLimit() > slots) {
       slots = Math.max(MIN_SLOTS, Math.max(now.slotLimit(), 2 * slots));
       known = new int[FrameRing.SIZE * slots];
+      int blocks = (slots >> BLOCK_BITS) + 1;
+      profiles = Arrays.copyOf(profiles, blocks);
+      costs = Arrays.copyOf(costs, blocks * Profiles.COUNT);
     } else {
       for (long ages = agesKnown; ages != 0; ages &= ages - 1) {
         int from = Long.numberOfTrailingZeros(ages) * slots;
@@ -91,69 +106,63 @@ final class Deltas {
       }
     }
     agesKnown = 0;
+    tryProfiles(now, held);
   }
 
-  private int record(int delta, FrameState now, FrameState held, int slot, int age) {
-    if (delta + MAX_DELTA > steps.length) {
-      steps = Arrays.copyOf(steps, Math.min(2 * delta, MAX_LENGTH) + MAX_DELTA);
+  private void tryProfiles(FrameState now, FrameState held) {
+    SlotSet changed = now.changed();
+    int last = -1;
+    for (int slot = changed.next(tick % SAMPLED); slot >= 0; slot = changed.next(slot + SAMPLED)) {
+      if (!now.sameIdentity(held, slot)) {
+        continue;
+      }
+      int block = slot >> BLOCK_BITS;
+      int age = now.tick() - held.tick();
+      int way = work(age, now, held, slot);
+      int best = 0;
+      for (int i = 0; i < Profiles.COUNT; i++) {
+        int at = block * Profiles.COUNT + i;
+        if (block != last) {
+          costs[at] -= costs[at] >> FORGET_SHIFT;
+        }
+        surprise.reset();
+        codec.profile(Profiles.table(i));
+        codec.code(surprise, age, old, way, residual);
+        costs[at] += surprise.sum();
+        best = costs[at] < costs[block * Profiles.COUNT + best] ? i : best;
+      }
+      profiles[block] = (byte) best;
+      last = block;
     }
+  }
+
+  private int work(int age, FrameState now, FrameState held, int slot) {
     held.motion(slot, old);
     now.motion(slot, actual);
     int way = predictor.way(old, actual, age);
     residual.setResidual(predictor, old, actual, way, age);
-    int situation = RecordCodec.situation(old, age);
-    recorder.at = delta + HEAD;
-    recorder.residual(BitCoder.known(), situation, way, old, residual);
-    steps[delta] = (char) (situation << WAY_BITS | way);
-    steps[delta + 1] = (char) (recorder.at - delta - HEAD);
-    return recorder.at;
+    return way;
   }
 
-  /** How the delta's velocities are predicted. */
-  int way(int delta) {
-    return steps[delta] & (1 << WAY_BITS) - 1;
-  }
-
-  /** As {@link RecordCodec#situation}. */
-  int situation(int delta) {
-    return steps[delta] >>> WAY_BITS;
-  }
-
-  /** The steps of all deltas; another array after each {@link #of}. */
-  char[] steps() {
-    return steps;
-  }
-
-  /** Index of the delta's first step. */
-  int from(int delta) {
-    return delta + HEAD;
-  }
-
-  /** Index behind the delta's last step. */
-  int to(int delta) {
-    return delta + HEAD + steps[delta + 1];
-  }
-
-  /** Writes down the bits that a codec would code. */
-  private final class Recorder extends RecordCodec {
-    private int at;
-
-    Recorder() {
-      super(new char[0]); // it needs no table
+  private int add(int at, int age, FrameState now, FrameState held, int slot) {
+    slices.shorten(kept);
+    codec.profile(Profiles.table(profile(slot)));
+    int way = work(age, now, held, slot);
+    codec.code(slices, age, old, way, residual);
+    slices.cut();
+    int delta = kept + 1 << COUNT_BITS | slices.size() - kept;
+    if (slices.size() <= MAX_SLICES) {
+      kept = slices.size();
+      known[at] = delta;
+      agesKnown |= 1L << age;
     }
+    return delta;
+  }
 
-    @Override
-    int bit(BitCoder c, int node, int bit) {
-      steps[at++] = (char) (node << 1 | bit);
-      return bit;
-    }
-
-    @Override
-    int plain(BitCoder c, int value, int count) {
-      for (int i = count - 1; i >= 0; i--) {
-        bit(c, RecordCodec.NODES, value >>> i & 1);
-      }
-      return value & (1 << count) - 1;
-    }
+  /** Writes a delta's content. */
+  void write(RangeEncoder range, int delta) {
+    int from = (delta >>> COUNT_BITS) - 1;
+    range.cut();
+    range.slices(slices, from, from + (delta & COUNT));
   }
 }

@@ -26,6 +26,7 @@ public final class SnapshotDecoder {
   private final BitReader reader = new BitReader();
   private final RangeDecoder range = new RangeDecoder();
   private final RecordCodec records = new RecordCodec();
+  private final DeltaCodec deltas;
   private EntityHistory[] histories = {};
   private int slotLimit;
 
@@ -78,6 +79,7 @@ public final class SnapshotDecoder {
     this.tick = tick;
     newestTick = tick;
     predictor = new Predictor(tickRate);
+    deltas = new DeltaCodec(tickRate);
     Arrays.fill(ownTicks, -1);
     for (int i = 0; i < HISTORY; i++) {
       owns[i] = new OwnState();
@@ -184,23 +186,25 @@ public final class SnapshotDecoder {
     RangeDecoder r = range;
     count = 0;
     records.begin();
-    for (int slot; (slot = records.slot(r, 0)) != RecordCodec.END; ) {
+    for (int kind; (kind = records.kind(r, 0, 0, 0)) != RecordCodec.END; ) {
+      int slot = records.slot(r, 0);
       if (slot >= capacity || count == RecordCodec.MAX_RECORDS || r.exhausted()) {
         return DecodeStatus.DAMAGED;
       }
       if (count == slots.length) {
         growRecords(2 * count);
       }
-      int kind = records.kind(r, 0);
       Motion motion = motions[count];
       if (kind == RecordCodec.DELTA) {
-        int age = records.age(r, 0);
+        int age = records.age();
         if (!baseline(slot, datagramTick - age, age)) {
           return age == 0 ? DecodeStatus.DAMAGED : DecodeStatus.NO_BASELINE;
         }
         ages[count] = age;
-        int way = records.way(r, motion, 0);
-        records.residual(r, motion, scratch);
+        r.cut();
+        deltas.profile(Profiles.table(records.profile()));
+        int way = deltas.code(r, age, motion, 0, scratch);
+        r.cut();
         motion.addResidual(predictor, scratch, way, age);
       } else if (kind == RecordCodec.ABSOLUTE) {
         generations[count] = records.generation(r, 0);

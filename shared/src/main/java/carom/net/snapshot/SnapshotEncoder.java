@@ -28,8 +28,8 @@ public final class SnapshotEncoder {
   /** Largest datagram; the size of the array for {@link #next}. */
   public static final int MAX_DATAGRAM_BYTES = 1_200;
 
-  /** What the end of the records takes at most: a node's surprise, and rounding twice. */
-  private static final int END_BITS = 13;
+  /** What the end of the records takes at most: the surprise of two nodes, and rounding twice. */
+  private static final int END_BITS = 24;
 
   /**
    * A further datagram is not begun for less: headers on the path would cost more than it holds.
@@ -311,7 +311,7 @@ public final class SnapshotEncoder {
         selection.wrote(slot, frame.tick(), range.bits() - before);
       }
     }
-    records.slot(range, RecordCodec.END);
+    records.kind(range, RecordCodec.END, 0, 0);
     int length = header + range.finish();
     int check = Crc16.of(key, out, 2, length - 2);
     out[0] = (byte) check;
@@ -350,21 +350,19 @@ public final class SnapshotEncoder {
 
   private void writeRecord(int slot) {
     Baseline baseline = selection.baseline(frame, slot);
-    records.slot(range, slot);
-    if (baseline == Baseline.OUT_OF_SIGHT) {
-      records.kind(range, RecordCodec.OUT_OF_SIGHT);
-      return;
-    }
-    if (baseline == Baseline.GONE) {
-      records.kind(range, RecordCodec.GONE);
-      return;
-    }
     if (baseline == Baseline.ACKED) {
       FrameState held = selection.held();
-      records.kind(range, RecordCodec.DELTA);
-      records.delta(range, frame.tick() - held.tick(), deltas, deltas.of(frame, held, slot));
+      int delta = deltas.of(frame, held, slot);
+      records.kind(range, RecordCodec.DELTA, frame.tick() - held.tick(), deltas.profile(slot));
+      records.slot(range, slot);
+      deltas.write(range, delta);
+    } else if (baseline == Baseline.OUT_OF_SIGHT || baseline == Baseline.GONE) {
+      boolean gone = baseline == Baseline.GONE;
+      records.kind(range, gone ? RecordCodec.GONE : RecordCodec.OUT_OF_SIGHT, 0, 0);
+      records.slot(range, slot);
     } else {
-      records.kind(range, RecordCodec.ABSOLUTE);
+      records.kind(range, RecordCodec.ABSOLUTE, 0, 0);
+      records.slot(range, slot);
       records.generation(range, frame.generation(slot));
       records.archetype(range, frame.archetype(slot));
       records.owner(range, frame.owner(slot));

@@ -59,40 +59,41 @@ final class RangeCoderTest {
   }
 
   @Test
-  void stepsAreWrittenAsTheSameBitsOneByOneAndTakenBack() {
+  void slicesWorkedOutBeforeAreTheSameBytesAsBitsOneByOneAndLeaveNoTraceWhenTakenBack() {
     Random random = new Random(SEED);
-    char[] prior = new char[300];
-    for (int node = 0; node < prior.length; node++) {
-      prior[node] = (char) probability(random);
-    }
-    BitTable single = new BitTable(prior);
-    BitTable many = new BitTable(prior);
     RangeEncoder other = new RangeEncoder();
     byte[] out = new byte[buffer.length];
-    char[] steps = new char[BitTable.MAX_MARKED];
+    SliceList list = new SliceList();
     for (int round = 0; round < 300; round++) {
-      single.begin();
-      many.begin();
       encoder.reset(buffer, 0, buffer.length);
       other.reset(out, 0, out.length);
+      list.clear();
       for (int part = 0; part < 20; part++) {
-        int from = random.nextInt(steps.length);
-        int to = from + random.nextInt(steps.length - from + 1);
-        for (int i = from; i < to; i++) {
-          int node = random.nextInt(3) == 0 ? single.even() : random.nextInt(prior.length);
-          steps[i] = (char) (node << 1 | random.nextInt(2));
+        int from = list.size();
+        int n = random.nextInt(60);
+        int[] bits = new int[n];
+        int[] probabilities = new int[n];
+        for (int i = 0; i < n; i++) {
+          bits[i] = random.nextInt(2);
+          probabilities[i] = probability(random);
+          list.code(bits[i], probabilities[i]);
         }
-        other.mark();
-        many.mark();
-        other.code(many, steps, from, to);
-        if (random.nextInt(3) == 0) {
+        list.cut();
+        if (random.nextBoolean()) {
+          other.mark();
+          other.slices(list, from, list.size());
+          other.code(1, 1);
           other.rewind();
-          many.rewind();
+        }
+        if (random.nextInt(4) == 0) {
+          list.shorten(from);
           continue;
         }
-        for (int i = from; i < to; i++) {
-          single.code(encoder, steps[i] >>> 1, steps[i] & 1);
+        other.slices(list, from, list.size());
+        for (int i = 0; i < n; i++) {
+          encoder.code(bits[i], probabilities[i]);
         }
+        encoder.cut();
         assertEquals(encoder.bits(), other.bits());
       }
       int length = encoder.finish();
@@ -101,17 +102,70 @@ final class RangeCoderTest {
     }
   }
 
+  /** The same interval in numbers without end, which need no words and no carry. */
   @Test
-  void anIntervalIsSplitAsTheExactProductSays() {
+  void theMessageIsTheShortestFractionOfTheExactInterval() {
+    Random random = new Random(SEED);
+    int carries = 0;
+    for (int round = 0; round < 2_000; round++) {
+      encoder.reset(buffer, 0, buffer.length);
+      BigInteger low = BigInteger.ZERO;
+      BigInteger range = BigInteger.ONE.shiftLeft(64).subtract(BigInteger.ONE);
+      int shifted = 0;
+      for (int i = random.nextInt(40); i > 0; i--) {
+        long width = 1 + (random.nextLong() >>> 24 + random.nextInt(40));
+        long first = random.nextInt(3) == 0 ? SliceWriter.ALL - width : random.nextLong() >>> 24;
+        first = Math.min(first, SliceWriter.ALL - width);
+        encoder.slice(first, width);
+        BigInteger step = range.shiftRight(SliceWriter.BITS);
+        BigInteger before = low.shiftRight(64);
+        low = low.add(step.multiply(BigInteger.valueOf(first)));
+        carries += low.shiftRight(64).equals(before) ? 0 : 1;
+        range = step.multiply(BigInteger.valueOf(width));
+        while (range.bitLength() <= RangeEncoder.RANGE_BITS) {
+          low = low.shiftLeft(RangeEncoder.WORD_BITS);
+          range = range.shiftLeft(RangeEncoder.WORD_BITS);
+          shifted += RangeEncoder.WORD_BITS;
+        }
+      }
+      int length = encoder.finish();
+      BigInteger written = new BigInteger(1, Arrays.copyOf(buffer, length));
+      BigInteger value = written.shiftLeft(64 + shifted).shiftRight(8 * length);
+      assertTrue(value.compareTo(low) >= 0, "seed " + SEED + " round " + round);
+      assertTrue(value.compareTo(low.add(range)) < 0, "seed " + SEED + " round " + round);
+      BigInteger unit = BigInteger.ONE.shiftLeft(Math.max(0, 64 + shifted - 8 * (length - 1)));
+      BigInteger shorter = low.add(unit).subtract(BigInteger.ONE).divide(unit).multiply(unit);
+      assertTrue(length == 0 || shorter.compareTo(low.add(range)) >= 0, "a byte less would do");
+    }
+    assertTrue(carries > 100, "carries=" + carries);
+  }
+
+  @Test
+  void aSliceIsSplitAsTheExactProductSaysAndBothBitsKeepAPart() {
     Random random = new Random(SEED);
     for (int i = 0; i < 10_000; i++) {
-      long range = RangeEncoder.MASK >>> random.nextInt(40);
-      range -= random.nextInt(1 << 7);
+      long width = Math.max(2, SliceWriter.ALL >>> random.nextInt(40));
+      width = Math.max(2, width - random.nextInt(1 << 7));
       int probability = probability(random);
-      BigInteger product = BigInteger.valueOf(range).multiply(BigInteger.valueOf(probability));
-      assertEquals(
-          product.shiftRight(16).longValueExact(), RangeEncoder.split(0, range, probability));
+      BigInteger product = BigInteger.valueOf(width - 1).multiply(BigInteger.valueOf(probability));
+      long ones = SliceWriter.ones(width, probability);
+      assertEquals(product.shiftRight(16).longValueExact() + 1, ones);
+      assertTrue(ones >= 1 && ones < width, "width=" + width + " ones=" + ones);
     }
+  }
+
+  @Test
+  void surpriseIsWhatTheMessageTakes() {
+    Random random = new Random(SEED);
+    Surprise surprise = new Surprise();
+    encoder.reset(buffer, 0, buffer.length);
+    for (int i = 0; i < 20_000; i++) {
+      int p = 2_000 + random.nextInt(61_000);
+      int bit = random.nextInt(65_536) < p ? 1 : 0;
+      surprise.code(bit, p);
+      encoder.code(bit, p);
+    }
+    assertEquals(encoder.bits(), surprise.sum() / 256.0, 0.01 * encoder.bits());
   }
 
   private boolean reads(byte[] message, int[] bits, int[] probabilities) {
@@ -184,8 +238,8 @@ final class RangeCoderTest {
     byte[] room = new byte[8];
     Arrays.fill(room, (byte) 7);
     encoder.reset(room, 2, 3);
-    encoder.plain(-1, 32);
-    encoder.plain(-1, 32);
+    encoder.plain(0x12345678, 32);
+    encoder.plain(0x12345678, 32);
     encoder.finish();
     assertTrue(encoder.overflow());
     assertArrayEquals(new byte[] {7, 7}, Arrays.copyOf(room, 2));

@@ -2,7 +2,9 @@ package carom.net.snapshot;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.net.codec.RangeEncoder;
 import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -11,6 +13,7 @@ import org.junit.jupiter.api.Test;
 final class DeltasTest {
   private static final int TICK_RATE = 60;
   private static final int SLOTS = 3_000;
+  private static final int OLDEST = 20;
   private static final long SEED = 20_261_122;
 
   private final FrameRing ring = new FrameRing(SLOTS);
@@ -26,11 +29,32 @@ final class DeltasTest {
     ring.end();
   }
 
-  private char[] steps(Deltas deltas, int age, int slot) {
-    int delta = deltas.of(ring.newest(), ring.back(age), slot);
-    char[] steps = Arrays.copyOfRange(deltas.steps(), deltas.from(delta) - 2, deltas.to(delta));
-    assertEquals(steps.length - 2, steps[1]);
-    return steps;
+  /** The same message, worked out alone. */
+  private String alone(int age, int slot, int profile) {
+    Predictor predictor = new Predictor(TICK_RATE);
+    Motion old = new Motion();
+    Motion actual = new Motion();
+    Motion residual = new Motion();
+    ring.back(age).motion(slot, old);
+    ring.newest().motion(slot, actual);
+    int way = predictor.way(old, actual, age);
+    residual.setResidual(predictor, old, actual, way, age);
+    byte[] bytes = new byte[300];
+    RangeEncoder range = new RangeEncoder();
+    range.reset(bytes, 0, bytes.length);
+    DeltaCodec codec = new DeltaCodec(TICK_RATE);
+    codec.profile(Profiles.table(profile));
+    codec.code(range, age, old, way, residual);
+    return Arrays.toString(Arrays.copyOf(bytes, range.finish()));
+  }
+
+  /** The delta as a message of its own. */
+  private String message(Deltas deltas, int age, int slot) {
+    byte[] bytes = new byte[300];
+    RangeEncoder range = new RangeEncoder();
+    range.reset(bytes, 0, bytes.length);
+    deltas.write(range, deltas.of(ring.newest(), ring.back(age), slot));
+    return Arrays.toString(Arrays.copyOf(bytes, range.finish()));
   }
 
   @Test
@@ -42,11 +66,9 @@ final class DeltasTest {
       for (int i = 0; i < 30; i++) {
         int age = 1 + random.nextInt(Math.min(round + 1, 9));
         int slot = random.nextInt(10);
-        Deltas alone = new Deltas(TICK_RATE, 0, 0);
+        String message = message(shared, age, slot);
         assertEquals(
-            Arrays.toString(steps(alone, age, slot)),
-            Arrays.toString(steps(shared, age, slot)),
-            "seed " + SEED + " tick " + tick);
+            alone(age, slot, shared.profile(slot)), message, "seed " + SEED + " tick " + tick);
         assertEquals(
             shared.of(ring.newest(), ring.back(age), slot),
             shared.of(ring.newest(), ring.back(age), slot));
@@ -56,24 +78,48 @@ final class DeltasTest {
 
   @Test
   void whatHasNoRoomIsWorkedOutEachTime() {
-    for (int i = 0; i < 10; i++) {
+    for (int i = 0; i <= OLDEST; i++) {
       frame(SLOTS);
     }
     Deltas shared = ring.deltas(TICK_RATE);
-    for (int age = 1; age < 10; age++) {
+    for (int age = 1; age <= OLDEST; age++) {
       for (int slot = 0; slot < SLOTS; slot++) {
         shared.of(ring.newest(), ring.back(age), slot);
       }
     }
-    Deltas alone = new Deltas(TICK_RATE, 0, 0);
-    char[] last = steps(shared, 9, SLOTS - 1);
-    char[] former = steps(shared, 9, SLOTS - 2);
-    assertEquals(Arrays.toString(steps(alone, 9, SLOTS - 1)), Arrays.toString(last));
-    assertEquals(Arrays.toString(steps(alone, 9, SLOTS - 2)), Arrays.toString(former));
-    assertNotEquals(Arrays.toString(former), Arrays.toString(last));
+    String last = message(shared, OLDEST, SLOTS - 1);
+    String former = message(shared, OLDEST, SLOTS - 2);
+    assertEquals(alone(OLDEST, SLOTS - 1, shared.profile(SLOTS - 1)), last);
+    assertEquals(alone(OLDEST, SLOTS - 2, shared.profile(SLOTS - 2)), former);
+    assertNotEquals(former, last);
     assertEquals(
-        shared.of(ring.newest(), ring.back(9), SLOTS - 1),
-        shared.of(ring.newest(), ring.back(9), SLOTS - 2),
+        shared.of(ring.newest(), ring.back(OLDEST), SLOTS - 1) >>> 8,
+        shared.of(ring.newest(), ring.back(OLDEST), SLOTS - 2) >>> 8,
         "the room has no end, or this test too few slots");
+  }
+
+  @Test
+  void bodiesThatMoveAlikeHaveTheProfileThatSaysItShortest() {
+    Deltas shared = ring.deltas(TICK_RATE);
+    for (int round = 0; round < 40; round++) {
+      FrameState frame = ring.begin(++tick);
+      for (int slot = 0; slot < 128; slot++) {
+        int v = slot < 64 ? 64 : random.nextInt(-300, 300); // the first fly on, the others are hit
+        frame.putQuantized(slot, 1, 1, -1, 8 * tick * v / 60, 0, v & 1023, v, -v, 0);
+      }
+      ring.end();
+      if (round > 6) {
+        shared.of(ring.newest(), ring.back(6), 0);
+      }
+    }
+    assertEquals(shared.profile(0), shared.profile(63));
+    assertNotEquals(shared.profile(0), shared.profile(127));
+    for (int slot = 0; slot < 128; slot += 127) {
+      int used = alone(6, slot, shared.profile(slot)).length();
+      for (int i = 0; i < Profiles.COUNT; i++) {
+        int length = alone(6, slot, i).length();
+        assertTrue(length + 12 >= used, "slot=" + slot + " profile=" + i + ": " + length);
+      }
+    }
   }
 }

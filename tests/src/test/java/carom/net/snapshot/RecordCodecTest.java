@@ -20,6 +20,7 @@ final class RecordCodecTest {
   private final RangeDecoder decoder = new RangeDecoder();
   private final RecordCodec writing = new RecordCodec();
   private final RecordCodec reading = new RecordCodec();
+  private final DeltaCodec deltas = new DeltaCodec(60);
   private final byte[] buffer = new byte[1 << 16];
 
   private static int any(Random random, int max) {
@@ -42,17 +43,17 @@ final class RecordCodecTest {
   }
 
   /** Codes one record; what it was given or what was read goes into the answer. */
-  private static int[] record(RecordCodec codec, BitCoder c, int[] r, Motion baseline, Motion m) {
+  private int[] record(RecordCodec codec, BitCoder c, int[] r, Motion baseline, Motion m) {
     int[] out = r.clone();
-    out[0] = codec.slot(c, r[0]);
-    if (out[0] == RecordCodec.END) {
+    out[1] = codec.kind(c, r[1], r[2], r[7]);
+    if (out[1] == RecordCodec.END) {
       return out;
     }
-    out[1] = codec.kind(c, r[1]);
+    out[0] = codec.slot(c, r[0]);
     if (out[1] == RecordCodec.DELTA) {
-      out[2] = codec.age(c, r[2]);
-      out[3] = codec.way(c, baseline, r[3]);
-      codec.residual(c, baseline, m);
+      out[2] = codec.age();
+      deltas.profile(Profiles.table(codec.profile()));
+      out[3] = deltas.code(c, out[2], baseline, r[3], m);
     } else if (out[1] == RecordCodec.ABSOLUTE) {
       out[4] = codec.generation(c, r[4]);
       out[5] = codec.archetype(c, r[5]);
@@ -87,24 +88,29 @@ final class RecordCodecTest {
               random.nextInt(3),
               random.nextInt(256),
               random.nextInt(random.nextBoolean() ? 64 : 65_536),
-              random.nextInt(257) - 1
+              random.nextInt(257) - 1,
+              (round + random.nextInt(4) / 3) % Profiles.COUNT
             };
         baselines[i] = motion(random);
         Motion m = motion(random);
         if (random.nextInt(4) == 0) {
           m.clear();
+        } else if (records[i][3] == Predictor.STOPS && records[i][1] == RecordCodec.DELTA) {
+          m.vx = 0;
+          m.vy = 0;
+          m.omega = 0;
         }
         encoder.mark();
         writing.mark();
         Motion lost = motion(random);
-        record(writing, encoder, new int[] {random.nextInt(65_535), 0, 7, 1, 0, 0, 0}, m, lost);
+        record(writing, encoder, new int[] {random.nextInt(65_535), 0, 7, 1, 0, 0, 0, 0}, m, lost);
         encoder.rewind();
         writing.rewind();
         motions[i] = numbers(m);
         int[] kept = record(writing, encoder, records[i], baselines[i], m);
         assertArrayEquals(records[i], kept);
       }
-      writing.slot(encoder, RecordCodec.END);
+      writing.kind(encoder, RecordCodec.END, 0, 0);
       int bits = encoder.bits();
       int length = encoder.finish();
       assertTrue(length <= bits / 8 + 1, length + " bytes of " + bits + " bits");
@@ -112,7 +118,7 @@ final class RecordCodecTest {
       reading.begin();
       for (int i = 0; i < n; i++) {
         Motion m = new Motion();
-        int[] read = record(reading, decoder, new int[7], baselines[i], m);
+        int[] read = record(reading, decoder, new int[8], baselines[i], m);
         assertEquals(records[i][0], read[0], "seed " + SEED + " round " + round);
         assertEquals(records[i][1], read[1]);
         boolean delta = read[1] == RecordCodec.DELTA;
@@ -124,7 +130,7 @@ final class RecordCodecTest {
           assertArrayEquals(motions[i], numbers(m));
         }
       }
-      assertEquals(RecordCodec.END, reading.slot(decoder, 0));
+      assertEquals(RecordCodec.END, reading.kind(decoder, 0, 0, 0));
       assertTrue(decoder.finished());
     }
   }
