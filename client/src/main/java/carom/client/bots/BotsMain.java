@@ -93,7 +93,34 @@ public final class BotsMain implements Callable<Integer> {
 
   @CommandLine.Spec private CommandLine.Model.CommandSpec spec;
 
-  private BotsMain() {}
+  private final Pace pace;
+
+  private BotsMain(Pace pace) {
+    this.pace = pace;
+  }
+
+  /** The time by which bots play. */
+  interface Pace {
+    /** The real time. */
+    Pace REAL =
+        new Pace() {
+          @Override
+          public long nanoTime() {
+            return System.nanoTime();
+          }
+
+          @Override
+          public void sleep(long ns) throws InterruptedException {
+            Thread.sleep(ns / 1_000_000, (int) (ns % 1_000_000));
+          }
+        };
+
+    /** Like {@link System#nanoTime}. */
+    long nanoTime();
+
+    /** Waits, at least 0 ns. */
+    void sleep(long ns) throws InterruptedException;
+  }
 
   /** Entry point; exits with 0 if all joined and stayed, 1 if not, 2 on bad flags. */
   public static void main(String[] args) {
@@ -102,7 +129,12 @@ public final class BotsMain implements Callable<Integer> {
 
   /** As {@link #main}, but returns the exit code. */
   public static int run(String... args) {
-    CommandLine line = new CommandLine(new BotsMain()).setCaseInsensitiveEnumValuesAllowed(true);
+    return run(Pace.REAL, args);
+  }
+
+  static int run(Pace pace, String... args) {
+    CommandLine line =
+        new CommandLine(new BotsMain(pace)).setCaseInsensitiveEnumValuesAllowed(true);
     // Its flags are another program's.
     line.getSubcommands().get("figures").setUnmatchedOptionsArePositionalParams(true);
     return line.execute(args);
@@ -138,7 +170,7 @@ public final class BotsMain implements Callable<Integer> {
   }
 
   private int play(BotFarm farm, StopSignal stop) throws InterruptedException {
-    long start = System.nanoTime();
+    long start = pace.nanoTime();
     long now = start;
     long end = Long.MAX_VALUE;
     long nextLine = start + SECOND;
@@ -153,9 +185,8 @@ public final class BotsMain implements Callable<Integer> {
         System.err.printf(Locale.ROOT, "%4.0f s: %s%n", (now - start) / 1e9, farm.progress());
       }
       long frameNs = count > CROWD ? CROWD_FRAME_NS : FRAME_NS;
-      long waitNs = Math.max(0, now + frameNs - System.nanoTime());
-      Thread.sleep(waitNs / 1_000_000, (int) (waitNs % 1_000_000));
-      now = System.nanoTime();
+      pace.sleep(Math.max(0, now + frameNs - pace.nanoTime()));
+      now = pace.nanoTime();
     }
     BotReport report = farm.report(now);
     boolean good = report.joined() == count && report.disconnects() == 0 && farm.playing() == count;
