@@ -111,9 +111,9 @@ class FeelScenarioTest {
         perfect += client.stats().perfectRate() / 12;
       }
       String about = "perfect=" + perfect + " " + stepper.describe();
-      assertTrue(perfect > 0.7, about);
+      assertTrue(perfect > 0.97, about);
       long disagreements = stepper.count(Counter.NEAR_DISAGREEMENTS);
-      assertTrue(disagreements <= 8 * 12, "disagreements=" + disagreements + " " + about);
+      assertTrue(disagreements <= 3 * 12, "disagreements=" + disagreements + " " + about);
     }
   }
 }

@@ -106,17 +106,19 @@ final class PlayerInputs {
   /** The first tick in which a player did something else than was foreseen; huge when none. */
   int firstWrong(int after, int upTo) {
     RelayedInputs relayed = records.inputs();
-    for (int tick = after + 1; tick <= upTo; tick++) {
-      for (int id = 0; id < simulation.playerCapacity(); id++) {
-        if (simulation.player(id) != null
-            && simulation.player(id) != player
-            && used[id] != null
-            && relayed.knows(id, tick)
-            && relayed.at(id, tick) != used[id][tick & mask]) {
-          return tick;
+    int first = Integer.MAX_VALUE;
+    for (int id = 0; id < simulation.playerCapacity(); id++) {
+      if (used[id] == null || simulation.player(id) == null || simulation.player(id) == player) {
+        continue;
+      }
+      int last = Math.min(Math.min(upTo, first - 1), relayed.newestTick(id));
+      for (int tick = after + 1; tick <= last; tick++) {
+        if (relayed.knows(id, tick) && relayed.at(id, tick) != used[id][tick & mask]) {
+          first = tick;
+          break;
         }
       }
     }
-    return Integer.MAX_VALUE;
+    return first;
   }
 }

@@ -27,9 +27,10 @@ import java.util.function.LongSupplier;
  * <p>What happens when the server's state after tick T arrives:
  *
  * <ol>
- *   <li>If another player's inputs up to T were not as foreseen, or an {@linkplain NearUpdate
- *       update} is complete, the simulation returns to the saved state before, takes over what was
- *       told, and runs to T again, with the true inputs.
+ *   <li>If another player's inputs were not as foreseen, those included that wait at the server for
+ *       ticks after T, or an {@linkplain NearUpdate update} is complete, the simulation returns to
+ *       the saved state before, takes over what was told, and runs to T again, with the true
+ *       inputs.
  *   <li>If now the hash of T is the server's, all is well.
  *   <li>Else the own body is put right from the own section, and others where the quantised records
  *       disagree; the server is told that the hash differed, and sends an update of all.
@@ -338,13 +339,18 @@ public final class Prediction {
         predicted.set(ownAt[stateTick & MASK]);
         foreseen.remember(stateTick & MASK);
       }
-      int from = rewind(stateTick, before, present);
+      int wrong = inputs.firstWrong(Math.max(before, tick - RING + 1), tick);
+      int from = rewind(stateTick, wrong, present);
       if (from < 0 && stateTick > tick) {
         skipTo(stateTick); // the server is ahead of us: nothing was predicted for this tick
         putRight(stateTick, false);
         from = stateTick;
       } else {
         from = compare(stateTick, from);
+        if (from < 0 && isWorthReturning(wrong, present)) {
+          from = wrong - 1;
+          restore(from);
+        }
       }
       if (from >= 0) {
         rolledBack = present - from;
@@ -369,14 +375,12 @@ public final class Prediction {
   /**
    * Runs to a tick again when something before it was not as foreseen.
    *
+   * @param wrong the first tick with another input than was foreseen
    * @return the tick it returned to, or -1 when all was as foreseen
    */
-  private int rewind(int stateTick, int before, int present) {
-    int wrong = inputs.firstWrong(Math.max(before, tick - RING + 1), Math.min(stateTick, tick));
-    int from = Integer.MAX_VALUE;
-    if (isSaved(wrong - 1) && present - wrong < affordable(maxReplayNs)) {
-      from = wrong - 1;
-    }
+  private int rewind(int stateTick, int wrong, int present) {
+    boolean past = wrong <= stateTick && isWorthReturning(wrong, present);
+    int from = past ? wrong - 1 : Integer.MAX_VALUE;
     from = Math.min(from, Math.min(tellsFrom(earlier, present), tellsFrom(update, present)));
     if (from > stateTick) {
       return -1;
@@ -390,6 +394,11 @@ public final class Prediction {
       }
       again(tick + 1);
     }
+  }
+
+  /** Whether to compute a tick again in which somebody did something else than was foreseen. */
+  private boolean isWorthReturning(int wrong, int present) {
+    return isSaved(wrong - 1) && present - wrong < affordable(maxReplayNs);
   }
 
   /** The tick whose state an update tells, or a huge one when it is of no use now. */

@@ -487,6 +487,11 @@ public final class Room {
     int count = sessions.size();
     turns.begin(count, beginNs);
     for (int i = 0; i < count; i++) {
+      if (sessions.get(i).state() == SessionState.PLAYING) {
+        sessions.get(i).showWaiting(capture.frames().waiting());
+      }
+    }
+    for (int i = 0; i < count; i++) {
       Session session = sessions.get(turns.index(i));
       if (session.state() == SessionState.PLAYING) {
         try {

@@ -195,6 +195,16 @@ public final class InputBuffer {
     return Input.faded(last, missingInARow, holdTicks);
   }
 
+  /** Whether the input of a tick that is still to be consumed is here. */
+  public boolean isWaiting(int tick) {
+    return tick - lastConsumedTick > 0 && tickOf[tick & (SIZE - 1)] == tick;
+  }
+
+  /** The packed input of a tick that {@linkplain #isWaiting waits}. */
+  public long waiting(int tick) {
+    return packed[tick & (SIZE - 1)];
+  }
+
   /** Whether the last consumed tick's input wasn't there but followed from one that holds. */
   public boolean lastWasHeld() {
     return isHeld[lastConsumedTick & (SIZE - 1)];

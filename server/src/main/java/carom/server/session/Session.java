@@ -8,6 +8,7 @@ import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.snapshot.InputFeedback;
 import carom.net.snapshot.OwnState;
+import carom.net.snapshot.WaitingInputs;
 import carom.net.transport.Broadcast;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
@@ -286,6 +287,14 @@ public final class Session implements LinkHandler {
     }
     feedback.margin = Math.max(MIN_MARGIN, Math.min(MAX_MARGIN, inputs.arrivalMarginTicks()));
     countInputs();
+  }
+
+  /** Shows which inputs of the next ticks are here already, for the clients of those near. */
+  public void showWaiting(WaitingInputs to) {
+    int tick = inputs.lastConsumedTick() + 1;
+    while (inputs.isWaiting(tick) && to.add(player.id(), inputs.waiting(tick))) {
+      tick++;
+    }
   }
 
   private void countInputs() {

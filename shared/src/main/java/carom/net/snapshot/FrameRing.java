@@ -21,6 +21,7 @@ public final class FrameRing {
   private final int capacity;
   private final FrameState[] frames = new FrameState[SIZE];
   private final EventRing events = new EventRing();
+  private final WaitingInputs waiting = new WaitingInputs();
   private final SlotSet asLevel = new SlotSet();
   private Deltas deltas;
   private FrameState level;
@@ -90,6 +91,11 @@ public final class FrameRing {
     return level;
   }
 
+  /** Inputs of the ticks after the newest frame; empty when it begins. */
+  public WaitingInputs waiting() {
+    return waiting;
+  }
+
   /** The slots that were in the first frame as the level has them. */
   SlotSet asLevel() {
     return asLevel;
@@ -118,6 +124,7 @@ public final class FrameRing {
     }
     FrameState frame = frames[(int) ended & MASK];
     frame.begin(tick);
+    waiting.clear();
     begun = true;
     return frame;
   }

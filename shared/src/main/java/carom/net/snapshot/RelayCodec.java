@@ -2,11 +2,13 @@ package carom.net.snapshot;
 
 import carom.net.codec.BitReader;
 import carom.net.codec.BitWriter;
+import java.util.Arrays;
 
 /**
- * Inputs of other players, as the server consumed them: of all ticks since the baseline, so that
- * whoever holds the baseline knows them all, however many datagrams were lost in between. Pairs of
- * write and read that mirror each other.
+ * Inputs of other players: those that the server consumed in all ticks since the baseline, so that
+ * whoever holds the baseline knows them all, however many datagrams were lost in between; and those
+ * that {@linkplain WaitingInputs wait} for the next ticks. Pairs of write and read that mirror each
+ * other.
  */
 final class RelayCodec {
   /** Bits of a packed input. */
@@ -19,6 +21,7 @@ final class RelayCodec {
   static final int MAX_PLAYERS = 31;
 
   private static final int COUNT_BITS = 5;
+  private static final int WAITING_BITS = 3;
   private static final int PLAYER_BITS = 8;
   private static final int COMMON_BUTTONS = 5;
 
@@ -45,11 +48,17 @@ final class RelayCodec {
     }
   }
 
-  /** Whether a relayed player had the same input in all ticks of a window. */
+  /** Whether a relayed player has the same input in all ticks of a window, and in the next. */
   static boolean isUnchanged(FrameRing ring, FrameState newest, int window, int player) {
     long base = inputAt(ring, newest.tick() - window, player);
     for (int back = 0; back < window; back++) {
       if (inputAt(ring, newest.tick() - back, player) != base) {
+        return false;
+      }
+    }
+    WaitingInputs waiting = ring.waiting();
+    for (int ahead = 1; ahead <= waiting.count(player); ahead++) {
+      if (waiting.at(player, ahead) != base) {
         return false;
       }
     }
@@ -71,6 +80,7 @@ final class RelayCodec {
     for (int p = players.next(0); p >= 0; p = players.next(p + 1)) {
       if (window == 0 || !known.has(p)) {
         writeInput(w, 0, newest.input(p));
+        writeWaiting(w, ring.waiting(), p, newest.input(p));
         continue;
       }
       boolean changed = !isUnchanged(ring, newest, window, p);
@@ -80,17 +90,35 @@ final class RelayCodec {
       }
       long before = inputAt(ring, newest.tick() - window, p);
       for (int back = window - 1; back >= 0; back--) {
-        long now = inputAt(ring, newest.tick() - back, p);
-        w.write(now != before);
-        if (now != before) {
-          writeInput(w, before, now);
-        }
-        before = now;
+        before = writeNext(w, before, inputAt(ring, newest.tick() - back, p));
       }
+      writeWaiting(w, ring.waiting(), p, before);
     }
   }
 
-  /** Reads what {@link #write} wrote; the inputs of a known player's whole window. */
+  private static void writeWaiting(BitWriter w, WaitingInputs waiting, int player, long before) {
+    int count = waiting.count(player);
+    w.write(count, WAITING_BITS);
+    for (int ahead = 1; ahead <= count; ahead++) {
+      before = writeNext(w, before, waiting.at(player, ahead));
+    }
+  }
+
+  private static long writeNext(BitWriter w, long before, long now) {
+    w.write(now != before);
+    if (now != before) {
+      writeInput(w, before, now);
+    }
+    return now;
+  }
+
+  /**
+   * Reads what {@link #write} wrote: the inputs of a known player's whole window, of others that of
+   * the datagram's tick, each followed by those that wait.
+   *
+   * @param out receives them, player by player
+   * @param waiting receives by player how many of them are of later ticks
+   */
   static void read(
       BitReader r,
       RelayedInputs inputs,
@@ -98,27 +126,43 @@ final class RelayCodec {
       int window,
       PlayerSet known,
       PlayerSet players,
-      long[] out) {
+      long[] out,
+      byte[] waiting) {
     int at = 0;
     for (int p = players.next(0); p >= 0; p = players.next(p + 1)) {
       if (window == 0 || !known.has(p)) {
-        out[at++] = readInput(r, 0);
+        long input = readInput(r, 0);
+        out[at++] = input;
+        waiting[p] = (byte) r.read(WAITING_BITS);
+        at = readNext(r, input, waiting[p], out, at);
         continue;
       }
       boolean changed = r.readBit();
       long before = inputs.at(p, tick - window);
-      for (int back = window - 1; back >= 0; back--) {
-        if (changed && r.readBit()) {
-          before = readInput(r, before);
-        }
-        out[at++] = before;
+      if (!changed) {
+        Arrays.fill(out, at, at + window, before);
+        at += window;
+        waiting[p] = 0;
+        continue;
       }
+      at = readNext(r, before, window, out, at);
+      waiting[p] = (byte) r.read(WAITING_BITS);
+      at = readNext(r, out[at - 1], waiting[p], out, at);
     }
+  }
+
+  private static int readNext(BitReader r, long before, int count, long[] out, int at) {
+    long input = before;
+    for (int i = 0; i < count; i++) {
+      input = r.readBit() ? readInput(r, input) : input;
+      out[at + i] = input;
+    }
+    return at + count;
   }
 
   /** Most inputs {@link #read} gives out. */
   static int maxInputs() {
-    return MAX_PLAYERS * MAX_WINDOW;
+    return MAX_PLAYERS * (MAX_WINDOW + WaitingInputs.MOST);
   }
 
   private static void writeInput(BitWriter w, long before, long input) {

@@ -4,8 +4,8 @@ import java.util.Arrays;
 
 /**
  * What the server told of other players' inputs, by player and tick: the last {@value #TICKS} ticks
- * of each player ever relayed. Filled by the decoder, in any order of ticks. One thread; allocates
- * when a player is relayed for the first time, 768 bytes.
+ * of each player ever relayed, some of them ahead of the newest snapshot. Filled by the decoder, in
+ * any order of ticks. One thread; allocates when a player is relayed for the first time, 768 bytes.
  */
 public final class RelayedInputs {
   /** Ticks kept. */

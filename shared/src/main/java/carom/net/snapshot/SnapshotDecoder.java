@@ -49,6 +49,7 @@ public final class SnapshotDecoder {
   // A datagram is read into these first and counts only when all of it was good.
   private final OwnState readOwn = new OwnState();
   private final long[] readInputs = new long[RelayCodec.maxInputs()];
+  private final byte[] readWaiting = new byte[256];
   private final PlayerSet readKnown = new PlayerSet();
   private int readWindow;
   private final InputFeedback readFeedback = new InputFeedback();
@@ -161,7 +162,8 @@ public final class SnapshotDecoder {
       HeaderCodec.readOwn(r, baseline, readOwn);
       readWindow = RelayCodec.window(age);
       readKnown.set(baseline.relayed);
-      RelayCodec.read(r, inputs, datagramTick, readWindow, readKnown, readOwn.relayed, readInputs);
+      RelayCodec.read(
+          r, inputs, datagramTick, readWindow, readKnown, readOwn.relayed, readInputs, readWaiting);
       NearCodec.read(r, baseline.near, readOwn.near);
     }
     boolean sane = events.read(r, datagramTick);
@@ -308,8 +310,8 @@ public final class SnapshotDecoder {
     int at = 0;
     for (int p = players.next(0); p >= 0; p = players.next(p + 1)) {
       int ticks = readWindow > 0 && readKnown.has(p) ? readWindow : 1;
-      for (int back = ticks - 1; back >= 0; back--) {
-        inputs.put(p, datagramTick - back, readInputs[at++]);
+      for (int i = 1 - ticks; i <= readWaiting[p]; i++) {
+        inputs.put(p, datagramTick + i, readInputs[at++]);
       }
     }
   }

@@ -51,6 +51,7 @@ final class Channel {
   int maxBytesPerTick;
   int maxWaiting;
   long inputsKnown;
+  long inputsWaiting;
 
   private final List<Delayed> down = new ArrayList<>();
   private final List<Delayed> up = new ArrayList<>();
@@ -164,6 +165,13 @@ final class Channel {
     RelayedInputs inputs = decoder.inputs();
     for (int p = relayed.next(0); p >= 0; p = relayed.next(p + 1)) {
       assertTrue(inputs.knows(p, tick), name + " input of player=" + p + " tick=" + tick);
+      for (int ahead = 1; ahead <= WaitingInputs.MOST; ahead++) {
+        if (inputs.knows(p, tick + ahead)) {
+          inputsWaiting++;
+          long truth = Scene.input(p, tick + ahead);
+          assertEquals(truth, inputs.at(p, tick + ahead), name + " player=" + p + " +" + ahead);
+        }
+      }
       for (int back = 0; back < RelayedInputs.TICKS && back <= tick; back++) {
         if (inputs.knows(p, tick - back)) {
           inputsKnown++;

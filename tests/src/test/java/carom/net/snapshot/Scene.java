@@ -132,6 +132,10 @@ final class Scene {
     }
     for (int player = 0; player < PLAYERS; player++) {
       frame.putInput(player, input(player, tick));
+      int waiting = (tick / 3 + 5 * player) % (WaitingInputs.MOST + 1);
+      for (int ahead = 1; ahead <= waiting; ahead++) {
+        ring.waiting().add(player, input(player, tick + ahead));
+      }
     }
     ring.end();
     past.add(copy);

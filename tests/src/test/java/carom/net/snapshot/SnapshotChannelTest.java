@@ -38,13 +38,14 @@ class SnapshotChannelTest {
 
   @Test
   void whoHearsAgainAfterLossKnowsAllInputsInBetween() {
-    // Goal: others' inputs are known without gaps although datagrams are lost.
+    // Goal: others' inputs are known without gaps although datagrams are lost, and some ahead.
     // Method: a third is lost; of the ticks behind each decoded one, nearly all must be known.
     Channel channel = new Channel(new Scene(20, 0, 21), 22);
     channel.lossPercent = 30;
     channel.latencyTicks = 4;
     run(channel, 3_000);
     assertTrue(channel.inputsKnown > 20_000, channel.name + " known=" + channel.inputsKnown);
+    assertTrue(channel.inputsWaiting > 2_000, channel.name + " waiting=" + channel.inputsWaiting);
     RelayedInputs inputs = channel.decoder.inputs();
     int gaps = 0;
     PlayerSet relayed = channel.decoder.own().relayed();

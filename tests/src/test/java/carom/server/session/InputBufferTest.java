@@ -45,6 +45,21 @@ class InputBufferTest {
   }
 
   @Test
+  void showsWhatWaitsAndNothingElse() {
+    buffer.reset(99);
+    buffer.offer(101, 5);
+    buffer.hold(101, 5, 9);
+    assertFalse(buffer.isWaiting(100));
+    assertTrue(buffer.isWaiting(101));
+    assertEquals(5, buffer.waiting(101));
+    assertFalse(buffer.isWaiting(102), "what is only said to hold may still change");
+    assertFalse(buffer.isWaiting(101 + 64), "another use of the same place");
+    buffer.consume(100);
+    buffer.consume(101);
+    assertFalse(buffer.isWaiting(101));
+  }
+
+  @Test
   void eachTickConsumesItsOwnInputOnce() {
     for (int tick = 5; tick >= 1; tick--) { // any order of arrival
       assertEquals(ACCEPTED, buffer.offer(tick, tick * 10L));
