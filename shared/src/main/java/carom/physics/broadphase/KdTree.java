@@ -38,13 +38,16 @@ public final class KdTree implements SpatialIndex {
   static final int FILL = 10;
 
   /** Rebuild all when more than this fraction (1 / n) of the boxes left their cells in one tick. */
-  static final int REBUILD_SHARE = 8;
+  static final int REBUILD_SHARE = 2;
+
+  /** Rebuild all when more than this fraction (1 / n) of the boxes come or go at once. */
+  static final int BULK_SHARE = 8;
 
   /** Refit all when more than this fraction (1 / n) of the boxes changed. */
   static final int REFIT_SHARE = 3;
 
   /** A box may stray this fraction of its cell's width before it moves to another leaf. */
-  static final float CELL_SLACK = 0.03125f;
+  static final float CELL_SLACK = 0.125f;
 
   private static final int ROW = SLOTS;
   private static final int SHIFT = 6;
@@ -268,7 +271,7 @@ public final class KdTree implements SpatialIndex {
    *     boxes before it may be in the tree then
    */
   public void addAll(int[] newIds, int count) {
-    if (count <= size / REBUILD_SHARE) {
+    if (count <= size / BULK_SHARE) {
       for (int i = 0; i < count; i++) {
         add(newIds[i]);
       }
@@ -297,7 +300,7 @@ public final class KdTree implements SpatialIndex {
    * @param count how many
    */
   public void removeAll(int[] oldIds, int count) {
-    if (count <= size / REBUILD_SHARE) {
+    if (count <= size / BULK_SHARE) {
       for (int i = 0; i < count; i++) {
         remove(oldIds[i]);
       }

@@ -3,14 +3,19 @@ package carom.physics.dynamics;
 import java.util.Arrays;
 
 /**
- * Sorts contact keys without garbage: insertion sort for few, a radix sort by bytes for many, which
- * skips the bytes that all keys share.
+ * Sorts contact keys without garbage: insertion sort for few, a radix sort for many, whose digits
+ * leave out the bits that all keys share.
  */
 final class KeySorter {
   private static final int FEW = 32;
 
+  /** Bits of a digit. */
+  private static final int DIGIT = 11;
+
+  private static final int RADIX = 1 << DIGIT;
+
   private long[] other = new long[64];
-  private final int[] counts = new int[256];
+  private final int[] counts = new int[RADIX];
 
   /**
    * Sorts the first n keys; answers the array that holds them now, the other one becomes scratch.
@@ -32,22 +37,20 @@ final class KeySorter {
       any |= keys[i];
     }
     long differs = all ^ any;
-    for (int shift = 0; shift < 64; shift += 8) {
-      if ((differs >>> shift & 0xff) == 0) {
-        continue;
-      }
+    for (int shift = 0; shift < 64 && differs >>> shift != 0; shift += DIGIT) {
+      shift += Long.numberOfTrailingZeros(differs >>> shift);
       Arrays.fill(counts, 0);
       for (int i = 0; i < n; i++) {
-        counts[(int) (from[i] >>> shift) & 0xff]++;
+        counts[(int) (from[i] >>> shift) & RADIX - 1]++;
       }
       int sum = 0;
-      for (int d = 0; d < 256; d++) {
+      for (int d = 0; d < RADIX; d++) {
         int c = counts[d];
         counts[d] = sum;
         sum += c;
       }
       for (int i = 0; i < n; i++) {
-        to[counts[(int) (from[i] >>> shift) & 0xff]++] = from[i];
+        to[counts[(int) (from[i] >>> shift) & RADIX - 1]++] = from[i];
       }
       long[] swap = from;
       from = to;

@@ -146,7 +146,8 @@ final class NarrowPhase {
     }
     Manifold manifold = desk.manifold;
     boolean sensor = contacts.sensor(row);
-    if ((contacts.flags[row] & ContactTable.IGNORED) != 0) {
+    if ((contacts.flags[row] & ContactTable.IGNORED) != 0
+        || !parts.tight.overlaps(contacts.part[2 * row], contacts.part[2 * row + 1])) {
       manifold.count = 0;
     } else {
       collide(row, sensor, desk);

@@ -24,10 +24,16 @@ final class PairFinder {
   private static final int CROWDED = 2;
 
   /** For how many ticks fat boxes are meant to last where pairs are few. */
-  private static final int SPARSE_TICKS = 5;
+  private static final int SPARSE_TICKS = 10;
+
+  /** When more than this fraction (1 / n) of the parts left their fat boxes, all get new ones. */
+  private static final int RENEW_SHARE = 4;
 
   /** Up to this fraction (1 / n) of moved parts, each is searched for itself. */
   private static final int SEARCH_SHARE = 16;
+
+  /** Relative rounding of the edges of a box, as far from the origin as it is. */
+  private static final float ROUNDING = 0x1p-22f;
 
   private final Settings settings;
   private final BodyStore bodies;
@@ -176,9 +182,8 @@ final class PairFinder {
 
   private void restingBox(int body, int part) {
     place(body);
-    parts.convex[part].aabb(pose, box);
-    float margin = 0.5f * settings.speculativeDistance();
-    parts.fat.set(part, box.minX - margin, box.minY - margin, box.maxX + margin, box.maxY + margin);
+    measure(part);
+    fatten(part, 0, 0, 0);
   }
 
   /** Has a part put into its tree before one is used, so that crowds come at once. */
@@ -251,7 +256,9 @@ final class PairFinder {
   }
 
   /**
-   * Gives every part of an active body whose fat box no longer contains it a new one.
+   * Gives every part of an active body whose fat box no longer contains it a new one. When many
+   * left theirs at once, all get new ones: the next search then is some ticks away for all of them,
+   * and finds nothing to do until then.
    *
    * @param dt length of the last step, s
    */
@@ -260,6 +267,7 @@ final class PairFinder {
       return;
     }
     boxesStale = false;
+    partListCount = 0;
     for (int i = 0; i < active.count; i++) {
       int body = active.list[i];
       place(body);
@@ -267,32 +275,50 @@ final class PairFinder {
       int end = first + bodies.partCount[body];
       for (int part = first; part < end; part++) {
         if (!holds(part)) {
-          widen(part, dt * bodies.vx[body], dt * bodies.vy[body], active.count);
-          movingStale = true;
-          markMoved(part);
+          listPart(part);
         }
       }
     }
+    if (partListCount == 0) {
+      return;
+    }
+    if (partListCount > moving.size() / RENEW_SHARE) {
+      listParts(active.list, active.count);
+    }
+    for (int i = 0; i < partListCount; i++) {
+      renew(partList[i], dt, active.count);
+    }
+    movingStale = true;
   }
 
   private void place(int body) {
     pose.set(bodies.x[body], bodies.y[body], bodies.cos[body], bodies.sin[body]);
   }
 
-  /** Whether a part at {@link #pose}, and what it may reach, is within its fat box. */
-  private boolean holds(int part) {
+  /** Measures the tight box of a part at {@link #pose}. */
+  private void measure(int part) {
     parts.convex[part].aabb(pose, box);
     float reach = 0.5f * settings.speculativeDistance();
-    return parts.fat.contains(
-        part, box.minX - reach, box.minY - reach, box.maxX + reach, box.maxY + reach);
+    reach += ROUNDING * (Math.abs(pose.x) + Math.abs(pose.y));
+    parts.tight.set(part, box.minX - reach, box.minY - reach, box.maxX + reach, box.maxY + reach);
+  }
+
+  /** Measures a part at {@link #pose}; answers whether its fat box still contains it. */
+  private boolean holds(int part) {
+    measure(part);
+    AabbArray t = parts.tight;
+    return parts.fat.contains(part, t.minX(part), t.minY(part), t.maxX(part), t.maxY(part));
   }
 
   /**
-   * Gives a part a new fat box around its box, for some ticks of motion. Where there are few pairs
-   * a roomy box spares searches; in a crowd a needless pair costs more than a search, so the boxes
-   * of what moves fast are hardly larger than it.
+   * Gives a part a new fat box around its tight one, for some ticks of motion. Where there are few
+   * pairs a roomy box spares searches; in a crowd a needless pair costs more than a search, so the
+   * boxes of what moves fast are hardly larger than it.
    */
-  private void widen(int part, float wayX, float wayY, int activeCount) {
+  private void renew(int part, float dt, int activeCount) {
+    int body = parts.body[part];
+    float wayX = dt * bodies.vx[body];
+    float wayY = dt * bodies.vy[body];
     int pairs = contacts.count();
     float margin = settings.aabbMargin();
     float ticks = SPARSE_TICKS;
@@ -303,17 +329,18 @@ final class PairFinder {
       ticks = 1;
     }
     fatten(part, margin, ticks * wayX, ticks * wayY);
+    markMoved(part);
   }
 
-  /** Sets a part's fat box: {@link #box} with a margin, and room for a way. */
+  /** Sets a part's fat box: the tight one with a margin, and room for a way. */
   private void fatten(int part, float margin, float wayX, float wayY) {
-    float m = margin + 0.5f * settings.speculativeDistance();
+    AabbArray tight = parts.tight;
     parts.fat.set(
         part,
-        box.minX - m + Math.min(wayX, 0),
-        box.minY - m + Math.min(wayY, 0),
-        box.maxX + m + Math.max(wayX, 0),
-        box.maxY + m + Math.max(wayY, 0));
+        tight.minX(part) - margin + Math.min(wayX, 0),
+        tight.minY(part) - margin + Math.min(wayY, 0),
+        tight.maxX(part) + margin + Math.max(wayX, 0),
+        tight.maxY(part) + margin + Math.max(wayY, 0));
   }
 
   /** Has the pairs of all parts of a body searched in the next step. */

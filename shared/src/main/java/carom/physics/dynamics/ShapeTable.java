@@ -60,6 +60,12 @@ public final class ShapeTable {
   /** The boxes in the broadphase; never restored, only widened when they no longer contain. */
   final AabbArray fat = new AabbArray(FIRST_CAPACITY);
 
+  /**
+   * The boxes themselves, at the poses when boxes were last refreshed, with half the speculative
+   * distance around: parts whose boxes are apart have no contact.
+   */
+  final AabbArray tight = new AabbArray(FIRST_CAPACITY);
+
   /** Per block size: the first free block's part, -1 if none; the next one is in {@link #body}. */
   private final int[] freeBlocks = new int[ContactKey.MAX_PARTS + 1];
 
@@ -208,5 +214,6 @@ public final class ShapeTable {
       nextFree = Arrays.copyOf(nextFree, grown);
     }
     fat.ensureCapacity(body.length);
+    tight.ensureCapacity(body.length);
   }
 }
