@@ -9,6 +9,9 @@ public final class Crc16 {
 
   private static final char[] TABLE = new char[256];
 
+  /** As TABLE, for a byte that one more follows. */
+  private static final char[] BEFORE = new char[256];
+
   static {
     for (int i = 0; i < 256; i++) {
       int crc = i << 8;
@@ -16,6 +19,9 @@ public final class Crc16 {
         crc = (crc & 0x8000) != 0 ? crc << 1 ^ 0x1021 : crc << 1;
       }
       TABLE[i] = (char) crc;
+    }
+    for (int i = 0; i < 256; i++) {
+      BEFORE[i] = (char) next(TABLE[i], 0);
     }
   }
 
@@ -27,10 +33,11 @@ public final class Crc16 {
     for (int shift = 24; shift >= 0; shift -= 8) {
       crc = next(crc, key >>> shift);
     }
-    for (int i = offset; i < offset + length; i++) {
-      crc = next(crc, bytes[i]);
+    int i = offset;
+    for (int end = offset + length - 1; i < end; i += 2) {
+      crc = BEFORE[(crc >>> 8 ^ bytes[i]) & 0xff] ^ TABLE[(crc ^ bytes[i + 1]) & 0xff];
     }
-    return crc;
+    return i < offset + length ? next(crc, bytes[i]) : crc;
   }
 
   private static int next(int crc, int octet) {

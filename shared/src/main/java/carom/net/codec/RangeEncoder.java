@@ -183,6 +183,12 @@ public final class RangeEncoder extends SliceWriter {
   }
 
   private void put(int word) {
+    if (position + 1 < limit) {
+      bytes[position] = (byte) (word >>> Byte.SIZE);
+      bytes[position + 1] = (byte) word;
+      position += 2;
+      return;
+    }
     putByte(word >>> Byte.SIZE);
     putByte(word);
   }

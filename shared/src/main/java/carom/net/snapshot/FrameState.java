@@ -34,6 +34,7 @@ public final class FrameState {
   private int[] vy = {};
   private int[] omega = {};
   private int[] changedTick = {};
+  private int[] identityTick = {};
   private final PlayerSet players = new PlayerSet();
   private long[] inputs = {};
   private final SlotSet changed = new SlotSet();
@@ -216,6 +217,7 @@ public final class FrameState {
     vy = Arrays.copyOf(vy, grown);
     omega = Arrays.copyOf(omega, grown);
     changedTick = Arrays.copyOf(changedTick, grown);
+    identityTick = Arrays.copyOf(identityTick, grown);
     audience = Arrays.copyOf(audience, grown);
     changed.ensure(grown);
   }
@@ -230,7 +232,10 @@ public final class FrameState {
     for (int slot = 0; slot < limit; slot++) {
       if (previous != null && slot < previous.limit && same(previous, slot)) {
         changedTick[slot] = previous.changedTick[slot];
+        identityTick[slot] = previous.identityTick[slot];
       } else {
+        boolean other = previous == null || !sameIdentity(previous, slot);
+        identityTick[slot] = other ? tick : previous.identityTick[slot];
         changedTick[slot] = tick;
         changed.add(slot);
       }
@@ -405,6 +410,11 @@ public final class FrameState {
         && other.alive(slot)
         && kind[slot] == other.kind[slot]
         && owner[slot] == other.owner[slot];
+  }
+
+  /** Whether a slot of this frame is the same as in an older frame of its ring; as above. */
+  boolean sameIdentitySince(FrameState older, int slot) {
+    return identityTick[slot] <= older.tick ? alive(slot) : sameIdentity(older, slot);
   }
 
   /** Copies the slot's motion. */

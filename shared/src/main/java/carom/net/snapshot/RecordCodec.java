@@ -38,8 +38,9 @@ final class RecordCodec {
   private static final int MAX_DIGITS = 17;
 
   // Nodes.
-  private static final int AGAIN = 0;
-  private static final int END_FIRST = AGAIN + 2;
+  private static final int STRAIGHT = 0;
+  private static final int AGAIN = STRAIGHT + 2;
+  private static final int END_FIRST = AGAIN + 1;
   private static final int END_LATER = END_FIRST + 1;
   private static final int IS_DELTA = END_LATER + 1;
   private static final int IS_ABSOLUTE = IS_DELTA + 1;
@@ -47,13 +48,13 @@ final class RecordCodec {
   private static final int SAME_AGE = IS_GONE + 1;
   private static final int SAME_PROFILE = SAME_AGE + 1;
   private static final int NEXT = SAME_PROFILE + 1;
-  private static final int BACK = NEXT + 2;
+  private static final int BACK = NEXT + 1;
   private static final int GAP = BACK + 1;
   private static final int NODES = GAP + MAX_DIGITS - 1;
 
   /** Probabilities of a 1 that a datagram begins with, in percent. */
   private static final int[] PRIOR = {
-    80, 97, 10, 60, 60, 80, 50, 50, 80, 60, 90, 3, 70, 65, 60, 55, 50, 50, 50, 50, 50, 50, 50, 50,
+    70, 95, 70, 10, 30, 60, 80, 50, 50, 80, 80, 3, 70, 65, 60, 55, 50, 50, 50, 50, 50, 50, 50, 50,
     50, 50, 50, 50
   };
 
@@ -62,14 +63,12 @@ final class RecordCodec {
   private int age;
   private int profile;
   private boolean isFirst;
-  private boolean wasAgain;
-  private boolean wasNext;
+  private boolean isStraight;
   private int markedSlot;
   private int markedAge;
   private int markedProfile;
   private boolean markedFirst;
-  private boolean markedAgain;
-  private boolean markedNext;
+  private boolean markedStraight;
 
   private static char[] prior() {
     char[] prior = new char[NODES];
@@ -89,8 +88,7 @@ final class RecordCodec {
     slot = -1;
     age = 0;
     isFirst = true;
-    wasAgain = false;
-    wasNext = true;
+    isStraight = false;
   }
 
   /** Remembers this place, before a record that may not fit. */
@@ -100,8 +98,7 @@ final class RecordCodec {
     markedAge = age;
     markedProfile = profile;
     markedFirst = isFirst;
-    markedAgain = wasAgain;
-    markedNext = wasNext;
+    markedStraight = isStraight;
   }
 
   /** Goes back to the last {@link #mark}. */
@@ -111,21 +108,28 @@ final class RecordCodec {
     age = markedAge;
     profile = markedProfile;
     isFirst = markedFirst;
-    wasAgain = markedAgain;
-    wasNext = markedNext;
+    isStraight = markedStraight;
   }
 
   /**
-   * Codes what a record is: mostly a delta of the same age and profile as the one before.
+   * Codes what a record is, and of which {@link #slot}: mostly a delta of the same age and profile
+   * as the one before, of the next slot.
    *
+   * @param slot nothing, at the end
    * @param age ticks, of a delta
    * @param profile of a delta
+   * @return the kind
    */
-  int kind(BitCoder c, int kind, int age, int profile) {
+  int head(BitCoder c, int kind, int slot, int age, int profile) {
     if (this.age > 0) {
       boolean again = kind == DELTA && age == this.age && profile == this.profile;
-      wasAgain = flag(c, AGAIN + (wasAgain ? 1 : 0), again);
-      if (wasAgain) {
+      isStraight = flag(c, STRAIGHT + (isStraight ? 1 : 0), again && slot == this.slot + 1);
+      if (isStraight) {
+        this.slot++;
+        return DELTA;
+      }
+      if (flag(c, AGAIN, again)) {
+        otherSlot(c, slot);
         return DELTA;
       }
     }
@@ -133,6 +137,16 @@ final class RecordCodec {
       return END;
     }
     isFirst = false;
+    int result = otherKind(c, kind, age, profile);
+    if (flag(c, NEXT, slot == this.slot + 1)) {
+      this.slot++;
+    } else {
+      otherSlot(c, slot);
+    }
+    return result;
+  }
+
+  private int otherKind(BitCoder c, int kind, int age, int profile) {
     if (flag(c, IS_DELTA, kind == DELTA)) {
       delta(c, age, profile);
       return DELTA;
@@ -164,18 +178,18 @@ final class RecordCodec {
     return profile;
   }
 
-  /** Codes a slot; mostly they ascend within a datagram. */
-  int slot(BitCoder c, int value) {
-    int gap = value - slot - 1;
-    wasNext = flag(c, NEXT + (wasNext ? 1 : 0), gap == 0);
-    if (wasNext) {
-      slot++;
-    } else if (flag(c, BACK, gap < 0)) {
+  /** Slot of the last record. */
+  int slot() {
+    return slot;
+  }
+
+  /** Codes a slot that isn't the next; mostly they ascend within a datagram. */
+  private void otherSlot(BitCoder c, int value) {
+    if (flag(c, BACK, value <= slot)) {
       slot = c.plain(value, SLOT_BITS);
     } else {
-      slot += 1 + gap(c, gap);
+      slot += 1 + gap(c, value - slot - 1);
     }
-    return slot;
   }
 
   /** A number of at least 1: how many binary digits, then those behind the first. */

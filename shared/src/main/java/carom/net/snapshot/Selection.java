@@ -69,6 +69,17 @@ final class Selection {
   private final int[] classCount = new int[CLASSES];
   private int seenTick = -1;
   private int weighedTick = -1;
+
+  // The answer of update(), and whether it is out of date though the tick is the same.
+  private int count;
+  private double wanted;
+  private boolean touched;
+
+  // Of the last tick that lastHolding() was asked for: its frame and the one that follows it.
+  private int borderTick = UNKNOWN;
+  private int borderNow = UNKNOWN;
+  private FrameState border;
+  private FrameState behindBorder;
   private boolean sawEverything;
   private int waiting;
   private float leastChosen;
@@ -100,6 +111,7 @@ final class Selection {
     spare.clear();
     waiting = 0;
     seenTick = -1;
+    borderNow = UNKNOWN;
     learnLevel();
   }
 
@@ -150,6 +162,7 @@ final class Selection {
     if (tick < sightTick[slot]) {
       return;
     }
+    touched = true;
     if (inSight.has(slot)) {
       acked[slot] = Math.max(acked[slot], tick);
     } else {
@@ -162,6 +175,7 @@ final class Selection {
     ensure(slot + 1);
     forced.add(slot);
     candidates.add(slot);
+    touched = true;
   }
 
   /** Considers a slot that may have come into view. */
@@ -169,6 +183,7 @@ final class Selection {
     ensure(slot + 1);
     if (!inSight.has(slot)) {
       candidates.add(slot);
+      touched = true;
     }
   }
 
@@ -187,9 +202,9 @@ final class Selection {
     lastSent[slot] = tick;
     weight[slot] = 0;
     forced.remove(slot);
-    chosen.remove(slot);
-    spare.remove(slot);
+    (onSpare ? spare : chosen).remove(slot);
     waiting--;
+    touched = true;
   }
 
   private boolean isShown(int slot) {
@@ -205,20 +220,43 @@ final class Selection {
    */
   int update(FrameState now) {
     see(now);
-    int count = 0;
+    touched = false;
+    count = 0;
+    wanted = 0;
     for (int slot = candidates.next(0); slot >= 0; slot = candidates.next(slot + 1)) {
-      look(now, slot);
-      if (isSettled(now, slot)) {
-        candidates.remove(slot);
-        if (!now.alive(slot)) {
-          inSight.remove(slot);
-          told.remove(slot);
-        }
-      } else {
+      if (isNews(now, slot)) {
         count++;
+        wanted += expectedBits(now, slot);
       }
     }
     return count;
+  }
+
+  /** As {@link #update}, whose last answer is good as long as nothing has happened since. */
+  int updated(FrameState now) {
+    return touched || seenTick != now.tick() ? update(now) : count;
+  }
+
+  /** Whether there is something to say about a candidate; if not, it is none any more. */
+  private boolean isNews(FrameState now, int slot) {
+    // Most are like this: known, alive, changed, and staying in sight.
+    if (acked[slot] >= 0
+        && acked[slot] < now.changedTick(slot)
+        && inSight.has(slot)
+        && now.alive(slot)
+        && interest.sees(now, slot, true)) {
+      return true;
+    }
+    look(now, slot);
+    if (!isSettled(now, slot)) {
+      return true;
+    }
+    candidates.remove(slot);
+    if (!now.alive(slot)) {
+      inSight.remove(slot);
+      told.remove(slot);
+    }
+    return false;
   }
 
   private void see(FrameState now) {
@@ -292,7 +330,18 @@ final class Selection {
    */
   Baseline baseline(FrameState now, int slot) {
     held = null;
-    if (slot >= acked.length || isSettled(now, slot)) {
+    if (slot >= acked.length) {
+      return Baseline.QUIESCENT;
+    }
+    int ackedTick = acked[slot];
+    if (ackedTick >= 0
+        && ackedTick < now.changedTick(slot)
+        && inSight.has(slot)
+        && now.alive(slot)
+        && !forced.has(slot)) {
+      return against(now, slot, ackedTick); // as most are
+    }
+    if (isSettled(now, slot)) {
       return Baseline.QUIESCENT;
     }
     if (!inSight.has(slot)) {
@@ -304,10 +353,10 @@ final class Selection {
     if (forced.has(slot)) {
       return Baseline.FORCED;
     }
-    int ackedTick = acked[slot];
-    if (ackedTick < 0) {
-      return Baseline.NEW;
-    }
+    return ackedTick < 0 ? Baseline.NEW : against(now, slot, ackedTick);
+  }
+
+  private Baseline against(FrameState now, int slot, int ackedTick) {
     FrameState newestHolding = lastHolding(slot, ackedTick);
     if (newestHolding == null) {
       return now.tick() - ackedTick < FrameRing.SIZE ? Baseline.ROLLED_OUT : Baseline.TOO_OLD;
@@ -315,7 +364,7 @@ final class Selection {
     if (now.tick() - newestHolding.tick() >= FrameRing.SIZE) {
       return Baseline.TOO_OLD;
     }
-    if (!newestHolding.sameIdentity(now, slot)) {
+    if (!now.sameIdentitySince(newestHolding, slot)) {
       return Baseline.IDENTITY;
     }
     held = newestHolding;
@@ -329,9 +378,15 @@ final class Selection {
 
   /** The newest frame in which the slot is as in the acked tick, or null when the ring has none. */
   private FrameState lastHolding(int slot, int ackedTick) {
-    FrameState following = ring.at(ackedTick + 1);
-    if (following != null && following.changedTick(slot) > ackedTick) {
-      return ring.at(ackedTick);
+    int now = ring.newest().tick();
+    if (ackedTick != borderTick || now != borderNow) {
+      borderTick = ackedTick;
+      borderNow = now;
+      border = ring.at(ackedTick);
+      behindBorder = ring.at(ackedTick + 1);
+    }
+    if (behindBorder != null && behindBorder.changedTick(slot) > ackedTick) {
+      return border;
     }
     // changedTick only grows from frame to frame: search the border between "still as acked" and
     // "changed".
@@ -346,8 +401,8 @@ final class Selection {
         holds = middle;
       }
     }
-    FrameState border = ring.back(holds);
-    return border != null && border.tick() >= ackedTick ? border : null;
+    FrameState newest = ring.back(holds);
+    return newest != null && newest.tick() >= ackedTick ? newest : null;
   }
 
   // ---- what it is told first
@@ -364,10 +419,6 @@ final class Selection {
     chosen.set(candidates);
     spare.clear();
     leastChosen = 0;
-    double wanted = 0;
-    for (int slot = candidates.next(0); slot >= 0; slot = candidates.next(slot + 1)) {
-      wanted += expectedBits(now, slot);
-    }
     boolean fits = wanted <= 8.0 * budgetBytes;
     if (!fits || waited) {
       weigh(now);

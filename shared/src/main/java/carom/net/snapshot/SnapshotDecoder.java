@@ -188,8 +188,8 @@ public final class SnapshotDecoder {
     RangeDecoder r = range;
     count = 0;
     records.begin();
-    for (int kind; (kind = records.kind(r, 0, 0, 0)) != RecordCodec.END; ) {
-      int slot = records.slot(r, 0);
+    for (int kind; (kind = records.head(r, 0, 0, 0, 0)) != RecordCodec.END; ) {
+      int slot = records.slot();
       if (slot >= capacity || count == RecordCodec.MAX_RECORDS || r.exhausted()) {
         return DecodeStatus.DAMAGED;
       }

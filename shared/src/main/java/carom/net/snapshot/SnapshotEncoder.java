@@ -28,8 +28,8 @@ public final class SnapshotEncoder {
   /** Largest datagram; the size of the array for {@link #next}. */
   public static final int MAX_DATAGRAM_BYTES = 1_200;
 
-  /** What the end of the records takes at most: the surprise of two nodes, and rounding twice. */
-  private static final int END_BITS = 24;
+  /** What the end of the records takes at most: the surprise of three nodes, and rounding twice. */
+  private static final int END_BITS = 35;
 
   /**
    * A further datagram is not begun for less: headers on the path would cost more than it holds.
@@ -261,7 +261,7 @@ public final class SnapshotEncoder {
       ownNow.set(own);
       ownSent[frame.tick() & (FrameRing.SIZE - 1)].setBaseline(own);
     }
-    int count = selection.update(frame);
+    int count = selection.updated(frame);
     news = count > 0 || events.hasUnacked() || own != null && !isKnown(own, frame);
     sent.reserve(count);
     selection.choose(frame, count, Math.max(0, budgetBytes - headerBytes));
@@ -292,26 +292,28 @@ public final class SnapshotEncoder {
     records.begin();
     int passedOver = 0;
     int count = 0;
+    int before = 0;
     selection.rewind();
     for (int slot;
         passedOver <= MAX_PASSED_OVER
             && count < RecordCodec.MAX_RECORDS
             && (slot = selection.next()) >= 0; ) {
-      int before = range.bits();
       range.mark();
       records.mark();
       writeRecord(slot);
-      if (range.overflow() || range.bits() > room) {
+      int after = range.bits();
+      if (range.overflow() || after > room) {
         range.rewind();
         records.rewind();
         passedOver++;
       } else {
         count++;
         sent.add(slot);
-        selection.wrote(slot, frame.tick(), range.bits() - before);
+        selection.wrote(slot, frame.tick(), after - before);
+        before = after;
       }
     }
-    records.kind(range, RecordCodec.END, 0, 0);
+    records.head(range, RecordCodec.END, 0, 0, 0);
     int length = header + range.finish();
     int check = Crc16.of(key, out, 2, length - 2);
     out[0] = (byte) check;
@@ -353,16 +355,14 @@ public final class SnapshotEncoder {
     if (baseline == Baseline.ACKED) {
       FrameState held = selection.held();
       int delta = deltas.of(frame, held, slot);
-      records.kind(range, RecordCodec.DELTA, frame.tick() - held.tick(), deltas.profile(slot));
-      records.slot(range, slot);
+      int age = frame.tick() - held.tick();
+      records.head(range, RecordCodec.DELTA, slot, age, deltas.profile(slot));
       deltas.write(range, delta);
     } else if (baseline == Baseline.OUT_OF_SIGHT || baseline == Baseline.GONE) {
       boolean gone = baseline == Baseline.GONE;
-      records.kind(range, gone ? RecordCodec.GONE : RecordCodec.OUT_OF_SIGHT, 0, 0);
-      records.slot(range, slot);
+      records.head(range, gone ? RecordCodec.GONE : RecordCodec.OUT_OF_SIGHT, slot, 0, 0);
     } else {
-      records.kind(range, RecordCodec.ABSOLUTE, 0, 0);
-      records.slot(range, slot);
+      records.head(range, RecordCodec.ABSOLUTE, slot, 0, 0);
       records.generation(range, frame.generation(slot));
       records.archetype(range, frame.archetype(slot));
       records.owner(range, frame.owner(slot));

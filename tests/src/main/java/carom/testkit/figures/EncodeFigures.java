@@ -21,7 +21,7 @@ import java.util.List;
 final class EncodeFigures {
   private static final int BODIES = 1_000;
   private static final int CHURNING = 600;
-  private static final int CLIENTS = 40;
+  private static final int CLIENTS = 200;
   private static final int TICK_RATE = 60;
   private static final int TICKS_PER_SEND = 2;
   private static final int RUN_IN = 120;
@@ -34,8 +34,8 @@ final class EncodeFigures {
   static List<Figure> measure(boolean quick) {
     List<Figure> figures = new ArrayList<>();
     for (int percent : new int[] {10, 50, 100}) {
-      measure(percent, quick ? 30 : 120); // compiles
-      figures.add(measure(percent, quick ? 60 : 300));
+      measure(percent, quick ? 10 : 40); // compiles
+      figures.add(measure(percent, quick ? 20 : 100));
     }
     return figures;
   }

@@ -45,11 +45,11 @@ final class RecordCodecTest {
   /** Codes one record; what it was given or what was read goes into the answer. */
   private int[] record(RecordCodec codec, BitCoder c, int[] r, Motion baseline, Motion m) {
     int[] out = r.clone();
-    out[1] = codec.kind(c, r[1], r[2], r[7]);
+    out[1] = codec.head(c, r[1], r[0], r[2], r[7]);
     if (out[1] == RecordCodec.END) {
       return out;
     }
-    out[0] = codec.slot(c, r[0]);
+    out[0] = codec.slot();
     if (out[1] == RecordCodec.DELTA) {
       out[2] = codec.age();
       deltas.profile(Profiles.table(codec.profile()));
@@ -110,7 +110,7 @@ final class RecordCodecTest {
         int[] kept = record(writing, encoder, records[i], baselines[i], m);
         assertArrayEquals(records[i], kept);
       }
-      writing.kind(encoder, RecordCodec.END, 0, 0);
+      writing.head(encoder, RecordCodec.END, 0, 0, 0);
       int bits = encoder.bits();
       int length = encoder.finish();
       assertTrue(length <= bits / 8 + 1, length + " bytes of " + bits + " bits");
@@ -130,7 +130,7 @@ final class RecordCodecTest {
           assertArrayEquals(motions[i], numbers(m));
         }
       }
-      assertEquals(RecordCodec.END, reading.kind(decoder, 0, 0, 0));
+      assertEquals(RecordCodec.END, reading.head(decoder, 0, 0, 0, 0));
       assertTrue(decoder.finished());
     }
   }
