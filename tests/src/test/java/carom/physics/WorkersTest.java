@@ -22,7 +22,7 @@ final class WorkersTest {
 
   /** Scenes in which every stage has enough to share. */
   private enum Busy {
-    PYRAMID(BenchmarkScenes.pyramid(45)),
+    PYRAMID(BenchmarkScenes.pyramid(55)),
     PILE(BenchmarkScenes.pile(1200, 25, 16)),
     TUMBLER(BenchmarkScenes.tumbler(30)),
     SMASH(BenchmarkScenes.smash(60, 20)),
@@ -136,6 +136,50 @@ final class WorkersTest {
           }
         });
     Scenes.steps(w, 30);
+  }
+
+  /** Threads are kept ready around the runs of each step, and only in large worlds. */
+  @Test
+  void stepsWorthSharingAreAnnounced() {
+    StringBuilder heard = new StringBuilder();
+    Workers workers =
+        new Workers() {
+          @Override
+          public int count() {
+            return 2;
+          }
+
+          @Override
+          public void run(int tasks, Task task) {
+            if (heard.charAt(heard.length() - 1) != 'r') {
+              heard.append('r');
+            }
+            for (int i = 0; i < tasks; i++) {
+              task.run(i, i % 2);
+            }
+          }
+
+          @Override
+          public void stepBegins() {
+            heard.append('b');
+          }
+
+          @Override
+          public void stepEnds() {
+            heard.append('e');
+          }
+        };
+    SceneRun run = BenchmarkScenes.pyramid(80).start();
+    run.world().workers(workers);
+    for (int i = 0; i < 3; i++) {
+      run.step();
+    }
+    assertEquals("brebrebre", heard.toString());
+    heard.setLength(0);
+    World<String> small = Scenes.stack(10);
+    small.workers(workers);
+    Scenes.steps(small, 3);
+    assertEquals(-1, heard.indexOf("b"));
   }
 
   @Test

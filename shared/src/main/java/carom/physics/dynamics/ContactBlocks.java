@@ -40,8 +40,10 @@ final class ContactBlocks {
   /** Steps with fewer blocks don't use vectors. */
   private static final int FEWEST_BLOCKS = 64;
 
-  /** Blocks that are worth a piece of work for a worker. */
-  static final int AT_LEAST = 16;
+  /** Blocks that are worth a piece of work for a worker: of a colour, and merely to look at. */
+  private static final int SOLVE_AT_LEAST = 32;
+
+  static final int VISIT_AT_LEAST = 64;
 
   /** Every colour has a group of contacts with one point, and one of those with two. */
   private static final int GROUPS = 2 * 2 * (LAST_COLOUR + 1);
@@ -207,7 +209,7 @@ final class ContactBlocks {
   /** Finds the contacts to solve and gives each its colour. */
   private void paint(ContactTable t, BodyStore b, int[] activeIndex, int slots) {
     if (touching.length < t.count()) {
-      int capacity = Math.max(t.count(), touching.length * 2);
+      int capacity = t.count() + t.count() / 2;
       touching = new int[capacity];
       group = new int[capacity];
     }
@@ -262,7 +264,7 @@ final class ContactBlocks {
       count += (next[g] + LANES - 1) / LANES;
     }
     if (used.length < count) {
-      int capacity = Math.max(count, used.length * 2);
+      int capacity = count + count / 2; // room at once: crowds go on meeting after their first step
       used = new byte[capacity];
       traits = new byte[capacity];
       row = new int[capacity * LANES];
@@ -304,15 +306,25 @@ final class ContactBlocks {
     Arrays.fill(bodyB, block * LANES, (block + 1) * LANES, 0);
   }
 
-  /** Does a stage colour by colour; what found no colour is done by the caller alone. */
+  /**
+   * Does a stage colour by colour. Colours with too little to share, and what found no colour, are
+   * done by the caller alone, neighbours in one go.
+   */
   void byColours(Crew.Range stage) {
-    if (crew.count() == 1) {
-      stage.run(0, count, 0);
-      return;
-    }
+    int from = 0;
     for (int c = 0; c < GROUPS >> 1; c++) {
-      int least = (c & LAST_COLOUR) == LAST_COLOUR ? Integer.MAX_VALUE : AT_LEAST;
-      crew.run(colourStart[c], colourStart[c + 1], least, stage);
+      int start = colourStart[c];
+      int end = colourStart[c + 1];
+      if (crew.shares(end - start, SOLVE_AT_LEAST) && (c & LAST_COLOUR) != LAST_COLOUR) {
+        if (from < start) {
+          stage.run(from, start, 0);
+        }
+        crew.run(start, end, SOLVE_AT_LEAST, stage);
+        from = end;
+      }
+    }
+    if (from < count) {
+      stage.run(from, count, 0);
     }
   }
 

@@ -71,7 +71,7 @@ final class ContactBounces {
     for (int round = 0; round < BOUNCE_ROUNDS; round++) {
       blocks.byColours(bouncing);
     }
-    crew.run(0, blocks.count(), ContactBlocks.AT_LEAST, ending);
+    crew.run(0, blocks.count(), ContactBlocks.VISIT_AT_LEAST, ending);
   }
 
   private boolean any() {

@@ -50,8 +50,8 @@ final class ContactPacker {
   /** Two points yield that much more, so that points in one place share the load. */
   private static final float SHARE = 1 + 1 / 1024f;
 
-  /** Blocks that are worth a piece of work for a worker. */
-  private static final int AT_LEAST = 16;
+  /** Blocks whose filling is worth a piece of work for a worker. */
+  private static final int PACK_AT_LEAST = 16;
 
   private final ContactBlocks blocks;
   private final Crew crew;
@@ -88,7 +88,7 @@ final class ContactPacker {
     activeIndex = activeIndices;
     settings = constants;
     h = substep;
-    crew.run(0, blocks.count(), AT_LEAST, packing);
+    crew.run(0, blocks.count(), PACK_AT_LEAST, packing);
   }
 
   private void packBlocks(int from, int to) {
@@ -248,7 +248,7 @@ final class ContactPacker {
 
   /** Hands the impulses back to the table, but for those that overflowed. */
   void store() {
-    crew.run(0, blocks.count(), AT_LEAST, storing);
+    crew.run(0, blocks.count(), ContactBlocks.VISIT_AT_LEAST, storing);
   }
 
   private void storeBlocks(int from, int to) {

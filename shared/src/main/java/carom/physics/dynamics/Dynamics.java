@@ -433,6 +433,7 @@ public final class Dynamics {
     pairs.posesChanged();
     refilter();
     begins(StepStage.BOXES);
+    crew.stepBegins(active.count);
     refreshBoxes();
     boolean all = true;
     do {
@@ -450,6 +451,7 @@ public final class Dynamics {
     }
     collideStage.holdBack();
     substeps.run(dt);
+    crew.stepEnds();
     pairs.posesChanged();
     begins(StepStage.CONTINUOUS);
     stopFast();

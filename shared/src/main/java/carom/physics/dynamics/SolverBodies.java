@@ -66,7 +66,7 @@ final class SolverBodies {
   private int count;
 
   /** Bodies that are worth a piece of work for a worker. */
-  private static final int AT_LEAST = 256;
+  private static final int AT_LEAST = 512;
 
   private final Crew crew;
 

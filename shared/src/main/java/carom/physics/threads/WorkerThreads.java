@@ -17,8 +17,9 @@ import java.util.concurrent.locks.LockSupport;
  * never waits for a thread that the operating system doesn't let run, unless that thread has begun
  * a task.
  *
- * <p>A thread without work spins for some 50 microseconds, which bridges the gaps within a step,
- * and then parks: between steps it costs nothing.
+ * <p>A thread without work spins for some 100 microseconds and then parks; within a step that was
+ * announced for some 2 ms, since it takes tens of microseconds to wake and a step has serial parts
+ * longer than that. Between steps it costs nothing.
  */
 public final class WorkerThreads implements Workers, AutoCloseable {
   /** Most threads, the caller included. */
@@ -30,8 +31,17 @@ public final class WorkerThreads implements Workers, AutoCloseable {
   /** How often an idle thread looks for work, and a caller for the end, before it lets go. */
   private static final int SPINS = 2000;
 
-  /** How often a caller lets other threads of the machine go first before it parks, too. */
-  private static final int YIELDS = 50;
+  /** And within a step. */
+  private static final int SPINS_IN_STEP = 40_000;
+
+  /**
+   * A caller that sleeps longer than this over the last tasks waits for a thread that lost its
+   * processor: there are fewer than threads that want one. Who spins then is the first to lose it,
+   * in the midst of a task; steps took up to twice as long. So for some steps nobody does.
+   */
+  private static final long HELD_UP_NS = 1_000_000;
+
+  private static final int CROWDED_STEPS = 100;
 
   /** Claims are that many longs apart: a cache line each. */
   private static final int APART = 8;
@@ -57,7 +67,13 @@ public final class WorkerThreads implements Workers, AutoCloseable {
    */
   private volatile long published;
 
+  /** Whether a step that makes runs is on. */
+  private volatile boolean inStep;
+
   private volatile boolean closed;
+
+  /** For how many steps threads aren't kept spinning; written by whoever steps. */
+  private volatile int crowdedSteps;
 
   /** Who waits for the end of the round, null if nobody sleeps over it. */
   private volatile Thread waiting;
@@ -125,11 +141,7 @@ public final class WorkerThreads implements Workers, AutoCloseable {
     left.set(bundles);
     long round = (published >> TASKS_BITS) + 1;
     published = round << TASKS_BITS | bundles;
-    for (int i = 0; i < threads.length; i++) {
-      if (parked[i].get()) {
-        LockSupport.unpark(threads[i]);
-      }
-    }
+    wake();
     help(0, round, bundles);
     awaitOthers();
     work = null;
@@ -143,18 +155,44 @@ public final class WorkerThreads implements Workers, AutoCloseable {
     }
   }
 
+  private void wake() {
+    for (int i = 0; i < threads.length; i++) {
+      if (parked[i].get()) {
+        LockSupport.unpark(threads[i]);
+      }
+    }
+  }
+
+  /** {@inheritDoc} Of several worlds that share the threads, the last one to call decides. */
+  @Override
+  public void stepBegins() {
+    int crowded = crowdedSteps;
+    if (crowded > 0) {
+      crowdedSteps = crowded - 1;
+      return;
+    }
+    inStep = true;
+    wake();
+  }
+
+  @Override
+  public void stepEnds() {
+    inStep = false;
+  }
+
   private void awaitOthers() {
     for (int i = 0; left.get() != 0; i++) {
       if (i < SPINS) {
         Thread.onSpinWait();
-      } else if (i < SPINS + YIELDS) {
-        Thread.yield();
       } else {
         waiting = Thread.currentThread();
         if (left.get() != 0) {
-          LockSupport.park(this);
+          LockSupport.parkNanos(this, HELD_UP_NS);
         }
         waiting = null;
+        if (left.get() != 0) {
+          crowdedSteps = CROWDED_STEPS;
+        }
       }
     }
   }
@@ -208,7 +246,7 @@ public final class WorkerThreads implements Workers, AutoCloseable {
         seen = now;
         idle = 0;
         help(worker, now >> TASKS_BITS, (int) (now & (1 << TASKS_BITS) - 1));
-      } else if (idle < SPINS) {
+      } else if (idle < (inStep ? SPINS_IN_STEP : SPINS)) {
         idle++;
         Thread.onSpinWait();
       } else {

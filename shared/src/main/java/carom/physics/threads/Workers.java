@@ -7,7 +7,8 @@ package carom.physics.threads;
  * which task when.
  *
  * <p>A step makes some hundred runs, most of a few microseconds: an implementation should keep its
- * threads spinning for a while between two runs. {@link WorkerThreads} is one.
+ * threads spinning for a while between two runs, and from {@link #stepBegins} to {@link #stepEnds}
+ * for longer. {@link WorkerThreads} is one.
  */
 public interface Workers {
   /**
@@ -27,6 +28,19 @@ public interface Workers {
    * @throws RuntimeException what one of the tasks threw, after all have ended; likewise errors
    */
   void run(int tasks, Task task);
+
+  /**
+   * Tells that a step began which is worth sharing: runs follow, with serial work in between that
+   * may take longer than an idle thread should otherwise spin for. A hint, called by the thread
+   * that steps; does nothing unless overridden.
+   */
+  default void stepBegins() {}
+
+  /**
+   * Tells that the step's runs are over. A hint, too; if a step ends by an exception it isn't
+   * given, so nothing may spin without end for want of it.
+   */
+  default void stepEnds() {}
 
   /** A piece of work that consists of independent tasks. */
   @FunctionalInterface

@@ -182,6 +182,24 @@ final class WorkerThreadsTest {
     }
   }
 
+  /** Steps that end by an exception, and those of other worlds that share the threads. */
+  @Test
+  void hintsInAnyOrderChangeNothing() {
+    try (WorkerThreads workers = new WorkerThreads(2)) {
+      for (int round = 0; round < 200; round++) {
+        if (round % 3 != 0) {
+          workers.stepBegins();
+        }
+        int[] done = new int[8];
+        workers.run(8, (task, worker) -> done[task]++);
+        assertArrayEquals(new int[] {1, 1, 1, 1, 1, 1, 1, 1}, done);
+        if (round % 5 != 0) {
+          workers.stepEnds();
+        }
+      }
+    }
+  }
+
   @Test
   void afterClosingTheCallerIsAlone() {
     WorkerThreads workers = new WorkerThreads(3);
