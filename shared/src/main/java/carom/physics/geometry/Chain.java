@@ -197,26 +197,6 @@ public final class Chain extends Shape {
     return new Chain(moved, loop);
   }
 
-  /** False nearly everywhere: only points exactly on the line are in it. */
-  @Override
-  public boolean containsPoint(float x, float y) {
-    for (int i = 0; i < parts.size(); i++) {
-      if (parts.get(i).containsPoint(x, y)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  @Override
-  public float reach() {
-    float reach = 0;
-    for (int i = 0; i < parts.size(); i++) {
-      reach = Math.max(reach, parts.get(i).reach());
-    }
-    return reach;
-  }
-
   @Override
   public String toString() {
     return "Chain(points=" + xy.length / 2 + ", loop=" + loop + ")";

@@ -112,25 +112,6 @@ public final class Compound extends Shape {
   }
 
   @Override
-  public boolean containsPoint(float x, float y) {
-    for (int i = 0; i < parts.size(); i++) {
-      if (parts.get(i).containsPoint(x, y)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  @Override
-  public float reach() {
-    float reach = 0;
-    for (int i = 0; i < parts.size(); i++) {
-      reach = Math.max(reach, parts.get(i).reach());
-    }
-    return reach;
-  }
-
-  @Override
   public String toString() {
     return "Compound" + parts;
   }

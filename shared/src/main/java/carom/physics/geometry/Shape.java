@@ -66,8 +66,19 @@ public abstract sealed class Shape permits Convex, Compound, Chain {
    */
   public abstract Shape moved(float dx, float dy);
 
-  /** True when the point (x, y) of the shape's own frame is inside or on the border. */
-  public abstract boolean containsPoint(float x, float y);
+  /**
+   * True when the point (x, y) of the shape's own frame is inside or on the border; of lines, on
+   * one of them.
+   */
+  public boolean containsPoint(float x, float y) {
+    List<Convex> parts = parts();
+    for (int i = 0; i < parts.size(); i++) {
+      if (parts.get(i).containsPoint(x, y)) {
+        return true;
+      }
+    }
+    return false;
+  }
 
   /**
    * True when the world point (x, y) is inside or on the border of this shape in pose {@code t}.
@@ -80,7 +91,14 @@ public abstract sealed class Shape permits Convex, Compound, Chain {
    * Distance from the frame's origin to the farthest point of the shape, metres: no rotation
    * reaches beyond.
    */
-  public abstract float reach();
+  public float reach() {
+    List<Convex> parts = parts();
+    float reach = 0;
+    for (int i = 0; i < parts.size(); i++) {
+      reach = Math.max(reach, parts.get(i).reach());
+    }
+    return reach;
+  }
 
   static float checkSize(String what, float value) {
     if (!(value >= MIN_SIZE && value <= MAX_SIZE)) {
