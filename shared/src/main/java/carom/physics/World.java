@@ -159,7 +159,7 @@ public final class World<T> {
       store.flags[slot] |= BodyStore.SLEEPLESS;
     }
     dynamics.enter(slot, bodyDef.awake);
-    Body<T> body = new Body<>(this, store, slot, store.generation[slot], bodyDef.type, given, user);
+    Body<T> body = new Body<>(this, store, slot, store.generation(slot), bodyDef.type, given, user);
     handles.put(body, given, bodyDef.mass);
     return body;
   }
@@ -248,7 +248,7 @@ public final class World<T> {
     if (d.breakForce < Float.POSITIVE_INFINITY || d.breakTorque < Float.POSITIVE_INFINITY) {
       dynamics.watchBreaking();
     }
-    Joint<T> joint = new Joint<>(this, joints, j, joints.generation[j], d.type);
+    Joint<T> joint = new Joint<>(this, joints, j, joints.generation(j), d.type);
     handles.put(joint);
     return joint;
   }

@@ -82,7 +82,7 @@ public final class WorldState {
 
   private <T> Body<T> handle(World<T> world, int slot, IntFunction<T> users) {
     Body<T> known = world.body(slot);
-    int generation = dynamics.bodies().generation[slot];
+    int generation = dynamics.bodies().generation(slot);
     if (known != null && known.generation() == generation) {
       return known;
     }
@@ -94,7 +94,7 @@ public final class WorldState {
   private static <T> Joint<T> handle(World<T> world, JointStore read, int j) {
     Joint<T> known = world.joint(j);
     JointType type = JOINT_TYPES[read.type[j]];
-    int generation = read.generation[j];
+    int generation = read.generation(j);
     boolean same = known != null && known.generation() == generation && known.type() == type;
     return same ? known : new Joint<>(world, world.dynamics().joints(), j, generation, type);
   }

@@ -67,9 +67,6 @@ public final class BodyStore {
   /** Flags, added up. */
   public byte[] flags = new byte[FIRST_CAPACITY];
 
-  /** Counts the lives of a slot. */
-  public int[] generation = new int[FIRST_CAPACITY];
-
   /** First of the body's shape parts in {@link ShapeTable}; the others follow it. */
   public int[] firstPart = new int[FIRST_CAPACITY];
 
@@ -156,10 +153,7 @@ public final class BodyStore {
 
   private float[][] floats = gather();
 
-  private int[] freeSlots = new int[FIRST_CAPACITY];
-  private int freeCount;
-  private int slots;
-  private int count;
+  private final Slots slots = new Slots();
   private final Stamp cold = new Stamp();
 
   /** Of what is cold, as it was at this stamp. */
@@ -177,7 +171,7 @@ public final class BodyStore {
    * @return slots in use
    */
   public int count() {
-    return count;
+    return slots.count();
   }
 
   /**
@@ -186,7 +180,17 @@ public final class BodyStore {
    * @return the bound of loops over all slots, free ones included
    */
   public int slots() {
-    return slots;
+    return slots.bound();
+  }
+
+  /**
+   * How often a slot was given back, for handles.
+   *
+   * @param slot below {@link #slots}
+   * @return what {@link #alive} expects of a handle made now
+   */
+  public int generation(int slot) {
+    return slots.generation(slot);
   }
 
   /**
@@ -197,18 +201,15 @@ public final class BodyStore {
    * @throws IllegalStateException if the world is full
    */
   public int allocate(byte newType) {
-    int slot;
-    if (freeCount > 0) {
-      slot = freeSlots[--freeCount];
-    } else {
-      if (slots == MAX_BODIES) {
-        throw new IllegalStateException(
-            "bodies=" + slots + " is the most a world can hold; destroy some or use more worlds");
-      }
-      slot = slots++;
-      if (slot == type.length) {
-        grow();
-      }
+    if (slots.count() == MAX_BODIES) {
+      throw new IllegalStateException(
+          "bodies="
+              + MAX_BODIES
+              + " is the most a world can hold; destroy some or use more worlds");
+    }
+    int slot = slots.take();
+    if (slot == type.length) {
+      grow();
     }
     for (float[] field : floats) {
       field[slot] = 0;
@@ -222,7 +223,6 @@ public final class BodyStore {
     sleepTime[slot] = 0;
     reach[slot] = 0;
     shapeHash[slot] = 0;
-    count++;
     coldChanged();
     return slot;
   }
@@ -234,9 +234,7 @@ public final class BodyStore {
    */
   public void release(int slot) {
     type[slot] = FREE;
-    generation[slot]++;
-    freeSlots[freeCount++] = slot;
-    count--;
+    slots.release(slot);
     coldChanged();
   }
 
@@ -253,7 +251,7 @@ public final class BodyStore {
    * @return false if the body was destroyed
    */
   public boolean alive(int slot, int expected) {
-    return slot < slots && generation[slot] == expected && type[slot] != FREE;
+    return slot < slots.bound() && slots.generation(slot) == expected && type[slot] != FREE;
   }
 
   /**
@@ -408,8 +406,8 @@ public final class BodyStore {
       listUsed();
     }
     RecordHash hot = hotHash;
-    hot.begin(count);
-    for (int i = 0; i < count; i++) {
+    hot.begin(count());
+    for (int i = 0; i < count(); i++) {
       int slot = hot.record(i);
       hot.add(i, 0, (long) slot << 8 | flags[slot] & 0xff);
     }
@@ -421,9 +419,9 @@ public final class BodyStore {
   }
 
   private void listUsed() {
-    int[] used = hotHash.list(count);
+    int[] used = hotHash.list(count());
     int n = 0;
-    for (int i = 0; i < slots; i++) {
+    for (int i = 0; i < slots(); i++) {
       if (type[i] != FREE) {
         used[n++] = i;
       }
@@ -432,12 +430,9 @@ public final class BodyStore {
 
   /** Bits of what no step changes. */
   private long hashCold() {
-    long h = StateHash.mix(StateHash.SEED, (long) slots << 32 | freeCount);
-    for (int i = 0; i < freeCount; i++) {
-      h = StateHash.mix(h, freeSlots[i]);
-    }
-    for (int i = 0; i < slots; i++) {
-      h = StateHash.mix(h, (long) generation[i] << 8 | type[i] & 0xff);
+    long h = slots.hash();
+    for (int i = 0; i < slots(); i++) {
+      h = StateHash.mix(h, (long) slots.generation(i) << 8 | type[i] & 0xff);
       if (type[i] != FREE) {
         h = StateHash.mix(h, shapeHash[i]);
         h = StateHash.mix(h, invMass[i], invInertia[i]);
@@ -456,36 +451,31 @@ public final class BodyStore {
    * @return the bytes that were copied
    */
   long copyTo(BodyStore to) {
-    while (to.type.length < slots) {
+    while (to.type.length < slots()) {
       to.grow();
     }
-    System.arraycopy(flags, 0, to.flags, 0, slots);
-    System.arraycopy(sleepTime, 0, to.sleepTime, 0, slots);
+    System.arraycopy(flags, 0, to.flags, 0, slots());
+    System.arraycopy(sleepTime, 0, to.sleepTime, 0, slots());
     for (int f = 0; f < HOT; f++) {
-      System.arraycopy(floats[f], 0, to.floats[f], 0, slots);
+      System.arraycopy(floats[f], 0, to.floats[f], 0, slots());
     }
-    long bytes = (long) slots * HOT_BYTES;
+    long bytes = (long) slots() * HOT_BYTES;
     return cold.same(to.cold) ? bytes : bytes + copyColdTo(to);
   }
 
   private long copyColdTo(BodyStore to) {
-    System.arraycopy(type, 0, to.type, 0, slots);
-    System.arraycopy(generation, 0, to.generation, 0, slots);
-    System.arraycopy(firstPart, 0, to.firstPart, 0, slots);
-    System.arraycopy(partCount, 0, to.partCount, 0, slots);
-    System.arraycopy(shapeHash, 0, to.shapeHash, 0, slots);
-    System.arraycopy(reach, 0, to.reach, 0, slots);
-    System.arraycopy(freeSlots, 0, to.freeSlots, 0, freeCount);
+    System.arraycopy(type, 0, to.type, 0, slots());
+    System.arraycopy(firstPart, 0, to.firstPart, 0, slots());
+    System.arraycopy(partCount, 0, to.partCount, 0, slots());
+    System.arraycopy(shapeHash, 0, to.shapeHash, 0, slots());
+    System.arraycopy(reach, 0, to.reach, 0, slots());
     for (int f = HOT; f < floats.length; f++) {
-      System.arraycopy(floats[f], 0, to.floats[f], 0, slots);
+      System.arraycopy(floats[f], 0, to.floats[f], 0, slots());
     }
-    Arrays.fill(to.generation, slots, Math.max(slots, to.slots), 0);
-    to.freeCount = freeCount;
-    to.slots = slots;
-    to.count = count;
+    long bytes = slots.copyTo(to.slots);
     cold.copyTo(to.cold);
-    int perSlot = 1 + 4 * Integer.BYTES + Long.BYTES + Float.BYTES * (floats.length - HOT);
-    return (long) slots * perSlot + (long) freeCount * Integer.BYTES;
+    int perSlot = 1 + 3 * Integer.BYTES + Long.BYTES + Float.BYTES * (floats.length - HOT);
+    return bytes + (long) slots() * perSlot;
   }
 
   /**
@@ -493,18 +483,15 @@ public final class BodyStore {
    * be given out. What they hold follows by {@link #passMotion}.
    */
   void passSlots(Archive a) {
-    int n = a.count("body slots", slots, MAX_BODIES, 2 + Integer.BYTES);
+    int n = a.count("body slots", slots(), MAX_BODIES, 2 + Integer.BYTES);
     while (type.length < n) {
       grow();
     }
     a.bytes("type of body", type, n, FREE, DYNAMIC);
     a.bytes("flags of body", flags, n, 0, FIXED_ROTATION | DISABLED | ASLEEP | SLEEPLESS | BULLET);
-    a.integers("generation of body", generation, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
-    freeCount = a.count("free body slots", freeCount, n, Integer.BYTES);
-    a.integers("free body slot", freeSlots, freeCount, 0, n - 1);
+    slots.passGenerations(a, "body", n);
+    slots.passFree(a, "body", n, type, FREE);
     if (a.reads()) {
-      slots = n;
-      count = n - freeCount;
       checkSlots(a);
       coldChanged();
     }
@@ -516,15 +503,8 @@ public final class BodyStore {
   }
 
   private void checkSlots(Archive a) {
-    boolean[] free = new boolean[slots];
-    for (int i = 0; i < freeCount; i++) {
-      int slot = freeSlots[i];
-      a.require(!free[slot] && type[slot] == FREE, "body slot=" + slot + " can't be free");
-      free[slot] = true;
-    }
-    for (int slot = 0; slot < slots; slot++) {
+    for (int slot = 0; slot < slots(); slot++) {
       boolean sleeps = asleep(slot) && type[slot] != FREE;
-      a.require(free[slot] == (type[slot] == FREE), "body slot=" + slot + " is lost");
       a.require(
           !sleeps || (type[slot] != STATIC && !disabled(slot)), "body=" + slot + " can't sleep");
     }
@@ -532,18 +512,18 @@ public final class BodyStore {
 
   /** Passes poses, velocities, what acts on bodies, and damping through an archive. */
   void passMotion(Archive a) {
-    a.numbers("x", x, slots, MOST);
-    a.numbers("y", y, slots, MOST);
-    a.numbers("cos", cos, slots, 2);
-    a.numbers("sin", sin, slots, 2);
+    a.numbers("x", x, slots(), MOST);
+    a.numbers("y", y, slots(), MOST);
+    a.numbers("cos", cos, slots(), 2);
+    a.numbers("sin", sin, slots(), 2);
     for (int f = 4; f < HOT; f++) {
-      a.numbers("velocity or force", floats[f], slots, MOST);
+      a.numbers("velocity or force", floats[f], slots(), MOST);
     }
-    a.numbers("time of rest", sleepTime, slots, MOST);
-    a.numbers("linear damping", linearDamping, slots, MOST);
-    a.numbers("angular damping", angularDamping, slots, MOST);
-    a.numbers("gravity scale", gravityScale, slots, MOST);
-    for (int slot = 0; a.reads() && slot < slots; slot++) {
+    a.numbers("time of rest", sleepTime, slots(), MOST);
+    a.numbers("linear damping", linearDamping, slots(), MOST);
+    a.numbers("angular damping", angularDamping, slots(), MOST);
+    a.numbers("gravity scale", gravityScale, slots(), MOST);
+    for (int slot = 0; a.reads() && slot < slots(); slot++) {
       float square = cos[slot] * cos[slot] + sin[slot] * sin[slot];
       a.require(
           type[slot] == FREE || Math.abs(square - 1) < 0.01f,
@@ -555,11 +535,9 @@ public final class BodyStore {
     int capacity = type.length * 2;
     type = Arrays.copyOf(type, capacity);
     flags = Arrays.copyOf(flags, capacity);
-    generation = Arrays.copyOf(generation, capacity);
     firstPart = Arrays.copyOf(firstPart, capacity);
     partCount = Arrays.copyOf(partCount, capacity);
     shapeHash = Arrays.copyOf(shapeHash, capacity);
-    freeSlots = Arrays.copyOf(freeSlots, capacity);
     x = Arrays.copyOf(x, capacity);
     y = Arrays.copyOf(y, capacity);
     cos = Arrays.copyOf(cos, capacity);

@@ -79,9 +79,6 @@ public final class JointStore {
   /** Flags, added up. */
   public byte[] flags = new byte[FIRST_CAPACITY];
 
-  /** Counts the lives of a slot. */
-  public int[] generation = new int[FIRST_CAPACITY];
-
   /** Slot of body A, -1 for the world. */
   public int[] bodyA = new int[FIRST_CAPACITY];
 
@@ -220,10 +217,7 @@ public final class JointStore {
   /** A bit per slot: whether the solver must look at the joint; follows from the bodies. */
   private long[] awake = new long[1];
 
-  private int[] freeSlots = new int[FIRST_CAPACITY];
-  private int freeCount;
-  private int slots;
-  private int count;
+  private final Slots slots = new Slots();
   private final Stamp cold = new Stamp();
   private int version;
 
@@ -241,7 +235,7 @@ public final class JointStore {
    * @return slots in use
    */
   public int count() {
-    return count;
+    return slots.count();
   }
 
   /**
@@ -250,7 +244,17 @@ public final class JointStore {
    * @return the bound of loops over all slots, free ones included
    */
   public int slots() {
-    return slots;
+    return slots.bound();
+  }
+
+  /**
+   * How often a slot was given back, for handles.
+   *
+   * @param slot below {@link #slots}
+   * @return what {@link #alive} expects of a handle made now
+   */
+  public int generation(int slot) {
+    return slots.generation(slot);
   }
 
   /**
@@ -261,7 +265,7 @@ public final class JointStore {
    * @return false if the joint was destroyed
    */
   public boolean alive(int slot, int expected) {
-    return slot < slots && generation[slot] == expected && type[slot] != FREE;
+    return slot < slots.bound() && slots.generation(slot) == expected && type[slot] != FREE;
   }
 
   /**
@@ -296,14 +300,9 @@ public final class JointStore {
 
   /** Takes a slot; all numbers are zero. */
   int allocate(byte newType, int a, int b) {
-    int slot;
-    if (freeCount > 0) {
-      slot = freeSlots[--freeCount];
-    } else {
-      slot = slots++;
-      if (slot == type.length) {
-        grow();
-      }
+    int slot = slots.take();
+    if (slot == type.length) {
+      grow();
     }
     for (float[] field : floats) {
       field[slot] = 0;
@@ -327,7 +326,6 @@ public final class JointStore {
     breakTorque[slot] = Float.POSITIVE_INFINITY;
     link(2 * slot, a);
     link(2 * slot + 1, b);
-    count++;
     coldChanged();
     return slot;
   }
@@ -337,9 +335,7 @@ public final class JointStore {
     unlink(2 * slot, bodyA[slot]);
     unlink(2 * slot + 1, bodyB[slot]);
     type[slot] = FREE;
-    generation[slot]++;
-    freeSlots[freeCount++] = slot;
-    count--;
+    slots.release(slot);
     coldChanged();
   }
 
@@ -485,7 +481,7 @@ public final class JointStore {
 
   /** Whether any joint breaks under some force or torque. */
   boolean anyBreakable() {
-    for (int j = 0; j < slots; j++) {
+    for (int j = 0; j < slots(); j++) {
       if (type[j] != FREE
           && (breakForce[j] < Float.POSITIVE_INFINITY
               || breakTorque[j] < Float.POSITIVE_INFINITY)) {
@@ -511,7 +507,7 @@ public final class JointStore {
 
   /** Bits of everything that influences the future; nothing as long as there never was a joint. */
   long hash(long h) {
-    if (slots == 0) {
+    if (slots() == 0) {
       return h;
     }
     if (!cold.same(hashed)) {
@@ -520,8 +516,8 @@ public final class JointStore {
       listUsed();
     }
     RecordHash hot = hotHash;
-    hot.begin(count);
-    for (int i = 0; i < count; i++) {
+    hot.begin(count());
+    for (int i = 0; i < count(); i++) {
       int slot = hot.record(i);
       hot.add(i, 0, slot);
       if (winds(slot)) {
@@ -537,9 +533,9 @@ public final class JointStore {
   }
 
   private void listUsed() {
-    int[] used = hotHash.list(count);
+    int[] used = hotHash.list(count());
     int n = 0;
-    for (int i = 0; i < slots; i++) {
+    for (int i = 0; i < slots(); i++) {
       if (type[i] != FREE) {
         used[n++] = i;
       }
@@ -548,13 +544,10 @@ public final class JointStore {
 
   /** Bits of what no step changes. */
   private long hashCold() {
-    long h = StateHash.mix(StateHash.SEED, (long) slots << 32 | freeCount);
-    for (int i = 0; i < freeCount; i++) {
-      h = StateHash.mix(h, freeSlots[i]);
-    }
-    for (int i = 0; i < slots; i++) {
+    long h = slots.hash();
+    for (int i = 0; i < slots(); i++) {
       long kind = (long) flags[i] << 8 | type[i] & 0xff;
-      h = StateHash.mix(h, (long) generation[i] << 16 | kind);
+      h = StateHash.mix(h, (long) slots.generation(i) << 16 | kind);
       if (type[i] == FREE) {
         continue;
       }
@@ -582,60 +575,55 @@ public final class JointStore {
    * @return the bytes that were copied
    */
   long copyTo(JointStore to) {
-    while (to.type.length < slots) {
+    while (to.type.length < slots()) {
       to.grow();
     }
     for (int f = HOT; f < floats.length; f++) {
-      System.arraycopy(floats[f], 0, to.floats[f], 0, slots);
+      System.arraycopy(floats[f], 0, to.floats[f], 0, slots());
     }
-    System.arraycopy(turnsA, 0, to.turnsA, 0, slots);
-    System.arraycopy(turnsB, 0, to.turnsB, 0, slots);
-    System.arraycopy(lastA, 0, to.lastA, 0, slots);
-    System.arraycopy(lastB, 0, to.lastB, 0, slots);
-    long bytes = (long) slots * Float.BYTES * (floats.length - HOT + 4);
+    System.arraycopy(turnsA, 0, to.turnsA, 0, slots());
+    System.arraycopy(turnsB, 0, to.turnsB, 0, slots());
+    System.arraycopy(lastA, 0, to.lastA, 0, slots());
+    System.arraycopy(lastB, 0, to.lastB, 0, slots());
+    long bytes = (long) slots() * Float.BYTES * (floats.length - HOT + 4);
     return cold.same(to.cold) ? bytes : bytes + copyColdTo(to);
   }
 
   private long copyColdTo(JointStore to) {
-    System.arraycopy(type, 0, to.type, 0, slots);
-    System.arraycopy(flags, 0, to.flags, 0, slots);
-    System.arraycopy(generation, 0, to.generation, 0, slots);
-    System.arraycopy(bodyA, 0, to.bodyA, 0, slots);
-    System.arraycopy(bodyB, 0, to.bodyB, 0, slots);
-    System.arraycopy(next, 0, to.next, 0, 2 * slots);
-    System.arraycopy(freeSlots, 0, to.freeSlots, 0, freeCount);
-    System.arraycopy(ratio, 0, to.ratio, 0, slots);
-    System.arraycopy(baseAx, 0, to.baseAx, 0, slots);
-    System.arraycopy(baseAy, 0, to.baseAy, 0, slots);
-    System.arraycopy(baseBx, 0, to.baseBx, 0, slots);
-    System.arraycopy(baseBy, 0, to.baseBy, 0, slots);
+    System.arraycopy(type, 0, to.type, 0, slots());
+    System.arraycopy(flags, 0, to.flags, 0, slots());
+    System.arraycopy(bodyA, 0, to.bodyA, 0, slots());
+    System.arraycopy(bodyB, 0, to.bodyB, 0, slots());
+    System.arraycopy(next, 0, to.next, 0, 2 * slots());
+    System.arraycopy(ratio, 0, to.ratio, 0, slots());
+    System.arraycopy(baseAx, 0, to.baseAx, 0, slots());
+    System.arraycopy(baseAy, 0, to.baseAy, 0, slots());
+    System.arraycopy(baseBx, 0, to.baseBx, 0, slots());
+    System.arraycopy(baseBy, 0, to.baseBy, 0, slots());
     for (int f = 0; f < HOT; f++) {
-      System.arraycopy(floats[f], 0, to.floats[f], 0, slots);
+      System.arraycopy(floats[f], 0, to.floats[f], 0, slots());
     }
     if (to.first.length < first.length) {
       to.first = new int[first.length];
     }
     System.arraycopy(first, 0, to.first, 0, first.length);
     Arrays.fill(to.first, first.length, to.first.length, -1);
-    Arrays.fill(to.generation, slots, Math.max(slots, to.slots), 0);
-    to.freeCount = freeCount;
-    to.slots = slots;
-    to.count = count;
+    long bytes = slots.copyTo(to.slots);
     cold.copyTo(to.cold);
     to.version++;
-    int perSlot = 2 + 5 * Integer.BYTES + Float.BYTES * (HOT + 5);
-    return (long) slots * perSlot + (long) (freeCount + first.length) * Integer.BYTES;
+    int perSlot = 2 + 4 * Integer.BYTES + Float.BYTES * (HOT + 5);
+    return bytes + (long) slots() * perSlot + (long) first.length * Integer.BYTES;
   }
 
   /** Passes all joints through an archive; reading begins with an empty store. */
   void pass(Archive a, BodyStore bodies) {
-    int n = a.count("joint slots", slots, MAX_JOINTS, 2 + Float.BYTES * floats.length);
+    int n = a.count("joint slots", slots(), MAX_JOINTS, 2 + Float.BYTES * floats.length);
     while (type.length < n) {
       grow();
     }
     a.bytes("type of joint", type, n, FREE, PULLEY);
     a.bytes("flags of joint", flags, n, 0, COLLIDE | LIMITED | DRIVEN | SPRUNG | WINDS);
-    a.integers("generation of joint", generation, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
+    slots.passGenerations(a, "joint", n);
     a.integers("body of joint", bodyA, n, -1, bodies.slots() - 1);
     a.integers("body of joint", bodyB, n, -1, bodies.slots() - 1);
     for (float[] field : floats) {
@@ -651,11 +639,8 @@ public final class JointStore {
     a.integers("turns of joint", turnsB, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
     a.numbers("angle of joint", lastA, n, BodyStore.MOST);
     a.numbers("angle of joint", lastB, n, BodyStore.MOST);
-    freeCount = a.count("free joint slots", freeCount, n, Integer.BYTES);
-    a.integers("free joint slot", freeSlots, freeCount, 0, n - 1);
+    slots.passFree(a, "joint", n, type, FREE);
     if (a.reads()) {
-      slots = n;
-      count = n - freeCount;
       checkJoints(a, bodies);
       coldChanged();
     }
@@ -668,14 +653,8 @@ public final class JointStore {
   }
 
   private void checkJoints(Archive a, BodyStore bodies) {
-    boolean[] free = new boolean[slots];
-    for (int i = 0; i < freeCount; i++) {
-      a.require(!free[freeSlots[i]], "joint slot=" + freeSlots[i] + " is free twice");
-      free[freeSlots[i]] = true;
-    }
-    for (int j = 0; j < slots; j++) {
-      a.require(free[j] == (type[j] == FREE), "joint slot=" + j + " is lost");
-      if (free[j]) {
+    for (int j = 0; j < slots(); j++) {
+      if (type[j] == FREE) {
         continue;
       }
       boolean grounded = bodyA[j] < 0 && type[j] < GEAR;
@@ -702,21 +681,21 @@ public final class JointStore {
 
   /** The ends of each body's joints in the order of its list, body after body. */
   private void passLists(Archive a, BodyStore bodies) {
-    int[] ends = new int[2 * slots];
+    int[] ends = new int[2 * slots()];
     int n = 0;
     for (int body = 0; !a.reads() && body < first.length; body++) {
       for (int end = first[body]; end >= 0; end = next[end]) {
         ends[n++] = end;
       }
     }
-    n = a.count("ends of joints", n, 2 * slots, Integer.BYTES);
-    a.integers("end of joint", ends, n, 0, 2 * slots - 1);
+    n = a.count("ends of joints", n, 2 * slots(), Integer.BYTES);
+    a.integers("end of joint", ends, n, 0, 2 * slots() - 1);
     if (!a.reads()) {
       return;
     }
     first = new int[bodies.slots()];
     Arrays.fill(first, -1);
-    boolean[] seen = new boolean[2 * slots];
+    boolean[] seen = new boolean[2 * slots()];
     int listed = 0;
     int last = -1;
     for (int i = 0; i < n; i++) {
@@ -733,7 +712,7 @@ public final class JointStore {
       }
       last = end;
     }
-    for (int end = 0; end < 2 * slots; end++) {
+    for (int end = 0; end < 2 * slots(); end++) {
       listed += type[end >> 1] != FREE && end(end) >= 0 ? 1 : 0;
     }
     a.require(listed == n, "listed ends of joints=" + n + " of " + listed);
@@ -747,11 +726,9 @@ public final class JointStore {
     int capacity = type.length * 2;
     type = Arrays.copyOf(type, capacity);
     flags = Arrays.copyOf(flags, capacity);
-    generation = Arrays.copyOf(generation, capacity);
     bodyA = Arrays.copyOf(bodyA, capacity);
     bodyB = Arrays.copyOf(bodyB, capacity);
     next = Arrays.copyOf(next, 2 * capacity);
-    freeSlots = Arrays.copyOf(freeSlots, capacity);
     anchorAx = Arrays.copyOf(anchorAx, capacity);
     anchorAy = Arrays.copyOf(anchorAy, capacity);
     anchorBx = Arrays.copyOf(anchorBx, capacity);
