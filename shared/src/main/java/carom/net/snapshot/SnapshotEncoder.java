@@ -75,6 +75,11 @@ public final class SnapshotEncoder {
   private boolean first;
   private int budget;
   private int headerBytes;
+
+  // Of the last snapshot: its budget, and what of it went to anything but records.
+  private int givenBytes;
+  private int aheadBytes;
+
   private int ackDelayTicks = -1;
   private long ackedBytes;
   private long ackedDatagrams;
@@ -266,6 +271,8 @@ public final class SnapshotEncoder {
     sent.reserve(count);
     selection.choose(frame, count, Math.max(0, budgetBytes - headerBytes));
     budget = budgetBytes;
+    givenBytes = budgetBytes;
+    aheadBytes = 0;
     beganTick = frame.tick();
     first = true;
   }
@@ -287,6 +294,7 @@ public final class SnapshotEncoder {
     writeHeader(w, sent.begin(frame.tick(), withOwn, news), withOwn);
     int header = w.bytes();
     headerBytes = first ? header : headerBytes;
+    aheadBytes += header;
     int room = 8 * (Math.min(MAX_DATAGRAM_BYTES, Math.max(budget, 0)) - header) - END_BITS;
     range.reset(out, header, MAX_DATAGRAM_BYTES - header);
     records.begin();
@@ -406,7 +414,9 @@ public final class SnapshotEncoder {
         newest == null ? 0 : selection.priority(newest, slot),
         selection.weight(slot),
         selection.leastChosen(),
-        waiting());
+        waiting(),
+        givenBytes,
+        aheadBytes);
   }
 
   private Verdict.Reason reason(FrameState newest, int slot, Baseline baseline) {

@@ -17,6 +17,9 @@ import java.util.Locale;
  * @param needed least that anything sent had collected in the last snapshot that could not hold
  *     everything; 0 when everything fitted
  * @param waiting entities that wait, this one included if it does
+ * @param budgetBytes what the last snapshot was allowed to take, all told
+ * @param aheadBytes what of it was taken ahead of all entities: by headers, the own body, exact
+ *     state of what is near, and events
  */
 public record Verdict(
     int slot,
@@ -28,7 +31,9 @@ public record Verdict(
     float priority,
     float collected,
     float needed,
-    int waiting) {
+    int waiting,
+    int budgetBytes,
+    int aheadBytes) {
 
   /** What became of an entity in the last snapshot. */
   public enum Reason {
@@ -54,7 +59,7 @@ public record Verdict(
     return String.format(
         Locale.ROOT,
         "entity=%d reason=%s baseline=%s tick=%d acked=%d sent=%d priority=%.3f collected=%.3f"
-            + " needed=%.3f waiting=%d",
+            + " needed=%.3f waiting=%d budget=%d ahead=%d",
         slot,
         reason,
         baseline,
@@ -64,6 +69,8 @@ public record Verdict(
         priority,
         collected,
         needed,
-        waiting);
+        waiting,
+        budgetBytes,
+        aheadBytes);
   }
 }

@@ -2,7 +2,9 @@ package carom.net.snapshot;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 
 /** The one place that decides a baseline, reason by reason. */
@@ -156,5 +158,52 @@ class BaselineTest {
     own.setMemory(2, 6);
     assertEquals(false, encoder.nothingNew(own));
     assertThrows(IndexOutOfBoundsException.class, () -> own.setMemory(4, 0));
+  }
+
+  @Test
+  void exactStateOfWhatIsNearComesOutOfTheSameBudgetAndTheVerdictTellsIt() {
+    int bodies = 400;
+    FrameRing many = new FrameRing(bodies);
+    SnapshotEncoder alone = new SnapshotEncoder(many, 1, 60);
+    SnapshotEncoder both = new SnapshotEncoder(many, 1, 60);
+    FrameState frame = many.begin(1);
+    for (int slot = 0; slot < bodies; slot++) {
+      frame.putQuantized(slot, 1, 7, -1, 1_000 * slot, -slot, slot, slot, 1, 1);
+    }
+    many.end();
+    OwnState own = new OwnState();
+    int[] row = new int[NearState.ENTITY_INTS];
+    Arrays.fill(row, 0x3f9d_70a4);
+    own.near().begin(1);
+    for (int i = 0; i < 12; i++) {
+      own.near().add(i | 1 << 16);
+    }
+    own.near().beginPart(0, 12, 0);
+    for (int i = 0; i < 12; i++) {
+      own.near().tell(i);
+    }
+    for (int i = 0; i < 12; i++) {
+      own.near().addRow(row, 0);
+    }
+    int budget = 2_000;
+    int sentAlone = all(alone, null, budget);
+    int sentBoth = all(both, own, budget);
+    assertTrue(sentAlone <= budget && sentBoth <= budget, sentAlone + " " + sentBoth);
+    assertTrue(sentAlone > 0.9 * budget && sentBoth > 0.9 * budget, sentAlone + " " + sentBoth);
+    Verdict verdict = both.explain(bodies - 1);
+    assertEquals(Verdict.Reason.OVER_BUDGET, verdict.reason());
+    assertEquals(budget, verdict.budgetBytes());
+    assertTrue(verdict.aheadBytes() > 550, verdict.toString());
+    assertTrue(alone.explain(bodies - 1).aheadBytes() < 40, "headers only");
+    assertTrue(both.waiting() > alone.waiting() + 30, both.waiting() + " " + alone.waiting());
+  }
+
+  private int all(SnapshotEncoder to, OwnState own, int budget) {
+    to.begin(feedback, own, budget);
+    int sum = 0;
+    for (int n; (n = to.next(buffer)) > 0; ) {
+      sum += n;
+    }
+    return sum;
   }
 }

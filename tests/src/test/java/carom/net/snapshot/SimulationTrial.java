@@ -13,10 +13,10 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Would the simulation itself be a better predictor of snapshots? Run its {@code main}: it puts what
- * a client holds of a scene into the scene's world, computes it up to the present, and tells what
- * the differences to the truth take, beside today's {@link Predictor}. Each way of predicting has a
- * table of its own, counted over the scene itself, so that none is at an advantage.
+ * Would the simulation itself be a better predictor of snapshots? Run its {@code main}: it puts
+ * what a client holds of a scene into the scene's world, computes it up to the present, and tells
+ * what the differences to the truth take, beside today's {@link Predictor}. Each way of predicting
+ * has a table of its own, counted over the scene itself, so that none is at an advantage.
  */
 public final class SimulationTrial {
   private static final int[] AGES = {2, 6, 12};
@@ -30,7 +30,9 @@ public final class SimulationTrial {
   private enum Known {
     /** Today: no simulation. */
     LINE,
-    /** All of the world's state, velocities and contacts included, but poses and velocities rounded. */
+    /**
+     * All of the world's state, velocities and contacts included, but poses and velocities rounded.
+     */
     STATE_AND_CONTACTS,
     /** Rounded poses and velocities; contacts begin anew. */
     STATE,
