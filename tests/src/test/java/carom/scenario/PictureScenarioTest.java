@@ -42,11 +42,9 @@ class PictureScenarioTest {
     CLEAN(NONE, 0.01, 0.1, 0.12),
     LOSS_2(NONE.withLoss(2), 0.01, 0.12, 0.12),
     LOSS_10(NONE.withLoss(10), 0.01, 0.3, 0.3),
-    // A burst is longer than the delay, so every third look is a guess, and bodies bounce
-    // meanwhile.
-    BURSTS_30(NONE.withBursts(30, 10), 1, 3, 1.2),
-    // The jitter is taken for a queue now and then, and the server tells less often for a while.
-    LATENCY_100_JITTER_30(NONE.withLatency(100, 30), 0.02, 7, 7),
+    // Some bursts are longer than any delay: then a look is a guess, and bodies bounce meanwhile.
+    BURSTS_30(NONE.withBursts(30, 10), 0.3, 3, 1.2),
+    LATENCY_100_JITTER_30(NONE.withLatency(100, 30), 0.01, 0.12, 0.12),
     LATENCY_300(NONE.withLatency(300, 0), 0.01, 0.12, 0.12),
     REORDER(NONE.withLatency(30, 10).withReorder(20, 0), 0.01, 0.12, 0.12),
     DUPLICATES(NONE.withReorder(0, 20), 0.01, 0.1, 0.12),

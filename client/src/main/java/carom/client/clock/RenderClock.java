@@ -13,7 +13,8 @@ import java.util.Arrays;
  *   <li>the lateness that 95 % of the snapshots stay below (measured jitter),
  *   <li>one send interval to have two states to draw between,
  *   <li>one more for each consecutive loss worth surviving at the measured loss rate (one when the
- *       line is clean, two above 1 %, three above 8 %).
+ *       line is clean, two above 1 %, three above 8 %); above 8 % as long as the gap is in which a
+ *       lost snapshot typically lies, where losses come in bursts.
  * </ul>
  *
  * Changes of the line or the delay bend the speed by at most a tenth; only a gap too large for that
@@ -26,6 +27,15 @@ public final class RenderClock {
   private static final double SETTLE_SECONDS = 0.25;
   private static final double JUMP_SECONDS = 0.4;
   private static final double MAX_DELAY_SECONDS = 0.5;
+
+  /** A longer gap is an outage, which no delay can hide. */
+  private static final double LONGEST_GAP_SECONDS = 0.75;
+
+  /** Gaps count for about so long. */
+  private static final double GAP_MEMORY_SECONDS = 10;
+
+  /** Losses beyond are worth waiting for, 0..1. */
+  private static final double HEAVY_LOSS = 0.08;
 
   private final double ticksPerNs;
   private final int tickRate;
@@ -42,6 +52,11 @@ public final class RenderClock {
   private double mean;
   private double lateness;
   private double loss;
+
+  /** Ticks without a snapshot, and the sum of each gap's square; fading. */
+  private double missing;
+
+  private double missingSquares;
   private int interval = 1;
   private double position;
 
@@ -65,6 +80,8 @@ public final class RenderClock {
     interval = 1;
     lateness = 0;
     loss = 0;
+    missing = 0;
+    missingSquares = 0;
     Arrays.fill(intervalWeight, 0);
   }
 
@@ -105,6 +122,7 @@ public final class RenderClock {
     if (tick > newest) {
       if (!quiet && !lastQuiet) {
         noteInterval(tick - newest);
+        noteGap(tick - newest);
       }
       newest = tick;
       lastQuiet = quiet;
@@ -132,6 +150,17 @@ public final class RenderClock {
       }
     }
     interval = best;
+  }
+
+  private void noteGap(int ticks) {
+    double fade = Math.exp(-ticks / (GAP_MEMORY_SECONDS * tickRate));
+    missing *= fade;
+    missingSquares *= fade;
+    int gap = ticks - interval;
+    if (gap > 0 && ticks <= LONGEST_GAP_SECONDS * tickRate) {
+      missing += gap;
+      missingSquares += (double) gap * gap;
+    }
   }
 
   /**
@@ -187,8 +216,11 @@ public final class RenderClock {
 
   /** Interpolation delay aimed at, in ticks behind the mean arrival. */
   public double delayTicks() {
-    int survive = loss > 0.08 ? 3 : loss > 0.01 ? 2 : 1;
-    return Math.min(MAX_DELAY_SECONDS * tickRate, interval * (1 + survive) + lateness);
+    double survive = interval * (loss > HEAVY_LOSS ? 3 : loss > 0.01 ? 2 : 1);
+    if (loss > HEAVY_LOSS && missing > 0) {
+      survive = Math.max(survive, missingSquares / missing);
+    }
+    return Math.min(MAX_DELAY_SECONDS * tickRate, interval + survive + lateness);
   }
 
   /** Lateness that 95 % of the snapshots stay below, in milliseconds. */

@@ -78,6 +78,29 @@ final class RenderClockTest {
   }
 
   @Test
+  void waitsAsLongAsBurstsOfLossesAre() {
+    // Goal: most frames lie between two snapshots also where three in ten get lost, ten in a row.
+    SplittableRandom random = new SplittableRandom(11);
+    RenderClock clock = new RenderClock(60);
+    int newest = 0;
+    int starved = 0;
+    boolean burst = false;
+    for (int tick = 0; tick < 3_600; tick++) {
+      burst = burst ? random.nextInt(10) > 0 : random.nextInt(70) < 3;
+      long now = (long) (tick * 1e9 / 60);
+      if (!burst) {
+        newest = tick;
+        clock.loss(0.3);
+        clock.snapshot(tick, now, false);
+      }
+      clock.advance(now);
+      starved += tick > 1_200 && clock.tick() > newest ? 1 : 0;
+    }
+    assertTrue(clock.delayTicks() > 12, "delay=" + clock.delayTicks());
+    assertTrue(starved < 2_400 / 10, "starved in " + starved + " of 2400 frames");
+  }
+
+  @Test
   void startsAnewAfterABlackout() {
     RenderClock clock = new RenderClock(60);
     for (int tick = 0; tick < 120; tick++) {
