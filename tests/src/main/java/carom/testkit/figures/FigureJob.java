@@ -30,6 +30,7 @@ interface FigureJob {
     jobs.put("perfect", PredictionFigures::perfect);
     jobs.put("alone", PredictionFigures::alone);
     jobs.put("push", PredictionFigures::push);
+    jobs.put("feel", FeelFigures::measure);
     jobs.put("rollback", RollbackFigures::measure);
     jobs.put("encode", EncodeFigures::measure);
     jobs.put("rest", RestFigures::measure);
