@@ -113,6 +113,20 @@ class AudienceTest {
     }
   }
 
+  @Test
+  void whoChangesTheTeamIsToldOfThoseWhoRestThere() {
+    rig.steps(120);
+    int resting = body(blue).id();
+    assertFalse(knows(red, resting), "of another team");
+    rig.room.simulation().player(red.welcome.playerId()).team(2);
+    rig.steps(20);
+    assertTrue(knows(red, resting), "of the own team");
+  }
+
+  private static boolean knows(FakeClient client, int id) {
+    return client.decoder.history(id) != null && client.decoder.history(id).alive();
+  }
+
   private void playTogether() {
     blue.input.move(-1, 0); // into red, who is pushed by what it can't see
     red.input.move(0.5f, 0);

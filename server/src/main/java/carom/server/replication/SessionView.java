@@ -77,6 +77,8 @@ public final class SessionView implements Interest {
   private float spectatorX;
   private float spectatorY;
   private boolean everything;
+  private int team;
+  private boolean sawAll;
   private int nextLook;
   private SnapshotEncoder encoder;
 
@@ -148,7 +150,14 @@ public final class SessionView implements Interest {
     }
     Simulation simulation = index.simulation();
     few = automatic && frame.count() <= (few ? FEW : FEW_AGAIN);
-    everything = smallLevel || few || simulation.game().seesAll(simulation, player);
+    boolean all = simulation.game().seesAll(simulation, player);
+    everything = smallLevel || few || all;
+    if (player.team() != team || all != sawAll) {
+      team = player.team();
+      sawAll = all;
+      encoder = to;
+      index.special(frame, notice); // what rests, too, is shown to others now
+    }
     if (everything || frame.tick() < nextLook) {
       return;
     }
