@@ -323,7 +323,9 @@ public final class ReplayClient implements AutoCloseable {
    */
   public void seek(int tick) {
     int to = Math.max(0, tick);
-    if (to < replay.simulation().tick() || marked(to) > replay.simulation().tick()) {
+    int now = replay.simulation().tick();
+    int nearest = Math.max(marked(to), stored(to));
+    if (to < now || nearest > now) {
       goBack(to);
     }
     Arrays.fill(beforeGeneration, -1);
@@ -340,15 +342,28 @@ public final class ReplayClient implements AutoCloseable {
     return found;
   }
 
+  /** The last whole state in the file at or before a tick; -1 when there is none. */
+  private int stored(int tick) {
+    try {
+      return replay.stateBefore(tick);
+    } catch (IOException e) {
+      return -1; // whoever plays that far is told
+    }
+  }
+
+  /** Takes the last state remembered, or in the file, at or before a tick. */
   private void goBack(int tick) {
     int from = marked(tick);
     problem = "";
-    if (from < 0) {
-      try {
+    try {
+      if (stored(tick) > from) {
+        replay.goToStateBefore(tick);
+      } else if (from < 0) {
         open();
-      } catch (IOException e) {
-        problem = e.getMessage();
+        return;
       }
+    } catch (IOException e) {
+      problem = e.getMessage();
       return;
     }
     for (Replay.Mark mark : marks) {

@@ -45,6 +45,15 @@ final class ReplayCommand implements Callable<Integer> {
       description = "Play even what another build's arithmetic has recorded.")
   private boolean anyPhysics;
 
+  @Option(
+      names = "--from",
+      paramLabel = "TICK",
+      defaultValue = "0",
+      description =
+          "Begin at the last whole state that the file has at or before this tick; there is one a"
+              + " minute (${DEFAULT-VALUE}).")
+  private int from;
+
   @Override
   public Integer call() {
     PrintWriter out = spec.commandLine().getOut();
@@ -56,7 +65,11 @@ final class ReplayCommand implements Callable<Integer> {
       if (!anyPhysics) {
         Replay.requirePhysics(header, Protocol.physicsDigest());
       }
-      return play(reader, new Replay(reader), out, err);
+      Replay replay = new Replay(reader);
+      if (from > 0) {
+        replay.goToStateBefore(from);
+      }
+      return play(reader, replay, out, err);
     } catch (IOException e) {
       String message = e instanceof RecordingException ? e.getMessage() : e.toString();
       err.println("carom replay: " + message);
@@ -97,13 +110,14 @@ final class ReplayCommand implements Callable<Integer> {
     if (replay.divergence() != null) {
       return replay.divergence().toString();
     }
-    int ticks = replay.simulation().tick();
+    int ticks = replay.simulation().tick() - replay.firstTick();
     double seconds = Math.max(1e-9, tookNs / 1e9);
     return String.format(
         Locale.ROOT,
-        "OK: %d ticks equal in %.2f s, %.0f ticks/s, %.0f times as fast as played, final hash"
+        "OK: %d ticks equal%s in %.2f s, %.0f ticks/s, %.0f times as fast as played, final hash"
             + " %016x",
         ticks,
+        replay.firstTick() == 0 ? "" : " from tick " + replay.firstTick() + " on",
         seconds,
         ticks / seconds,
         ticks / seconds / replay.simulation().tickRate(),

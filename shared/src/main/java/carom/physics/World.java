@@ -466,14 +466,15 @@ public final class World<T> {
    * Reads a state that {@link WorldState#write} has written, in this or another program, to be
    * taken over by {@link #restore}: bodies keep their slots and generations, and from then on this
    * world goes on like the one it was saved from, to the bit. Bodies and joints that this world has
-   * under the same slot and generation keep their handles and users.
+   * under the same slot and generation keep their handles, unless they shall stand for another
+   * user.
    *
    * <p>Trusts nothing: whatever the bytes are, they make a state that can be stepped or are
    * refused, and memory stays in proportion to them, but for parts of shapes, which are at most
    * 2^20. The world isn't touched.
    *
    * @param archive from where the state begins; read up to its end
-   * @param users what the other bodies stand for, by slot
+   * @param users what bodies stand for, by slot; null for what they stand for here
    * @return the state, of this world
    * @throws ArchiveException if the bytes are damaged, of another physics version, or of a world
    *     with another definition
@@ -483,6 +484,19 @@ public final class World<T> {
     s.dynamics.distinguish(dynamics);
     handles.distinguish(s.handles);
     return s;
+  }
+
+  /**
+   * A body of a state of this world.
+   *
+   * @param s made by {@link #save} or {@link #read}
+   * @param index its slot
+   * @return its handle, valid once the state is restored; null if there is none
+   */
+  @SuppressWarnings("unchecked")
+  public Body<T> bodyIn(WorldState s, int index) {
+    checkOwner(s);
+    return (Body<T>) s.handles.body(index);
   }
 
   /**

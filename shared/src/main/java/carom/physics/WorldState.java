@@ -83,12 +83,14 @@ public final class WorldState {
   private <T> Body<T> handle(World<T> world, int slot, IntFunction<T> users) {
     Body<T> known = world.body(slot);
     int generation = dynamics.bodies().generation(slot);
-    if (known != null && known.generation() == generation) {
+    T user = users.apply(slot);
+    if (known != null
+        && known.generation() == generation
+        && (user == null || user == known.user())) {
       return known;
     }
     BodyType type = BODY_TYPES[dynamics.bodies().type[slot]];
-    return new Body<>(
-        world, world.store(), slot, generation, type, handles.shapes(slot), users.apply(slot));
+    return new Body<>(world, world.store(), slot, generation, type, handles.shapes(slot), user);
   }
 
   private static <T> Joint<T> handle(World<T> world, JointStore read, int j) {

@@ -9,13 +9,18 @@ public enum Block {
   /** The exact state of every body after a tick. */
   KEYFRAME,
   /** The last one: how the recording ended. */
-  END;
+  END,
+  /**
+   * A piece of the whole state after a tick, from which the game can be computed on without what
+   * came before.
+   */
+  STATE;
 
   /** What a file begins with. */
   static final long MAGIC = 0x4341524f4d524543L; // "CAROMREC"
 
   /** Version of the format; whoever changes a byte of it raises this. */
-  static final int VERSION = 1;
+  static final int VERSION = 2;
 
   /** Bytes before the first block: magic and version. */
   static final int PREAMBLE_BYTES = 12;
@@ -25,6 +30,12 @@ public enum Block {
 
   /** Largest content: a keyframe of 65,535 bodies and some room. */
   static final int MAX_BYTES = 4 << 20;
+
+  /** Most bytes of a state in one block. */
+  static final int STATE_PIECE = 1 << 20;
+
+  /** Largest state, bytes: that of a hundred thousand bodies. A larger one isn't recorded. */
+  static final int MAX_STATE_BYTES = 1 << 25;
 
   // What a TICKS block consists of.
   static final int JOIN = 1;

@@ -56,8 +56,12 @@ final class ByteSink {
   }
 
   void bytes(byte[] from, int count) {
+    bytes(from, 0, count);
+  }
+
+  void bytes(byte[] from, int at, int count) {
     ensure(count);
-    System.arraycopy(from, 0, bytes, length, count);
+    System.arraycopy(from, at, bytes, length, count);
     length += count;
   }
 

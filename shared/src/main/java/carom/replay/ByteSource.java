@@ -74,6 +74,10 @@ final class ByteSource {
     }
   }
 
+  int left() {
+    return end - at;
+  }
+
   byte[] bytes(int count) throws RecordingException {
     need(count);
     at += count;

@@ -3,6 +3,7 @@ package carom.replay;
 import carom.physics.Body;
 import carom.sim.Entity;
 import carom.sim.Simulation;
+import java.util.Arrays;
 
 /**
  * Sums over all entities after a tick, from which two simulations of the same game learn not only
@@ -44,6 +45,12 @@ final class Fingerprint {
         fields[f] += state[f];
       }
     }
+  }
+
+  void clear() {
+    weight = 0;
+    moment = 0;
+    Arrays.fill(fields, 0);
   }
 
   void set(Fingerprint other) {

@@ -1,22 +1,32 @@
 package carom.replay;
 
+import carom.physics.archive.ArchiveWriter;
 import carom.sim.Entity;
 import carom.sim.Journal;
 import carom.sim.Player;
+import carom.sim.SimState;
 import carom.sim.Simulation;
 import java.util.Arrays;
 
 /**
- * Records a simulation, from tick 0 on: what enters it, a hash of its state after each tick, and
- * from time to time the exact state of every body.
+ * Records a simulation, from any tick on: what enters it, a hash of its state after each tick, and
+ * from time to time the exact state of every body, and seldom that of everything, from which a
+ * replay can begin.
  *
  * <p>On the simulation's thread; a tick costs one pass over the entities and allocates nothing once
- * buffers have grown. Blocks go to a {@link BlockSink}, at least one a second; when it can't take
- * one, recording stops: a game can't be computed across a hole.
+ * buffers have grown, but for the few a whole state needs. Blocks go to a {@link BlockSink}, at
+ * least one a second; when it can't take one, recording stops: a game can't be computed across a
+ * hole.
  */
 public final class Recorder implements Journal {
   /** Seconds between keyframes. */
   public static final int KEYFRAME_SECONDS = 5;
+
+  /** Seconds between whole states. */
+  public static final int STATE_SECONDS = 60;
+
+  /** Most bytes of a state before what the simulation writes. */
+  private static final int STATE_HEAD = 1 << 13;
 
   private static final int FULL_BLOCK = 1 << 16;
 
@@ -25,37 +35,49 @@ public final class Recorder implements Journal {
   private final ByteSink keyframe = new ByteSink();
   private final Fingerprint now = new Fingerprint();
   private final Fingerprint before = new Fingerprint();
-  private final int[] state = new int[Fingerprint.FIELDS];
+  private final ArchiveWriter archive = new ArchiveWriter();
+  private SimState state;
+  private final int[] bits = new int[Fingerprint.FIELDS];
   private int[] keyStates = {};
   private final long[] inputs = new long[Simulation.MAX_PLAYERS];
   private final int[] viewDelays = new int[Simulation.MAX_PLAYERS];
   private int blockTicks;
   private int begun = -1; // where in the block the tick begins that has not ended yet
   private int lastTick;
+  private int nextStateTick;
   private long lastHash;
   private boolean stopped;
 
   /**
-   * Begins a recording of a simulation that stands at tick 0 and has no players.
+   * Begins a recording of a simulation between two steps. One that stands at tick 0 without players
+   * is built again from the header; else its state comes first.
    *
    * @param header as {@link RecordingHeader#of} makes it
    * @param sink takes the blocks
-   * @throws IllegalArgumentException when the simulation has gone on already
+   * @throws IllegalArgumentException when the simulation has gone on and its state can't be stored:
+   *     the game {@linkplain carom.sim.Game#keepsMore keeps more}, or the state is too large
    */
   public Recorder(Simulation s, RecordingHeader header, BlockSink sink) {
-    if (s.tick() != 0 || s.playerCapacity() != 0) {
-      throw new IllegalArgumentException(
-          "tick="
-              + s.tick()
-              + " players="
-              + s.playerCapacity()
-              + ": a recording begins at tick 0, before the first player joins");
-    }
     this.sink = sink;
+    boolean begins = s.tick() == 0 && s.playerCapacity() == 0;
+    if (!begins && s.game().keepsMore()) {
+      throw new IllegalArgumentException(
+          "game "
+              + s.game().name()
+              + " keeps more than its state: it can be recorded from tick 0 on only, not from tick="
+              + s.tick());
+    }
     header.write(out);
     seal(Block.HEADER);
+    lastTick = s.tick();
     lastHash = s.stateHash();
+    if (!begins && !writeState(s)) {
+      throw new IllegalArgumentException(
+          "the state of tick=" + lastTick + " can't be stored: bytes=" + archive.length());
+    }
     writeKeyframe(s);
+    int gap = STATE_SECONDS * s.tickRate();
+    nextStateTick = s.game().keepsMore() ? Integer.MAX_VALUE : lastTick + gap;
   }
 
   @Override
@@ -130,12 +152,61 @@ public final class Recorder implements Journal {
     before.set(now);
     blockTicks++;
     boolean keyframeDue = lastTick % (KEYFRAME_SECONDS * s.tickRate()) == 0;
-    if (keyframeDue || blockTicks >= s.tickRate() || out.length() >= FULL_BLOCK) {
+    boolean stateDue = lastTick >= nextStateTick;
+    if (keyframeDue || stateDue || blockTicks >= s.tickRate() || out.length() >= FULL_BLOCK) {
       seal(Block.TICKS);
     }
     if (keyframeDue) {
       writeKeyframe(s);
     }
+    if (stateDue) {
+      writeState(s);
+      nextStateTick += STATE_SECONDS * s.tickRate();
+    }
+  }
+
+  /**
+   * The whole state in pieces. What follows is told as if nothing had come before, so that a reader
+   * can begin here.
+   */
+  private boolean writeState(Simulation s) {
+    archive.clear();
+    try {
+      state = s.save(state);
+      state.write(archive);
+    } catch (IllegalArgumentException e) {
+      return false; // the world has blown up: there is nothing to begin from
+    }
+    if (archive.length() > Block.MAX_STATE_BYTES - STATE_HEAD) {
+      return false;
+    }
+    keyframe.truncate(0);
+    keyframe.varint(lastTick);
+    keyframe.i64(lastHash);
+    keyframe.varint(s.playerCapacity());
+    Arrays.fill(inputs, 0);
+    Arrays.fill(viewDelays, 0);
+    for (int id = 0; id < s.playerCapacity(); id++) {
+      Player p = s.player(id);
+      if (p != null) {
+        inputs[id] = p.input().pack();
+        viewDelays[id] = p.viewDelay();
+      }
+      keyframe.varint(inputs[id]);
+      keyframe.varint(viewDelays[id]);
+    }
+    before.clear();
+    Arrays.fill(keyStates, 0);
+    keyframe.bytes(archive.array(), archive.length());
+    int length = keyframe.length();
+    for (int at = 0; at < length && !stopped; at += Block.STATE_PIECE) {
+      int piece = Math.min(Block.STATE_PIECE, length - at);
+      out.varint(at);
+      out.varint(length);
+      out.bytes(keyframe.array(), at, piece);
+      seal(Block.STATE);
+    }
+    return true;
   }
 
   /** Field by field, against the last keyframe: what rests is zeros, which compress to nothing. */
@@ -157,10 +228,10 @@ public final class Recorder implements Journal {
       for (int id = 0; id < limit; id++) {
         Entity e = s.entity(id);
         if (e != null) {
-          Fingerprint.read(e, state);
+          Fingerprint.read(e, bits);
           int at = id * Fingerprint.FIELDS + f;
-          keyframe.i32(state[f] ^ keyStates[at]);
-          keyStates[at] = state[f];
+          keyframe.i32(bits[f] ^ keyStates[at]);
+          keyStates[at] = bits[f];
         }
       }
     }

@@ -1,5 +1,7 @@
 package carom.replay;
 
+import carom.physics.archive.ArchiveReader;
+import carom.sim.Player;
 import carom.sim.Simulation;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -7,15 +9,18 @@ import java.nio.channels.SeekableByteChannel;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.zip.CRC32;
 import java.util.zip.DataFormatException;
 import java.util.zip.Inflater;
 
 /**
  * Reads a recording event by event, also one that is still being written or was torn off. Trusts
- * nothing: whatever the bytes are, memory stays below about 12 MiB, and the answer is an event or a
- * {@link RecordingException} that says what is wrong at which byte. One thread.
+ * nothing: whatever the bytes are, memory stays below about 12 MiB, and with a state in it below
+ * 100 MiB, and the answer is an event or a {@link RecordingException} that says what is wrong at
+ * which byte. One thread.
  */
 public final class RecordingReader implements AutoCloseable {
   /** Longest name of a player, bytes. */
@@ -35,11 +40,15 @@ public final class RecordingReader implements AutoCloseable {
     STEPPED,
     /** The state of every body after {@link #keyframeTick}. */
     KEYFRAME,
+    /** The whole state after {@link #stateTick}: {@link #state}. */
+    STATE,
     /** The recording ends here: {@link #isCut}, {@link #reason}. */
     END,
     /** The file ends here, without a whole block; ask again when it may have grown. */
     WAIT
   }
+
+  private record StatePlace(int tick, long position) {}
 
   /** A place between two blocks to come back to, with what the reader knew there. */
   public static final class Mark {
@@ -85,6 +94,17 @@ public final class RecordingReader implements AutoCloseable {
   private int[] kinds = {};
   private int[] generations = {};
   private int[] keyStates = {};
+  private byte[] state = {};
+  private int collected;
+  private int stateTick;
+  private int stateBegin;
+  private int stateEnd;
+
+  /** Where states begin that were found so far, and where the next block to look at does. */
+  private final List<StatePlace> places = new ArrayList<>();
+
+  private StatePlace begun;
+  private long lookedAt = Block.PREAMBLE_BYTES;
   private boolean cut;
   private String reason = "";
 
@@ -155,21 +175,63 @@ public final class RecordingReader implements AutoCloseable {
     if (ended) {
       return Event.END;
     }
-    while (block.isEmpty()) {
-      if (!nextBlock()) {
-        return Event.WAIT;
+    Event event = null;
+    while (event == null) {
+      while (block.isEmpty()) {
+        if (!nextBlock()) {
+          return Event.WAIT;
+        }
+      }
+      try {
+        event =
+            switch (type) {
+              case HEADER -> throw new RecordingException("damaged: a second header");
+              case TICKS -> readTicks();
+              case KEYFRAME -> readKeyframe();
+              case END -> readEnd();
+              case STATE -> readState() ? Event.STATE : null;
+            };
+      } catch (RecordingException e) {
+        throw damaged(e.getMessage());
       }
     }
-    try {
-      return switch (type) {
-        case HEADER -> throw new RecordingException("damaged: a second header");
-        case TICKS -> readTicks();
-        case KEYFRAME -> readKeyframe();
-        case END -> readEnd();
-      };
-    } catch (RecordingException e) {
-      throw damaged(e.getMessage());
+    return event;
+  }
+
+  /** Collects a piece of a state; true with the last one. */
+  private boolean readState() throws RecordingException {
+    int at = block.varint("offset of a state's piece", 0, Block.MAX_STATE_BYTES);
+    int length = block.varint("bytes of a state", 1, Block.MAX_STATE_BYTES);
+    int piece = block.left();
+    if ((at == 0 ? 0 : collected) != at || at + piece > length) {
+      throw new RecordingException(
+          "damaged: a state's piece at " + at + " with " + piece + " bytes of " + length);
     }
+    if (state.length < at + piece) {
+      state = Arrays.copyOf(state, Math.max(at + piece, Math.min(length, 2 * state.length)));
+    }
+    System.arraycopy(block.bytes(piece), 0, state, at, piece);
+    collected = at + piece;
+    if (collected < length) {
+      return false;
+    }
+    ByteSource in = new ByteSource();
+    in.set(state, length);
+    stateTick = in.varint("tick", 0, Integer.MAX_VALUE);
+    hash = in.i64();
+    int players = in.varint("players", 0, Simulation.MAX_PLAYERS);
+    Arrays.fill(inputs, 0);
+    Arrays.fill(viewDelays, 0);
+    for (int id = 0; id < players; id++) {
+      inputs[id] = in.varint();
+      viewDelays[id] = in.varint("view delay", 0, Player.MAX_VIEW_DELAY);
+    }
+    sums.clear();
+    Arrays.fill(keyStates, 0);
+    stateBegin = length - in.left();
+    collected = 0;
+    stateEnd = length;
+    return true;
   }
 
   private Event readTicks() throws RecordingException {
@@ -390,6 +452,102 @@ public final class RecordingReader implements AutoCloseable {
     return keyframeTick;
   }
 
+  /** The tick of the last state read. */
+  public int stateTick() {
+    return stateTick;
+  }
+
+  /** The last state read, for {@link Simulation#read}; valid until {@link #next} is called. */
+  ArchiveReader state() {
+    return new ArchiveReader(Arrays.copyOfRange(state, stateBegin, stateEnd));
+  }
+
+  /**
+   * Finds the last whole state at or before a tick that the file has so far, without reading what
+   * lies between: the blocks' heads alone, those seen before only once.
+   *
+   * @return its tick, or -1 when there is none
+   * @throws RecordingException when the file is damaged on the way
+   */
+  public int findState(int tick) throws IOException {
+    StatePlace place = place(tick);
+    return place == null ? -1 : place.tick;
+  }
+
+  /**
+   * Goes to the place that {@link #findState} has found: {@link Event#STATE} comes next.
+   *
+   * @return false when there is none; nothing has changed then
+   */
+  boolean goToState(int tick) throws IOException {
+    StatePlace place = place(tick);
+    if (place != null) {
+      goTo(place.position);
+    }
+    return place != null;
+  }
+
+  private StatePlace place(int tick) throws IOException {
+    look();
+    StatePlace found = null;
+    for (StatePlace place : places) {
+      if (place.tick <= tick) {
+        found = place;
+      }
+    }
+    return found;
+  }
+
+  private void look() throws IOException {
+    long size = file.size();
+    ByteBuffer at = ByteBuffer.allocate(Block.HEAD_BYTES);
+    while (fill(at.clear(), lookedAt)) {
+      int count = at.getInt(5);
+      long end = lookedAt + Block.HEAD_BYTES + count;
+      if (Block.of(at.get(0)) == null || count < 1 || count > bound() || end > size) {
+        return; // torn, or damaged: whoever reads that far is told
+      }
+      if (Block.of(at.get(0)) == Block.STATE && !note(lookedAt)) {
+        return;
+      }
+      lookedAt = end;
+    }
+  }
+
+  /** Remembers where a state begins; false when that block isn't whole. */
+  private boolean note(long where) throws IOException {
+    long back = position;
+    byte[] unread = block.isEmpty() ? new byte[0] : block.bytes(block.left());
+    Block backType = type;
+    long backBlock = blockPosition;
+    position = where;
+    boolean whole = nextBlock();
+    if (whole) {
+      int at = block.varint("offset of a state's piece", 0, Block.MAX_STATE_BYTES);
+      int length = block.varint("bytes of a state", 1, Block.MAX_STATE_BYTES);
+      int piece = block.left();
+      if (at == 0) {
+        begun = new StatePlace(block.varint("tick", 0, Integer.MAX_VALUE), where);
+      }
+      if (at + piece == length && begun != null) {
+        places.add(begun);
+        begun = null;
+      }
+    }
+    position = back;
+    type = backType;
+    blockPosition = backBlock;
+    block.set(unread, unread.length);
+    return whole;
+  }
+
+  private void goTo(long where) {
+    position = where;
+    block.set(content, 0);
+    collected = 0;
+    ended = false;
+  }
+
   /** Entity ids of the keyframe are below. */
   int keyframeLimit() {
     return keyframeLimit;
@@ -426,7 +584,12 @@ public final class RecordingReader implements AutoCloseable {
 
   /** Whether this is a place between two blocks, which {@link #mark} can remember. */
   public boolean isBetweenBlocks() {
-    return block.isEmpty();
+    return block.isEmpty() && collected == 0;
+  }
+
+  /** Whether the next block, as far as it is there, is a state or a piece of one. */
+  boolean comesState() throws IOException {
+    return block.isEmpty() && fill(head.clear(), position) && Block.of(head.get(0)) == Block.STATE;
   }
 
   /**
@@ -443,13 +606,11 @@ public final class RecordingReader implements AutoCloseable {
 
   /** Goes back to a mark of this reader. */
   public void reset(Mark mark) {
-    position = mark.position;
+    goTo(mark.position);
     System.arraycopy(mark.inputs, 0, inputs, 0, inputs.length);
     System.arraycopy(mark.viewDelays, 0, viewDelays, 0, viewDelays.length);
     sums.set(mark.sums);
     keyStates = Arrays.copyOf(mark.keyStates, keyStates.length);
-    block.set(content, 0);
-    ended = false;
   }
 
   @Override

@@ -1,5 +1,6 @@
 package carom.replay;
 
+import carom.physics.archive.ArchiveException;
 import carom.sim.Player;
 import carom.sim.SimState;
 import carom.sim.Simulation;
@@ -31,15 +32,23 @@ public final class Replay {
   private boolean decided;
   private boolean inTick;
 
+  /** Whether what comes is computed on; else a state to begin from comes. */
+  private boolean computing;
+
+  private int firstTick = Integer.MAX_VALUE;
+
   /**
-   * Builds the simulation at tick 0.
+   * Builds the simulation at tick 0, or at the one the recording begins with.
    *
    * @param reader where the recording comes from, just opened; stays the caller's to close
    * @throws RecordingException when this build can't play the game
    */
-  public Replay(RecordingReader reader) throws RecordingException {
+  public Replay(RecordingReader reader) throws IOException {
     this.reader = reader;
     simulation = reader.header().start();
+    if (reader.comesState() && reader.next() == RecordingReader.Event.STATE) {
+      state();
+    }
   }
 
   /** Says clearly why recordings of another arithmetic can't be expected to be equal. */
@@ -69,6 +78,7 @@ public final class Replay {
           return Progress.TICK;
         }
         case KEYFRAME -> keyframe();
+        case STATE -> state();
         case END -> {
           return Progress.END;
         }
@@ -80,6 +90,7 @@ public final class Replay {
   }
 
   private void join() throws RecordingException {
+    computing = true;
     if (simulation.player(reader.playerId()) != null) {
       throw contradicts("player " + reader.playerId() + " joins twice");
     }
@@ -101,6 +112,10 @@ public final class Replay {
   private void begin() throws RecordingException {
     if (inTick) {
       throw contradicts("a tick has no end");
+    }
+    if (!computing) {
+      computing = true;
+      firstTick = Math.min(firstTick, simulation.tick());
     }
     for (int i = 0; i < reader.changedCount(); i++) {
       int id = reader.changedId(i);
@@ -158,6 +173,66 @@ public final class Replay {
       divergence.keyframe(simulation, reader);
       decided = true;
     }
+  }
+
+  /** Begins from a state, or compares it with the one computed. */
+  private void state() throws RecordingException {
+    if (computing) {
+      if (reader.stateTick() != simulation.tick()) {
+        throw contradicts("a state of tick " + reader.stateTick() + " comes");
+      }
+      if (divergence == null && reader.hash() != simulation.stateHash()) {
+        divergence = new Divergence(simulation.tick(), reader.hash(), simulation.stateHash());
+      }
+      return;
+    }
+    try {
+      simulation.restore(simulation.read(reader.state()));
+    } catch (ArchiveException e) {
+      throw contradicts("this is a state: " + e.getMessage());
+    }
+    if (simulation.tick() != reader.stateTick() || simulation.stateHash() != reader.hash()) {
+      throw contradicts(
+          String.format(
+              "the state of tick %d has hash %016x, it has %016x",
+              reader.stateTick(), reader.hash(), simulation.stateHash()));
+    }
+    computing = true;
+    firstTick = Math.min(firstTick, simulation.tick());
+  }
+
+  /**
+   * The last tick at or before another at which the file has a whole state, to begin from.
+   *
+   * @return -1 when there is none
+   */
+  public int stateBefore(int tick) throws IOException {
+    return simulation.game().keepsMore() ? -1 : reader.findState(tick);
+  }
+
+  /**
+   * Goes to the state at {@link #stateBefore} that tick, without computing what lies between; the
+   * next {@link #step} goes on from there. A divergence found stays found.
+   *
+   * @return false when there is none; nothing has changed then
+   * @throws RecordingException when the file is damaged there
+   */
+  public boolean goToStateBefore(int tick) throws IOException {
+    if (simulation.game().keepsMore() || !reader.goToState(tick)) {
+      return false;
+    }
+    computing = false;
+    inTick = false;
+    if (reader.next() != RecordingReader.Event.STATE) {
+      throw contradicts("a state comes, but it is torn");
+    }
+    state();
+    return true;
+  }
+
+  /** The first tick that was there: 0, or that of a state begun from. */
+  public int firstTick() {
+    return Math.min(firstTick, simulation.tick());
   }
 
   private RecordingException contradicts(String what) {
@@ -223,5 +298,6 @@ public final class Replay {
     simulation.restore(mark.state);
     reader.reset(mark.place);
     inTick = false;
+    computing = true;
   }
 }

@@ -8,7 +8,7 @@
  * nothing it reads, a {@link carom.replay.Replay} simulates the game once more and finds the first
  * tick and body at which it goes another way.
  *
- * <p>Allowed imports: {@code carom.sim}, {@code carom.physics}, {@code carom.game}, the JDK. No
- * threads, no clocks.
+ * <p>Allowed imports: {@code carom.sim}, {@code carom.physics}, its archive, {@code carom.game},
+ * the JDK. No threads, no clocks.
  */
 package carom.replay;

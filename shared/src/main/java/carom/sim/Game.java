@@ -38,6 +38,15 @@ public interface Game {
   }
 
   /**
+   * Whether the game keeps anything that changes outside of {@link Simulation#memory}, players and
+   * entities. Its states aren't whole then: recordings of it begin at tick 0 and are computed from
+   * there. Better not.
+   */
+  default boolean keepsMore() {
+    return false;
+  }
+
+  /**
    * Whether the game asks {@link Simulation#asSeenBy}: then every tick of the last quarter of a
    * second is remembered.
    */

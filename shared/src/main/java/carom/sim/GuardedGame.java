@@ -62,6 +62,11 @@ public final class GuardedGame implements Game {
   }
 
   @Override
+  public boolean keepsMore() {
+    return game.keepsMore();
+  }
+
+  @Override
   public boolean looksBack() {
     return game.looksBack();
   }

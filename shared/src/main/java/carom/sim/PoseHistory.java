@@ -2,6 +2,7 @@ package carom.sim;
 
 import carom.physics.Body;
 import carom.physics.Poses;
+import carom.physics.archive.Archive;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Transform;
 import java.util.Arrays;
@@ -23,6 +24,7 @@ final class PoseHistory implements Poses {
 
   private static final int FLOATS = 4;
   private static final int NEVER = Integer.MAX_VALUE;
+  private static final int MOST_BODIES = 1 << 22;
 
   private final Simulation simulation;
   private final int size;
@@ -218,5 +220,44 @@ final class PoseHistory implements Poses {
     Arrays.fill(to.bornAt, bornAt.length, to.bornAt.length, NEVER);
     to.newest = newest;
     to.moves = -1;
+  }
+
+  /** Passes the history through an archive; poses as what differs from the newest ones' bits. */
+  void pass(Archive a, int tick) {
+    int slots = bornAt.length;
+    while (slots > 0 && bornAt[slots - 1] == NEVER) {
+      slots--;
+    }
+    slots = a.count("remembered bodies", slots, MOST_BODIES, Integer.BYTES);
+    if (a.reads()) {
+      bornAt = new int[slots];
+    }
+    a.integers("first tick of body", bornAt, slots, 0, NEVER);
+    a.integers("remembered tick", tickAt, size, -1, tick);
+    a.numbers("way in a tick", moved, size, Float.MAX_VALUE);
+    newest = a.integer("newest remembered tick", newest, 0, tick);
+    int[] differences = new int[slots * FLOATS];
+    float[] last = poses[newest % size];
+    for (int back = 0; back < size; back++) {
+      int at = Math.floorMod(newest - back, size);
+      int held = Math.min(poses[at].length, differences.length);
+      int n = a.count("remembered poses", held, differences.length, Integer.BYTES);
+      boolean own = at != newest % size;
+      for (int i = 0; !a.reads() && i < n; i++) {
+        int before = own && i < last.length ? Float.floatToRawIntBits(last[i]) : 0;
+        differences[i] = Float.floatToRawIntBits(poses[at][i]) ^ before;
+      }
+      a.integers("remembered pose", differences, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
+      if (a.reads()) {
+        poses[at] = new float[slots * FLOATS];
+        last = poses[newest % size];
+        for (int i = 0; i < n; i++) {
+          int before = own ? Float.floatToRawIntBits(last[i]) : 0;
+          poses[at][i] = Float.intBitsToFloat(differences[i] ^ before);
+          a.require(Math.abs(poses[at][i]) < 1e30f, "remembered pose=" + poses[at][i]);
+        }
+      }
+    }
+    moves = -1;
   }
 }

@@ -1,12 +1,20 @@
 package carom.sim;
 
+import carom.physics.Body;
 import carom.physics.WorldState;
+import carom.physics.archive.Archive;
+import carom.physics.archive.ArchiveReader;
+import carom.physics.archive.ArchiveWriter;
+import java.util.Arrays;
 
 /**
  * A saved {@link Simulation}: arrays of its own, reused from save to save. Belongs to the
  * simulation that filled it; its contents are nobody else's business.
  */
 public final class SimState {
+  private static final int MAX_NAME = 1 << 16;
+  private static final int ENTITY_BYTES = 1 + 5 * Integer.BYTES;
+
   final Simulation owner;
   WorldState world;
   int tick;
@@ -28,6 +36,12 @@ public final class SimState {
   byte[] generations = {};
   PoseHistory history;
 
+  /** While it is read or written: each entity's body, and the entities in the order of these. */
+  private int[] slots = {};
+
+  private int[] slotsSorted = {};
+  private int[] bySlot = {};
+
   SimState(Simulation owner) {
     this.owner = owner;
   }
@@ -35,5 +49,175 @@ public final class SimState {
   /** The tick the state belongs to. */
   public int tick() {
     return tick;
+  }
+
+  /**
+   * Appends the state to an archive: all that {@link Simulation#stateHash} covers, names of
+   * players, and what {@link Simulation#asSeenBy} looks back at. {@link Simulation#read} reads it.
+   *
+   * @param archive receives it
+   * @throws IllegalArgumentException if the world has blown up, see {@link WorldState#write}
+   */
+  public void write(ArchiveWriter archive) {
+    pass(archive);
+    world.write(archive);
+  }
+
+  static SimState read(Simulation owner, ArchiveReader archive) {
+    SimState s = new SimState(owner);
+    s.pass(archive);
+    s.world = owner.world().read(archive, s::user);
+    for (int id = 0; id < s.entityCapacity; id++) {
+      if (s.entities[id] != null) {
+        s.embody(archive, id);
+      }
+    }
+    if (!archive.isEmpty()) {
+      throw archive.refused("bytes are left over");
+    }
+    return s;
+  }
+
+  private void pass(Archive a) {
+    Level level = owner.level();
+    long hash = a.bits("level", level.contentHash());
+    a.require(hash == level.contentHash(), "it belongs to another level than " + level.name());
+    int rate = a.integer("tick rate", owner.tickRate(), 1, 1_000);
+    a.require(
+        rate == owner.tickRate(), "tickRate=" + rate + " is not this one's " + owner.tickRate());
+    tick = a.integer("tick", tick, 0, Integer.MAX_VALUE);
+    random = a.bits("random", random);
+    int size = owner.memory().length;
+    memory = a.reads() ? new int[size] : memory;
+    int stored = a.count("memory", size, size, Integer.BYTES);
+    a.require(stored == size, "memory=" + stored + " ints, this game has " + size);
+    a.integers("memory", memory, size, Integer.MIN_VALUE, Integer.MAX_VALUE);
+    passEntities(a);
+    playerLimit = a.count("players", playerLimit, Simulation.MAX_PLAYERS, Integer.BYTES);
+    for (int id = 0; id < playerLimit; id++) {
+      if (a.flag("player", players[id] != null)) {
+        passPlayer(a, id);
+      }
+    }
+    if (a.flag("looking back", owner.looksBack())) {
+      a.require(owner.looksBack(), "this game doesn't look back");
+      if (a.reads()) {
+        history = new PoseHistory(owner);
+      }
+      history.pass(a, tick);
+    } else {
+      a.require(!owner.looksBack(), "this game looks back");
+    }
+  }
+
+  private void passPlayer(Archive a, int id) {
+    String name = a.text("name", players[id] == null ? "" : players[id].name(), MAX_NAME);
+    if (a.reads()) {
+      Player known = owner.player(id);
+      players[id] =
+          known != null && known.name().equals(name) ? known : new Player(owner, id, name);
+    }
+    int least = Integer.MIN_VALUE;
+    int most = Integer.MAX_VALUE;
+    int body = bodies[id] == null ? -1 : bodies[id].id();
+    body = a.integer("body of player", body, -1, entityCapacity - 1);
+    a.require(body < 0 || entities[body] != null, "player=" + id + " has no body=" + body);
+    bodies[id] = body < 0 ? null : entities[body];
+    scores[id] = a.integer("score", scores[id], least, most);
+    teams[id] = a.integer("team", teams[id], least, most);
+    inputs[id] = a.bits("input", inputs[id]);
+    viewDelays[id] = a.integer("view delay", viewDelays[id], 0, Player.MAX_VIEW_DELAY);
+    for (int i = id * Player.MEMORY_SIZE; i < (id + 1) * Player.MEMORY_SIZE; i++) {
+      playerMemory[i] = a.integer("player's memory", playerMemory[i], least, most);
+    }
+  }
+
+  private void passEntities(Archive a) {
+    int n = a.count("entities", entityCapacity, Simulation.MAX_ENTITIES, ENTITY_BYTES);
+    int[] kinds = new int[n];
+    int[] owners = new int[n];
+    if (a.reads()) {
+      entityCapacity = n;
+      entities = new Entity[n];
+      tags = new int[n];
+      teleports = new int[n];
+      generations = new byte[n];
+    }
+    slots = new int[n];
+    for (int id = 0; !a.reads() && id < n; id++) {
+      Entity e = entities[id];
+      kinds[id] = e == null ? -1 : e.archetype().index();
+      owners[id] = e == null ? Entity.NO_OWNER : e.ownerId();
+      slots[id] = e == null ? -1 : e.body().index();
+    }
+    a.bytes("generation of entity", generations, n, Byte.MIN_VALUE, Byte.MAX_VALUE);
+    a.integers("archetype of entity", kinds, n, -1, owner.archetypes().size() - 1);
+    a.integers("owner of entity", owners, n, Entity.NO_OWNER, Simulation.MAX_PLAYERS - 1);
+    a.integers("tag of entity", tags, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
+    a.integers("teleports of entity", teleports, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
+    a.integers("body of entity", slots, n, -1, Integer.MAX_VALUE);
+    for (int id = 0; a.reads() && id < n; id++) {
+      if (kinds[id] >= 0) {
+        a.require(slots[id] >= 0, "entity=" + id + " has no body");
+        entities[id] = entity(id, owner.archetypes().get(kinds[id]), owners[id]);
+        entityCount++;
+      }
+    }
+    if (a.reads()) {
+      listBySlot();
+    }
+  }
+
+  /** The one that is there, or another. */
+  private Entity entity(int id, Archetype kind, int ownerId) {
+    int generation = generations[id] & 0xff;
+    Entity known = owner.entity(id);
+    boolean same =
+        known != null
+            && known.generation() == generation
+            && known.archetype() == kind
+            && known.ownerId() == ownerId
+            && known.body().index() == slots[id];
+    return same ? known : new Entity(id, generation, kind, ownerId);
+  }
+
+  private void listBySlot() {
+    bySlot = new int[entityCapacity];
+    int n = 0;
+    for (int id = 0; id < entityCapacity; id++) {
+      if (entities[id] != null) {
+        bySlot[n++] = id;
+      }
+    }
+    long[] keys = new long[n];
+    for (int i = 0; i < n; i++) {
+      keys[i] = (long) slots[bySlot[i]] << 32 | bySlot[i];
+    }
+    Arrays.sort(keys);
+    bySlot = new int[n];
+    slotsSorted = new int[n];
+    for (int i = 0; i < n; i++) {
+      bySlot[i] = (int) keys[i];
+      slotsSorted[i] = (int) (keys[i] >>> 32);
+    }
+  }
+
+  /** The entity with the body in a slot; null for those of the level, which are known. */
+  private Entity user(int slot) {
+    int i = Arrays.binarySearch(slotsSorted, slot);
+    return i < 0 ? null : entities[bySlot[i]];
+  }
+
+  private void embody(ArchiveReader archive, int id) {
+    Body<Entity> body = owner.world().bodyIn(world, slots[id]);
+    if (body == null || body.user() != entities[id]) {
+      throw archive.refused("body=" + slots[id] + " isn't that of entity=" + id);
+    }
+    Entity e = entities[id];
+    if (e.body == null) {
+      e.body = body;
+    } else if (e.body != body) {
+      throw archive.refused("entity=" + id + " has another body=" + e.body.index());
+    }
   }
 }

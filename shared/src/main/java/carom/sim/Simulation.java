@@ -6,6 +6,7 @@ import carom.physics.Collision;
 import carom.physics.CollisionListener;
 import carom.physics.Queries;
 import carom.physics.World;
+import carom.physics.archive.ArchiveReader;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -739,6 +740,24 @@ public final class Simulation {
     if (history != null) {
       s.history.copyTo(history);
     }
+  }
+
+  /**
+   * Reads a state that {@link SimState#write} has written, of the same level, game and tick rate,
+   * to be taken over by {@link #restore}; this simulation isn't touched. Entities and players that
+   * are here already keep their objects. Trusts nothing, see {@link World#read}.
+   *
+   * @param archive read to its end
+   * @return the state, of this simulation
+   * @throws carom.physics.archive.ArchiveException if the bytes are damaged or belong elsewhere
+   */
+  public SimState read(ArchiveReader archive) {
+    return SimState.read(this, archive);
+  }
+
+  /** Whether the past is remembered. */
+  boolean looksBack() {
+    return history != null;
   }
 
   void requireAuthority(String what) {

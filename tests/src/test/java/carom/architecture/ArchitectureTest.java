@@ -79,7 +79,7 @@ final class ArchitectureTest {
     allow("carom.net.transport", "carom.net.protocol");
     allow("carom.net.kryo", "carom.net.protocol", "carom.net.transport", "carom.net.codec");
     allow("carom.options", "carom.net.transport");
-    allow("carom.replay", "carom.sim", "carom.physics", "carom.game");
+    allow("carom.replay", "carom.sim", "carom.physics", "carom.physics.archive", "carom.game");
     allow(
         "carom.server..",
         "carom.server..",

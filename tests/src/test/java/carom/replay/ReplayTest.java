@@ -18,12 +18,16 @@ import carom.sim.Level;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.scene.Scene;
+import carom.sim.scene.SceneGame;
+import carom.sim.scene.Scenes;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -92,6 +96,69 @@ final class ReplayTest {
       assertEquals(hashes.get(0), replay.simulation().tick());
       assertEquals(hashes.get(1), replay.simulation().stateHash());
       assertTrue(replay.simulation().tick() > 600);
+    }
+  }
+
+  /** Recorded from the third second on, at another place than at the start of the room. */
+  @ParameterizedTest
+  @ValueSource(strings = {"arena", "platformer"})
+  void aRecordingMayBeginInTheMiddleOfTheGame(String game) throws Exception {
+    Blocks blocks = new Blocks();
+    int begin;
+    int end;
+    long hash;
+    try (Stepper stepper = Stepper.of(game)) {
+      List<SimulatedClient> bots = new ArrayList<>();
+      for (int i = 0; i < 8; i++) {
+        bots.add(stepper.add(bot(i), BAD, new Bot(Stepper.SEED + i)));
+      }
+      stepper.run(3);
+      bots.get(2).leave();
+      stepper.run(1);
+      begin = stepper.room().simulation().tick();
+      stepper.room().record(blocks);
+      stepper.run(4);
+      end = stepper.room().simulation().tick();
+      hash = stepper.room().simulation().stateHash();
+    }
+    try (RecordingReader reader = RecordingReader.open(blocks.write(folder.resolve("g.carom")))) {
+      Replay replay = new Replay(reader);
+      playOn(replay);
+      assertNull(replay.divergence(), () -> "seed=" + Stepper.SEED + " " + replay.divergence());
+      assertEquals(begin, replay.firstTick());
+      assertEquals(end, replay.simulation().tick());
+      assertEquals(hash, replay.simulation().stateHash());
+    }
+  }
+
+  /** A long duel: jumping to a whole state and playing on comes to where computing all does. */
+  @Test
+  void aReplayMayBeginAtAnyStateOnTheWay() throws Exception {
+    int minute = Recorder.STATE_SECONDS * 60;
+    Path file = duel(2 * minute + 100).write(folder.resolve("long.carom"));
+    long hash;
+    try (RecordingReader reader = RecordingReader.open(file)) {
+      Replay replay = new Replay(reader);
+      playOn(replay);
+      assertNull(replay.divergence());
+      hash = replay.simulation().stateHash();
+      assertEquals(minute, replay.stateBefore(2 * minute - 1));
+      assertEquals(2 * minute, replay.stateBefore(Integer.MAX_VALUE));
+      assertEquals(-1, replay.stateBefore(minute - 1));
+      assertTrue(replay.goToStateBefore(minute));
+      assertEquals(minute, replay.simulation().tick());
+      playOn(replay);
+      assertNull(replay.divergence());
+      assertEquals(hash, replay.simulation().stateHash());
+    }
+    try (RecordingReader reader = RecordingReader.open(file)) {
+      Replay replay = new Replay(reader);
+      assertFalse(replay.goToStateBefore(5));
+      assertTrue(replay.goToStateBefore(2 * minute + 50));
+      assertEquals(2 * minute, replay.firstTick());
+      playOn(replay);
+      assertNull(replay.divergence());
+      assertEquals(hash, replay.simulation().stateHash());
     }
   }
 
@@ -219,13 +286,46 @@ final class ReplayTest {
   }
 
   @Test
-  void aRecordingBeginsAtTickZero() throws Exception {
-    Simulation s = start();
+  void theRecordingOfAGameThatKeepsMoreThanItsStateBeginsAtTickZero() throws Exception {
+    Scene car = Scenes.get("car");
+    Simulation s =
+        new Simulation(new SceneGame(car), SceneGame.level(car), 1, car.tickRate(), Role.AUTHORITY);
     s.step();
     IllegalArgumentException e =
         assertThrows(
             IllegalArgumentException.class,
             () -> new Recorder(s, RecordingHeader.of(s, 7, 99), new Blocks()));
     assertTrue(e.getMessage().contains("tick=1"), e.getMessage());
+  }
+
+  /** A state whose bytes were changed, checksum and all, is refused or shown to be another. */
+  @Test
+  void aDamagedStateIsTold() throws Exception {
+    Simulation s = start();
+    s.join("one").input().move(1, 0);
+    for (int i = 0; i < 50; i++) {
+      s.step();
+    }
+    Blocks blocks = new Blocks();
+    Recorder recorder = new Recorder(s, RecordingHeader.of(s, 7, 99), blocks);
+    s.journal(recorder);
+    s.step();
+    recorder.end("done");
+    byte[] good = blocks.blocks.get(1).bytes();
+    Random random = new Random(Stepper.SEED);
+    int refused = 0;
+    for (int round = 0; round < 300; round++) {
+      byte[] bad = good.clone();
+      int at = random.nextInt(bad.length);
+      bad[at] = (byte) (bad[at] ^ 1 << random.nextInt(8));
+      blocks.blocks.set(1, new Blocks.Raw(Block.STATE, bad));
+      Path file = blocks.write(folder.resolve("bad" + round + ".carom"));
+      try (RecordingReader reader = RecordingReader.open(file)) {
+        playOn(new Replay(reader));
+      } catch (RecordingException e) {
+        refused++;
+      }
+    }
+    assertTrue(refused > 50, "refused=" + refused); // many bits are of what could be looked back at
   }
 }

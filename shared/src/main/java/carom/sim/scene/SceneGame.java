@@ -87,6 +87,12 @@ public final class SceneGame implements Game {
     return PREFIX + scene.name();
   }
 
+  /** Scenes are built of actions that remember what they did. */
+  @Override
+  public boolean keepsMore() {
+    return true;
+  }
+
   @Override
   public String defaultLevel() {
     return scene.name();
