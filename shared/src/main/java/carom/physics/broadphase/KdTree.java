@@ -451,6 +451,16 @@ public final class KdTree implements SpatialIndex {
     workBoxes.set(at, boxes.minX(id), boxes.minY(id), boxes.maxX(id), boxes.maxY(id));
   }
 
+  /** Writes the ids in the order of the leaves, near ones near each other; answers how many. */
+  int order(int[] out) {
+    int to = 0;
+    for (int leaf = 0; leaf < leaves; leaf++) {
+      System.arraycopy(ids, leaf * SLOTS, out, to, fill[leaf]);
+      to += fill[leaf];
+    }
+    return to;
+  }
+
   // ---------------------------------------------------------------- following motion
 
   /**
