@@ -6,6 +6,7 @@ import carom.physics.threads.WorkerThreads;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.recording.RecordingFile;
+import carom.server.recording.RotatingRecording;
 import carom.server.recording.Showing;
 import carom.server.room.Room;
 import carom.server.session.Seats;
@@ -58,6 +59,7 @@ public final class Server implements AutoCloseable {
   private final Lobby lobby;
   private final StatusLine status;
   private final List<Showing> recordings = new ArrayList<>();
+  private final List<RotatingRecording> rotations = new ArrayList<>();
   private final List<Worker> workers = new ArrayList<>();
   private final CountDownLatch ended = new CountDownLatch(1);
   private long nextStatusNs;
@@ -119,6 +121,27 @@ public final class Server implements AutoCloseable {
       record(room, RecordingFile.fileFor(target, config.gameName(), number), false);
     }
     return recordings.stream().map(recording -> recording.file().path()).toList();
+  }
+
+  /**
+   * Records every room from its first tick on into one file after the other; before the first
+   * {@link #tick} or {@link #start}. Not together with {@link #show}, which shows one file.
+   *
+   * @param folder where the files go
+   * @param minutes how long a game each holds, at least 1
+   * @param keep how many are kept of each room; 0 = all
+   * @throws IOException when a file can't be created
+   * @throws IllegalArgumentException when the game can be recorded from tick 0 on only
+   */
+  public void recordRotating(Path folder, int minutes, int keep) throws IOException {
+    for (Room room : rooms) {
+      int number = rooms.size() == 1 ? 0 : room.number();
+      RotatingRecording files =
+          new RotatingRecording(
+              () -> RecordingFile.fileFor(folder, config.gameName(), number), keep);
+      rotations.add(files);
+      room.record(files, minutes * 60 * config.tickRateHz());
+    }
   }
 
   private void record(Room room, Path path, boolean temporary) throws IOException {
@@ -340,6 +363,7 @@ public final class Server implements AutoCloseable {
       helpers.close();
     }
     recordings.forEach(Showing::close);
+    rotations.forEach(RotatingRecording::close);
     transport.close();
     ended.countDown();
   }

@@ -85,6 +85,8 @@ public final class ServerMain implements Callable<Integer> {
   private static final int MAX_PORT = 65_535;
   private static final int MAX_SPECTATOR_DELAY_S = 3_600;
   private static final int MAX_GRACE_S = 600;
+  private static final int MAX_ROTATE_MIN = 1_440;
+  private static final int MAX_KEPT = 10_000;
 
   /** Bodies of a level that is rehearsed itself; for a larger one the game's own level is. */
   private static final int MOST_REHEARSED = 1000;
@@ -210,6 +212,24 @@ public final class ServerMain implements Callable<Integer> {
           "Record the game to this new file, or to a new file in this folder; 'carom replay FILE'"
               + " computes it again.")
   private Path record;
+
+  @Option(
+      names = "--record-rotate",
+      paramLabel = "MIN",
+      defaultValue = "0",
+      description =
+          "Begin another file in the folder of --record every MIN minutes, 1..1440, each playable"
+              + " by itself; 0 = never (${DEFAULT-VALUE}).")
+  private int recordRotateMin;
+
+  @Option(
+      names = "--record-keep",
+      paramLabel = "N",
+      defaultValue = "0",
+      description =
+          "With --record-rotate: keep the last N files of this run and each room, 1..10000; 0 = all"
+              + " (${DEFAULT-VALUE}).")
+  private int recordKeep;
 
   @Option(
       names = "--spectator-delay",
@@ -371,6 +391,17 @@ public final class ServerMain implements Callable<Integer> {
       throw bad("--record=" + record + " is no folder; --rooms=" + rooms + " need one");
     }
     requireRange("--spectator-delay", spectatorDelayS, MAX_SPECTATOR_DELAY_S);
+    requireRange("--record-rotate", recordRotateMin, MAX_ROTATE_MIN);
+    requireRange("--record-keep", recordKeep, MAX_KEPT);
+    if (recordRotateMin > 0 && (record == null || !Files.isDirectory(record))) {
+      throw bad("--record-rotate=" + recordRotateMin + " needs a folder; give one by --record");
+    }
+    if (recordRotateMin > 0 && spectatorDelayS > 0) {
+      throw bad("--record-rotate and --spectator-delay can't be combined: spectators see one file");
+    }
+    if (recordKeep > 0 && recordRotateMin == 0) {
+      throw bad("--record-keep=" + recordKeep + " needs --record-rotate");
+    }
     if (network.problem() != null) {
       throw bad(network.problem());
     }
@@ -416,7 +447,12 @@ public final class ServerMain implements Callable<Integer> {
     Server server = new Server(config, games, chosenLevel, transport, System::nanoTime);
     if (record != null) {
       try {
-        server.record(record).forEach(file -> log.info("recording: {}", file));
+        if (recordRotateMin > 0) {
+          server.recordRotating(record, recordRotateMin, recordKeep);
+          log.info("recording: {}, another file every {} min", record, recordRotateMin);
+        } else {
+          server.record(record).forEach(file -> log.info("recording: {}", file));
+        }
       } catch (FileAlreadyExistsException e) {
         server.close();
         logging.stop();
@@ -425,6 +461,10 @@ public final class ServerMain implements Callable<Integer> {
         server.close();
         logging.stop();
         return refuse("--record=" + record + " can't be written: " + e, FAILED);
+      } catch (IllegalArgumentException e) {
+        server.close();
+        logging.stop();
+        throw bad("--record-rotate: " + e.getMessage());
       }
     }
     if (spectatorDelayS > 0) {

@@ -12,7 +12,9 @@ import carom.client.ClientConfig;
 import carom.client.PredictionMode;
 import carom.client.bots.Bot;
 import carom.game.Games;
+import carom.net.protocol.GoodbyeReason;
 import carom.net.transport.Impairment;
+import carom.server.recording.RotatingRecording;
 import carom.sim.Input;
 import carom.sim.Level;
 import carom.sim.Player;
@@ -23,6 +25,7 @@ import carom.sim.scene.SceneGame;
 import carom.sim.scene.Scenes;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -129,6 +132,45 @@ final class ReplayTest {
       assertEquals(end, replay.simulation().tick());
       assertEquals(hash, replay.simulation().stateHash());
     }
+  }
+
+  /** Three files after each other, of which two are kept; each goes on where the last one ended. */
+  @Test
+  void filesThatFollowEachOtherAreWholeRecordings() throws Exception {
+    List<Path> files = new ArrayList<>();
+    long hash;
+    try (Stepper stepper = Stepper.of("arena")) {
+      RotatingRecording recording =
+          new RotatingRecording(
+              () -> {
+                files.add(folder.resolve("rotated" + files.size() + ".carom"));
+                return files.get(files.size() - 1);
+              },
+              2);
+      stepper.room().record(recording, 120);
+      for (int i = 0; i < 4; i++) {
+        stepper.add(bot(i), BAD, new Bot(Stepper.SEED + i));
+      }
+      stepper.run(5);
+      hash = stepper.room().simulation().stateHash();
+      stepper.room().close(GoodbyeReason.SERVER_STOPPING, "", stepper.nowNs());
+      recording.close();
+    }
+    assertTrue(files.size() >= 3, "files=" + files);
+    assertFalse(Files.exists(files.get(files.size() - 3)));
+    int last = -1;
+    long end = 0;
+    for (Path file : files.subList(files.size() - 2, files.size())) {
+      try (RecordingReader reader = RecordingReader.open(file)) {
+        Replay replay = new Replay(reader);
+        playOn(replay);
+        assertNull(replay.divergence());
+        assertTrue(last < 0 || replay.firstTick() == last, "begins at " + replay.firstTick());
+        last = replay.simulation().tick();
+        end = replay.simulation().stateHash();
+      }
+    }
+    assertEquals(hash, end);
   }
 
   /** A long duel: jumping to a whole state and playing on comes to where computing all does. */

@@ -24,6 +24,8 @@ import org.slf4j.LoggerFactory;
  * is full, the disk fails or the file is too large, the recording is cut: it ends there, and its
  * last block says so if it still can be written.
  *
+ * <p>The file is closed after its last block, or by {@link #close}.
+ *
  * <p>{@link #take} belongs to the room's thread, {@link #close} to anybody.
  */
 public final class RecordingFile implements BlockSink, AutoCloseable {
@@ -129,6 +131,9 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
         writtenBytes = writer.written();
         synchronized (ends) {
           ends.add(writer.written());
+        }
+        if (item.type == Block.END) {
+          return;
         }
         spare.add(item);
       }

@@ -16,6 +16,7 @@ import carom.replay.RecordingHeader;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
+import carom.server.recording.RotatingRecording;
 import carom.server.replication.FrameCapture;
 import carom.server.replication.OwnCapture;
 import carom.server.session.PartingLinks;
@@ -28,6 +29,7 @@ import carom.sim.Level;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
@@ -103,6 +105,9 @@ public final class Room {
   private final int[] rosterScores;
   private final AtomicInteger seatsAskedFor = new AtomicInteger();
   private Recorder recorder;
+  private RotatingRecording rotation;
+  private int rotationTicks;
+  private int rotateAt;
   private int failedTicks;
   private int announcedTick;
   private float announcements = MAX_ANNOUNCEMENTS;
@@ -158,8 +163,8 @@ public final class Room {
   }
 
   /**
-   * Records the game from its first tick on, before the first {@link #doWork}. The last block tells
-   * why it ended when the room closes.
+   * Records the game from now on, between two ticks. The last block tells why it ended when the
+   * room closes.
    *
    * @param sink takes the blocks, on the room's thread; stays the caller's to close
    */
@@ -168,6 +173,39 @@ public final class Room {
         new Recorder(
             simulation, RecordingHeader.of(simulation, seed, Protocol.physicsDigest()), sink);
     simulation.journal(recorder);
+  }
+
+  /**
+   * Records the game into one file after the other, from now on; before the first {@link #doWork}.
+   *
+   * @param files stay the caller's to close
+   * @param ticks how many go into a file, at least 1
+   * @throws IOException when the first file can't be created
+   * @throws IllegalArgumentException when the game {@linkplain carom.sim.Game#keepsMore keeps more}
+   *     than its state, so that only one file can begin
+   */
+  public void record(RotatingRecording files, int ticks) throws IOException {
+    if (simulation.game().keepsMore()) {
+      throw new IllegalArgumentException(
+          "game=" + simulation.game().name() + " can be recorded into one file only");
+    }
+    record(files.next());
+    rotation = files;
+    rotationTicks = ticks;
+    rotateAt = simulation.tick() + ticks;
+  }
+
+  private void rotateRecording() {
+    recorder.end("ROTATED");
+    try {
+      record(rotation.next());
+      rotateAt = simulation.tick() + rotationTicks;
+    } catch (IOException | IllegalArgumentException e) {
+      LOG.error("{}no recording from tick {} on: {}", label, simulation.tick(), e.toString());
+      recorder = null;
+      simulation.journal(null);
+      counters.add(Counter.RECORDINGS_CUT, 1);
+    }
   }
 
   /**
@@ -288,6 +326,9 @@ public final class Room {
       simulation.journal(null);
       counters.add(Counter.RECORDINGS_CUT, 1);
       LOG.error("{}the recording ends at tick {}; the game goes on", label, tick);
+    }
+    if (recorder != null && rotation != null && simulation.tick() >= rotateAt) {
+      rotateRecording();
     }
   }
 
