@@ -33,20 +33,20 @@ final class DeterminismTest {
   private static final String GOLDEN =
       """
       STACK bfdc5c5665fdacb0 2f8fd5b754627dcd
-      PYRAMID 479ee25b69ba408 15e706f6781c8d50
-      PILE 5609b6ec34826b1b 8071b40088c8aa38
+      PYRAMID cda05d7dd3934e8d ec9f65103420e7f9
+      PILE c5db622ac2049721 88d3aba7796f5380
       GAS 4aa9418313882995 b2bf88269a94facd
       SPIN e89912b028d541c0 f9f5085f30978756
       NET cad8e74c34bfbd8 11
-      JOINTS 1df3c0e205f91414 97dfedb9e93534a2
+      JOINTS f7303f8feb17c4ee e6020dccf5d9a78
       BELTS 1584a0f95823e198 b98c309a7312afe6
       CHAINS de73ad4d068873f5 3df11dec5926c9b1
       ROUND 7b642d3cbc0e363e c979a5417d435c8
-      BULLETS ae616a9ddd96b9f8 77aa896e3d3b63e0
-      SLEEPERS 8571e45e9d138560 9043d612357f95cd
-      EDITS e7db78f91a521316 6a09ae419701c37d
+      BULLETS 3cd8c0e258a0dcd5 ed569a6b02ecb994
+      SLEEPERS 44a7f9a9a645a115 b26b9abd94b750d
+      EDITS eecbfe2399f177e2 f7f90216973ca47c
       WATER e5682c65d64fb51e 7239916d48d8d6bb
-      EULER e98c3d053292ead1 bf57e45af8025fd8
+      EULER ece0bfe2d2bdec5c e414b17e9518fa1b
       """;
 
   @Test

@@ -48,7 +48,7 @@ public final class Collider {
    * Gap, metres, below which the direction between two vertices is not trusted and a face normal
    * serves.
    */
-  private static final float TOUCHING = 1e-5f;
+  static final float TOUCHING = 1e-5f;
 
   /**
    * B's face must be better by this much, metres, to be preferred to A's while shapes overlap...
@@ -59,9 +59,6 @@ public final class Collider {
    * ...or by this part of the smaller shape's first edge, whichever is less: shapes may be tiny.
    */
   private static final float RELATIVE_FACE_BIAS = 0.01f;
-
-  /** Faces of two boxes that differ by less than this part of the boxes' sizes are equally good. */
-  private static final float ROUNDING = 1e-6f;
 
   /** Bits of a vertex or edge in a hint. */
   private static final int HINT_BITS = 8;
@@ -76,6 +73,7 @@ public final class Collider {
   private final float[] bny = new float[Convex.MAX_VERTICES];
 
   private final RoundCollider round = new RoundCollider();
+  private final BoxCollider box = new BoxCollider();
 
   // Results of the last search for a face.
   private float faceSeparation;
@@ -85,6 +83,7 @@ public final class Collider {
   private int hint;
   private float gap;
   private boolean ofB;
+  private boolean ofCorners;
 
   /** Makes a collider with its own scratch memory. */
   public Collider() {}
@@ -128,8 +127,10 @@ public final class Collider {
       int startAt,
       Manifold out) {
     hint = startAt;
+    ofCorners = false;
     if (!(a.isSimple() && b.isSimple())) {
       round.collide(a, ta, b, tb, speculativeDistance, out);
+      gap = round.gap();
     } else if (a instanceof Circle circleA) {
       if (b instanceof Circle circleB) {
         circles(circleA, ta, circleB, tb, speculativeDistance, out);
@@ -139,13 +140,11 @@ public final class Collider {
       }
     } else if (b instanceof Circle circleB) {
       polygonCircle(a, ta, circleB, tb, speculativeDistance, out);
-    } else if (a instanceof Box boxA
-        && b instanceof Box boxB
-        && ta.isUnrotated()
-        && tb.isUnrotated()) {
-      boxes(boxA, ta, boxB, tb, speculativeDistance, out);
     } else if (a instanceof Box boxA && b instanceof Box boxB) {
-      turnedBoxes(boxA, ta, boxB, tb, speculativeDistance, out);
+      box.collide(boxA, ta, boxB, tb, speculativeDistance, out);
+      gap = box.gap();
+      ofB = box.ofB();
+      ofCorners = box.ofCorners();
     } else {
       polygons(a, ta, b, tb, speculativeDistance, out);
     }
@@ -162,11 +161,11 @@ public final class Collider {
   }
 
   /**
-   * After two polygons without a point in common: how far apart they are at least, along the normal
-   * of some face.
+   * After two shapes without a contact point: how far apart they are at least.
    *
-   * @return m; may be below the speculative distance if a corner decided; meaningless if a shape
-   *     was round
+   * @return m, measured along the normal of some face or between the closest points; may be below
+   *     the speculative distance if a corner decided, or because a one-sided segment lets the other
+   *     pass; meaningless for two discs
    */
   public float gap() {
     return gap;
@@ -179,6 +178,16 @@ public final class Collider {
    */
   public boolean ofB() {
     return ofB;
+  }
+
+  /**
+   * After two polygons with a point in common: whether its normal is the direction between two
+   * corners that are apart. Its id names them.
+   *
+   * @return false if the normal is that of a face; meaningless if a shape was round
+   */
+  public boolean ofCorners() {
+    return ofCorners;
   }
 
   /** One of the four numbers in a hint, 0 if there is no such vertex. */
@@ -218,29 +227,18 @@ public final class Collider {
     float cx = ta.cos * worldX + ta.sin * worldY;
     float cy = ta.cos * worldY - ta.sin * worldX;
     float radius = b.radius();
-    int count = a.vertexCount();
-    int edge = hinted(hint, 0, count);
-    float best =
-        a.normalX(edge) * (cx - a.vertexX(edge)) + a.normalY(edge) * (cy - a.vertexY(edge));
-    int i = edge;
-    for (int left = count; left > 1; left--) {
-      i = i + 1 == count ? 0 : i + 1;
-      float s = a.normalX(i) * (cx - a.vertexX(i)) + a.normalY(i) * (cy - a.vertexY(i));
-      if (s >= best && (s > best || i < edge)) {
-        best = s;
-        edge = i;
-      }
-    }
-    hint = edge;
-    if (!(best - radius <= speculative)) {
+    float best = a instanceof Box box ? faceOfBox(box, cx, cy) : faceNearest(a, cx, cy);
+    gap = best - radius;
+    if (!(gap <= speculative)) {
       out.clear();
       return;
     }
+    int edge = faceEdge;
     float nx = a.normalX(edge);
     float ny = a.normalY(edge);
     float distance = best;
     if (best > 0) {
-      int next = edge + 1 == count ? 0 : edge + 1;
+      int next = edge + 1 == a.vertexCount() ? 0 : edge + 1;
       int corner = -1;
       // Along the edge, counter-clockwise, is (-ny, nx).
       if (nx * (cy - a.vertexY(edge)) - ny * (cx - a.vertexX(edge)) < 0) {
@@ -256,8 +254,8 @@ public final class Collider {
         ny = dy / distance;
       }
     }
-    float separation = distance - radius;
-    if (!(separation <= speculative)) {
+    gap = distance - radius;
+    if (!(gap <= speculative)) {
       out.clear();
       return;
     }
@@ -265,7 +263,44 @@ public final class Collider {
     float px = cx - back * nx;
     float py = cy - back * ny;
     out.set(ta.rotateX(nx, ny), ta.rotateY(nx, ny), 1);
-    out.setPoint0(ta.rotateX(px, py), ta.rotateY(px, py), separation, 0);
+    out.setPoint0(ta.rotateX(px, py), ta.rotateY(px, py), gap, 0);
+  }
+
+  /**
+   * How far a point is above the face of a polygon that it is furthest above; of equal ones that of
+   * the lowest index. The search starts where it ended last.
+   */
+  private float faceNearest(Convex a, float x, float y) {
+    int count = a.vertexCount();
+    int edge = hinted(hint, 0, count);
+    float best = a.normalX(edge) * (x - a.vertexX(edge)) + a.normalY(edge) * (y - a.vertexY(edge));
+    int i = edge;
+    for (int left = count; left > 1; left--) {
+      i = i + 1 == count ? 0 : i + 1;
+      float s = a.normalX(i) * (x - a.vertexX(i)) + a.normalY(i) * (y - a.vertexY(i));
+      if (s >= best && (s > best || i < edge)) {
+        best = s;
+        edge = i;
+      }
+    }
+    hint = edge;
+    faceEdge = edge;
+    return best;
+  }
+
+  /** As {@link #faceNearest}, bit for bit, without branches. */
+  private float faceOfBox(Box a, float x, float y) {
+    float below = a.vertexY(0) - y;
+    float right = x - a.vertexX(2);
+    float above = y - a.vertexY(2);
+    float left = a.vertexX(0) - x;
+    float first = Math.max(below, right);
+    float second = Math.max(above, left);
+    // Later faces only win if they are strictly better.
+    int early = choose(sign(below - right), 1, 0);
+    int late = choose(sign(above - left), 3, 2);
+    faceEdge = choose(sign(first - second), late, early);
+    return Math.max(first, second);
   }
 
   /** Turns a manifold of (B, A) into that of (A, B). */
@@ -279,86 +314,12 @@ public final class Collider {
   }
 
   /**
-   * Two unrotated boxes: the same decisions as {@link #polygons} with most of the arithmetic gone.
-   */
-  private void boxes(Box a, Transform ta, Box b, Transform tb, float speculative, Manifold out) {
-    float shiftX = tb.x - ta.x;
-    float shiftY = tb.y - ta.y;
-    float aMinX = a.vertexX(0);
-    float aMinY = a.vertexY(0);
-    float aMaxX = a.vertexX(2);
-    float aMaxY = a.vertexY(2);
-    float bMinX = b.vertexX(0) + shiftX;
-    float bMinY = b.vertexY(0) + shiftY;
-    float bMaxX = b.vertexX(2) + shiftX;
-    float bMaxY = b.vertexY(2) + shiftY;
-    float best = aMinY - bMaxY;
-    int edge = 0;
-    if (bMinX - aMaxX > best) {
-      best = bMinX - aMaxX;
-      edge = 1;
-    }
-    if (bMinY - aMaxY > best) {
-      best = bMinY - aMaxY;
-      edge = 2;
-    }
-    if (aMinX - bMaxX > best) {
-      best = aMinX - bMaxX;
-      edge = 3;
-    }
-    gap = best;
-    ofB = false;
-    if (!(best <= speculative)) {
-      out.clear();
-      return;
-    }
-    boolean horizontal = (edge & 1) == 1;
-    float low = horizontal ? Math.max(aMinY, bMinY) : Math.max(aMinX, bMinX);
-    float high = horizontal ? Math.min(aMaxY, bMaxY) : Math.min(aMaxX, bMaxX);
-    float sign = edge == 1 || edge == 2 ? 1 : -1;
-    float nx = horizontal ? sign : 0;
-    float ny = horizontal ? 0 : sign;
-    // Along the reference edge, counter-clockwise, v1 comes first: at the low end of edges 0 and 1,
-    // at the high end of 2 and 3.
-    boolean rising = edge < 2;
-    if (low >= high) {
-      boolean above = horizontal ? bMinY >= aMaxY : bMinX >= aMaxX;
-      int vertexA = above == rising ? (edge + 1) & 3 : edge;
-      int vertexB = above == rising ? (edge + 3) & 3 : (edge + 2) & 3;
-      cornerPoint(
-          a.vertexX(vertexA),
-          a.vertexY(vertexA),
-          b.vertexX(vertexB) + shiftX,
-          b.vertexY(vertexB) + shiftY,
-          best,
-          nx,
-          ny,
-          vertexA << 8 | vertexB,
-          speculative,
-          out);
-      return;
-    }
-    float face = horizontal ? (sign > 0 ? aMaxX : aMinX) : (sign > 0 ? aMaxY : aMinY);
-    float middle = face + 0.5f * best * sign;
-    float first = rising ? low : high;
-    float second = rising ? high : low;
-    int idFirst = edge << 8 | ((edge + 3) & 3);
-    int idSecond = ((edge + 1) & 3) << 8 | ((edge + 2) & 3);
-    out.set(nx, ny, 2);
-    if (horizontal) {
-      out.setPoint0(middle, first, best, idFirst);
-      out.setPoint1(middle, second, best, idSecond);
-    } else {
-      out.setPoint0(first, middle, best, idFirst);
-      out.setPoint1(second, middle, best, idSecond);
-    }
-  }
-
-  /**
    * One point for two vertices, p of A and q of B, that face each other: with a gap their direction
    * and distance, else the given face normal (from A to B) and its separation.
+   *
+   * @return whether the normal is that of their direction
    */
-  private static void cornerPoint(
+  static boolean cornerPoint(
       float px,
       float py,
       float qx,
@@ -372,7 +333,8 @@ public final class Collider {
     float separation = faceSeparation;
     float x = nx;
     float y = ny;
-    if (faceSeparation > TOUCHING) {
+    boolean apart = faceSeparation > TOUCHING;
+    if (apart) {
       float dx = qx - px;
       float dy = qy - py;
       separation = length(dx, dy);
@@ -381,10 +343,11 @@ public final class Collider {
     }
     if (!(separation <= speculative)) {
       out.clear();
-      return;
+      return false;
     }
     out.set(x, y, 1);
     out.setPoint0(0.5f * (px + qx), 0.5f * (py + qy), separation, id);
+    return apart;
   }
 
   private void polygons(
@@ -430,7 +393,7 @@ public final class Collider {
     float bias = 0;
     if (faceSeparation <= TOUCHING) {
       float edge = Math.min(firstEdge(a), firstEdge(bx, by));
-      bias = Math.min(FACE_BIAS, RELATIVE_FACE_BIAS * edge);
+      bias = faceBias(edge);
     }
     ofB = faceSeparation > separationA + bias;
     if (ofB) {
@@ -486,6 +449,11 @@ public final class Collider {
     if (out.count > 0) {
       toWorldAxes(ta, out);
     }
+  }
+
+  /** By how much B's face must be better, m, if the smaller of the first edges is so long. */
+  static float faceBias(float firstEdge) {
+    return Math.min(FACE_BIAS, RELATIVE_FACE_BIAS * firstEdge);
   }
 
   private static float firstEdge(Convex a) {
@@ -596,147 +564,14 @@ public final class Collider {
   }
 
   /**
-   * Two boxes, at least one of them turned: the same decisions as {@link #polygons}, but the faces
-   * are found without looking at vertices, as along a box's axis the other one reaches as far as
-   * the projections of its half sizes. Only the two edges that face each other are then made.
-   */
-  private void turnedBoxes(
-      Box a, Transform ta, Box b, Transform tb, float speculative, Manifold out) {
-    float worldX = tb.x - ta.x;
-    float worldY = tb.y - ta.y;
-    float x = ta.cos * worldX + ta.sin * worldY;
-    float y = ta.cos * worldY - ta.sin * worldX;
-    float cos = ta.cos * tb.cos + ta.sin * tb.sin;
-    float sin = ta.cos * tb.sin - ta.sin * tb.cos;
-    float dx = x + cos * b.centerX() - sin * b.centerY() - a.centerX();
-    float dy = y + sin * b.centerX() + cos * b.centerY() - a.centerY();
-    float c = Math.abs(cos);
-    float s = Math.abs(sin);
-    float aw = a.halfWidth();
-    float ah = a.halfHeight();
-    float bw = b.halfWidth();
-    float bh = b.halfHeight();
-    float gapAx = Math.abs(dx) - aw - (c * bw + s * bh);
-    float gapAy = Math.abs(dy) - ah - (s * bw + c * bh);
-    gap = Math.max(gapAx, gapAy);
-    if ((sign(speculative - gapAx) | sign(speculative - gapAy)) != 0) {
-      out.clear();
-      return;
-    }
-    float ex = -(cos * dx + sin * dy);
-    float ey = sin * dx - cos * dy;
-    float gapBx = Math.abs(ex) - bw - (c * aw + s * ah);
-    float gapBy = Math.abs(ey) - bh - (s * aw + c * ah);
-    float separationA = gap;
-    float separationB = Math.max(gapBx, gapBy);
-    gap = Math.max(separationA, separationB);
-    if ((sign(speculative - gapBx) | sign(speculative - gapBy)) != 0) {
-      out.clear();
-      return;
-    }
-    float bias = ROUNDING * (aw + ah + bw + bh);
-    if (separationB <= TOUCHING) {
-      bias += Math.min(FACE_BIAS, RELATIVE_FACE_BIAS * 2 * Math.min(aw, bw));
-    }
-    ofB = separationB > separationA + bias;
-    if (ofB) {
-      int edge = boxEdge(gapBx, gapBy, ex, ey);
-      // A's faces in B's frame are turned by the opposite angle.
-      int facing = facingEdge(edge, cos, -sin);
-      boxCorner(b, edge, cos, sin, x, y, bx, by);
-      boxCorner(b, edge + 1 & 3, cos, sin, x, y, bx, by);
-      ax[facing] = a.vertexX(facing);
-      ay[facing] = a.vertexY(facing);
-      int after = facing + 1 & 3;
-      ax[after] = a.vertexX(after);
-      ay[after] = a.vertexY(after);
-      float nx = cos * b.normalX(edge) - sin * b.normalY(edge);
-      float ny = sin * b.normalX(edge) + cos * b.normalY(edge);
-      clip(
-          bx,
-          by,
-          edge,
-          edge + 1 & 3,
-          nx,
-          ny,
-          ax,
-          ay,
-          facing,
-          after,
-          separationB,
-          true,
-          speculative,
-          out);
-    } else {
-      int edge = boxEdge(gapAx, gapAy, dx, dy);
-      int facing = facingEdge(edge, cos, sin);
-      boxCorner(b, facing, cos, sin, x, y, bx, by);
-      boxCorner(b, facing + 1 & 3, cos, sin, x, y, bx, by);
-      ax[edge] = a.vertexX(edge);
-      ay[edge] = a.vertexY(edge);
-      int after = edge + 1 & 3;
-      ax[after] = a.vertexX(after);
-      ay[after] = a.vertexY(after);
-      clip(
-          ax,
-          ay,
-          edge,
-          after,
-          a.normalX(edge),
-          a.normalY(edge),
-          bx,
-          by,
-          facing,
-          facing + 1 & 3,
-          separationA,
-          false,
-          speculative,
-          out);
-    }
-    if (out.count > 0) {
-      toWorldAxes(ta, out);
-    }
-  }
-
-  /** Writes a corner of a box, turned and moved, to its place in the arrays. */
-  private static void boxCorner(
-      Box box, int i, float cos, float sin, float x, float y, float[] xs, float[] ys) {
-    float vx = box.vertexX(i);
-    float vy = box.vertexY(i);
-    xs[i] = cos * vx - sin * vy + x;
-    ys[i] = sin * vx + cos * vy + y;
-  }
-
-  /**
-   * The edge of a box, turned by an angle, whose normal is most against that of an edge of another
-   * box; of equally good ones that of the lower index.
-   */
-  private static int facingEdge(int edge, float cos, float sin) {
-    // Edge normals are a quarter turn apart: the opposite one is edge + 2, less the quarters by
-    // which the box is turned.
-    int straight = 2 & sign(-cos);
-    int across = 3 - (2 & sign(-sin));
-    int quarters = choose(sign(Math.abs(cos) - Math.abs(sin)), across, 2 - straight);
-    return edge + 2 - quarters & 3;
-  }
-
-  /** The edge that faces the other box; of equally good ones that of the lowest index. */
-  private static int boxEdge(float gapX, float gapY, float dx, float dy) {
-    int sideways = 1 + (2 & sign(dx + 0f));
-    int upright = 2 & sign(0f - dy);
-    int least = Math.min(sideways, upright);
-    return choose(sign(gapY - gapX), sideways, choose(sign(gapX - gapY), upright, least));
-  }
-
-  /**
    * All bits set if a number is below zero (or is minus zero), else none. Decisions about boxes are
    * made by such masks, for branches that go either way as often cost more than the whole sum.
    */
-  private static int sign(float value) {
+  static int sign(float value) {
     return Float.floatToRawIntBits(value) >> 31;
   }
 
-  private static int choose(int mask, int ifSet, int otherwise) {
+  static int choose(int mask, int ifSet, int otherwise) {
     return ifSet & mask | otherwise & ~mask;
   }
 
@@ -758,7 +593,7 @@ public final class Collider {
    * of polygon I that faces it. Everything is in A's frame; when {@code flipped}, R is B and I is
    * A.
    */
-  private static void clip(
+  private void clip(
       float[] rx,
       float[] ry,
       int v1,
@@ -811,7 +646,9 @@ public final class Collider {
       float py = flipped ? iy[i] : ry[r];
       float qx = flipped ? rx[r] : ix[i];
       float qy = flipped ? ry[r] : iy[i];
-      cornerPoint(px, py, qx, qy, faceSeparation, facing * nx, facing * ny, id, speculative, out);
+      ofCorners =
+          cornerPoint(
+              px, py, qx, qy, faceSeparation, facing * nx, facing * ny, id, speculative, out);
       return;
     }
     float position1 = low;
@@ -849,7 +686,7 @@ public final class Collider {
     }
   }
 
-  private static void toWorldAxes(Transform ta, Manifold out) {
+  static void toWorldAxes(Transform ta, Manifold out) {
     float nx = out.normalX;
     float ny = out.normalY;
     out.normalX = ta.rotateX(nx, ny);

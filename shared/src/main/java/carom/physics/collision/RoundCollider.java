@@ -40,6 +40,8 @@ final class RoundCollider {
   private double faceSeparation;
   private int faceEdge;
 
+  private float gap;
+
   /** Edge normals of a core. */
   private static final class Normals {
     private final double[] x = new double[Convex.MAX_VERTICES];
@@ -72,6 +74,7 @@ final class RoundCollider {
     b.place(shapeB, tb, ta.x, ta.y);
     double radii = a.radius + b.radius;
     gjk.run(a, b);
+    gap = (float) (gjk.distance - radii);
     if (!(gjk.distance - radii <= speculative)) {
       return;
     }
@@ -94,6 +97,11 @@ final class RoundCollider {
     } else {
       faces(front, sign, radii, speculative, out);
     }
+  }
+
+  /** How far apart the last two shapes are, m; zero or less if they overlap. */
+  float gap() {
+    return gap;
   }
 
   /** Whether the mean of a core's vertices is behind the front of a one-sided segment. */

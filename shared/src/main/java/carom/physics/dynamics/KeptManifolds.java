@@ -7,7 +7,8 @@ import carom.physics.math.Transform;
 import java.util.Arrays;
 
 /**
- * Manifolds of polygons, kept while their shapes hardly move relative to each other.
+ * Manifolds of polygons, kept while their shapes hardly move relative to each other, and distances
+ * of all shapes that don't touch.
  *
  * <p>The pose of B in A's frame is rounded to a grid of {@value #CELL} m and rad. The manifold is
  * that of the rounded pose; from there to the true pose the gaps follow by {@code n . m}, with the
@@ -19,7 +20,11 @@ import java.util.Arrays;
  * whether a manifold was kept or is computed anew shows in no bit. Nothing here needs to be saved,
  * sent or hashed; what is kept may be forgotten at any time.
  *
- * <p>Of shapes that are apart it is kept how far: until they have moved that far they can't touch.
+ * <p>Two corners that face each other with a gap are remembered as such; direction and distance are
+ * those of the true pose.
+ *
+ * <p>Of shapes that are apart, whatever their kind, it is kept how far: until they have moved that
+ * far they can't touch.
  *
  * <p>The idea of using a manifold for several steps is from Box2D v3's contact recycling; there it
  * depends on when the manifold was made.
@@ -39,9 +44,6 @@ final class KeptManifolds {
 
   private static final float RELATIVE_DOUBT = 1e-5f;
 
-  /** A single point with a wider gap, m, is one of two corners, whose normal turns quickly. */
-  private static final float TOUCHING = 1e-5f;
-
   // What is kept of a row: the rounded pose before and after its rotation was made a unit,
   private static final int COS = 0;
   private static final int SIN = 1;
@@ -50,7 +52,10 @@ final class KeptManifolds {
   private static final int UNIT_COS = 4;
   private static final int UNIT_SIN = 5;
 
-  /** number of points + OF_B if the normal belongs to B + ID * id of the first point, */
+  /**
+   * number of points or CORNERS; + OF_B if the normal is B's; + CLOSE for corners so close that the
+   * true pose may turn their direction round; + ID * id of the first point,
+   */
   private static final int KIND = 6;
 
   /** if there are none, how far the shapes may move before there can be some, m; */
@@ -68,8 +73,15 @@ final class KeptManifolds {
   private static final int ID1 = 15;
   private static final int STRIDE = 16;
 
+  /**
+   * In place of the number of points: one between two corners, that of A, in its frame, the first
+   * place and that of B, in its own, the second.
+   */
+  private static final int CORNERS = 3;
+
   private static final int OF_B = 4;
-  private static final int ID = 8;
+  private static final int CLOSE = 8;
+  private static final int ID = 16;
 
   /** A cosine that none is: the row is not known. */
   private static final float UNKNOWN = 2;
@@ -174,7 +186,7 @@ final class KeptManifolds {
       r[at + SIN] = cellSin;
       r[at + X] = cellX;
       r[at + Y] = cellY;
-      make(at, a, b, speculative, hints, row, desk);
+      make(at, a, b, reach, speculative, hints, row, desk);
     }
     int kind = (int) r[at + KIND];
     int count = kind & 3;
@@ -182,7 +194,11 @@ final class KeptManifolds {
     if (count == 0) {
       return;
     }
-    if (count == 1 && r[at + GAP0] > TOUCHING) {
+    if (count == CORNERS) {
+      corners(at, ta, x, y, cos, sin, speculative, out);
+      return;
+    }
+    if ((kind & CLOSE) != 0) {
       desk.collider.collide(a, ta, b, tb, speculative, hints[row], out);
       return;
     }
@@ -226,6 +242,94 @@ final class KeptManifolds {
       out.separation1 = r[at + GAP1] + (nx * moveX + ny * moveY);
       out.id1 = (int) r[at + ID1];
     }
+    if (out.minSeparation() > speculative) {
+      // Close enough in the rounded pose alone; whether such a row exists depends on fat boxes.
+      out.count = 0;
+    }
+  }
+
+  /** One point midway between two corners, if they are close enough. */
+  private void corners(
+      int at,
+      Transform ta,
+      float x,
+      float y,
+      float cos,
+      float sin,
+      float speculative,
+      Manifold out) {
+    float[] r = rows;
+    float px = r[at + X0];
+    float py = r[at + Y0];
+    float qx = x + (cos * r[at + X1] - sin * r[at + Y1]);
+    float qy = y + (sin * r[at + X1] + cos * r[at + Y1]);
+    float wayX = qx - px;
+    float wayY = qy - py;
+    float distance = (float) Math.sqrt(wayX * wayX + wayY * wayY);
+    if (!(distance <= speculative)) {
+      out.count = 0;
+      return;
+    }
+    float nx = wayX / distance;
+    float ny = wayY / distance;
+    px += 0.5f * wayX;
+    py += 0.5f * wayY;
+    out.count = 1;
+    out.normalX = ta.cos * nx - ta.sin * ny;
+    out.normalY = ta.sin * nx + ta.cos * ny;
+    out.x0 = ta.cos * px - ta.sin * py;
+    out.y0 = ta.sin * px + ta.cos * py;
+    out.separation0 = distance;
+    out.id0 = (int) r[at + KIND] / ID;
+  }
+
+  /**
+   * Whether two shapes are known not to touch; for pairs that {@link #collide} isn't asked about.
+   *
+   * @param row where it was kept
+   * @param ta A's pose
+   * @param tb B's pose
+   * @param reach no point of B is further from B's position, m
+   * @return true if they haven't moved far enough since {@link #keepApart}
+   */
+  boolean apart(int row, Transform ta, Transform tb, float reach) {
+    float[] r = rows;
+    int at = row * STRIDE;
+    float worldX = tb.x - ta.x;
+    float worldY = tb.y - ta.y;
+    float wayX = ta.cos * worldX + ta.sin * worldY - r[at + X];
+    float wayY = ta.cos * worldY - ta.sin * worldX - r[at + Y];
+    float wayCos = ta.cos * tb.cos + ta.sin * tb.sin - r[at + COS];
+    float waySin = ta.cos * tb.sin - ta.sin * tb.cos - r[at + SIN];
+    float way = Math.abs(wayX) + Math.abs(wayY);
+    float turn = Math.abs(wayCos) + Math.abs(waySin);
+    return r[at + COS] != UNKNOWN && way + turn * reach < r[at + CLEARANCE];
+  }
+
+  /**
+   * Keeps how far apart two shapes are that don't touch.
+   *
+   * @param row where
+   * @param ta A's pose
+   * @param tb B's pose
+   * @param gap they are at least so far apart, m
+   * @param speculative points up to this far apart count, m
+   */
+  void keepApart(int row, Transform ta, Transform tb, float gap, float speculative) {
+    float[] r = rows;
+    int at = row * STRIDE;
+    float worldX = tb.x - ta.x;
+    float worldY = tb.y - ta.y;
+    r[at + X] = ta.cos * worldX + ta.sin * worldY;
+    r[at + Y] = ta.cos * worldY - ta.sin * worldX;
+    r[at + COS] = ta.cos * tb.cos + ta.sin * tb.sin;
+    r[at + SIN] = ta.cos * tb.sin - ta.sin * tb.cos;
+    r[at + CLEARANCE] = clearance(gap, speculative, r[at + X], r[at + Y]);
+  }
+
+  /** How far shapes may move before they can touch, m; rounding is taken off. */
+  private static float clearance(float gap, float speculative, float x, float y) {
+    return gap - speculative - (DOUBT + RELATIVE_DOUBT * (Math.abs(x) + Math.abs(y)));
   }
 
   private static float round(float value) {
@@ -234,7 +338,7 @@ final class KeptManifolds {
 
   /** Computes what is kept of the rounded pose. */
   private void make(
-      int at, Convex a, Convex b, float speculative, int[] hints, int row, Desk desk) {
+      int at, Convex a, Convex b, float reach, float speculative, int[] hints, int row, Desk desk) {
     float[] r = rows;
     float cos = r[at + COS];
     float sin = r[at + SIN];
@@ -247,8 +351,21 @@ final class KeptManifolds {
     hints[row] = desk.collider.hint();
     if (m.count == 0) {
       r[at + KIND] = 0;
-      float doubt = DOUBT + RELATIVE_DOUBT * (Math.abs(pose.x) + Math.abs(pose.y));
-      r[at + CLEARANCE] = desk.collider.gap() - speculative - doubt;
+      r[at + CLEARANCE] = clearance(desk.collider.gap(), speculative, pose.x, pose.y);
+      return;
+    }
+    if (desk.collider.ofCorners() && m.separation0 <= 2 * CELL * (1 + reach)) {
+      r[at + KIND] = 1 + CLOSE;
+      return;
+    }
+    if (desk.collider.ofCorners()) {
+      int cornerA = m.id0 >> 8;
+      int cornerB = m.id0 & 0xff;
+      r[at + KIND] = CORNERS + ID * m.id0;
+      r[at + X0] = a.vertexX(cornerA);
+      r[at + Y0] = a.vertexY(cornerA);
+      r[at + X1] = b.vertexX(cornerB);
+      r[at + Y1] = b.vertexY(cornerB);
       return;
     }
     r[at + KIND] = m.count + (desk.collider.ofB() ? OF_B : 0) + ID * m.id0;

@@ -179,15 +179,27 @@ final class NarrowPhase {
           desk.manifold);
       return;
     }
-    desk.collider.collide(
+    float speculative = sensor ? 0 : settings.speculativeDistance();
+    boolean quick = parts.isDisc(partA) && parts.isDisc(partB);
+    if (!quick && contacts.kept.apart(row, desk.poseA, desk.poseB, bodies.reach[b])) {
+      desk.manifold.count = 0;
+      return;
+    }
+    Collider collider = desk.collider;
+    collider.collide(
         parts.convex[partA],
         desk.poseA,
         parts.convex[partB],
         desk.poseB,
-        sensor ? 0 : settings.speculativeDistance(),
+        speculative,
         contacts.hint[row],
         desk.manifold);
-    contacts.hint[row] = desk.collider.hint();
+    contacts.hint[row] = collider.hint();
+    if (!quick && desk.manifold.count == 0) {
+      contacts.kept.keepApart(row, desk.poseA, desk.poseB, collider.gap(), speculative);
+    } else if (!quick) {
+      contacts.kept.forget(row);
+    }
   }
 
   private void place(int body, Transform pose) {

@@ -131,6 +131,11 @@ public final class ShapeTable {
     return (byte) (part instanceof Circle ? 0 : part instanceof Box ? 1 : 2);
   }
 
+  /** Whether a part is a disc. */
+  boolean isDisc(int part) {
+    return kind[part] == 0;
+  }
+
   /** Whether a part is a box or another polygon with sharp corners. */
   boolean isPolygon(int part) {
     return kind[part] == 1 || kind[part] == 2;

@@ -23,7 +23,7 @@ public final class Transform {
   /** Cosine of the body's angle. */
   public float cos = 1;
 
-  /** Sine of the body's angle; exactly 0 (with cos 1) means unrotated. */
+  /** Sine of the body's angle. */
   public float sin;
 
   /** Makes the identity: at the origin, unrotated. */
@@ -79,11 +79,6 @@ public final class Transform {
   /** The angle in radians, in (-pi, pi]. */
   public float angle() {
     return Trig.atan2(sin, cos);
-  }
-
-  /** True when the body axes are the world axes: sin is exactly 0 and cos positive. */
-  public boolean isUnrotated() {
-    return sin == 0 && cos > 0;
   }
 
   /** World x of the body-frame point (px, py). */

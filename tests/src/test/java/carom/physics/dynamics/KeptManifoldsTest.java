@@ -6,8 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.physics.collision.Collider;
 import carom.physics.collision.Manifold;
 import carom.physics.geometry.Box;
+import carom.physics.geometry.Capsule;
+import carom.physics.geometry.Circle;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.Polygon;
+import carom.physics.geometry.Segment;
 import carom.physics.math.Transform;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -83,6 +86,86 @@ final class KeptManifoldsTest {
   }
 
   /**
+   * Goal: two corners with a gap have the true pose's direction and distance. Method: the collider.
+   */
+  @Test
+  void cornersFollowTheTruePose() {
+    Collider collider = new Collider();
+    int compared = 0;
+    for (long seed = 1; seed <= 5000; seed++) {
+      SplittableRandom random = new SplittableRandom(seed);
+      float half = (float) random.nextDouble(0.1, 0.7);
+      float other = (float) random.nextDouble(0.1, 0.7);
+      Convex a = new Box(half, half, 0, 0);
+      Convex b = new Box(other, other, 0, 0);
+      // B's corner of lowest index faces A's upper right one, a little askew.
+      Transform ta = pose(random, 0.3, 3);
+      Transform way = new Transform(0, 0, (float) random.nextDouble(0.5, 1.07));
+      // Nearer than a cell and a half, corners may overlap in the rounded pose.
+      float gap = (float) random.nextDouble(1.5e-3, SPECULATIVE);
+      float x = half + gap * way.cos;
+      float y = half + gap * way.sin;
+      Transform turn = new Transform(0, 0, ta.angle() + (float) random.nextDouble(-0.3, 0.3));
+      Transform tb = new Transform();
+      tb.set(
+          ta.worldX(x, y) + turn.rotateX(other, other),
+          ta.worldY(x, y) + turn.rotateY(other, other),
+          turn.cos,
+          turn.sin);
+      collider.collide(a, ta, b, tb, SPECULATIVE, fresh);
+      find(kept(), a, ta, b, tb, m);
+      if (fresh.count == 1 && m.count == 1 && collider.ofCorners()) {
+        compared++;
+        String message = "seed=" + seed + " " + fresh + " " + m;
+        assertEquals(fresh.id0, m.id0, message);
+        assertEquals(fresh.separation0, m.separation0, 1e-6f, message);
+        float rounding = 1e-6f / gap;
+        assertEquals(fresh.normalX, m.normalX, rounding, message);
+        assertEquals(fresh.normalY, m.normalY, rounding, message);
+        assertEquals(fresh.x0, m.x0, 1e-6f, message);
+        assertEquals(fresh.y0, m.y0, 1e-6f, message);
+      }
+    }
+    assertTrue(compared > 4000, "compared=" + compared);
+  }
+
+  /** Goal: what is known to be apart is. Method: wander; ask the collider each time. */
+  @Test
+  void whatIsApartDoesNotTouch() {
+    Collider collider = new Collider();
+    int known = 0;
+    int touching = 0;
+    for (long seed = 1; seed <= 500; seed++) {
+      SplittableRandom random = new SplittableRandom(seed);
+      Convex a = anyShape(random);
+      Convex b = a instanceof Circle ? shape(random) : anyShape(random);
+      Transform ta = pose(random, 0.3, 3);
+      Transform tb = pose(random, 1, 3);
+      float far = random.nextInt(3) == 0 ? 1e5f : 0;
+      ta.x += far;
+      tb.x += far;
+      float speculative = random.nextBoolean() ? SPECULATIVE : 0;
+      double step = random.nextBoolean() ? 1e-2 : 0.1;
+      KeptManifolds kept = kept();
+      for (int i = 0; i < 200; i++) {
+        wander(ta, random, step);
+        wander(tb, random, step);
+        collider.collide(a, ta, b, tb, speculative, fresh);
+        if (kept.apart(0, ta, tb, 1.5f)) {
+          known++;
+          assertEquals(0, fresh.count, "seed=" + seed + " step=" + i + " " + a + " " + b);
+        } else if (fresh.count == 0) {
+          kept.keepApart(0, ta, tb, collider.gap(), speculative);
+        } else {
+          touching++;
+          kept.forget(0);
+        }
+      }
+    }
+    assertTrue(known > 10000 && touching > 10000, "known=" + known + " touching=" + touching);
+  }
+
+  /**
    * Goal: a level face gives a level gap, smooth to rounding. Method: lower a box in 10 um steps.
    */
   @Test
@@ -111,6 +194,16 @@ final class KeptManifoldsTest {
   private void find(
       KeptManifolds kept, Convex a, Transform ta, Convex b, Transform tb, Manifold out) {
     kept.collide(0, a, ta, b, tb, 1.5f, SPECULATIVE, hints, desk, out);
+  }
+
+  private static Convex anyShape(SplittableRandom random) {
+    return switch (random.nextInt(5)) {
+      case 0 -> new Circle(0.5f, 0.2f, 0);
+      case 1 -> new Capsule(-0.4f, 0, 0.4f, 0.1f, 0.2f);
+      case 2 -> new Segment(-0.7f, 0, 0.7f, 0.2f);
+      case 3 -> Polygon.rounded(0.1f, -0.5f, -0.3f, 0.6f, -0.2f, 0, 0.6f);
+      default -> shape(random);
+    };
   }
 
   private static Convex shape(SplittableRandom random) {
