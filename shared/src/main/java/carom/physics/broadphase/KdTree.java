@@ -31,7 +31,7 @@ import java.util.Arrays;
  * n + found). Recursion is no deeper than the tree, which has at most 24 levels.
  */
 public final class KdTree implements SpatialIndex {
-  /** Room for boxes in a leaf; also the distance between the coordinate rows of a leaf. */
+  /** Room for boxes in a leaf. */
   static final int SLOTS = 16;
 
   /** Boxes per leaf, averaged over the tree, that make it grow. */
@@ -49,9 +49,14 @@ public final class KdTree implements SpatialIndex {
   /** A box may stray this fraction of its cell's width before it moves to another leaf. */
   static final float CELL_SLACK = 0.125f;
 
-  private static final int ROW = SLOTS;
-  private static final int SHIFT = 6;
-  private static final int BLOCK = 1 << SHIFT;
+  /** Distance between the coordinate rows of a leaf. */
+  static final int ROW = SLOTS;
+
+  /** An index into {@link #slots}, shifted right by this, is a leaf. */
+  static final int SHIFT = 6;
+
+  /** Coordinates of a leaf. */
+  static final int BLOCK = 1 << SHIFT;
 
   /** Boxes for which the arrays' lengths still fit an int. */
   private static final int MAX_SIZE = 1 << 27;
@@ -61,10 +66,10 @@ public final class KdTree implements SpatialIndex {
 
   private AabbArray boxes;
   private int size;
-  private int leaves = 1;
+  int leaves = 1;
 
   /** Per node: minX, minY, maxX, maxY; inverted infinities when empty. */
-  private float[] bounds = new float[8];
+  float[] bounds = new float[8];
 
   /** Per inner node: the split coordinate, in the frame that rides along. */
   private float[] split = new float[1];
@@ -76,19 +81,19 @@ public final class KdTree implements SpatialIndex {
   private float[] cell = new float[4];
 
   /** Per leaf: number of boxes in it. */
-  private int[] fill = new int[1];
+  int[] fill = new int[1];
 
   /** Per node: scratch, whether something in it is of interest; false outside of {@link #refit}. */
-  private boolean[] hot = new boolean[2];
+  boolean[] hot = new boolean[2];
 
   /** Scratch: leaves whose boxes changed. */
   private int[] touchedLeaf = new int[1];
 
   /** Per slot: the box's id. */
-  private int[] ids = new int[SLOTS];
+  int[] ids = new int[SLOTS];
 
   /** Per leaf a block of four rows: minX, minY, maxX, maxY of its slots. No negative zeros. */
-  private float[] slots = new float[BLOCK];
+  float[] slots = new float[BLOCK];
 
   /** Per id: its slot, or -1. */
   private int[] slotOf = new int[0];
@@ -123,21 +128,8 @@ public final class KdTree implements SpatialIndex {
 
   private long built;
 
-  /** Boxes of one leaf that overlap the bounds of another, as indexes into {@link #slots}. */
-  private final int[] nearby = new int[SLOTS];
-
-  /** Pairs found but not reported yet, as two indexes into {@link #slots}. */
-  private final long[] hits = new long[4 * SLOTS * SLOTS];
-
-  /** Node pairs still to visit: per level at most three are left behind. */
-  private final int[] stack = new int[2 * (4 * 32)];
-
-  private final MovingBox moving = new MovingBox();
-
-  /** Nodes a cast has still to visit, the nearest last, and when it gets there. */
-  private final int[] castNode = new int[64];
-
-  private final double[] castEnter = new double[64];
+  private final KdJoin search = new KdJoin(this);
+  private final KdCast cast = new KdCast(this);
 
   /**
    * Makes an empty tree over these boxes.
@@ -950,49 +942,7 @@ public final class KdTree implements SpatialIndex {
       float dy,
       float maxFraction,
       CastVisitor visitor) {
-    moving.set(minX, minY, maxX, maxY, dx, dy);
-    float end = maxFraction;
-    int top = 0;
-    castNode[0] = 1;
-    castEnter[0] = enter(1);
-    while (top >= 0 && end >= 0) {
-      int node = castNode[top];
-      double at = castEnter[top--];
-      if (!(at <= end)) {
-        continue;
-      }
-      if (node >= leaves) {
-        end = castLeaf(node - leaves, end, visitor);
-        continue;
-      }
-      double low = enter(2 * node);
-      double high = enter(2 * node + 1);
-      int near = high < low ? 1 : 0;
-      castNode[top + 1] = 2 * node + 1 - near;
-      castEnter[top + 1] = Math.max(low, high);
-      castNode[top + 2] = 2 * node + near;
-      castEnter[top + 2] = Math.min(low, high);
-      top += 2;
-    }
-  }
-
-  private double enter(int node) {
-    int b = 4 * node;
-    return moving.enter(bounds[b], bounds[b + 1], bounds[b + 2], bounds[b + 3]);
-  }
-
-  /** Casts against the boxes of a leaf; answers where the way ends now. */
-  private float castLeaf(int leaf, float maxFraction, CastVisitor visitor) {
-    float end = maxFraction;
-    for (int k = 0; k < fill[leaf] && end >= 0; k++) {
-      int at = leaf * BLOCK + k;
-      double enter =
-          moving.enter(slots[at], slots[at + ROW], slots[at + 2 * ROW], slots[at + 3 * ROW]);
-      if (enter <= end) {
-        end = visitor.visit(ids[leaf * SLOTS + k], end);
-      }
-    }
-    return end;
+    cast.run(minX, minY, maxX, maxY, dx, dy, maxFraction, visitor);
   }
 
   /** The node after a subtree in depth-first order, 1 at the end. */
@@ -1003,7 +953,7 @@ public final class KdTree implements SpatialIndex {
 
   @Override
   public void pairs(PairVisitor visitor) {
-    pairs(false, visitor);
+    search.pairs(false, visitor);
   }
 
   /**
@@ -1016,49 +966,10 @@ public final class KdTree implements SpatialIndex {
   public void pairs(boolean[] marked, PairVisitor visitor) {
     heat(marked);
     try {
-      pairs(true, visitor);
+      search.pairs(true, visitor);
     } finally {
       cool();
     }
-  }
-
-  private void pairs(boolean selective, PairVisitor visitor) {
-    int found = 0;
-    int top = push(1, 1, 0);
-    while (top > 0) {
-      int b = stack[--top];
-      int a = stack[--top];
-      if (selective && !hot[a] && !hot[b]) {
-        continue;
-      }
-      if (a >= leaves) {
-        if (a == b) {
-          found = pairsInLeaf(a - leaves, found);
-        } else {
-          found = pairsOfLeaves(a - leaves, this, b - leaves, found);
-        }
-        if (found >= hits.length - SLOTS * SLOTS) {
-          reportPairs(found, visitor);
-          found = 0;
-        }
-        continue;
-      }
-      int a0 = 2 * a;
-      int a1 = a0 + 1;
-      if (a == b) {
-        top = push(a0, a0, top);
-        top = push(a1, a1, top);
-        top = pushIfOverlapping(a0, this, a1, top);
-      } else {
-        int b0 = 2 * b;
-        int b1 = b0 + 1;
-        top = pushIfOverlapping(a0, this, b0, top);
-        top = pushIfOverlapping(a0, this, b1, top);
-        top = pushIfOverlapping(a1, this, b0, top);
-        top = pushIfOverlapping(a1, this, b1, top);
-      }
-    }
-    reportPairs(found, visitor);
   }
 
   /** Finds the nodes with marked boxes. */
@@ -1080,117 +991,6 @@ public final class KdTree implements SpatialIndex {
     Arrays.fill(hot, 0, 2 * leaves, false);
   }
 
-  private int push(int a, int b, int top) {
-    stack[top] = a;
-    stack[top + 1] = b;
-    return top + 2;
-  }
-
-  /** Pushes without a branch: the pair is always written, and kept if the bounds overlap. */
-  private int pushIfOverlapping(int a, KdTree other, int b, int top) {
-    push(a, b, top);
-    return top + 2 + (apart(bounds, 4 * a, other.bounds, 4 * b) >> 31 << 1);
-  }
-
-  /**
-   * Negative if two boxes are apart, else not. The sign bit of a difference of floats tells which
-   * is larger, also for denormals and infinities, as long as there are no negative zeros and no
-   * NaN; or-ing four sign bits makes one branch of four.
-   */
-  private static int apart(
-      float ax0, float ay0, float ax1, float ay1, float bx0, float by0, float bx1, float by1) {
-    return Float.floatToRawIntBits(bx1 - ax0)
-        | Float.floatToRawIntBits(ax1 - bx0)
-        | Float.floatToRawIntBits(by1 - ay0)
-        | Float.floatToRawIntBits(ay1 - by0);
-  }
-
-  /** The same for two nodes. */
-  private static int apart(float[] p, int a, float[] q, int b) {
-    return apart(p[a], p[a + 1], p[a + 2], p[a + 3], q[b], q[b + 1], q[b + 2], q[b + 3]);
-  }
-
-  private int pairsInLeaf(int leaf, int found) {
-    int end = leaf * BLOCK + fill[leaf];
-    int total = found;
-    for (int i = leaf * BLOCK; i < end - 1; i++) {
-      total = pairsOfBox(i, slots, i + 1, end, total);
-    }
-    return total;
-  }
-
-  private int pairsOfLeaves(int leafA, KdTree other, int leafB, int found) {
-    float[] s = slots;
-    float[] b = other.bounds;
-    int node = 4 * (leafB + other.leaves);
-    float left = b[node];
-    float bottom = b[node + 1];
-    float right = b[node + 2];
-    float top = b[node + 3];
-    int near = 0;
-    int from = leafA * BLOCK;
-    int to = from + fill[leafA];
-    for (int i = from; i < to; i++) {
-      nearby[near] = i;
-      near +=
-          1
-              + (apart(left, bottom, right, top, s[i], s[i + ROW], s[i + 2 * ROW], s[i + 3 * ROW])
-                  >> 31);
-    }
-    int total = found;
-    int fromB = leafB * BLOCK;
-    int toB = fromB + other.fill[leafB];
-    for (int k = 0; k < near; k++) {
-      total = pairsOfBox(nearby[k], other.slots, fromB, toB, total);
-    }
-    return total;
-  }
-
-  /** Writes every candidate to {@link #hits}, to be overwritten by the next if it is apart. */
-  private int pairsOfBox(int i, float[] others, int from, int to, int found) {
-    long[] h = hits;
-    float x0 = slots[i];
-    float y0 = slots[i + ROW];
-    float x1 = slots[i + 2 * ROW];
-    float y1 = slots[i + 3 * ROW];
-    int total = found;
-    for (int j = from; j < to; j++) {
-      h[total] = (long) i << 32 | j;
-      total +=
-          1
-              + (apart(
-                      x0,
-                      y0,
-                      x1,
-                      y1,
-                      others[j],
-                      others[j + ROW],
-                      others[j + 2 * ROW],
-                      others[j + 3 * ROW])
-                  >> 31);
-    }
-    return total;
-  }
-
-  /** The index into {@link #ids} of a box found at an index into {@link #slots}. */
-  private static int slot(int at) {
-    return (at >>> SHIFT) * SLOTS + (at & BLOCK - 1);
-  }
-
-  private void reportPairs(int found, PairVisitor visitor) {
-    for (int k = 0; k < found; k++) {
-      int a = ids[slot((int) (hits[k] >>> 32))];
-      int b = ids[slot((int) hits[k])];
-      visitor.pair(Math.min(a, b), Math.max(a, b));
-    }
-  }
-
-  private void reportJoin(int found, KdTree other, PairVisitor visitor) {
-    for (int k = 0; k < found; k++) {
-      visitor.pair(ids[slot((int) (hits[k] >>> 32))], other.ids[slot((int) hits[k])]);
-    }
-  }
-
   /**
    * Visits every pair of overlapping boxes, the first from this tree and the second from the other,
    * each exactly once. Not ordered by id: idA belongs to this tree, idB to the other.
@@ -1199,7 +999,7 @@ public final class KdTree implements SpatialIndex {
    * @param visitor receives the pairs
    */
   public void join(KdTree other, PairVisitor visitor) {
-    join(other, false, visitor);
+    search.join(other, false, visitor);
   }
 
   /**
@@ -1213,45 +1013,10 @@ public final class KdTree implements SpatialIndex {
   public void join(KdTree other, boolean[] marked, PairVisitor visitor) {
     heat(marked);
     try {
-      join(other, true, visitor);
+      search.join(other, true, visitor);
     } finally {
       cool();
     }
-  }
-
-  private void join(KdTree other, boolean selective, PairVisitor visitor) {
-    float[] p = bounds;
-    float[] q = other.bounds;
-    int found = 0;
-    int top = pushIfOverlapping(1, other, 1, 0);
-    while (top > 0) {
-      int b = stack[--top];
-      int a = stack[--top];
-      if (selective && !hot[a]) {
-        continue;
-      }
-      boolean leafA = a >= leaves;
-      boolean leafB = b >= other.leaves;
-      if (leafA && leafB) {
-        found = pairsOfLeaves(a - leaves, other, b - other.leaves, found);
-        if (found >= hits.length - SLOTS * SLOTS) {
-          reportJoin(found, other, visitor);
-          found = 0;
-        }
-      } else if (leafB || (!leafA && extent(p, a) >= extent(q, b))) {
-        top = pushIfOverlapping(2 * a, other, b, top);
-        top = pushIfOverlapping(2 * a + 1, other, b, top);
-      } else {
-        top = pushIfOverlapping(a, other, 2 * b, top);
-        top = pushIfOverlapping(a, other, 2 * b + 1, top);
-      }
-    }
-    reportJoin(found, other, visitor);
-  }
-
-  private static float extent(float[] bounds, int node) {
-    int b = 4 * node;
-    return bounds[b + 2] - bounds[b] + (bounds[b + 3] - bounds[b + 1]);
   }
 
   /**
