@@ -48,7 +48,7 @@ public final class WorldState {
    * materials and filters included, and the touching contacts as they can be asked for. Users
    * aren't in it. The world may be stepped meanwhile, by another thread, too.
    *
-   * @param archive receives some 200 bytes a body and 90 a touching contact
+   * @param archive receives some 100 bytes a body and 90 a touching contact
    * @throws IllegalArgumentException if the world has numbers beyond 1e30, or none at all
    */
   public void write(ArchiveWriter archive) {
