@@ -37,9 +37,10 @@ import java.util.function.IntFunction;
 public final class World<T> {
   /**
    * Changes whenever equal worlds come to behave otherwise than in the version before. States as
-   * bytes, recordings and connections of another version are refused.
+   * bytes, recordings and connections of another version are refused; {@code
+   * carom.net.protocol.Protocol} says the same number.
    */
-  public static final int PHYSICS_VERSION = 2;
+  public static final int PHYSICS_VERSION = 3;
 
   private final WorldDef def;
   private final Dynamics dynamics;
