@@ -27,6 +27,9 @@ public final class IslandRig {
   /** Crates in a row of the wall. */
   public static final int COLUMNS = 20;
 
+  /** Where the floats of a contact begin. */
+  private static final int CONTACT_FLOATS = 6;
+
   private final Simulation server;
   private final Player serverPlayer;
   private final Prediction client;
@@ -131,6 +134,10 @@ public final class IslandRig {
   /** Tells the client all of this tick; whether it now has that state in every bit. */
   public boolean tellAll() {
     readOwn();
+    return tellIsland();
+  }
+
+  private boolean tellIsland() {
     int total = island.count() + island.contactCount();
     for (int first = 0; first < total; first += NearState.MAX_PART) {
       part(first, Math.min(total, first + NearState.MAX_PART), total);
@@ -138,6 +145,18 @@ public final class IslandRig {
     }
     client.reconcile(own, server.tick(), decoder);
     return client.agreedTick() == server.tick();
+  }
+
+  /** Like {@link #tellAll}, but all floats of the contacts are another number. */
+  public boolean tellContactsOf(float number) {
+    readOwn();
+    int[] contacts = island.contacts();
+    for (int i = 0; i < island.contactCount() * Neighbourhood.CONTACT_INTS; i++) {
+      if (i % Neighbourhood.CONTACT_INTS >= CONTACT_FLOATS) {
+        contacts[i] = Float.floatToRawIntBits(number);
+      }
+    }
+    return tellIsland();
   }
 
   /** Tells the client its own state and the hash of all; whether it has that in every bit. */

@@ -21,6 +21,9 @@ final class Mending {
   private static final int PUSHES = REST + 1;
   private static final int MEMORY = BODY + Excerpt.BODY_INTS;
 
+  /** Where the floats of a contact begin; they go on to its end. */
+  private static final int CONTACT_FLOATS = 6;
+
   /** End of a contact that isn't taken over. */
   private static final int NOWHERE = Integer.MAX_VALUE;
 
@@ -72,7 +75,7 @@ final class Mending {
       int mine = here.find(key, from);
       from = mine < 0 ? from : mine + 1; // both follow the order of the world
       placeOf[i] = -1;
-      boolean told = update.isTold(i) && isFinite(update.rows(), update.entityAt(i));
+      boolean told = update.isTold(i) && isBody(update.rows(), update.entityAt(i));
       if ((!told && mine < 0) || right.find(key, 0) >= 0) {
         continue;
       }
@@ -90,7 +93,9 @@ final class Mending {
       System.arraycopy(update.rows(), update.contactAt(i), contact, 0, contact.length);
       contact[0] = translate(update, contact[0]);
       contact[1] = translate(update, contact[1]);
-      addContact();
+      if (isFinite(contact, CONTACT_FLOATS, contact.length)) {
+        addContact();
+      }
     }
     keepContacts();
     right.write(simulation, records);
@@ -188,16 +193,21 @@ final class Mending {
   }
 
   /** What comes from the network must not poison the simulation. */
-  private static boolean isFinite(int[] rows, int at) {
-    for (int i = BODY; i < MEMORY; i++) {
-      float value = Float.intBitsToFloat(rows[at + i]);
-      if (i != REST && !(Math.abs(value) < 1e9f)) {
+  private static boolean isBody(int[] rows, int at) {
+    float cos = Float.intBitsToFloat(rows[at + BODY + 2]);
+    float sin = Float.intBitsToFloat(rows[at + BODY + 3]);
+    return isFinite(rows, at + BODY, at + REST)
+        && isFinite(rows, at + PUSHES, at + MEMORY)
+        && Math.abs(cos * cos + sin * sin - 1) < 1e-3f;
+  }
+
+  private static boolean isFinite(int[] rows, int from, int to) {
+    for (int i = from; i < to; i++) {
+      if (!(Math.abs(Float.intBitsToFloat(rows[i])) < 1e9f)) {
         return false;
       }
     }
-    float cos = Float.intBitsToFloat(rows[at + BODY + 2]);
-    float sin = Float.intBitsToFloat(rows[at + BODY + 3]);
-    return Math.abs(cos * cos + sin * sin - 1) < 1e-3f;
+    return true;
   }
 
   /** Whether an entity of {@link #row} is where its record has it, as far as that tells. */

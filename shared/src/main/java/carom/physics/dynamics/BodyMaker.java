@@ -46,7 +46,7 @@ final class BodyMaker {
   }
 
   private static int partCount(ShapeSpec[] shapes) {
-    int count = 0;
+    long count = 0;
     for (ShapeSpec spec : shapes) {
       count += spec.shape().parts().size();
     }
@@ -58,7 +58,7 @@ final class BodyMaker {
               + ContactKey.MAX_PARTS
               + " convex parts one body can have; split it into several bodies");
     }
-    return count;
+    return (int) count;
   }
 
   /** What a body of a type weighs; nothing, unless it is dynamic. */

@@ -46,6 +46,24 @@ class RollbackTest {
   }
 
   @Test
+  void contactsOfNumbersThatAreNoneAreLeftOut() {
+    for (float number : new float[] {Float.NaN, Float.POSITIVE_INFINITY, -Float.MAX_VALUE}) {
+      IslandRig rig = rig(8 * MS, 0);
+      rig.tellAll();
+      rig.server().step();
+      rig.client().step(rig.server().tick(), 0);
+      rig.tellContactsOf(number);
+      rig.server().step();
+      rig.client().step(rig.server().tick(), 0);
+      rig.foreseen()
+          .world()
+          .forEachBody(
+              b -> assertTrue(Math.abs(b.velocityX()) + Math.abs(b.velocityY()) < 10, b::toString));
+      assertTrue(rig.tellAll(), "number=" + number);
+    }
+  }
+
+  @Test
   void aSlowClientIsBoundedInTimeAndDoesNotFallBehind() {
     // Goal: 8 ms at most for what happens all the time, 24 for an update; while it isn't known yet
     // what a tick takes, two ticks more. Method: 2 ms a tick; the server kicks the body again and
