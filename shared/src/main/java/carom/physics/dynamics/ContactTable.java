@@ -887,5 +887,6 @@ public final class ContactTable {
     contact = Arrays.copyOf(contact, CONTACT * grown);
     material = Arrays.copyOf(material, MATERIAL * grown);
     roll = Arrays.copyOf(roll, grown);
+    moves.reserve(grown);
   }
 }

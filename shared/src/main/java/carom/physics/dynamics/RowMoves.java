@@ -31,6 +31,21 @@ final class RowMoves {
     return count;
   }
 
+  /**
+   * Makes room for a table of as many rows, so that the arrays grow with the table and not when
+   * first so many rows move.
+   */
+  void reserve(int rows) {
+    if (rows > inserted.length) {
+      inserted = Arrays.copyOf(inserted, rows);
+    }
+    if (rows > from.length) {
+      from = Arrays.copyOf(from, rows);
+      length = Arrays.copyOf(length, rows);
+      offset = Arrays.copyOf(offset, rows);
+    }
+  }
+
   /** Notes that a row stays in the table; in ascending order. */
   void keep(int row, int to) {
     if (row == to) {
@@ -42,9 +57,7 @@ final class RowMoves {
       return;
     }
     if (count == from.length) {
-      from = Arrays.copyOf(from, 2 * count);
-      length = Arrays.copyOf(length, 2 * count);
-      offset = Arrays.copyOf(offset, 2 * count);
+      reserve(2 * count);
     }
     from[count] = row;
     length[count] = 1;
@@ -54,7 +67,7 @@ final class RowMoves {
   /** Notes where a new row goes; in ascending order of both. */
   void insert(int number, int to) {
     if (number == inserted.length) {
-      inserted = Arrays.copyOf(inserted, 2 * number);
+      reserve(2 * number);
     }
     inserted[number] = to;
   }
