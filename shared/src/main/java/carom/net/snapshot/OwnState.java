@@ -144,6 +144,16 @@ public final class OwnState {
     return sameAs(other) && relayed.sameAs(other.relayed);
   }
 
+  /** Whether the numbers of the body are finite, and its angle is one: what was read may be not. */
+  boolean isSane() {
+    for (int i = 0; i < FLOATS; i++) {
+      if (!Float.isFinite(Float.intBitsToFloat(values[i]))) {
+        return false;
+      }
+    }
+    return slot < 0 || Math.abs(cos() * cos() + sin() * sin() - 1) < 1e-3f;
+  }
+
   /** What is near the own body, itself included. */
   public NearState near() {
     return near;

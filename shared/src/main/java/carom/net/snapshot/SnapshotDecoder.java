@@ -160,6 +160,9 @@ public final class SnapshotDecoder {
         return DecodeStatus.NO_BASELINE;
       }
       HeaderCodec.readOwn(r, baseline, readOwn);
+      if (!readOwn.isSane()) {
+        return DecodeStatus.DAMAGED;
+      }
       readWindow = RelayCodec.window(age);
       readKnown.set(baseline.relayed);
       RelayCodec.read(

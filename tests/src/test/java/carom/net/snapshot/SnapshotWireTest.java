@@ -55,6 +55,21 @@ class SnapshotWireTest {
     encoder.receiveAck(decoder.ackSequence(), decoder.ackBits());
   }
 
+  /** They would poison the client's prediction. */
+  @Test
+  void anOwnBodyOfNumbersThatAreNoneIsDamage() {
+    scene.step();
+    float[][] bodies = {{Float.NaN, 1, 0}, {Float.POSITIVE_INFINITY, 1, 0}, {0, 1, 1}, {0, 1, 0}};
+    for (float[] b : bodies) {
+      own.setBody(1, 1, b[0], 0, b[1], b[2], 0, 0, 0);
+      encoder.begin(feedback, own, Integer.MAX_VALUE);
+      byte[] bytes = Arrays.copyOf(buffer, encoder.next(buffer));
+      boolean good = b[0] == 0 && b[2] == 0;
+      assertEquals(
+          good ? DecodeStatus.OK : DecodeStatus.DAMAGED, decoder.decode(bytes, 0, bytes.length));
+    }
+  }
+
   @Test
   void cutsAreDamageAtEveryByte() {
     int accepted = 0;
