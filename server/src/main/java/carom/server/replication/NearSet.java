@@ -153,6 +153,10 @@ public final class NearSet {
   private int[] told = new int[16];
   private int toldCount;
   private boolean[] isTold = new boolean[16];
+
+  /** Who came near just now, awake, and whom it touches, directly or through others. */
+  private boolean[] strikes = new boolean[16];
+
   private int[] toldContact = new int[16];
   private int toldContacts;
   private boolean[] due = new boolean[16];
@@ -429,6 +433,10 @@ public final class NearSet {
       int at = findKnown(memberKey[i], from);
       from = at < 0 ? from : at + 1;
       isTold[i] = all || at < 0 || listed[i].ruledTick() == baseTick || isUnsure(memberKey[i]);
+      strikes[i] = at < 0 && listed[i].body().awake();
+    }
+    tellStruck();
+    for (int i = 0; i < count; i++) {
       if (isTold[i]) {
         told[toldCount++] = i;
       }
@@ -449,6 +457,26 @@ public final class NearSet {
       due = new boolean[Math.max(2 * due.length, dueRows)];
     }
     Arrays.fill(due, 0, dueRows, true);
+  }
+
+  /**
+   * Who comes near by touching somebody has moved all that hang together with it in this very tick,
+   * and the client, who didn't know of it, has them where they would be without.
+   */
+  private void tellStruck() {
+    boolean grew = true;
+    while (grew) {
+      grew = false;
+      for (int i = 0; i < base.contactCount(); i++) {
+        int one = base.contacts()[i * Neighbourhood.CONTACT_INTS];
+        int other = base.contacts()[i * Neighbourhood.CONTACT_INTS + 1];
+        if (one >= 0 && other >= 0 && strikes[one] != strikes[other]) {
+          strikes[one] = strikes[other] = true;
+          isTold[one] = isTold[other] = true;
+          grew = true;
+        }
+      }
+    }
   }
 
   /** Where datagrams get lost, what was told lately may not have arrived: it is told again. */
@@ -484,6 +512,7 @@ public final class NearSet {
       memberKey = new int[room];
       told = new int[room];
       isTold = new boolean[room];
+      strikes = new boolean[room];
     }
   }
 
