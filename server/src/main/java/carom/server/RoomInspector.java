@@ -2,6 +2,8 @@ package carom.server;
 
 import carom.server.room.Room;
 import java.lang.management.ManagementFactory;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
 import javax.management.JMException;
 import javax.management.MBeanServer;
 import javax.management.ObjectName;
@@ -48,5 +50,22 @@ final class RoomInspector implements RoomMXBean {
   @Override
   public String kick(int player, String text) {
     return room.kick(player, text);
+  }
+
+  @Override
+  public String record(String target) {
+    if (target == null || target.isBlank()) {
+      return "target is empty; name a file that is not there yet, or a folder";
+    }
+    try {
+      return room.record(Path.of(target));
+    } catch (InvalidPathException e) {
+      return "target=" + target + " can't be the name of a file: " + e.getReason();
+    }
+  }
+
+  @Override
+  public String stopRecording() {
+    return room.stopRecording();
   }
 }

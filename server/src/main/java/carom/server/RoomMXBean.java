@@ -24,4 +24,22 @@ public interface RoomMXBean {
    * @param text for the player, may be empty
    */
   String kick(int player, String text);
+
+  /**
+   * Begins to record the game, from now on.
+   *
+   * @param target a file that is not there yet, or a folder, which then gets a file with a name of
+   *     its own; relative to the folder the server was started in
+   * @return which file, or why there is none: recorded already, the file exists or can't be
+   *     created, a game that can be recorded from its start on only
+   */
+  String record(String target);
+
+  /**
+   * Ends the recording, also one by {@code --record}; the file is whole then. One that spectators
+   * watch goes on.
+   *
+   * @return which file and up to which tick, or why there is none
+   */
+  String stopRecording();
 }

@@ -362,6 +362,7 @@ public final class Server implements AutoCloseable {
     if (helpers != null) {
       helpers.close();
     }
+    rooms.forEach(Room::awaitRecording);
     recordings.forEach(Showing::close);
     rotations.forEach(RotatingRecording::close);
     transport.close();

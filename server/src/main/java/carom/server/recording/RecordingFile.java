@@ -166,11 +166,16 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
     return path;
   }
 
+  /** Has the file end after what waits, and waits for nothing. Any thread; twice does nothing. */
+  public void finish() {
+    waiting.offer(stop); // there is room, unless it has been told before
+  }
+
   /** Writes what waits, for at most 5 s, and closes the file. Closing twice does nothing. */
   @Override
   public void close() {
     if (thread.isAlive()) {
-      waiting.offer(stop);
+      finish();
       try {
         thread.join(CLOSE_MS);
       } catch (InterruptedException e) {

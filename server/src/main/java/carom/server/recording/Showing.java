@@ -47,6 +47,11 @@ public final class Showing implements BlockSink, AutoCloseable {
     delayTicks = newDelayTicks;
   }
 
+  /** Whether spectators may see it, once it is old enough. Set before the room's first turn. */
+  public boolean isShown() {
+    return delayTicks != Integer.MAX_VALUE;
+  }
+
   @Override
   public boolean take(Block type, byte[] bytes, int length) {
     boolean taken = file.take(type, bytes, length);
@@ -115,5 +120,10 @@ public final class Showing implements BlockSink, AutoCloseable {
       // It lies in the system's folder for such files, which is cleared without us.
       return;
     }
+  }
+
+  @Override
+  public String toString() {
+    return file.toString();
   }
 }

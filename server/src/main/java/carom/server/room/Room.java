@@ -2,7 +2,6 @@ package carom.server.room;
 
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.Limits;
-import carom.net.protocol.Protocol;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.snapshot.FrameRing;
@@ -11,11 +10,10 @@ import carom.net.transport.Link;
 import carom.physics.Queries;
 import carom.physics.threads.Workers;
 import carom.replay.BlockSink;
-import carom.replay.Recorder;
-import carom.replay.RecordingHeader;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
+import carom.server.recording.RecordingFile;
 import carom.server.recording.RotatingRecording;
 import carom.server.replication.FrameCapture;
 import carom.server.replication.OwnCapture;
@@ -30,6 +28,7 @@ import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
@@ -89,6 +88,7 @@ public final class Room {
   private final Seats seats;
   private final GameFailures failures;
   private final Simulation simulation;
+  private final RoomRecording recording;
   private final FrameCapture capture;
   private long droppedEvents;
   private final OwnCapture ownCapture;
@@ -104,10 +104,6 @@ public final class Room {
   private final Consumer<String> broadcastNotice = this::broadcast;
   private final int[] rosterScores;
   private final AtomicInteger seatsAskedFor = new AtomicInteger();
-  private Recorder recorder;
-  private RotatingRecording rotation;
-  private int rotationTicks;
-  private int rotateAt;
   private int failedTicks;
   private int announcedTick;
   private float announcements = MAX_ANNOUNCEMENTS;
@@ -143,6 +139,7 @@ public final class Room {
     this.failures = new GameFailures(gameRules.name(), counters, label);
     GuardedGame game = new GuardedGame(gameRules, failures);
     this.simulation = new Simulation(game, level, seed, config.tickRateHz(), Role.AUTHORITY);
+    this.recording = new RoomRecording(simulation, seed, label, counters);
     this.capture = new FrameCapture(simulation);
     this.ownCapture = new OwnCapture(simulation);
     this.loop = new TickLoop(config.tickRateHz(), config.catchUpTicks());
@@ -169,10 +166,7 @@ public final class Room {
    * @param sink takes the blocks, on the room's thread; stays the caller's to close
    */
   public void record(BlockSink sink) {
-    recorder =
-        new Recorder(
-            simulation, RecordingHeader.of(simulation, seed, Protocol.physicsDigest()), sink);
-    simulation.journal(recorder);
+    recording.begin(sink);
   }
 
   /**
@@ -185,27 +179,7 @@ public final class Room {
    *     than its state, so that only one file can begin
    */
   public void record(RotatingRecording files, int ticks) throws IOException {
-    if (simulation.game().keepsMore()) {
-      throw new IllegalArgumentException(
-          "game=" + simulation.game().name() + " can be recorded into one file only");
-    }
-    record(files.next());
-    rotation = files;
-    rotationTicks = ticks;
-    rotateAt = simulation.tick() + ticks;
-  }
-
-  private void rotateRecording() {
-    recorder.end("ROTATED");
-    try {
-      record(rotation.next());
-      rotateAt = simulation.tick() + rotationTicks;
-    } catch (IOException | IllegalArgumentException e) {
-      LOG.error("{}no recording from tick {} on: {}", label, simulation.tick(), e.toString());
-      recorder = null;
-      simulation.journal(null);
-      counters.add(Counter.RECORDINGS_CUT, 1);
-    }
+    recording.begin(files, ticks);
   }
 
   /**
@@ -304,7 +278,7 @@ public final class Room {
     }
     tick = simulation.tick();
     counters.add(Counter.TICKS, 1);
-    watchRecorder();
+    recording.tickEnds();
     long tookNs = clock.getAsLong() - beginNs;
     counters.tickTook(tookNs);
     if (tookNs > loop.periodNs()) {
@@ -317,18 +291,6 @@ public final class Room {
               + " failed in each of the last "
               + config.tickRateHz()
               + " ticks");
-    }
-  }
-
-  private void watchRecorder() {
-    if (recorder != null && recorder.isCut()) {
-      recorder = null;
-      simulation.journal(null);
-      counters.add(Counter.RECORDINGS_CUT, 1);
-      LOG.error("{}the recording ends at tick {}; the game goes on", label, tick);
-    }
-    if (recorder != null && rotation != null && simulation.tick() >= rotateAt) {
-      rotateRecording();
     }
   }
 
@@ -654,9 +616,7 @@ public final class Room {
       return;
     }
     closed = true;
-    if (recorder != null) {
-      recorder.end(reason.name());
-    }
+    recording.end(reason.name());
     for (Session session : sessions) {
       session.sayGoodbye(reason, text);
       part(session.end(), reason.name(), nowNs);
@@ -709,6 +669,38 @@ public final class Room {
           remove(session, "kicked by the operator", " was removed", clock.getAsLong());
           return "removed player=" + playerId + " name=" + session.seat().name();
         });
+  }
+
+  /**
+   * Begins to record the game for an operator. From any thread but the room's; waits for the room's
+   * next turn.
+   *
+   * @param target a file that is not there yet, or a folder, which then gets a file with a name of
+   *     its own
+   * @return the file, or why there is none, in one line for an operator
+   */
+  public String record(Path target) {
+    Path file =
+        RecordingFile.fileFor(target, config.gameName(), config.rooms() == 1 ? 0 : number)
+            .toAbsolutePath();
+    return ask(() -> closed ? "room=" + number + " is closed" : recording.begin(file));
+  }
+
+  /**
+   * Ends the recording, whoever began it, but not one that spectators watch. From any thread but
+   * the room's; waits for the room's next turn, and at most 5 s more until the file is written.
+   *
+   * @return the file, or why it goes on, in one line for an operator
+   */
+  public String stopRecording() {
+    String answer = ask(recording::stop);
+    recording.awaitEnd();
+    return answer;
+  }
+
+  /** Waits until the recording of an operator is written, at most 5 s; when the room has closed. */
+  public void awaitRecording() {
+    recording.awaitEnd();
   }
 
   private String nobody(int playerId) {

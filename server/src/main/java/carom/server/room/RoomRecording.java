@@ -1,0 +1,195 @@
+package carom.server.room;
+
+import carom.net.protocol.Protocol;
+import carom.replay.BlockSink;
+import carom.replay.Recorder;
+import carom.replay.RecordingHeader;
+import carom.server.metrics.Counter;
+import carom.server.metrics.Counters;
+import carom.server.recording.RecordingFile;
+import carom.server.recording.RotatingRecording;
+import carom.server.recording.Showing;
+import carom.sim.Simulation;
+import java.io.IOException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * A room's recording, of which there is one at a time: begun by whoever starts the server, or by an
+ * operator while the game goes on, and ended by an operator, by a sink that can't keep up, or with
+ * the room.
+ *
+ * <p>On the room's thread, between two ticks; {@link #awaitEnd} from any.
+ */
+final class RoomRecording {
+  private static final Logger LOG = LoggerFactory.getLogger(RoomRecording.class);
+
+  private final Simulation simulation;
+  private final long seed;
+  private final String label;
+  private final Counters counters;
+  private Recorder recorder;
+  private BlockSink sink;
+  private RotatingRecording rotation;
+  private int rotationTicks;
+  private int rotateAt;
+
+  /** An operator's file while it is recorded to; null without. */
+  private RecordingFile file;
+
+  /** The last operator's file that was ended, perhaps still being written; null without. */
+  private volatile RecordingFile ended;
+
+  /**
+   * Records nothing yet.
+   *
+   * @param seed the room's, for the header
+   * @param label begins log lines, may be empty
+   */
+  RoomRecording(Simulation simulation, long seed, String label, Counters counters) {
+    this.simulation = simulation;
+    this.seed = seed;
+    this.label = label;
+    this.counters = counters;
+  }
+
+  /** Begins, see {@link Room#record(BlockSink)}. */
+  void begin(BlockSink newSink) {
+    recorder =
+        new Recorder(
+            simulation, RecordingHeader.of(simulation, seed, Protocol.physicsDigest()), newSink);
+    sink = newSink;
+    simulation.journal(recorder);
+  }
+
+  /** Begins, see {@link Room#record(RotatingRecording, int)}. */
+  void begin(RotatingRecording files, int ticks) throws IOException {
+    if (simulation.game().keepsMore()) {
+      throw new IllegalArgumentException(
+          "game=" + simulation.game().name() + " can be recorded into one file only");
+    }
+    begin(files.next());
+    rotation = files;
+    rotationTicks = ticks;
+    rotateAt = simulation.tick() + ticks;
+  }
+
+  /**
+   * Begins for an operator, who is told what happened. Creates the file, which takes a disk about a
+   * millisecond.
+   */
+  String begin(Path path) {
+    if (recorder != null) {
+      return "recorded already to " + sink + "; end that first: stopRecording";
+    }
+    if (simulation.game().keepsMore()) {
+      return "game="
+          + simulation.game().name()
+          + " keeps more than its state: it can be recorded from its start on only, by --record";
+    }
+    RecordingFile created;
+    try {
+      created = new RecordingFile(path);
+    } catch (FileAlreadyExistsException e) {
+      return "file=" + path + " exists, and nothing is overwritten; name another, or a folder";
+    } catch (NoSuchFileException e) {
+      return "file=" + path + " can't be created: there is no folder " + path.getParent();
+    } catch (IOException e) {
+      return "file=" + path + " can't be created: " + e;
+    }
+    try {
+      begin(created);
+    } catch (IllegalArgumentException e) {
+      created.finish();
+      delete(path);
+      return "not recorded: " + e.getMessage();
+    }
+    file = created;
+    LOG.info("{}recorded to {} from tick {} on", label, path, simulation.tick());
+    return "recording to " + path + " from tick=" + simulation.tick() + " on";
+  }
+
+  private static void delete(Path path) {
+    try {
+      Files.deleteIfExists(path);
+    } catch (IOException e) {
+      LOG.warn("recording {} is of no use, but can't be deleted: {}", path, e.toString());
+    }
+  }
+
+  /** Ends for an operator, who is told what happened. */
+  String stop() {
+    if (recorder == null) {
+      return "not recorded";
+    }
+    if (sink instanceof Showing showing && showing.isShown()) {
+      return "spectators watch this recording (--spectator-delay); it ends with the room";
+    }
+    String to = sink.toString();
+    end("STOPPED");
+    LOG.info("{}recorded to {} up to tick {}", label, to, simulation.tick());
+    return "recorded to " + to + " up to tick=" + simulation.tick();
+  }
+
+  /** After each tick: whether the sink still takes it, and whether another file is due. */
+  void tickEnds() {
+    if (recorder == null) {
+      return;
+    }
+    if (recorder.isCut()) {
+      forget();
+      counters.add(Counter.RECORDINGS_CUT, 1);
+      LOG.error("{}the recording ends at tick {}; the game goes on", label, simulation.tick());
+    } else if (rotation != null && simulation.tick() >= rotateAt) {
+      rotate();
+    }
+  }
+
+  private void rotate() {
+    recorder.end("ROTATED");
+    try {
+      begin(rotation.next());
+      rotateAt = simulation.tick() + rotationTicks;
+    } catch (IOException | IllegalArgumentException e) {
+      LOG.error("{}no recording from tick {} on: {}", label, simulation.tick(), e.toString());
+      forget();
+      counters.add(Counter.RECORDINGS_CUT, 1);
+    }
+  }
+
+  /**
+   * Ends the recording, if there is one.
+   *
+   * @param why in a few words, for whoever plays it
+   */
+  void end(String why) {
+    if (recorder != null) {
+      recorder.end(why);
+      forget();
+    }
+  }
+
+  private void forget() {
+    simulation.journal(null);
+    recorder = null;
+    sink = null;
+    rotation = null;
+    if (file != null) {
+      file.finish();
+      ended = file;
+      file = null;
+    }
+  }
+
+  /** Waits until the operator's file that was ended last is written, for at most 5 s. */
+  void awaitEnd() {
+    RecordingFile last = ended;
+    if (last != null) {
+      last.close();
+    }
+  }
+}
