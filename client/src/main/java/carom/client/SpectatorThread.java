@@ -64,11 +64,15 @@ final class SpectatorThread implements AutoCloseable {
     long beginNs = System.nanoTime();
     while (!ended && System.nanoTime() - beginNs < (delaySeconds + EXTRA_S) * 1_000_000_000L) {
       try (RecordingReader reader = RecordingReader.open(file)) {
-        return reader.header().tickRate() > 0 ? file : null;
-      } catch (IOException e) {
-        if (!nap(10 * NAP_MS)) {
-          return null;
+        // Without the state that may follow the header, it would begin with an empty game.
+        if (reader.next() != RecordingReader.Event.WAIT) {
+          return file;
         }
+      } catch (IOException e) {
+        // There is no whole header yet.
+      }
+      if (!nap(10 * NAP_MS)) {
+        return null;
       }
     }
     return null;

@@ -40,6 +40,10 @@ final class Spectators implements LinkHandler {
     private final Link link;
     private final Room room;
     private final Showing showing;
+
+    /** What this one is spared, see {@link Showing#skippable}; the same for as long as it stays. */
+    private final long skipped;
+
     private long heardNs;
     private long filledNs;
     private double bytes = BYTES_PER_S;
@@ -48,6 +52,7 @@ final class Spectators implements LinkHandler {
       this.link = link;
       this.room = room;
       this.showing = showing;
+      skipped = showing.skippable(room.tick());
       heardNs = nowNs;
       filledNs = nowNs;
     }
@@ -131,7 +136,7 @@ final class Spectators implements LinkHandler {
     s.filledNs = nowNs;
     try {
       int most = (int) Math.min(Limits.MAX_LEVEL_CHUNK_BYTES, s.bytes);
-      byte[] bytes = s.showing.read(offset, most, s.room.tick());
+      byte[] bytes = s.showing.read(s.skipped, offset, most, s.room.tick());
       s.bytes -= bytes.length;
       s.link.send(new ServerMessage.RecordingChunk(offset, bytes));
     } catch (IOException e) {

@@ -12,7 +12,8 @@ import java.util.function.IntSupplier;
 
 /**
  * A room's recording as spectators may see it: each block from a delay after the last tick in it
- * on, never before. All of them read the same file, whose bytes exist once, whoever watches.
+ * on, never before. All of them read the same file, whose bytes exist once, whoever watches; who
+ * comes late is spared what lies before the last whole state.
  *
  * <p>{@link #take} belongs to the room's thread, the rest to the lobby's.
  */
@@ -23,6 +24,15 @@ public final class Showing implements BlockSink, AutoCloseable {
 
   /** The tick after which each block was made; guarded by itself. */
   private final List<Integer> ticks = new ArrayList<>();
+
+  /** What each block is; guarded by {@code ticks}, as what is derived from it below. */
+  private final List<Block> types = new ArrayList<>();
+
+  /** Where the header ends, the last whole state begins, and one that may not be whole yet. */
+  private long headerEnd;
+
+  private long lastState;
+  private long begunState;
 
   private int delayTicks = Integer.MAX_VALUE;
   private int shownBlocks;
@@ -58,6 +68,7 @@ public final class Showing implements BlockSink, AutoCloseable {
     if (taken) {
       synchronized (ticks) {
         ticks.add(tick.getAsInt());
+        types.add(type);
       }
     }
     return taken;
@@ -73,6 +84,7 @@ public final class Showing implements BlockSink, AutoCloseable {
       while (shownBlocks < ticks.size()
           && now - ticks.get(shownBlocks) >= delayTicks
           && file.endOf(shownBlocks) >= 0) {
+        show(types.get(shownBlocks));
         shown = file.endOf(shownBlocks);
         shownBlocks++;
       }
@@ -80,24 +92,59 @@ public final class Showing implements BlockSink, AutoCloseable {
     return shown;
   }
 
+  /** Before {@code shown} moves to the block's end. */
+  private void show(Block type) {
+    boolean inState = shownBlocks > 0 && types.get(shownBlocks - 1) == Block.STATE;
+    if (shownBlocks == 0) {
+      headerEnd = file.endOf(0);
+    } else if (type == Block.STATE && !inState) {
+      begunState = shown;
+    } else if (type != Block.STATE && inState) {
+      lastState = begunState;
+    }
+  }
+
+  /**
+   * How many bytes behind the header somebody who comes now needs not fetch: the header and what
+   * follows the last whole state are a recording by themselves.
+   *
+   * @param now the room's tick
+   */
+  public long skippable(int now) {
+    shown(now);
+    return Math.max(0, lastState - headerEnd);
+  }
+
   /**
    * Reads bytes that may be seen.
    *
-   * @param offset anything; behind what may be seen there is nothing
+   * @param skipped how many bytes behind the header are left out, as {@link #skippable} said
+   * @param offset in what is left, anything; behind what may be seen there is nothing
    * @param most largest number of bytes
    * @param now the room's tick
    */
-  public byte[] read(long offset, int most, int now) throws IOException {
-    int length = (int) Math.max(0, Math.min(most, shown(now) - offset));
+  public byte[] read(long skipped, long offset, int most, int now) throws IOException {
+    int length = (int) Math.max(0, Math.min(most, shown(now) - skipped - offset));
     byte[] bytes = new byte[length];
     if (length > 0) {
       if (channel == null) {
         channel = FileChannel.open(file.path());
       }
-      ByteBuffer to = ByteBuffer.wrap(bytes);
-      while (to.hasRemaining() && channel.read(to, offset + to.position()) >= 0) {}
+      int before = (int) Math.max(0, Math.min(length, headerEnd - offset));
+      fill(ByteBuffer.wrap(bytes, 0, before), offset);
+      fill(ByteBuffer.wrap(bytes, before, length - before), offset + before + skipped);
     }
     return bytes;
+  }
+
+  private void fill(ByteBuffer to, long from) throws IOException {
+    for (long at = from; to.hasRemaining(); ) {
+      int read = channel.read(to, at);
+      if (read < 0) {
+        return;
+      }
+      at += read;
+    }
   }
 
   /** The file. */
