@@ -23,6 +23,7 @@ import carom.sim.Event;
 import carom.sim.EventKind;
 import carom.sim.Input;
 import carom.sim.Level;
+import carom.sim.Neighbourhood;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
@@ -299,6 +300,7 @@ public final class GameClient implements AutoCloseable {
     boolean alone = prediction.alone();
     prediction.reconcile(own, compare, decoder);
     prove(compare, alone && prediction.alone());
+    proveNear(compare);
     if (prediction.compared()) {
       stats.compared(prediction.exact(), prediction.awakeBodies(), prediction.exactBodies());
     }
@@ -322,8 +324,7 @@ public final class GameClient implements AutoCloseable {
     } else if (prediction.exact()) {
       equalTick = tick;
     } else if (equalTick >= 0) {
-      if (divergedNs == 0 || nowNs - divergedNs >= DIVERGED_GAP_NS) {
-        divergedNs = nowNs;
+      if (mayReport()) {
         OwnState wrong = prediction.predicted();
         List<Integer> bits = new ArrayList<>();
         for (int i = 0; i < ClientMessage.Diverged.BITS; i++) {
@@ -334,6 +335,32 @@ public final class GameClient implements AutoCloseable {
       }
       equalTick = -1;
     }
+  }
+
+  /**
+   * From equal hashes and true inputs, what is near must be right in every bit, too. Which of the
+   * bodies differs only the server can see: it is told all there is room for.
+   */
+  private void proveNear(int tick) {
+    if (!prediction.diverged() || prediction.divergedState().count() < 2 || !mayReport()) {
+      return;
+    }
+    Neighbourhood state = prediction.divergedState();
+    List<Integer> bodies = new ArrayList<>();
+    for (int i = 0; i < Math.min(state.count(), ClientMessage.DivergedNear.MAX_BODIES); i++) {
+      for (int j = 0; j < ClientMessage.DivergedNear.BODY_INTS; j++) {
+        bodies.add(state.entities()[i * Neighbourhood.ENTITY_INTS + j]);
+      }
+    }
+    connection.send(new ClientMessage.DivergedNear(tick, prediction.equalTick(), bodies));
+  }
+
+  private boolean mayReport() {
+    if (divergedNs != 0 && nowNs - divergedNs < DIVERGED_GAP_NS) {
+      return false;
+    }
+    divergedNs = nowNs;
+    return true;
   }
 
   private final class Ears implements Connection.Listener {

@@ -11,6 +11,7 @@ import carom.server.metrics.Counter;
 import carom.sim.Entity;
 import carom.sim.Input;
 import carom.sim.Level;
+import carom.sim.Neighbourhood;
 import carom.sim.Simulation;
 import carom.testkit.Condition;
 import carom.testkit.Levels;
@@ -87,6 +88,61 @@ final class ProofScenarioTest {
       stepper.run(5);
       assertEquals(1, stepper.count(Counter.DIVERGENCES_REPORTED), "corrected, and in step again");
     }
+  }
+
+  @Test
+  void aClientThatComputesABodyNearWronglyIsFoundOut() {
+    // Goal: told once, and nothing while all is right. Method: a player stands beside crates; the
+    // velocity of one of them is changed behind the client's back.
+    try (Stepper stepper = Stepper.of(Levels.platformerWithCrates(), ServerConfig.defaults())) {
+      SimulatedClient client =
+          stepper.join("p", Impairment.NONE.withLatency(40, 5), InputSource.IDLE);
+      Simulation predicted = client.view().predictedWorld();
+      Body<Entity> crate = crate(stepper.room().simulation());
+      Body<Entity> own = stepper.body(client).body();
+      own.setPose(crate.x() - 2, own.y(), 1, 0);
+      stepper.run(6);
+      assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED));
+      long before = stepper.count(Counter.DIVERGENCES_REPORTED);
+      Body<Entity> same = crate(predicted);
+      same.setVelocity(same.velocityX() + 0.25f, same.velocityY());
+      stepper.run(1);
+      assertEquals(before + 1, stepper.count(Counter.DIVERGENCES_REPORTED), stepper::describe);
+      assertEquals(1, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), stepper::describe);
+      stepper.run(5);
+      assertEquals(before + 1, stepper.count(Counter.DIVERGENCES_REPORTED), stepper::describe);
+    }
+  }
+
+  /** The first that nobody owns. */
+  private static Body<Entity> crate(Simulation simulation) {
+    for (int id = 0; id < simulation.entityCapacity(); id++) {
+      Entity e = simulation.entity(id);
+      if (e != null && simulation.owner(e) == null && Neighbourhood.isSolid(e.archetype())) {
+        return e.body();
+      }
+    }
+    throw new AssertionError("no crate is near");
+  }
+
+  @ParameterizedTest
+  @MethodSource("gamesAndConditions")
+  void amongOthersEverythingIsExplained(String game, Condition condition) {
+    try (Stepper stepper = Stepper.of(game)) {
+      for (int i = 0; i < 6; i++) {
+        stepper.add("b" + i, condition.impairment(Stepper.SEED + i), Scripts.wander(i));
+      }
+      stepper.run(8);
+      assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), stepper::describe);
+    }
+  }
+
+  static Stream<Arguments> gamesAndConditions() {
+    return Stream.of("arena", "platformer")
+        .flatMap(
+            game ->
+                Stream.of(Condition.MIXED, Condition.BURSTS_30_PERCENT)
+                    .map(c -> Arguments.of(game, c)));
   }
 
   @Test

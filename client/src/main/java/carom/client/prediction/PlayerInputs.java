@@ -103,6 +103,26 @@ final class PlayerInputs {
     return known < 0 ? 0 : Input.faded(relayed.at(id, known), tick - known, REPEAT_TICKS);
   }
 
+  /**
+   * Whether a tick was computed with what all players with a body really did, as far as it is known
+   * by now: nothing was foreseen.
+   */
+  boolean areTrue(int tick) {
+    RelayedInputs relayed = records.inputs();
+    for (int id = 0; id < simulation.playerCapacity(); id++) {
+      Player other = simulation.player(id);
+      if (other == null || other == player || other.body() == null) {
+        continue;
+      }
+      if (used[id] == null
+          || !relayed.knows(id, tick)
+          || relayed.at(id, tick) != used[id][tick & mask]) {
+        return false;
+      }
+    }
+    return has(tick);
+  }
+
   /** The first tick in which a player did something else than was foreseen; huge when none. */
   int firstWrong(int after, int upTo) {
     RelayedInputs relayed = records.inputs();

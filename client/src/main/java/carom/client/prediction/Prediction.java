@@ -89,6 +89,12 @@ public final class Prediction {
   private int firstDisagreedTick = -1;
   private long disagreements;
 
+  /** The newest tick at which the hash of what is near was the server's. */
+  private int equalTick = -1;
+
+  private boolean diverged;
+  private final Neighbourhood divergedState = new Neighbourhood();
+
   /** What a tick takes to compute again, as measured; 0 when it doesn't count. */
   private double nsPerTick;
 
@@ -308,6 +314,7 @@ public final class Prediction {
   public void reconcile(OwnState newest, int stateTick, SnapshotDecoder decoder) {
     compared = false;
     agreed = false;
+    diverged = false;
     corrected = false;
     replayed = 0;
     rolledBack = 0;
@@ -454,6 +461,7 @@ public final class Prediction {
     if (same && (!near.present() || hash[stateTick & MASK] == near.hash())) {
       agreed = compared && from < 0;
       agreedTick = stateTick;
+      equalTick = near.present() ? stateTick : -1;
       disagreedTick = -1;
       if (compared) {
         awakeBodies = foreseen.awake(stateTick & MASK);
@@ -469,6 +477,7 @@ public final class Prediction {
       if (disagreedTick < 0) {
         firstDisagreedTick = stateTick;
         disagreements++;
+        diverged = near.present() && isForeseeable(stateTick);
       }
       disagreedTick = stateTick;
     }
@@ -478,8 +487,27 @@ public final class Prediction {
     } else {
       skipTo(stateTick);
     }
+    if (diverged) {
+      divergedState.readAll(simulation);
+    }
     putRight(stateTick, false);
     return from < 0 ? stateTick : from;
+  }
+
+  /**
+   * Whether the state of a tick follows from one that was the server's and true inputs alone: none
+   * was foreseen, no tick left out, nothing put right in between.
+   */
+  private boolean isForeseeable(int stateTick) {
+    if (equalTick < 0 || changedTick > equalTick || stateTick - equalTick >= RING) {
+      return false;
+    }
+    for (int t = equalTick + 1; t <= stateTick; t++) {
+      if (!isSaved(t) || !inputs.areTrue(t)) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /** Keeps the own body's identity in step with the server; false when there is none. */
@@ -513,6 +541,7 @@ public final class Prediction {
     earlier.clear();
     active = false;
     disagreedTick = -1;
+    equalTick = -1;
     mending.empty();
     Arrays.fill(savedTick, -1);
   }
@@ -643,6 +672,25 @@ public final class Prediction {
    */
   public int firstDisagreedTick() {
     return disagreedTick < 0 ? -1 : firstDisagreedTick;
+  }
+
+  /**
+   * Whether the server's state of what is near began to differ at the tick compared last, and
+   * nothing explains it: at {@link #equalTick} it was equal, and since then all inputs were known
+   * and nothing was put right.
+   */
+  public boolean diverged() {
+    return diverged;
+  }
+
+  /** The newest tick at which the hash of what is near was the server's, or -1. */
+  public int equalTick() {
+    return equalTick;
+  }
+
+  /** What was computed for the tick compared last, while {@link #diverged}. Look, don't touch. */
+  public Neighbourhood divergedState() {
+    return divergedState;
   }
 
   /** How often, after having been right, the server's state of what is near was another. */

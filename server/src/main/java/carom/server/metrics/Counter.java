@@ -61,7 +61,10 @@ public enum Counter {
   EVENTS_LOST,
   /** Exceptions thrown by the game's callbacks. */
   GAME_FAILURES,
-  /** Predictions that clients reported as wrong for no reason they knew. */
+  /**
+   * Predictions, of the own body or what is near it, that clients reported as wrong for no reason
+   * they knew.
+   */
   DIVERGENCES_REPORTED,
   /** Those for which the server knows no reason either: somebody computes wrongly. */
   DIVERGENCES_UNEXPLAINED,

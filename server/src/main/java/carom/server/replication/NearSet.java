@@ -189,6 +189,7 @@ public final class NearSet {
   private int rulingCredit = RULING_TICKS * MOST_RULINGS;
 
   private int capturedTick = -1;
+  private boolean surprising;
 
   /** Tick at which the last row went out that had to; what differs later differs all the same. */
   private int toldTick = -1;
@@ -236,6 +237,8 @@ public final class NearSet {
       near.clear();
       return;
     }
+    long begun = updates + disagreements;
+    int before = capturedTick;
     if (updating && simulation.tick() - baseTick > MAX_AGE) {
       giveUp();
     }
@@ -258,8 +261,10 @@ public final class NearSet {
     capturedTick = simulation.tick();
     state.clear();
     int relayed = 0;
+    surprising = updates + disagreements != begun;
     for (int i = 0; i < count; i++) {
       state.add(listed[i]);
+      surprising |= listed[i].ruledTick() > before;
       simulation.watch(listed[i]);
       Player owner = simulation.owner(listed[i]);
       if (owner != null && isTellable(owner, player) && relayed < OwnState.MAX_RELAYED) {
@@ -268,6 +273,7 @@ public final class NearSet {
       }
     }
     state.read(simulation);
+    surprising |= state.leaks() > 0;
     near.begin(state.hash());
     for (int i = 0; i < members; i++) {
       near.add(memberKey[i]);
@@ -554,6 +560,19 @@ public final class NearSet {
       near.addRow(from, at);
       partRows++;
     }
+  }
+
+  /** The exact state captured last, of which the client is told the hash. Look, don't touch. */
+  public Neighbourhood state() {
+    return state;
+  }
+
+  /**
+   * Whether the state captured last follows from more than the one before and the inputs: somebody
+   * came or went, the game moved or pushed one, or one was touched by somebody who isn't listed.
+   */
+  public boolean surprising() {
+    return surprising;
   }
 
   /** Updates begun because the list of who is near changed. */

@@ -80,6 +80,16 @@ final class PredictionAudit {
     missing[slot] &= ticks[slot] != tick;
   }
 
+  /** Whether the player's inputs for some ticks were there in time, as far as is remembered. */
+  boolean isCertain(int after, int upTo) {
+    for (int tick = after + 1; tick <= upTo; tick++) {
+      if (at(tick) == null || missing[tick & (TICKS - 1)]) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   /** Judges a report; any numbers are allowed in it. */
   Verdict judge(ClientMessage.Diverged report) {
     long span = (long) report.tick() - report.equalTick();

@@ -76,6 +76,7 @@ public final class Session implements LinkHandler {
   private int viewDelay;
   private int consumedTick;
   private final PredictionAudit audit = new PredictionAudit();
+  private final NearAudit nearAudit = new NearAudit();
   private boolean touched;
   private final BodyContactVisitor<Entity> touch =
       (other, normalX, normalY, impulse) -> touched |= other.type() != BodyType.STATIC;
@@ -136,6 +137,7 @@ public final class Session implements LinkHandler {
     inputs.reset(tick);
     viewDelay = 0;
     audit.clear();
+    nearAudit.clear();
     feedback.present = false;
     feedback.consumedTick = tick;
     lastHeardNs = timeNs;
@@ -190,6 +192,8 @@ public final class Session implements LinkHandler {
       sender.look(look.x(), look.y(), look.halfWidth(), look.halfHeight());
     } else if (message instanceof ClientMessage.Diverged report) {
       judge(report);
+    } else if (message instanceof ClientMessage.DivergedNear report) {
+      judgeNear(report);
     } else if (!(message instanceof ClientMessage.Ready) && wish == Wish.STAY) {
       wish = Wish.EXPEL;
       offence =
@@ -204,10 +208,7 @@ public final class Session implements LinkHandler {
     if (audit.judge(report) != PredictionAudit.Verdict.UNEXPLAINED) {
       return;
     }
-    counters.add(Counter.DIVERGENCES_UNEXPLAINED, 1);
-    if (!divergenceLogged || nowNs - divergenceLoggedNs >= DIVERGENCE_LOG_NS) {
-      divergenceLogged = true;
-      divergenceLoggedNs = nowNs;
+    if (unexplained()) {
       LOG.warn(
           "diverged: {} predicted tick {} otherwise, though equal at tick {} and alone since:{}",
           this,
@@ -215,6 +216,33 @@ public final class Session implements LinkHandler {
           report.equalTick(),
           audit.describe(report));
     }
+  }
+
+  private void judgeNear(ClientMessage.DivergedNear report) {
+    counters.add(Counter.DIVERGENCES_REPORTED, 1);
+    if (nearAudit.judge(report) != PredictionAudit.Verdict.UNEXPLAINED
+        || !audit.isCertain(report.equalTick(), report.tick())) {
+      return;
+    }
+    if (unexplained()) {
+      LOG.warn(
+          "diverged: {} predicted tick {} of what is near otherwise, though equal at tick {}:{}",
+          this,
+          report.tick(),
+          report.equalTick(),
+          nearAudit.describe(report));
+    }
+  }
+
+  /** Counts a divergence; whether it may be logged, too. */
+  private boolean unexplained() {
+    counters.add(Counter.DIVERGENCES_UNEXPLAINED, 1);
+    if (divergenceLogged && nowNs - divergenceLoggedNs < DIVERGENCE_LOG_NS) {
+      return false;
+    }
+    divergenceLogged = true;
+    divergenceLoggedNs = nowNs;
+    return true;
   }
 
   /** What touched the body in the last step, see {@link PredictionAudit}. */
@@ -332,6 +360,9 @@ public final class Session implements LinkHandler {
       nearSet.capture(player, near == InputDatagram.NEAR_ALL, disagreedTick, own);
       counters.add(Counter.NEAR_UPDATES, nearSet.updates() - updates);
       counters.add(Counter.NEAR_DISAGREEMENTS, nearSet.disagreements() - disagreements);
+      if (own.near().present()) {
+        nearAudit.keep(consumedTick, nearSet.surprising());
+      }
     }
     return sender.isDue(own, feedback.margin < 0);
   }
@@ -341,6 +372,9 @@ public final class Session implements LinkHandler {
     long holdMs = (timeNs - sequenceArrivalNs) / NS_PER_MS;
     feedback.holdMs = (int) Math.max(0, Math.min(MAX_HOLD_MS, holdMs));
     sender.send(link, feedback, own);
+    if (own.near().present()) {
+      nearAudit.keepState(consumedTick, nearSet.state());
+    }
     nearSet.sent();
   }
 

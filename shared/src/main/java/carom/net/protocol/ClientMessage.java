@@ -61,6 +61,30 @@ public sealed interface ClientMessage {
   }
 
   /**
+   * As {@link Diverged}, of what is near the own body: the hash differs, though nothing of what the
+   * client was told and no input of anybody was unknown to it since the last tick of equal hashes.
+   *
+   * @param tick the first that differs
+   * @param equalTick the last one whose hash was equal, before {@code tick}
+   * @param bodies what was predicted, {@value #BODY_INTS} numbers for each body, in the order of
+   *     the world, the first {@value #MAX_BODIES} at most: slot and generation as {@code slot |
+   *     generation << 16}, and the float bits of x, y, cos, sin, vx, vy, omega of the centre of
+   *     mass
+   */
+  record DivergedNear(int tick, int equalTick, List<Integer> bodies) implements ClientMessage {
+    /** Numbers of a body. */
+    public static final int BODY_INTS = 8;
+
+    /** Most bodies told: as many as a message has room for. */
+    public static final int MAX_BODIES = 31;
+
+    /** Copies the list. */
+    public DivergedNear {
+      bodies = List.copyOf(bodies);
+    }
+  }
+
+  /**
    * Instead of {@link Hello}: lets a spectator in, who is shown a room's recording some time later.
    *
    * @param protocolVersion {@link Protocol#VERSION} of the client

@@ -22,6 +22,7 @@ public final class ClientMessageCodec {
   private static final byte DIVERGED = 6;
   private static final byte WATCH = 7;
   private static final byte RECORDING_REQUEST = 8;
+  private static final byte DIVERGED_NEAR = 9;
   private static final int HELLO_FIXED_BYTES = 1 + 4 + 8 + 8 + 1;
 
   private ClientMessageCodec() {}
@@ -67,6 +68,8 @@ public final class ClientMessageCodec {
       buffer.putFloat(look.halfHeight());
     } else if (message instanceof ClientMessage.Diverged diverged) {
       encodeDiverged(diverged, buffer);
+    } else if (message instanceof ClientMessage.DivergedNear diverged) {
+      encodeDivergedNear(diverged, buffer);
     } else if (message instanceof ClientMessage.Watch watch) {
       if (watch.room() < 1 || watch.room() > 255) {
         throw new IllegalArgumentException("Watch.room=" + watch.room() + " is outside 1..255");
@@ -112,6 +115,7 @@ public final class ClientMessageCodec {
       case LEAVE -> buffer.hasRemaining() ? null : new ClientMessage.Leave();
       case LOOK -> decodeLook(buffer);
       case DIVERGED -> decodeDiverged(buffer);
+      case DIVERGED_NEAR -> decodeDivergedNear(buffer);
       case WATCH -> decodeWatch(buffer);
       case RECORDING_REQUEST -> decodeRecordingRequest(buffer);
       default -> null;
@@ -177,6 +181,46 @@ public final class ClientMessageCodec {
     }
     return equalTick >= 0 && equalTick < tick
         ? new ClientMessage.Diverged(tick, equalTick, slot, generation, bits)
+        : null;
+  }
+
+  private static void encodeDivergedNear(ClientMessage.DivergedNear d, ByteBuffer buffer) {
+    int ints = d.bodies().size();
+    int bodies = ints / ClientMessage.DivergedNear.BODY_INTS;
+    if (ints % ClientMessage.DivergedNear.BODY_INTS != 0
+        || bodies < 1
+        || bodies > ClientMessage.DivergedNear.MAX_BODIES) {
+      throw new IllegalArgumentException(
+          "DivergedNear.bodies has size="
+              + ints
+              + ", which is not "
+              + ClientMessage.DivergedNear.BODY_INTS
+              + " for each of 1.."
+              + ClientMessage.DivergedNear.MAX_BODIES
+              + " bodies");
+    }
+    buffer.put(DIVERGED_NEAR).putInt(d.tick()).putInt(d.equalTick());
+    for (int value : d.bodies()) {
+      buffer.putInt(value);
+    }
+  }
+
+  private static ClientMessage decodeDivergedNear(ByteBuffer buffer) {
+    int bodyBytes = Integer.BYTES * ClientMessage.DivergedNear.BODY_INTS;
+    int bytes = buffer.remaining() - 2 * Integer.BYTES;
+    if (bytes < bodyBytes
+        || bytes % bodyBytes != 0
+        || bytes > bodyBytes * ClientMessage.DivergedNear.MAX_BODIES) {
+      return null;
+    }
+    int tick = buffer.getInt();
+    int equalTick = buffer.getInt();
+    List<Integer> bodies = new ArrayList<>(bytes / Integer.BYTES);
+    while (buffer.hasRemaining()) {
+      bodies.add(buffer.getInt());
+    }
+    return equalTick >= 0 && equalTick < tick
+        ? new ClientMessage.DivergedNear(tick, equalTick, bodies)
         : null;
   }
 

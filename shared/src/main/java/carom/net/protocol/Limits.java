@@ -12,7 +12,7 @@ public final class Limits {
   public static final int MAX_DATAGRAM_BYTES = 1_200;
 
   /** Largest encoded message from a client, in bytes. */
-  public static final int MAX_CLIENT_MESSAGE_BYTES = 256;
+  public static final int MAX_CLIENT_MESSAGE_BYTES = 1_024;
 
   /**
    * Largest encoded message from the server, in bytes; a full {@link ServerMessage.Roster} is the

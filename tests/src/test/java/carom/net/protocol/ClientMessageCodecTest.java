@@ -77,6 +77,24 @@ class ClientMessageCodecTest {
   }
 
   @Test
+  void aReportOfWhatIsNearHasOneToThirtyOneWholeBodies() {
+    for (int bodies = 0; bodies <= 32; bodies++) {
+      byte[] report = new byte[9 + 32 * bodies];
+      report[0] = 9;
+      report[4] = 1;
+      boolean right = bodies >= 1 && bodies <= 31;
+      assertEquals(right, ClientMessageCodec.decode(report, 0, report.length) != null);
+      assertNull(ClientMessageCodec.decode(report, 0, report.length - 1), "bodies=" + bodies);
+      if (right) {
+        ClientMessage message = ClientMessageCodec.decode(report, 0, report.length);
+        assertTrue(Arrays.equals(report, ClientMessageCodec.encode(message)));
+        report[4] = 0;
+        assertNull(ClientMessageCodec.decode(report, 0, report.length), "equal at that tick");
+      }
+    }
+  }
+
+  @Test
   void noBytesThrow() {
     long seed = 5;
     Random random = new Random(seed);
@@ -84,7 +102,7 @@ class ClientMessageCodecTest {
       byte[] bytes = new byte[random.nextInt(70)];
       random.nextBytes(bytes);
       if (bytes.length > 0) {
-        bytes[0] = (byte) random.nextInt(7);
+        bytes[0] = (byte) random.nextInt(10);
       }
       if (bytes.length > 22) {
         bytes[21] = (byte) (bytes.length - 22 + random.nextInt(2));
