@@ -149,7 +149,7 @@ final class ScriptedServer {
       capture.capture(player, own);
       if (datagram.near != InputDatagram.NEAR_NONE) {
         near.acknowledge(encoder);
-        near.capture(player, false, disagreedTick, own);
+        near.capture(player, false, disagreedTick, Integer.MAX_VALUE, own);
       }
       feedback.margin = Math.max(-32, Math.min(31, newestInput - simulation.tick()));
       feedback.holdMs = (int) Math.min(255, (nowNs - newestNs) / 1_000_000);

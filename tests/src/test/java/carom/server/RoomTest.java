@@ -494,7 +494,7 @@ class RoomTest {
     }
   }
 
-  private static String ask(Rig rig, int player, int entity) {
+  static String ask(Rig rig, int player, int entity) {
     return ask(rig, () -> rig.room.why(player, entity));
   }
 

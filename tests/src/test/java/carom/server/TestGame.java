@@ -35,6 +35,9 @@ final class TestGame implements Game {
   final int balls;
   boolean ballsMove = true;
 
+  /** All balls begin around the first player's body, in touch with each other. */
+  boolean crowded;
+
   /** Two teams that don't see each other; who presses the action emits an event. */
   boolean teamsHide;
 
@@ -90,7 +93,10 @@ final class TestGame implements Game {
     shout = s.eventKinds().add("shout", 0xffffff, 0, "");
     if (s.role() == Role.AUTHORITY) {
       for (int i = 0; i < balls; i++) {
-        s.spawn(ball, -500 + 2 * (i % 64), 10 + 2 * (i / 64), 0, null);
+        float x = crowded ? -7 + 0.79f * (i % 20) : -500 + 2 * (i % 64);
+        int row = i / (crowded ? 20 : 64);
+        float y = crowded ? -27 + 0.79f * row : 10 + 2 * row;
+        s.spawn(ball, x, y, 0, null);
       }
     }
   }

@@ -54,7 +54,8 @@ public final class NearSet {
   /** How much longer the list may become after each update that arrived. */
   private static final int REGAINED = 8;
 
-  private static final int FEWEST = 16;
+  /** Slow lines and small budgets: lists get no shorter than this. */
+  private static final int FEWEST = 4;
 
   /** Shortest and longest time from one disagreement to telling everything again, ticks. */
   private static final int MIN_GAP = 4;
@@ -182,6 +183,9 @@ public final class NearSet {
   /** Whether an update was followed by another before all of it had arrived, and none told all. */
   private boolean torn;
 
+  /** Whether what was captured last has a part of the update, and which rows. */
+  private boolean hasPart;
+
   private int firstRow;
   private int partRows;
 
@@ -227,9 +231,11 @@ public final class NearSet {
    * @param player whose body is the centre
    * @param all whether to take as many as there is room for, or only whom the body may touch
    * @param disagreedTick newest tick at which the client had another state, or -1
+   * @param rowBits what the rows of an update may take in this snapshot: a row that is longer goes
+   *     alone; none while this isn't positive, then the update waits
    * @param out receives it
    */
-  public void capture(Player player, boolean all, int disagreedTick, OwnState out) {
+  public void capture(Player player, boolean all, int disagreedTick, int rowBits, OwnState out) {
     NearState near = out.near();
     out.relayed().clear();
     if (player.body() == null) {
@@ -279,8 +285,9 @@ public final class NearSet {
       near.add(memberKey[i]);
     }
     partRows = 0;
-    if (isDue()) {
-      writePart(near);
+    hasPart = isDue() && (dueRows == 0 || rowBits > 0);
+    if (hasPart) {
+      writePart(near, rowBits);
     }
     limitList(near.listBits());
   }
@@ -296,6 +303,7 @@ public final class NearSet {
   }
 
   private void forget() {
+    hasPart = false;
     members = 0;
     known = 0;
     updating = false;
@@ -537,7 +545,7 @@ public final class NearSet {
     return -1;
   }
 
-  private void writePart(NearState near) {
+  private void writePart(NearState near, int rowBits) {
     int total = toldCount + toldContacts;
     firstRow = 0;
     while (firstRow < total && !due[firstRow]) {
@@ -547,14 +555,15 @@ public final class NearSet {
     for (int i = 0; i < toldCount; i++) {
       near.tell(told[i]);
     }
-    int bits = near.listBits();
+    int room = Math.min(rowBits, PART_BITS - near.listBits());
+    int bits = 0;
     for (int row = firstRow; row < total && due[row] && partRows < NearState.MAX_PART; row++) {
       boolean isEntity = row < toldCount;
       int[] from = isEntity ? base.entities() : base.contacts();
       int at = isEntity ? told[row] * Neighbourhood.ENTITY_INTS : toldContact[row - toldCount];
       int ints = isEntity ? Neighbourhood.ENTITY_INTS : Neighbourhood.CONTACT_INTS;
       bits += NearState.bits(from, at, ints);
-      if (bits > PART_BITS && partRows > 0) {
+      if (bits > room && partRows > 0) {
         break;
       }
       near.addRow(from, at);
@@ -575,6 +584,11 @@ public final class NearSet {
     return surprising;
   }
 
+  /** Rows of the update under way that are still to be sent, those that got lost included. */
+  public int waitingRows() {
+    return updating ? dueRows : 0;
+  }
+
   /** Updates begun because the list of who is near changed. */
   public long updates() {
     return updates;
@@ -587,9 +601,10 @@ public final class NearSet {
 
   /** Notes that what was captured last is sent. */
   public void sent() {
-    if (!isDue()) {
+    if (!hasPart) {
       return;
     }
+    hasPart = false;
     announced = true;
     Arrays.fill(due, firstRow, firstRow + partRows, false);
     dueRows -= partRows;

@@ -15,7 +15,8 @@ import carom.sim.Player;
 /**
  * Sends one session's snapshots over one link: when (the snapshot rate, or the slower keep-alive
  * rate while the client has everything) and how much (a token bucket of bytes, and no more than the
- * client's line takes).
+ * client's line takes). Headers and the own body go ahead; what is near and the records share the
+ * rest, and neither waits for the other to have enough.
  *
  * <p>The room's thread; no allocation after construction.
  */
@@ -35,6 +36,9 @@ public final class SnapshotSender {
   /** And so many while the client's inputs come too late, as its clock learns from each. */
   private static final int LEAST_WHEN_LATE_HZ = 20;
 
+  /** So far what is near may get ahead of the records that wait, or fall behind them. */
+  private static final int NEAR_CREDIT_BYTES = 2 * SnapshotEncoder.MAX_DATAGRAM_BYTES;
+
   private final FrameRing frames;
   private final SessionView view;
   private final SnapshotEncoder encoder;
@@ -49,6 +53,7 @@ public final class SnapshotSender {
   private final long bucketDepth; // in byte-ticks: bytes times tickRateHz, so that no rest is lost
   private final LinkPace pace;
   private long bucket;
+  private int nearCredit = NEAR_CREDIT_BYTES;
   private long nextEvent;
   private long lostSeen;
   private int rateAccumulator;
@@ -106,15 +111,19 @@ public final class SnapshotSender {
     return view.mayKnow(frames.newest(), e);
   }
 
+  /** Once per tick, before anything else: what may leave grows. */
+  public void tick() {
+    bucket = Math.min(bucketDepth, bucket + bytesPerSecond);
+    pace.tick(encoder.ackedBytes() + LinkPace.HEADER_BYTES * encoder.ackedDatagrams());
+  }
+
   /**
-   * Whether {@link #send} may send at this tick; call once per tick, before it.
+   * Whether {@link #send} may send at this tick; call once per tick, between {@link #tick} and it.
    *
    * @param own the player's exact state
    * @param late whether the client's inputs come too late
    */
   public boolean isDue(OwnState own, boolean late) {
-    bucket = Math.min(bucketDepth, bucket + bytesPerSecond);
-    pace.tick(encoder.ackedBytes() + LinkPace.HEADER_BYTES * encoder.ackedDatagrams());
     // The bound forgets the time in which nothing was due, but not the rest of a rate that doesn't
     // divide the tick rate.
     rateAccumulator = Math.min(tickRateHz + snapshotRateHz - 1, rateAccumulator + snapshotRateHz);
@@ -133,6 +142,23 @@ public final class SnapshotSender {
     // Over budget, or over what the line takes: fewer snapshots, never none, each of the newest
     // tick.
     return news && bucket > 0 && pace.allowance() > 0;
+  }
+
+  /**
+   * What exact state of what is near may take in the next snapshot, bits; not positive when it must
+   * wait. The bound for {@link NearSet#capture}.
+   */
+  public int nearBits() {
+    return nearCredit <= 0 ? 0 : Byte.SIZE * (budgetBytes() - overheadBytes());
+  }
+
+  private int budgetBytes() {
+    return (int) Math.max(0, Math.min(bucket / tickRateHz, pace.allowance()));
+  }
+
+  /** What a snapshot takes before what is near and the records, as of the last one. */
+  private int overheadBytes() {
+    return encoder.aheadBytes() - encoder.nearBytes();
   }
 
   private void offerEvents() {
@@ -160,9 +186,9 @@ public final class SnapshotSender {
   public int send(Link link, InputFeedback feedback, OwnState own) {
     rateAccumulator -= tickRateHz;
     ticksSinceSent = 0;
-    long budget = Math.min(bucket / tickRateHz, pace.allowance());
-    encoder.begin(feedback, own, (int) Math.max(0, budget));
+    encoder.begin(feedback, own, budgetBytes());
     int datagrams = 0;
+    int bytes = 0;
     for (int length; (length = encoder.next(buffer)) > 0; ) {
       if (!link.sendDatagram(buffer, 0, length)) {
         counters.add(Counter.DATAGRAMS_UNSENT, 1);
@@ -172,8 +198,19 @@ public final class SnapshotSender {
       counters.add(Counter.DATAGRAMS_OUT, 1);
       counters.add(Counter.SNAPSHOT_BYTES, length);
       datagrams++;
+      bytes += length;
     }
+    shareOut(bytes - encoder.aheadBytes());
     return datagrams;
+  }
+
+  /** While records wait, what is near takes as much as they in the long run. */
+  private void shareOut(int recordBytes) {
+    int credit = nearCredit + recordBytes - encoder.nearBytes();
+    nearCredit =
+        encoder.waiting() == 0
+            ? NEAR_CREDIT_BYTES
+            : Math.max(-NEAR_CREDIT_BYTES, Math.min(NEAR_CREDIT_BYTES, credit));
   }
 
   /** What the client's line takes, as far as is known: bytes per second, headers included. */

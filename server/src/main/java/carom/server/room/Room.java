@@ -735,6 +735,8 @@ public final class Room {
         + playerId
         + " "
         + session.sender().encoder().explain(entityId)
+        + " nearRowsWaiting="
+        + session.waitingNearRows()
         + " paceBytesPerSecond="
         + session.sender().paceBytesPerSecond();
   }

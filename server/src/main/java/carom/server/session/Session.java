@@ -346,6 +346,7 @@ public final class Session implements LinkHandler {
    * per tick while playing.
    */
   public boolean isSnapshotDue() {
+    sender.tick();
     capture.capture(player, own);
     boolean certain = !inputs.lastWasMissing() && !inputs.lastWasHeld();
     boolean ruled = player.ruledTick() >= consumedTick;
@@ -357,7 +358,8 @@ public final class Session implements LinkHandler {
       nearSet.acknowledge(sender.encoder());
       long updates = nearSet.updates();
       long disagreements = nearSet.disagreements();
-      nearSet.capture(player, near == InputDatagram.NEAR_ALL, disagreedTick, own);
+      boolean all = near == InputDatagram.NEAR_ALL;
+      nearSet.capture(player, all, disagreedTick, sender.nearBits(), own);
       counters.add(Counter.NEAR_UPDATES, nearSet.updates() - updates);
       counters.add(Counter.NEAR_DISAGREEMENTS, nearSet.disagreements() - disagreements);
       if (own.near().present()) {
@@ -459,6 +461,11 @@ public final class Session implements LinkHandler {
   /** The session's snapshots, for inspection; null while it doesn't play. */
   public SnapshotSender sender() {
     return sender;
+  }
+
+  /** Rows of exact state of what is near that wait to be sent, for inspection. */
+  public int waitingNearRows() {
+    return nearSet.waitingRows();
   }
 
   /** The input buffer, for inspection. */

@@ -79,6 +79,7 @@ public final class SnapshotEncoder {
   // Of the last snapshot: its budget, and what of it went to anything but records.
   private int givenBytes;
   private int aheadBytes;
+  private int nearBytes;
 
   private int ackDelayTicks = -1;
   private long ackedBytes;
@@ -273,6 +274,7 @@ public final class SnapshotEncoder {
     budget = budgetBytes;
     givenBytes = budgetBytes;
     aheadBytes = 0;
+    nearBytes = 0;
     beganTick = frame.tick();
     first = true;
   }
@@ -352,7 +354,9 @@ public final class SnapshotEncoder {
       HeaderCodec.writeOwn(w, baseline, own);
       int window = known ? RelayCodec.window(age) : 0;
       RelayCodec.write(w, ring, window, baseline.relayed, own.relayed);
+      int before = w.bytes();
       NearCodec.write(w, baseline.near, own.near);
+      nearBytes = w.bytes() - before;
     }
     int share = Math.min(budget, MAX_DATAGRAM_BYTES) * Byte.SIZE / EVENTS_SHARE;
     events.write(w, frame.tick(), sequence, share);
@@ -416,7 +420,8 @@ public final class SnapshotEncoder {
         selection.leastChosen(),
         waiting(),
         givenBytes,
-        aheadBytes);
+        aheadBytes,
+        nearBytes);
   }
 
   private Verdict.Reason reason(FrameState newest, int slot, Baseline baseline) {
@@ -453,6 +458,18 @@ public final class SnapshotEncoder {
    */
   public int waiting() {
     return selection.waiting();
+  }
+
+  /**
+   * Bytes of the last snapshot that weren't records: headers, the own body, what is near, events.
+   */
+  public int aheadBytes() {
+    return aheadBytes;
+  }
+
+  /** Bytes of the last snapshot that told what is near, rounded; part of {@link #aheadBytes}. */
+  public int nearBytes() {
+    return nearBytes;
   }
 
   /**

@@ -20,6 +20,7 @@ import java.util.Locale;
  * @param budgetBytes what the last snapshot was allowed to take, all told
  * @param aheadBytes what of it was taken ahead of all entities: by headers, the own body, exact
  *     state of what is near, and events
+ * @param nearBytes what of that told what is near
  */
 public record Verdict(
     int slot,
@@ -33,7 +34,8 @@ public record Verdict(
     float needed,
     int waiting,
     int budgetBytes,
-    int aheadBytes) {
+    int aheadBytes,
+    int nearBytes) {
 
   /** What became of an entity in the last snapshot. */
   public enum Reason {
@@ -59,7 +61,7 @@ public record Verdict(
     return String.format(
         Locale.ROOT,
         "entity=%d reason=%s baseline=%s tick=%d acked=%d sent=%d priority=%.3f collected=%.3f"
-            + " needed=%.3f waiting=%d budget=%d ahead=%d",
+            + " needed=%.3f waiting=%d budget=%d ahead=%d near=%d",
         slot,
         reason,
         baseline,
@@ -71,6 +73,7 @@ public record Verdict(
         needed,
         waiting,
         budgetBytes,
-        aheadBytes);
+        aheadBytes,
+        nearBytes);
   }
 }
