@@ -10,7 +10,8 @@ import java.util.Locale;
  * that it computed another one: as {@link PredictionAudit}, of what is near the player's body. Of a
  * long list it knows the first {@value DivergedNear#MAX_BODIES} bodies.
  *
- * <p>The room's thread; allocates only to grow: 64 KiB at most, for long lists.
+ * <p>The room's thread; allocates only to grow, for all ticks at once: 64 KiB at most, for long
+ * lists.
  */
 final class NearAudit {
   private static final int TICKS = PredictionAudit.TICKS;
@@ -23,7 +24,10 @@ final class NearAudit {
   /** Bodies of which the state is kept; 0 when nothing was told of that tick. */
   private final int[] count = new int[TICKS];
 
-  private final int[][] bodies = new int[TICKS][0];
+  /** How many bodies of a tick there is room for. */
+  private int room;
+
+  private int[] bodies = new int[0];
 
   NearAudit() {
     clear();
@@ -53,14 +57,29 @@ final class NearAudit {
       return;
     }
     int n = Math.min(state.count(), DivergedNear.MAX_BODIES);
-    if (bodies[slot].length < n * INTS) {
-      bodies[slot] = new int[Math.min(DivergedNear.MAX_BODIES, n + n / 2 + 1) * INTS];
-    }
+    ensure(n);
     for (int i = 0; i < n; i++) {
-      System.arraycopy(
-          state.entities(), i * Neighbourhood.ENTITY_INTS, bodies[slot], i * INTS, INTS);
+      System.arraycopy(state.entities(), i * Neighbourhood.ENTITY_INTS, bodies, at(slot, i), INTS);
     }
     count[slot] = n;
+  }
+
+  /** Makes room in each tick, so that not each of them allocates when its turn comes. */
+  private void ensure(int n) {
+    if (n <= room) {
+      return;
+    }
+    int grown = Math.min(DivergedNear.MAX_BODIES, 2 * n);
+    int[] roomy = new int[TICKS * grown * INTS];
+    for (int slot = 0; slot < TICKS; slot++) {
+      System.arraycopy(bodies, at(slot, 0), roomy, slot * grown * INTS, room * INTS);
+    }
+    bodies = roomy;
+    room = grown;
+  }
+
+  private int at(int slot, int body) {
+    return (slot * room + body) * INTS;
   }
 
   /**
@@ -99,7 +118,7 @@ final class NearAudit {
     int slot = report.tick() & (TICKS - 1);
     int n = Math.min(report.bodies().size(), count[slot] * INTS);
     for (int i = 0; i < n; i++) {
-      if (report.bodies().get(i) != bodies[slot][i]) {
+      if (report.bodies().get(i) != bodies[at(slot, 0) + i]) {
         return i;
       }
     }
@@ -108,21 +127,21 @@ final class NearAudit {
 
   /** Both states of the first body that differs, of a report judged to differ, for the log. */
   String describe(DivergedNear report) {
-    int[] server = bodies[report.tick() & (TICKS - 1)];
     int at = firstDifferent(report) / INTS * INTS;
+    int own = at(report.tick() & (TICKS - 1), 0) + at;
     StringBuilder text =
         new StringBuilder()
             .append(" entity=")
-            .append(Neighbourhood.id(server[at]))
+            .append(Neighbourhood.id(bodies[own]))
             .append(" generation=")
-            .append(Neighbourhood.generation(server[at]));
+            .append(Neighbourhood.generation(bodies[own]));
     for (int i = 0; i < NAMES.length; i++) {
       text.append(
           String.format(
               Locale.ROOT,
               " %s server=%s client=%s",
               NAMES[i],
-              Float.intBitsToFloat(server[at + 1 + i]),
+              Float.intBitsToFloat(bodies[own + 1 + i]),
               Float.intBitsToFloat(report.bodies().get(at + 1 + i))));
     }
     return text.toString();

@@ -59,7 +59,7 @@ final class PredictionAudit {
   /**
    * Remembers a tick.
    *
-   * @param own the state after it; copied
+   * @param own the state after it; body and memory are copied
    * @param inputMissing whether the player's input for it wasn't there in time; see {@link
    *     #confirmInput}
    * @param wasTouched whether anything that is not static touched the body in it
@@ -68,7 +68,7 @@ final class PredictionAudit {
   void keep(int tick, OwnState own, boolean inputMissing, boolean wasTouched, boolean wasRuled) {
     int slot = tick & (TICKS - 1);
     ticks[slot] = tick;
-    states[slot].set(own);
+    states[slot].setBody(own);
     missing[slot] = inputMissing;
     touched[slot] = wasTouched;
     ruled[slot] = wasRuled;
