@@ -408,7 +408,12 @@ public final class ServerMain implements Callable<Integer> {
     ServerConfig config = config(chosenGame);
     ch.qos.logback.classic.Logger root = logging.getLogger(Logger.ROOT_LOGGER_NAME);
     root.setLevel(ch.qos.logback.classic.Level.ERROR);
-    Rehearsal.play(config, games, rehearsed(chosenLevel), new KryoMessageCodec());
+    try {
+      Rehearsal.play(config, games, rehearsed(chosenLevel), new KryoMessageCodec());
+    } catch (IllegalArgumentException e) {
+      logging.stop();
+      throw bad("--level: " + e.getMessage());
+    }
     root.setLevel(ch.qos.logback.classic.Level.toLevel(logLevel.name()));
     Logger log = LoggerFactory.getLogger(ServerMain.class);
     log.info(
@@ -444,7 +449,14 @@ public final class ServerMain implements Callable<Integer> {
           new ImpairedServerTransport(
               transport, network.impairment(), new KryoMessageCodec(), System::nanoTime);
     }
-    Server server = new Server(config, games, chosenLevel, transport, System::nanoTime);
+    Server server;
+    try {
+      server = new Server(config, games, chosenLevel, transport, System::nanoTime);
+    } catch (IllegalArgumentException e) {
+      transport.close();
+      logging.stop();
+      throw bad("--level: " + e.getMessage());
+    }
     if (record != null) {
       try {
         if (recordRotateMin > 0) {

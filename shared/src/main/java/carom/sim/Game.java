@@ -58,6 +58,9 @@ public interface Game {
    * Both roles, once: registers archetypes and remembers zones. The level's statics exist. On
    * {@link Role#AUTHORITY} it may spawn entities after registering; the level's own bodies exist
    * already.
+   *
+   * @throws IllegalArgumentException when the level lacks what the game needs; the message tells
+   *     what, and is all that a server which can't start with it says
    */
   void setUp(Simulation s);
 

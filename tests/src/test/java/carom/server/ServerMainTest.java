@@ -94,6 +94,20 @@ class ServerMainTest {
   }
 
   @Test
+  void levelThatLacksWhatItsGameNeedsIsRefusedInOneSentence() throws Exception {
+    Path level = folder.resolve("no-flag.json");
+    Files.writeString(
+        level,
+        """
+        {"name": "No flag", "game": "platformer", "gravity": [0, -10],
+         "bounds": {"min": [-9, -9], "max": [9, 9]}, "spawns": [{"at": [0, 0]}],
+         "statics": [{"at": [0, -2], "shape": {"type": "box", "width": 9, "height": 1}}]}
+        """);
+    String error = fails(2, "--tcp-port", "0", "--udp-port", "0", "--level", level.toString());
+    assertTrue(error.contains("it needs spawns named \"player\" and \"flag\""), error);
+  }
+
+  @Test
   void saysReadyOnceServesPlayersAndSigtermTellsThem() throws Exception {
     Process process = start("--tcp-port", "0", "--udp-port", "0", "--seed", "7");
     BufferedReader out = process.inputReader(StandardCharsets.UTF_8);
