@@ -116,7 +116,7 @@ public final class Entity {
   }
 
   private long stamp(Player owner) {
-    long h = body.stamp();
+    long h = StateHash.mix(body.stamp(), body.awake() ? 1 : 0);
     if (owner != null && owner.body == this) {
       for (int value : owner.memory()) {
         h = StateHash.mix(h, value);
@@ -126,9 +126,10 @@ public final class Entity {
   }
 
   /**
-   * The last tick in which the game moved or pushed it, or changed its player's memory, in {@link
-   * Game#beforeStep} or {@link Game#afterStep}: what no client can foresee. -1 before the first.
-   * Only of those that are {@linkplain Simulation#watch watched}; no part of the state.
+   * The last tick in which the game moved or pushed it, woke it (be it by what it put beside it),
+   * or changed its player's memory, in {@link Game#beforeStep} or {@link Game#afterStep}: what no
+   * client can foresee. -1 before the first. Only of those that are {@linkplain Simulation#watch
+   * watched}; no part of the state.
    */
   public int ruledTick() {
     return ruledTick;

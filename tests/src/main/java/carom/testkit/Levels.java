@@ -6,6 +6,12 @@ import java.nio.charset.StandardCharsets;
 
 /** Small levels in which nothing moves by itself. */
 public final class Levels {
+  private static final String FOUR_PLAYERS =
+      """
+      {"name": "player", "at": [-8, 0.8]}, {"name": "player", "at": [8, 0.8]},
+           {"name": "player", "at": [-4, 0.8]}, {"name": "player", "at": [4, 0.8]}\
+      """;
+
   private Levels() {}
 
   /** Walls and a post; the ball lies outside of the walls, where nobody gets at it. */
@@ -48,13 +54,14 @@ public final class Levels {
 
   /** A floor between walls, a step, a one-way platform; the flag hangs out of reach. */
   public static Level emptyPlatformer() {
-    return platformer("floor.json", "");
+    return platformer("floor.json", FOUR_PLAYERS, "");
   }
 
   /** The same with a stack of three crates. */
   public static Level platformerWithCrates() {
     return platformer(
         "crates.json",
+        FOUR_PLAYERS,
         """
         , "bodies": [{"name": "crate", "at": [0, 0.55], "material": "crate",
           "shape": {"type": "box", "width": 1.1, "height": 1.1},
@@ -62,7 +69,27 @@ public final class Levels {
         """);
   }
 
-  private static Level platformer(String name, String more) {
+  /**
+   * The same with one place for players, left of a row of twelve crates that touch each other, and
+   * a crate alone, five metres right of the row, in slot 12.
+   */
+  public static Level platformerWithRowOfCrates() {
+    return platformer(
+        "row.json",
+        """
+        {"name": "player", "at": [-8, 0.8]}\
+        """,
+        """
+        , "bodies": [
+          {"name": "crate", "at": [-6, 0.45], "material": "crate",
+           "shape": {"type": "box", "width": 0.9, "height": 0.9},
+           "repeat": {"columns": 12, "step": [0.899, 0]}},
+          {"name": "crate", "at": [10, 0.45], "material": "crate",
+           "shape": {"type": "box", "width": 0.9, "height": 0.9}}]
+        """);
+  }
+
+  private static Level platformer(String name, String players, String more) {
     return parse(
         name,
         """
@@ -70,8 +97,7 @@ public final class Levels {
          "bounds": {"min": [-20, -6], "max": [20, 30]},
          "materials": {"ground": {"friction": 0.7}, "crate": {"density": 0.4, "friction": 0.6}},
          "spawns": [
-           {"name": "player", "at": [-8, 0.8]}, {"name": "player", "at": [8, 0.8]},
-           {"name": "player", "at": [-4, 0.8]}, {"name": "player", "at": [4, 0.8]},
+           %s,
            {"name": "flag", "at": [0, 25]}],
          "statics": [
            {"name": "floor", "at": [0, -1], "material": "ground",
@@ -85,7 +111,7 @@ public final class Levels {
            {"name": "shelf", "at": [8, 2.2], "material": "ground", "oneWay": true,
             "shape": {"type": "box", "width": 4, "height": 0.3}}]%s}
         """
-            .formatted(name, more));
+            .formatted(name, players, more));
   }
 
   private static Level parse(String name, String json) {

@@ -4,19 +4,23 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.ClientConfig;
+import carom.client.InputSource;
 import carom.client.NetStats;
 import carom.client.PredictionMode;
 import carom.client.bots.Bot;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
+import carom.sim.Entity;
 import carom.testkit.Levels;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
@@ -26,26 +30,60 @@ import org.junit.jupiter.params.provider.ValueSource;
 class FeelScenarioTest {
   private static final Impairment FAR = Impairment.NONE.withLatency(75, 0).withLoss(2);
 
+  static Stream<Arguments> lines() {
+    return Stream.of(
+        Arguments.of(PredictionMode.ISLAND, Stepper.SEED),
+        Arguments.of(PredictionMode.ALL, Stepper.SEED),
+        Arguments.of(PredictionMode.ALL, 2), // drowns and comes back onto a crate; a coin wakes one
+        Arguments.of(PredictionMode.ALL, 10));
+  }
+
   @ParameterizedTest
-  @EnumSource(
-      value = PredictionMode.class,
-      names = {"ISLAND", "ALL"})
-  void whoPushesCratesForeseesThemInEveryBit(PredictionMode mode) {
-    // Goal: 99 % of the awake bodies at 150 ms and 2 % loss, without foreign contact.
+  @MethodSource("lines")
+  void whoPushesCratesForeseesThemInEveryBit(PredictionMode mode, long seed) {
+    // Goal: 99 % of the awake bodies at 150 ms and 2 % loss, without foreign contact, and whatever
+    // the game does told before it shows as a difference.
     // Method: a bot alone among the platformer's crates for half a minute, once it has settled.
     try (Stepper stepper = Stepper.of("platformer")) {
       SimulatedClient client =
-          stepper.add(
-              ClientConfig.of("p").withPrediction(mode), FAR.withSeed(Stepper.SEED), new Bot(0));
+          stepper.add(ClientConfig.of("p").withPrediction(mode), FAR.withSeed(seed), new Bot(0));
       stepper.run(6);
+      final long missing = stepper.count(Counter.INPUTS_MISSING);
+      final long disagreements = stepper.count(Counter.NEAR_DISAGREEMENTS);
       long awake = client.stats().awakeBodies();
       long exact = client.stats().exactBodies();
       stepper.run(30);
       awake = client.stats().awakeBodies() - awake;
       exact = client.stats().exactBodies() - exact;
-      String about = exact + " of " + awake + " " + stepper.describe();
+      String about = "seed=" + seed + " " + exact + " of " + awake + " " + stepper.describe();
       assertTrue(awake > 1_000, about);
       assertTrue(exact >= 0.99 * awake, about);
+      if (missing == stepper.count(Counter.INPUTS_MISSING)) {
+        assertEquals(disagreements, stepper.count(Counter.NEAR_DISAGREEMENTS), about);
+      }
+    }
+  }
+
+  @Test
+  void whoHitsAPileFromOutsideIsToldWithAllItMoved() {
+    // Goal: a body that comes near by hitting the far end of what is near has moved all of it in
+    // the same tick; the update tells them all, and nothing differs after it.
+    // Method: a player beside a long row of crates; a crate that isn't listed is shot at its end.
+    Impairment line = Impairment.NONE.withLatency(50, 0);
+    try (Stepper stepper =
+        Stepper.of(Levels.platformerWithRowOfCrates(), ServerConfig.defaults())) {
+      SimulatedClient client = stepper.join("p", line, InputSource.IDLE);
+      stepper.run(2);
+      assertEquals(0, client.stats().disagreements(), stepper.describe());
+      Entity last = stepper.room().simulation().entity(11);
+      Entity shot = stepper.room().simulation().entity(12);
+      float before = last.body().x();
+      shot.body().setVelocity(-14, 0);
+      stepper.run(2);
+      String about = "x=" + last.body().x() + " before=" + before + " " + stepper.describe();
+      assertTrue(last.body().x() < before - 0.005f, about);
+      assertEquals(0, client.stats().disagreements(), about);
+      assertEquals(0, stepper.count(Counter.NEAR_DISAGREEMENTS), about);
     }
   }
 

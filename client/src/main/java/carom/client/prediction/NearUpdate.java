@@ -94,6 +94,21 @@ final class NearUpdate {
     return baseTick;
   }
 
+  /** Whether nothing is left of what was near before. */
+  boolean tellsAll() {
+    return told == count;
+  }
+
+  /** Whether an entity is near. */
+  boolean lists(int key) {
+    for (int i = 0; i < count; i++) {
+      if (keys[i] == key) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /** Entities near. */
   int count() {
     return count;

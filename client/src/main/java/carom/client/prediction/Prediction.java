@@ -336,6 +336,7 @@ public final class Prediction {
       skipTo(stateTick);
       active = true;
       putRight(stateTick, true);
+      rewind(stateTick, Integer.MAX_VALUE, inputs.newest());
       replay(inputs.newest(), begin);
     } else {
       pictures.correcting();
@@ -390,13 +391,21 @@ public final class Prediction {
     int from = past ? wrong - 1 : Integer.MAX_VALUE;
     from = Math.min(from, Math.min(tellsFrom(earlier, present), tellsFrom(update, present)));
     if (from > stateTick) {
+      dismiss(earlier);
+      dismiss(update);
       return -1;
     }
-    restore(from);
+    if (isSaved(from)) {
+      restore(from);
+    } else {
+      skipTo(from); // the update that is taken over now leaves nothing as it was
+    }
     while (true) {
       takeUpdate(earlier);
       takeUpdate(update);
       if (tick == stateTick) {
+        dismiss(earlier);
+        dismiss(update);
         return from;
       }
       again(tick + 1);
@@ -410,7 +419,8 @@ public final class Prediction {
 
   /** The tick whose state an update tells, or a huge one when it is of no use now. */
   private int tellsFrom(NearUpdate told, int present) {
-    if (!told.isReady() || !isSaved(told.baseTick()) || !isUsable(told)) {
+    boolean possible = told.isReady() && (isSaved(told.baseTick()) || told.tellsAll());
+    if (!possible || !isUsable(told)) {
       return Integer.MAX_VALUE;
     }
     if (present - told.baseTick() > affordable(UPDATE_WORTH * maxReplayNs)) {
@@ -422,14 +432,24 @@ public final class Prediction {
     return told.baseTick();
   }
 
+  /** An update that could not be taken over by now is of no use. */
+  private void dismiss(NearUpdate told) {
+    if (told.isReady() && isUsable(told)) {
+      told.use();
+    }
+  }
+
   private void takeUpdate(NearUpdate told) {
     if (!told.isReady() || tick != told.baseTick() || !isUsable(told)) {
       return;
     }
-    Neighbour own = pictures.own();
-    if (mending.take(told, Neighbourhood.key(own.id, own.generation))) {
+    if (mending.take(told, ownKey())) {
       changed();
     }
+  }
+
+  private int ownKey() {
+    return Neighbourhood.key(pictures.own().id, pictures.own().generation);
   }
 
   private void putRight(int stateTick, boolean fresh) {
@@ -444,8 +464,12 @@ public final class Prediction {
     keep();
   }
 
-  /** Whether it is known who all those are that the update lists. */
+  /** Whether it is known who all those are that the update lists, the own body among them. */
   private boolean isUsable(NearUpdate told) {
+    if (!told.lists(ownKey())) {
+      told.use(); // it is of an earlier body's
+      return false;
+    }
     for (int i = 0; i < told.count(); i++) {
       if (!records.know(told.key(i))) {
         return false;
@@ -514,6 +538,8 @@ public final class Prediction {
   private boolean sameBody() {
     if (server.slot() < 0) {
       stop();
+      update.clear();
+      earlier.clear();
       takeMemory();
       return false;
     }
@@ -537,8 +563,6 @@ public final class Prediction {
 
   private void stop() {
     pictures.clear();
-    update.clear();
-    earlier.clear();
     active = false;
     disagreedTick = -1;
     equalTick = -1;
