@@ -58,7 +58,7 @@ final class CollideStage {
       undecided = false;
       continuous.begin();
     }
-    contacts.flagsChanged();
+    contacts.flagsChange();
     narrowPhase.begin();
     if (!all) {
       for (int row = 0; row < contacts.count(); row++) {

@@ -12,9 +12,9 @@ import java.util.Arrays;
  * from tick to tick by the feature ids of the points), so the rows of touching parts belong to the
  * state. Whether a row of parts that don't touch exists changes nothing.
  *
- * <p>Rows are dense and sorted, so every pass streams through memory in the canonical order, and
- * saving is a copy; which parts the rows are of, and their materials, is only copied if a row came
- * or went. New pairs are merged in from the back; no second buffer is needed.
+ * <p>Rows are dense and sorted, so every pass streams through memory in the canonical order. Copies
+ * share them ({@link RowArrays}): saving costs nothing, and who writes first pays. New pairs are
+ * merged in from the back; no second buffer is needed.
  */
 public final class ContactTable {
   /** Flag: the manifold has points. */
@@ -94,18 +94,20 @@ public final class ContactTable {
   /** Most rows in an archive. */
   private static final int MAX_ROWS = 1 << 24;
 
-  long[] key = new long[FIRST_CAPACITY];
+  /** Of {@link #pairs}. */
+  long[] key;
 
   /** Two per row: the part of A, and of B. */
-  int[] part = new int[2 * FIRST_CAPACITY];
+  int[] part;
 
-  byte[] flags = new byte[FIRST_CAPACITY];
+  /** Of {@link #touches}. */
+  byte[] flags;
 
   /** Number of points: 0, 1 or 2. */
-  byte[] points = new byte[FIRST_CAPACITY];
+  byte[] points;
 
   /** Two per row: the feature ids of the points. */
-  int[] id = new int[2 * FIRST_CAPACITY];
+  int[] id;
 
   /** Where the search for the best face ended; changes no result, so it isn't saved. */
   int[] hint = new int[FIRST_CAPACITY];
@@ -114,13 +116,29 @@ public final class ContactTable {
   final KeptManifolds kept = new KeptManifolds();
 
   /** What steps change, {@value #CONTACT} floats per row. */
-  float[] contact = new float[CONTACT * FIRST_CAPACITY];
+  float[] contact;
 
   /** What the materials of both parts make together, {@value #MATERIAL} floats per row. */
-  float[] material = new float[MATERIAL * FIRST_CAPACITY];
+  float[] material;
 
   /** Impulse against rolling to start the next step with, N m s per substep. */
-  float[] roll = new float[FIRST_CAPACITY];
+  float[] roll;
+
+  /** Who the rows are of: changes only when rows come or go. Copies share it. */
+  private RowArrays pairs =
+      new RowArrays(
+          FIRST_CAPACITY, new int[] {1, 2, MATERIAL}, new long[0], new int[0], new float[0]);
+
+  /** What a step changes. Copies share it. */
+  private RowArrays touches =
+      new RowArrays(
+          FIRST_CAPACITY,
+          new int[] {1, 1, 2, CONTACT, 1},
+          new byte[0],
+          new byte[0],
+          new int[0],
+          new float[0],
+          new float[0]);
 
   private final Stamp rows = new Stamp();
   private final RowMoves moves = new RowMoves();
@@ -132,7 +150,35 @@ public final class ContactTable {
 
   private final RecordHash records = new RecordHash();
 
-  ContactTable() {}
+  ContactTable() {
+    bind();
+  }
+
+  /** Must be called when the table has other arrays. */
+  private void bind() {
+    key = (long[]) pairs.array(0);
+    part = (int[]) pairs.array(1);
+    material = (float[]) pairs.array(2);
+    flags = (byte[]) touches.array(0);
+    points = (byte[]) touches.array(1);
+    id = (int[]) touches.array(2);
+    contact = (float[]) touches.array(3);
+    roll = (float[]) touches.array(4);
+  }
+
+  private void ownPairs() {
+    if (pairs.shared()) {
+      pairs = pairs.own(count, pairs.capacity());
+      bind();
+    }
+  }
+
+  private void ownTouches() {
+    if (touches.shared()) {
+      touches = touches.own(count, touches.capacity());
+      bind();
+    }
+  }
 
   /**
    * The number of rows.
@@ -343,15 +389,18 @@ public final class ContactTable {
     return key[row] == SleepingContacts.FREE;
   }
 
-  /** Must be called when rows get new flags. */
-  void flagsChanged() {
+  /** Must be called before rows get new flags or other numbers that steps change. */
+  void flagsChange() {
     version++;
+    ownTouches();
   }
 
-  /** Must be called when rows come or go. */
-  void rowsChanged() {
+  /** Must be called before rows come or go. */
+  void rowsChange() {
     version++;
     rows.change();
+    ownPairs();
+    ownTouches();
   }
 
   /** Takes the manifold of this step, handing each point the impulses of its predecessor. */
@@ -472,7 +521,7 @@ public final class ContactTable {
       long[] candidates, int candidateCount, BodyStore bodies, ShapeTable parts, boolean all) {
     version++;
     RowMoves m = moves;
-    m.clear();
+    m.clear(anyShared());
     int to = 0;
     int next = 0;
     int fresh = 0;
@@ -492,10 +541,7 @@ public final class ContactTable {
     if (fresh == 0 && to == count) {
       return;
     }
-    rows.change();
-    ensure(to);
-    count = to;
-    moveRows();
+    moveRows(to);
     for (int i = 0; i < fresh; i++) {
       start(m.inserted[i], candidates[i], bodies, parts);
     }
@@ -513,20 +559,20 @@ public final class ContactTable {
     return !(all || parts.moved[a] || parts.moved[b]) || parts.fat.overlaps(a, b);
   }
 
-  private void moveRows() {
-    if (moves.count() == 0) {
-      return;
-    }
-    moves.apply(key, 1);
-    moves.apply(part, 2);
-    moves.apply(flags, 1);
-    moves.apply(points, 1);
-    moves.apply(id, 2);
+  private boolean anyShared() {
+    return pairs.shared() || touches.shared();
+  }
+
+  /** Moves rows, of which there are then another number, to where they may be written. */
+  private void moveRows(int newCount) {
+    rows.change();
+    growCaches(Math.max(count, newCount));
+    pairs = pairs.moved(moves, pairs.room(newCount));
+    touches = touches.moved(moves, touches.room(newCount));
+    bind();
     moves.apply(hint, 1);
-    moves.apply(contact, CONTACT);
-    moves.apply(material, MATERIAL);
-    moves.apply(roll, 1);
     kept.move(moves);
+    count = newCount;
   }
 
   /**
@@ -537,8 +583,8 @@ public final class ContactTable {
    * @param n how many
    */
   void insert(ContactTable from, int[] which, int n) {
-    rowsChanged();
-    moves.clear();
+    version++;
+    moves.clear(anyShared());
     int next = 0;
     for (int row = 0; row <= count; row++) {
       for (; next < n && (row == count || from.key[which[next]] < key[row]); next++) {
@@ -548,9 +594,7 @@ public final class ContactTable {
         moves.keep(row, row + next);
       }
     }
-    ensure(count + n);
-    count += n;
-    moveRows();
+    moveRows(count + n);
     copyRows(from, which, moves.inserted, n);
     for (int i = 0; i < n; i++) {
       int to = moves.inserted[i];
@@ -574,8 +618,8 @@ public final class ContactTable {
 
   /** Moves the touching rows without an awake body to another store, and drops the others. */
   void retire(int[] activeIndex, SleepingContacts to) {
-    rowsChanged();
-    moves.clear();
+    version++;
+    moves.clear(anyShared());
     int[] retired = records.list(count);
     int gone = 0;
     int kept = 0;
@@ -587,14 +631,13 @@ public final class ContactTable {
       }
     }
     to.put(this, retired, gone);
-    moveRows();
-    count = kept;
+    moveRows(kept);
   }
 
   /** Drops all rows. */
   void clear() {
-    rowsChanged();
     count = 0;
+    rowsChange();
   }
 
   /** Makes room for one row more, which the caller fills; answers its number. */
@@ -605,21 +648,24 @@ public final class ContactTable {
 
   /** Whether the parts may touch; if not, what touches ends with the next update. */
   void ignore(int row, boolean ignored) {
+    if (ignored == ((flags[row] & IGNORED) != 0)) {
+      return;
+    }
+    ownTouches();
     flags[row] = (byte) (ignored ? flags[row] | IGNORED : flags[row] & ~IGNORED);
   }
 
   /** Drops all rows of a body. */
   void removeBody(int body) {
-    moves.clear();
+    version++;
+    moves.clear(anyShared());
     int kept = 0;
     for (int row = 0; row < count; row++) {
       if (ContactKey.bodyA(key[row]) != body && ContactKey.bodyB(key[row]) != body) {
         moves.keep(row, kept++);
       }
     }
-    rowsChanged();
-    moveRows();
-    count = kept;
+    moveRows(kept);
   }
 
   /** Makes a row of two parts that were not known to be close. */
@@ -659,7 +705,8 @@ public final class ContactTable {
 
   /** Makes room to keep manifolds; where nobody does so none are kept. */
   void keepManifolds() {
-    kept.ensure(key.length);
+    growCaches(count);
+    kept.ensure(hint.length);
   }
 
   /** Must be called when a body's parts were put elsewhere in its frame. */
@@ -673,7 +720,7 @@ public final class ContactTable {
 
   /** Must be called when materials of a body changed. */
   void mixAgain(int body, ShapeTable parts) {
-    rowsChanged();
+    rowsChange();
     for (int row = 0; row < count; row++) {
       if (bodyA(row) == body || bodyB(row) == body) {
         mix(row, parts);
@@ -683,7 +730,7 @@ public final class ContactTable {
 
   /** Holds copies of rows of another table instead of its own. */
   void take(ContactTable from, int[] which, int n) {
-    rowsChanged();
+    clear();
     ensure(n);
     count = n;
     int[] all = records.list(n);
@@ -713,13 +760,15 @@ public final class ContactTable {
    * @param n how many
    */
   void copyRows(ContactTable from, int[] which, int[] to, int n) {
+    ownPairs();
+    ownTouches();
     for (int i = 0; i < n; i++) {
       int then = which[i];
       int now = to[i];
       key[now] = from.key[then];
       flags[now] = from.flags[then];
       points[now] = from.points[then];
-      hint[now] = from.hint[then];
+      hint[now] = 0;
       roll[now] = from.roll[then];
       System.arraycopy(from.part, 2 * then, part, 2 * now, 2);
       System.arraycopy(from.id, 2 * then, id, 2 * now, 2);
@@ -786,30 +835,23 @@ public final class ContactTable {
   }
 
   /**
-   * Copies everything into another table, which grows as needed; allocates only then.
-   *
-   * @return the bytes that were copied
+   * Makes another table a copy of this. No row is copied: both share them until one of them writes.
    */
-  long copyTo(ContactTable to) {
-    to.ensure(count);
-    System.arraycopy(flags, 0, to.flags, 0, count);
-    System.arraycopy(points, 0, to.points, 0, count);
-    System.arraycopy(id, 0, to.id, 0, 2 * count);
-    System.arraycopy(roll, 0, to.roll, 0, count);
-    System.arraycopy(contact, 0, to.contact, 0, CONTACT * count);
-    int perRow = 2 + 2 * Integer.BYTES + Float.BYTES * (CONTACT + 1);
+  void copyTo(ContactTable to) {
+    touches.share();
+    to.touches.release();
+    to.touches = touches;
     if (!rows.same(to.rows)) {
-      System.arraycopy(key, 0, to.key, 0, count);
-      System.arraycopy(part, 0, to.part, 0, 2 * count);
-      System.arraycopy(material, 0, to.material, 0, MATERIAL * count);
-      to.count = count;
       to.kept.clear();
       rows.copyTo(to.rows);
-      perRow += Long.BYTES + 2 * Integer.BYTES + Float.BYTES * MATERIAL;
     }
+    pairs.share();
+    to.pairs.release();
+    to.pairs = pairs;
+    to.count = count;
+    to.bind();
     to.rolls = rolls;
     to.version++;
-    return (long) count * perRow;
   }
 
   /**
@@ -872,21 +914,22 @@ public final class ContactTable {
     ensure(rowCount);
   }
 
-  private void ensure(int capacity) {
-    if (capacity <= key.length) {
-      return;
+  private void ensure(int least) {
+    if (least > pairs.capacity() || least > touches.capacity()) {
+      pairs = pairs.own(count, pairs.room(least));
+      touches = touches.own(count, touches.room(least));
+      bind();
     }
-    int grown = Math.max(capacity, key.length * 2);
-    kept.grow(grown);
-    key = Arrays.copyOf(key, grown);
-    part = Arrays.copyOf(part, 2 * grown);
-    flags = Arrays.copyOf(flags, grown);
-    points = Arrays.copyOf(points, grown);
-    id = Arrays.copyOf(id, 2 * grown);
-    hint = Arrays.copyOf(hint, grown);
-    contact = Arrays.copyOf(contact, CONTACT * grown);
-    material = Arrays.copyOf(material, MATERIAL * grown);
-    roll = Arrays.copyOf(roll, grown);
-    moves.reserve(grown);
+    growCaches(least);
+  }
+
+  /** Makes room for what is known of rows beside their state. */
+  private void growCaches(int least) {
+    if (least > hint.length) {
+      int grown = Math.max(least, 2 * hint.length);
+      hint = Arrays.copyOf(hint, grown);
+      kept.grow(grown);
+      moves.reserve(grown);
+    }
   }
 }

@@ -24,16 +24,18 @@ public final class DynamicsState {
   public DynamicsState() {}
 
   /**
-   * What the last save copied, apart from shapes, which are copied if bodies came or went.
+   * What the last save copied, apart from shapes, which are copied if bodies came or went, and from
+   * contacts, which are shared until one side writes.
    *
-   * @return bytes of bodies, contacts and joints
+   * @return bytes of bodies and joints
    */
   public long bytes() {
     return bytes;
   }
 
   void take(BodyStore fromBodies, ContactTable fromContacts, JointStore fromJoints) {
-    bytes = fromBodies.copyTo(bodies) + fromContacts.copyTo(contacts) + fromJoints.copyTo(joints);
+    fromContacts.copyTo(contacts);
+    bytes = fromBodies.copyTo(bodies) + fromJoints.copyTo(joints);
   }
 
   void takeSleep(SleepingContacts fromSleepers, Stamp fromSleep) {

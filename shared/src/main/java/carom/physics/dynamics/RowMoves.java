@@ -20,10 +20,22 @@ final class RowMoves {
   private int[] length = new int[64];
   private int[] offset = new int[64];
   private int count;
+  private boolean all;
 
-  /** Forgets all. */
+  /** Forgets all; rows will be moved within their array. */
   void clear() {
+    clear(false);
+  }
+
+  /**
+   * Forgets all.
+   *
+   * @param elsewhere whether rows will be moved to another array, so that those count, too, that
+   *     stay in their place
+   */
+  void clear(boolean elsewhere) {
     count = 0;
+    all = elsewhere;
   }
 
   /** The number of runs that move at all. */
@@ -48,7 +60,7 @@ final class RowMoves {
 
   /** Notes that a row stays in the table; in ascending order. */
   void keep(int row, int to) {
-    if (row == to) {
+    if (row == to && !all) {
       return;
     }
     int last = count - 1;
@@ -79,20 +91,32 @@ final class RowMoves {
    * @param stride how many of these a row has
    */
   void apply(Object array, int stride) {
+    apply(array, array, stride);
+  }
+
+  /**
+   * Moves the rows of an array within it or to another one, if {@link #clear(boolean)} was told so.
+   *
+   * @param source of floats, ints, longs or bytes
+   * @param target the same, or one that has nothing yet
+   * @param stride how many elements a row has
+   */
+  void apply(Object source, Object target, int stride) {
+    boolean within = source == target;
     for (int i = 0; i < count; i++) {
-      if (offset[i] < 0) {
-        move(array, i, stride);
+      if (offset[i] < 0 || !within) {
+        move(source, target, i, stride);
       }
     }
-    for (int i = count - 1; i >= 0; i--) {
+    for (int i = count - 1; i >= 0 && within; i--) {
       if (offset[i] > 0) {
-        move(array, i, stride);
+        move(source, target, i, stride);
       }
     }
   }
 
-  private void move(Object array, int run, int stride) {
+  private void move(Object source, Object target, int run, int stride) {
     int first = from[run] * stride;
-    System.arraycopy(array, first, array, first + offset[run] * stride, length[run] * stride);
+    System.arraycopy(source, first, target, first + offset[run] * stride, length[run] * stride);
   }
 }

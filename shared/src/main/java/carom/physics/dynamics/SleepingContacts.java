@@ -71,8 +71,8 @@ final class SleepingContacts {
     for (int i = 0; i < n; i++) {
       taken[i] = freeCount > 0 ? freeRows[--freeCount] : rows.append();
     }
+    rows.rowsChange();
     rows.copyRows(from, which, taken, n);
-    rows.rowsChanged();
     if (2 * slots() > next.length) {
       next = Arrays.copyOf(next, Math.max(2 * slots(), 2 * next.length));
       previous = Arrays.copyOf(previous, next.length);
@@ -119,8 +119,8 @@ final class SleepingContacts {
 
   /** Forgets an unlinked row. */
   void release(int row) {
+    rows.rowsChange();
     rows.key[row] = FREE;
-    rows.rowsChanged();
     if (freeCount == freeRows.length) {
       freeRows = Arrays.copyOf(freeRows, 2 * freeCount);
     }
@@ -141,7 +141,7 @@ final class SleepingContacts {
    * @return the bytes that were copied
    */
   long copyTo(SleepingContacts to) {
-    long bytes = rows.copyTo(to.rows);
+    rows.copyTo(to.rows);
     if (to.next.length < next.length) {
       to.next = new int[next.length];
       to.previous = new int[next.length];
@@ -158,7 +158,7 @@ final class SleepingContacts {
     }
     System.arraycopy(freeRows, 0, to.freeRows, 0, freeCount);
     to.freeCount = freeCount;
-    return bytes + (4L * slots() + first.length + freeCount) * Integer.BYTES;
+    return (4L * slots() + first.length + freeCount) * Integer.BYTES;
   }
 
   /** Passes all rows through an archive; reading begins with an empty store. */
