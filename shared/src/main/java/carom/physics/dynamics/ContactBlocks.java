@@ -40,10 +40,8 @@ final class ContactBlocks {
   /** Steps with fewer blocks don't use vectors. */
   private static final int FEWEST_BLOCKS = 64;
 
-  /** Blocks that are worth a piece of work for a worker: of a colour, and merely to look at. */
-  private static final int SOLVE_AT_LEAST = 32;
-
-  static final int VISIT_AT_LEAST = 64;
+  /** Blocks that make a piece of work for a worker. */
+  private static final int GRAIN = 8;
 
   /** Every colour has a group of contacts with one point, and one of those with two. */
   private static final int GROUPS = 2 * 2 * (LAST_COLOUR + 1);
@@ -176,6 +174,16 @@ final class ContactBlocks {
 
   private final Crew crew;
 
+  /** Pieces of all colours, first those of the first worker's share: from and to of each. */
+  private int[] piece = new int[0];
+
+  private int pieces;
+
+  /** What is done piece by piece. */
+  private Crew.Range visit;
+
+  private final Crew.Range visiting = this::visitPieces;
+
   /** Makes room for nothing yet; the crew does colours. */
   ContactBlocks(Crew crew) {
     this.crew = crew;
@@ -294,6 +302,62 @@ final class ContactBlocks {
       }
     }
     colourStart[GROUPS >> 1] = count;
+    cut();
+  }
+
+  /**
+   * Cuts all colours into pieces, in the order of the workers that get them when colours are
+   * solved: the first worker the first part of each colour, and so on. Within a colour contacts are
+   * in the order of their keys, so that worker looked at their rows, too, in the narrow phase; who
+   * packs and stores them finds rows and blocks in its core's cache.
+   */
+  private void cut() {
+    pieces = 0;
+    if (!crew.shares(count, GRAIN)) {
+      return;
+    }
+    int workers = crew.count();
+    int most = count / GRAIN + (GROUPS >> 1) * workers;
+    if (piece.length < 2 * most) {
+      piece = new int[3 * most];
+    }
+    for (int worker = 0; worker < workers; worker++) {
+      for (int c = 0; c < GROUPS >> 1; c++) {
+        int start = colourStart[c];
+        int blocks = colourStart[c + 1] - start;
+        boolean shared = isShared(c);
+        int from = shared ? blocks * worker / workers : 0;
+        int to = shared ? blocks * (worker + 1) / workers : worker == 0 ? blocks : 0;
+        for (; from < to; from += GRAIN) {
+          piece[2 * pieces] = start + from;
+          piece[2 * pieces + 1] = start + Math.min(from + GRAIN, to);
+          pieces++;
+        }
+      }
+    }
+  }
+
+  /** Whether a colour is shared by the workers: not what found no colour, nor too few blocks. */
+  private boolean isShared(int c) {
+    return (c & LAST_COLOUR) != LAST_COLOUR
+        && crew.shares(colourStart[c + 1] - colourStart[c], GRAIN);
+  }
+
+  /** Does a stage in which no block has anything to do with another. */
+  void inAnyOrder(Crew.Range stage) {
+    if (pieces == 0) {
+      stage.run(0, count, 0);
+      return;
+    }
+    visit = stage;
+    crew.run(0, pieces, 1, visiting);
+    visit = null;
+  }
+
+  private void visitPieces(int from, int to, int worker) {
+    for (int k = from; k < to; k++) {
+      visit.run(piece[2 * k], piece[2 * k + 1], worker);
+    }
   }
 
   /** Makes the empty lanes of a block contacts of nothing with nothing. */
@@ -315,11 +379,11 @@ final class ContactBlocks {
     for (int c = 0; c < GROUPS >> 1; c++) {
       int start = colourStart[c];
       int end = colourStart[c + 1];
-      if (crew.shares(end - start, SOLVE_AT_LEAST) && (c & LAST_COLOUR) != LAST_COLOUR) {
+      if (isShared(c)) {
         if (from < start) {
           stage.run(from, start, 0);
         }
-        crew.run(start, end, SOLVE_AT_LEAST, stage);
+        crew.run(start, end, GRAIN, stage);
         from = end;
       }
     }

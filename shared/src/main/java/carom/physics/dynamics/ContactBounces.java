@@ -48,7 +48,6 @@ final class ContactBounces {
   private static final int BOUNCE_ROUNDS = 4;
 
   private final ContactBlocks blocks;
-  private final Crew crew;
 
   // The stages, made once so that a step allocates nothing.
   private final Crew.Range bouncing = (from, to, worker) -> bounceBlocks(from, to);
@@ -56,10 +55,9 @@ final class ContactBounces {
 
   private float h;
 
-  /** The crew does colours. */
-  ContactBounces(ContactBlocks blocks, Crew crew) {
+  /** Has the contacts of these blocks bounce. */
+  ContactBounces(ContactBlocks blocks) {
     this.blocks = blocks;
-    this.crew = crew;
   }
 
   /** Lets all bounce; the substep's length in s. */
@@ -71,7 +69,7 @@ final class ContactBounces {
     for (int round = 0; round < BOUNCE_ROUNDS; round++) {
       blocks.byColours(bouncing);
     }
-    crew.run(0, blocks.count(), ContactBlocks.VISIT_AT_LEAST, ending);
+    blocks.inAnyOrder(ending);
   }
 
   private boolean any() {

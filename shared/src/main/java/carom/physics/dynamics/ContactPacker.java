@@ -50,11 +50,7 @@ final class ContactPacker {
   /** Two points yield that much more, so that points in one place share the load. */
   private static final float SHARE = 1 + 1 / 1024f;
 
-  /** Blocks whose filling is worth a piece of work for a worker. */
-  private static final int PACK_AT_LEAST = 16;
-
   private final ContactBlocks blocks;
-  private final Crew crew;
 
   // The stages, made once so that a step allocates nothing.
   private final Crew.Range packing = (from, to, worker) -> packBlocks(from, to);
@@ -68,10 +64,9 @@ final class ContactPacker {
   private Settings settings;
   private float h;
 
-  /** The crew fills the blocks. */
-  ContactPacker(ContactBlocks blocks, Crew crew) {
+  /** Fills these blocks. */
+  ContactPacker(ContactBlocks blocks) {
     this.blocks = blocks;
-    this.crew = crew;
   }
 
   /** Fills the blocks, which are laid out. */
@@ -88,7 +83,7 @@ final class ContactPacker {
     activeIndex = activeIndices;
     settings = constants;
     h = substep;
-    crew.run(0, blocks.count(), PACK_AT_LEAST, packing);
+    blocks.inAnyOrder(packing);
   }
 
   private void packBlocks(int from, int to) {
@@ -248,7 +243,7 @@ final class ContactPacker {
 
   /** Hands the impulses back to the table, but for those that overflowed. */
   void store() {
-    crew.run(0, blocks.count(), ContactBlocks.VISIT_AT_LEAST, storing);
+    blocks.inAnyOrder(storing);
   }
 
   private void storeBlocks(int from, int to) {

@@ -197,8 +197,8 @@ final class ContactSolver {
     this.lanes = lanes;
     this.crew = crew;
     blocks = new ContactBlocks(crew);
-    packer = new ContactPacker(blocks, crew);
-    bounces = new ContactBounces(blocks, crew);
+    packer = new ContactPacker(blocks);
+    bounces = new ContactBounces(blocks);
   }
 
   /** The number of blocks. */

@@ -7,14 +7,14 @@ import carom.physics.threads.Workers;
  * there are none or too little is to do.
  */
 final class Crew implements Workers.Task {
-  /** Pieces per worker: a few, so that who is held up leaves some to the others. */
-  private static final int PIECES = 4;
-
   /**
-   * Steps with fewer moving bodies have too little to share for threads that spin between its runs:
-   * {@code tumbler}, with 2,025, took 1.05 times as long for it.
+   * Pieces that a stage must have to be shared: fewer aren't worth the microsecond that it takes to
+   * hand some over and to wait for the end.
    */
-  private static final int FEWEST_BODIES = 3000;
+  private static final int FEWEST_PIECES = 6;
+
+  /** Steps with fewer moving bodies have too little to share for threads that spin meanwhile. */
+  private static final int FEWEST_BODIES = 1000;
 
   private Workers workers;
   private int count = 1;
@@ -64,25 +64,26 @@ final class Crew implements Workers.Task {
   }
 
   /** Whether a stage of some elements is shared at all. */
-  boolean shares(int size, int least) {
-    return count > 1 && size / least >= 2;
+  boolean shares(int size, int grain) {
+    return count > 1 && size / grain >= FEWEST_PIECES;
   }
 
   /**
    * Does a stage whose elements touch nothing in common.
    *
-   * @param least how many elements are worth a piece: some microseconds of work
+   * @param grain how many elements make a piece: a microsecond or two of work, so that nobody waits
+   *     long for the last one, and taking it costs nothing beside it
    */
-  void run(int from, int to, int least, Range stage) {
+  void run(int from, int to, int grain, Range stage) {
     size = to - from;
-    if (!shares(size, least)) {
+    if (!shares(size, grain)) {
       if (size > 0) {
         stage.run(from, to, 0);
       }
       return;
     }
     begin = from;
-    pieces = Math.min(size / least, PIECES * count);
+    pieces = size / grain;
     range = stage;
     workers.run(pieces, this);
   }

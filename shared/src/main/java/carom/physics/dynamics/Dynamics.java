@@ -73,7 +73,7 @@ public final class Dynamics {
    */
   public Dynamics(Settings settings) {
     this.settings = settings;
-    pairs = new PairFinder(settings, bodies, parts, contacts, joints);
+    pairs = new PairFinder(settings, bodies, parts, contacts, joints, crew);
     continuous = new ContinuousCollision(this, pairs, settings, bodies, active, parts, contacts);
     sleeping = new Sleeping(settings, bodies, active, parts, contacts, sleepers, joints, pairs);
     collideStage = new CollideStage(sleeping, settings, bodies, parts, contacts, crew, continuous);
@@ -434,24 +434,12 @@ public final class Dynamics {
     refilter();
     begins(StepStage.BOXES);
     crew.stepBegins(active.count);
-    refreshBoxes();
-    boolean all = true;
-    do {
-      begins(StepStage.PAIRS);
-      pairs.find();
-      begins(StepStage.COLLIDE);
-      collideStage.run(all);
-      all = false;
-    } while (sleeping.wakeTouched());
-    sleeping.forgetMoves();
-    sleeping.suspend();
-    begins(StepStage.EVENTS);
-    if (events != null) {
-      eventStage.beforeSolving(events);
+    try {
+      findContacts(events);
+      substeps.run(dt);
+    } finally {
+      crew.stepEnds();
     }
-    collideStage.holdBack();
-    substeps.run(dt);
-    crew.stepEnds();
     pairs.posesChanged();
     begins(StepStage.CONTINUOUS);
     stopFast();
@@ -471,6 +459,26 @@ public final class Dynamics {
     if (stages != null) {
       stages.done();
     }
+  }
+
+  /** Renews boxes, pairs and contacts, and wakes what is touched. */
+  private void findContacts(ContactEvents events) {
+    refreshBoxes();
+    boolean all = true;
+    do {
+      begins(StepStage.PAIRS);
+      pairs.find();
+      begins(StepStage.COLLIDE);
+      collideStage.run(all);
+      all = false;
+    } while (sleeping.wakeTouched());
+    sleeping.forgetMoves();
+    sleeping.suspend();
+    begins(StepStage.EVENTS);
+    if (events != null) {
+      eventStage.beforeSolving(events);
+    }
+    collideStage.holdBack();
   }
 
   /**

@@ -17,8 +17,8 @@ import java.util.Arrays;
 final class NarrowPhase {
   private static final int BLOCK = 256;
 
-  /** Rows that are worth a piece of work. */
-  private static final int AT_LEAST = 128;
+  /** Rows that make a piece of work for a worker. */
+  private static final int GRAIN = 64;
 
   private final Settings settings;
   private final BodyStore bodies;
@@ -88,7 +88,7 @@ final class NarrowPhase {
       desk.touching = 0;
       desk.pressed = false;
     }
-    crew.run(0, contacts.count(), AT_LEAST, updating);
+    crew.run(0, contacts.count(), GRAIN, updating);
     int touching = 0;
     for (Desk desk : desks) {
       touching += desk.touching;

@@ -32,6 +32,9 @@ final class PairFinder {
   /** Up to this fraction (1 / n) of moved parts, each is searched for itself. */
   private static final int SEARCH_SHARE = 16;
 
+  /** Bodies whose boxes make a piece of work for a worker. */
+  private static final int GRAIN = 64;
+
   /** Relative rounding of the edges of a box, as far from the origin as it is. */
   private static final float ROUNDING = 0x1p-22f;
 
@@ -40,8 +43,21 @@ final class PairFinder {
   private final ShapeTable parts;
   private final ContactTable contacts;
   private final JointStore joints;
-  private final Transform pose = new Transform();
-  private final Aabb box = new Aabb();
+
+  private final Crew crew;
+  private Desk[] desks = {new Desk()};
+
+  /** What one worker needs to measure boxes. */
+  private static final class Desk {
+    private final Transform pose = new Transform();
+    private final Aabb box = new Aabb();
+  }
+
+  /** Per active body, while boxes are refreshed: whether a part left its fat box. */
+  private boolean[] strayed = new boolean[FIRST_CAPACITY];
+
+  private ActiveBodies refreshed;
+  private final Crew.Range measuring = this::measureBodies;
 
   /** Parts of active bodies, and of those that are static or sleep. */
   private final KdTree moving;
@@ -88,7 +104,9 @@ final class PairFinder {
       BodyStore bodies,
       ShapeTable parts,
       ContactTable contacts,
-      JointStore joints) {
+      JointStore joints,
+      Crew crew) {
+    this.crew = crew;
     this.settings = settings;
     this.bodies = bodies;
     this.parts = parts;
@@ -152,10 +170,12 @@ final class PairFinder {
   void rest(int[] which, int count) {
     listParts(which, count);
     moving.removeAll(partList, partListCount);
+    Desk desk = desks[0];
     for (int i = 0; i < count; i++) {
-      place(which[i]);
+      place(which[i], desk.pose);
       int first = bodies.firstPart[which[i]];
       for (int part = first; part < first + bodies.partCount[which[i]]; part++) {
+        measure(part, desk);
         if (!holds(part)) {
           fatten(part, settings.aabbMargin(), 0, 0);
           markMoved(part);
@@ -181,8 +201,8 @@ final class PairFinder {
   }
 
   private void restingBox(int body, int part) {
-    place(body);
-    measure(part);
+    place(body, desks[0].pose);
+    measure(part, desks[0]);
     fatten(part, 0, 0, 0);
   }
 
@@ -267,15 +287,16 @@ final class PairFinder {
       return;
     }
     boxesStale = false;
+    measure(active);
     partListCount = 0;
     for (int i = 0; i < active.count; i++) {
-      int body = active.list[i];
-      place(body);
-      int first = bodies.firstPart[body];
-      int end = first + bodies.partCount[body];
-      for (int part = first; part < end; part++) {
-        if (!holds(part)) {
-          listPart(part);
+      if (strayed[i]) {
+        int first = bodies.firstPart[active.list[i]];
+        int end = first + bodies.partCount[active.list[i]];
+        for (int part = first; part < end; part++) {
+          if (!holds(part)) {
+            listPart(part);
+          }
         }
       }
     }
@@ -291,21 +312,51 @@ final class PairFinder {
     movingStale = true;
   }
 
-  private void place(int body) {
+  /** Measures the parts of all active bodies, and finds out which bodies strayed. */
+  private void measure(ActiveBodies active) {
+    if (strayed.length < active.count) {
+      strayed = new boolean[active.list.length];
+    }
+    if (desks.length < crew.count()) {
+      desks = new Desk[crew.count()];
+      Arrays.setAll(desks, i -> new Desk());
+    }
+    refreshed = active;
+    crew.run(0, active.count, GRAIN, measuring);
+  }
+
+  private void measureBodies(int from, int to, int worker) {
+    Desk desk = desks[worker];
+    for (int i = from; i < to; i++) {
+      int body = refreshed.list[i];
+      place(body, desk.pose);
+      int first = bodies.firstPart[body];
+      int end = first + bodies.partCount[body];
+      boolean hold = true;
+      for (int part = first; part < end; part++) {
+        measure(part, desk);
+        hold &= holds(part);
+      }
+      strayed[i] = !hold;
+    }
+  }
+
+  private void place(int body, Transform pose) {
     pose.set(bodies.x[body], bodies.y[body], bodies.cos[body], bodies.sin[body]);
   }
 
-  /** Measures the tight box of a part at {@link #pose}. */
-  private void measure(int part) {
+  /** Measures the tight box of a part at the desk's pose. */
+  private void measure(int part, Desk desk) {
+    Transform pose = desk.pose;
+    Aabb box = desk.box;
     parts.convex[part].aabb(pose, box);
     float reach = 0.5f * settings.speculativeDistance();
     reach += ROUNDING * (Math.abs(pose.x) + Math.abs(pose.y));
     parts.tight.set(part, box.minX - reach, box.minY - reach, box.maxX + reach, box.maxY + reach);
   }
 
-  /** Measures a part at {@link #pose}; answers whether its fat box still contains it. */
+  /** Whether a part's fat box still contains its tight one. */
   private boolean holds(int part) {
-    measure(part);
     AabbArray t = parts.tight;
     return parts.fat.contains(part, t.minX(part), t.minY(part), t.maxX(part), t.maxY(part));
   }
@@ -379,8 +430,8 @@ final class PairFinder {
 
   /** The tight box of a part, at the pose of its body now. */
   void tightBox(int part, Aabb out) {
-    place(parts.body[part]);
-    parts.convex[part].aabb(pose, out);
+    place(parts.body[part], desks[0].pose);
+    parts.convex[part].aabb(desks[0].pose, out);
   }
 
   // ---------------------------------------------------------------- pairs

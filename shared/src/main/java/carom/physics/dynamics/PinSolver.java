@@ -75,8 +75,8 @@ final class PinSolver {
   /** Steps with fewer blocks don't use vectors. */
   private static final int FEWEST_BLOCKS = 32;
 
-  /** Blocks that are worth a piece of work for a worker. */
-  private static final int AT_LEAST = 16;
+  /** Blocks that make a piece of work for a worker. */
+  private static final int GRAIN = 8;
 
   private final PinLanes lanes;
   private final Crew crew;
@@ -175,7 +175,7 @@ final class PinSolver {
     for (int block = 0; block < blocks; block++) {
       wide[block] = block < most && used[block] >= FEWEST;
     }
-    crew.run(0, blocks, AT_LEAST, measuring);
+    crew.run(0, blocks, GRAIN, measuring);
   }
 
   /** Fills a lane: bodies, masses and what the last step left behind. */
@@ -220,17 +220,17 @@ final class PinSolver {
 
   /** Applies the impulses of the last substep, or the last step. */
   void warmStart(int from, int to) {
-    crew.run(from, to, AT_LEAST, warming);
+    crew.run(from, to, GRAIN, warming);
   }
 
   /** One visit of each pin before bodies move, which draws anchors together. */
   void push(int from, int to) {
-    crew.run(from, to, AT_LEAST, pushing);
+    crew.run(from, to, GRAIN, pushing);
   }
 
   /** One visit of each pin after bodies moved, rigid. */
   void relax(int from, int to) {
-    crew.run(from, to, AT_LEAST, relaxing);
+    crew.run(from, to, GRAIN, relaxing);
   }
 
   private void measureBlocks(int from, int to, int worker) {

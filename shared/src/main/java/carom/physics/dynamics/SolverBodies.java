@@ -65,8 +65,8 @@ final class SolverBodies {
 
   private int count;
 
-  /** Bodies that are worth a piece of work for a worker. */
-  private static final int AT_LEAST = 512;
+  /** Bodies that make a piece of work for a worker. */
+  private static final int GRAIN = 128;
 
   private final Crew crew;
 
@@ -125,7 +125,7 @@ final class SolverBodies {
     }
     Arrays.fill(state, 0, STRIDE, 0);
     state[COS] = 1;
-    crew.run(1, count, AT_LEAST, loading);
+    crew.run(1, count, GRAIN, loading);
   }
 
   private void load(int from, int to) {
@@ -177,7 +177,7 @@ final class SolverBodies {
     if (explicit) {
       System.arraycopy(state, 0, before, 0, count * STRIDE);
     }
-    crew.run(1, count, AT_LEAST, accelerating);
+    crew.run(1, count, GRAIN, accelerating);
     if (explicit) {
       System.arraycopy(state, 0, free, 0, count * STRIDE);
     }
@@ -240,7 +240,7 @@ final class SolverBodies {
    */
   void integratePositions() {
     if (!explicit) {
-      crew.run(1, count, AT_LEAST, moving);
+      crew.run(1, count, GRAIN, moving);
       return;
     }
     float[] s = state;
@@ -250,7 +250,7 @@ final class SolverBodies {
       s[at + VY] = before[at + VY] + (solved[at + VY] - free[at + VY]);
       s[at + W] = before[at + W] + (solved[at + W] - free[at + W]);
     }
-    crew.run(1, count, AT_LEAST, moving);
+    crew.run(1, count, GRAIN, moving);
     for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
       s[at + VX] = finite(solved[at + VX]);
       s[at + VY] = finite(solved[at + VY]);
@@ -326,7 +326,7 @@ final class SolverBodies {
    * stops there.
    */
   void store() {
-    crew.run(1, count, AT_LEAST, storing);
+    crew.run(1, count, GRAIN, storing);
   }
 
   private void store(int from, int to) {

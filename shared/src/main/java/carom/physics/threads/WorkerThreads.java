@@ -3,19 +3,24 @@ package carom.physics.threads;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLongArray;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
 
 /**
  * {@link Workers} made of threads of its own. May be shared by worlds that are stepped by different
- * threads: a run that finds the threads busy with another world's is carried out by its caller
- * alone.
+ * threads. A world whose step was {@linkplain #stepBegins announced} has the threads until that
+ * step ends, any other one for a run; who finds them lent carries out its run alone.
  *
- * <p><b>How.</b> A run is published as one number, its round and how many tasks it has. Each task
- * has a claim, the last round in which someone took it; who raises it to the current round does the
- * task. A worker begins with its own share of the tasks, the same in every run of that size, so
- * that memory stays in its core's cache, and then helps the others from their ends. The caller
- * never waits for a thread that the operating system doesn't let run, unless that thread has begun
- * a task.
+ * <p><b>How.</b> The tasks of a run are dealt out evenly, each worker's share as a range in one
+ * atomic word; to take a task is to shorten the range. A worker begins at the front of its own
+ * share, the same in every run of that size, so that memory stays in its core's cache, and then
+ * helps the others from the ends of theirs. The caller never waits for a thread that the operating
+ * system doesn't let run, unless that thread has begun a task.
+ *
+ * <p><b>Crowds.</b> Where more threads want a processor than there are, a helper may lose its one
+ * in the midst of a task, and the caller waits for milliseconds. So the tasks of announced steps
+ * that helpers did are set against how long their callers waited; when waiting prevails, some steps
+ * aren't shared at all.
  *
  * <p>A thread without work spins for some 100 microseconds and then parks; within a step that was
  * announced for some 2 ms, since it takes tens of microseconds to wake and a step has serial parts
@@ -25,65 +30,63 @@ public final class WorkerThreads implements Workers, AutoCloseable {
   /** Most threads, the caller included. */
   public static final int MAX_COUNT = 64;
 
-  /** Most tasks that are spread; runs with more are cut up by their callers into bundles. */
-  private static final int MAX_SPREAD = 1024;
-
   /** How often an idle thread looks for work, and a caller for the end, before it lets go. */
   private static final int SPINS = 2000;
 
   /** And within a step. */
   private static final int SPINS_IN_STEP = 40_000;
 
-  /**
-   * A caller that sleeps longer than this over the last tasks waits for a thread that lost its
-   * processor: there are fewer than threads that want one. Who spins then is the first to lose it,
-   * in the midst of a task; steps took up to twice as long. So for some steps nobody does.
-   */
-  private static final long HELD_UP_NS = 1_000_000;
+  /** How many turns of a spinning caller, and of its sleep, take as long as a task of a step. */
+  private static final int SPINS_PER_TASK = 25;
 
-  private static final int CROWDED_STEPS = 100;
+  private static final int TASKS_PER_SLEEP = 64;
 
-  /** Claims are that many longs apart: a cache line each. */
-  private static final int APART = 8;
+  /** How long a caller sleeps until it looks for the end again, unless it is woken. */
+  private static final long SLEEP_NS = 100_000;
 
-  private static final int TASKS_BITS = 16;
+  /** How many announced steps are left to their callers when sharing didn't pay. */
+  private static final int PAUSE_STEPS = 32;
+
+  /** Which part (1 / n) of the balance a step forgets. */
+  private static final int FORGOTTEN = 8;
+
+  /** Shares are that many longs apart: two cache lines each, as processors fetch them in pairs. */
+  private static final int APART = 16;
 
   private final int count;
   private final Thread[] threads;
   private final AtomicBoolean[] parked;
-  private final AtomicLongArray claims = new AtomicLongArray((MAX_SPREAD + 1) * APART);
 
-  /** Whether a caller uses the threads now. */
-  private final AtomicBoolean taken = new AtomicBoolean();
+  /** Per worker: its first task that nobody took, in the upper half, and behind its last one. */
+  private final AtomicLongArray shares;
 
-  /** Tasks of the round that nobody has reported as done. */
+  /** Who has the threads: the caller of the run or of the announced step that is on. */
+  private final AtomicReference<Thread> holder = new AtomicReference<>();
+
+  /** Tasks of the run that nobody has reported as done. */
   private final AtomicInteger left = new AtomicInteger();
 
   /** What a task threw first. */
   private volatile Throwable failure;
 
-  /**
-   * The round, and below it the number of its tasks. Tells the workers that {@link #work} is set.
-   */
-  private volatile long published;
-
-  /** Whether a step that makes runs is on. */
+  /** Whether the holder has announced a step. */
   private volatile boolean inStep;
 
   private volatile boolean closed;
 
-  /** For how many steps threads aren't kept spinning; written by whoever steps. */
-  private volatile int crowdedSteps;
+  /** Tasks of the last announced steps that others did than their callers, less the waiting. */
+  private int balance;
 
-  /** Who waits for the end of the round, null if nobody sleeps over it. */
+  /** How many announced steps won't be shared, and whether this one isn't. */
+  private int pause;
+
+  private boolean alone;
+
+  /** Who waits for the end of the run, null if nobody sleeps over it. */
   private volatile Thread waiting;
 
+  /** What the run does; read by those who took one of its tasks. */
   private Task work;
-
-  /** Tasks of the run, and how many of them make one of the round. */
-  private int tasks;
-
-  private int bundle;
 
   /**
    * Starts {@code count - 1} threads, daemons named {@code carom-worker-1} and so on.
@@ -102,6 +105,7 @@ public final class WorkerThreads implements Workers, AutoCloseable {
               + "; it is the number of threads, the caller included");
     }
     this.count = count;
+    shares = new AtomicLongArray((count + 1) * APART);
     threads = new Thread[count - 1];
     parked = new AtomicBoolean[count - 1];
     for (int i = 0; i < threads.length; i++) {
@@ -120,30 +124,36 @@ public final class WorkerThreads implements Workers, AutoCloseable {
 
   @Override
   public void run(int tasks, Task task) {
-    if (tasks < 2 || count == 1 || closed || !taken.compareAndSet(false, true)) {
-      for (int i = 0; i < tasks; i++) {
-        task.run(i, 0);
+    if (tasks > 1 && count > 1 && !closed) {
+      Thread caller = Thread.currentThread();
+      if (holder.get() == caller && !alone) {
+        spread(tasks, task);
+        return;
       }
-      return;
+      if (holder.compareAndSet(null, caller)) {
+        try {
+          spread(tasks, task);
+        } finally {
+          holder.set(null);
+        }
+        return;
+      }
     }
-    try {
-      spread(tasks, task);
-    } finally {
-      taken.set(false);
+    for (int i = 0; i < tasks; i++) {
+      task.run(i, 0);
     }
   }
 
-  private void spread(int all, Task task) {
+  private void spread(int tasks, Task task) {
     work = task;
-    tasks = all;
-    bundle = (all + MAX_SPREAD - 1) / MAX_SPREAD;
-    int bundles = (all + bundle - 1) / bundle;
-    left.set(bundles);
-    long round = (published >> TASKS_BITS) + 1;
-    published = round << TASKS_BITS | bundles;
+    left.set(tasks);
+    for (int worker = count - 1; worker >= 0; worker--) {
+      long from = (long) tasks * worker / count;
+      long to = (long) tasks * (worker + 1) / count;
+      shares.set((worker + 1) * APART, from << Integer.SIZE | to);
+    }
     wake();
-    help(0, round, bundles);
-    awaitOthers();
+    balance += tasks - help(0) - awaitOthers();
     work = null;
     Throwable thrown = failure;
     if (thrown != null) {
@@ -163,58 +173,75 @@ public final class WorkerThreads implements Workers, AutoCloseable {
     }
   }
 
-  /** {@inheritDoc} Of several worlds that share the threads, the last one to call decides. */
+  /**
+   * {@inheritDoc} The threads are the caller's until {@link #stepEnds}, unless another's step has
+   * them.
+   */
   @Override
   public void stepBegins() {
-    int crowded = crowdedSteps;
-    if (crowded > 0) {
-      crowdedSteps = crowded - 1;
+    Thread caller = Thread.currentThread();
+    if (holder.get() != caller && !holder.compareAndSet(null, caller)) {
       return;
     }
-    inStep = true;
-    wake();
+    alone = pause > 0;
+    if (alone) {
+      pause--;
+    } else {
+      inStep = true;
+      wake();
+    }
   }
 
   @Override
   public void stepEnds() {
+    if (holder.get() != Thread.currentThread()) {
+      return;
+    }
+    if (balance < 0) {
+      balance = 0;
+      pause = PAUSE_STEPS;
+    }
+    balance -= balance / FORGOTTEN;
     inStep = false;
+    alone = false;
+    holder.set(null);
   }
 
-  private void awaitOthers() {
-    for (int i = 0; left.get() != 0; i++) {
-      if (i < SPINS) {
-        Thread.onSpinWait();
-      } else {
-        waiting = Thread.currentThread();
-        if (left.get() != 0) {
-          LockSupport.parkNanos(this, HELD_UP_NS);
-        }
-        waiting = null;
-        if (left.get() != 0) {
-          crowdedSteps = CROWDED_STEPS;
-        }
+  /** Waits until all tasks are done; answers for how many tasks' time. */
+  private int awaitOthers() {
+    for (int i = 0; i < SPINS; i++) {
+      if (left.get() == 0) {
+        return i / SPINS_PER_TASK;
       }
+      Thread.onSpinWait();
     }
+    int sleeps = 0;
+    waiting = Thread.currentThread();
+    while (left.get() != 0) {
+      LockSupport.parkNanos(this, SLEEP_NS);
+      sleeps++;
+    }
+    waiting = null;
+    return SPINS / SPINS_PER_TASK + sleeps * TASKS_PER_SLEEP;
   }
 
   /**
-   * Takes tasks of the round until none is free: its own first, then those of the others. A thread
-   * that comes too late finds every claim of its round raised, to that or a later one, and so never
-   * looks at what has changed since.
+   * Takes tasks until none is free, its own first, then those of the others; answers how many. What
+   * it takes is of the run that is on, even if it came to help with the one before: a run can't end
+   * while one of its tasks isn't reported.
    */
-  private void help(int worker, long round, int bundles) {
+  private int help(int worker) {
     int done = 0;
     for (int k = 0; k < count; k++) {
-      int owner = (worker + k) % count;
-      int from = bundles * owner / count;
-      int to = bundles * (owner + 1) / count;
-      for (int i = 0; i < to - from; i++) {
-        int b = k == 0 ? from + i : to - 1 - i;
-        long seen = claims.get(b * APART);
-        if (seen < round && claims.compareAndSet(b * APART, seen, round)) {
-          carryOut(b, worker);
+      int at = ((worker + k) % count + 1) * APART;
+      long share = shares.get(at);
+      while (first(share) < end(share)) {
+        int task = k == 0 ? first(share) : end(share) - 1;
+        if (shares.compareAndSet(at, share, k == 0 ? share + (1L << Integer.SIZE) : share - 1)) {
+          carryOut(task, worker);
           done++;
         }
+        share = shares.get(at);
       }
     }
     if (done > 0 && left.addAndGet(-done) == 0) {
@@ -223,14 +250,20 @@ public final class WorkerThreads implements Workers, AutoCloseable {
         LockSupport.unpark(caller);
       }
     }
+    return done;
   }
 
-  private void carryOut(int bundleIndex, int worker) {
-    int end = Math.min(tasks, (bundleIndex + 1) * bundle);
+  private static int first(long share) {
+    return (int) (share >>> Integer.SIZE);
+  }
+
+  private static int end(long share) {
+    return (int) share;
+  }
+
+  private void carryOut(int task, int worker) {
     try {
-      for (int i = bundleIndex * bundle; i < end; i++) {
-        work.run(i, worker);
-      }
+      work.run(task, worker);
     } catch (RuntimeException | Error e) {
       failure = e;
     }
@@ -238,26 +271,28 @@ public final class WorkerThreads implements Workers, AutoCloseable {
 
   private void live(int worker) {
     AtomicBoolean asleep = parked[worker - 1];
-    long seen = 0;
     int idle = 0;
     while (!closed) {
-      long now = published;
-      if (now != seen) {
-        seen = now;
+      if (hasWork(worker)) {
+        help(worker);
         idle = 0;
-        help(worker, now >> TASKS_BITS, (int) (now & (1 << TASKS_BITS) - 1));
       } else if (idle < (inStep ? SPINS_IN_STEP : SPINS)) {
         idle++;
         Thread.onSpinWait();
       } else {
         asleep.set(true);
-        if (published == seen && !closed) {
+        if (!hasWork(worker) && !closed) {
           LockSupport.park(this);
         }
         asleep.set(false);
         idle = 0;
       }
     }
+  }
+
+  private boolean hasWork(int worker) {
+    long share = shares.get((worker + 1) * APART);
+    return first(share) < end(share);
   }
 
   /**

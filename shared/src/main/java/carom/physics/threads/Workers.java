@@ -30,15 +30,16 @@ public interface Workers {
   void run(int tasks, Task task);
 
   /**
-   * Tells that a step began which is worth sharing: runs follow, with serial work in between that
-   * may take longer than an idle thread should otherwise spin for. A hint, called by the thread
-   * that steps; does nothing unless overridden.
+   * Tells that a step began which is worth sharing: runs of the same thread follow, with serial
+   * work in between that may take longer than an idle thread should otherwise spin for. A hint,
+   * called by the thread that steps; does nothing unless overridden. The tasks of these runs take
+   * microseconds each.
    */
   default void stepBegins() {}
 
   /**
-   * Tells that the step's runs are over. A hint, too; if a step ends by an exception it isn't
-   * given, so nothing may spin without end for want of it.
+   * Tells that the step's runs are over, also if it ends by an exception. Follows every {@link
+   * #stepBegins} on the same thread; without one it does nothing.
    */
   default void stepEnds() {}
 

@@ -182,6 +182,42 @@ final class WorkerThreadsTest {
     }
   }
 
+  /** Who announced a step has the threads until it ends; others, and their hints, wait for none. */
+  @Test
+  void anAnnouncedStepHasTheThreadsToItself() throws InterruptedException {
+    try (WorkerThreads workers = new WorkerThreads(2)) {
+      Workers.Task meeting = meeting(workers);
+      workers.stepBegins();
+      Thread other =
+          new Thread(
+              () -> {
+                workers.stepBegins();
+                Thread me = Thread.currentThread();
+                workers.run(8, (task, worker) -> assertSame(me, Thread.currentThread()));
+                workers.stepEnds();
+              });
+      AtomicInteger failures = new AtomicInteger();
+      other.setUncaughtExceptionHandler((t, e) -> failures.incrementAndGet());
+      other.start();
+      other.join();
+      assertEquals(0, failures.get());
+      workers.run(2, meeting);
+      workers.stepEnds();
+      Thread third = new Thread(() -> workers.run(2, meeting(workers)));
+      third.start();
+      third.join();
+    }
+  }
+
+  /** Two tasks that end only if two threads do them. */
+  private static Workers.Task meeting(WorkerThreads workers) {
+    CountDownLatch both = new CountDownLatch(workers.count());
+    return (task, worker) -> {
+      both.countDown();
+      awaitQuietly(both);
+    };
+  }
+
   /** Steps that end by an exception, and those of other worlds that share the threads. */
   @Test
   void hintsInAnyOrderChangeNothing() {
