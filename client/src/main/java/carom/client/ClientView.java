@@ -1,6 +1,7 @@
 package carom.client;
 
 import carom.client.interpolation.Pose;
+import carom.net.protocol.ServerMessage.Roster;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.sim.Archetype;
 import carom.sim.Input;
@@ -169,6 +170,10 @@ public final class ClientView {
 
   void own(int index) {
     own = index;
+  }
+
+  void roster(Roster changes) {
+    changes.applyTo(players);
   }
 
   void roster(List<RosterEntry> entries) {

@@ -388,7 +388,7 @@ public final class GameClient implements AutoCloseable {
 
     @Override
     public void roster(ServerMessage.Roster roster) {
-      view.roster(roster.entries());
+      view.roster(roster);
     }
 
     @Override
@@ -404,6 +404,7 @@ public final class GameClient implements AutoCloseable {
   }
 
   private void start(ServerMessage.Welcome welcome, Level level) {
+    view.roster(List.of());
     int rate = welcome.tickRate();
     key = welcome.datagramKey();
     decoder = new SnapshotDecoder(Limits.MAX_ENTITIES, key, welcome.tick(), rate);

@@ -172,7 +172,7 @@ public final class ServerMain implements Callable<Integer> {
       paramLabel = "N",
       defaultValue = "64",
       description =
-          "Places in each room, 1..256, at most 4096 in all rooms together (${DEFAULT-VALUE}).")
+          "Places in each room, 1..1024, at most 4096 in all rooms together (${DEFAULT-VALUE}).")
   private int maxPlayers;
 
   @Option(

@@ -20,7 +20,7 @@ public enum Block {
   static final long MAGIC = 0x4341524f4d524543L; // "CAROMREC"
 
   /** Version of the format; whoever changes a byte of it raises this. */
-  static final int VERSION = 2;
+  static final int VERSION = 3;
 
   /** Bytes before the first block: magic and version. */
   static final int PREAMBLE_BYTES = 12;

@@ -86,7 +86,7 @@ public final class Recorder implements Journal {
       return;
     }
     out.u8(Block.JOIN);
-    out.u8(id);
+    out.varint(id);
     out.text(name);
     inputs[id] = 0;
     viewDelays[id] = 0;
@@ -98,7 +98,7 @@ public final class Recorder implements Journal {
       return;
     }
     out.u8(Block.LEAVE);
-    out.u8(id);
+    out.varint(id);
   }
 
   @Override
@@ -116,7 +116,7 @@ public final class Recorder implements Journal {
     for (int id = 0; id < s.playerCapacity(); id++) {
       Player p = s.player(id);
       if (hasChanged(p)) {
-        out.u8(id);
+        out.varint(id);
         out.varint(p.input().pack() ^ inputs[id]);
         out.varint(zigzag(p.viewDelay() - viewDelays[id]));
         inputs[id] = p.input().pack();

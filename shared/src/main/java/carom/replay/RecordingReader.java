@@ -238,18 +238,18 @@ public final class RecordingReader implements AutoCloseable {
     int tag = block.u8();
     switch (tag) {
       case Block.JOIN:
-        playerId = block.u8();
+        playerId = block.varint("player", 0, Simulation.MAX_PLAYERS - 1);
         playerName = block.text("player name", MAX_NAME_BYTES);
         inputs[playerId] = 0;
         viewDelays[playerId] = 0;
         return Event.JOIN;
       case Block.LEAVE:
-        playerId = block.u8();
+        playerId = block.varint("player", 0, Simulation.MAX_PLAYERS - 1);
         return Event.LEAVE;
       case Block.TICK:
         changedCount = block.varint("changed inputs", 0, Simulation.MAX_PLAYERS);
         for (int i = 0; i < changedCount; i++) {
-          int id = block.u8();
+          int id = block.varint("player", 0, Simulation.MAX_PLAYERS - 1);
           changedIds[i] = id;
           inputs[id] ^= block.varint();
           long delay = block.varint();

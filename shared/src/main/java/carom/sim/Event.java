@@ -104,7 +104,7 @@ public final class Event {
    *
    * @param newKind what it is
    * @param newTick when
-   * @param newPlayer 0..255 or {@link #NONE}
+   * @param newPlayer 0..1,023 or {@link #NONE}
    * @param newFirst a {@link #key} or {@link #NONE}
    * @param newSecond a {@link #key} or {@link #NONE}
    */

@@ -32,7 +32,7 @@ public final class Player {
     this.name = name;
   }
 
-  /** The slot, 0..255; free again once the player has left. */
+  /** The slot, 0..1,023; free again once the player has left. */
   public int id() {
     return id;
   }

@@ -21,13 +21,13 @@ public final class SimState {
   long random;
   int[] memory = {};
   int playerLimit;
-  final Player[] players = new Player[Simulation.MAX_PLAYERS];
-  final Entity[] bodies = new Entity[Simulation.MAX_PLAYERS];
-  final int[] scores = new int[Simulation.MAX_PLAYERS];
-  final int[] teams = new int[Simulation.MAX_PLAYERS];
-  final long[] inputs = new long[Simulation.MAX_PLAYERS];
-  final int[] viewDelays = new int[Simulation.MAX_PLAYERS];
-  final int[] playerMemory = new int[Simulation.MAX_PLAYERS * Player.MEMORY_SIZE];
+  Player[] players = {};
+  Entity[] bodies = {};
+  int[] scores = {};
+  int[] teams = {};
+  long[] inputs = {};
+  int[] viewDelays = {};
+  int[] playerMemory = {};
   int entityCount;
   int entityCapacity;
   Entity[] entities = {};
@@ -44,6 +44,22 @@ public final class SimState {
 
   SimState(Simulation owner) {
     this.owner = owner;
+  }
+
+  /** From now on the ids of all players are below a limit; who was above is forgotten. */
+  void limitPlayers(int limit) {
+    if (limit > players.length) {
+      int grown = Math.max(limit, 2 * players.length);
+      players = Arrays.copyOf(players, grown);
+      bodies = Arrays.copyOf(bodies, grown);
+      scores = Arrays.copyOf(scores, grown);
+      teams = Arrays.copyOf(teams, grown);
+      inputs = Arrays.copyOf(inputs, grown);
+      viewDelays = Arrays.copyOf(viewDelays, grown);
+      playerMemory = Arrays.copyOf(playerMemory, grown * Player.MEMORY_SIZE);
+    }
+    Arrays.fill(players, limit, Math.max(limit, playerLimit), null);
+    playerLimit = limit;
   }
 
   /** The tick the state belongs to. */
@@ -93,7 +109,7 @@ public final class SimState {
     a.require(stored == size, "memory=" + stored + " ints, this game has " + size);
     a.integers("memory", memory, size, Integer.MIN_VALUE, Integer.MAX_VALUE);
     passEntities(a);
-    playerLimit = a.count("players", playerLimit, Simulation.MAX_PLAYERS, Integer.BYTES);
+    limitPlayers(a.count("players", playerLimit, Simulation.MAX_PLAYERS, Integer.BYTES));
     for (int id = 0; id < playerLimit; id++) {
       if (a.flag("player", players[id] != null)) {
         passPlayer(a, id);

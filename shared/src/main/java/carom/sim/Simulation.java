@@ -26,8 +26,8 @@ import java.util.function.Consumer;
  * <p>Belongs to one thread. A step allocates nothing of its own once arrays have grown.
  */
 public final class Simulation {
-  /** Most players at a time; ids are 0..255. */
-  public static final int MAX_PLAYERS = 256;
+  /** Most players at a time; ids are 0..1,023. */
+  public static final int MAX_PLAYERS = 1_024;
 
   /** Most entities at a time; ids are 0..65534. */
   public static final int MAX_ENTITIES = 65_535;
@@ -407,14 +407,14 @@ public final class Simulation {
   /**
    * Lets a player in under an id that was promised to it; the game gives it a body.
    *
-   * @param id 0..255
+   * @param id 0..1,023
    * @throws IllegalStateException on {@link Role#PREDICTION}, or when the id is taken or out of
    *     range
    */
   public Player join(int id, String name) {
     requireAuthority("join");
     if (id < 0 || id >= MAX_PLAYERS || players[id] != null) {
-      throw new IllegalStateException("player id=" + id + " is taken or outside 0..255");
+      throw new IllegalStateException("player id=" + id + " is taken or outside 0.." + (MAX_PLAYERS - 1));
     }
     if (journal != null) {
       journal.joining(this, id, name);
@@ -427,14 +427,14 @@ public final class Simulation {
   /**
    * Mirrors a player of the server, usually the client's own. The body follows by {@link #spawnAs}.
    *
-   * @param id 0..255, as the server says
+   * @param id 0..1,023, as the server says
    * @param name its name
    * @throws IllegalStateException on {@link Role#AUTHORITY}, or when the id is taken
    */
   public Player joinAs(int id, String name) {
     requirePrediction("joinAs");
     if (id < 0 || id >= MAX_PLAYERS || players[id] != null) {
-      throw new IllegalStateException("player id=" + id + " is taken or outside 0..255");
+      throw new IllegalStateException("player id=" + id + " is taken or outside 0.." + (MAX_PLAYERS - 1));
     }
     return newPlayer(id, name);
   }
@@ -661,8 +661,7 @@ public final class Simulation {
       s.memory = new int[memory.length];
     }
     System.arraycopy(memory, 0, s.memory, 0, memory.length);
-    Arrays.fill(s.players, playerLimit, Math.max(playerLimit, s.playerLimit), null);
-    s.playerLimit = playerLimit;
+    s.limitPlayers(playerLimit);
     for (int i = 0; i < playerLimit; i++) {
       Player p = players[i];
       s.players[i] = p;

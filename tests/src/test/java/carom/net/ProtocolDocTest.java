@@ -143,7 +143,7 @@ class ProtocolDocTest {
             new ServerMessage.Roster(
                 List.of(
                     new ServerMessage.RosterEntry(0, "Zoë", -3),
-                    new ServerMessage.RosterEntry(255, "x", 300)))));
+                    new ServerMessage.RosterEntry(1000, "x", 300)))));
     golden.put("notice", codec.encode(new ServerMessage.Notice("hi")));
     golden.put("watching", codec.encode(new ServerMessage.Watching(10)));
     golden.put(

@@ -33,6 +33,7 @@ final class FakeClient implements LinkHandler {
   ServerMessage.Refused refused;
   ServerMessage.Goodbye goodbye;
   ServerMessage.Roster roster;
+  ServerMessage.Roster lastRoster;
   byte[] level;
   SnapshotDecoder decoder;
   boolean ready;
@@ -128,7 +129,13 @@ final class FakeClient implements LinkHandler {
     } else if (message instanceof ServerMessage.Goodbye g) {
       goodbye = g;
     } else if (message instanceof ServerMessage.Roster r) {
-      roster = r;
+      List<ServerMessage.RosterEntry> players = new ArrayList<>();
+      if (roster != null) {
+        players.addAll(roster.entries());
+      }
+      r.applyTo(players);
+      lastRoster = r;
+      roster = new ServerMessage.Roster(players);
     }
   }
 

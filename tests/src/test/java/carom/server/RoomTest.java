@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
+import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.snapshot.EntityHistory;
 import carom.net.snapshot.FrameState;
@@ -19,6 +20,7 @@ import carom.sim.Entity;
 import carom.sim.Input;
 import carom.sim.Simulation;
 import java.lang.reflect.Field;
+import java.util.List;
 import java.util.Random;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Supplier;
@@ -260,6 +262,33 @@ class RoomTest {
       assertTrue(rosters >= 5 && rosters <= 9, "rosters=" + rosters);
       assertEquals(rig.room.simulation().player(0).score(), client.roster.entries().get(0).score());
     }
+  }
+
+  @Test
+  void whoIsNewIsToldOfEverybodyAndTheOthersOnlyOfHim() {
+    try (Rig rig = new Rig(CONFIG.withMaxPlayers(4).withRosterIntervalMs(500), new TestGame(1))) {
+      FakeClient first = rig.join("Ann");
+      FakeClient second = rig.join("Bob");
+      rig.seconds(1);
+      FakeClient third = rig.join("Cat");
+      rig.seconds(1);
+      assertEquals(List.of("Ann", "Bob", "Cat"), names(third.roster));
+      assertEquals(List.of("Ann", "Bob", "Cat"), names(first.roster));
+      assertEquals(List.of("Cat"), names(first.lastRoster));
+      second.link.send(new ClientMessage.Leave());
+      rig.seconds(1);
+      assertEquals(List.of(""), names(first.lastRoster));
+      assertEquals(List.of("Ann", "Cat"), names(first.roster));
+      first.link.close("cable pulled");
+      rig.seconds(1);
+      FakeClient back = rig.join("Ann", first.welcome.sessionSecret());
+      rig.seconds(1);
+      assertEquals(List.of("Ann", "Cat"), names(back.roster));
+    }
+  }
+
+  private static List<String> names(ServerMessage.Roster roster) {
+    return roster.entries().stream().map(ServerMessage.RosterEntry::name).toList();
   }
 
   @Test

@@ -213,13 +213,13 @@ class SimulationTest {
   }
 
   @Test
-  void twoHundredAndFiftySixPlayersAreEnough() {
+  void thousandAndTwentyFourPlayersAreEnough() {
     Simulation s = start(Role.AUTHORITY, "");
     for (int i = 0; i < Simulation.MAX_PLAYERS; i++) {
       s.join("p" + i);
     }
     IllegalStateException e = assertThrows(IllegalStateException.class, () -> s.join("late"));
-    assertTrue(e.getMessage().contains("256"), e.getMessage());
+    assertTrue(e.getMessage().contains("1024"), e.getMessage());
   }
 
   @Test

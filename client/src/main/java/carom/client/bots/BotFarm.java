@@ -5,6 +5,8 @@ import carom.client.ConnectionPhase;
 import carom.client.GameClient;
 import carom.client.NetStats;
 import carom.net.transport.ClientTransport;
+import carom.physics.threads.Workers;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -12,15 +14,25 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Many clients that play, driven by one thread: call {@link #update} once per frame. Bots join one
- * after the other, since a server's queue of new connections is short; whoever finds the server
- * busy, full or out of reach tries again.
+ * Many clients that play: call {@link #update} once per frame, from one thread. Bots join one after
+ * the other, since a server's queue of new connections is short; whoever finds the server busy,
+ * full or out of reach tries again. Those on their way in are looked after first and several times
+ * per frame: a frame of a crowd that a machine is too slow for takes a tenth of a second, and the
+ * way in takes many looks.
  */
 public final class BotFarm implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(BotFarm.class);
 
   /** Time between two joins. */
   private static final long JOIN_GAP_NS = 25_000_000L;
+
+  /** Joins that a slow frame may make good at once. */
+  private static final int MAX_JOINS_PER_FRAME = 8;
+
+  /** So many who play are looked after between two looks at those who join. */
+  private static final int SLICE = 64;
+
+  private static final double NS_PER_S = 1e9;
 
   /** A bot tries to join so often, and waits in between: longer each time. */
   private static final int MAX_ATTEMPTS = 6;
@@ -36,6 +48,11 @@ public final class BotFarm implements AutoCloseable {
     boolean broken;
     boolean waiting;
     long nextAttemptNs;
+    int disconnects;
+    int errors;
+    long updatedNs;
+    double inputs;
+    double lateInputs;
 
     Player(int number) {
       this.number = number;
@@ -46,11 +63,20 @@ public final class BotFarm implements AutoCloseable {
   private final ClientTransport transport;
   private final long seed;
   private final boolean roam;
+  private final Workers workers;
   private final List<Player> players = new ArrayList<>();
+
+  /** Of this frame: those who are on their way in, and those who play. */
+  private final List<Player> joining = new ArrayList<>();
+
+  private final List<Player> inGame = new ArrayList<>();
+  private int sliceBegin;
+  private long frameNs;
+  private final Workers.Task lookAtJoining = (i, worker) -> update(joining.get(i), frameNs);
+  private final Workers.Task lookAtSlice =
+      (i, worker) -> update(inGame.get(sliceBegin + i), frameNs);
   private int started;
   private long nextJoinNs;
-  private int disconnects;
-  private int errors;
 
   /**
    * Creates bots that join from the first {@link #update} on.
@@ -60,10 +86,17 @@ public final class BotFarm implements AutoCloseable {
    * @param count how many, at least 1
    * @param seed of what they do
    * @param roam whether they walk about instead of playing
+   * @param workers share the bots within a frame; stay the caller's
    */
   public BotFarm(
-      ClientConfig config, ClientTransport transport, int count, long seed, boolean roam) {
+      ClientConfig config,
+      ClientTransport transport,
+      int count,
+      long seed,
+      boolean roam,
+      Workers workers) {
     this.config = config;
+    this.workers = workers;
     this.transport = transport;
     this.seed = seed;
     this.roam = roam;
@@ -82,13 +115,27 @@ public final class BotFarm implements AutoCloseable {
 
   /** Updates all bots, and lets the next one join when it is time. */
   public void update(long nowNs) {
-    while (started < players.size() && (started == 0 || nowNs >= nextJoinNs)) {
+    int begin = started;
+    while (started < players.size() && (started == 0 || nowNs - nextJoinNs >= 0)) {
+      nextJoinNs = (started == 0 ? nowNs : nextJoinNs) + JOIN_GAP_NS;
       started++;
-      nextJoinNs = nowNs + JOIN_GAP_NS;
+      if (started - begin == MAX_JOINS_PER_FRAME) {
+        nextJoinNs = nowNs + JOIN_GAP_NS;
+      }
     }
+    frameNs = nowNs;
+    joining.clear();
+    inGame.clear();
     for (int i = 0; i < started; i++) {
-      update(players.get(i), nowNs);
+      Player p = players.get(i);
+      (p.playing ? inGame : joining).add(p);
     }
+    sliceBegin = 0;
+    do {
+      workers.run(joining.size(), lookAtJoining);
+      workers.run(Math.min(SLICE, inGame.size() - sliceBegin), lookAtSlice);
+      sliceBegin += SLICE;
+    } while (sliceBegin < inGame.size());
   }
 
   private void update(Player p, long nowNs) {
@@ -103,15 +150,16 @@ public final class BotFarm implements AutoCloseable {
     try {
       p.client.update(nowNs);
     } catch (RuntimeException e) {
-      errors++;
+      p.errors++;
       p.broken = true;
       LOG.error("a bot broke and is taken out", e);
     }
     boolean playing = !p.broken && p.client.view().phase() == ConnectionPhase.PLAYING;
     if (p.playing && !playing) {
-      disconnects++;
+      p.disconnects++;
       LOG.warn("a bot stopped playing: {}", p.client.view().message());
     }
+    countInputs(p, playing, nowNs);
     p.playing = playing;
     p.joined |= playing;
     if (!p.broken && !p.joined && p.attempts < MAX_ATTEMPTS && p.client.mayTryAgain()) {
@@ -120,6 +168,16 @@ public final class BotFarm implements AutoCloseable {
       p.nextAttemptNs = nowNs + (FIRST_WAIT_NS << p.attempts) + p.number * JOIN_GAP_NS / 4;
       LOG.info("{}{} tries again: {}", config.name(), p.number, p.client.view().message());
     }
+  }
+
+  /** Of the inputs since the last look, all but the newest were made later than their tick. */
+  private static void countInputs(Player p, boolean playing, long nowNs) {
+    if (p.playing && playing) {
+      double ticks = (nowNs - p.updatedNs) / NS_PER_S * p.client.view().tickRate();
+      p.inputs += ticks;
+      p.lateInputs += Math.max(0, ticks - 1);
+    }
+    p.updatedNs = nowNs;
   }
 
   /** Bots asked for. */
@@ -192,8 +250,16 @@ public final class BotFarm implements AutoCloseable {
     double snapshots = 0;
     double rtt = 0;
     double kbit = 0;
+    int disconnects = 0;
+    int errors = 0;
+    double inputs = 0;
+    double late = 0;
     int playing = playing();
     for (Player p : players) {
+      disconnects += p.disconnects;
+      errors += p.errors;
+      inputs += p.inputs;
+      late += p.lateInputs;
       if (p.playing) {
         NetStats s = p.client.stats();
         snapshots += s.snapshotsPerSecond();
@@ -204,11 +270,12 @@ public final class BotFarm implements AutoCloseable {
     int divisor = Math.max(1, playing);
     return String.format(
         Locale.ROOT,
-        "%d of %d play, disconnects=%d errors=%d snapshots=%.1f/s rtt=%.1f ms in=%.0f kbit/s each",
+        "%d of %d play, disconnects=%d errors=%d late=%.0f%% snapshots=%.1f/s rtt=%.1f ms in=%.0f kbit/s each",
         playing,
         players.size(),
         disconnects,
         errors,
+        inputs == 0 ? 0 : 100 * late / inputs,
         snapshots / divisor,
         rtt / divisor,
         kbit / divisor);
@@ -231,7 +298,15 @@ public final class BotFarm implements AutoCloseable {
     long awake = 0;
     long right = 0;
     double corrections = 0;
+    int disconnects = 0;
+    int errors = 0;
+    double inputs = 0;
+    double late = 0;
     for (Player p : players) {
+      disconnects += p.disconnects;
+      errors += p.errors;
+      inputs += p.inputs;
+      late += p.lateInputs;
       NetStats s = p.client.stats();
       retries += p.attempts - 1;
       rejected += !p.joined && isOver(p) ? 1 : 0;
@@ -263,7 +338,8 @@ public final class BotFarm implements AutoCloseable {
         retries,
         kbitUp / divisor,
         awake == 0 ? 0 : 100.0 * right / awake,
-        corrections / divisor);
+        corrections / divisor,
+        inputs == 0 ? 0 : 100 * late / inputs);
   }
 
   /** Lets all bots leave. */

@@ -20,6 +20,8 @@ import java.util.Locale;
  * @param exactPercent of the awake bodies near the bots, those whose prediction was right in every
  *     bit; 0 when nothing was predicted
  * @param correctionsPerMinute how often a bot's own body had to be corrected
+ * @param lateInputPercent of the inputs of those who played, those that were made later than their
+ *     tick, because the bots' own process was too slow to look after each of them in each tick
  */
 public record BotReport(
     int joined,
@@ -34,7 +36,8 @@ public record BotReport(
     int retries,
     double kbitPerSecondUp,
     double exactPercent,
-    double correctionsPerMinute) {
+    double correctionsPerMinute,
+    double lateInputPercent) {
   /** One line of JSON, keys in the order above. */
   public String toJson() {
     return String.format(
@@ -42,7 +45,8 @@ public record BotReport(
         "{\"joined\":%d,\"disconnects\":%d,\"errors\":%d,\"snapshotsPerSecond\":%.2f,"
             + "\"gapP99Ms\":%.2f,\"rttP50Ms\":%.2f,\"kbitPerSecond\":%.2f,\"playing\":%d,"
             + "\"rejected\":%d,\"retries\":%d,\"kbitPerSecondUp\":%.2f,"
-            + "\"exactPercent\":%.2f,\"correctionsPerMinute\":%.2f}",
+            + "\"exactPercent\":%.2f,\"correctionsPerMinute\":%.2f,"
+            + "\"lateInputPercent\":%.2f}",
         joined,
         disconnects,
         errors,
@@ -55,6 +59,7 @@ public record BotReport(
         retries,
         kbitPerSecondUp,
         exactPercent,
-        correctionsPerMinute);
+        correctionsPerMinute,
+        lateInputPercent);
   }
 }

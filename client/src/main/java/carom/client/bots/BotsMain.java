@@ -8,6 +8,7 @@ import carom.client.StopSignal;
 import carom.net.kryo.CrowdTransport;
 import carom.net.protocol.PlayerName;
 import carom.net.transport.ClientTransport;
+import carom.physics.threads.WorkerThreads;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import picocli.CommandLine;
@@ -80,6 +81,15 @@ public final class BotsMain implements Callable<Integer> {
   private int ticksPerInputDatagram = 1;
 
   @Option(
+      names = "--threads",
+      paramLabel = "N",
+      defaultValue = "0",
+      description =
+          "threads that look after the bots, 1..64; 0 = one for every hundred bots, and no more"
+              + " than there are processors (default: ${DEFAULT-VALUE})")
+  private int threads;
+
+  @Option(
       names = "--seed",
       paramLabel = "N",
       description = "seed of what they do (default: ${DEFAULT-VALUE})",
@@ -147,6 +157,8 @@ public final class BotsMain implements Callable<Integer> {
       problem = "--count=" + count + " is outside 1..1000";
     } else if (!(seconds >= 0 && seconds <= 1e6)) {
       problem = "--seconds=" + seconds + " is outside 0..1000000";
+    } else if (threads < 0 || threads > WorkerThreads.MAX_COUNT) {
+      problem = "--threads=" + threads + " is outside 0.." + WorkerThreads.MAX_COUNT;
     } else if (ticksPerInputDatagram < 1 || ticksPerInputDatagram > 8) {
       problem = "--input-every=" + ticksPerInputDatagram + " is outside 1..8";
     }
@@ -164,9 +176,18 @@ public final class BotsMain implements Callable<Integer> {
             .withTicksPerInputDatagram(ticksPerInputDatagram);
     try (StopSignal stop = new StopSignal();
         ClientTransport transport = network.impair(new CrowdTransport());
-        BotFarm farm = new BotFarm(config, transport, count, seed, roam)) {
+        WorkerThreads workers = new WorkerThreads(threadCount());
+        BotFarm farm = new BotFarm(config, transport, count, seed, roam, workers)) {
       return play(farm, stop);
     }
+  }
+
+  private int threadCount() {
+    int wanted = (count + CROWD - 1) / CROWD;
+    return threads > 0
+        ? threads
+        : Math.min(
+            Math.min(wanted, Runtime.getRuntime().availableProcessors()), WorkerThreads.MAX_COUNT);
   }
 
   private int play(BotFarm farm, StopSignal stop) throws InterruptedException {

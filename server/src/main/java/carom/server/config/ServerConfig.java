@@ -1,5 +1,6 @@
 package carom.server.config;
 
+import carom.net.protocol.Limits;
 import carom.physics.threads.WorkerThreads;
 import java.util.Objects;
 import java.util.function.Consumer;
@@ -21,7 +22,7 @@ import java.util.function.Consumer;
  * @param threads how many threads may step one world together, 1..64: the room's own, and helpers
  *     that all rooms share. 1 has no helpers. They pay for worlds of a thousand bodies and more,
  *     and change no result
- * @param maxPlayers seats of each room, 1..256 (the protocol numbers players in 8 bits); whoever
+ * @param maxPlayers seats of each room, 1..1,024 (the protocol numbers players in 10 bits); whoever
  *     finds all rooms full is refused politely. All rooms together have at most 4,096 seats
  * @param handshakeTimeoutMs how long a link may take from its opening to a valid Hello, and how
  *     long a refused one may linger until its refusal is delivered, 100..60,000
@@ -89,7 +90,7 @@ public record ServerConfig(
     check("tickRateHz", tickRateHz, 10, 240, "--tick-rate");
     check("rooms", rooms, 1, 64, "--rooms");
     check("threads", threads, 1, WorkerThreads.MAX_COUNT, "--threads");
-    check("maxPlayers", maxPlayers, 1, 256, "--max-players");
+    check("maxPlayers", maxPlayers, 1, Limits.MAX_PLAYERS, "--max-players");
     if (rooms * maxPlayers > MAX_PLACES) {
       throw new IllegalArgumentException(
           "rooms=%d with maxPlayers=%d each are %d places, a server has at most %d; %s"

@@ -39,6 +39,7 @@ import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import org.slf4j.Logger;
@@ -102,13 +103,12 @@ public final class Room {
   private final IdentityHashMap<Session, RuntimeException> broken = new IdentityHashMap<>();
   private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
   private final Consumer<String> broadcastNotice = this::broadcast;
-  private final int[] rosterScores;
+  private final RosterNews roster;
+  private final BiConsumer<Session, Broadcast> sendTo = this::sendTo;
   private final AtomicInteger seatsAskedFor = new AtomicInteger();
   private int failedTicks;
   private int announcedTick;
   private float announcements = MAX_ANNOUNCEMENTS;
-  private boolean rosterIsOld;
-  private long rosterSentNs;
   private boolean warnedOfLate;
   private long warnedOfLateNs;
   private volatile int tick;
@@ -146,7 +146,7 @@ public final class Room {
     this.turns = new SendTurns(config.tickRateHz(), config.snapshotRateHz());
     this.arrivals = new ArrayBlockingQueue<>(2 * seats.count());
     this.bySeat = new Session[seats.count()];
-    this.rosterScores = new int[seats.count()];
+    this.roster = new RosterNews(seats.count(), config.rosterIntervalMs());
     capture.capture();
   }
 
@@ -274,7 +274,7 @@ public final class Room {
         replicate(beginNs, nowNs);
       }
       simulation.drainNotices(broadcastNotice);
-      sendRosterIfDue(nowNs);
+      roster.send(sessions, bySeat, nowNs, sendTo);
     }
     tick = simulation.tick();
     counters.add(Counter.TICKS, 1);
@@ -344,7 +344,7 @@ public final class Room {
       part(session.detach(nowNs), "resumed by another link", nowNs);
     }
     session.attach(a.link(), a.datagramKey(), simulation.tick(), nowNs);
-    rosterIsOld = true;
+    roster.changed();
     counters.add(Counter.JOINS, 1);
     if (resumed) {
       counters.add(Counter.RESUMES, 1);
@@ -446,7 +446,7 @@ public final class Room {
     part(session.end(), why, nowNs);
     simulation.leave(session.player());
     seats.vacate(session.seat());
-    rosterIsOld = true;
+    roster.changed();
     LOG.info(
         "{}leave: {}, player {}, {}, {} of {} players",
         label,
@@ -531,28 +531,6 @@ public final class Room {
     }
   }
 
-  private void sendRosterIfDue(long nowNs) {
-    for (int i = sessions.size() - 1; i >= 0 && !rosterIsOld; i--) {
-      Session session = sessions.get(i);
-      rosterIsOld = rosterScores[session.seat().id()] != session.player().score();
-    }
-    if (!rosterIsOld || nowNs - rosterSentNs < config.rosterIntervalMs() * NS_PER_MS) {
-      return;
-    }
-    rosterIsOld = false;
-    rosterSentNs = nowNs;
-    List<ServerMessage.RosterEntry> entries = new ArrayList<>(sessions.size());
-    for (Session session : bySeat) {
-      if (session != null) {
-        int score = session.player().score();
-        rosterScores[session.seat().id()] = score;
-        entries.add(
-            new ServerMessage.RosterEntry(session.seat().id(), session.seat().name(), score));
-      }
-    }
-    sendToAll(new ServerMessage.Roster(List.copyOf(entries)), null);
-  }
-
   private void broadcast(String text) {
     sendToAll(new ServerMessage.Notice(text), null);
   }
@@ -574,14 +552,17 @@ public final class Room {
     for (int i = 0; i < sessions.size(); i++) {
       Session session = sessions.get(i);
       if (session != except && session.state() == SessionState.PLAYING) {
-        try {
-          session.send(
-              broadcast); // a link that refuses closes, and is found closed at its next poll
-        } catch (RuntimeException e) {
-          counters.add(Counter.SESSIONS_FAILED, 1);
-          LOG.error("{}message {} could not be sent, {}", label, message, session, e);
-        }
+        sendTo(session, broadcast);
       }
+    }
+  }
+
+  private void sendTo(Session session, Broadcast message) {
+    try {
+      session.send(message); // a link that refuses closes, and is found closed at its next poll
+    } catch (RuntimeException e) {
+      counters.add(Counter.SESSIONS_FAILED, 1);
+      LOG.error("{}message {} could not be sent, {}", label, message, session, e);
     }
   }
 

@@ -21,7 +21,7 @@ public final class Seats {
   private final LongSupplier secrets;
 
   /**
-   * @param count number of seats, 1..256
+   * @param count number of seats, 1..1,024
    * @param secrets unpredictable numbers, for session secrets
    */
   public Seats(int count, LongSupplier secrets) {
@@ -179,7 +179,7 @@ public final class Seats {
       this.secret = secret;
     }
 
-    /** The player's id, 0..255. */
+    /** The player's id, 0..1,023. */
     public int id() {
       return id;
     }

@@ -63,7 +63,6 @@ public final class Session implements LinkHandler {
   private final Counters counters;
   private final FrameCapture frames;
   private final OwnCapture capture;
-  private NearSet nearSet;
   private int near;
   private int disagreedTick = -1;
   private final InputBuffer inputs;
@@ -75,8 +74,12 @@ public final class Session implements LinkHandler {
   private int datagramKey;
   private int viewDelay;
   private int consumedTick;
-  private final PredictionAudit audit = new PredictionAudit();
-  private final NearAudit nearAudit = new NearAudit();
+
+  // Of a client that predicts; null until it says that it does.
+  private NearSet nearSet;
+  private PredictionAudit audit;
+  private NearAudit nearAudit;
+
   private boolean touched;
   private final BodyContactVisitor<Entity> touch =
       (other, normalX, normalY, impulse) -> touched |= other.type() != BodyType.STATIC;
@@ -91,6 +94,7 @@ public final class Session implements LinkHandler {
   private String linkLostReason = "";
   private Wish wish = Wish.STAY;
   private String offence = "";
+  private boolean knowsRoster;
   private long missingSeen;
   private long lateSeen;
   private long earlySeen;
@@ -131,19 +135,22 @@ public final class Session implements LinkHandler {
     link = newLink;
     datagramKey = key;
     sender = new SnapshotSender(frames, player, key, config, counters);
-    nearSet = capture.nearSet(sender::mayKnow);
+    nearSet = null;
+    if (audit != null) {
+      audit.clear();
+      nearAudit.clear();
+    }
     near = InputDatagram.NEAR_NONE;
     disagreedTick = -1;
     inputs.reset(tick);
     viewDelay = 0;
-    audit.clear();
-    nearAudit.clear();
     feedback.present = false;
     feedback.consumedTick = tick;
     lastHeardNs = timeNs;
     linkLost = false;
     linkLostReason = "";
     wish = Wish.STAY;
+    knowsRoster = false;
   }
 
   /**
@@ -205,7 +212,7 @@ public final class Session implements LinkHandler {
 
   private void judge(ClientMessage.Diverged report) {
     counters.add(Counter.DIVERGENCES_REPORTED, 1);
-    if (audit.judge(report) != PredictionAudit.Verdict.UNEXPLAINED) {
+    if (audit == null || audit.judge(report) != PredictionAudit.Verdict.UNEXPLAINED) {
       return;
     }
     if (unexplained()) {
@@ -220,7 +227,8 @@ public final class Session implements LinkHandler {
 
   private void judgeNear(ClientMessage.DivergedNear report) {
     counters.add(Counter.DIVERGENCES_REPORTED, 1);
-    if (nearAudit.judge(report) != PredictionAudit.Verdict.UNEXPLAINED
+    if (audit == null
+        || nearAudit.judge(report) != PredictionAudit.Verdict.UNEXPLAINED
         || !audit.isCertain(report.equalTick(), report.tick())) {
       return;
     }
@@ -283,7 +291,8 @@ public final class Session implements LinkHandler {
     }
     for (int i = datagram.count - 1; i >= 0; i--) { // oldest first
       int tick = datagram.newestTick - i;
-      if (inputs.offer(tick, datagram.inputs[i]) == InputBuffer.Verdict.CONFIRMED) {
+      if (inputs.offer(tick, datagram.inputs[i]) == InputBuffer.Verdict.CONFIRMED
+          && audit != null) {
         audit.confirmInput(tick);
       }
     }
@@ -348,9 +357,16 @@ public final class Session implements LinkHandler {
   public boolean isSnapshotDue() {
     sender.tick();
     capture.capture(player, own);
-    boolean certain = !inputs.lastWasMissing() && !inputs.lastWasHeld();
-    boolean ruled = player.ruledTick() >= consumedTick;
-    audit.keep(consumedTick, own, !certain, isTouched(), ruled);
+    if (near != InputDatagram.NEAR_NONE && nearSet == null) {
+      nearSet = capture.nearSet(sender::mayKnow);
+      audit = audit == null ? new PredictionAudit() : audit;
+      nearAudit = nearAudit == null ? new NearAudit() : nearAudit;
+    }
+    if (audit != null) {
+      boolean certain = !inputs.lastWasMissing() && !inputs.lastWasHeld();
+      boolean ruled = player.ruledTick() >= consumedTick;
+      audit.keep(consumedTick, own, !certain, isTouched(), ruled);
+    }
     if (near == InputDatagram.NEAR_NONE) {
       own.near().clear();
       own.relayed().clear();
@@ -377,7 +393,9 @@ public final class Session implements LinkHandler {
     if (own.near().present()) {
       nearAudit.keepState(consumedTick, nearSet.state());
     }
-    nearSet.sent();
+    if (nearSet != null) {
+      nearSet.sent();
+    }
   }
 
   /**
@@ -401,6 +419,16 @@ public final class Session implements LinkHandler {
     } catch (RuntimeException e) {
       LOG.debug("no goodbye for {}", this, e);
     }
+  }
+
+  /** Whether this link was told who plays; then it needs only what changes. */
+  public boolean knowsRoster() {
+    return knowsRoster;
+  }
+
+  /** This link was told who plays. */
+  public void toldRoster() {
+    knowsRoster = true;
   }
 
   /** The place in the room: id, name, secret. */
@@ -465,7 +493,7 @@ public final class Session implements LinkHandler {
 
   /** Rows of exact state of what is near that wait to be sent, for inspection. */
   public int waitingNearRows() {
-    return nearSet.waitingRows();
+    return nearSet == null ? 0 : nearSet.waitingRows();
   }
 
   /** The input buffer, for inspection. */

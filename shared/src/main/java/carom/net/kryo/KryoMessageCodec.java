@@ -184,7 +184,7 @@ public final class KryoMessageCodec implements MessageCodec {
     void write(Output out, Welcome m) {
       out.writeLong(m.sessionSecret());
       out.writeInt(m.datagramKey());
-      out.writeByte(inRange("playerId", m.playerId(), 0, Limits.MAX_PLAYERS - 1));
+      out.writeVarInt(playerId(m.playerId()), true);
       out.writeByte(inRange("tickRate", m.tickRate(), Limits.MIN_TICK_RATE, Limits.MAX_TICK_RATE));
       out.writeInt(m.tick());
       out.writeLong(m.seed());
@@ -200,7 +200,7 @@ public final class KryoMessageCodec implements MessageCodec {
       return new Welcome(
           in.readLong(),
           in.readInt(),
-          in.readByteUnsigned(),
+          playerId(in.readVarInt(true)),
           inRange("tickRate", in.readByteUnsigned(), Limits.MIN_TICK_RATE, Limits.MAX_TICK_RATE),
           in.readInt(),
           in.readLong(),
@@ -248,9 +248,9 @@ public final class KryoMessageCodec implements MessageCodec {
 
     @Override
     void write(Output out, Roster m) {
-      out.writeVarInt(inRange("entries", m.entries().size(), 0, Limits.MAX_PLAYERS), true);
+      out.writeVarInt(inRange("entries", m.entries().size(), 0, Limits.MAX_ROSTER_ENTRIES), true);
       for (RosterEntry entry : m.entries()) {
-        out.writeByte(inRange("playerId", entry.playerId(), 0, Limits.MAX_PLAYERS - 1));
+        out.writeVarInt(playerId(entry.playerId()), true);
         writeText(out, "name", entry.name(), Limits.MAX_NAME_BYTES);
         out.writeVarInt(entry.score(), false);
       }
@@ -258,13 +258,13 @@ public final class KryoMessageCodec implements MessageCodec {
 
     @Override
     Roster read(Input in) {
-      int most = Math.min(Limits.MAX_PLAYERS, (in.limit() - in.position()) / MIN_ENTRY_BYTES);
+      int most = Math.min(Limits.MAX_ROSTER_ENTRIES, (in.limit() - in.position()) / MIN_ENTRY_BYTES);
       int count = inRange("entries", in.readVarInt(true), 0, most);
       List<RosterEntry> entries = new ArrayList<>(count);
       for (int i = 0; i < count; i++) {
         entries.add(
             new RosterEntry(
-                in.readByteUnsigned(),
+                playerId(in.readVarInt(true)),
                 readText(in, "name", Limits.MAX_NAME_BYTES),
                 in.readVarInt(false)));
       }
@@ -332,6 +332,10 @@ public final class KryoMessageCodec implements MessageCodec {
       }
       return offset;
     }
+  }
+
+  private static int playerId(int id) {
+    return inRange("playerId", id, 0, Limits.MAX_PLAYERS - 1);
   }
 
   private static int inRange(String name, int value, int min, int max) {

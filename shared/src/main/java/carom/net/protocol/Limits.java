@@ -40,8 +40,11 @@ public final class Limits {
   /** Largest level file in bytes, packed or not: some 40,000 bodies with a line each. */
   public static final int MAX_LEVEL_BYTES = 4 * 1_024 * 1_024;
 
-  /** Players in a room; ids are 0..255. */
-  public static final int MAX_PLAYERS = 256;
+  /** Players in a room; ids are 0..1,023. */
+  public static final int MAX_PLAYERS = 1_024;
+
+  /** Entries of one {@link ServerMessage.Roster}. */
+  public static final int MAX_ROSTER_ENTRIES = 256;
 
   /** Entity slots in a room; ids are 0..65,534. */
   public static final int MAX_ENTITIES = 65_535;

@@ -13,7 +13,7 @@ public sealed interface ServerMessage {
    *
    * @param sessionSecret proves who the client is when it comes back; never 0
    * @param datagramKey first 32 bits of each input datagram, and the key of the snapshots' check
-   * @param playerId 0..255
+   * @param playerId 0..1,023
    * @param tickRate ticks per second, {@link Limits#MIN_TICK_RATE}..{@link Limits#MAX_TICK_RATE}
    * @param tick the server's tick when it sent this
    * @param seed of the simulation
@@ -74,20 +74,53 @@ public sealed interface ServerMessage {
   record Refused(RefusalReason reason, String text) implements ServerMessage {}
 
   /**
-   * Who plays, sent when it changes.
+   * Who plays: what has changed since the one before on the same link, the first one everybody.
    *
-   * @param entries at most {@link Limits#MAX_PLAYERS}, by id; never modified
+   * @param entries at most {@link Limits#MAX_ROSTER_ENTRIES}, by id; never modified
    */
-  record Roster(List<RosterEntry> entries) implements ServerMessage {}
+  record Roster(List<RosterEntry> entries) implements ServerMessage {
+    /**
+     * Takes the changes over.
+     *
+     * @param players who plays, by id
+     */
+    public void applyTo(List<RosterEntry> players) {
+      for (RosterEntry entry : entries) {
+        int at = 0;
+        int end = players.size();
+        while (at < end) {
+          int middle = (at + end) >>> 1;
+          if (players.get(middle).playerId() < entry.playerId()) {
+            at = middle + 1;
+          } else {
+            end = middle;
+          }
+        }
+        boolean known = at < players.size() && players.get(at).playerId() == entry.playerId();
+        if (entry.hasGone()) {
+          players.subList(at, known ? at + 1 : at).clear();
+        } else if (known) {
+          players.set(at, entry);
+        } else {
+          players.add(at, entry);
+        }
+      }
+    }
+  }
 
   /**
    * One player of a {@link Roster}.
    *
-   * @param playerId 0..255
-   * @param name see {@link PlayerName}
+   * @param playerId 0..1,023
+   * @param name see {@link PlayerName}; empty when the player has gone
    * @param score as the game counts
    */
-  record RosterEntry(int playerId, String name, int score) {}
+  record RosterEntry(int playerId, String name, int score) {
+    /** Whether the place is free now. */
+    public boolean hasGone() {
+      return name.isEmpty();
+    }
+  }
 
   /**
    * A line for the player's screen.

@@ -7,7 +7,7 @@ import carom.net.codec.Quantizer;
 /** One event on the wire: a pair of write and read that mirror each other. */
 final class EventCodec {
   /** Most bits an event takes, with the gap before it. */
-  static final int MAX_BITS = 7 + 36 + 8 + 9 + 2 * 26 + 3 * 38 + 17;
+  static final int MAX_BITS = 7 + 36 + 8 + 12 + 2 * 26 + 3 * 38 + 17;
 
   /** Bits of a place in the window. */
   static final int WINDOW_BITS = 6;
@@ -30,7 +30,7 @@ final class EventCodec {
     w.write(e.kind, 8);
     w.write(e.player >= 0);
     if (e.player >= 0) {
-      w.write(e.player, 8);
+      PlayerId.write(w, e.player);
     }
     writeEntity(w, e.first);
     writeEntity(w, e.second);
@@ -47,7 +47,7 @@ final class EventCodec {
   static int read(BitReader r, EventRecord e) {
     int ticks = r.read(r.read(WIDTH_BITS));
     e.kind = r.read(8);
-    e.player = r.readBit() ? r.read(8) : EventRecord.NONE;
+    e.player = r.readBit() ? PlayerId.read(r) : EventRecord.NONE;
     e.first = readEntity(r);
     e.second = readEntity(r);
     e.x = HeaderCodec.readDifference(r);

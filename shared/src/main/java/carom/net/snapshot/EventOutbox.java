@@ -13,7 +13,7 @@ import java.util.Arrays;
  * sent; what is too much, or has left the {@link EventRing}, is lost, the oldest first, and
  * counted. The client learns that from the number of the oldest that waits.
  *
- * <p>One thread; allocates nothing after construction.
+ * <p>One thread; allocates only until as many events have waited at once as ever will.
  */
 final class EventOutbox {
   /** Events that may wait for their ack. */
@@ -36,18 +36,20 @@ final class EventOutbox {
   private static final int PATIENCE = 3;
 
   private static final int MAX_WAIT = 60;
-  private static final int MASK = CAPACITY - 1;
+  private static final int FIRST_ROOM = 16;
   private static final int SENT_MASK = SentLog.SIZE - 1;
 
   private final EventRing ring;
-  private final long[] numbers = new long[CAPACITY];
-  private final int[] sentTick = new int[CAPACITY];
-  private final int[] sends = new int[CAPACITY];
-  private final boolean[] acked = new boolean[CAPACITY];
 
-  // By datagram: which events it had.
-  private final long[] sentBase = new long[SentLog.SIZE];
-  private final long[] sentSet = new long[SentLog.SIZE];
+  // By the lowest bits of the event's number here: a ring that grows.
+  private long[] numbers = {};
+  private int[] sentTick = {};
+  private int[] sends = {};
+  private boolean[] acked = {};
+
+  // By datagram: which events it had. Nothing before the first event.
+  private long[] sentBase = {};
+  private long[] sentSet = {};
 
   private long base;
   private long next;
@@ -64,10 +66,41 @@ final class EventOutbox {
       base++;
       lost++;
     }
-    int at = (int) next++ & MASK;
+    if (next - base == numbers.length) {
+      grow();
+    }
+    int at = at(next++);
     numbers[at] = number;
     sends[at] = 0;
     acked[at] = false;
+  }
+
+  private void grow() {
+    int size = numbers.length;
+    int roomy = Math.max(FIRST_ROOM, 2 * size);
+    long[] roomyNumbers = new long[roomy];
+    int[] roomyTick = new int[roomy];
+    int[] roomySends = new int[roomy];
+    boolean[] roomyAcked = new boolean[roomy];
+    for (long i = base; i < next; i++) {
+      int to = (int) i & roomy - 1;
+      roomyNumbers[to] = numbers[at(i)];
+      roomyTick[to] = sentTick[at(i)];
+      roomySends[to] = sends[at(i)];
+      roomyAcked[to] = acked[at(i)];
+    }
+    numbers = roomyNumbers;
+    sentTick = roomyTick;
+    sends = roomySends;
+    acked = roomyAcked;
+    if (size == 0) {
+      sentBase = new long[SentLog.SIZE];
+      sentSet = new long[SentLog.SIZE];
+    }
+  }
+
+  private int at(long event) {
+    return (int) event & numbers.length - 1;
   }
 
   /** Whether the client hasn't acked everything it was told, or is to be told. */
@@ -78,7 +111,7 @@ final class EventOutbox {
   /** Whether something would be written now. */
   boolean isDue(int tick) {
     for (long i = base; i < Math.min(next, base + WINDOW); i++) {
-      if (isDue((int) i & MASK, tick)) {
+      if (isDue(at(i), tick)) {
         return true;
       }
     }
@@ -101,8 +134,10 @@ final class EventOutbox {
    */
   void write(BitWriter w, int tick, int datagram, int budgetBits) {
     forgetLost();
-    sentBase[datagram & SENT_MASK] = base;
-    sentSet[datagram & SENT_MASK] = 0;
+    if (sentBase.length > 0) {
+      sentBase[datagram & SENT_MASK] = base;
+      sentSet[datagram & SENT_MASK] = 0;
+    }
     w.write(hasUnacked());
     if (!hasUnacked()) {
       return;
@@ -115,7 +150,7 @@ final class EventOutbox {
     long expected = base;
     int lastTick = -1;
     for (long i = base; i < Math.min(next, base + WINDOW); i++) {
-      int at = (int) i & MASK;
+      int at = at(i);
       if (!isDue(at, tick)) {
         continue;
       }
@@ -143,19 +178,22 @@ final class EventOutbox {
 
   /** What the ring has forgotten can't be told any more. */
   private void forgetLost() {
-    while (base < next && (acked[(int) base & MASK] || !ring.holds(numbers[(int) base & MASK]))) {
-      lost += acked[(int) base & MASK] ? 0 : 1;
+    while (base < next && (acked[at(base)] || !ring.holds(numbers[at(base)]))) {
+      lost += acked[at(base)] ? 0 : 1;
       base++;
     }
   }
 
   /** A datagram was acked. */
   void ack(int datagram) {
+    if (sentBase.length == 0) {
+      return;
+    }
     long from = sentBase[datagram & SENT_MASK];
     for (long set = sentSet[datagram & SENT_MASK]; set != 0; set &= set - 1) {
       long i = from + Long.numberOfTrailingZeros(set);
       if (i >= base && i < next) {
-        acked[(int) i & MASK] = true;
+        acked[at(i)] = true;
       }
     }
     forgetLost();

@@ -19,7 +19,7 @@ public final class EventRecord {
   /** The tick in which it happens; not negative. */
   public int tick;
 
-  /** Whose doing it is: 0..255 or {@link #NONE}. */
+  /** Whose doing it is: 0..1,023 or {@link #NONE}. */
   public int player;
 
   /** Whom it happens to: id, and generation above 16 bits; or {@link #NONE}. */

@@ -75,7 +75,7 @@ public final class FrameState {
    * @param slot entity id, 0..capacity - 1, put at most once per frame
    * @param generation 0..255, differs from that of the slot's previous entity
    * @param archetype 0..65,535
-   * @param owner player id 0..255, or -1
+   * @param owner player id 0..1,023, or -1
    * @param x metres
    * @param y metres
    * @param angle radians
@@ -154,7 +154,7 @@ public final class FrameState {
   /**
    * Puts the input into the frame that a player's step to this tick consumed.
    *
-   * @param player id, 0..255
+   * @param player id, 0..1,023
    * @param packed 48 bits, higher ones are dropped
    */
   public void putInput(int player, long packed) {
@@ -172,7 +172,7 @@ public final class FrameState {
     check("slot", slot, 0, capacity - 1);
     check("generation", generation, 0, 255);
     check("archetype", archetype, 0, 65_535);
-    check("owner", owner, -1, 255);
+    check("owner", owner, -1, PlayerId.MAX);
     ensure(slot + 1);
     if (kind[slot] != FREE) {
       throw new IllegalStateException("slot=" + slot + " was put twice");

@@ -35,19 +35,20 @@ public final class NearState {
 
   private static final int STRIDE = Math.max(ENTITY_INTS, CONTACT_INTS);
   private static final int FIRST_ROOM = 16;
+  private static final int[] NONE = {};
 
   boolean present;
   int hash;
   int count;
-  int[] keys = new int[FIRST_ROOM];
+  int[] keys = NONE;
   boolean updating;
   int age;
   int toldCount;
-  int[] told = {};
+  int[] told = NONE;
   int totalRows;
   int firstRow;
   int partRows;
-  int[] rows = {};
+  int[] rows = NONE;
 
   NearState() {}
 
@@ -78,7 +79,7 @@ public final class NearState {
           "entities=" + count + " is the most that are near; take the nearest");
     }
     if (count == keys.length) {
-      keys = Arrays.copyOf(keys, Math.min(MAX_ENTITIES, 2 * count));
+      keys = Arrays.copyOf(keys, Math.min(MAX_ENTITIES, Math.max(FIRST_ROOM, 2 * count)));
     }
     keys[count++] = key;
   }

@@ -211,7 +211,7 @@ final class RecordCodec {
   }
 
   int owner(BitCoder c, int value) {
-    return c.plain(value >= 0 ? 1 : 0, 1) != 0 ? c.plain(value, 8) : -1;
+    return c.plain(value >= 0 ? 1 : 0, 1) != 0 ? PlayerId.code(c, value) : -1;
   }
 
   /**

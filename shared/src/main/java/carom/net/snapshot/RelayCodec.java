@@ -22,7 +22,6 @@ final class RelayCodec {
 
   private static final int COUNT_BITS = 5;
   private static final int WAITING_BITS = 3;
-  private static final int PLAYER_BITS = 8;
   private static final int COMMON_BUTTONS = 5;
 
   private RelayCodec() {}
@@ -37,14 +36,14 @@ final class RelayCodec {
   static void writePlayers(BitWriter w, PlayerSet players) {
     w.write(players.size(), COUNT_BITS);
     for (int p = players.next(0); p >= 0; p = players.next(p + 1)) {
-      w.write(p, PLAYER_BITS);
+      PlayerId.write(w, p);
     }
   }
 
   static void readPlayers(BitReader r, PlayerSet players) {
     players.clear();
     for (int n = r.read(COUNT_BITS); n > 0; n--) {
-      players.add(r.read(PLAYER_BITS));
+      players.add(PlayerId.read(r));
     }
   }
 

@@ -13,15 +13,26 @@ public final class RelayedInputs {
 
   private static final int MASK = TICKS - 1;
 
-  private final long[][] inputs = new long[256][];
-  private final int[][] ticks = new int[256][];
-  private final int[] newest = new int[256];
+  private long[][] inputs = {};
+  private int[][] ticks = {};
+  private int[] newest = {};
 
-  RelayedInputs() {
-    Arrays.fill(newest, -1);
+  RelayedInputs() {}
+
+  private void ensure(int players) {
+    int known = newest.length;
+    if (players <= known) {
+      return;
+    }
+    int grown = Math.max(players, 2 * known);
+    inputs = Arrays.copyOf(inputs, grown);
+    ticks = Arrays.copyOf(ticks, grown);
+    newest = Arrays.copyOf(newest, grown);
+    Arrays.fill(newest, known, grown, -1);
   }
 
   void put(int player, int tick, long input) {
+    ensure(player + 1);
     if (inputs[player] == null) {
       inputs[player] = new long[TICKS];
       ticks[player] = new int[TICKS];
@@ -38,7 +49,9 @@ public final class RelayedInputs {
 
   /** Whether the input of that very tick is known. */
   public boolean knows(int player, int tick) {
-    return inputs[player] != null && tick >= 0 && ticks[player][tick & MASK] == tick;
+    return player < newest.length
+        && inputs[player] != null
+        && tick >= 0 && ticks[player][tick & MASK] == tick;
   }
 
   /** The packed input of a tick, or 0 when it isn't known. */
@@ -48,8 +61,9 @@ public final class RelayedInputs {
 
   /** The newest tick up to a tick that the player's input is known of, or -1. */
   public int newestBefore(int player, int tick) {
-    if (newest[player] <= tick) {
-      return newest[player];
+    int last = newestTick(player);
+    if (last <= tick) {
+      return last;
     }
     for (int t = tick; t > tick - TICKS && t >= 0; t--) {
       if (knows(player, t)) {
@@ -61,6 +75,6 @@ public final class RelayedInputs {
 
   /** The newest tick that the player's input is known of, or -1. */
   public int newestTick(int player) {
-    return newest[player];
+    return player < newest.length ? newest[player] : -1;
   }
 }

@@ -49,7 +49,7 @@ public final class SnapshotDecoder {
   // A datagram is read into these first and counts only when all of it was good.
   private final OwnState readOwn = new OwnState();
   private final long[] readInputs = new long[RelayCodec.maxInputs()];
-  private final byte[] readWaiting = new byte[256];
+  private final byte[] readWaiting = new byte[PlayerId.MAX + 1];
   private final PlayerSet readKnown = new PlayerSet();
   private int readWindow;
   private final InputFeedback readFeedback = new InputFeedback();

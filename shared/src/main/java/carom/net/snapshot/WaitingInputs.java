@@ -12,10 +12,8 @@ public final class WaitingInputs {
   /** Most inputs of a player; a cheat that reads them looks so many ticks ahead at most. */
   public static final int MOST = 7;
 
-  private static final int PLAYERS = 256;
-
-  private final byte[] count = new byte[PLAYERS];
-  private long[] inputs = new long[16 * MOST];
+  private byte[] count = new byte[16];
+  private long[] inputs = new long[count.length * MOST];
 
   WaitingInputs() {}
 
@@ -28,16 +26,17 @@ public final class WaitingInputs {
    * Adds the input of the tick behind the last one that was added for a player, or behind the
    * frame's.
    *
-   * @param player id, 0..255
+   * @param player id, 0..1,023
    * @param packed 48 bits, higher ones are dropped
    * @return false when there is no room for more
    */
   public boolean add(int player, long packed) {
-    if (count[player] == MOST) {
+    if (count(player) == MOST) {
       return false;
     }
-    if ((player + 1) * MOST > inputs.length) {
-      inputs = Arrays.copyOf(inputs, Math.max(2 * inputs.length, (player + 1) * MOST));
+    if (player >= count.length) {
+      count = Arrays.copyOf(count, Math.max(2 * count.length, player + 1));
+      inputs = Arrays.copyOf(inputs, count.length * MOST);
     }
     inputs[player * MOST + count[player]++] = packed & RelayCodec.INPUT_MASK;
     return true;
@@ -45,7 +44,7 @@ public final class WaitingInputs {
 
   /** How many inputs of a player wait. */
   int count(int player) {
-    return count[player];
+    return player < count.length ? count[player] : 0;
   }
 
   /** The input of the tick so many after the frame's, from 1 on. */

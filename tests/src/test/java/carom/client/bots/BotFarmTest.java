@@ -15,6 +15,7 @@ import carom.net.protocol.ServerMessage;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.InProcessNetwork;
 import carom.net.transport.Link;
+import carom.physics.threads.WorkerThreads;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
@@ -50,13 +51,15 @@ final class BotFarmTest {
                 sockets,
                 System::nanoTime);
         ClientTransport clients = new CrowdTransport();
+        WorkerThreads threads = new WorkerThreads(2);
         BotFarm farm =
             new BotFarm(
                 config().withServer("127.0.0.1", server.tcpPort(), server.udpPort()),
                 clients,
                 CROWD,
                 1,
-                false)) {
+                false,
+                threads)) {
       server.start();
       // However slow the machine is: until each bot has seen a hundred ticks.
       while (!farm.over() && farm.fewestSnapshots() < 100) {
@@ -79,6 +82,39 @@ final class BotFarmTest {
     }
   }
 
+  @Test
+  void aSlowFrameMakesJoinsGoodAndItsInputsCountAsLate() {
+    InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
+    long[] now = {SECOND};
+    try (Server server =
+            new Server(
+                ServerConfig.defaults().withMaxPlayers(CROWD).withStatusIntervalS(0),
+                () -> Games.create("arena"),
+                Level.builtIn("arena"),
+                network.server(),
+                () -> now[0]);
+        BotFarm farm =
+            new BotFarm(
+                config().withServer("server", 0, 0),
+                network.client(),
+                CROWD,
+                1,
+                false,
+                new WorkerThreads(1))) {
+      // The bots' machine manages ten frames a second; one bot per frame would take four.
+      for (int tick = 0; tick < 120; tick++) {
+        now[0] += SECOND / 60;
+        server.tick(now[0]);
+        if (tick % 6 == 0) {
+          farm.update(now[0]);
+        }
+      }
+      BotReport report = farm.report(now[0]);
+      assertEquals(CROWD, report.joined(), farm::problem);
+      assertEquals(100.0 * 5 / 6, report.lateInputPercent(), 0.1);
+    }
+  }
+
   /** Every newcomer is told the same and let go. */
   private static int refuseAll(InProcessNetwork network, RefusalReason reason) {
     int refused = 0;
@@ -93,7 +129,13 @@ final class BotFarmTest {
     InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
     int refused = 0;
     try (BotFarm farm =
-        new BotFarm(config().withServer("server", 0, 0), network.client(), 3, 1, false)) {
+        new BotFarm(
+            config().withServer("server", 0, 0),
+            network.client(),
+            3,
+            1,
+            false,
+            new WorkerThreads(1))) {
       for (long nowNs = SECOND; nowNs < 200 * SECOND && !farm.over(); nowNs += SECOND / 60) {
         farm.update(nowNs);
         refused += refuseAll(network, reason);

@@ -25,7 +25,7 @@ final class KryoMessageCodecTest {
 
   static List<Object> everyMessage() {
     List<RosterEntry> full = new ArrayList<>();
-    for (int i = 0; i < Limits.MAX_PLAYERS; i++) {
+    for (int i = 0; i < Limits.MAX_ROSTER_ENTRIES; i++) {
       full.add(new RosterEntry(i, "x".repeat(Limits.MAX_NAME_BYTES), Integer.MIN_VALUE + i));
     }
     byte[] chunk = new byte[Limits.MAX_LEVEL_CHUNK_BYTES];
@@ -83,7 +83,7 @@ final class KryoMessageCodecTest {
         "40" // class
             + "feffffffffffffff" // sessionSecret
             + "04030201" // datagramKey
-            + "ff" // playerId
+            + "ff01" // playerId
             + "f0" // tickRate
             + "4d000000" // tick
             + "0000000000000080" // seed
@@ -120,7 +120,7 @@ final class KryoMessageCodecTest {
             new ClientMessage.Watch(1, 2, 0),
             new ClientMessage.RecordingRequest(-1),
             new ServerMessage.LevelChunk(-1, new byte[1]),
-            new ServerMessage.Welcome(1, 1, 256, 60, 0, 0, "g", "l", 0, 0, 0),
+            new ServerMessage.Welcome(1, 1, Limits.MAX_PLAYERS, 60, 0, 0, "g", "l", 0, 0, 0),
             new ServerMessage.Welcome(1, 1, 1, 0, 0, 0, "g", "l", 0, 0, 0),
             "no message");
     for (Object message : wrong) {
