@@ -414,7 +414,8 @@ public final class Simulation {
   public Player join(int id, String name) {
     requireAuthority("join");
     if (id < 0 || id >= MAX_PLAYERS || players[id] != null) {
-      throw new IllegalStateException("player id=" + id + " is taken or outside 0.." + (MAX_PLAYERS - 1));
+      throw new IllegalStateException(
+          "player id=" + id + " is taken or outside 0.." + (MAX_PLAYERS - 1));
     }
     if (journal != null) {
       journal.joining(this, id, name);
@@ -434,7 +435,8 @@ public final class Simulation {
   public Player joinAs(int id, String name) {
     requirePrediction("joinAs");
     if (id < 0 || id >= MAX_PLAYERS || players[id] != null) {
-      throw new IllegalStateException("player id=" + id + " is taken or outside 0.." + (MAX_PLAYERS - 1));
+      throw new IllegalStateException(
+          "player id=" + id + " is taken or outside 0.." + (MAX_PLAYERS - 1));
     }
     return newPlayer(id, name);
   }

@@ -6,7 +6,6 @@ import carom.client.GameClient;
 import carom.client.NetStats;
 import carom.net.transport.ClientTransport;
 import carom.physics.threads.Workers;
-
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -270,7 +269,8 @@ public final class BotFarm implements AutoCloseable {
     int divisor = Math.max(1, playing);
     return String.format(
         Locale.ROOT,
-        "%d of %d play, disconnects=%d errors=%d late=%.0f%% snapshots=%.1f/s rtt=%.1f ms in=%.0f kbit/s each",
+        "%d of %d play, disconnects=%d errors=%d late=%.0f%% snapshots=%.1f/s rtt=%.1f ms in=%.0f"
+            + " kbit/s each",
         playing,
         players.size(),
         disconnects,

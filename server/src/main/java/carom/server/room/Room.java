@@ -77,6 +77,9 @@ public final class Room {
   /** A crowd that comes at once must not cost those who play a tick. */
   private static final int MAX_ARRIVALS_PER_TICK = 8;
 
+  /** Nor must one that goes at once. */
+  private static final int MAX_DEPARTURES_PER_TICK = 16;
+
   /** Of ticks that are made good in one burst, only so many of the last are worth a snapshot. */
   private static final int MAX_SENDS_PER_BURST = 2;
 
@@ -395,29 +398,39 @@ public final class Room {
 
   private void serveWishes(long nowNs) {
     Session givesWay = whoGivesWay();
-    for (int i = sessions.size() - 1; i >= 0; i--) {
-      Session session = sessions.get(i);
-      if (session.state() == SessionState.GRACE) {
-        if (session == givesWay) {
-          seatsAskedFor.decrementAndGet();
-          remove(session, "gave way to a newcomer", " is gone", nowNs);
-        } else if (session.graceIsOver(nowNs) && !seats.isClaimed(session.seat())) {
-          remove(session, "did not come back", " is gone", nowNs);
-        }
-      } else if (session.wish() == Session.Wish.LEAVE) {
-        counters.add(Counter.LEAVES, 1);
-        session.sayGoodbye(GoodbyeReason.LEFT, "");
-        remove(session, "left", " left", nowNs);
-      } else if (session.wish() == Session.Wish.EXPEL) {
-        counters.add(Counter.SESSIONS_EXPELLED, 1);
-        session.sayGoodbye(GoodbyeReason.PROTOCOL_ERROR, "Received " + session.offence() + ".");
-        remove(session, "expelled for " + session.offence(), " was removed", nowNs);
-      } else if (session.linkLost()) {
-        lose(session, "link lost: " + session.linkLostReason(), nowNs);
-      } else if (session.isSilent(nowNs)) {
-        lose(session, "silent for " + config.silenceTimeoutMs() + " ms", nowNs);
-      }
+    int departures = 0;
+    for (int i = sessions.size() - 1; i >= 0 && departures < MAX_DEPARTURES_PER_TICK; i--) {
+      departures += departs(sessions.get(i), givesWay, nowNs) ? 1 : 0;
     }
+  }
+
+  /** Lets a session go whose time has come; whether it had. */
+  private boolean departs(Session session, Session givesWay, long nowNs) {
+    if (session.state() == SessionState.GRACE) {
+      if (session == givesWay) {
+        seatsAskedFor.decrementAndGet();
+        remove(session, "gave way to a newcomer", " is gone", nowNs);
+      } else if (session.graceIsOver(nowNs) && !seats.isClaimed(session.seat())) {
+        remove(session, "did not come back", " is gone", nowNs);
+      } else {
+        return false;
+      }
+    } else if (session.wish() == Session.Wish.LEAVE) {
+      counters.add(Counter.LEAVES, 1);
+      session.sayGoodbye(GoodbyeReason.LEFT, "");
+      remove(session, "left", " left", nowNs);
+    } else if (session.wish() == Session.Wish.EXPEL) {
+      counters.add(Counter.SESSIONS_EXPELLED, 1);
+      session.sayGoodbye(GoodbyeReason.PROTOCOL_ERROR, "Received " + session.offence() + ".");
+      remove(session, "expelled for " + session.offence(), " was removed", nowNs);
+    } else if (session.linkLost()) {
+      lose(session, "link lost: " + session.linkLostReason(), nowNs);
+    } else if (session.isSilent(nowNs)) {
+      lose(session, "silent for " + config.silenceTimeoutMs() + " ms", nowNs);
+    } else {
+      return false;
+    }
+    return true;
   }
 
   /** The body stays for the grace period, or goes at once when there is none. */

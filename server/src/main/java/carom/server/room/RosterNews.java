@@ -50,7 +50,8 @@ final class RosterNews {
    * @param bySeat who plays, by player id
    * @param send takes a session that plays and a message for it
    */
-  void send(List<Session> sessions, Session[] bySeat, long nowNs, BiConsumer<Session, Broadcast> send) {
+  void send(
+      List<Session> sessions, Session[] bySeat, long nowNs, BiConsumer<Session, Broadcast> send) {
     for (int i = sessions.size() - 1; i >= 0 && !old; i--) {
       Session session = sessions.get(i);
       old = scores[session.seat().id()] != session.player().score();

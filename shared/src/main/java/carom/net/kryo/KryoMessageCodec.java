@@ -258,7 +258,8 @@ public final class KryoMessageCodec implements MessageCodec {
 
     @Override
     Roster read(Input in) {
-      int most = Math.min(Limits.MAX_ROSTER_ENTRIES, (in.limit() - in.position()) / MIN_ENTRY_BYTES);
+      int most =
+          Math.min(Limits.MAX_ROSTER_ENTRIES, (in.limit() - in.position()) / MIN_ENTRY_BYTES);
       int count = inRange("entries", in.readVarInt(true), 0, most);
       List<RosterEntry> entries = new ArrayList<>(count);
       for (int i = 0; i < count; i++) {

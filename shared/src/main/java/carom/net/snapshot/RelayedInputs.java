@@ -51,7 +51,8 @@ public final class RelayedInputs {
   public boolean knows(int player, int tick) {
     return player < newest.length
         && inputs[player] != null
-        && tick >= 0 && ticks[player][tick & MASK] == tick;
+        && tick >= 0
+        && ticks[player][tick & MASK] == tick;
   }
 
   /** The packed input of a tick, or 0 when it isn't known. */

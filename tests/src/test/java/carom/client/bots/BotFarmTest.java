@@ -83,7 +83,7 @@ final class BotFarmTest {
   }
 
   @Test
-  void aSlowFrameMakesJoinsGoodAndItsInputsCountAsLate() {
+  void aSlowFrameMakesJoinsGoodAndItsInputsCountAsLate() throws Exception {
     InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
     long[] now = {SECOND};
     try (Server server =
