@@ -443,14 +443,30 @@ public final class KdTree implements SpatialIndex {
     workBoxes.set(at, boxes.minX(id), boxes.minY(id), boxes.maxX(id), boxes.maxY(id));
   }
 
-  /** Writes the ids in the order of the leaves, near ones near each other; answers how many. */
-  int order(int[] out) {
+  /**
+   * Numbers the boxes anew, from 0 on in the order of the leaves. The caller brings the box array
+   * into that order.
+   *
+   * @param old receives the ids that the boxes had
+   */
+  void number(int[] old) {
     int to = 0;
     for (int leaf = 0; leaf < leaves; leaf++) {
-      System.arraycopy(ids, leaf * SLOTS, out, to, fill[leaf]);
-      to += fill[leaf];
+      int first = leaf * SLOTS;
+      for (int slot = first; slot < first + fill[leaf]; slot++) {
+        old[to] = ids[slot];
+        ids[slot] = to;
+        to++;
+      }
     }
-    return to;
+    ensureId(to - 1);
+    Arrays.fill(slotOf, -1);
+    for (int leaf = 0; leaf < leaves; leaf++) {
+      int first = leaf * SLOTS;
+      for (int slot = first; slot < first + fill[leaf]; slot++) {
+        slotOf[ids[slot]] = slot;
+      }
+    }
   }
 
   // ---------------------------------------------------------------- following motion

@@ -1,76 +1,128 @@
 package carom.physics.broadphase;
 
-import java.util.Arrays;
-
 /**
- * The overlapping pairs of many boxes that move a little from tick to tick: a {@link KdTree} over
- * boxes that have room for some ticks of motion, and the list of its pairs.
+ * The overlapping pairs of many boxes that move a little from tick to tick, by two lists of pairs
+ * that may overlap soon.
  *
- * <p>While a box stays within its roomy one, no pair can come that isn't in the list; a tick then
- * is one stream over the boxes and one over the list. A box that left gets a new one, {@value
- * #TICKS} ticks ahead along its mean way since the last one, and is searched for; when more than
- * one in {@value #RENEW_SHARE} left, all are. So the answers are exact in every tick, most ticks
- * are cheap and one in some {@value #TICKS} is dear: look at the mean. The physics engine does the
- * same with its contacts. What moves several times its size in a tick is better off with the tree
- * alone.
+ * <p>Every box has an <i>inner room</i> for some ticks of its motion, within an <i>outer room</i>
+ * for several times as many. While all boxes stay within their inner rooms, no pair can overlap
+ * that isn't in the list of pairs whose inner rooms do: a tick is one stream over the boxes and one
+ * over that list. When boxes leave, all get new inner rooms, whose pairs are picked from the list
+ * of the outer ones: cheap, too. Only when boxes leave their outer rooms a {@link KdTree} is asked
+ * for the pairs of new ones. So answers are exact in every tick, most ticks are cheap, and one in
+ * some forty is dear: look at the mean. These are Verlet's neighbour lists (1967), two deep, with
+ * room along the way instead of on all sides.
  *
- * <p><b>Order, ownership, threads, cost, errors</b> as for every {@link SpatialIndex}; O(n + pairs)
- * in most ticks. Boxes are kept in the order of the tree, so that both streams are local.
+ * <p>For how many ticks the rooms are follows from how fast boxes move in relation to their sizes,
+ * so that the lists stay short. The few that leave early, as they changed their course, get larger
+ * rooms one by one. What moves its own size in a tick is better off with the tree alone.
+ *
+ * <p><b>Order, ownership, threads, errors</b> as for every {@link SpatialIndex}. <b>Cost.</b> O(n +
+ * pairs) in most ticks. Boxes are kept in the order of the tree, so that all streams are local.
  */
 public final class PairCache {
-  /** For how many ticks of motion a new roomy box has room. */
-  static final int TICKS = 10;
+  /** How far boxes get in their outer rooms on the average, in extents. */
+  private static final float OUTER_WAY = 1.25f;
 
-  /** All boxes get new roomy ones when more than this fraction (1 / n) of them left theirs. */
-  static final int RENEW_SHARE = 8;
+  /** For how many ticks outer rooms are at least and at most. */
+  private static final float LEAST_TICKS = 4;
+
+  private static final float MOST_TICKS = 100;
+
+  /** How many inner rooms an outer one lasts for. */
+  private static final float INNER_PER_OUTER = 5;
+
+  /** All boxes get new inner rooms when more than this fraction (1 / n) of them left theirs. */
+  private static final int INNER_SHARE = 32;
+
+  /** The same for outer rooms. */
+  private static final int OUTER_SHARE = 4;
 
   /** Room on each side in any case, in extents of the box. */
   private static final float MARGIN = 1 / 64f;
 
+  /** From as many boxes on, those of the caller don't fit the nearest caches. */
+  private static final int FAR = 200_000;
+
+  /** Boxes fetched at once from far away, a power of two. */
+  private static final int AHEAD = 64;
+
   /** Pairs tested before those that overlap are reported. */
   private static final int BATCH = 256;
 
+  private static final int INNER = 0;
+  private static final int OUTER = 1;
+
+  private final int far;
   private AabbArray source = new AabbArray(0);
   private int size;
 
-  /** By place: the id, the box as of the last refit, the roomy one, the box when that was made. */
+  /** By place: the id, the box as of the last refit, its rooms. */
   private int[] ids = new int[0];
 
-  private final AabbArray boxes = new AabbArray(0);
-  private final AabbArray roomy = new AabbArray(0);
-  private final AabbArray start = new AabbArray(0);
+  private AabbArray boxes = new AabbArray(0);
+  private AabbArray inner = new AabbArray(0);
+  private final AabbArray outer = new AabbArray(0);
 
-  /** By place: when the roomy box was made. */
-  private int[] since = new int[0];
+  /**
+   * By place: left and lower edge at the tick {@link #since}, or where they would have been had the
+   * box always moved as it does now.
+   */
+  private float[] start = new float[0];
+
+  /** When inner rooms were made, and the tick now. */
+  private int since;
 
   private int now;
 
-  /** Over the roomy boxes, by place. */
-  private final KdTree tree = new KdTree(roomy);
+  /** For how many ticks new rooms are. */
+  private float innerTicks;
 
-  /** Pairs of places whose roomy boxes overlap, each once. */
-  private long[] pairs = new long[64];
+  private float outerTicks;
 
-  private int pairCount;
+  /** Over the outer rooms, by place. */
+  private final KdTree tree = new KdTree(outer);
 
-  /** Places that left their roomy boxes in this tick. */
+  private final PairList innerPairs = new PairList();
+  private final PairList outerPairs = new PairList();
+  private final int[] batch = new int[BATCH];
+
+  /** Places that left a room in this tick, and how they moved in it. */
   private int[] left = new int[0];
 
-  private boolean[] isLeft = new boolean[0];
+  private float[] leftWay = new float[0];
   private int leftCount;
-  private int searched;
-  private final int[] batch = new int[BATCH];
-  private final PairVisitor onPair = this::append;
-  private final IntVisitor onFound =
+
+  /** What {@link #fetch} made of what it read; for nobody, but it must be for something. */
+  @SuppressWarnings("UnusedVariable")
+  private float fetched;
+
+  /** The place whose rooms grow, and how large they were. */
+  private int growing;
+
+  private final AabbArray before = new AabbArray(2);
+  private final int[] one = new int[1];
+  private final IntVisitor onMet =
       place -> {
-        if (place != searched && (!isLeft[place] || place > searched)) {
-          append(searched, place);
-        }
+        meet(place);
         return true;
       };
 
+  /** Scratch: an order of places, and what is put into it. */
+  private int[] order = new int[0];
+
+  private int[] otherIds = new int[0];
+  private float[] otherStart = new float[0];
+
   /** Makes an empty cache. */
-  public PairCache() {}
+  public PairCache() {
+    this(FAR);
+  }
+
+  /** The same with a limit of one's own for what is far. */
+  PairCache(int far) {
+    this.far = far;
+  }
 
   /**
    * The number of boxes.
@@ -91,34 +143,37 @@ public final class PairCache {
    *     isn't finite with min &lt;= max; the cache is empty then
    */
   public void rebuild(AabbArray newBoxes, int[] newIds, int count) {
-    size = 0;
-    pairCount = 0;
-    KdTree byId = new KdTree(newBoxes);
-    byId.rebuild(newBoxes, newIds, count);
+    forget();
+    if (count < 0 || count > newIds.length) {
+      throw new IllegalArgumentException("count=" + count + ", limit 0.." + newIds.length);
+    }
+    boolean[] seen = new boolean[newBoxes.capacity()];
+    for (int i = 0; i < count; i++) {
+      int id = newIds[i];
+      newBoxes.check(id);
+      if (seen[id]) {
+        throw new IllegalArgumentException("id=" + id + " comes twice in ids, index=" + i);
+      }
+      seen[id] = true;
+    }
     source = newBoxes;
     ensure(count);
-    size = byId.order(ids);
+    System.arraycopy(newIds, 0, ids, 0, count);
+    size = count;
     now = 0;
+    since = 0;
     for (int place = 0; place < size; place++) {
-      int id = ids[place];
-      // adding zero turns -0 into +0, on which the sign tests of pairs() rely
-      float minX = source.minX(id) + 0f;
-      float minY = source.minY(id) + 0f;
-      float maxX = source.maxX(id) + 0f;
-      float maxY = source.maxY(id) + 0f;
-      boxes.set(place, minX, minY, maxX, maxY);
-      start.set(place, minX, minY, maxX, maxY);
-      since[place] = 0;
-      left[place] = place;
-      renew(place);
+      copy(source, ids[place], boxes, place);
+      copy(source, ids[place], outer, place);
+      order[place] = place;
+      startAt(place, 0, 0);
     }
-    tree.rebuild(roomy, left, size);
-    tree.pairs(onPair);
+    tree.rebuild(outer, order, size);
+    renewOuter();
   }
 
   /**
-   * Takes over the boxes' new places: call once per tick, after they moved. O(n), every tenth time
-   * or so with a search for all pairs.
+   * Takes over the boxes' new places: call once per tick, after they moved.
    *
    * @throws IllegalArgumentException if a box isn't finite with min &lt;= max; the cache is empty
    *     then
@@ -126,108 +181,307 @@ public final class PairCache {
   public void refit() {
     now++;
     follow();
-    if (leftCount == 0) {
-      return;
-    }
-    if (leftCount > size / RENEW_SHARE) {
-      for (int place = 0; place < size; place++) {
-        renew(place);
-      }
-      tree.refit();
-      pairCount = 0;
-      tree.pairs(onPair);
-      return;
-    }
-    for (int i = 0; i < leftCount; i++) {
-      renew(left[i]);
-      isLeft[left[i]] = true;
-    }
-    tree.refit(left, leftCount);
-    dropPairsOfThoseThatLeft();
-    for (int i = 0; i < leftCount; i++) {
-      int p = left[i];
-      searched = p;
-      tree.query(roomy.minX(p), roomy.minY(p), roomy.maxX(p), roomy.maxY(p), onFound);
-    }
-    for (int i = 0; i < leftCount; i++) {
-      isLeft[left[i]] = false;
+    if (leftCount > size / INNER_SHARE) {
+      renewInner();
+    } else if (!growAll()) {
+      renewOuter();
     }
   }
 
-  /** Copies the boxes, and lists those that left their roomy ones. */
+  /** Copies the boxes, and lists those that left their inner rooms. */
   private void follow() {
+    leftCount = 0;
+    if (size < far) {
+      follow(0, size);
+      return;
+    }
+    fetched = fetch(0, AHEAD);
+    for (int from = 0; from < size; from += AHEAD) {
+      int to = from + AHEAD;
+      fetched += fetch(to, Math.min(to + AHEAD, size));
+      follow(from, Math.min(to, size));
+    }
+  }
+
+  /**
+   * Reads one edge of some boxes of the caller, that they are near when the others are read: so
+   * short a loop waits for many of them at once.
+   */
+  private float fetch(int first, int end) {
+    float sum = 0;
+    for (int place = first; place < end; place++) {
+      sum += source.edges[4 * ids[place]];
+    }
+    return sum;
+  }
+
+  private void follow(int first, int end) {
     float[] from = source.edges;
     float[] to = boxes.edges;
-    float[] room = roomy.edges;
-    int out = 0;
-    for (int place = 0; place < size; place++) {
+    float[] room = inner.edges;
+    int out = leftCount;
+    for (int place = first; place < end; place++) {
       int f = 4 * ids[place];
       int t = 4 * place;
       float minX = from[f] + 0f;
       float minY = from[f + 1] + 0f;
       float maxX = from[f + 2] + 0f;
       float maxY = from[f + 3] + 0f;
-      to[t] = minX;
-      to[t + 1] = minY;
-      to[t + 2] = maxX;
-      to[t + 3] = maxY;
-      boolean valid = minX <= maxX && minY <= maxY;
-      if (!(valid
+      if (!(minX <= maxX
+          && minY <= maxY
           && minX >= room[t]
           && minY >= room[t + 1]
           && maxX <= room[t + 2]
           && maxY <= room[t + 3])) {
         if (!AabbArray.valid(minX, minY, maxX, maxY)) {
-          size = 0;
-          pairCount = 0;
-          throw source.invalid(ids[place]);
+          IllegalArgumentException invalid = source.invalid(ids[place]);
+          forget();
+          throw invalid;
         }
+        leftWay[2 * out] = minX - to[t];
+        leftWay[2 * out + 1] = minY - to[t + 1];
         left[out++] = place;
       }
+      to[t] = minX;
+      to[t + 1] = minY;
+      to[t + 2] = maxX;
+      to[t + 3] = maxY;
     }
     leftCount = out;
   }
 
-  /** Makes a roomy box, ahead along the mean way since the last one. */
-  private void renew(int place) {
-    float minX = boxes.minX(place);
-    float minY = boxes.minY(place);
-    float maxX = boxes.maxX(place);
-    float maxY = boxes.maxY(place);
-    float ahead = (float) TICKS / Math.max(1, now - since[place]);
-    float wayX = ahead * (minX - start.minX(place));
-    float wayY = ahead * (minY - start.minY(place));
+  // ---------------------------------------------------------------- all rooms
+
+  /** Gives all boxes new inner rooms, and outer ones if many left theirs. */
+  private void renewInner() {
+    float[] e = boxes.edges;
+    float[] limit = outer.edges;
+    float perTick = perTick();
+    leftCount = 0;
+    for (int place = 0; place < size; place++) {
+      int at = 4 * place;
+      if (e[at] < limit[at]
+          || e[at + 1] < limit[at + 1]
+          || e[at + 2] > limit[at + 2]
+          || e[at + 3] > limit[at + 3]) {
+        leftWay[2 * leftCount] = perTick * (e[at] - start[2 * place]);
+        leftWay[2 * leftCount + 1] = perTick * (e[at + 1] - start[2 * place + 1]);
+        left[leftCount++] = place;
+      }
+    }
+    if (leftCount <= size / OUTER_SHARE && growAll()) {
+      pickInner();
+    } else {
+      renewOuter();
+    }
+  }
+
+  /** Makes all rooms anew. */
+  private void renewOuter() {
+    float[] e = boxes.edges;
+    double way = 0;
+    double extent = 0;
+    for (int place = 0; place < size; place++) {
+      int at = 4 * place;
+      way += Math.abs(e[at] - start[2 * place]) + Math.abs(e[at + 1] - start[2 * place + 1]);
+      extent += e[at + 2] - e[at] + (e[at + 3] - e[at + 1]);
+    }
+    double ticks = OUTER_WAY * extent / (way * perTick());
+    outerTicks = ticks > LEAST_TICKS ? (float) Math.min(ticks, MOST_TICKS) : LEAST_TICKS;
+    innerTicks = Math.max(1, outerTicks / INNER_PER_OUTER);
+    setRooms(outer, outerTicks);
+    tree.refit();
+    permute();
+    setRooms(outer, outerTicks);
+    outerPairs.clear();
+    tree.pairs(outerPairs);
+    pickInner();
+  }
+
+  /** Brings all places into the order of the tree. */
+  private void permute() {
+    tree.number(order);
+    float[] from = boxes.edges;
+    float[] to = inner.edges;
+    for (int place = 0; place < size; place++) {
+      int old = order[place];
+      to[4 * place] = from[4 * old];
+      to[4 * place + 1] = from[4 * old + 1];
+      to[4 * place + 2] = from[4 * old + 2];
+      to[4 * place + 3] = from[4 * old + 3];
+      otherIds[place] = ids[old];
+      otherStart[2 * place] = start[2 * old];
+      otherStart[2 * place + 1] = start[2 * old + 1];
+    }
+    AabbArray swapBoxes = boxes;
+    boxes = inner;
+    inner = swapBoxes;
+    int[] swapIds = ids;
+    ids = otherIds;
+    otherIds = swapIds;
+    float[] swapStart = start;
+    start = otherStart;
+    otherStart = swapStart;
+  }
+
+  /** Makes all inner rooms anew, within the outer ones, and the list of their pairs. */
+  private void pickInner() {
+    setRooms(inner, innerTicks);
+    float[] e = boxes.edges;
+    float[] room = inner.edges;
+    float[] limit = outer.edges;
+    for (int place = 0; place < size; place++) {
+      int at = 4 * place;
+      if (room[at] < limit[at]) {
+        room[at] = limit[at];
+      }
+      if (room[at + 1] < limit[at + 1]) {
+        room[at + 1] = limit[at + 1];
+      }
+      if (room[at + 2] > limit[at + 2]) {
+        room[at + 2] = limit[at + 2];
+      }
+      if (room[at + 3] > limit[at + 3]) {
+        room[at + 3] = limit[at + 3];
+      }
+      start[2 * place] = e[at];
+      start[2 * place + 1] = e[at + 1];
+    }
+    since = now;
+    innerPairs.clear();
+    for (int from = 0; from < outerPairs.count; from += BATCH) {
+      int found = test(room, outerPairs, from);
+      innerPairs.addFrom(outerPairs, batch, found);
+    }
+  }
+
+  /** One by the ticks since inner rooms were made. */
+  private float perTick() {
+    return 1f / Math.max(1, now - since);
+  }
+
+  /** Makes rooms for some ticks ahead along the mean way since inner rooms were made. */
+  private void setRooms(AabbArray rooms, float ticks) {
+    float[] e = boxes.edges;
+    float[] s = start;
+    float ahead = ticks * perTick();
+    for (int place = 0; place < size; place++) {
+      float wayX = ahead * (e[4 * place] - s[2 * place]);
+      float wayY = ahead * (e[4 * place + 1] - s[2 * place + 1]);
+      setRoom(e, rooms.edges, 4 * place, wayX, wayY);
+    }
+  }
+
+  /** Makes a room around a box and the same box further along a way. */
+  private static void setRoom(float[] e, float[] room, int at, float wayX, float wayY) {
+    float minX = e[at];
+    float minY = e[at + 1];
+    float maxX = e[at + 2];
+    float maxY = e[at + 3];
     float marginX = MARGIN * (maxX - minX);
     float marginY = MARGIN * (maxY - minY);
-    float leftEdge = minX - marginX + Math.min(wayX, 0);
-    float low = minY - marginY + Math.min(wayY, 0);
-    float right = maxX + marginX + Math.max(wayX, 0);
-    float high = maxY + marginY + Math.max(wayY, 0);
-    if (AabbArray.valid(leftEdge, low, right, high)) {
-      roomy.set(place, leftEdge, low, right, high);
-    } else {
-      roomy.set(place, minX, minY, maxX, maxY);
-    }
-    start.set(place, minX, minY, maxX, maxY);
-    since[place] = now;
+    float leftEdge = minX - marginX + negative(wayX);
+    float low = minY - marginY + negative(wayY);
+    float right = maxX + marginX + positive(wayX);
+    float high = maxY + marginY + positive(wayY);
+    boolean valid = AabbArray.valid(leftEdge, low, right, high);
+    room[at] = valid ? leftEdge : minX;
+    room[at + 1] = valid ? low : minY;
+    room[at + 2] = valid ? right : maxX;
+    room[at + 3] = valid ? high : maxY;
   }
 
-  private void append(int p, int q) {
-    if (pairCount == pairs.length) {
-      pairs = Arrays.copyOf(pairs, pairCount + (pairCount >> 1));
-    }
-    pairs[pairCount++] = (long) p << 32 | q;
+  /** The smaller of x and 0, without a branch: signs of ways aren't to be foreseen. */
+  private static float negative(float x) {
+    int bits = Float.floatToRawIntBits(x);
+    return Float.intBitsToFloat(bits & bits >> 31);
   }
 
-  private void dropPairsOfThoseThatLeft() {
-    int kept = 0;
-    for (int i = 0; i < pairCount; i++) {
-      long pair = pairs[i];
-      pairs[kept] = pair;
-      kept += isLeft[(int) (pair >>> 32)] || isLeft[(int) pair] ? 0 : 1;
-    }
-    pairCount = kept;
+  /** The larger of x and 0. */
+  private static float positive(float x) {
+    int bits = Float.floatToRawIntBits(x);
+    return Float.intBitsToFloat(bits & ~(bits >> 31));
   }
+
+  // ---------------------------------------------------------------- one by one
+
+  /** Makes the rooms of all that left larger; answers false if all rooms are to be made anew. */
+  private boolean growAll() {
+    for (int i = 0; i < leftCount; i++) {
+      if (!grow(left[i], leftWay[2 * i], leftWay[2 * i + 1])) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /**
+   * Makes the rooms of a box that left one larger, so that the pairs in the lists stay right, and
+   * adds those that come; answers false if there is no number for so large a room.
+   */
+  private boolean grow(int place, float wayX, float wayY) {
+    growing = place;
+    copy(inner, place, before, INNER);
+    copy(outer, place, before, OUTER);
+    setRoom(boxes.edges, inner.edges, 4 * place, innerTicks * wayX, innerTicks * wayY);
+    unite(inner, place, before, INNER);
+    AabbArray reach = inner;
+    if (!outer.contains(
+        place, inner.minX(place), inner.minY(place), inner.maxX(place), inner.maxY(place))) {
+      setRoom(boxes.edges, outer.edges, 4 * place, outerTicks * wayX, outerTicks * wayY);
+      unite(outer, place, before, OUTER);
+      unite(outer, place, inner, place);
+      reach = outer;
+      if (!AabbArray.valid(
+          outer.minX(place), outer.minY(place), outer.maxX(place), outer.maxY(place))) {
+        return false;
+      }
+      one[0] = place;
+      tree.refit(one, 1);
+    }
+    startAt(place, wayX, wayY);
+    tree.query(reach.minX(place), reach.minY(place), reach.maxX(place), reach.maxY(place), onMet);
+    return true;
+  }
+
+  /** Has the mean way of a box be this one. */
+  private void startAt(int place, float wayX, float wayY) {
+    start[2 * place] = boxes.minX(place) - (now - since) * wayX;
+    start[2 * place + 1] = boxes.minY(place) - (now - since) * wayY;
+  }
+
+  /** Adds the pair of the box that grows and another to the lists it has come into. */
+  private void meet(int place) {
+    if (place == growing) {
+      return;
+    }
+    if (!overlap(before, OUTER, outer, place)) {
+      outerPairs.pair(place, growing);
+    }
+    if (overlap(inner, growing, inner, place) && !overlap(before, INNER, inner, place)) {
+      innerPairs.pair(place, growing);
+    }
+  }
+
+  private static boolean overlap(AabbArray a, int i, AabbArray b, int k) {
+    return b.overlaps(k, a.minX(i), a.minY(i), a.maxX(i), a.maxY(i));
+  }
+
+  /** Adding zero turns -0 into +0, on which the sign tests of pairs rely. */
+  private static void copy(AabbArray from, int i, AabbArray to, int k) {
+    to.set(k, from.minX(i) + 0f, from.minY(i) + 0f, from.maxX(i) + 0f, from.maxY(i) + 0f);
+  }
+
+  private static void unite(AabbArray rooms, int place, AabbArray b, int i) {
+    rooms.set(
+        place,
+        Math.min(rooms.minX(place), b.minX(i)),
+        Math.min(rooms.minY(place), b.minY(i)),
+        Math.max(rooms.maxX(place), b.maxX(i)),
+        Math.max(rooms.maxY(place), b.maxY(i)));
+  }
+
+  // ---------------------------------------------------------------- pairs
 
   /**
    * Visits every unordered pair of overlapping boxes exactly once, with idA &lt; idB.
@@ -235,10 +489,11 @@ public final class PairCache {
    * @param visitor receives the pairs
    */
   public void pairs(PairVisitor visitor) {
-    for (int from = 0; from < pairCount; from += BATCH) {
-      int found = test(from, Math.min(from + BATCH, pairCount));
+    long[] list = innerPairs.list;
+    for (int from = 0; from < innerPairs.count; from += BATCH) {
+      int found = test(boxes.edges, innerPairs, from);
       for (int k = 0; k < found; k++) {
-        long pair = pairs[batch[k]];
+        long pair = list[batch[k]];
         int a = ids[(int) (pair >>> 32)];
         int b = ids[(int) pair];
         visitor.pair(Math.min(a, b), Math.max(a, b));
@@ -246,13 +501,14 @@ public final class PairCache {
     }
   }
 
-  /** Lists which pairs of a range overlap now, without a branch; answers how many. */
-  private int test(int from, int to) {
-    float[] e = boxes.edges;
+  /** Lists which of a batch of pairs overlap, without a branch; answers how many. */
+  private int test(float[] e, PairList pairs, int from) {
+    long[] list = pairs.list;
+    int to = Math.min(from + BATCH, pairs.count);
     int found = 0;
     for (int i = from; i < to; i++) {
-      int p = 4 * (int) (pairs[i] >>> 32);
-      int q = 4 * (int) pairs[i];
+      int p = 4 * (int) (list[i] >>> 32);
+      int q = 4 * (int) list[i];
       batch[found] = i;
       int apart =
           Float.floatToRawIntBits(e[q + 2] - e[p])
@@ -264,15 +520,27 @@ public final class PairCache {
     return found;
   }
 
+  // ---------------------------------------------------------------- memory
+
+  private void forget() {
+    size = 0;
+    leftCount = 0;
+    innerPairs.clear();
+    outerPairs.clear();
+  }
+
   private void ensure(int count) {
     if (count > ids.length) {
       ids = new int[count];
-      since = new int[count];
+      otherIds = new int[count];
+      order = new int[count];
       left = new int[count];
-      isLeft = new boolean[count];
+      leftWay = new float[2 * count];
+      start = new float[2 * count];
+      otherStart = new float[2 * count];
       boxes.ensureCapacity(count);
-      roomy.ensureCapacity(count);
-      start.ensureCapacity(count);
+      inner.ensureCapacity(count);
+      outer.ensureCapacity(count);
     }
   }
 }

@@ -6,9 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.physics.broadphase.Boxes.Layout;
+import carom.server.bench.BroadphaseScene;
+import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Cached pairs against those of all boxes against all, in every tick of all kinds of motion. */
 class PairCacheTest {
@@ -73,5 +76,84 @@ class PairCacheTest {
     assertEquals(0, cache.size());
     boxes.array.set(17, 4, 3, 3, 5);
     assertThrows(IllegalArgumentException.class, () -> cache.rebuild(boxes.array, boxes.ids(), 50));
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void boxesThatBounceBetweenWallsAgreeWithTheTree(boolean clustered) {
+    BroadphaseScene scene = new BroadphaseScene(2000, clustered);
+    KdTree tree = new KdTree(scene.boxes());
+    tree.rebuild(scene.boxes(), scene.ids(), 2000);
+    PairCache cache = new PairCache();
+    cache.rebuild(scene.boxes(), scene.ids(), 2000);
+    for (int tick = 0; tick < 150; tick++) {
+      scene.step();
+      tree.refit();
+      cache.refit();
+      assertArrayEquals(Pairs.of(tree), Pairs.of(cache::pairs), "tick=" + tick);
+    }
+  }
+
+  /** Most rest, so rooms are for many ticks; some jitter, some fall, some fly away for good. */
+  @ParameterizedTest
+  @EnumSource(Layout.class)
+  void roomsGrowOneByOne(Layout layout) {
+    Boxes boxes = new Boxes(layout, 131, 45);
+    BruteForce oracle = new BruteForce();
+    PairCache cache = new PairCache(1); // as if far away in memory
+    cache.rebuild(boxes.array, boxes.ids(), 131);
+    for (int tick = 0; tick < 50; tick++) {
+      for (int id = 0; id < 10; id++) {
+        boxes.shift(id, 0.2f * id, -0.001f * tick * id);
+        boxes.shift(100 + id, boxes.between(-0.3, 0.3), boxes.between(-0.3, 0.3));
+      }
+      boxes.shift(130, 1e30f, 0);
+      cache.refit();
+      oracle.rebuild(boxes.array, boxes.ids(), 131);
+      assertArrayEquals(Pairs.of(oracle), Pairs.of(cache::pairs), boxes + " tick=" + tick);
+    }
+  }
+
+  @Test
+  void idsThatComeTwiceOrAreTooManyAreRefused() {
+    Boxes boxes = new Boxes(Layout.UNIFORM, 50, 46);
+    PairCache cache = new PairCache();
+    Exception twice =
+        assertThrows(
+            IllegalArgumentException.class,
+            () -> cache.rebuild(boxes.array, new int[] {3, 9, 3}, 3));
+    assertTrue(twice.getMessage().contains("id=3 comes twice in ids, index=2"));
+    Exception beyond =
+        assertThrows(
+            IllegalArgumentException.class, () -> cache.rebuild(boxes.array, new int[] {50}, 1));
+    assertTrue(beyond.getMessage().contains("id=50"), beyond.getMessage());
+    Exception many =
+        assertThrows(
+            IllegalArgumentException.class, () -> cache.rebuild(boxes.array, new int[3], 4));
+    assertTrue(many.getMessage().contains("count=4, limit 0..3"), many.getMessage());
+    assertEquals(0, cache.size());
+  }
+
+  @Test
+  void steadyTicksDoNotAllocate() {
+    BroadphaseScene scene = new BroadphaseScene(3000, false);
+    PairCache cache = new PairCache();
+    cache.rebuild(scene.boxes(), scene.ids(), 3000);
+    long[] count = new long[1];
+    PairVisitor visitor = (a, b) -> count[0]++;
+    com.sun.management.ThreadMXBean threads =
+        (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
+    long me = Thread.currentThread().getId();
+    long least = Long.MAX_VALUE;
+    for (int round = 0; round < 6; round++) {
+      long before = threads.getThreadAllocatedBytes(me);
+      for (int tick = 0; tick < 60; tick++) {
+        scene.step();
+        cache.refit();
+        cache.pairs(visitor);
+      }
+      least = Math.min(least, threads.getThreadAllocatedBytes(me) - before);
+    }
+    assertTrue(least < 200, "bytes in 60 ticks=" + least + " (the counter itself needs a few)");
   }
 }
