@@ -47,6 +47,17 @@ public interface Game {
   }
 
   /**
+   * Whether inputs that wait at the server for the next ticks are told to the clients of those near
+   * (seven ticks at most). Then these foresee what others do instead of guessing it, and the
+   * present they show is right; but a modified client can read it, and react before it happens.
+   * False tells inputs with their ticks only: each change of mind of others near shows as a
+   * correction as late as the round trip.
+   */
+  default boolean relaysAhead() {
+    return true;
+  }
+
+  /**
    * Whether the game asks {@link Simulation#asSeenBy}: then every tick of the last quarter of a
    * second is remembered.
    */

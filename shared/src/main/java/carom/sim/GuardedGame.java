@@ -67,6 +67,11 @@ public final class GuardedGame implements Game {
   }
 
   @Override
+  public boolean relaysAhead() {
+    return game.relaysAhead();
+  }
+
+  @Override
   public boolean looksBack() {
     return game.looksBack();
   }

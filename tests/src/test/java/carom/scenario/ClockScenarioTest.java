@@ -19,6 +19,7 @@ import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /**
@@ -83,6 +84,68 @@ class ClockScenarioTest {
       assertEquals(missing, stepper.count(Counter.INPUTS_MISSING), stepper.describe());
       assertEquals(late, stepper.count(Counter.INPUTS_LATE), stepper.describe());
       assertEquals(early, stepper.count(Counter.INPUTS_EARLY), stepper.describe());
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource({"true, false, 0", "false, true, 0", "true, true, 0", "true, true, 5"})
+  void aDetourIsMadeUpForAtOnce(boolean up, boolean down, int lossPercent) {
+    // Goal: when the way becomes longer, inputs come in time again as soon as they can: the first
+    // one that is late has gone up, word of it down, the next one up, and a tenth of a second. When
+    // the way becomes shorter, none is late. The picture is as late as it should be within two
+    // seconds, and neither it nor the ticks go back. Method: 300 ms more for five seconds.
+    Impairment near = Impairment.NONE.withLatency(30, 0).withLoss(lossPercent).withSeed(1);
+    Impairment far = near.withLatency(330, 0);
+    try (Stepper stepper = Stepper.of("arena")) {
+      SimulatedClient client = stepper.join("p", near, new Bot(0));
+      stepper.join("q", Impairment.NONE, new Bot(1));
+      stepper.run(8);
+      for (int change = 0; change < 2; change++) {
+        boolean longer = change == 0;
+        client.impair(longer && up ? far : near, longer && down ? far : near);
+        double seconds = (up ? 0.66 : 0.06) + (down ? 0.33 : 0.03) + 0.1;
+        Moments moments = new Moments(client);
+        long missing = 0;
+        int slack = 0;
+        for (int i = 0; i < 2_500; i++) {
+          boolean allowed = i == 0 || (longer && up && i * 0.002 < seconds);
+          missing = allowed ? missed(stepper) : missing;
+          stepper.step();
+          moments.look();
+          if (i >= 1_000) {
+            double delay = stepper.frame().tick() - client.view().renderTick();
+            double way = longer && down ? 0.33 : 0.03;
+            String about = i * 0.002 + " s after the change, longer=" + longer;
+            assertEquals(60 * way + 4, delay, lossPercent == 0 ? 4 : 12, about);
+            slack = Math.max(slack, inputs(stepper, client).marginTicks());
+          }
+        }
+        String about = "longer=" + longer + " " + stepper.describe();
+        assertTrue(missed(stepper) - missing <= (lossPercent == 0 ? 0 : 3), about);
+        assertTrue(slack <= client.stats().targetMargin() + 4, "slack=" + slack + " " + about);
+      }
+    }
+  }
+
+  private static long missed(Stepper stepper) {
+    return stepper.count(Counter.INPUTS_MISSING);
+  }
+
+  /** What a player sees of time: it never goes back. */
+  private static final class Moments {
+    private final SimulatedClient client;
+    private double picture;
+    private int tick;
+
+    Moments(SimulatedClient client) {
+      this.client = client;
+    }
+
+    void look() {
+      assertTrue(client.view().renderTick() >= picture, "the picture of others goes back");
+      assertTrue(client.view().tick() >= tick, "the present goes back");
+      picture = client.view().renderTick();
+      tick = client.view().tick();
     }
   }
 

@@ -10,6 +10,8 @@ import carom.server.config.ServerConfig;
 import carom.sim.Entity;
 import carom.sim.Input;
 import carom.sim.Neighbourhood;
+import java.util.HashSet;
+import java.util.Set;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -161,6 +163,58 @@ class AudienceTest {
     lateOfBlue.requireAll();
     for (FakeClient client : rig.clients) {
       assertEquals(0, client.undecodable);
+    }
+  }
+
+  @Test
+  void whatIsDoneInHidingIsNotToldAfterwardsEither() {
+    // Method: red's acks stand still meanwhile, so that what it is told reaches back into the time
+    // in which blue was hidden, pressed a button and let it go again.
+    rig.room.simulation().player(blue.welcome.playerId()).team(1);
+    rig.steps(60);
+    assertTrue(red.own.relayed().has(blue.welcome.playerId()));
+    Set<Long> told = new HashSet<>();
+    red.onDecoded =
+        () -> {
+          for (int tick = red.decoder.newestTick() - 16;
+              tick < red.decoder.newestTick() + 8;
+              tick++) {
+            if (red.decoder.inputs().knows(blue.welcome.playerId(), tick)) {
+              told.add(red.decoder.inputs().at(blue.welcome.playerId(), tick));
+            }
+          }
+        };
+    red.sends = false;
+    rig.steps(2);
+    rig.room.simulation().player(blue.welcome.playerId()).team(2);
+    blue.input.hold(Input.ACTION, true);
+    final long secret = blue.input.pack();
+    rig.steps(6);
+    blue.input.hold(Input.ACTION, false);
+    rig.steps(4); // those on the way are consumed
+    rig.room.simulation().player(blue.welcome.playerId()).team(1);
+    rig.steps(3);
+    red.sends = true;
+    rig.steps(60);
+    assertFalse(told.contains(secret), told::toString);
+    assertTrue(red.own.relayed().has(blue.welcome.playerId()), "shown again");
+  }
+
+  @Test
+  void aGameMayTellInputsWithTheirTicksOnly() {
+    for (boolean ahead : new boolean[] {false, true}) {
+      game.relaysAhead = ahead;
+      boolean[] early = new boolean[1];
+      red.onDecoded =
+          () ->
+              early[0] |=
+                  red.decoder.inputs().newestTick(mate.welcome.playerId())
+                      > red.decoder.newestTick();
+      for (int i = 0; i < 20; i++) {
+        mate.input.hold(Input.ACTION, i % 2 == 0);
+        rig.step();
+      }
+      assertEquals(ahead, early[0]);
     }
   }
 

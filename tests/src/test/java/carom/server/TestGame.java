@@ -41,6 +41,8 @@ final class TestGame implements Game {
   /** Two teams that don't see each other; who presses the action emits an event. */
   boolean teamsHide;
 
+  boolean relaysAhead = true;
+
   int failEvery;
   boolean failInJoin;
   int joins;
@@ -129,6 +131,11 @@ final class TestGame implements Game {
         s.emit(shout).at(p.body().body().x(), p.body().body().y()).by(p);
       }
     }
+  }
+
+  @Override
+  public boolean relaysAhead() {
+    return relaysAhead;
   }
 
   @Override

@@ -17,13 +17,25 @@ import java.util.Arrays;
  *       lost snapshot typically lies, where losses come in bursts.
  * </ul>
  *
- * Changes of the line or the delay bend the speed by at most a tenth; only a gap too large for that
- * jumps. Not thread-safe; allocates nothing after construction.
+ * Changes of the line or the delay bend the speed by at most a tenth, by a quarter while the
+ * picture is far off because the line has become another; only a gap too large for that jumps. Not
+ * thread-safe; allocates nothing after construction.
  */
 public final class RenderClock {
   private static final int WINDOW = 64;
   private static final int LONGEST_INTERVAL = 15;
   private static final double MAX_BEND = 0.1;
+
+  /** Being off by more than {@link #FAR_SECONDS} looks worse than moving too fast for a second. */
+  private static final double MAX_FAR_BEND = 0.25;
+
+  private static final double FAR_SECONDS = 0.05;
+
+  /** So many snapshots in a row that are alike, and unlike those before, came another way. */
+  private static final int ANOTHER_WAY = 16;
+
+  private static final double ALIKE_SECONDS = 0.02;
+  private static final double UNLIKE_SECONDS = 0.05;
   private static final double SETTLE_SECONDS = 0.25;
   private static final double JUMP_SECONDS = 0.4;
   private static final double MAX_DELAY_SECONDS = 0.5;
@@ -51,6 +63,11 @@ public final class RenderClock {
   private int samples;
   private double mean;
   private double lateness;
+
+  /** Samples alike, the newest included, and what the first of them was. */
+  private int alike;
+
+  private double alikeTo;
   private double loss;
 
   /** Ticks without a snapshot, and the sum of each gap's square; fading. */
@@ -83,6 +100,7 @@ public final class RenderClock {
     missing = 0;
     missingSquares = 0;
     Arrays.fill(intervalWeight, 0);
+    alike = 0;
   }
 
   /**
@@ -110,6 +128,7 @@ public final class RenderClock {
       restart(tick, arrivalNs);
       return;
     }
+    noteWay(offset);
     offsets[samples % WINDOW] = offset;
     samples++;
     mean += Math.max(0.04, 1.0 / samples) * (offset - mean);
@@ -136,6 +155,21 @@ public final class RenderClock {
     Arrays.fill(offsets, tick);
     samples = 1;
     newest = tick;
+    alike = 0;
+  }
+
+  /** What is known of the way that snapshots took before is no jitter of the one they take now. */
+  private void noteWay(double offset) {
+    if (alike == 0 || Math.abs(offset - alikeTo) > ALIKE_SECONDS * tickRate) {
+      alike = 0;
+      alikeTo = offset;
+    }
+    alike++;
+    if (alike == ANOTHER_WAY && Math.abs(alikeTo - mean) > UNLIKE_SECONDS * tickRate) {
+      mean = alikeTo;
+      Arrays.fill(offsets, alikeTo);
+      lateness = 0;
+    }
   }
 
   private void noteInterval(int gap) {
@@ -191,7 +225,8 @@ public final class RenderClock {
       return;
     }
     double bend = error / (SETTLE_SECONDS * tickRate);
-    position += step * (1 + Math.max(-MAX_BEND, Math.min(MAX_BEND, bend)));
+    double most = Math.abs(error) > FAR_SECONDS * tickRate ? MAX_FAR_BEND : MAX_BEND;
+    position += step * (1 + Math.max(-most, Math.min(most, bend)));
   }
 
   /** True once a snapshot came. */

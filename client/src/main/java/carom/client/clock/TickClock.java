@@ -64,6 +64,11 @@ public final class TickClock {
 
   private static final double SLOWEST_AVERAGE = 0.03;
   private static final int OUTLIERS_TO_RESTART = 8;
+
+  /** So many suffice when none is further than this from their mean: no burst of jitter is so. */
+  private static final int ALIKE_TO_RESTART = 4;
+
+  private static final double ALIKE_TICKS = 1.5;
   private static final int RING = 512;
 
   private final double ticksPerNs;
@@ -83,6 +88,10 @@ public final class TickClock {
   private double deviation;
   private int outliers;
   private double outlierSum;
+
+  /** Whether all outliers say about the same. */
+  private boolean alike;
+
   private int newestReported;
   private double lastMargin;
 
@@ -251,9 +260,11 @@ public final class TickClock {
     double sample = margin - offsetOf[slot];
     double error = sample - path;
     if (samples > 0 && Math.abs(error) > Math.max(3, 4 * deviation)) {
-      outlierSum = outliers > 0 && outlierSum * error < 0 ? error : outlierSum + error;
-      outliers = outlierSum == error ? 1 : outliers + 1;
-      if (outliers < OUTLIERS_TO_RESTART) {
+      boolean first = outliers == 0 || outlierSum * error < 0;
+      alike = first || (alike && Math.abs(error - outlierSum / outliers) <= ALIKE_TICKS);
+      outlierSum = first ? error : outlierSum + error;
+      outliers = first ? 1 : outliers + 1;
+      if (outliers < (alike ? ALIKE_TO_RESTART : OUTLIERS_TO_RESTART)) {
         return;
       }
       path += outlierSum / outliers; // the path itself has changed

@@ -83,6 +83,8 @@ public final class NearSet {
   /** A snapshot is lost when one so many ticks younger has arrived. */
   private static final int OVERTAKEN_TICKS = 3;
 
+  private static final int NEVER = -1_000;
+
   /** Parts on their way. */
   private static final int PARTS = 64;
 
@@ -193,6 +195,10 @@ public final class NearSet {
   private int rulingCredit = RULING_TICKS * MOST_RULINGS;
 
   private int capturedTick = -1;
+
+  /** By player: the last tick at which its inputs were relayed. */
+  private int[] relayedTick = {};
+
   private boolean surprising;
 
   /** Tick at which the last row went out that had to; what differs later differs all the same. */
@@ -273,7 +279,10 @@ public final class NearSet {
       surprising |= listed[i].ruledTick() > before;
       simulation.watch(listed[i]);
       Player owner = simulation.owner(listed[i]);
-      if (owner != null && isTellable(owner, player) && relayed < OwnState.MAX_RELAYED) {
+      if (owner != null
+          && relayed < OwnState.MAX_RELAYED
+          && isTellable(owner, player)
+          && isNoReturn(owner, before)) {
         out.relayed().add(owner.id());
         relayed++;
       }
@@ -295,6 +304,24 @@ public final class NearSet {
   /** Whether what another player does is told: not when its body is hidden. */
   private boolean isTellable(Player other, Player to) {
     return other != to && (other.body() == null || mayKnow.test(other.body()));
+  }
+
+  /**
+   * Whether a player was relayed the last time, too, or not for long. In between, what it does
+   * isn't this client's business, yet would be told from the baseline on if it were relayed again.
+   */
+  private boolean isNoReturn(Player other, int before) {
+    if (relayedTick.length <= other.id()) {
+      int size = relayedTick.length;
+      relayedTick = Arrays.copyOf(relayedTick, Math.max(2 * size, other.id() + 1));
+      Arrays.fill(relayedTick, size, relayedTick.length, NEVER);
+    }
+    int last = relayedTick[other.id()];
+    if (last != before && capturedTick - last <= OwnState.RELAYED_TICKS) {
+      return false;
+    }
+    relayedTick[other.id()] = capturedTick;
+    return true;
   }
 
   /** Whether the next snapshot has a part of an update. */

@@ -502,7 +502,7 @@ public final class Room {
   private void replicate(long beginNs, long nowNs) {
     int count = sessions.size();
     turns.begin(count, beginNs);
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count && simulation.game().relaysAhead(); i++) {
       if (sessions.get(i).state() == SessionState.PLAYING) {
         sessions.get(i).showWaiting(capture.frames().waiting());
       }

@@ -16,6 +16,9 @@ public final class OwnState {
   /** Most players whose inputs are relayed to one client. */
   public static final int MAX_RELAYED = RelayCodec.MAX_PLAYERS;
 
+  /** Inputs of a relayed player are told of so many ticks before the present at most. */
+  public static final int RELAYED_TICKS = RelayCodec.MAX_WINDOW;
+
   int slot = -1;
   int generation;
   final int[] values = new int[FLOATS + MEMORY];
