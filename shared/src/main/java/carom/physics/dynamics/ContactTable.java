@@ -423,16 +423,13 @@ public final class ContactTable {
     if (!same) {
       inherit(row, m, oldPoints);
     }
-    float[] c = contact;
-    int at = row * CONTACT;
-    c[at + TOTAL0] = 0;
-    c[at + SLIDE0] = 0;
-    c[at + TOTAL1] = 0;
-    c[at + SLIDE1] = 0;
+    clearTotals(row);
     if (n == 0) {
       roll[row] = 0;
       return;
     }
+    float[] c = contact;
+    int at = row * CONTACT;
     c[at + NX] = m.normalX;
     c[at + NY] = m.normalY;
     c[at + X0] = m.x0;
@@ -443,6 +440,28 @@ public final class ContactTable {
       c[at + Y1] = m.y1;
       c[at + GAP1] = m.separation1;
     }
+  }
+
+  /** Whether the parts touch, and push each other. */
+  boolean responds(int row) {
+    return (flags[row] & (TOUCHING | SENSOR | IGNORED)) == TOUCHING;
+  }
+
+  /**
+   * Takes over that the same points of a row that {@link #responds} touch as in the step before,
+   * once normal, points and gaps are written.
+   */
+  void touchOn(int row) {
+    flags[row] = (byte) (TOUCHING | WAS_TOUCHING | (pushed(row) ? WAS_PUSHED : 0));
+    clearTotals(row);
+  }
+
+  private void clearTotals(int row) {
+    int at = row * CONTACT;
+    contact[at + TOTAL0] = 0;
+    contact[at + SLIDE0] = 0;
+    contact[at + TOTAL1] = 0;
+    contact[at + SLIDE1] = 0;
   }
 
   /** Takes the points' ids over, and gives each the impulses of the one that had its id. */

@@ -53,8 +53,8 @@ final class KeptManifolds {
   private static final int UNIT_SIN = 5;
 
   /**
-   * number of points or CORNERS; + OF_B if the normal is B's; + CLOSE for corners so close that the
-   * true pose may turn their direction round; + ID * id of the first point,
+   * bits of an integer: number of points or CORNERS; + OF_B if the normal is B's; + CLOSE for
+   * corners so close that the true pose may turn their direction round; + id of the first point,
    */
   private static final int KIND = 6;
 
@@ -70,7 +70,10 @@ final class KeptManifolds {
   private static final int X1 = 12;
   private static final int Y1 = 13;
   private static final int GAP1 = 14;
+
+  /** Bits of an integer. */
   private static final int ID1 = 15;
+
   private static final int STRIDE = 16;
 
   /**
@@ -79,9 +82,10 @@ final class KeptManifolds {
    */
   private static final int CORNERS = 3;
 
+  private static final int COUNT = 3;
   private static final int OF_B = 4;
   private static final int CLOSE = 8;
-  private static final int ID = 16;
+  private static final int ID_SHIFT = 4;
 
   /** A cosine that none is: the row is not known. */
   private static final float UNKNOWN = 2;
@@ -133,6 +137,103 @@ final class KeptManifolds {
     private final Transform identity = new Transform();
     private final Transform pose = new Transform();
     private final Manifold made = new Manifold();
+    private final float[] followed = new float[ContactTable.CONTACT];
+  }
+
+  /** Whether a manifold is kept of a relative pose that is rounded to the same. */
+  boolean holds(int row, float x, float y, float cos, float sin) {
+    float[] r = rows;
+    int at = row * STRIDE;
+    float way = Math.abs(round(x) - r[at + X]) + Math.abs(round(y) - r[at + Y]);
+    float turn = Math.abs(round(cos) - r[at + COS]) + Math.abs(round(sin) - r[at + SIN]);
+    return way + turn == 0;
+  }
+
+  /**
+   * Whether what is kept is a face, with so many points of such ids; if not there may be none, or
+   * they are made otherwise.
+   */
+  boolean ofFace(int row, int points, int id0, int id1) {
+    int at = row * STRIDE;
+    int kind = Float.floatToRawIntBits(rows[at + KIND]);
+    return (kind & (COUNT | CLOSE)) == points
+        && kind >>> ID_SHIFT == id0
+        && (points == 1 || Float.floatToRawIntBits(rows[at + ID1]) == id1);
+  }
+
+  /**
+   * Carries a manifold of a face on from the rounded to the true pose.
+   *
+   * @param row where it is kept
+   * @param aCos how A is turned
+   * @param aSin how A is turned
+   * @param x where B is in A's frame
+   * @param y where B is in A's frame
+   * @param cos how B is turned in A's frame
+   * @param sin how B is turned in A's frame
+   * @param to receives normal, points and gaps in the order of {@link ContactTable#contact}
+   * @param into where in it
+   * @return the least gap, m
+   */
+  float follow(
+      int row,
+      float aCos,
+      float aSin,
+      float x,
+      float y,
+      float cos,
+      float sin,
+      float[] to,
+      int into) {
+    float[] r = rows;
+    int at = row * STRIDE;
+    // From the rounded pose to the true one B turns by (1 + c, s) and moves.
+    float c = cos * r[at + UNIT_COS] + sin * r[at + UNIT_SIN] - 1;
+    float s = sin * r[at + UNIT_COS] - cos * r[at + UNIT_SIN];
+    float nx = r[at + NX];
+    float ny = r[at + NY];
+    if ((kind(at) & OF_B) != 0) {
+      float turned = nx + (c * nx - s * ny);
+      ny += s * nx + c * ny;
+      nx = turned;
+    }
+    to[into + ContactTable.NX] = aCos * nx - aSin * ny;
+    to[into + ContactTable.NY] = aSin * nx + aCos * ny;
+    float least = followPoint(at, X0, aCos, aSin, x, y, c, s, nx, ny, to, into + ContactTable.X0);
+    if ((kind(at) & COUNT) == 2) {
+      float gap = followPoint(at, X1, aCos, aSin, x, y, c, s, nx, ny, to, into + ContactTable.X1);
+      least = Math.min(least, gap);
+    }
+    return least;
+  }
+
+  private float followPoint(
+      int at,
+      int point,
+      float aCos,
+      float aSin,
+      float x,
+      float y,
+      float c,
+      float s,
+      float nx,
+      float ny,
+      float[] to,
+      int into) {
+    float[] r = rows;
+    float px = r[at + point];
+    float py = r[at + point + 1];
+    float armX = px - r[at + X];
+    float armY = py - r[at + Y];
+    float moveX = x - r[at + X] + (c * armX - s * armY);
+    float moveY = y - r[at + Y] + (s * armX + c * armY);
+    float gap = r[at + point + 2] + (nx * moveX + ny * moveY);
+    px += 0.5f * moveX;
+    py += 0.5f * moveY;
+    to[into] = aCos * px - aSin * py;
+    to[into + 1] = aSin * px + aCos * py;
+    to[into + 2] = gap;
+    return gap;
   }
 
   /**
@@ -178,7 +279,7 @@ final class KeptManifolds {
     float way = Math.abs(wayX) + Math.abs(wayY);
     float turn = Math.abs(wayCos) + Math.abs(waySin);
     if (way + turn != 0) {
-      if (r[at + KIND] == 0 && r[at + COS] != UNKNOWN && way + turn * reach < r[at + CLEARANCE]) {
+      if (kind(at) == 0 && r[at + COS] != UNKNOWN && way + turn * reach < r[at + CLEARANCE]) {
         out.count = 0;
         return;
       }
@@ -188,8 +289,8 @@ final class KeptManifolds {
       r[at + Y] = cellY;
       make(at, a, b, reach, speculative, hints, row, desk);
     }
-    int kind = (int) r[at + KIND];
-    int count = kind & 3;
+    int kind = kind(at);
+    int count = kind & COUNT;
     out.count = count;
     if (count == 0) {
       return;
@@ -202,49 +303,23 @@ final class KeptManifolds {
       desk.collider.collide(a, ta, b, tb, speculative, hints[row], out);
       return;
     }
-    // From the rounded pose to the true one B turns by (c, s) and moves.
-    float c = cos * r[at + UNIT_COS] + sin * r[at + UNIT_SIN] - 1;
-    float s = sin * r[at + UNIT_COS] - cos * r[at + UNIT_SIN];
-    float nx = r[at + NX];
-    float ny = r[at + NY];
-    if ((kind & OF_B) != 0) {
-      float turned = nx + (c * nx - s * ny);
-      ny += s * nx + c * ny;
-      nx = turned;
-    }
-    out.normalX = ta.cos * nx - ta.sin * ny;
-    out.normalY = ta.sin * nx + ta.cos * ny;
-    float restX = x - r[at + X];
-    float restY = y - r[at + Y];
-    float px = r[at + X0];
-    float py = r[at + Y0];
-    float armX = px - r[at + X];
-    float armY = py - r[at + Y];
-    float moveX = restX + (c * armX - s * armY);
-    float moveY = restY + (s * armX + c * armY);
-    px += 0.5f * moveX;
-    py += 0.5f * moveY;
-    out.x0 = ta.cos * px - ta.sin * py;
-    out.y0 = ta.sin * px + ta.cos * py;
-    out.separation0 = r[at + GAP0] + (nx * moveX + ny * moveY);
-    out.id0 = kind / ID;
-    if (count == 2) {
-      px = r[at + X1];
-      py = r[at + Y1];
-      armX = px - r[at + X];
-      armY = py - r[at + Y];
-      moveX = restX + (c * armX - s * armY);
-      moveY = restY + (s * armX + c * armY);
-      px += 0.5f * moveX;
-      py += 0.5f * moveY;
-      out.x1 = ta.cos * px - ta.sin * py;
-      out.y1 = ta.sin * px + ta.cos * py;
-      out.separation1 = r[at + GAP1] + (nx * moveX + ny * moveY);
-      out.id1 = (int) r[at + ID1];
-    }
-    if (out.minSeparation() > speculative) {
+    float[] f = desk.followed;
+    if (follow(row, ta.cos, ta.sin, x, y, cos, sin, f, 0) > speculative) {
       // Close enough in the rounded pose alone; whether such a row exists depends on fat boxes.
       out.count = 0;
+      return;
+    }
+    out.normalX = f[ContactTable.NX];
+    out.normalY = f[ContactTable.NY];
+    out.x0 = f[ContactTable.X0];
+    out.y0 = f[ContactTable.Y0];
+    out.separation0 = f[ContactTable.GAP0];
+    out.id0 = kind >>> ID_SHIFT;
+    if (count == 2) {
+      out.x1 = f[ContactTable.X1];
+      out.y1 = f[ContactTable.Y1];
+      out.separation1 = f[ContactTable.GAP1];
+      out.id1 = Float.floatToRawIntBits(r[at + ID1]);
     }
   }
 
@@ -280,7 +355,7 @@ final class KeptManifolds {
     out.x0 = ta.cos * px - ta.sin * py;
     out.y0 = ta.sin * px + ta.cos * py;
     out.separation0 = distance;
-    out.id0 = (int) r[at + KIND] / ID;
+    out.id0 = kind(at) >>> ID_SHIFT;
   }
 
   /**
@@ -318,6 +393,7 @@ final class KeptManifolds {
   void keepApart(int row, Transform ta, Transform tb, float gap, float speculative) {
     float[] r = rows;
     int at = row * STRIDE;
+    setKind(at, 0);
     float worldX = tb.x - ta.x;
     float worldY = tb.y - ta.y;
     r[at + X] = ta.cos * worldX + ta.sin * worldY;
@@ -332,8 +408,25 @@ final class KeptManifolds {
     return gap - speculative - (DOUBT + RELATIVE_DOUBT * (Math.abs(x) + Math.abs(y)));
   }
 
+  private int kind(int at) {
+    return Float.floatToRawIntBits(rows[at + KIND]);
+  }
+
+  private void setKind(int at, int kind) {
+    rows[at + KIND] = Float.intBitsToFloat(kind);
+  }
+
   private static float round(float value) {
     return value + ROUNDING - ROUNDING;
+  }
+
+  /**
+   * How far two surfaces may seem closer in the rounded pose than they are in the true one, m.
+   *
+   * @param reach no point of B is further from B's position, m
+   */
+  static float slack(float reach) {
+    return 2 * CELL * (1 + reach);
   }
 
   /** Computes what is kept of the rounded pose. */
@@ -350,25 +443,25 @@ final class KeptManifolds {
     desk.collider.collide(a, desk.identity, b, pose, speculative, hints[row], m);
     hints[row] = desk.collider.hint();
     if (m.count == 0) {
-      r[at + KIND] = 0;
+      setKind(at, 0);
       r[at + CLEARANCE] = clearance(desk.collider.gap(), speculative, pose.x, pose.y);
       return;
     }
-    if (desk.collider.ofCorners() && m.separation0 <= 2 * CELL * (1 + reach)) {
-      r[at + KIND] = 1 + CLOSE;
+    if (desk.collider.ofCorners() && m.separation0 <= slack(reach)) {
+      setKind(at, 1 + CLOSE);
       return;
     }
     if (desk.collider.ofCorners()) {
       int cornerA = m.id0 >> 8;
       int cornerB = m.id0 & 0xff;
-      r[at + KIND] = CORNERS + ID * m.id0;
+      setKind(at, CORNERS + (m.id0 << ID_SHIFT));
       r[at + X0] = a.vertexX(cornerA);
       r[at + Y0] = a.vertexY(cornerA);
       r[at + X1] = b.vertexX(cornerB);
       r[at + Y1] = b.vertexY(cornerB);
       return;
     }
-    r[at + KIND] = m.count + (desk.collider.ofB() ? OF_B : 0) + ID * m.id0;
+    setKind(at, m.count + (desk.collider.ofB() ? OF_B : 0) + (m.id0 << ID_SHIFT));
     r[at + NX] = m.normalX;
     r[at + NY] = m.normalY;
     r[at + X0] = m.x0;
@@ -377,6 +470,6 @@ final class KeptManifolds {
     r[at + X1] = m.x1;
     r[at + Y1] = m.y1;
     r[at + GAP1] = m.separation1;
-    r[at + ID1] = m.id1;
+    r[at + ID1] = Float.intBitsToFloat(m.id1);
   }
 }
