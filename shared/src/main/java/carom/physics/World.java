@@ -529,7 +529,7 @@ public final class World<T> {
     }
   }
 
-  /** Numbers that {@link #readMotions} writes per body. */
+  /** Numbers that {@link #readMotions} tells of each body. */
   public static final int MOTION = 7;
 
   /**
@@ -537,25 +537,23 @@ public final class World<T> {
    * Body#y}, {@link Body#cos}, {@link Body#sin}, {@link Body#velocityX}, {@link Body#velocityY} and
    * {@link Body#angularVelocity}, for whoever wants those of thousands. O(slots).
    *
-   * @param to receives {@link #MOTION} numbers for every slot, from {@link Body#index} times MOTION
-   *     on; those of unused slots mean nothing
-   * @throws IllegalArgumentException if it is shorter than {@link #slotCount} times MOTION
+   * @param to {@link #MOTION} arrays, in this order, that receive a number for every slot, at
+   *     {@link Body#index}; those of unused slots mean nothing
+   * @throws IndexOutOfBoundsException if one is shorter than {@link #slotCount}
    */
-  public void readMotions(float[] to) {
-    int needed = store.slots() * MOTION;
-    if (to.length < needed) {
-      throw new IllegalArgumentException(
-          "to.length=" + to.length + " is less than slotCount() * MOTION = " + needed);
+  public void readMotions(float[][] to) {
+    int n = store.slots();
+    float[] x = to[0];
+    float[] y = to[1];
+    for (int slot = 0; slot < n; slot++) {
+      x[slot] = store.originX(slot);
+      y[slot] = store.originY(slot);
     }
-    for (int slot = 0, at = 0; slot < store.slots(); slot++, at += MOTION) {
-      to[at] = store.originX(slot);
-      to[at + 1] = store.originY(slot);
-      to[at + 2] = store.cos[slot];
-      to[at + 3] = store.sin[slot];
-      to[at + 4] = store.vx[slot];
-      to[at + 5] = store.vy[slot];
-      to[at + 6] = store.w[slot];
-    }
+    System.arraycopy(store.cos, 0, to[2], 0, n);
+    System.arraycopy(store.sin, 0, to[3], 0, n);
+    System.arraycopy(store.vx, 0, to[4], 0, n);
+    System.arraycopy(store.vy, 0, to[5], 0, n);
+    System.arraycopy(store.w, 0, to[6], 0, n);
   }
 
   /**

@@ -21,15 +21,18 @@ public final class Entity {
   private final int generation;
   private final Archetype archetype;
   private final int ownerId;
+  private final Roster roster;
   private int tag;
   private int teleports;
   private long stamp;
   private int ruledTick = -1;
   private boolean ruledEarly;
   int watchedTick = -1;
-  Body<Entity> body;
+  private Body<Entity> body;
+  private int bodySlot;
 
-  Entity(int id, int generation, Archetype archetype, int ownerId) {
+  Entity(Roster roster, int id, int generation, Archetype archetype, int ownerId) {
+    this.roster = roster;
     this.id = id;
     this.generation = generation;
     this.archetype = archetype;
@@ -62,6 +65,17 @@ public final class Entity {
     return body;
   }
 
+  /** Must be called once, before anybody sees the entity. */
+  void body(Body<Entity> made) {
+    body = made;
+    bodySlot = made.index();
+  }
+
+  /** The index of its body, known without looking at that. */
+  public int bodySlot() {
+    return bodySlot;
+  }
+
   /** Whether this is static level geometry. */
   public boolean isLevel() {
     return id == LEVEL;
@@ -91,6 +105,7 @@ public final class Entity {
   public void teleport(float x, float y, float angle) {
     body.setPose(x, y, angle);
     teleports++;
+    roster.change();
   }
 
   /** How often it was {@linkplain #teleport teleported}. Saved, but decides nothing. */

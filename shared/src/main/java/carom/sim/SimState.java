@@ -164,7 +164,7 @@ public final class SimState {
       Entity e = entities[id];
       kinds[id] = e == null ? -1 : e.archetype().index();
       owners[id] = e == null ? Entity.NO_OWNER : e.ownerId();
-      slots[id] = e == null ? -1 : e.body().index();
+      slots[id] = e == null ? -1 : e.bodySlot();
     }
     a.bytes("generation of entity", generations, n, Byte.MIN_VALUE, Byte.MAX_VALUE);
     a.integers("archetype of entity", kinds, n, -1, owner.archetypes().size() - 1);
@@ -193,8 +193,8 @@ public final class SimState {
             && known.generation() == generation
             && known.archetype() == kind
             && known.ownerId() == ownerId
-            && known.body().index() == slots[id];
-    return same ? known : new Entity(id, generation, kind, ownerId);
+            && known.bodySlot() == slots[id];
+    return same ? known : new Entity(owner.roster(), id, generation, kind, ownerId);
   }
 
   private void listBySlot() {
@@ -230,10 +230,10 @@ public final class SimState {
       throw archive.refused("body=" + slots[id] + " isn't that of entity=" + id);
     }
     Entity e = entities[id];
-    if (e.body == null) {
-      e.body = body;
-    } else if (e.body != body) {
-      throw archive.refused("entity=" + id + " has another body=" + e.body.index());
+    if (e.body() == null) {
+      e.body(body);
+    } else if (e.body() != body) {
+      throw archive.refused("entity=" + id + " has another body=" + e.bodySlot());
     }
   }
 }

@@ -60,6 +60,7 @@ public final class Simulation {
   private int playerLimit;
 
   private Entity[] entities = new Entity[64];
+  private final Roster roster = new Roster();
   private byte[] generations = new byte[64];
 
   /** All ids that were ever used are below: free slots keep their generation. */
@@ -122,7 +123,7 @@ public final class Simulation {
     for (Level.Placement p : level.statics()) {
       statics.add(
           embody(
-              new Entity(Entity.LEVEL, 0, archetypes.get(p.archetype()), Entity.NO_OWNER),
+              new Entity(roster, Entity.LEVEL, 0, archetypes.get(p.archetype()), Entity.NO_OWNER),
               p.x(),
               p.y(),
               p.angle()));
@@ -266,7 +267,7 @@ public final class Simulation {
   public Entity spawn(Archetype archetype, float x, float y, float angle, Player owner) {
     int id = freeId(archetype);
     int ownerId = owner == null ? Entity.NO_OWNER : owner.id();
-    return add(new Entity(id, generations[id] & 0xff, archetype, ownerId), x, y, angle);
+    return add(new Entity(roster, id, generations[id] & 0xff, archetype, ownerId), x, y, angle);
   }
 
   /**
@@ -280,8 +281,8 @@ public final class Simulation {
    */
   public Entity spawn(Archetype archetype, BodyDef def) {
     int id = freeId(archetype);
-    Entity entity = new Entity(id, generations[id] & 0xff, archetype, Entity.NO_OWNER);
-    entity.body = world.createBody(def, entity);
+    Entity entity = new Entity(roster, id, generations[id] & 0xff, archetype, Entity.NO_OWNER);
+    entity.body(world.createBody(def, entity));
     return enlist(entity);
   }
 
@@ -328,7 +329,7 @@ public final class Simulation {
       throw new IllegalStateException(
           "id=" + id + " is taken by " + entities[id] + "; despawn it first");
     }
-    return add(new Entity(id, generation, archetype, ownerId), x, y, angle);
+    return add(new Entity(roster, id, generation, archetype, ownerId), x, y, angle);
   }
 
   /**
@@ -344,10 +345,11 @@ public final class Simulation {
       return;
     }
     if (history != null) {
-      history.forget(entity.body.index());
+      history.forget(entity.bodySlot());
     }
-    world.destroyBody(entity.body);
+    world.destroyBody(entity.body());
     entities[id] = null;
+    roster.change();
     generations[id] = (byte) (entity.generation() + 1);
     entityCount--;
     firstFree = Math.min(firstFree, id);
@@ -360,6 +362,21 @@ public final class Simulation {
   /** All entity ids are below this number; it never shrinks, except by {@link #restore}. */
   public int entityCapacity() {
     return entityCapacity;
+  }
+
+  /**
+   * A number that changes whenever an entity may have come, gone or been teleported, or the state
+   * was restored; all else of who is there, but for tags, stays as it is.
+   *
+   * @return meaningful only compared with an earlier one of this simulation; not part of the state
+   */
+  public long rosterVersion() {
+    return roster.version();
+  }
+
+  /** What its entities tell their changes to. */
+  Roster roster() {
+    return roster;
   }
 
   /** How many entities there are. */
@@ -641,7 +658,7 @@ public final class Simulation {
       long identity = generations[i] & 0xff;
       if (e != null) {
         identity |= (long) (e.archetype().index() + 1) << 8 | (long) (e.ownerId() + 1) << 32;
-        h = mix(h, ((long) e.tag() << 32) | (e.body.index() & 0xffffffffL));
+        h = mix(h, ((long) e.tag() << 32) | (e.bodySlot() & 0xffffffffL));
       }
       h = mix(h, identity);
     }
@@ -728,6 +745,7 @@ public final class Simulation {
     entityCapacity = s.entityCapacity;
     entityCount = s.entityCount;
     System.arraycopy(s.entities, 0, entities, 0, entityCapacity);
+    roster.change();
     Arrays.fill(entities, entityCapacity, Math.max(oldEntities, entityCapacity), null);
     System.arraycopy(s.generations, 0, generations, 0, entityCapacity);
     Arrays.fill(generations, entityCapacity, Math.max(oldEntities, entityCapacity), (byte) 0);
@@ -808,6 +826,7 @@ public final class Simulation {
   private Entity enlist(Entity entity) {
     int id = entity.id();
     entities[id] = entity;
+    roster.change();
     generations[id] = (byte) entity.generation();
     entityCapacity = Math.max(entityCapacity, id + 1);
     entityCount++;
@@ -822,7 +841,7 @@ public final class Simulation {
   private Entity embody(Entity entity, float x, float y, float angle) {
     BodyDef body = entity.archetype().body(x, y, angle);
     body.sleepAllowed(entity.ownerId() == Entity.NO_OWNER);
-    entity.body = world.createBody(body, entity);
+    entity.body(world.createBody(body, entity));
     return entity;
   }
 
@@ -845,7 +864,7 @@ public final class Simulation {
         continue;
       }
       Motion m = e.archetype().motion();
-      Body<Entity> body = e.body;
+      Body<Entity> body = e.body();
       float x = m.x(tick - 1, tickRate);
       float y = m.y(tick - 1, tickRate);
       if (body.x() != x || body.y() != y) {

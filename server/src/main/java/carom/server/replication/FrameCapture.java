@@ -10,6 +10,7 @@ import carom.physics.math.Trig;
 import carom.sim.Audience;
 import carom.sim.Entity;
 import carom.sim.Event;
+import carom.sim.Game;
 import carom.sim.Player;
 import carom.sim.Simulation;
 import java.util.function.Consumer;
@@ -28,7 +29,17 @@ public final class FrameCapture {
   private final InterestIndex index;
   private final EventRecord record = new EventRecord();
   private final Consumer<Event> takeEvent = this::take;
-  private float[] motions = {};
+  private final float[][] motions = new float[World.MOTION][0];
+
+  /** What becomes of them: x, y, angle, vx, vy, omega. */
+  private final int[][] steps = new int[6][0];
+
+  /** Of all entities: their ids, and the slots of their bodies; as of {@link #roster}. */
+  private int[] ids = {};
+
+  private int[] bodies = {};
+  private int entityCount;
+  private long roster = -1;
 
   /** Creates an empty ring for a simulation's entities, which starts from the level's bodies. */
   public FrameCapture(Simulation simulation) {
@@ -42,33 +53,15 @@ public final class FrameCapture {
 
   /** Captures the state after the simulation's last step. */
   public FrameState capture() {
+    FrameState last = ring.newest();
     FrameState frame = ring.begin(simulation.tick());
-    float[] motion = readMotions();
-    for (int id = 0, count = simulation.entityCapacity(); id < count; id++) {
-      Entity entity = simulation.entity(id);
-      if (entity == null) {
-        continue;
-      }
-      int at = entity.body().index() * World.MOTION;
-      frame.putTurned(
-          id,
-          entity.generation(),
-          entity.archetype().index(),
-          entity.ownerId(),
-          motion[at],
-          motion[at + 1],
-          angle(motion[at + 2], motion[at + 3]),
-          motion[at + 4],
-          motion[at + 5],
-          motion[at + 6]);
-      frame.setTeleports(id, entity.teleports());
-      Audience audience = simulation.game().audience(simulation, entity);
-      if (audience != Audience.NEAR) {
-        Player owner = simulation.owner(entity);
-        int team = audience == Audience.TEAM && owner != null ? owner.team() : 0;
-        frame.setAudience(id, whom(audience, team));
-      }
+    if (last != null && roster == simulation.rosterVersion()) {
+      frame.identifyAs(last);
+    } else {
+      identify(frame);
     }
+    putAudiences(frame);
+    putMotions(frame);
     for (int id = 0, count = simulation.playerCapacity(); id < count; id++) {
       Player player = simulation.player(id);
       if (player != null) {
@@ -78,6 +71,74 @@ public final class FrameCapture {
     ring.end();
     simulation.drainEvents(takeEvent);
     return frame;
+  }
+
+  /** Puts all entities into a frame, and lists them for those to come, until one comes or goes. */
+  private void identify(FrameState frame) {
+    roster = simulation.rosterVersion();
+    entityCount = 0;
+    int capacity = simulation.entityCapacity();
+    if (ids.length < capacity) {
+      ids = new int[2 * capacity];
+      bodies = new int[ids.length];
+    }
+    for (int id = 0; id < capacity; id++) {
+      Entity entity = simulation.entity(id);
+      if (entity != null) {
+        ids[entityCount] = id;
+        bodies[entityCount++] = entity.bodySlot();
+        frame.identify(id, entity.generation(), entity.archetype().index(), entity.ownerId());
+        frame.setTeleports(id, entity.teleports());
+      }
+    }
+  }
+
+  private void putAudiences(FrameState frame) {
+    Game game = simulation.game();
+    for (int i = 0; i < entityCount; i++) {
+      Entity entity = simulation.entity(ids[i]);
+      Audience audience = game.audience(simulation, entity);
+      if (audience != Audience.NEAR) {
+        Player owner = simulation.owner(entity);
+        int team = audience == Audience.TEAM && owner != null ? owner.team() : 0;
+        frame.setAudience(ids[i], whom(audience, team));
+      }
+    }
+  }
+
+  /** Quantises column by column, body by body, in loops that compilers make vectors of. */
+  private void putMotions(FrameState frame) {
+    World<Entity> world = simulation.world();
+    int n = world.slotCount();
+    if (steps[0].length < n) {
+      for (int i = 0; i < motions.length; i++) {
+        motions[i] = new float[2 * n];
+      }
+      for (int i = 0; i < steps.length; i++) {
+        steps[i] = new int[2 * n];
+      }
+    }
+    float[][] m = motions;
+    world.readMotions(m);
+    Quantizer.positions(m[0], n, steps[0]);
+    Quantizer.positions(m[1], n, steps[1]);
+    turn(m[2], m[3], n, steps[2]);
+    Quantizer.velocities(m[4], n, steps[3]);
+    Quantizer.velocities(m[5], n, steps[4]);
+    Quantizer.omegas(m[6], n, steps[5]);
+    frame.putMotions(entityCount, ids, bodies, steps);
+  }
+
+  /** Angles in steps; all digits are computed only where they might round either way. */
+  private static void turn(float[] cos, float[] sin, int n, int[] to) {
+    for (int i = 0; i < n; i++) {
+      to[i] = Quantizer.angleOfTurn(Trig.roughTurn(sin[i], cos[i]), Trig.ROUGH);
+    }
+    for (int i = 0; i < n; i++) {
+      if (to[i] < 0) {
+        to[i] = Quantizer.angle(Trig.atan2(sin[i], cos[i]));
+      }
+    }
   }
 
   private void take(Event e) {
@@ -92,21 +153,6 @@ public final class FrameCapture {
     Player by = simulation.player(e.player());
     int team = e.audience() == Audience.TEAM && by != null ? by.team() : 0;
     ring.events().add(record, whom(e.audience(), team));
-  }
-
-  private float[] readMotions() {
-    World<Entity> world = simulation.world();
-    if (motions.length < world.slotCount() * World.MOTION) {
-      motions = new float[2 * world.slotCount() * World.MOTION];
-    }
-    world.readMotions(motions);
-    return motions;
-  }
-
-  /** The angle in steps; all digits are computed only where it might round either way. */
-  private static int angle(float cos, float sin) {
-    int steps = Quantizer.angleOfTurn(Trig.roughTurn(sin, cos), Trig.ROUGH);
-    return steps >= 0 ? steps : Quantizer.angle(Trig.atan2(sin, cos));
   }
 
   /** The captured frames. */

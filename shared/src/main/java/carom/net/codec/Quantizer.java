@@ -99,6 +99,27 @@ public final class Quantizer {
     return (steps << 22) >> 22;
   }
 
+  /** {@link #position} of the first n numbers of an array. */
+  public static void positions(float[] metres, int n, int[] to) {
+    for (int i = 0; i < n; i++) {
+      to[i] = clamp(metres[i] * (double) POSITION_STEPS, MAX_POSITION);
+    }
+  }
+
+  /** {@link #velocity} of the first n numbers of an array. */
+  public static void velocities(float[] metresPerSecond, int n, int[] to) {
+    for (int i = 0; i < n; i++) {
+      to[i] = clamp(metresPerSecond[i] * (double) VELOCITY_STEPS, MAX_VELOCITY);
+    }
+  }
+
+  /** {@link #omega} of the first n numbers of an array. */
+  public static void omegas(float[] radiansPerSecond, int n, int[] to) {
+    for (int i = 0; i < n; i++) {
+      to[i] = clamp(radiansPerSecond[i] * (double) OMEGA_STEPS, MAX_OMEGA);
+    }
+  }
+
   private static int clamp(double steps, int max) {
     // as Math.round, but by an instruction that processors have; NaN becomes 0
     return Math.max(-max, Math.min(max, (int) Math.floor(steps + 0.5)));

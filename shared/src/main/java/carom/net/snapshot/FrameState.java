@@ -94,29 +94,10 @@ public final class FrameState {
       float vx,
       float vy,
       float omega) {
-    putTurned(slot, generation, archetype, owner, x, y, Quantizer.angle(angle), vx, vy, omega);
-  }
-
-  /**
-   * As {@link #put}, of which the angle is quantised already.
-   *
-   * @param angle steps, of which those of whole turns vanish
-   */
-  public void putTurned(
-      int slot,
-      int generation,
-      int archetype,
-      int owner,
-      float x,
-      float y,
-      int angle,
-      float vx,
-      float vy,
-      float omega) {
     identify(slot, generation, archetype, owner);
     this.x[slot] = Quantizer.position(x);
     this.y[slot] = Quantizer.position(y);
-    this.angle[slot] = angle & Quantizer.ANGLE_STEPS - 1;
+    this.angle[slot] = Quantizer.angle(angle);
     this.vx[slot] = Quantizer.velocity(vx);
     this.vy[slot] = Quantizer.velocity(vy);
     this.omega[slot] = Quantizer.omega(omega);
@@ -152,6 +133,48 @@ public final class FrameState {
   }
 
   /**
+   * Puts the motions of entities that were {@linkplain #identify identified}; in steps, within the
+   * ranges of {@code Quantizer}, which isn't checked.
+   *
+   * @param n how many
+   * @param slot of each entity
+   * @param from of each entity where its numbers are in the columns
+   * @param columns x, y, angle, vx, vy, omega
+   */
+  public void putMotions(int n, int[] slot, int[] from, int[][] columns) {
+    gather(n, slot, from, columns[0], x);
+    gather(n, slot, from, columns[1], y);
+    gather(n, slot, from, columns[2], angle);
+    gather(n, slot, from, columns[3], vx);
+    gather(n, slot, from, columns[4], vy);
+    gather(n, slot, from, columns[5], omega);
+  }
+
+  private static void gather(int n, int[] slot, int[] from, int[] column, int[] to) {
+    for (int i = 0; i < n; i++) {
+      to[slot[i]] = column[from[i]];
+    }
+  }
+
+  /**
+   * Puts the entities of another frame into this one, which has none yet; their motions must follow
+   * by {@link #putMotions}, and all that is told of them but audiences is the same.
+   *
+   * @param other of the same ring
+   */
+  public void identifyAs(FrameState other) {
+    if (!filling || count > 0) {
+      throw new IllegalStateException("identifyAs() after a put(), or outside begin() and end()");
+    }
+    ensure(other.limit);
+    System.arraycopy(other.kind, 0, kind, 0, other.limit);
+    System.arraycopy(other.owner, 0, owner, 0, other.limit);
+    Arrays.fill(audience, 0, other.limit, 0);
+    count = other.count;
+    limit = other.limit;
+  }
+
+  /**
    * Puts the input into the frame that a player's step to this tick consumed.
    *
    * @param player id, 0..1,023
@@ -165,7 +188,12 @@ public final class FrameState {
     inputs[player] = packed & RelayCodec.INPUT_MASK;
   }
 
-  private void identify(int slot, int generation, int archetype, int owner) {
+  /**
+   * Puts an entity into the frame whose motion must follow by {@link #putMotions}.
+   *
+   * @param slot as in {@link #put}, like the others
+   */
+  public void identify(int slot, int generation, int archetype, int owner) {
     if (!filling) {
       throw new IllegalStateException("put() outside FrameRing.begin() and end()");
     }
@@ -229,28 +257,43 @@ public final class FrameState {
       limit = Math.max(limit, previous.limit);
     }
     changed.clear();
-    for (int slot = 0; slot < limit; slot++) {
-      if (previous != null && slot < previous.limit && same(previous, slot)) {
-        changedTick[slot] = previous.changedTick[slot];
-        identityTick[slot] = previous.identityTick[slot];
-      } else {
-        boolean other = previous == null || !sameIdentity(previous, slot);
-        identityTick[slot] = other ? tick : previous.identityTick[slot];
-        changedTick[slot] = tick;
-        changed.add(slot);
-      }
+    int known = previous == null ? 0 : previous.limit;
+    findDifferences(previous, known);
+    for (int slot = 0; slot < known; slot++) {
+      // a free slot's owner means nothing
+      int identity =
+          kind[slot] ^ previous.kind[slot]
+              | (owner[slot] ^ previous.owner[slot]) & ~(kind[slot] >> 31);
+      identityTick[slot] = identity != 0 ? tick : previous.identityTick[slot];
+      changedTick[slot] = changedTick[slot] != 0 ? tick : previous.changedTick[slot];
     }
+    for (int slot = known; slot < limit; slot++) {
+      identityTick[slot] = tick;
+      changedTick[slot] = tick;
+    }
+    changed.addEqual(changedTick, limit, tick);
     filling = false;
   }
 
-  private boolean same(FrameState other, int slot) {
-    if (kind[slot] != other.kind[slot]) {
-      return false;
+  /** Leaves in {@link #changedTick} what isn't zero where a slot differs; a loop for vectors. */
+  private void findDifferences(FrameState previous, int known) {
+    int[] out = changedTick;
+    for (int slot = 0; slot < known; slot++) {
+      out[slot] =
+          owner[slot] ^ previous.owner[slot]
+              | audience[slot] ^ previous.audience[slot]
+              | x[slot] ^ previous.x[slot]
+              | y[slot] ^ previous.y[slot]
+              | angle[slot] ^ previous.angle[slot];
     }
-    return kind[slot] == FREE
-        || (owner[slot] == other.owner[slot]
-            && audience[slot] == other.audience[slot]
-            && sameMotion(other, slot));
+    for (int slot = 0; slot < known; slot++) {
+      int motion =
+          vx[slot] ^ previous.vx[slot]
+              | vy[slot] ^ previous.vy[slot]
+              | omega[slot] ^ previous.omega[slot];
+      // what a free slot holds means nothing
+      out[slot] = kind[slot] ^ previous.kind[slot] | (out[slot] | motion) & ~(kind[slot] >> 31);
+    }
   }
 
   private boolean sameMotion(FrameState other, int slot) {
