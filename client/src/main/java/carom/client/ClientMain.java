@@ -3,6 +3,7 @@ package carom.client;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.protocol.PlayerName;
 import carom.net.transport.ClientTransport;
+import carom.options.BadFlag;
 import carom.sim.Suggestion;
 import carom.sim.scene.Scenes;
 import java.io.IOException;
@@ -113,7 +114,7 @@ public final class ClientMain implements Callable<Integer> {
 
   /** As {@link #main}, but returns the exit code. */
   public static int run(String... args) {
-    return new CommandLine(new ClientMain())
+    return BadFlag.explainedBy(new CommandLine(new ClientMain()))
         .setCaseInsensitiveEnumValuesAllowed(true)
         .execute(args);
   }
@@ -138,7 +139,7 @@ public final class ClientMain implements Callable<Integer> {
       problem = "--watch excludes --replay and --scene";
     }
     if (problem != null) {
-      throw new CommandLine.ParameterException(spec.commandLine(), problem);
+      throw new BadFlag(spec.commandLine(), problem);
     }
     if (scene.equals(LIST)) {
       Scenes.all()

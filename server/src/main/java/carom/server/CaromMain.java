@@ -1,5 +1,6 @@
 package carom.server;
 
+import carom.options.BadFlag;
 import java.io.PrintWriter;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -20,17 +21,19 @@ public final class CaromMain implements Runnable {
 
   /** Entry point; exits with the command's code, 2 on bad flags. */
   public static void main(String[] args) {
-    System.exit(new CommandLine(new CaromMain()).execute(args));
+    System.exit(BadFlag.explainedBy(new CommandLine(new CaromMain())).execute(args));
   }
 
   /** As {@link #main}, but writes elsewhere and returns the exit code. */
   public static int run(PrintWriter out, PrintWriter err, String... args) {
-    return new CommandLine(new CaromMain()).setOut(out).setErr(err).execute(args);
+    return BadFlag.explainedBy(new CommandLine(new CaromMain()))
+        .setOut(out)
+        .setErr(err)
+        .execute(args);
   }
 
   @Override
   public void run() {
-    throw new CommandLine.ParameterException(
-        spec.commandLine(), "Which command? carom --help shows them.");
+    throw new BadFlag(spec.commandLine(), "Which command? carom --help shows them.");
   }
 }

@@ -8,6 +8,7 @@ import carom.net.kryo.PortUnavailableException;
 import carom.net.protocol.Protocol;
 import carom.net.transport.ImpairedServerTransport;
 import carom.net.transport.ServerTransport;
+import carom.options.BadFlag;
 import carom.options.NetworkConditions;
 import carom.server.bench.BenchCommand;
 import carom.server.config.ServerConfig;
@@ -47,10 +48,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
-import picocli.CommandLine.UnmatchedArgumentException;
 
 /**
  * Starts the dedicated server.
@@ -91,7 +90,6 @@ public final class ServerMain implements Callable<Integer> {
   /** Bodies of a level that is rehearsed itself; for a larger one the game's own level is. */
   private static final int MOST_REHEARSED = 1000;
 
-  private static final int BAD_FLAG = 2;
   private static final int FAILED = 1;
 
   @Spec private CommandSpec spec;
@@ -294,15 +292,6 @@ public final class ServerMain implements Callable<Integer> {
     }
   }
 
-  /** A setting that is understood but can't be used; the message says it all. */
-  private static final class BadSetting extends ParameterException {
-    private static final long serialVersionUID = 1;
-
-    BadSetting(CommandLine commandLine, String message) {
-      super(commandLine, message);
-    }
-  }
-
   /** The games, for the help text. */
   static final class GameNames implements Iterable<String> {
     @Override
@@ -341,25 +330,13 @@ public final class ServerMain implements Callable<Integer> {
         CompletableFuture.supplyAsync(
             () -> (LoggerContext) LoggerFactory.getILoggerFactory(),
             task -> new Thread(task, "carom-logging").start());
-    CommandLine commandLine = new CommandLine(new ServerMain(loggingSoon));
+    CommandLine commandLine = BadFlag.explainedBy(new CommandLine(new ServerMain(loggingSoon)));
     commandLine.registerConverter(int.class, ServerMain::wholeNumber);
     commandLine.registerConverter(Long.class, ServerMain::longNumber);
     commandLine.registerConverter(LogLevel.class, LogLevel::of);
     commandLine.setCaseInsensitiveEnumValuesAllowed(true);
-    commandLine.setParameterExceptionHandler(ServerMain::explain);
     // After a signal this waits for the end of the shutdown hook, and the signal's exit code wins.
     System.exit(commandLine.execute(args));
-  }
-
-  private static int explain(ParameterException e, String[] args) {
-    PrintWriter err = e.getCommandLine().getErr();
-    err.println("carom-server: " + e.getMessage());
-    if (!(e instanceof BadSetting)) {
-      UnmatchedArgumentException.printSuggestions(e, err);
-      err.println("Try 'carom-server --help'.");
-    }
-    err.flush();
-    return BAD_FLAG;
   }
 
   private static int wholeNumber(String text) {
@@ -680,8 +657,8 @@ public final class ServerMain implements Callable<Integer> {
     }
   }
 
-  private ParameterException bad(String message) {
-    return new BadSetting(spec.commandLine(), message);
+  private BadFlag bad(String message) {
+    return new BadFlag(spec.commandLine(), message);
   }
 
   private int refuse(String message, int exitCode) {

@@ -87,10 +87,17 @@ final class Json {
       JsonLocation at = e.getLocation();
       int line = at == null ? 0 : at.getLineNr();
       int column = at == null ? 0 : at.getColumnNr();
-      throw new LevelException(file, line, column, "", "not JSON: " + e.getOriginalMessage());
+      throw new LevelException(
+          file, line, column, "", "not JSON: " + withoutSource(e.getOriginalMessage()));
     } catch (IOException e) {
       throw new LevelException(file, 0, 0, "", "not JSON: " + e.getMessage());
     }
+  }
+
+  /** Jackson says where the object began as if it told of the file, which it doesn't. */
+  private static String withoutSource(String message) {
+    int at = message.indexOf(" (start marker at [");
+    return at < 0 ? message : message.substring(0, at);
   }
 
   private static Json read(String file, JsonParser p, String path)

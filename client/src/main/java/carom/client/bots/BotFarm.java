@@ -6,6 +6,7 @@ import carom.client.GameClient;
 import carom.client.NetStats;
 import carom.net.transport.ClientTransport;
 import carom.physics.threads.Workers;
+import carom.sim.SimRandom;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -26,7 +27,7 @@ public final class BotFarm implements AutoCloseable {
   private static final long JOIN_GAP_NS = 25_000_000L;
 
   /** Joins that a slow frame may make good at once. */
-  private static final int MAX_JOINS_PER_FRAME = 8;
+  private static final int MAX_JOINS_PER_FRAME = 16;
 
   /** So many who play are looked after between two looks at those who join. */
   private static final int SLICE = 64;
@@ -52,9 +53,13 @@ public final class BotFarm implements AutoCloseable {
     long updatedNs;
     double inputs;
     double lateInputs;
+    long leavesNs;
 
-    Player(int number) {
+    final SimRandom random;
+
+    Player(int number, long seed) {
       this.number = number;
+      this.random = new SimRandom(seed);
     }
   }
 
@@ -62,6 +67,7 @@ public final class BotFarm implements AutoCloseable {
   private final ClientTransport transport;
   private final long seed;
   private final boolean roam;
+  private final double staySeconds;
   private final Workers workers;
   private final List<Player> players = new ArrayList<>();
 
@@ -85,6 +91,8 @@ public final class BotFarm implements AutoCloseable {
    * @param count how many, at least 1
    * @param seed of what they do
    * @param roam whether they walk about instead of playing
+   * @param staySeconds how long each plays on average until it leaves and joins again; 0 = to the
+   *     end
    * @param workers share the bots within a frame; stay the caller's
    */
   public BotFarm(
@@ -93,14 +101,16 @@ public final class BotFarm implements AutoCloseable {
       int count,
       long seed,
       boolean roam,
+      double staySeconds,
       Workers workers) {
     this.config = config;
+    this.staySeconds = staySeconds;
     this.workers = workers;
     this.transport = transport;
     this.seed = seed;
     this.roam = roam;
     for (int i = 1; i <= count; i++) {
-      Player p = new Player(i);
+      Player p = new Player(i, seed * 7_919 + i);
       p.client = newClient(p);
       players.add(p);
     }
@@ -158,6 +168,9 @@ public final class BotFarm implements AutoCloseable {
       p.disconnects++;
       LOG.warn("a bot stopped playing: {}", p.client.view().message());
     }
+    if (playing && staySeconds > 0) {
+      playing = !comesAndGoes(p, nowNs);
+    }
     countInputs(p, playing, nowNs);
     p.playing = playing;
     p.joined |= playing;
@@ -167,6 +180,21 @@ public final class BotFarm implements AutoCloseable {
       p.nextAttemptNs = nowNs + (FIRST_WAIT_NS << p.attempts) + p.number * JOIN_GAP_NS / 4;
       LOG.info("{}{} tries again: {}", config.name(), p.number, p.client.view().message());
     }
+  }
+
+  /** Has a bot leave when it has played long enough, and join again; whether it left. */
+  private boolean comesAndGoes(Player p, long nowNs) {
+    if (!p.playing) {
+      double seconds = 2 * staySeconds * p.random.nextFloat();
+      p.leavesNs = nowNs + (long) (seconds * NS_PER_S);
+      return false;
+    }
+    if (nowNs - p.leavesNs < 0) {
+      return false;
+    }
+    p.client.close();
+    p.client = newClient(p);
+    return true;
   }
 
   /** Of the inputs since the last look, all but the newest were made later than their tick. */
@@ -265,6 +293,9 @@ public final class BotFarm implements AutoCloseable {
         rtt += s.rttMs();
         kbit += s.kbitInPerSecond();
       }
+    }
+    if (playing == 0) {
+      return "0 of " + players.size() + " play. " + problem();
     }
     int divisor = Math.max(1, playing);
     return String.format(

@@ -8,6 +8,7 @@ import carom.client.StopSignal;
 import carom.net.kryo.CrowdTransport;
 import carom.net.protocol.PlayerName;
 import carom.net.transport.ClientTransport;
+import carom.options.BadFlag;
 import carom.physics.threads.WorkerThreads;
 import java.util.Locale;
 import java.util.concurrent.Callable;
@@ -101,6 +102,15 @@ public final class BotsMain implements Callable<Integer> {
       description = "walk about all over the level instead of playing, which gathers at the balls")
   private boolean roam;
 
+  @Option(
+      names = "--churn",
+      paramLabel = "S",
+      defaultValue = "0",
+      description =
+          "seconds each plays on average until it leaves and joins again; 0 = all stay (default:"
+              + " ${DEFAULT-VALUE})")
+  private double churn;
+
   @CommandLine.Spec private CommandLine.Model.CommandSpec spec;
 
   private final Pace pace;
@@ -144,7 +154,8 @@ public final class BotsMain implements Callable<Integer> {
 
   static int run(Pace pace, String... args) {
     CommandLine line =
-        new CommandLine(new BotsMain(pace)).setCaseInsensitiveEnumValuesAllowed(true);
+        BadFlag.explainedBy(new CommandLine(new BotsMain(pace)))
+            .setCaseInsensitiveEnumValuesAllowed(true);
     // Its flags are another program's.
     line.getSubcommands().get("figures").setUnmatchedOptionsArePositionalParams(true);
     return line.execute(args);
@@ -157,6 +168,8 @@ public final class BotsMain implements Callable<Integer> {
       problem = "--count=" + count + " is outside 1..1000";
     } else if (!(seconds >= 0 && seconds <= 1e6)) {
       problem = "--seconds=" + seconds + " is outside 0..1000000";
+    } else if (!(churn >= 0 && churn <= 1e6)) {
+      problem = "--churn=" + churn + " is outside 0..1000000";
     } else if (threads < 0 || threads > WorkerThreads.MAX_COUNT) {
       problem = "--threads=" + threads + " is outside 0.." + WorkerThreads.MAX_COUNT;
     } else if (ticksPerInputDatagram < 1 || ticksPerInputDatagram > 8) {
@@ -166,7 +179,7 @@ public final class BotsMain implements Callable<Integer> {
       problem = "--name=" + name + ": " + PlayerName.problem(name + count);
     }
     if (problem != null) {
-      throw new CommandLine.ParameterException(spec.commandLine(), problem);
+      throw new BadFlag(spec.commandLine(), problem);
     }
     network.startLogging();
     ClientConfig config =
@@ -177,7 +190,7 @@ public final class BotsMain implements Callable<Integer> {
     try (StopSignal stop = new StopSignal();
         ClientTransport transport = network.impair(new CrowdTransport());
         WorkerThreads workers = new WorkerThreads(threadCount());
-        BotFarm farm = new BotFarm(config, transport, count, seed, roam, workers)) {
+        BotFarm farm = new BotFarm(config, transport, count, seed, roam, churn, workers)) {
       return play(farm, stop);
     }
   }
@@ -210,7 +223,8 @@ public final class BotsMain implements Callable<Integer> {
       now = pace.nanoTime();
     }
     BotReport report = farm.report(now);
-    boolean good = report.joined() == count && report.disconnects() == 0 && farm.playing() == count;
+    boolean good = report.joined() == count && report.disconnects() == 0;
+    good &= churn > 0 || farm.playing() == count;
     if (!good) {
       System.err.println(report.joined() + " of " + count + " bots joined. " + farm.problem());
     }

@@ -3,6 +3,7 @@ package carom.client.bots;
 import carom.net.trace.Trace;
 import carom.net.trace.TraceCodec;
 import carom.net.trace.TraceReport;
+import carom.options.BadFlag;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.NoSuchFileException;
@@ -92,8 +93,8 @@ final class CodecCommand implements Callable<Integer> {
     }
   }
 
-  private CommandLine.ParameterException problem(String what) {
-    return new CommandLine.ParameterException(spec.commandLine(), what);
+  private BadFlag problem(String what) {
+    return new BadFlag(spec.commandLine(), what);
   }
 
   /** Writes the dynamic and kinematic bodies that the scene begins with. */

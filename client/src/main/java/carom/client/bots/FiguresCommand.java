@@ -1,5 +1,6 @@
 package carom.client.bots;
 
+import carom.options.BadFlag;
 import java.io.File;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
@@ -54,7 +55,7 @@ final class FiguresCommand implements Callable<Integer> {
     try {
       Class.forName(PROGRAM, false, FiguresCommand.class.getClassLoader());
     } catch (ClassNotFoundException e) {
-      throw new CommandLine.ParameterException(
+      throw new BadFlag(
           spec.commandLine(),
           "figures: folder=" + peers + " is missing; it comes with ./gradlew installDist");
     }

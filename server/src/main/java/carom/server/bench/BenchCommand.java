@@ -1,5 +1,6 @@
 package carom.server.bench;
 
+import carom.options.BadFlag;
 import carom.sim.Suggestion;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -17,7 +18,6 @@ import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /**
@@ -150,17 +150,7 @@ public final class BenchCommand implements Callable<Integer> {
    * @param args see {@code --help}
    */
   public static void main(String[] args) {
-    CommandLine commandLine = new CommandLine(new BenchCommand());
-    commandLine.setParameterExceptionHandler(
-        (e, given) -> {
-          PrintWriter err = e.getCommandLine().getErr();
-          err.println("bench: " + e.getMessage());
-          CommandLine.UnmatchedArgumentException.printSuggestions(e, err);
-          err.println("Try 'bench --help'.");
-          err.flush();
-          return CommandLine.ExitCode.USAGE;
-        });
-    System.exit(commandLine.execute(args));
+    System.exit(BadFlag.explainedBy(new CommandLine(new BenchCommand())).execute(args));
   }
 
   @Override
@@ -378,7 +368,7 @@ public final class BenchCommand implements Callable<Integer> {
     }
   }
 
-  private ParameterException bad(String message) {
-    return new ParameterException(spec.commandLine(), message);
+  private BadFlag bad(String message) {
+    return new BadFlag(spec.commandLine(), message);
   }
 }

@@ -67,6 +67,10 @@ public final class Room {
   private static final float MAX_ANNOUNCEMENTS = 20;
 
   private static final float ANNOUNCEMENTS_PER_S = 2;
+
+  /** A line to more than these counts as several. */
+  private static final int FEW_SESSIONS = 64;
+
   private static final int MAX_QUESTIONS = 16;
   private static final long ANSWER_S = 2;
   private static final Logger LOG = LoggerFactory.getLogger(Room.class);
@@ -277,7 +281,7 @@ public final class Room {
         replicate(beginNs, nowNs);
       }
       simulation.drainNotices(broadcastNotice);
-      roster.send(sessions, bySeat, nowNs, sendTo);
+      roster.send(bySeat, nowNs, sendTo);
     }
     tick = simulation.tick();
     counters.add(Counter.TICKS, 1);
@@ -548,7 +552,10 @@ public final class Room {
     sendToAll(new ServerMessage.Notice(text), null);
   }
 
-  /** Who comes and goes; a few of them a second, since a crowd can come and go at once. */
+  /**
+   * Who comes and goes; a few of them a second, since a crowd can come and go at once, and the
+   * fewer the more they are told to.
+   */
   private void announce(Session about, String text) {
     float refill = (tick - announcedTick) * ANNOUNCEMENTS_PER_S / config.tickRateHz();
     announcedTick = tick;
@@ -556,7 +563,7 @@ public final class Room {
     if (announcements < 1) {
       return; // the roster tells it anyway
     }
-    announcements--;
+    announcements -= Math.max(1, sessions.size() / (float) FEW_SESSIONS);
     sendToAll(new ServerMessage.Notice(text), about);
   }
 

@@ -22,15 +22,23 @@ final class RosterNews {
   private static final long NS_PER_MS = 1_000_000;
   private static final String NOBODY = "";
 
+  /** Writing to a socket takes some 10 us, and 500 of them half of a tick. */
+  private static final int MAX_SENDS_PER_TICK = 64;
+
   private final String[] names;
   private final int[] scores;
   private final long intervalNs;
   private boolean old;
-  private long sentNs;
+  private long begunNs;
+
+  // Of the round that is going on: what to tell whom, and whose turn it is. Null between rounds.
+  private List<Broadcast> changes;
+  private List<Broadcast> everybody;
+  private int nextSeat;
 
   /**
    * @param seats of the room
-   * @param intervalMs no two rosters come closer
+   * @param intervalMs between the beginnings of two rounds
    */
   RosterNews(int seats, int intervalMs) {
     names = new String[seats];
@@ -45,36 +53,51 @@ final class RosterNews {
   }
 
   /**
-   * Sends what has changed, when anything has and it is time.
+   * Sends what has changed, when anything has and it is time, to some sessions in each tick.
    *
    * @param bySeat who plays, by player id
    * @param send takes a session that plays and a message for it
    */
-  void send(
-      List<Session> sessions, Session[] bySeat, long nowNs, BiConsumer<Session, Broadcast> send) {
-    for (int i = sessions.size() - 1; i >= 0 && !old; i--) {
-      Session session = sessions.get(i);
-      old = scores[session.seat().id()] != session.player().score();
-    }
-    if (!old || nowNs - sentNs < intervalNs) {
-      return;
-    }
-    old = false;
-    sentNs = nowNs;
-    List<Broadcast> changes = changes(bySeat);
-    List<Broadcast> all = null;
-    for (int i = 0; i < sessions.size(); i++) {
-      Session session = sessions.get(i);
-      if (session.state() != SessionState.PLAYING) {
-        continue;
+  void send(Session[] bySeat, long nowNs, BiConsumer<Session, Broadcast> send) {
+    if (changes == null) {
+      if (!isOld(bySeat) || nowNs - begunNs < intervalNs) {
+        return;
       }
-      if (all == null && !session.knowsRoster()) {
-        all = all();
-      }
-      List<Broadcast> messages = session.knowsRoster() ? changes : all;
-      messages.forEach(message -> send.accept(session, message));
-      session.toldRoster();
+      old = false;
+      begunNs = nowNs;
+      changes = changes(bySeat);
+      everybody = null;
+      nextSeat = 0;
     }
+    for (int sends = 0; nextSeat < bySeat.length && sends < MAX_SENDS_PER_TICK; nextSeat++) {
+      Session session = bySeat[nextSeat];
+      if (session != null && session.state() == SessionState.PLAYING) {
+        messagesFor(session).forEach(message -> send.accept(session, message));
+        session.toldRoster();
+        sends++;
+      }
+    }
+    if (nextSeat == bySeat.length) {
+      changes = null;
+    }
+  }
+
+  private boolean isOld(Session[] bySeat) {
+    for (int id = 0; id < bySeat.length && !old; id++) {
+      old = bySeat[id] != null && scores[id] != bySeat[id].player().score();
+    }
+    return old;
+  }
+
+  /** Who came in the midst of a round is told of the whole state that the others reach by it. */
+  private List<Broadcast> messagesFor(Session session) {
+    if (session.knowsRoster()) {
+      return changes;
+    }
+    if (everybody == null) {
+      everybody = everybody();
+    }
+    return everybody;
   }
 
   private List<Broadcast> changes(Session[] bySeat) {
@@ -91,7 +114,7 @@ final class RosterNews {
     return messages(entries);
   }
 
-  private List<Broadcast> all() {
+  private List<Broadcast> everybody() {
     List<RosterEntry> entries = new ArrayList<>();
     for (int id = 0; id < names.length; id++) {
       if (!names[id].equals(NOBODY)) {

@@ -59,6 +59,7 @@ final class BotFarmTest {
                 CROWD,
                 1,
                 false,
+                0,
                 threads)) {
       server.start();
       // However slow the machine is: until each bot has seen a hundred ticks.
@@ -100,6 +101,7 @@ final class BotFarmTest {
                 CROWD,
                 1,
                 false,
+                0,
                 new WorkerThreads(1))) {
       // The bots' machine manages ten frames a second; one bot per frame would take four.
       for (int tick = 0; tick < 120; tick++) {
@@ -112,6 +114,40 @@ final class BotFarmTest {
       BotReport report = farm.report(now[0]);
       assertEquals(CROWD, report.joined(), farm::problem);
       assertEquals(100.0 * 5 / 6, report.lateInputPercent(), 0.1);
+    }
+  }
+
+  @Test
+  void whoHasPlayedLongEnoughLeavesAndComesBack() throws Exception {
+    InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
+    long[] now = {SECOND};
+    try (Server server =
+            new Server(
+                ServerConfig.defaults().withMaxPlayers(8).withStatusIntervalS(0),
+                () -> Games.create("arena"),
+                Level.builtIn("arena"),
+                network.server(),
+                () -> now[0]);
+        BotFarm farm =
+            new BotFarm(
+                config().withServer("server", 0, 0),
+                network.client(),
+                8,
+                1,
+                false,
+                2,
+                new WorkerThreads(1))) {
+      for (int tick = 0; tick < 1_200; tick++) {
+        now[0] += SECOND / 60;
+        server.tick(now[0]);
+        farm.update(now[0]);
+      }
+      // Eight bots that stay for two seconds on average: some 75 stays in 20 s.
+      long joins = server.count(Counter.JOINS);
+      assertTrue(joins > 40 && joins < 150, "joins=" + joins);
+      assertTrue(server.count(Counter.LEAVES) >= joins - 8);
+      assertEquals(0, server.count(Counter.LINKS_LOST));
+      assertEquals(0, farm.report(now[0]).disconnects());
     }
   }
 
@@ -135,6 +171,7 @@ final class BotFarmTest {
             3,
             1,
             false,
+            0,
             new WorkerThreads(1))) {
       for (long nowNs = SECOND; nowNs < 200 * SECOND && !farm.over(); nowNs += SECOND / 60) {
         farm.update(nowNs);
