@@ -11,7 +11,7 @@ import static carom.physics.dynamics.SolverBodies.W;
 import java.util.Arrays;
 
 /**
- * The contacts of a step as the solver visits them: coloured, in blocks of {@value #LANES}.
+ * The contacts of a step as the solver visits them: coloured, in blocks of {@link #LANES}.
  *
  * <p><b>Colours.</b> Sequential impulses need an order. Contacts are given colours, greedily in the
  * order of their keys: the first colour that neither body has yet. Contacts of one colour share no
@@ -29,19 +29,19 @@ import java.util.Arrays;
  */
 final class ContactBlocks {
   /** Contacts in a block. */
-  static final int LANES = 8;
+  static final int LANES = VectorModule.LANES;
 
   /** The last colour among moving bodies, and with static ones; it takes what found no other. */
   static final int LAST_COLOUR = 63;
 
   /** Blocks with fewer contacts are solved one by one. */
-  private static final int FEWEST = 3;
+  private static final int FEWEST = 1 + LANES / 4;
 
   /** Steps with fewer blocks don't use vectors. */
-  private static final int FEWEST_BLOCKS = 64;
+  private static final int FEWEST_BLOCKS = 512 / LANES;
 
   /** Blocks that make a piece of work for a worker. */
-  private static final int GRAIN = 8;
+  private static final int GRAIN = 64 / LANES;
 
   /** Every colour has a group of contacts with one point, and one of those with two. */
   private static final int GROUPS = 2 * 2 * (LAST_COLOUR + 1);

@@ -1,7 +1,7 @@
 package carom.physics.dynamics;
 
 /**
- * Kernels that solve the {@value ContactBlocks#LANES} contacts of a block side by side, bit for bit
+ * Kernels that solve the {@link ContactBlocks#LANES} contacts of a block side by side, bit for bit
  * as {@link ContactSolver} does one after the other.
  */
 abstract class ContactLanes {

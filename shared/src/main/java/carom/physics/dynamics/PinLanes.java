@@ -1,7 +1,7 @@
 package carom.physics.dynamics;
 
 /**
- * Kernels that solve the {@value PinSolver#LANES} pins of a block side by side, bit for bit as
+ * Kernels that solve the {@link PinSolver#LANES} pins of a block side by side, bit for bit as
  * {@link PinSolver} does one after the other.
  */
 abstract class PinLanes {

@@ -12,7 +12,7 @@ import java.util.Arrays;
 
 /**
  * Pins: hinges without limit, motor or spring, of which most chains, nets and figures are made. The
- * point constraint of {@link JointSolver} in blocks of {@value #LANES}, so that vectors can solve
+ * point constraint of {@link JointSolver} in blocks of {@link #LANES}, so that vectors can solve
  * them side by side and workers share them.
  *
  * <p>The pins of one block share no body that can be moved; {@link JointSolver} sees to it by
@@ -25,7 +25,7 @@ import java.util.Arrays;
  */
 final class PinSolver {
   /** Pins in a block. */
-  static final int LANES = 8;
+  static final int LANES = VectorModule.LANES;
 
   /** As in {@link JointSolver}: what is further apart than this, m, was torn. */
   static final float TORN = 4;
@@ -70,13 +70,13 @@ final class PinSolver {
   static final int RECORD = GAP_Y + LANES;
 
   /** Blocks with fewer pins are solved one by one. */
-  private static final int FEWEST = 3;
+  private static final int FEWEST = 1 + LANES / 4;
 
   /** Steps with fewer blocks don't use vectors. */
-  private static final int FEWEST_BLOCKS = 32;
+  private static final int FEWEST_BLOCKS = 256 / LANES;
 
   /** Blocks that make a piece of work for a worker. */
-  private static final int GRAIN = 8;
+  private static final int GRAIN = 64 / LANES;
 
   private final PinLanes lanes;
   private final Crew crew;

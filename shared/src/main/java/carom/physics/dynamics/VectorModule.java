@@ -5,7 +5,24 @@ package carom.physics.dynamics;
  * started with {@code --add-modules jdk.incubator.vector}.
  */
 final class VectorModule {
+  /**
+   * Constraints that are solved side by side: 16 where vectors are that long, else 8, also without
+   * vectors. All kernels use vectors of this one length: code that sees several makes the JIT
+   * compiler box vectors, which costs ten times what they gain. It changes no bit of a result.
+   */
+  static final int LANES = lanes();
+
+  /** How many floats this processor's vectors have; made with the Vector API. */
+  interface Width {
+    int floats();
+  }
+
   private VectorModule() {}
+
+  private static int lanes() {
+    Width width = find("VectorWidth", Width.class);
+    return width != null && width.floats() >= 16 ? 16 : 8;
+  }
 
   /**
    * Makes an object of a class of this package.

@@ -35,8 +35,8 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * The eight contacts of a block at once, with the Vector API: the same operations in the same order
- * as { link ContactSolver}'s, hence the same bits.
+ * The contacts of a block at once, with the Vector API: the same operations in the same order as
+ * {@link ContactSolver}'s, hence the same bits.
  *
  * <p>The bodies' velocities are first copied, one quantity for all lanes side by side, to a scratch
  * array that stays in the nearest cache; after that all work is on vectors. The methods are small
@@ -45,7 +45,8 @@ import jdk.incubator.vector.VectorSpecies;
  * 5,050-box pyramid, and no gain).
  */
 final class VectorLanes extends ContactLanes {
-  private static final VectorSpecies<Float> LANE = FloatVector.SPECIES_256;
+  private static final VectorSpecies<Float> LANE =
+      LANES == 16 ? FloatVector.SPECIES_512 : FloatVector.SPECIES_256;
 
   // Quantities of the scratch array: velocities of the bodies;
   private static final int VXA = 0;
@@ -87,7 +88,7 @@ final class VectorLanes extends ContactLanes {
   /** And room behind, so that no two workers' arrays share a line of the cache. */
   private static final int SCRATCH = TANGENT_SUM + 3 * LANES;
 
-  /** Loaded by name, see { link ContactLanes#find}. */
+  /** Loaded by name, see {@link ContactLanes#find}. */
   VectorLanes() {
     if (FloatVector.SPECIES_PREFERRED.length() < LANES) {
       throw new UnsupportedOperationException("vectors have fewer than " + LANES + " lanes");
@@ -176,7 +177,7 @@ final class VectorLanes extends ContactLanes {
 
   /*
    * One lane after the other, spelt out: as loops the JIT compiler gives them pre- and post-loops
-   * around an unrolled one, for eight turns.
+   * around an unrolled one, for so few turns.
    */
 
   private static void gather(float[] s, float[] v, int[] bodyA, int[] bodyB, int lane) {
@@ -188,6 +189,20 @@ final class VectorLanes extends ContactLanes {
     gatherLane(s, v, bodyA, bodyB, lane, 5);
     gatherLane(s, v, bodyA, bodyB, lane, 6);
     gatherLane(s, v, bodyA, bodyB, lane, 7);
+    if (LANES == 16) {
+      gatherUpper(s, v, bodyA, bodyB, lane);
+    }
+  }
+
+  private static void gatherUpper(float[] s, float[] v, int[] bodyA, int[] bodyB, int lane) {
+    gatherLane(s, v, bodyA, bodyB, lane, 8);
+    gatherLane(s, v, bodyA, bodyB, lane, 9);
+    gatherLane(s, v, bodyA, bodyB, lane, 10);
+    gatherLane(s, v, bodyA, bodyB, lane, 11);
+    gatherLane(s, v, bodyA, bodyB, lane, 12);
+    gatherLane(s, v, bodyA, bodyB, lane, 13);
+    gatherLane(s, v, bodyA, bodyB, lane, 14);
+    gatherLane(s, v, bodyA, bodyB, lane, 15);
   }
 
   private static void gatherLane(float[] s, float[] v, int[] bodyA, int[] bodyB, int lane, int i) {
@@ -210,6 +225,20 @@ final class VectorLanes extends ContactLanes {
     gatherMotionLane(s, v, bodyA, bodyB, lane, 5);
     gatherMotionLane(s, v, bodyA, bodyB, lane, 6);
     gatherMotionLane(s, v, bodyA, bodyB, lane, 7);
+    if (LANES == 16) {
+      gatherMotionUpper(s, v, bodyA, bodyB, lane);
+    }
+  }
+
+  private static void gatherMotionUpper(float[] s, float[] v, int[] bodyA, int[] bodyB, int lane) {
+    gatherMotionLane(s, v, bodyA, bodyB, lane, 8);
+    gatherMotionLane(s, v, bodyA, bodyB, lane, 9);
+    gatherMotionLane(s, v, bodyA, bodyB, lane, 10);
+    gatherMotionLane(s, v, bodyA, bodyB, lane, 11);
+    gatherMotionLane(s, v, bodyA, bodyB, lane, 12);
+    gatherMotionLane(s, v, bodyA, bodyB, lane, 13);
+    gatherMotionLane(s, v, bodyA, bodyB, lane, 14);
+    gatherMotionLane(s, v, bodyA, bodyB, lane, 15);
   }
 
   private static void gatherMotionLane(
@@ -241,6 +270,20 @@ final class VectorLanes extends ContactLanes {
     scatterLane(s, v, bodyA, bodyB, lane, 5);
     scatterLane(s, v, bodyA, bodyB, lane, 6);
     scatterLane(s, v, bodyA, bodyB, lane, 7);
+    if (LANES == 16) {
+      scatterUpper(s, v, bodyA, bodyB, lane);
+    }
+  }
+
+  private static void scatterUpper(float[] s, float[] v, int[] bodyA, int[] bodyB, int lane) {
+    scatterLane(s, v, bodyA, bodyB, lane, 8);
+    scatterLane(s, v, bodyA, bodyB, lane, 9);
+    scatterLane(s, v, bodyA, bodyB, lane, 10);
+    scatterLane(s, v, bodyA, bodyB, lane, 11);
+    scatterLane(s, v, bodyA, bodyB, lane, 12);
+    scatterLane(s, v, bodyA, bodyB, lane, 13);
+    scatterLane(s, v, bodyA, bodyB, lane, 14);
+    scatterLane(s, v, bodyA, bodyB, lane, 15);
   }
 
   private static void scatterLane(float[] s, float[] v, int[] bodyA, int[] bodyB, int lane, int i) {

@@ -31,12 +31,13 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * The eight pins of a block at once, with the Vector API: the same operations in the same order as
- * {@code PinSolver}'s, hence the same bits. In small methods that pass each other arrays; see
- * {@code VectorLanes} for why.
+ * The pins of a block at once, with the Vector API: the same operations in the same order as {@code
+ * PinSolver}'s, hence the same bits. In small methods that pass each other arrays; see {@code
+ * VectorLanes} for why.
  */
 final class VectorPins extends PinLanes {
-  private static final VectorSpecies<Float> LANE = FloatVector.SPECIES_256;
+  private static final VectorSpecies<Float> LANE =
+      LANES == 16 ? FloatVector.SPECIES_512 : FloatVector.SPECIES_256;
 
   // Quantities of the scratch array: velocities of both bodies,
   private static final int AVX = 0;
