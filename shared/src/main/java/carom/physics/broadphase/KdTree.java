@@ -444,6 +444,25 @@ public final class KdTree implements SpatialIndex {
   }
 
   /**
+   * Lists the boxes of one of so many parts of the tree, near ones near each other. Going through
+   * all parts lists every box once, if none goes from leaf to leaf meanwhile.
+   *
+   * @param part which, from 0 on
+   * @param parts of how many, at least 1
+   * @param out receives the ids; {@link #size()} entries are enough
+   * @return how many
+   */
+  public int slice(int part, int parts, int[] out) {
+    int end = (int) ((part + 1L) * leaves / parts);
+    int to = 0;
+    for (int leaf = (int) ((long) part * leaves / parts); leaf < end; leaf++) {
+      System.arraycopy(ids, leaf * SLOTS, out, to, fill[leaf]);
+      to += fill[leaf];
+    }
+    return to;
+  }
+
+  /**
    * Numbers the boxes anew, from 0 on in the order of the leaves. The caller brings the box array
    * into that order.
    *

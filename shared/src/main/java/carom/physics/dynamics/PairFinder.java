@@ -24,7 +24,13 @@ final class PairFinder {
   private static final int CROWDED = 2;
 
   /** For how many ticks fat boxes are meant to last where pairs are few. */
-  private static final int SPARSE_TICKS = 10;
+  private static final int SPARSE_TICKS = 12;
+
+  /** In as many steps each branch of the tree has its turn once; some fewer than boxes last. */
+  private static final int TURNS = 10;
+
+  /** With fewer parts all may get new boxes in one step: dear, but not long. */
+  private static final int LONG_STEP = 4_096;
 
   /** When more than this fraction (1 / n) of the parts left their fat boxes, all get new ones. */
   private static final int RENEW_SHARE = 4;
@@ -56,6 +62,9 @@ final class PairFinder {
   /** Per active body, while boxes are refreshed: whether a part left its fat box. */
   private boolean[] strayed = new boolean[FIRST_CAPACITY];
 
+  /** Which branch of the tree had its turn last. */
+  private int turn;
+
   private ActiveBodies refreshed;
   private final Crew.Range measuring = this::measureBodies;
 
@@ -82,6 +91,9 @@ final class PairFinder {
   private int[] movedParts = new int[FIRST_CAPACITY];
 
   private int movedCount;
+
+  /** How many of them got it together with their neighbours. */
+  private int togetherCount;
 
   /** Scratch: parts that go from one tree to the other. */
   private int[] partList = new int[FIRST_CAPACITY];
@@ -158,6 +170,7 @@ final class PairFinder {
   /** Takes everything out. */
   void clear() {
     movedCount = 0;
+    togetherCount = 0;
     for (int i = 0; i < newCount; i++) {
       parts.expected[newParts[i]] = false;
     }
@@ -277,8 +290,8 @@ final class PairFinder {
 
   /**
    * Gives every part of an active body whose fat box no longer contains it a new one. When many
-   * left theirs at once, all get new ones: the next search then is some ticks away for all of them,
-   * and finds nothing to do until then.
+   * left theirs at once, all get new ones; where pairs are few, a share of the others gets them
+   * before they leave, so that the next search is some ticks away for all of these.
    *
    * @param dt length of the last step, s
    */
@@ -300,16 +313,53 @@ final class PairFinder {
         }
       }
     }
-    if (partListCount == 0) {
-      return;
-    }
-    if (partListCount > moving.size() / RENEW_SHARE) {
+    boolean many = partListCount > moving.size() / RENEW_SHARE;
+    if (many) {
       listParts(active.list, active.count);
     }
     for (int i = 0; i < partListCount; i++) {
       renew(partList[i], dt, active.count);
     }
-    movingStale = true;
+    movingStale |= partListCount > 0;
+    if (!many && moving.size() >= LONG_STEP && isSparse(active.count)) {
+      renewInTurn(dt, active.count);
+    }
+  }
+
+  /**
+   * Renews, in the next branch of the tree, the boxes that wouldn't last until it is its turn
+   * again. So the work is spread over the steps, and what is searched in one of them is in one
+   * place.
+   */
+  private void renewInTurn(float dt, int activeCount) {
+    if (partList.length < moving.size()) {
+      partList = new int[2 * moving.size()];
+    }
+    turn = (turn + 1) % TURNS;
+    int count = moving.slice(turn, TURNS, partList);
+    AabbArray t = parts.tight;
+    for (int i = 0; i < count; i++) {
+      int part = partList[i];
+      int body = parts.body[part];
+      float wayX = TURNS * dt * bodies.vx[body];
+      float wayY = TURNS * dt * bodies.vy[body];
+      if (!parts.fat.contains(
+          part,
+          t.minX(part) + wayX,
+          t.minY(part) + wayY,
+          t.maxX(part) + wayX,
+          t.maxY(part) + wayY)) {
+        renew(part, dt, activeCount);
+        parts.together[part] = true;
+        togetherCount++;
+        movingStale = true;
+      }
+    }
+  }
+
+  /** Whether there are so few pairs that roomy boxes spare more searches than they make rows. */
+  private boolean isSparse(int activeCount) {
+    return 2 * contacts.count() <= activeCount;
   }
 
   /** Measures the parts of all active bodies, and finds out which bodies strayed. */
@@ -376,7 +426,7 @@ final class PairFinder {
     if (pairs > CROWDED * activeCount) {
       margin = Math.abs(wayX) + Math.abs(wayY) > margin ? 0 : margin;
       ticks = 0;
-    } else if (2 * pairs > activeCount) {
+    } else if (!isSparse(activeCount)) {
       ticks = 1;
     }
     fatten(part, margin, ticks * wayX, ticks * wayY);
@@ -465,15 +515,17 @@ final class PairFinder {
       moving.pairs(onPair);
       moving.join(resting, onPair);
     } else {
-      boolean each = movedCount <= moving.size() / SEARCH_SHARE;
-      if (!each) {
-        moving.pairs(parts.moved, onPair);
-        moving.join(resting, parts.moved, onPair);
+      boolean each = movedCount - togetherCount <= moving.size() / SEARCH_SHARE;
+      if (!each || togetherCount > 0) {
+        boolean[] marked = each ? parts.together : parts.moved;
+        moving.pairs(marked, onPair);
+        moving.join(resting, marked, onPair);
       }
       for (int i = 0; i < movedCount; i++) {
         int part = movedParts[i];
         boolean moves = moving.contains(part);
-        if ((each && moves) || resting.contains(part)) {
+        boolean searched = !each || parts.together[part];
+        if ((!searched && moves) || resting.contains(part)) {
           searchAround(part, moves);
         }
       }
@@ -482,7 +534,9 @@ final class PairFinder {
     contacts.merge(candidates, candidateCount, bodies, parts, searchAll);
     for (int i = 0; i < movedCount; i++) {
       parts.moved[movedParts[i]] = false;
+      parts.together[movedParts[i]] = false;
     }
+    togetherCount = 0;
     movedCount = 0;
     searchAll = false;
   }

@@ -54,6 +54,11 @@ public final class ShapeTable {
   /** Whether the box changed since pairs were last searched. */
   boolean[] moved = new boolean[FIRST_CAPACITY];
 
+  /**
+   * Whether it changed together with those of most neighbours, so that these are searched as one.
+   */
+  boolean[] together = new boolean[FIRST_CAPACITY];
+
   /** Whether the part waits to be put into a tree. */
   boolean[] expected = new boolean[FIRST_CAPACITY];
 
@@ -157,6 +162,7 @@ public final class ShapeTable {
     for (int p = first; p < first + parts; p++) {
       body[p] = owner;
       moved[p] = false;
+      together[p] = false;
     }
     return first;
   }
@@ -169,6 +175,7 @@ public final class ShapeTable {
       body[p] = -1;
       convex[p] = null;
       moved[p] = false;
+      together[p] = false;
     }
     nextFree[first] = freeBlocks[parts];
     freeBlocks[parts] = first;
@@ -196,6 +203,7 @@ public final class ShapeTable {
     System.arraycopy(nextFree, 0, to.nextFree, 0, used);
     System.arraycopy(freeBlocks, 0, to.freeBlocks, 0, freeBlocks.length);
     Arrays.fill(to.moved, false);
+    Arrays.fill(to.together, false);
     to.used = used;
   }
 
@@ -215,6 +223,7 @@ public final class ShapeTable {
       group = Arrays.copyOf(group, grown);
       sensor = Arrays.copyOf(sensor, grown);
       moved = Arrays.copyOf(moved, grown);
+      together = Arrays.copyOf(together, grown);
       expected = Arrays.copyOf(expected, grown);
       nextFree = Arrays.copyOf(nextFree, grown);
     }

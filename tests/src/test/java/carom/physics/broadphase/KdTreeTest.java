@@ -155,6 +155,29 @@ class KdTreeTest {
     }
   }
 
+  @ParameterizedTest
+  @ValueSource(ints = {0, 1, 7, 300})
+  void slicesListEveryBoxOnce(int n) {
+    Boxes boxes = new Boxes(Layout.CLUSTERED, 300, 15);
+    for (int id = n; id < 300; id++) {
+      boxes.setPresent(id, false);
+    }
+    KdTree tree = treeOf(boxes);
+    int[] out = new int[300];
+    for (int parts : new int[] {1, 2, 10, 33, 1000}) {
+      int[] seen = new int[300];
+      for (int part = 0; part < parts; part++) {
+        int count = tree.slice(part, parts, out);
+        for (int i = 0; i < count; i++) {
+          seen[out[i]]++;
+        }
+      }
+      for (int id = 0; id < 300; id++) {
+        assertEquals(id < n ? 1 : 0, seen[id], "id=" + id + " parts=" + parts);
+      }
+    }
+  }
+
   @Test
   void searchForNewPairsSkipsWhatRests() {
     Boxes boxes = new Boxes(Layout.UNIFORM, 4000, 9);
