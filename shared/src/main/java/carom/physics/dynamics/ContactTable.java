@@ -1,6 +1,5 @@
 package carom.physics.dynamics;
 
-import carom.physics.archive.Archive;
 import carom.physics.collision.Manifold;
 import java.util.Arrays;
 
@@ -90,9 +89,6 @@ public final class ContactTable {
   static final int ROUND_B = 5;
 
   private static final int FIRST_CAPACITY = 128;
-
-  /** Most rows in an archive. */
-  private static final int MAX_ROWS = 1 << 24;
 
   /** Of {@link #pairs}. */
   long[] key;
@@ -873,59 +869,15 @@ public final class ContactTable {
     to.version++;
   }
 
-  /**
-   * Passes all rows through an archive, which must be copies; reading begins with an empty table.
-   * Parts and materials aren't in it: they follow from the bodies. What points that aren't there
-   * have left behind is zeroed first, so that equal states are equal bytes.
-   */
-  void pass(Archive a, BodyStore bodies, ShapeTable parts) {
-    for (int row = 0; row < count; row++) {
-      if (points[row] < 2) {
-        id[2 * row + 1] = 0;
-        Arrays.fill(contact, CONTACT * row + X1, CONTACT * row + GAP1 + 1, 0);
-      }
-    }
-    int perRow = Long.BYTES + 2 + 2 * Integer.BYTES + Float.BYTES * (CONTACT + 1);
-    int n = a.count("contacts", count, MAX_ROWS, perRow);
-    ensure(n);
-    count = n;
-    a.bits("contact", key, n);
-    for (int row = 0; a.reads() && row < n; row++) {
-      checkKey(a, row, bodies);
-      start(row, key[row], bodies, parts);
-    }
-    a.bytes("flags of contact", flags, n, Byte.MIN_VALUE, Byte.MAX_VALUE);
-    a.bytes("points of contact", points, n, 0, 2);
-    a.integers("feature of contact", id, 2 * n, Integer.MIN_VALUE, Integer.MAX_VALUE);
-    a.numbers("number of contact", contact, CONTACT * n, BodyStore.MOST);
-    a.numbers("rolling impulse of contact", roll, n, BodyStore.MOST);
-    for (int row = 0; a.reads() && row < n; row++) {
-      boolean sensor = parts.sensor[partA(row)] || parts.sensor[partB(row)];
-      boolean touches = (flags[row] & TOUCHING) != 0;
-      a.require(
-          sensor == sensor(row) && touches && (points[row] > 0) != sensor,
-          "flags=" + flags[row] + " points=" + points[row] + " of contact=" + row);
-    }
-  }
-
   /** Makes a copy that was read differ from all that were copied from this. */
   void distinguish(ContactTable copy) {
     rows.distinguish(copy.rows);
   }
 
-  private void checkKey(Archive a, int row, BodyStore bodies) {
-    long k = key[row];
-    int bodyA = bodyA(row);
-    int bodyB = bodyB(row);
-    a.require(
-        (row == 0 || k > key[row - 1])
-            && bodyA < bodyB
-            && bodyB < bodies.slots()
-            && bodies.type[bodyA] != BodyStore.FREE
-            && bodies.type[bodyB] != BodyStore.FREE
-            && ContactKey.partA(k) < bodies.partCount[bodyA]
-            && ContactKey.partB(k) < bodies.partCount[bodyB],
-        "contact=" + row + " of body=" + bodyA + " with body=" + bodyB);
+  /** Has so many rows, which the caller fills. */
+  void resize(int rowCount) {
+    ensure(rowCount);
+    count = rowCount;
   }
 
   /** Makes room for so many rows before they come. */

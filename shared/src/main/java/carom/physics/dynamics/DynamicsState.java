@@ -101,7 +101,7 @@ public final class DynamicsState {
       int[] which = new int[contacts.count()];
       touching.take(contacts, which, contacts.touching(which));
     }
-    touching.pass(a, bodies, parts);
+    ContactArchive.pass(touching, a, bodies, parts);
     for (int row = 0; a.reads() && row < touching.count(); row++) {
       a.require(
           bodies.active(contacts.bodyA(row)) || bodies.active(contacts.bodyB(row)),

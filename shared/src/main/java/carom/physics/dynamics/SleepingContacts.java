@@ -172,7 +172,7 @@ final class SleepingContacts {
     }
     rows.sortByKey(which, used);
     packed.take(rows, which, used);
-    packed.pass(a, bodies, parts);
+    ContactArchive.pass(packed, a, bodies, parts);
     if (a.reads()) {
       which = new int[packed.count()];
       for (int row = 0; row < which.length; row++) {
