@@ -3,6 +3,8 @@ package carom.server.session;
 import carom.net.protocol.Limits;
 import carom.net.protocol.PlayerName;
 import java.nio.charset.StandardCharsets;
+import java.util.HashSet;
+import java.util.Set;
 import java.util.function.LongSupplier;
 
 /**
@@ -18,6 +20,8 @@ public final class Seats {
   private static final long NS_PER_MS = 1_000_000;
 
   private final Seat[] taken;
+  private final Set<String> foldedNames = new HashSet<>();
+  private int takenCount;
   private final LongSupplier secrets;
 
   /**
@@ -40,9 +44,12 @@ public final class Seats {
   public synchronized Seat take(String wantedName) {
     for (int id = 0; id < taken.length; id++) {
       if (taken[id] == null) {
-        taken[id] = new Seat(id, freeName(wantedName), freshSecret());
-        taken[id].claims = 1;
-        return taken[id];
+        Seat seat = new Seat(id, freeName(wantedName), freshSecret());
+        seat.claims = 1;
+        foldedNames.add(PlayerName.folded(seat.name));
+        taken[id] = seat;
+        takenCount++;
+        return seat;
       }
     }
     return null;
@@ -54,9 +61,9 @@ public final class Seats {
   }
 
   private Seat find(long secret) {
-    for (Seat seat : taken) {
-      if (secret != 0 && seat != null && seat.secret == secret) {
-        return seat;
+    for (int id = 0; secret != 0 && id < taken.length; id++) {
+      if (taken[id] != null && taken[id].secret == secret) {
+        return taken[id];
       }
     }
     return null;
@@ -108,6 +115,8 @@ public final class Seats {
   private void freeIfUnused(Seat seat) {
     if (seat.claims == 0 && !seat.occupied && taken[seat.id] == seat) {
       taken[seat.id] = null;
+      takenCount--;
+      foldedNames.remove(PlayerName.folded(seat.name));
     }
   }
 
@@ -118,13 +127,7 @@ public final class Seats {
 
   /** Number of seats that are taken. */
   public synchronized int takenCount() {
-    int count = 0;
-    for (Seat seat : taken) {
-      if (seat != null) {
-        count++;
-      }
-    }
-    return count;
+    return takenCount;
   }
 
   private long freshSecret() {
@@ -137,21 +140,11 @@ public final class Seats {
 
   private String freeName(String wanted) {
     String name = wanted;
-    for (int number = 2; isTaken(name); number++) {
+    for (int number = 2; foldedNames.contains(PlayerName.folded(name)); number++) {
       String suffix = " (" + number + ")";
       name = shortened(wanted, Limits.MAX_NAME_BYTES - suffix.length()) + suffix;
     }
     return name;
-  }
-
-  private boolean isTaken(String name) {
-    String folded = PlayerName.folded(name);
-    for (Seat seat : taken) {
-      if (seat != null && PlayerName.folded(seat.name()).equals(folded)) {
-        return true;
-      }
-    }
-    return false;
   }
 
   /** The longest beginning of a name that fits in some UTF-8 bytes and doesn't end in a space. */

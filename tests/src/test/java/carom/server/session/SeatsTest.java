@@ -7,7 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.net.protocol.Limits;
 import carom.net.protocol.PlayerName;
+import java.util.HashSet;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 
@@ -40,6 +43,27 @@ class SeatsTest {
     assertEquals("Ann", seats.take("Ann").name());
     assertEquals("ann (2)", seats.take("ann").name());
     assertEquals("Ann (3)", seats.take("Ann").name());
+  }
+
+  @Test
+  void nameIsFreeAgainWhenItsSeatIs() {
+    Seats.Seat ann = seats.take("Ann");
+    assertEquals("Ann (2)", seats.take("ann").name().replace('a', 'A'));
+    seats.unclaim(ann);
+    assertEquals("ANN", seats.take("ANN").name());
+    assertEquals(2, seats.takenCount());
+  }
+
+  @Test
+  void fullRoomOfTheSameNameHasAsManyNames() {
+    Seats room = new Seats(Limits.MAX_PLAYERS, secrets::getAndIncrement);
+    Set<String> names = new HashSet<>();
+    for (int i = 0; i < room.count(); i++) {
+      names.add(room.take("player").name());
+    }
+    assertEquals(Limits.MAX_PLAYERS, names.size());
+    assertEquals(Limits.MAX_PLAYERS, room.takenCount());
+    assertNull(room.take("player"));
   }
 
   @Test
