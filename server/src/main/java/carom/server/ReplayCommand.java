@@ -1,6 +1,7 @@
 package carom.server;
 
 import carom.net.protocol.Protocol;
+import carom.replay.Divergence;
 import carom.replay.RecordingException;
 import carom.replay.RecordingHeader;
 import carom.replay.RecordingReader;
@@ -8,6 +9,7 @@ import carom.replay.Replay;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -85,7 +87,7 @@ final class ReplayCommand implements Callable<Integer> {
     try {
       do {
         progress = replay.step();
-      } while (progress == Replay.Progress.TICK && !replay.isDecided());
+      } while (progress == Replay.Progress.TICK && !isOver(replay));
     } catch (RecordingException e) {
       out.println(verdict(replay, System.nanoTime() - beginNs) + "; then the file is unusable");
       out.flush();
@@ -106,9 +108,23 @@ final class ReplayCommand implements Callable<Integer> {
     return replay.divergence() == null ? 0 : DIVERGED;
   }
 
+  /** Whether no whole state can come from which to go on after a divergence. */
+  private static boolean isOver(Replay replay) {
+    return replay.isDecided() && replay.simulation().game().keepsMore();
+  }
+
   private static String verdict(Replay replay, long tookNs) {
-    if (replay.divergence() != null) {
-      return replay.divergence().toString();
+    List<Divergence> found = replay.divergences();
+    if (!found.isEmpty()) {
+      StringBuilder text = new StringBuilder();
+      found.forEach(divergence -> text.append(divergence).append(System.lineSeparator()));
+      return text.append("DIVERGED: ")
+          .append(found.size() == 1 ? "once" : found.size() + " times")
+          .append("; ")
+          .append(replay.equalTicks())
+          .append(" ticks equal up to tick ")
+          .append(replay.simulation().tick())
+          .toString();
     }
     int ticks = replay.simulation().tick() - replay.firstTick();
     double seconds = Math.max(1e-9, tookNs / 1e9);

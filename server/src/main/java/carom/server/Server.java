@@ -7,6 +7,7 @@ import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.recording.RecordingFile;
 import carom.server.recording.RotatingRecording;
+import carom.server.recording.RotationLimit;
 import carom.server.recording.Showing;
 import carom.server.room.Room;
 import carom.server.session.Seats;
@@ -128,19 +129,19 @@ public final class Server implements AutoCloseable {
    * {@link #tick} or {@link #start}. Not together with {@link #show}, which shows one file.
    *
    * @param folder where the files go
-   * @param minutes how long a game each holds, at least 1
+   * @param limit how much of a game each holds
    * @param keep how many are kept of each room; 0 = all
    * @throws IOException when a file can't be created
    * @throws IllegalArgumentException when the game can be recorded from tick 0 on only
    */
-  public void recordRotating(Path folder, int minutes, int keep) throws IOException {
+  public void recordRotating(Path folder, RotationLimit limit, int keep) throws IOException {
     for (Room room : rooms) {
       int number = rooms.size() == 1 ? 0 : room.number();
       RotatingRecording files =
           new RotatingRecording(
-              () -> RecordingFile.fileFor(folder, config.gameName(), number), keep);
+              () -> RecordingFile.fileFor(folder, config.gameName(), number), limit, keep);
       rotations.add(files);
-      room.record(files, minutes * 60 * config.tickRateHz());
+      room.record(files);
     }
   }
 

@@ -13,6 +13,7 @@ import carom.options.NetworkConditions;
 import carom.server.bench.BenchCommand;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
+import carom.server.recording.RotationLimit;
 import carom.sim.Game;
 import carom.sim.Level;
 import carom.sim.LevelException;
@@ -84,7 +85,6 @@ public final class ServerMain implements Callable<Integer> {
   private static final int MAX_PORT = 65_535;
   private static final int MAX_SPECTATOR_DELAY_S = 3_600;
   private static final int MAX_GRACE_S = 600;
-  private static final int MAX_ROTATE_MIN = 1_440;
   private static final int MAX_KEPT = 10_000;
 
   /** Bodies of a level that is rehearsed itself; for a larger one the game's own level is. */
@@ -213,12 +213,13 @@ public final class ServerMain implements Callable<Integer> {
 
   @Option(
       names = "--record-rotate",
-      paramLabel = "MIN",
+      paramLabel = "LIMIT",
       defaultValue = "0",
       description =
-          "Begin another file in the folder of --record every MIN minutes, 1..1440, each playable"
-              + " by itself; 0 = never (${DEFAULT-VALUE}).")
-  private int recordRotateMin;
+          "Begin another file in the folder of --record after so many minutes, 1..1440, or when one"
+              + " has reached a size, such as 256M or 2G; each is playable by itself; 0 = never"
+              + " (${DEFAULT-VALUE}).")
+  private String recordRotate;
 
   @Option(
       names = "--record-keep",
@@ -368,15 +369,25 @@ public final class ServerMain implements Callable<Integer> {
       throw bad("--record=" + record + " is no folder; --rooms=" + rooms + " need one");
     }
     requireRange("--spectator-delay", spectatorDelayS, MAX_SPECTATOR_DELAY_S);
-    requireRange("--record-rotate", recordRotateMin, MAX_ROTATE_MIN);
+    RotationLimit rotation;
+    try {
+      rotation = RotationLimit.parse(recordRotate);
+    } catch (IllegalArgumentException e) {
+      throw bad("--record-rotate=" + e.getMessage());
+    }
     requireRange("--record-keep", recordKeep, MAX_KEPT);
-    if (recordRotateMin > 0 && (record == null || !Files.isDirectory(record))) {
-      throw bad("--record-rotate=" + recordRotateMin + " needs a folder; give one by --record");
+    if (rotation.rotates() && (record == null || !Files.isDirectory(record))) {
+      throw bad("--record-rotate=" + recordRotate + " needs a folder; give one by --record");
     }
-    if (recordRotateMin > 0 && spectatorDelayS > 0) {
-      throw bad("--record-rotate and --spectator-delay can't be combined: spectators see one file");
+    if (rotation.rotates() && spectatorDelayS > 0) {
+      throw bad(
+          "--record-rotate="
+              + recordRotate
+              + " can't be combined with --spectator-delay="
+              + spectatorDelayS
+              + ": spectators see one file; leave one of them out");
     }
-    if (recordKeep > 0 && recordRotateMin == 0) {
+    if (recordKeep > 0 && !rotation.rotates()) {
       throw bad("--record-keep=" + recordKeep + " needs --record-rotate");
     }
     if (network.problem() != null) {
@@ -436,9 +447,9 @@ public final class ServerMain implements Callable<Integer> {
     }
     if (record != null) {
       try {
-        if (recordRotateMin > 0) {
-          server.recordRotating(record, recordRotateMin, recordKeep);
-          log.info("recording: {}, another file every {} min", record, recordRotateMin);
+        if (rotation.rotates()) {
+          server.recordRotating(record, rotation, recordKeep);
+          log.info("recording: {}, another file every {}", record, rotation);
         } else {
           server.record(record).forEach(file -> log.info("recording: {}", file));
         }

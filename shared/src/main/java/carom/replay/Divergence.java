@@ -78,6 +78,7 @@ public final class Divergence {
   private final long recordedHash;
   private final long replayedHash;
   private int bodyTick = -1;
+  private int endTick = -1;
   private boolean exact;
   private int differing;
   private final List<Difference> differences = new ArrayList<>();
@@ -101,6 +102,11 @@ public final class Divergence {
   /** Several at once, or an entity that only one side has: the sums don't tell which. */
   void severalBodies(int when) {
     bodyTick = when;
+  }
+
+  /** Notes that the replay has taken a whole state of the recording over and is equal again. */
+  void endsAt(int when) {
+    endTick = when;
   }
 
   /** Compares everything with a keyframe. */
@@ -148,6 +154,14 @@ public final class Divergence {
   /** The first tick whose state hash differs. */
   public int tick() {
     return tick;
+  }
+
+  /**
+   * The tick of the recording's next whole state, from which the replay went on; -1 if it didn't
+   * come as far.
+   */
+  public int endTick() {
+    return endTick;
   }
 
   /** The recorded hash of that tick. */
@@ -200,6 +214,9 @@ public final class Divergence {
     }
     for (Difference difference : differences) {
       text.append("\n  ").append(difference);
+    }
+    if (endTick >= 0) {
+      text.append("\n  went on from the recorded state of tick ").append(endTick);
     }
     return text.toString();
   }

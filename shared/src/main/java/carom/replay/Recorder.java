@@ -47,6 +47,7 @@ public final class Recorder implements Journal {
   private int nextStateTick;
   private long lastHash;
   private boolean stopped;
+  private String leftOut;
 
   /**
    * Begins a recording of a simulation between two steps. One that stands at tick 0 without players
@@ -73,7 +74,7 @@ public final class Recorder implements Journal {
     lastHash = s.stateHash();
     if (!begins && !writeState(s)) {
       throw new IllegalArgumentException(
-          "the state of tick=" + lastTick + " can't be stored: bytes=" + archive.length());
+          "the state can't be stored: " + leftOut);
     }
     writeKeyframe(s);
     int gap = STATE_SECONDS * s.tickRate();
@@ -175,9 +176,14 @@ public final class Recorder implements Journal {
       state = s.save(state);
       state.write(archive);
     } catch (IllegalArgumentException e) {
-      return false; // the world has blown up: there is nothing to begin from
+      leftOut = "tick=" + lastTick + " has no state to begin from: " + e.getMessage();
+      return false; // the world has blown up
     }
     if (archive.length() > Block.MAX_STATE_BYTES - STATE_HEAD) {
+      int most = Block.MAX_STATE_BYTES - STATE_HEAD;
+      leftOut =
+          "tick=" + lastTick + ": bytes=" + archive.length() + " are more than " + most
+              + ", so a replay can't begin there; fewer bodies make it smaller";
       return false;
     }
     keyframe.truncate(0);
@@ -246,6 +252,14 @@ public final class Recorder implements Journal {
     }
     out.truncate(0);
     blockTicks = 0;
+  }
+
+  /**
+   * Why the last whole state that wasn't recorded is missing, or null when all are there. The
+   * recording is whole all the same, only that no replay can begin there.
+   */
+  public String leftOut() {
+    return leftOut;
   }
 
   /** Whether the sink could not take a block: nothing is recorded any more. */

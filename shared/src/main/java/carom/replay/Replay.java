@@ -5,13 +5,17 @@ import carom.sim.Player;
 import carom.sim.SimState;
 import carom.sim.Simulation;
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
  * Simulates a recorded game once more, and finds out where it goes another way. One thread.
  *
  * <p>The state hash is compared after each tick. From the first difference on, the replay goes on
  * until it can name a body, which is in the same tick if one body's motion is what differs, and at
- * the next keyframe at the latest; see {@link #isDecided}.
+ * the next keyframe at the latest; see {@link #isDecided}. Who goes on further comes to the next
+ * whole state of the recording, which is taken over: ticks are compared again from there, so that
+ * every stretch that diverged is found.
  */
 public final class Replay {
   /** What a call of {@link #step} did. */
@@ -24,12 +28,19 @@ public final class Replay {
     WAIT
   }
 
+  private static final int MAX_DIVERGENCES = 1_000;
+
   private final RecordingReader reader;
   private final Simulation simulation;
   private final Fingerprint own = new Fingerprint();
   private final int[] located = new int[Fingerprint.FIELDS];
+  private final List<Divergence> divergences = new ArrayList<>();
+
+  /** What is being found out of the stretch that is played; null while all is equal. */
   private Divergence divergence;
+
   private boolean decided;
+  private int equalTicks;
   private boolean inTick;
 
   /** Whether what comes is computed on; else a state to begin from comes. */
@@ -139,12 +150,28 @@ public final class Replay {
     if (divergence == null) {
       long hash = simulation.stateHash();
       if (hash == reader.hash()) {
+        equalTicks++;
         return;
       }
-      divergence = new Divergence(simulation.tick(), reader.hash(), hash);
+      diverge(hash);
     }
     if (divergence.bodyTick() < 0 && !decided) {
       findBody();
+    }
+  }
+
+  private void diverge(long hash) {
+    decided = false;
+    for (Divergence known : divergences) {
+      if (known.tick() == simulation.tick()) {
+        divergence = known; // found before somebody jumped back
+        decided = true;
+        return;
+      }
+    }
+    divergence = new Divergence(simulation.tick(), reader.hash(), hash);
+    if (divergences.size() < MAX_DIVERGENCES) {
+      divergences.add(divergence);
     }
   }
 
@@ -167,7 +194,7 @@ public final class Replay {
       throw contradicts("a keyframe of tick " + reader.keyframeTick() + " comes");
     }
     if (divergence == null && reader.hash() != simulation.stateHash()) {
-      divergence = new Divergence(simulation.tick(), reader.hash(), simulation.stateHash());
+      diverge(simulation.stateHash());
     }
     if (divergence != null && !decided) {
       divergence.keyframe(simulation, reader);
@@ -175,17 +202,27 @@ public final class Replay {
     }
   }
 
-  /** Begins from a state, or compares it with the one computed. */
+  /** Begins from a state, compares it with the one computed, or goes on from it if that differs. */
   private void state() throws RecordingException {
     if (computing) {
       if (reader.stateTick() != simulation.tick()) {
         throw contradicts("a state of tick " + reader.stateTick() + " comes");
       }
       if (divergence == null && reader.hash() != simulation.stateHash()) {
-        divergence = new Divergence(simulation.tick(), reader.hash(), simulation.stateHash());
+        diverge(simulation.stateHash());
       }
-      return;
+      if (divergence == null) {
+        return;
+      }
+      divergence.endsAt(simulation.tick());
+      divergence = null;
     }
+    take();
+    computing = true;
+    firstTick = Math.min(firstTick, simulation.tick());
+  }
+
+  private void take() throws RecordingException {
     try {
       simulation.restore(simulation.read(reader.state()));
     } catch (ArchiveException e) {
@@ -197,8 +234,6 @@ public final class Replay {
               "the state of tick %d has hash %016x, it has %016x",
               reader.stateTick(), reader.hash(), simulation.stateHash()));
     }
-    computing = true;
-    firstTick = Math.min(firstTick, simulation.tick());
   }
 
   /**
@@ -223,6 +258,7 @@ public final class Replay {
     }
     computing = false;
     inTick = false;
+    divergence = null;
     if (reader.next() != RecordingReader.Event.STATE) {
       throw contradicts("a state comes, but it is torn");
     }
@@ -250,24 +286,42 @@ public final class Replay {
     return reader.header();
   }
 
-  /** The first difference, or null when there has been none. */
+  /** The first difference found, or null when there has been none. */
   public Divergence divergence() {
-    return divergence;
+    return divergences.isEmpty() ? null : divergences.get(0);
   }
 
-  /** Whether {@link #divergence} tells all that can be found out: going on makes no sense. */
+  /**
+   * The first difference of each stretch between two whole states that was played and diverged, as
+   * they were found; {@value #MAX_DIVERGENCES} at most.
+   */
+  public List<Divergence> divergences() {
+    return List.copyOf(divergences);
+  }
+
+  /** How many ticks were computed with the hash that was recorded. */
+  public int equalTicks() {
+    return equalTicks;
+  }
+
+  /**
+   * Whether {@link #divergence} tells all that can be found out; going on finds out only whether
+   * what follows the next whole state is equal.
+   */
   public boolean isDecided() {
-    return decided;
+    return divergences.size() > 1 || (!divergences.isEmpty() && (decided || divergence == null));
   }
 
   /** A tick to come back to: memory of the size of the world's state. */
   public static final class Mark {
     private final SimState state;
     private final RecordingReader.Mark place;
+    private final Divergence divergence;
 
-    private Mark(SimState state, RecordingReader.Mark place) {
+    private Mark(SimState state, RecordingReader.Mark place, Divergence divergence) {
       this.state = state;
       this.place = place;
+      this.divergence = divergence;
     }
 
     /** The tick it stands for. */
@@ -287,7 +341,7 @@ public final class Replay {
    * @throws IllegalStateException unless {@link #canMark}
    */
   public Mark mark() {
-    return new Mark(simulation.save(null), reader.mark());
+    return new Mark(simulation.save(null), reader.mark(), divergence);
   }
 
   /**
@@ -297,6 +351,8 @@ public final class Replay {
   public void reset(Mark mark) {
     simulation.restore(mark.state);
     reader.reset(mark.place);
+    divergence = mark.divergence;
+    decided = divergence != null;
     inTick = false;
     computing = true;
   }

@@ -15,6 +15,7 @@ import carom.game.Games;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.transport.Impairment;
 import carom.server.recording.RotatingRecording;
+import carom.server.recording.RotationLimit;
 import carom.sim.Input;
 import carom.sim.Level;
 import carom.sim.Player;
@@ -146,8 +147,9 @@ final class ReplayTest {
                 files.add(folder.resolve("rotated" + files.size() + ".carom"));
                 return files.get(files.size() - 1);
               },
+              new RotationLimit(2, 0),
               2);
-      stepper.room().record(recording, 120);
+      stepper.room().record(recording);
       for (int i = 0; i < 4; i++) {
         stepper.add(bot(i), BAD, new Bot(Stepper.SEED + i));
       }
@@ -268,6 +270,37 @@ final class ReplayTest {
     Fingerprint.read(two.body(), bits);
     assertArrayEquals(new Divergence.Difference(0, "", bits, bits).recorded(), body.recorded());
     assertEquals(truth.stateHash(), found.recordedHash());
+  }
+
+  /** Two inputs in two minutes: each spoils its minute, and the whole states between are equal. */
+  @Test
+  void everyStretchThatDivergedIsFound() throws Exception {
+    int minute = Recorder.STATE_SECONDS * 60;
+    Blocks whole = duel(3 * minute + 10);
+    Blocks changed =
+        whole.withInput(217, 1, 1L << 16).withInput(2 * minute + 5, 1, 1L << 16);
+    try (RecordingReader reader = RecordingReader.open(changed.write(folder.resolve("2.carom")))) {
+      Replay replay = new Replay(reader);
+      Replay.Mark before = null;
+      while (replay.step() == Replay.Progress.TICK) {
+        if (before == null && replay.simulation().tick() > 100 && replay.canMark()) {
+          before = replay.mark();
+        }
+      }
+      assertEquals(
+          List.of(217, 2 * minute + 5),
+          replay.divergences().stream().map(Divergence::tick).toList());
+      assertEquals(
+          List.of(minute, 3 * minute),
+          replay.divergences().stream().map(Divergence::endTick).toList());
+      assertEquals(217, replay.divergence().tick());
+      assertEquals(216 + minute + 4 + 10, replay.equalTicks());
+      replay.reset(before);
+      while (replay.step() == Replay.Progress.TICK) {
+        // once more the same
+      }
+      assertEquals(2, replay.divergences().size());
+    }
   }
 
   @Test

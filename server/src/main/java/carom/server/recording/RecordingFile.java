@@ -161,6 +161,11 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
     return cut;
   }
 
+  /** How many bytes the disk has. Any thread. */
+  long writtenBytes() {
+    return writtenBytes;
+  }
+
   /** Where it is written to. */
   public Path path() {
     return path;

@@ -19,6 +19,7 @@ public final class RotatingRecording implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(RotatingRecording.class);
 
   private final Supplier<Path> names;
+  private final RotationLimit limit;
   private final int keep;
   private final ArrayDeque<RecordingFile> files = new ArrayDeque<>();
 
@@ -26,10 +27,12 @@ public final class RotatingRecording implements AutoCloseable {
    * Creates no file yet.
    *
    * @param names another name for each file
+   * @param limit how long or large each gets
    * @param keep how many files to keep, the one being written included; 0 = all
    */
-  public RotatingRecording(Supplier<Path> names, int keep) {
+  public RotatingRecording(Supplier<Path> names, RotationLimit limit, int keep) {
     this.names = names;
+    this.limit = limit;
     this.keep = keep;
   }
 
@@ -51,6 +54,16 @@ public final class RotatingRecording implements AutoCloseable {
       }
     }
     return file;
+  }
+
+  /**
+   * Whether another file is due.
+   *
+   * @param seconds of the game in the newest one
+   */
+  public boolean isFull(double seconds) {
+    RecordingFile newest = files.peekLast();
+    return newest != null && limit.isReached(seconds, newest.writtenBytes());
   }
 
   /** Closes the files that are still being written. */

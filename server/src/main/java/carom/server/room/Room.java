@@ -180,13 +180,12 @@ public final class Room {
    * Records the game into one file after the other, from now on; before the first {@link #doWork}.
    *
    * @param files stay the caller's to close
-   * @param ticks how many go into a file, at least 1
    * @throws IOException when the first file can't be created
    * @throws IllegalArgumentException when the game {@linkplain carom.sim.Game#keepsMore keeps more}
    *     than its state, so that only one file can begin
    */
-  public void record(RotatingRecording files, int ticks) throws IOException {
-    recording.begin(files, ticks);
+  public void record(RotatingRecording files) throws IOException {
+    recording.begin(files);
   }
 
   /**

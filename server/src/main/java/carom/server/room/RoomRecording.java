@@ -35,8 +35,8 @@ final class RoomRecording {
   private Recorder recorder;
   private BlockSink sink;
   private RotatingRecording rotation;
-  private int rotationTicks;
-  private int rotateAt;
+  private int begunAt;
+  private boolean toldLeftOut;
 
   /** An operator's file while it is recorded to; null without. */
   private RecordingFile file;
@@ -63,19 +63,19 @@ final class RoomRecording {
         new Recorder(
             simulation, RecordingHeader.of(simulation, seed, Protocol.physicsDigest()), newSink);
     sink = newSink;
+    begunAt = simulation.tick();
+    toldLeftOut = false;
     simulation.journal(recorder);
   }
 
-  /** Begins, see {@link Room#record(RotatingRecording, int)}. */
-  void begin(RotatingRecording files, int ticks) throws IOException {
+  /** Begins, see {@link Room#record(RotatingRecording)}. */
+  void begin(RotatingRecording files) throws IOException {
     if (simulation.game().keepsMore()) {
       throw new IllegalArgumentException(
           "game=" + simulation.game().name() + " can be recorded into one file only");
     }
     begin(files.next());
     rotation = files;
-    rotationTicks = ticks;
-    rotateAt = simulation.tick() + ticks;
   }
 
   /**
@@ -144,7 +144,14 @@ final class RoomRecording {
       forget();
       counters.add(Counter.RECORDINGS_CUT, 1);
       LOG.error("{}the recording ends at tick {}; the game goes on", label, simulation.tick());
-    } else if (rotation != null && simulation.tick() >= rotateAt) {
+      return;
+    }
+    if (recorder.leftOut() != null && !toldLeftOut) {
+      toldLeftOut = true;
+      LOG.warn("{}the recording leaves whole states out: {}", label, recorder.leftOut());
+    }
+    double seconds = (simulation.tick() - begunAt) / (double) simulation.tickRate();
+    if (rotation != null && rotation.isFull(seconds)) {
       rotate();
     }
   }
@@ -153,7 +160,6 @@ final class RoomRecording {
     recorder.end("ROTATED");
     try {
       begin(rotation.next());
-      rotateAt = simulation.tick() + rotationTicks;
     } catch (IOException | IllegalArgumentException e) {
       LOG.error("{}no recording from tick {} on: {}", label, simulation.tick(), e.toString());
       forget();
