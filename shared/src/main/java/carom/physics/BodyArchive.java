@@ -1,6 +1,7 @@
 package carom.physics;
 
 import carom.physics.archive.Archive;
+import carom.physics.dynamics.DynamicsState;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.MassData;
 import carom.physics.geometry.Shape;
@@ -15,6 +16,9 @@ final class BodyArchive {
   private final Palette<Shape> shapes = new Palette<>(BodyArchive::same);
   private final Palette<Material> materials = new Palette<>(Material::equals);
   private final Palette<Filter> filters = new Palette<>(Filter::equals);
+
+  /** Of all shapes that were read so far. */
+  private long parts;
 
   BodyArchive(Archive a) {
     this.a = a;
@@ -37,6 +41,12 @@ final class BodyArchive {
               materials.pass(a, "material", d == null ? null : d.material(), this::pass),
               filters.pass(a, "filter", d == null ? null : d.filter(), this::pass),
               a.flag("sensor", d != null && d.sensor()));
+      if (a.reads()) {
+        // refused while it is read, before the rest of a file that is made to be slow is looked at
+        parts += passed[i].shape().parts().size();
+        a.require(
+            parts <= DynamicsState.MAX_PARTS, "parts=" + parts + " of all shapes are too many");
+      }
     }
     return passed;
   }

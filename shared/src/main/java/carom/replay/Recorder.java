@@ -73,8 +73,7 @@ public final class Recorder implements Journal {
     lastTick = s.tick();
     lastHash = s.stateHash();
     if (!begins && !writeState(s)) {
-      throw new IllegalArgumentException(
-          "the state can't be stored: " + leftOut);
+      throw new IllegalArgumentException("the state can't be stored: " + leftOut);
     }
     writeKeyframe(s);
     int gap = STATE_SECONDS * s.tickRate();
@@ -182,7 +181,12 @@ public final class Recorder implements Journal {
     if (archive.length() > Block.MAX_STATE_BYTES - STATE_HEAD) {
       int most = Block.MAX_STATE_BYTES - STATE_HEAD;
       leftOut =
-          "tick=" + lastTick + ": bytes=" + archive.length() + " are more than " + most
+          "tick="
+              + lastTick
+              + ": bytes="
+              + archive.length()
+              + " are more than "
+              + most
               + ", so a replay can't begin there; fewer bodies make it smaller";
       return false;
     }

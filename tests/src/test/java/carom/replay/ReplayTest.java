@@ -277,8 +277,7 @@ final class ReplayTest {
   void everyStretchThatDivergedIsFound() throws Exception {
     int minute = Recorder.STATE_SECONDS * 60;
     Blocks whole = duel(3 * minute + 10);
-    Blocks changed =
-        whole.withInput(217, 1, 1L << 16).withInput(2 * minute + 5, 1, 1L << 16);
+    Blocks changed = whole.withInput(217, 1, 1L << 16).withInput(2 * minute + 5, 1, 1L << 16);
     try (RecordingReader reader = RecordingReader.open(changed.write(folder.resolve("2.carom")))) {
       Replay replay = new Replay(reader);
       Replay.Mark before = null;

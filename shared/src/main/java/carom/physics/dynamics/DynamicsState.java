@@ -9,7 +9,7 @@ import carom.physics.geometry.MassData;
  */
 public final class DynamicsState {
   /** Most parts of all bodies together that are read: what bounds the memory they take. */
-  private static final int MAX_PARTS = 1 << 20;
+  public static final int MAX_PARTS = 1 << 20;
 
   final BodyStore bodies = new BodyStore();
   final ShapeTable parts = new ShapeTable();

@@ -3,6 +3,7 @@ package carom.physics.geometry;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 
@@ -68,7 +69,6 @@ public final class Chain extends Shape {
     return chain;
   }
 
-  /** Compares all pairs of segments; chains are short and made seldom. */
   private void refuseCrossings() {
     int points = xy.length / 2;
     int count = parts.size();
@@ -80,15 +80,58 @@ public final class Chain extends Shape {
         throw new IllegalArgumentException(
             "chain segment=" + next + " turns back on segment=" + i + "; leave a gap between them");
       }
-      for (int j = i + 2; j < count; j++) {
-        int end = (j + 1) % points;
-        if (side(i, middle, j) * side(i, middle, end) < 0
-            && side(j, end, i) * side(j, end, middle) < 0) {
-          throw new IllegalArgumentException(
-              "chain segment=" + i + " crosses segment=" + j + "; make it two chains");
+    }
+    // Only segments beside each other can cross: of a line of ground, few.
+    int axis = extent(0) >= extent(1) ? 0 : 1;
+    long[] byLowEnd = new long[count];
+    for (int i = 0; i < count; i++) {
+      int bits = Float.floatToIntBits(low(i, axis) + 0f); // no minus zero
+      byLowEnd[i] = (long) (bits ^ (bits >> 31 & Integer.MAX_VALUE)) << 32 | i;
+    }
+    Arrays.sort(byLowEnd);
+    for (int k = 0; k < count; k++) {
+      int i = (int) byLowEnd[k];
+      float end = high(i, axis);
+      for (int l = k + 1; l < count && low((int) byLowEnd[l], axis) <= end; l++) {
+        int j = (int) byLowEnd[l];
+        if (low(i, 1 - axis) <= high(j, 1 - axis) && low(j, 1 - axis) <= high(i, 1 - axis)) {
+          refuseCrossing(Math.min(i, j), Math.max(i, j));
         }
       }
     }
+  }
+
+  private void refuseCrossing(int i, int j) {
+    int points = xy.length / 2;
+    int middle = (i + 1) % points;
+    int end = (j + 1) % points;
+    if (j > i + 1
+        && side(i, middle, j) * side(i, middle, end) < 0
+        && side(j, end, i) * side(j, end, middle) < 0) {
+      throw new IllegalArgumentException(
+          "chain segment=" + i + " crosses segment=" + j + "; make it two chains");
+    }
+  }
+
+  private float low(int segment, int axis) {
+    int next = (segment + 1) % (xy.length / 2);
+    return Math.min(xy[2 * segment + axis], xy[2 * next + axis]);
+  }
+
+  private float high(int segment, int axis) {
+    int next = (segment + 1) % (xy.length / 2);
+    return Math.max(xy[2 * segment + axis], xy[2 * next + axis]);
+  }
+
+  /** How far the points reach along an axis, m. */
+  private float extent(int axis) {
+    float least = Float.POSITIVE_INFINITY;
+    float most = Float.NEGATIVE_INFINITY;
+    for (int at = axis; at < xy.length; at += 2) {
+      least = Math.min(least, xy[at]);
+      most = Math.max(most, xy[at]);
+    }
+    return most - least;
   }
 
   /** Above 0 if a point is on the left of a line through two others, below if on the right. */

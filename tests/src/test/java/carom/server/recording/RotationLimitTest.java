@@ -21,7 +21,12 @@ class RotationLimitTest {
 
   @ParameterizedTest
   @CsvSource({
-    "0,0,0", "1,60,0", "1440,86400,0", "1M,0,1048576", "256M,0,268435456", "2G,0,2147483648"
+    "0,0,0",
+    "1,60,0",
+    "1440,86400,0",
+    "1M,0,1048576",
+    "256M,0,268435456",
+    "2G,0,2147483648"
   })
   void minutesAndSizesAreRead(String text, int seconds, long bytes) {
     assertEquals(new RotationLimit(seconds, bytes), RotationLimit.parse(text));
