@@ -186,6 +186,20 @@ public final class SessionView implements Interest {
     return mayKnow(frame, slot);
   }
 
+  @Override
+  public long stay(FrameState frame, int word, long slots) {
+    if (!everything) {
+      return Interest.super.stay(frame, word, slots);
+    }
+    long result = slots;
+    for (long rest = slots; rest != 0; rest &= rest - 1) {
+      int slot = (word << 6) + Long.numberOfTrailingZeros(rest);
+      boolean near = FrameCapture.audience(frame, slot) == Audience.NEAR;
+      result ^= near || sees(frame, slot, true) ? 0 : Long.lowestOneBit(rest);
+    }
+    return result;
+  }
+
   /**
    * Whether the player is told of an event: whose doing it is always, others as the game says; of
    * what is near, if the place is in sight and neither who is in it nor whose doing it is was

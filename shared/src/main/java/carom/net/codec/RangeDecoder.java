@@ -1,5 +1,9 @@
 package carom.net.codec;
 
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
+import java.nio.ByteOrder;
+
 /**
  * Reads what {@link RangeEncoder} wrote. Total: behind the end it reads zeros, and any bytes decode
  * to something; whether they are what an encoder would have written is told by {@link #finished}.
@@ -10,6 +14,9 @@ public final class RangeDecoder extends BitCoder {
   /** An encoder drops zeros at its end, but never so many of them by chance. */
   private static final int MAX_MISSING = 64;
 
+  private static final VarHandle LONGS =
+      MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.BIG_ENDIAN);
+
   private byte[] bytes = new byte[0];
   private int start;
   private int limit;
@@ -17,8 +24,7 @@ public final class RangeDecoder extends BitCoder {
   private int missing;
   private boolean failed;
 
-  // The encoder's interval, and how far from its begin the message is: unsigned.
-  private long low;
+  // How long the encoder's interval is, and how far from its begin the message is: unsigned.
   private long range = -1;
   private long ahead;
 
@@ -28,6 +34,9 @@ public final class RangeDecoder extends BitCoder {
   private long width = SliceWriter.ALL;
   private long first;
   private long rest;
+
+  /** The last 64 bits of the message that were read. */
+  private long read;
 
   /** Creates a reader of nothing; call {@link #reset}. */
   public RangeDecoder() {}
@@ -44,21 +53,29 @@ public final class RangeDecoder extends BitCoder {
     position = offset;
     missing = 0;
     failed = false;
-    low = 0;
     range = -1;
     width = SliceWriter.ALL;
-    ahead = 0;
-    for (int i = 0; i < Long.BYTES; i++) {
-      ahead = ahead << Byte.SIZE | next();
-    }
+    read = next();
+    ahead = read;
+    skip(Long.BYTES);
   }
 
-  private int next() {
-    if (position < limit) {
-      return bytes[position++] & 0xff;
+  /** The next 64 bits, zeros behind the end. */
+  private long next() {
+    if (limit - position >= Long.BYTES) {
+      return (long) LONGS.get(bytes, position);
     }
-    missing++;
-    return 0;
+    long next = 0;
+    for (int i = 0; i < Long.BYTES; i++) {
+      next = next << Byte.SIZE | (position + i < limit ? bytes[position + i] & 0xff : 0);
+    }
+    return next;
+  }
+
+  private void skip(int count) {
+    int there = Math.min(count, limit - position);
+    position += there;
+    missing += count - there;
   }
 
   /**
@@ -106,15 +123,16 @@ public final class RangeDecoder extends BitCoder {
     if (width == SliceWriter.ALL) {
       return;
     }
-    low += first * step;
     ahead -= first * step;
     range = width * step;
     width = SliceWriter.ALL;
-    while (range >>> RangeEncoder.RANGE_BITS == 0) {
-      low <<= RangeEncoder.WORD_BITS;
-      range <<= RangeEncoder.WORD_BITS;
-      int high = next();
-      ahead = ahead << RangeEncoder.WORD_BITS | high << Byte.SIZE | next();
+    int gone = Long.numberOfLeadingZeros(range) & RangeEncoder.WHOLE_WORDS;
+    if (gone != 0) {
+      long next = next() >>> -gone;
+      range <<= gone;
+      ahead = ahead << gone | next;
+      read = read << gone | next;
+      skip(gone / Byte.SIZE);
     }
   }
 
@@ -134,7 +152,7 @@ public final class RangeDecoder extends BitCoder {
    */
   public boolean finished() {
     cut();
-    if (failed || ahead != RangeEncoder.toShortest(low, range)) {
+    if (failed || ahead != RangeEncoder.toShortest(read - ahead, range)) {
       return false;
     }
     // No byte may be left over, and the last one isn't a zero, as the encoder drops those.

@@ -1,12 +1,17 @@
 package carom.net.codec;
 
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
+import java.nio.ByteOrder;
+
 /**
  * Writes bits of known probability into a caller's array, each at the cost of its surprise: an
  * arithmetic coder. The message so far is an interval of fractions, of which 64 bits are at hand;
  * each slice keeps its part of the interval, and words of 16 bits leave when the interval has
- * become so short that they are certain but for a carry.
+ * become so short that they are certain but for a carry, which then runs back through them.
  *
- * <p>What is longer than the room sets a sticky overflow. One thread, no allocation.
+ * <p>What is longer than the room sets a sticky overflow. The caller's array is written at {@link
+ * #finish} only. One thread; allocates only for more room than it ever had.
  */
 public final class RangeEncoder extends SliceWriter {
 
@@ -14,12 +19,23 @@ public final class RangeEncoder extends SliceWriter {
   static final int RANGE_BITS = 48;
 
   static final int WORD_BITS = 16;
-  static final int WORD = (1 << WORD_BITS) - 1;
-  private static final int NONE = -1;
 
-  private byte[] bytes = new byte[0];
+  /** Of a number of leading zeros, those that fill whole words: they leave. */
+  static final int WHOLE_WORDS = RANGE_BITS;
+
+  /** Behind the room: so far a message may go on, as zeros at its end don't count. */
+  private static final int SLACK = 2 * Long.BYTES;
+
+  private static final VarHandle LONGS =
+      MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.BIG_ENDIAN);
+
+  private byte[] target = new byte[0];
   private int start;
-  private int limit;
+  private int room;
+
+  /** What left; bytes from {@link #position} on mean nothing. */
+  private byte[] bytes = new byte[SLACK];
+
   private int position;
   private boolean overflow;
 
@@ -27,18 +43,18 @@ public final class RangeEncoder extends SliceWriter {
   private long low;
   private long range = -1;
 
-  /** The last word that isn't all ones, and how many such follow it: a carry may change them. */
-  private int held = NONE;
-
-  private int fullWords;
+  /** A slice alone. */
+  private final SliceList one = new SliceList();
 
   private int markedPosition;
   private long markedLow;
   private long markedRange;
-  private int markedHeld;
-  private int markedFullWords;
+  private boolean markedOverflow;
   private long markedFirst;
   private long markedWidth;
+
+  /** Whether a carry since the mark ran into what left before it; there is no second one. */
+  private boolean carriedOver;
 
   /** Creates an encoder without room; call {@link #reset}. */
   public RangeEncoder() {}
@@ -49,15 +65,16 @@ public final class RangeEncoder extends SliceWriter {
       throw new IndexOutOfBoundsException(
           "offset=" + offset + " length=" + length + " array=" + bytes.length);
     }
-    this.bytes = bytes;
+    target = bytes;
     start = offset;
-    limit = offset + length;
-    position = offset;
+    room = length;
+    if (this.bytes.length < length + SLACK) {
+      this.bytes = new byte[length + SLACK];
+    }
+    position = 0;
     overflow = false;
     low = 0;
     range = -1;
-    held = NONE;
-    fullWords = 0;
     begin(0, ALL);
     mark();
   }
@@ -67,10 +84,10 @@ public final class RangeEncoder extends SliceWriter {
     markedPosition = position;
     markedLow = low;
     markedRange = range;
-    markedHeld = held;
-    markedFullWords = fullWords;
+    markedOverflow = overflow;
     markedFirst = first();
     markedWidth = width;
+    carriedOver = false;
   }
 
   /** Goes back to the last {@link #mark} and forgets an overflow since. */
@@ -78,10 +95,15 @@ public final class RangeEncoder extends SliceWriter {
     position = markedPosition;
     low = markedLow;
     range = markedRange;
-    held = markedHeld;
-    fullWords = markedFullWords;
-    overflow = false;
+    overflow = markedOverflow;
     begin(markedFirst, markedWidth);
+    if (carriedOver) {
+      int at = position - 1;
+      while (bytes[at]-- == 0) {
+        at--;
+      }
+      carriedOver = false;
+    }
   }
 
   /**
@@ -90,67 +112,54 @@ public final class RangeEncoder extends SliceWriter {
    */
   public int bits() {
     long rest = width == ALL ? range : (range >>> BITS) * width;
-    int words = fullWords + (held == NONE ? 0 : 1);
-    return 8 * (position - start) + WORD_BITS * words + Long.numberOfLeadingZeros(rest);
+    return Byte.SIZE * position + Long.numberOfLeadingZeros(rest);
   }
 
   /** Writes slices that were worked out before, at a cut. */
   public void slices(SliceList list, int from, int to) {
-    for (int i = from; i < to; i++) {
-      slice(list.first(i), list.width(i));
+    long[] numbers = list.numbers();
+    byte[] left = bytes;
+    int most = room + Long.BYTES;
+    long begin = low;
+    long length = range;
+    int at = position;
+    for (int i = 2 * from; i < 2 * to; i += 2) {
+      long step = length >>> BITS;
+      long before = begin;
+      begin += numbers[i] * step;
+      if (Long.compareUnsigned(begin, before) < 0 && !overflow) {
+        carry(at);
+      }
+      length = numbers[i + 1] * step;
+      int leaving = Long.numberOfLeadingZeros(length) & WHOLE_WORDS;
+      LONGS.set(left, at, begin);
+      begin <<= leaving;
+      length <<= leaving;
+      at += leaving / Byte.SIZE;
+      if (at > most) {
+        at = most;
+        overflow = true;
+      }
     }
+    low = begin;
+    range = length;
+    position = at;
   }
 
   @Override
   void slice(long first, long width) {
-    long step = range >>> BITS;
-    add(first * step);
-    range = width * step;
-    while (range >>> RANGE_BITS == 0) {
-      shift();
-      range <<= WORD_BITS;
-    }
+    one.clear();
+    one.slice(first, width);
+    slices(one, 0, 1);
   }
 
-  private void add(long forward) {
-    low += forward;
-    if (Long.compareUnsigned(low, forward) < 0) {
-      carry();
+  /** Adds one to what left. */
+  private void carry(int position) {
+    int at = position - 1;
+    while (++bytes[at] == 0) {
+      at--;
     }
-  }
-
-  private void carry() {
-    held++;
-    if (fullWords > 0) {
-      put(held);
-      for (; fullWords > 1; fullWords--) {
-        put(0);
-      }
-      held = 0;
-      fullWords = 0;
-    }
-  }
-
-  /** The highest word leaves. */
-  private void shift() {
-    int word = (int) (low >>> RANGE_BITS);
-    if (word == WORD && held != NONE) {
-      fullWords++;
-    } else {
-      flush();
-      held = word;
-    }
-    low <<= WORD_BITS;
-  }
-
-  private void flush() {
-    if (held != NONE) {
-      put(held);
-    }
-    for (; fullWords > 0; fullWords--) {
-      put(WORD);
-    }
-    held = NONE;
+    carriedOver |= at < markedPosition;
   }
 
   /**
@@ -160,15 +169,22 @@ public final class RangeEncoder extends SliceWriter {
    */
   public int finish() {
     cut();
-    add(toShortest(low, range));
-    while (low != 0) {
-      shift();
+    long forward = toShortest(low, range);
+    low += forward;
+    if (Long.compareUnsigned(low, forward) < 0 && !overflow) {
+      carry(position);
     }
-    flush();
-    while (!overflow && position > start && bytes[position - 1] == 0) {
-      position--;
+    LONGS.set(bytes, position, low);
+    int length = position + Long.BYTES;
+    while (length > 0 && bytes[length - 1] == 0) {
+      length--;
     }
-    return position - start;
+    if (length > room) {
+      overflow = true;
+      length = room;
+    }
+    System.arraycopy(bytes, 0, target, start, length);
+    return length;
   }
 
   /** How far it is to the number of an interval that has the most zeros at its end, in bytes. */
@@ -182,26 +198,7 @@ public final class RangeEncoder extends SliceWriter {
     return 0;
   }
 
-  private void put(int word) {
-    if (position + 1 < limit) {
-      bytes[position] = (byte) (word >>> Byte.SIZE);
-      bytes[position + 1] = (byte) word;
-      position += 2;
-      return;
-    }
-    putByte(word >>> Byte.SIZE);
-    putByte(word);
-  }
-
-  private void putByte(int octet) {
-    if (position == limit) {
-      overflow |= (octet & 0xff) != 0; // zeros at the end are dropped anyway
-      return;
-    }
-    bytes[position++] = (byte) octet;
-  }
-
-  /** Whether something did not fit since {@link #reset}. */
+  /** Whether something did not fit; of what {@link #finish} adds, after it. */
   public boolean overflow() {
     return overflow;
   }

@@ -54,6 +54,13 @@ public final class EntityHistory {
     return -1;
   }
 
+  /** As {@link #indexAt(int)}, at once if it is a guess. */
+  int indexAt(int tick, int guess) {
+    boolean right =
+        guess >= 0 && guess < size && tick(guess) <= tick && (guess == 0 || tick(guess - 1) > tick);
+    return right ? guess : indexAt(tick);
+  }
+
   /** Tick of an entry. */
   public int tick(int index) {
     return data[at(index) + TICK];

@@ -23,6 +23,7 @@ public final class FrameRing {
   private final EventRing events = new EventRing();
   private final WaitingInputs waiting = new WaitingInputs();
   private final SlotSet asLevel = new SlotSet();
+  private final Changes changes = new Changes(this);
   private Deltas deltas;
   private FrameState level;
   private float gravityX;
@@ -81,9 +82,14 @@ public final class FrameRing {
   /** The deltas that the sessions of a tick rate share. */
   Deltas deltas(int tickRate) {
     if (deltas == null || deltas.tickRate() != tickRate) {
-      deltas = new Deltas(tickRate, gravityX, gravityY);
+      deltas = new Deltas(this, tickRate);
     }
     return deltas;
+  }
+
+  /** What has changed since an older frame. */
+  Changes changes() {
+    return changes;
   }
 
   /** The state that all clients know from the level, or null. */
@@ -165,18 +171,24 @@ public final class FrameRing {
 
   /** The frame of a tick, or null when the ring doesn't hold it. */
   public FrameState at(int tick) {
+    int back = backTo(tick);
+    return back < 0 ? null : back(back);
+  }
+
+  /** How many frames before the newest the frame of a tick is; -1 when the ring has none. */
+  int backTo(int tick) {
     FrameState newest = newest();
     if (newest == null || tick > newest.tick()) {
-      return null;
+      return -1;
     }
     // Without gaps the first look hits; with gaps the frame is nearer to the newest.
     for (int back = Math.min(newest.tick() - tick, count() - 1); back >= 0; back--) {
-      FrameState frame = back(back);
-      if (frame.tick() >= tick) {
-        return frame.tick() == tick ? frame : null;
+      int there = back(back).tick();
+      if (there >= tick) {
+        return there == tick ? back : -1;
       }
     }
-    return null;
+    return -1;
   }
 
   /** Ended frames held. While a frame is being filled, it has taken the oldest one's place. */

@@ -38,6 +38,8 @@ public final class FrameState {
   private final PlayerSet players = new PlayerSet();
   private long[] inputs = {};
   private final SlotSet changed = new SlotSet();
+  private final SlotSet renamed = new SlotSet();
+  private final SlotSet living = new SlotSet();
   private int[] audience = {};
 
   FrameState(int capacity) {
@@ -248,6 +250,8 @@ public final class FrameState {
     identityTick = Arrays.copyOf(identityTick, grown);
     audience = Arrays.copyOf(audience, grown);
     changed.ensure(grown);
+    renamed.ensure(grown);
+    living.ensure(grown);
   }
 
   /** Finds what changed since {@code previous}, the frame before, or null for the first one. */
@@ -272,6 +276,10 @@ public final class FrameState {
       changedTick[slot] = tick;
     }
     changed.addEqual(changedTick, limit, tick);
+    renamed.clear();
+    renamed.addEqual(identityTick, limit, tick);
+    living.clear();
+    living.addNotNegative(kind, limit);
     filling = false;
   }
 
@@ -473,6 +481,16 @@ public final class FrameState {
   /** Whether a slot is the same entity in the same motion in both frames, and alive. */
   boolean sameState(FrameState other, int slot) {
     return sameIdentity(other, slot) && sameMotion(other, slot);
+  }
+
+  /** The slots that hold an entity. */
+  SlotSet living() {
+    return living;
+  }
+
+  /** The slots whose entity, owner or archetype changed in this very tick, or was put elsewhere. */
+  SlotSet renamed() {
+    return renamed;
   }
 
   /** The slots that changed in this very tick. */

@@ -21,6 +21,11 @@ public interface Interest {
         }
 
         @Override
+        public long stay(FrameState frame, int word, long slots) {
+          return slots;
+        }
+
+        @Override
         public float priority(FrameState frame, int slot) {
           return 1;
         }
@@ -42,6 +47,22 @@ public interface Interest {
    *     nothing flickers at the border
    */
   boolean sees(FrameState frame, int slot, boolean known);
+
+  /**
+   * Which of 64 neighbouring entities stay in sight: {@link #sees} for many at once.
+   *
+   * @param frame the newest frame; the slots are alive in it
+   * @param word the slots from 64 {@code word} on
+   * @param slots those that are asked about, all in sight already; the lowest bit is the first
+   */
+  default long stay(FrameState frame, int word, long slots) {
+    long result = 0;
+    for (long rest = slots; rest != 0; rest &= rest - 1) {
+      boolean stays = sees(frame, (word << 6) + Long.numberOfTrailingZeros(rest), true);
+      result |= stays ? Long.lowestOneBit(rest) : 0;
+    }
+    return result;
+  }
 
   /**
    * How much an entity matters, in any unit that is the same for all entities: what doesn't fit the

@@ -9,14 +9,16 @@ import carom.net.codec.Bits;
  * carom.net.codec.RangeEncoder} the same lines write that with a {@link
  * carom.net.codec.RangeDecoder} read. {@code docs/PROTOCOL.md} has the same as tables.
  *
- * <p>A record is its kind, its slot, its content. Kind and slot have nodes in a small table of
- * probabilities. As a datagram must be decodable alone, each begins with the same table, and adapts
- * it as it goes on. One object codes one datagram at a time.
+ * <p>Deltas come in <em>runs</em>: some of 64 neighbouring slots, all against the same tick. What a
+ * run is has nodes in a small table of probabilities. As a datagram must be decodable alone, each
+ * begins with the same table, and adapts it as it goes on. What is behind that doesn't depend on
+ * the datagram: which slots, and their deltas. All other records stand alone: kind, slot, content.
+ * One object codes one datagram at a time.
  */
 final class RecordCodec {
 
-  /** Kinds of records. */
-  static final int DELTA = 0;
+  /** Kinds of records: some deltas, ... */
+  static final int RUN = 0;
 
   static final int ABSOLUTE = 1;
   static final int GONE = 2;
@@ -27,10 +29,11 @@ final class RecordCodec {
 
   static final int AGE_BITS = 6;
 
-  /** Most records of a datagram. */
+  /** Most records of a datagram, each slot of a run counted. */
   static final int MAX_RECORDS = 4_096;
 
   private static final int SLOT_BITS = 16;
+  private static final int WORD_BITS = 10;
   private static final int SHORT_ARCHETYPE_BITS = 6;
   private static final int WIDTH_BITS = 5;
   private static final int ANGLE_BITS = 10;
@@ -38,37 +41,46 @@ final class RecordCodec {
   private static final int MAX_DIGITS = 17;
 
   // Nodes.
-  private static final int STRAIGHT = 0;
-  private static final int AGAIN = STRAIGHT + 2;
-  private static final int END_FIRST = AGAIN + 1;
+  private static final int IS_RUN = 0;
+  private static final int END_FIRST = IS_RUN + 2;
   private static final int END_LATER = END_FIRST + 1;
-  private static final int IS_DELTA = END_LATER + 1;
-  private static final int IS_ABSOLUTE = IS_DELTA + 1;
+  private static final int IS_ABSOLUTE = END_LATER + 1;
   private static final int IS_GONE = IS_ABSOLUTE + 1;
   private static final int SAME_AGE = IS_GONE + 1;
-  private static final int SAME_PROFILE = SAME_AGE + 1;
-  private static final int NEXT = SAME_PROFILE + 1;
-  private static final int BACK = NEXT + 1;
+  private static final int AGE_BEFORE = SAME_AGE + 1;
+  private static final int SAME_PROFILE = AGE_BEFORE + 1;
+  private static final int SAME_DENSITY = SAME_PROFILE + 2;
+  private static final int NEXT_WORD = SAME_DENSITY + 1;
+  private static final int NEXT_SLOT = NEXT_WORD + 1;
+  private static final int BACK = NEXT_SLOT + 1;
   private static final int GAP = BACK + 1;
   private static final int NODES = GAP + MAX_DIGITS - 1;
 
   /** Probabilities of a 1 that a datagram begins with, in percent. */
   private static final int[] PRIOR = {
-    70, 95, 70, 10, 30, 60, 80, 50, 50, 80, 80, 3, 70, 65, 60, 55, 50, 50, 50, 50, 50, 50, 50, 50,
-    50, 50, 50, 50
+    60, 90, 10, 90, 80, 50, 85, 40, 75, 75, 90, 85, 80, 3, 70, 65, 60, 55, 50, 50, 50, 50, 50, 50,
+    50, 50, 50, 50, 50, 50
   };
 
   private final BitTable table = new BitTable(prior());
   private int slot;
+  private int word;
   private int age;
-  private int profile;
+  private int ageBefore;
+  private int lowProfile;
+  private int highProfile;
+  private int density;
   private boolean isFirst;
-  private boolean isStraight;
+  private boolean isRun;
   private int markedSlot;
+  private int markedWord;
   private int markedAge;
-  private int markedProfile;
+  private int markedAgeBefore;
+  private int markedLowProfile;
+  private int markedHighProfile;
+  private int markedDensity;
   private boolean markedFirst;
-  private boolean markedStraight;
+  private boolean markedRun;
 
   private static char[] prior() {
     char[] prior = new char[NODES];
@@ -86,70 +98,55 @@ final class RecordCodec {
   void begin() {
     table.begin();
     slot = -1;
+    word = -1;
     age = 0;
+    ageBefore = 0;
     isFirst = true;
-    isStraight = false;
+    isRun = false;
   }
 
   /** Remembers this place, before a record that may not fit. */
   void mark() {
     table.mark();
     markedSlot = slot;
+    markedWord = word;
     markedAge = age;
-    markedProfile = profile;
+    markedAgeBefore = ageBefore;
+    markedLowProfile = lowProfile;
+    markedHighProfile = highProfile;
+    markedDensity = density;
     markedFirst = isFirst;
-    markedStraight = isStraight;
+    markedRun = isRun;
   }
 
   /** Goes back to the last {@link #mark}. */
   void rewind() {
     table.rewind();
     slot = markedSlot;
+    word = markedWord;
     age = markedAge;
-    profile = markedProfile;
+    ageBefore = markedAgeBefore;
+    lowProfile = markedLowProfile;
+    highProfile = markedHighProfile;
+    density = markedDensity;
     isFirst = markedFirst;
-    isStraight = markedStraight;
+    isRun = markedRun;
   }
 
-  /**
-   * Codes what a record is, and of which {@link #slot}: mostly a delta of the same age and profile
-   * as the one before, of the next slot.
-   *
-   * @param slot nothing, at the end
-   * @param age ticks, of a delta
-   * @param profile of a delta
-   * @return the kind
-   */
-  int head(BitCoder c, int kind, int slot, int age, int profile) {
-    if (this.age > 0) {
-      boolean again = kind == DELTA && age == this.age && profile == this.profile;
-      isStraight = flag(c, STRAIGHT + (isStraight ? 1 : 0), again && slot == this.slot + 1);
-      if (isStraight) {
-        this.slot++;
-        return DELTA;
-      }
-      if (flag(c, AGAIN, again)) {
-        otherSlot(c, slot);
-        return DELTA;
-      }
-    }
-    if (flag(c, isFirst ? END_FIRST : END_LATER, kind == END)) {
+  /** Codes what comes next: of a run its {@link #run} follows, of most others their slot. */
+  int kind(BitCoder c, int kind) {
+    boolean first = isFirst;
+    isFirst = false;
+    // Asked before all else, as an arithmetic code of nothing but yes takes no bytes.
+    if (first && flag(c, END_FIRST, kind == END)) {
       return END;
     }
-    isFirst = false;
-    int result = otherKind(c, kind, age, profile);
-    if (flag(c, NEXT, slot == this.slot + 1)) {
-      this.slot++;
-    } else {
-      otherSlot(c, slot);
+    isRun = flag(c, IS_RUN + (isRun ? 1 : 0), kind == RUN);
+    if (isRun) {
+      return RUN;
     }
-    return result;
-  }
-
-  private int otherKind(BitCoder c, int kind, int age, int profile) {
-    if (flag(c, IS_DELTA, kind == DELTA)) {
-      delta(c, age, profile);
-      return DELTA;
+    if (!first && flag(c, END_LATER, kind == END)) {
+      return END;
     }
     if (flag(c, IS_ABSOLUTE, kind == ABSOLUTE)) {
       return ABSOLUTE;
@@ -157,39 +154,75 @@ final class RecordCodec {
     return flag(c, IS_GONE, kind == GONE) ? GONE : OUT_OF_SIGHT;
   }
 
-  private void delta(BitCoder c, int newAge, int newProfile) {
-    boolean firstDelta = age == 0;
-    if (firstDelta || !flag(c, SAME_AGE, newAge == age)) {
-      age = c.plain(newAge, AGE_BITS);
-      if (!firstDelta && flag(c, SAME_PROFILE, newProfile == profile)) {
-        return;
-      }
+  /**
+   * Codes what all of a run have in common, mostly the same as of the run before, but the next 64
+   * slots.
+   *
+   * @param word the 64 slots from 64 {@code word} on
+   * @param age ticks
+   * @param low profile of the lower 32 slots, see {@link Profiles}
+   * @param high profile of the others
+   * @param density of {@link SlotCodec}
+   */
+  void run(BitCoder c, int word, int age, int low, int high, int density) {
+    boolean firstRun = this.age == 0;
+    if (firstRun || !flag(c, SAME_AGE, age == this.age)) {
+      int other = ageBefore;
+      ageBefore = this.age;
+      boolean before = other > 0 && flag(c, AGE_BEFORE, age == other);
+      this.age = before ? other : c.plain(age, AGE_BITS);
     }
-    profile = c.plain(newProfile, Profiles.BITS);
+    boolean same = !firstRun && flag(c, SAME_PROFILE, low == highProfile);
+    lowProfile = same ? highProfile : c.plain(low, Profiles.BITS);
+    same = flag(c, SAME_PROFILE + 1, high == lowProfile);
+    highProfile = same ? lowProfile : c.plain(high, Profiles.BITS);
+    if (firstRun || !flag(c, SAME_DENSITY, density == this.density)) {
+      this.density = c.plain(density, SlotCodec.DENSITY_BITS);
+    }
+    if (flag(c, NEXT_WORD, word == this.word + 1)) {
+      this.word++;
+    } else if (flag(c, BACK, word < this.word)) {
+      this.word = c.plain(word, WORD_BITS);
+    } else {
+      this.word += gap(c, word - this.word + 1) - 1;
+    }
   }
 
-  /** Age of the last delta, ticks; of hostile bytes, 0 too. */
+  /** Age of the last run, ticks; of hostile bytes, 0 too. */
   int age() {
     return age;
   }
 
-  /** Profile of the last delta. */
-  int profile() {
-    return profile;
+  /** Profile of the last run's lower 32 slots. */
+  int lowProfile() {
+    return lowProfile;
   }
 
-  /** Slot of the last record. */
-  int slot() {
-    return slot;
+  /** Profile of its others. */
+  int highProfile() {
+    return highProfile;
   }
 
-  /** Codes a slot that isn't the next; mostly they ascend within a datagram. */
-  private void otherSlot(BitCoder c, int value) {
-    if (flag(c, BACK, value <= slot)) {
+  /** Density of the last run. */
+  int density() {
+    return density;
+  }
+
+  /** The last run's slots begin at 64 times that. */
+  int word() {
+    return word;
+  }
+
+  /** Codes the slot of a record that is no run; mostly they ascend within a datagram. */
+  int slot(BitCoder c, int value) {
+    if (flag(c, NEXT_SLOT, value == slot + 1)) {
+      slot++;
+    } else if (flag(c, BACK, value <= slot)) {
       slot = c.plain(value, SLOT_BITS);
     } else {
       slot += 1 + gap(c, value - slot - 1);
     }
+    return slot;
   }
 
   /** A number of at least 1: how many binary digits, then those behind the first. */

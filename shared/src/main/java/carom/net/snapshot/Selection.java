@@ -11,7 +11,10 @@ import java.util.Arrays;
  * view leaves its sight with the first change after that: as long as nothing changes, what the
  * client shows is the truth, and telling it to forget would cost more than letting it remember.
  *
- * <p>One thread, no allocation in the steady state. Memory: 20 bytes per slot of the room.
+ * <p>Most slots have many alike among their neighbours: acked at the same tick, changed since, in
+ * sight. Such are looked at 64 at a time.
+ *
+ * <p>One thread, no allocation in the steady state. Memory: 21 bytes per slot of the room.
  */
 final class Selection {
 
@@ -58,11 +61,17 @@ final class Selection {
   /** Goes where room is left: sizes are known only when written. */
   private final SlotSet spare = new SlotSet();
 
-  private int[] acked = {};
-  private int[] lastSent = {};
+  /** The slots that have collected any weight. */
+  private final SlotSet weighty = new SlotSet();
+
+  private final SlotTicks acked = new SlotTicks();
+  private final SlotTicks lastSent = new SlotTicks();
 
   /** Tick at which the slot came into sight or left it: acks of older records mean nothing. */
   private int[] sightTick = {};
+
+  /** The newest of those by word. */
+  private int[] sightTicks = {};
 
   private float[] weight = {};
   private int[] order = {};
@@ -75,11 +84,10 @@ final class Selection {
   private double wanted;
   private boolean touched;
 
-  // Of the last tick that lastHolding() was asked for: its frame and the one that follows it.
-  private int borderTick = UNKNOWN;
-  private int borderNow = UNKNOWN;
-  private FrameState border;
-  private FrameState behindBorder;
+  // Of the last tick that backTo() was asked for, and its answer.
+  private int askedTick = UNKNOWN;
+  private int askedNow = UNKNOWN;
+  private int askedBack;
   private boolean sawEverything;
   private int waiting;
   private float leastChosen;
@@ -87,6 +95,13 @@ final class Selection {
   private boolean onSpare;
   private float deltaBits = FIRST_DELTA_BITS;
   private float absoluteBits = FIRST_ABSOLUTE_BITS;
+
+  // Of the word at the cursor: those of its slots that are chosen and not given yet, by the frame
+  // they are coded against.
+  private final FrameState[] groupHeld = new FrameState[FrameRing.SIZE];
+  private final long[] groupSlots = new long[FrameRing.SIZE];
+  private int groups;
+  private long runSlots;
 
   // The answer of baseline(), besides its reason.
   private FrameState held;
@@ -99,10 +114,12 @@ final class Selection {
 
   /** The client knows nothing but the level. */
   void reset() {
-    Arrays.fill(acked, UNKNOWN);
-    Arrays.fill(lastSent, UNKNOWN);
+    acked.clear();
+    lastSent.clear();
     Arrays.fill(sightTick, 0);
+    Arrays.fill(sightTicks, 0);
     Arrays.fill(weight, 0);
+    weighty.clear();
     inSight.clear();
     told.clear();
     candidates.clear();
@@ -111,7 +128,7 @@ final class Selection {
     spare.clear();
     waiting = 0;
     seenTick = -1;
-    borderNow = UNKNOWN;
+    askedNow = UNKNOWN;
     learnLevel();
   }
 
@@ -129,22 +146,23 @@ final class Selection {
       if (level.alive(slot)) {
         inSight.add(slot);
         told.add(slot);
-        acked[slot] = ring.asLevel().has(slot) ? tick : UNKNOWN;
       }
+    }
+    SlotSet same = ring.asLevel();
+    for (int word = same.nextWord(0); word >= 0; word = same.nextWord(word + 1)) {
+      acked.raise(word, same.word(word), tick);
     }
   }
 
   private void ensure(int length) {
-    if (length <= acked.length) {
+    if (length <= weight.length) {
       return;
     }
-    int old = acked.length;
-    int grown = Math.max(MIN_LENGTH, Math.max(length, 2 * old));
-    acked = Arrays.copyOf(acked, grown);
-    Arrays.fill(acked, old, grown, UNKNOWN);
-    lastSent = Arrays.copyOf(lastSent, grown);
-    Arrays.fill(lastSent, old, grown, UNKNOWN);
+    int grown = Math.max(MIN_LENGTH, Math.max(length, 2 * weight.length)) + 63 & -64;
+    acked.ensure(grown);
+    lastSent.ensure(grown);
     sightTick = Arrays.copyOf(sightTick, grown);
+    sightTicks = Arrays.copyOf(sightTicks, grown >> 6);
     weight = Arrays.copyOf(weight, grown);
     order = new int[grown];
     inSight.ensure(grown);
@@ -153,21 +171,43 @@ final class Selection {
     forced.ensure(grown);
     chosen.ensure(grown);
     spare.ensure(grown);
+    weighty.ensure(grown);
   }
 
   // ---- what the client knows
 
-  /** The client has received what was written of the slot at a tick. */
-  void ack(int slot, int tick) {
-    if (tick < sightTick[slot]) {
-      return;
+  /** The client has received what was written of some of 64 slots at a tick. */
+  void ack(int word, long slots, int tick) {
+    long meant = slots;
+    if (tick < sightTicks[word]) {
+      for (long rest = slots; rest != 0; rest &= rest - 1) {
+        int slot = (word << 6) + Long.numberOfTrailingZeros(rest);
+        meant ^= tick < sightTick[slot] ? Long.lowestOneBit(rest) : 0;
+      }
+    }
+    long shown = meant & inSight.word(word);
+    told.removeWord(word, meant ^ shown);
+    if (shown != 0) {
+      acked.raise(word, shown | steady(word, acked.layer(word) & ~shown, tick), tick);
     }
     touched = true;
-    if (inSight.has(slot)) {
-      acked[slot] = Math.max(acked[slot], tick);
-    } else {
-      told.remove(slot);
+  }
+
+  /**
+   * Those of a layer that were not told, as they had not changed up to a tick: what the client
+   * holds of them is true of that tick, too, and they stay with the others.
+   */
+  private long steady(int word, long slots, int tick) {
+    if (slots == 0 || acked.layerTick(word) >= tick) {
+      return 0;
     }
+    int to = ring.backTo(tick);
+    int from = to < 0 ? -1 : ring.backTo(acked.layerTick(word));
+    long rest = from < 0 ? 0 : slots & inSight.word(word);
+    for (int back = to; back < from; back++) {
+      rest &= ~ring.back(back).changed().word(word);
+    }
+    return rest;
   }
 
   /** The slot's next record is absolute, whatever was acked. */
@@ -191,19 +231,31 @@ final class Selection {
     return inSight.has(slot);
   }
 
-  /** A record of the slot was written. */
+  /** A record of the slot was written that isn't part of a run. */
   void wrote(int slot, int tick, int bits) {
-    if (held != null) {
-      deltaBits += (bits - deltaBits) * SIZE_SHARE;
-    } else if (isShown(slot)) {
+    if (isShown(slot)) {
       absoluteBits += (bits - absoluteBits) * SIZE_SHARE;
     }
-    told.add(slot);
-    lastSent[slot] = tick;
-    weight[slot] = 0;
-    forced.remove(slot);
-    (onSpare ? spare : chosen).remove(slot);
-    waiting--;
+    wrote(slot >> 6, 1L << slot, tick);
+  }
+
+  /** Some of 64 slots were written as a run. */
+  void wroteRun(int word, long slots, int tick, int bits) {
+    int deltas = Long.bitCount(slots);
+    deltaBits += ((float) bits / deltas - deltaBits) * Math.min(1, deltas * SIZE_SHARE);
+    wrote(word, slots, tick);
+  }
+
+  private void wrote(int word, long slots, int tick) {
+    told.addWord(word, slots);
+    lastSent.raise(word, slots, tick);
+    for (long rest = slots & weighty.word(word); rest != 0; rest &= rest - 1) {
+      weight[(word << 6) + Long.numberOfTrailingZeros(rest)] = 0;
+    }
+    weighty.removeWord(word, slots);
+    forced.removeWord(word, slots);
+    (onSpare ? spare : chosen).removeWord(word, slots);
+    waiting -= Long.bitCount(slots);
     touched = true;
   }
 
@@ -223,13 +275,55 @@ final class Selection {
     touched = false;
     count = 0;
     wanted = 0;
-    for (int slot = candidates.next(0); slot >= 0; slot = candidates.next(slot + 1)) {
-      if (isNews(now, slot)) {
-        count++;
-        wanted += expectedBits(now, slot);
+    for (int word = candidates.nextWord(0); word >= 0; word = candidates.nextWord(word + 1)) {
+      for (long rest = update(now, word); rest != 0; rest &= rest - 1) {
+        int slot = (word << 6) + Long.numberOfTrailingZeros(rest);
+        if (isNews(now, slot)) {
+          count++;
+          wanted += expectedBits(now, slot);
+        }
       }
     }
     return count;
+  }
+
+  /** Looks at what is as most in a word; answers those that are to be looked at one by one. */
+  private long update(FrameState now, int word) {
+    long all = candidates.word(word);
+    long known = all & known(now, word);
+    if (known == 0) {
+      return all;
+    }
+    long changed = known & ring.changes().since(backTo(acked.layerTick(word)), word);
+    candidates.removeWord(word, known ^ changed);
+    long seen = interest.stay(now, word, changed);
+    int news = Long.bitCount(seen);
+    count += news;
+    wanted += news * deltaBits;
+    return all & ~known | changed & ~seen;
+  }
+
+  /**
+   * Those of a word that are alive and in sight, and that the client holds as of the tick of its
+   * layer, of which the ring has the frame.
+   */
+  private long known(FrameState now, int word) {
+    long layer = acked.layer(word);
+    if (layer == 0 || backTo(acked.layerTick(word)) < 0) {
+      return 0;
+    }
+    return layer & inSight.word(word) & now.living().word(word) & ~forced.word(word);
+  }
+
+  /** As {@link FrameRing#backTo}; mostly for the tick that was asked for before. */
+  private int backTo(int tick) {
+    int now = ring.newest().tick();
+    if (tick != askedTick || now != askedNow) {
+      askedTick = tick;
+      askedNow = now;
+      askedBack = ring.backTo(tick);
+    }
+    return askedBack;
   }
 
   /** As {@link #update}, whose last answer is good as long as nothing has happened since. */
@@ -239,14 +333,6 @@ final class Selection {
 
   /** Whether there is something to say about a candidate; if not, it is none any more. */
   private boolean isNews(FrameState now, int slot) {
-    // Most are like this: known, alive, changed, and staying in sight.
-    if (acked[slot] >= 0
-        && acked[slot] < now.changedTick(slot)
-        && inSight.has(slot)
-        && now.alive(slot)
-        && interest.sees(now, slot, true)) {
-      return true;
-    }
     look(now, slot);
     if (!isSettled(now, slot)) {
       return true;
@@ -301,7 +387,8 @@ final class Selection {
     }
     if (interest.sees(now, slot, known) != known) {
       sightTick[slot] = now.tick();
-      acked[slot] = UNKNOWN;
+      sightTicks[slot >> 6] = now.tick();
+      acked.set(slot, UNKNOWN);
       if (known) {
         inSight.remove(slot);
       } else {
@@ -319,7 +406,7 @@ final class Selection {
       return true;
     }
     boolean force = forced.has(slot) && now.alive(slot);
-    return acked[slot] >= now.changedTick(slot) && !force;
+    return acked.get(slot) >= now.changedTick(slot) && !force;
   }
 
   /**
@@ -330,18 +417,7 @@ final class Selection {
    */
   Baseline baseline(FrameState now, int slot) {
     held = null;
-    if (slot >= acked.length) {
-      return Baseline.QUIESCENT;
-    }
-    int ackedTick = acked[slot];
-    if (ackedTick >= 0
-        && ackedTick < now.changedTick(slot)
-        && inSight.has(slot)
-        && now.alive(slot)
-        && !forced.has(slot)) {
-      return against(now, slot, ackedTick); // as most are
-    }
-    if (isSettled(now, slot)) {
+    if (slot >= weight.length || isSettled(now, slot)) {
       return Baseline.QUIESCENT;
     }
     if (!inSight.has(slot)) {
@@ -353,6 +429,7 @@ final class Selection {
     if (forced.has(slot)) {
       return Baseline.FORCED;
     }
+    int ackedTick = acked.get(slot);
     return ackedTick < 0 ? Baseline.NEW : against(now, slot, ackedTick);
   }
 
@@ -378,16 +455,6 @@ final class Selection {
 
   /** The newest frame in which the slot is as in the acked tick, or null when the ring has none. */
   private FrameState lastHolding(int slot, int ackedTick) {
-    int now = ring.newest().tick();
-    if (ackedTick != borderTick || now != borderNow) {
-      borderTick = ackedTick;
-      borderNow = now;
-      border = ring.at(ackedTick);
-      behindBorder = ring.at(ackedTick + 1);
-    }
-    if (behindBorder != null && behindBorder.changedTick(slot) > ackedTick) {
-      return border;
-    }
     // changedTick only grows from frame to frame: search the border between "still as acked" and
     // "changed".
     int holds = ring.count();
@@ -433,6 +500,7 @@ final class Selection {
     weighedTick = now.tick();
     for (int slot = candidates.next(0); slot >= 0; slot = candidates.next(slot + 1)) {
       weight[slot] += ticks * priority(now, slot);
+      weighty.add(slot);
     }
   }
 
@@ -442,7 +510,7 @@ final class Selection {
       return 1;
     }
     float priority = interest.priority(now, slot);
-    if (acked[slot] < 0 || forced.has(slot)) {
+    if (acked.get(slot) < 0 || forced.has(slot)) {
       return priority * NEWS;
     }
     return (now.vx(slot) | now.vy(slot) | now.omega(slot)) == 0 ? priority * REST : priority;
@@ -452,7 +520,7 @@ final class Selection {
     if (!inSight.has(slot) || !now.alive(slot)) {
       return FAREWELL_BITS;
     }
-    return acked[slot] < 0 ? absoluteBits : deltaBits;
+    return acked.get(slot) < 0 ? absoluteBits : deltaBits;
   }
 
   /** A counting sort by classes of weight: linear. */
@@ -493,23 +561,112 @@ final class Selection {
     return chosen.next(0) >= 0 || spare.next(0) >= 0;
   }
 
-  /** Begins a datagram: {@link #next} starts again with what isn't written yet. */
+  /** Begins a datagram: all that isn't written yet is given again, those that must go first. */
   void rewind() {
-    cursor = 0;
     onSpare = false;
+    cursor = 0;
+  }
+
+  /** Goes on to what is given if room is left. */
+  void toSpare() {
+    onSpare = true;
+    cursor = 0;
+  }
+
+  /** Goes on to runs, of those that must go first or of the spare ones. */
+  void toRuns() {
+    cursor = 0;
+    groups = 0;
   }
 
   /**
-   * The next slot to be written, ascending, then the spare ones; {@link SlotSet#NONE} at the end.
+   * The next slot, ascending, that is to be written alone, as it has no {@link #held} frame; {@link
+   * SlotSet#NONE} at the end.
    */
-  int next() {
-    int slot = onSpare ? SlotSet.NONE : chosen.next(cursor);
-    if (slot < 0) {
-      slot = spare.next(onSpare ? cursor : 0);
-      onSpare = true;
+  int nextSingle(FrameState now) {
+    SlotSet from = onSpare ? spare : chosen;
+    for (int slot = from.next(cursor); slot >= 0; slot = from.next(slot + 1)) {
+      int word = slot >> 6;
+      long alone = from.word(word) & ~plain(now, word) & -1L << slot;
+      for (; alone != 0; alone &= alone - 1) {
+        slot = (word << 6) + Long.numberOfTrailingZeros(alone);
+        if (baseline(now, slot) != Baseline.ACKED) {
+          cursor = slot + 1;
+          return slot;
+        }
+      }
+      slot = word << 6 | 63;
     }
-    cursor = slot + 1;
-    return slot;
+    return SlotSet.NONE;
+  }
+
+  /** Those of a word that are coded against a frame, as is seen at once. */
+  private long plain(FrameState now, int word) {
+    long known = known(now, word);
+    if (known == 0 || now.tick() - acked.layerTick(word) >= FrameRing.SIZE) {
+      return 0;
+    }
+    return known & ~ring.changes().renamedSince(backTo(acked.layerTick(word)), word);
+  }
+
+  /**
+   * Goes to the next run: some of 64 slots that are all coded against the frame {@link #held}.
+   *
+   * @return whether there is one
+   */
+  boolean nextRun(FrameState now) {
+    SlotSet from = onSpare ? spare : chosen;
+    while (groups == 0) {
+      int word = from.nextWord(cursor);
+      if (word < 0) {
+        return false;
+      }
+      cursor = word + 1;
+      group(now, word, from.word(word));
+    }
+    groups--;
+    held = groupHeld[groups];
+    runSlots = groupSlots[groups];
+    return true;
+  }
+
+  /** The run's slots are some from 64 times that on. */
+  int runWord() {
+    return cursor - 1;
+  }
+
+  /** Which of those: the lowest bit is the first. */
+  long runSlots() {
+    return runSlots;
+  }
+
+  /** Sorts slots by the newest frame in which they are as acked. */
+  private void group(FrameState now, int word, long slots) {
+    long rest = slots & plain(now, word);
+    for (long alone = slots ^ rest; alone != 0; alone &= alone - 1) {
+      int slot = (word << 6) + Long.numberOfTrailingZeros(alone);
+      if (baseline(now, slot) == Baseline.ACKED) {
+        addToGroup(held, 1L << slot);
+      }
+    }
+    for (int back = rest == 0 ? 0 : backTo(acked.layerTick(word)); back > 0 && rest != 0; back--) {
+      long changed = rest & ring.back(back - 1).changed().word(word);
+      if (changed != 0) {
+        addToGroup(ring.back(back), changed);
+        rest ^= changed;
+      }
+    }
+  }
+
+  private void addToGroup(FrameState frame, long slots) {
+    for (int i = 0; i < groups; i++) {
+      if (groupHeld[i] == frame) {
+        groupSlots[i] |= slots;
+        return;
+      }
+    }
+    groupHeld[groups] = frame;
+    groupSlots[groups++] = slots;
   }
 
   // ---- to look into
@@ -520,11 +677,11 @@ final class Selection {
   }
 
   int ackedTick(int slot) {
-    return slot < acked.length ? acked[slot] : UNKNOWN;
+    return acked.get(slot);
   }
 
   int sentTick(int slot) {
-    return slot < lastSent.length ? lastSent[slot] : UNKNOWN;
+    return lastSent.get(slot);
   }
 
   float weight(int slot) {

@@ -1,10 +1,12 @@
 package carom.net.snapshot;
 
 import carom.net.codec.Sequence;
+import java.util.Arrays;
 
 /**
  * What went out in which datagram, until its ack comes or it is too old to matter. The slots of all
- * datagrams stand in one circular log; what was overwritten counts as lost.
+ * datagrams stand in one circular log, as sets of 64 neighbours; what was overwritten counts as
+ * lost.
  */
 final class SentLog {
 
@@ -12,8 +14,8 @@ final class SentLog {
   static final int SIZE = 512;
 
   private static final int MASK = SIZE - 1;
-  private static final int MIN_SLOTS = 1 << 10;
-  private static final int MAX_SLOTS = 1 << 20;
+  private static final int MIN_ENTRIES = 1 << 8;
+  private static final int MAX_ENTRIES = 1 << 18;
 
   private final long[] number = new long[SIZE];
   private final int[] tick = new int[SIZE];
@@ -23,9 +25,13 @@ final class SentLog {
   private final long[] start = new long[SIZE];
   private final int[] count = new int[SIZE];
   private final int[] bytes = new int[SIZE];
-  private char[] slots = new char[MIN_SLOTS];
+  private char[] words = new char[MIN_ENTRIES];
+  private long[] slots = new long[MIN_ENTRIES];
   private long written;
   private long newest = -1;
+
+  /** The oldest datagram that is young enough to be acked in time. */
+  private long oldest;
 
   /** Begins the next datagram and answers its 16-bit sequence number. */
   int begin(int tickNow, boolean withOwn, boolean withNews) {
@@ -38,13 +44,33 @@ final class SentLog {
     open[at] = true;
     start[at] = written;
     count[at] = 0;
+    oldest = Math.max(oldest, newest - MASK);
+    while (tickNow - tick[(int) oldest & MASK] >= FrameRing.SIZE) {
+      oldest++;
+    }
     return sequence();
   }
 
-  void add(int slot) {
-    slots[(int) written & (slots.length - 1)] = (char) slot;
+  /** Notes some of 64 neighbouring slots as told in the datagram begun last. */
+  void add(int word, long slots) {
+    if (written - start[(int) oldest & MASK] == this.slots.length
+        && this.slots.length < MAX_ENTRIES) {
+      grow();
+    }
+    int at = (int) written & (this.slots.length - 1);
+    words[at] = (char) word;
+    this.slots[at] = slots;
     written++;
     count[(int) newest & MASK]++;
+  }
+
+  /** Twice as long; what is in it keeps its number. */
+  private void grow() {
+    int length = slots.length;
+    words = Arrays.copyOf(words, 2 * length);
+    slots = Arrays.copyOf(slots, 2 * length);
+    System.arraycopy(words, 0, words, length, length);
+    System.arraycopy(slots, 0, slots, length, length);
   }
 
   /** Notes the size of the datagram begun last. */
@@ -56,24 +82,9 @@ final class SentLog {
     return (int) newest & 0xffff;
   }
 
-  /** Makes the log long enough for a ring of frames at this many records a tick. */
-  void reserve(int recordsPerTick) {
-    long wanted = Math.min(MAX_SLOTS, (long) recordsPerTick * FrameRing.SIZE);
-    if (wanted <= slots.length) {
-      return;
-    }
-    char[] grown = new char[Integer.highestOneBit((int) wanted - 1) << 1];
-    for (long i = Math.max(0, written - slots.length); i < written; i++) {
-      grown[(int) i & (grown.length - 1)] = slots[(int) i & (slots.length - 1)];
-    }
-    slots = grown;
-  }
-
   /** Forgets everything that is on its way. */
   void forget() {
-    for (int i = 0; i < SIZE; i++) {
-      open[i] = false;
-    }
+    Arrays.fill(open, false);
   }
 
   /**
@@ -111,11 +122,18 @@ final class SentLog {
     return news[at];
   }
 
+  /** How many sets of slots the datagram told. */
   int countAt(int at) {
     return count[at];
   }
 
-  int slotAt(int at, int index) {
+  /** The word of one of them. */
+  int wordAt(int at, int index) {
+    return words[(int) (start[at] + index) & (words.length - 1)];
+  }
+
+  /** The slots of that word. */
+  long slotsAt(int at, int index) {
     return slots[(int) (start[at] + index) & (slots.length - 1)];
   }
 }

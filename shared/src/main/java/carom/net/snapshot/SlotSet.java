@@ -43,6 +43,27 @@ final class SlotSet {
     }
   }
 
+  /** Those of 64 neighbouring slots, from 64 {@code word} on, that are in the set. */
+  long word(int word) {
+    return word < words.length ? words[word] : 0;
+  }
+
+  /** Adds some of 64 neighbouring slots, at least one. */
+  void addWord(int word, long slots) {
+    words[word] |= slots;
+    filled[word >> 6] |= 1L << word;
+  }
+
+  /** Removes some of 64 neighbouring slots. */
+  void removeWord(int word, long slots) {
+    if (word < words.length) {
+      words[word] &= ~slots;
+      if (words[word] == 0) {
+        filled[word >> 6] &= ~(1L << word);
+      }
+    }
+  }
+
   void clear() {
     for (int group = 0; group < filled.length; group++) {
       for (long rest = filled[group]; rest != 0; rest &= rest - 1) {
@@ -70,6 +91,20 @@ final class SlotSet {
       if (bits != 0) {
         words[word] |= bits;
         filled[word >> 6] |= 1L << word;
+      }
+    }
+  }
+
+  /** Adds all slots below a limit for which an array holds no negative number, in the same way. */
+  void addNotNegative(int[] of, int limit) {
+    for (int word = 0; word << 6 < limit; word++) {
+      long bits = 0;
+      int end = Math.min(limit, word + 1 << 6);
+      for (int slot = word << 6; slot < end; slot++) {
+        bits |= (of[slot] >= 0 ? 1L : 0) << slot;
+      }
+      if (bits != 0) {
+        addWord(word, bits);
       }
     }
   }
@@ -117,19 +152,23 @@ final class SlotSet {
     if (rest != 0) {
       return (word << 6) + Long.numberOfTrailingZeros(rest);
     }
-    word++;
-    int group = word >> 6;
+    word = nextWord(word + 1);
+    return word < 0 ? NONE : (word << 6) + Long.numberOfTrailingZeros(words[word]);
+  }
+
+  /** The first of the words from {@code from} on that isn't empty, or {@link #NONE}. */
+  int nextWord(int from) {
+    int group = from >> 6;
     if (group >= filled.length) {
       return NONE;
     }
-    long groups = (word & 63) == 0 ? filled[group] : filled[group] & -1L << word;
+    long groups = filled[group] & -1L << from;
     while (groups == 0) {
       if (++group == filled.length) {
         return NONE;
       }
       groups = filled[group];
     }
-    word = (group << 6) + Long.numberOfTrailingZeros(groups);
-    return (word << 6) + Long.numberOfTrailingZeros(words[word]);
+    return (group << 6) + Long.numberOfTrailingZeros(groups);
   }
 }

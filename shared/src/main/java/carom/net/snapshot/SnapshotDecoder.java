@@ -1,5 +1,8 @@
 package carom.net.snapshot;
 
+import static carom.net.snapshot.DecodeStatus.DAMAGED;
+import static carom.net.snapshot.DecodeStatus.OK;
+
 import carom.net.codec.BitReader;
 import carom.net.codec.Crc16;
 import carom.net.codec.RangeDecoder;
@@ -56,6 +59,7 @@ public final class SnapshotDecoder {
   private int[] slots = {};
   private byte[] kinds = {};
   private int[] ages = {};
+  private int[] indices = {};
   private int[] generations = {};
   private int[] archetypes = {};
   private int[] owners = {};
@@ -63,6 +67,7 @@ public final class SnapshotDecoder {
   private Motion[] motions = {};
   private final Motion scratch = new Motion();
   private int count;
+  private int lastIndex;
   private int[] touchedSlots = {};
   private int touched;
 
@@ -119,12 +124,12 @@ public final class SnapshotDecoder {
    */
   public DecodeStatus decode(byte[] bytes, int offset, int length) {
     if (length < 6 || length > SnapshotEncoder.MAX_DATAGRAM_BYTES) {
-      return DecodeStatus.DAMAGED;
+      return DAMAGED;
     }
     BitReader r = reader;
     r.reset(bytes, offset, length);
     if (r.read(16) != Crc16.of(key, bytes, offset + 2, length - 2)) {
-      return DecodeStatus.DAMAGED;
+      return DAMAGED;
     }
     int sequence = r.read(16);
     int ahead = hasAck ? Sequence.difference(sequence, ackSequence) : 1;
@@ -139,7 +144,7 @@ public final class SnapshotDecoder {
     int datagramTick = Sequence.expand(r.read(16), newestTick);
     boolean news = r.readBit();
     DecodeStatus status = read(r, datagramTick, bytes, offset + length);
-    if (status == DecodeStatus.OK) {
+    if (status == OK) {
       hasNews = news;
       acknowledge(sequence, ahead);
       keep(datagramTick);
@@ -149,7 +154,7 @@ public final class SnapshotDecoder {
 
   private DecodeStatus read(BitReader r, int datagramTick, byte[] bytes, int end) {
     if (datagramTick < 0) {
-      return DecodeStatus.DAMAGED;
+      return DAMAGED;
     }
     HeaderCodec.readFeedback(r, readFeedback, datagramTick);
     boolean withOwn = r.readBit();
@@ -161,7 +166,7 @@ public final class SnapshotDecoder {
       }
       HeaderCodec.readOwn(r, baseline, readOwn);
       if (!readOwn.isSane()) {
-        return DecodeStatus.DAMAGED;
+        return DAMAGED;
       }
       readWindow = RelayCodec.window(age);
       readKnown.set(baseline.relayed);
@@ -172,11 +177,11 @@ public final class SnapshotDecoder {
     boolean sane = events.read(r, datagramTick);
     int at = r.align();
     if (!sane || r.failed()) {
-      return DecodeStatus.DAMAGED;
+      return DAMAGED;
     }
     range.reset(bytes, at, end - at);
     DecodeStatus status = readRecords(datagramTick);
-    if (status == DecodeStatus.OK) {
+    if (status == OK) {
       hasOwn = withOwn;
     }
     return status;
@@ -191,53 +196,96 @@ public final class SnapshotDecoder {
     RangeDecoder r = range;
     count = 0;
     records.begin();
-    for (int kind; (kind = records.head(r, 0, 0, 0, 0)) != RecordCodec.END; ) {
-      int slot = records.slot();
-      if (slot >= capacity || count == RecordCodec.MAX_RECORDS || r.exhausted()) {
-        return DecodeStatus.DAMAGED;
+    for (int kind; (kind = records.kind(r, RecordCodec.END)) != RecordCodec.END; ) {
+      DecodeStatus status =
+          kind == RecordCodec.RUN ? readRun(datagramTick) : readSingle(kind) ? OK : DAMAGED;
+      if (status != OK) {
+        return status;
       }
-      if (count == slots.length) {
-        growRecords(2 * count);
+      if (r.exhausted()) {
+        return DAMAGED;
       }
+    }
+    return r.finished() ? OK : DAMAGED;
+  }
+
+  private boolean readSingle(int kind) {
+    int slot = records.slot(range, 0);
+    if (!open(kind, slot)) {
+      return false;
+    }
+    if (kind == RecordCodec.ABSOLUTE) {
+      generations[count] = records.generation(range, 0);
+      archetypes[count] = records.archetype(range, 0);
+      owners[count] = records.owner(range, 0);
+      teleports[count] = records.teleports(range, 0);
+      records.absolute(range, motions[count]);
+      if (!motions[count].inRange()) {
+        return false;
+      }
+    }
+    count++;
+    return true;
+  }
+
+  private DecodeStatus readRun(int datagramTick) {
+    RangeDecoder r = range;
+    records.run(r, 0, 0, 0, 0, 0);
+    int age = records.age();
+    r.cut();
+    long which = SlotCodec.code(r, records.density(), 0);
+    r.cut();
+    if (age == 0 || which == 0) {
+      return DAMAGED;
+    }
+    char[] low = Profiles.table(records.lowProfile());
+    char[] high = Profiles.table(records.highProfile());
+    for (long rest = which; rest != 0; rest &= rest - 1) {
+      int slot = (records.word() << 6) + Long.numberOfTrailingZeros(rest);
+      if (!open(RecordCodec.RUN, slot) || r.exhausted()) {
+        return DAMAGED;
+      }
+      if (!baseline(slot, datagramTick - age)) {
+        return DecodeStatus.NO_BASELINE;
+      }
+      ages[count] = age;
+      deltas.profile((slot & 32) == 0 ? low : high);
       Motion motion = motions[count];
-      if (kind == RecordCodec.DELTA) {
-        int age = records.age();
-        if (!baseline(slot, datagramTick - age, age)) {
-          return age == 0 ? DecodeStatus.DAMAGED : DecodeStatus.NO_BASELINE;
-        }
-        ages[count] = age;
-        r.cut();
-        deltas.profile(Profiles.table(records.profile()));
-        int way = deltas.code(r, age, motion, 0, scratch);
-        r.cut();
-        motion.addResidual(predictor, scratch, way, age);
-      } else if (kind == RecordCodec.ABSOLUTE) {
-        generations[count] = records.generation(r, 0);
-        archetypes[count] = records.archetype(r, 0);
-        owners[count] = records.owner(r, 0);
-        teleports[count] = records.teleports(r, 0);
-        records.absolute(r, motion);
+      int way = deltas.code(r, age, motion, 0, scratch);
+      r.cut();
+      motion.addResidual(predictor, scratch, way, age);
+      if (!motion.inRange()) {
+        return DAMAGED;
       }
-      boolean moves = kind == RecordCodec.DELTA || kind == RecordCodec.ABSOLUTE;
-      if (moves && !motion.inRange()) {
-        return DecodeStatus.DAMAGED;
-      }
-      slots[count] = slot;
-      kinds[count] = (byte) kind;
       count++;
     }
-    return r.finished() ? DecodeStatus.OK : DecodeStatus.DAMAGED;
+    return OK;
+  }
+
+  /** Begins the next record, unless there can be none like it. */
+  private boolean open(int kind, int slot) {
+    if (slot < 0 || slot >= capacity || count == RecordCodec.MAX_RECORDS) {
+      return false;
+    }
+    if (count == slots.length) {
+      growRecords(2 * count);
+    }
+    slots[count] = slot;
+    kinds[count] = (byte) kind;
+    return true;
   }
 
   /**
    * Loads the state that the slot had at a tick into the next record; false when it isn't known.
    */
-  private boolean baseline(int slot, int wantedTick, int age) {
+  private boolean baseline(int slot, int wantedTick) {
     EntityHistory history = history(slot);
-    int index = history == null || age == 0 ? -1 : history.indexAt(wantedTick);
+    int index = history == null ? -1 : history.indexAt(wantedTick, lastIndex);
     if (index < 0 || !history.alive(index)) {
       return false;
     }
+    lastIndex = index; // mostly that of its neighbours, too
+    indices[count] = index;
     history.motion(index, motions[count]);
     generations[count] = history.generation(index);
     archetypes[count] = history.archetype(index);
@@ -251,6 +299,7 @@ public final class SnapshotDecoder {
     slots = Arrays.copyOf(slots, length);
     kinds = Arrays.copyOf(kinds, length);
     ages = Arrays.copyOf(ages, length);
+    indices = Arrays.copyOf(indices, length);
     generations = Arrays.copyOf(generations, length);
     archetypes = Arrays.copyOf(archetypes, length);
     owners = Arrays.copyOf(owners, length);
@@ -298,9 +347,9 @@ public final class SnapshotDecoder {
         history.addOutOfSight(datagramTick);
         continue;
       }
-      if (kinds[i] == RecordCodec.DELTA) {
+      if (kinds[i] == RecordCodec.RUN) {
         int held = datagramTick - ages[i];
-        history.hold(history.indexAt(held), held, scratch);
+        history.hold(history.indexAt(held, indices[i]), held, scratch);
       }
       history.add(datagramTick, generations[i], archetypes[i], owners[i], teleports[i], motions[i]);
     }

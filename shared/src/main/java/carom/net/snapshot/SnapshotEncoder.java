@@ -38,9 +38,13 @@ public final class SnapshotEncoder {
   private static final int MIN_FURTHER_BYTES = 64;
 
   /**
-   * So many records that don't fit into the rest of a datagram are passed over for shorter ones.
+   * So many records or runs that don't fit into the rest of a datagram are passed over for shorter
+   * ones.
    */
-  private static final int MAX_PASSED_OVER = 16;
+  private static final int MAX_PASSED_OVER = 8;
+
+  /** What a short run takes besides its deltas: what it is, and which slots; mostly less. */
+  private static final int RUN_BITS = 40;
 
   /** Events may take that part of the budget; the rest waits for the next datagram. */
   private static final int EVENTS_SHARE = 4;
@@ -75,6 +79,10 @@ public final class SnapshotEncoder {
   private boolean first;
   private int budget;
   private int headerBytes;
+
+  // Of the datagram that is being written: its records, and what didn't fit.
+  private int written;
+  private int passedOver;
 
   // Of the last snapshot: its budget, and what of it went to anything but records.
   private int givenBytes;
@@ -175,7 +183,7 @@ public final class SnapshotEncoder {
       ackDelayTicks = ackDelayTicks < 0 ? delay : Math.min(ackDelayTicks, delay);
     }
     for (int i = 0; i < sent.countAt(at); i++) {
-      selection.ack(sent.slotAt(at, i), tick);
+      selection.ack(sent.wordAt(at, i), sent.slotsAt(at, i), tick);
     }
     events.ack(at);
     if (sent.ownAt(at)) {
@@ -269,7 +277,6 @@ public final class SnapshotEncoder {
     }
     int count = selection.updated(frame);
     news = count > 0 || events.hasUnacked() || own != null && !isKnown(own, frame);
-    sent.reserve(count);
     selection.choose(frame, count, Math.max(0, budgetBytes - headerBytes));
     budget = budgetBytes;
     givenBytes = budgetBytes;
@@ -300,30 +307,15 @@ public final class SnapshotEncoder {
     int room = 8 * (Math.min(MAX_DATAGRAM_BYTES, Math.max(budget, 0)) - header) - END_BITS;
     range.reset(out, header, MAX_DATAGRAM_BYTES - header);
     records.begin();
-    int passedOver = 0;
-    int count = 0;
-    int before = 0;
+    written = 0;
+    passedOver = 0;
     selection.rewind();
-    for (int slot;
-        passedOver <= MAX_PASSED_OVER
-            && count < RecordCodec.MAX_RECORDS
-            && (slot = selection.next()) >= 0; ) {
-      range.mark();
-      records.mark();
-      writeRecord(slot);
-      int after = range.bits();
-      if (range.overflow() || after > room) {
-        range.rewind();
-        records.rewind();
-        passedOver++;
-      } else {
-        count++;
-        sent.add(slot);
-        selection.wrote(slot, frame.tick(), after - before);
-        before = after;
-      }
-    }
-    records.head(range, RecordCodec.END, 0, 0, 0);
+    writeSingles(room);
+    writeRuns(room);
+    selection.toSpare();
+    writeSingles(room);
+    writeRuns(room);
+    records.kind(range, RecordCodec.END);
     int length = header + range.finish();
     int check = Crc16.of(key, out, 2, length - 2);
     out[0] = (byte) check;
@@ -362,26 +354,90 @@ public final class SnapshotEncoder {
     events.write(w, frame.tick(), sequence, share);
   }
 
-  private void writeRecord(int slot) {
-    Baseline baseline = selection.baseline(frame, slot);
-    if (baseline == Baseline.ACKED) {
-      FrameState held = selection.held();
-      int delta = deltas.of(frame, held, slot);
-      int age = frame.tick() - held.tick();
-      records.head(range, RecordCodec.DELTA, slot, age, deltas.profile(slot));
-      deltas.write(range, delta);
-    } else if (baseline == Baseline.OUT_OF_SIGHT || baseline == Baseline.GONE) {
-      boolean gone = baseline == Baseline.GONE;
-      records.head(range, gone ? RecordCodec.GONE : RecordCodec.OUT_OF_SIGHT, slot, 0, 0);
-    } else {
-      records.head(range, RecordCodec.ABSOLUTE, slot, 0, 0);
-      records.generation(range, frame.generation(slot));
-      records.archetype(range, frame.archetype(slot));
-      records.owner(range, frame.owner(slot));
-      records.teleports(range, frame.teleports(slot));
-      frame.motion(slot, actual);
-      records.absolute(range, actual);
+  /** What is no delta. */
+  private void writeSingles(int room) {
+    for (int slot; mayTry(1) && (slot = selection.nextSingle(frame)) >= 0; ) {
+      int before = mark();
+      writeSingle(slot, selection.baseline(frame, slot));
+      int after = range.bits();
+      if (fits(after, room)) {
+        written++;
+        sent.add(slot >> 6, 1L << slot);
+        selection.wrote(slot, frame.tick(), after - before);
+      } else {
+        passOver();
+      }
     }
+  }
+
+  private void writeRuns(int room) {
+    selection.toRuns();
+    for (int left;
+        mayTry(Long.SIZE)
+            && (left = room - range.bits() - RUN_BITS) > 0
+            && selection.nextRun(frame); ) {
+      int word = selection.runWord();
+      FrameState held = selection.held();
+      long slots = selection.runSlots();
+      if (!writeRun(word, slots, held, room)) {
+        writeRun(word, deltas.fitting(frame, held, word, slots, left), held, room);
+      }
+    }
+  }
+
+  private boolean writeRun(int word, long slots, FrameState held, int room) {
+    if (slots == 0) {
+      return false;
+    }
+    int before = mark();
+    deltas.writeRun(range, records, frame, held, word, slots);
+    int after = range.bits();
+    if (!fits(after, room)) {
+      passOver();
+      return false;
+    }
+    written += Long.bitCount(slots);
+    sent.add(word, slots);
+    selection.wroteRun(word, slots, frame.tick(), after - before);
+    return true;
+  }
+
+  /** Whether the datagram may get so many more records, and enough were not passed over. */
+  private boolean mayTry(int count) {
+    return passedOver <= MAX_PASSED_OVER && written + count <= RecordCodec.MAX_RECORDS;
+  }
+
+  private int mark() {
+    range.mark();
+    records.mark();
+    return range.bits();
+  }
+
+  private boolean fits(int bits, int room) {
+    return !range.overflow() && bits <= room;
+  }
+
+  private void passOver() {
+    range.rewind();
+    records.rewind();
+    passedOver++;
+  }
+
+  private void writeSingle(int slot, Baseline baseline) {
+    if (baseline == Baseline.OUT_OF_SIGHT || baseline == Baseline.GONE) {
+      boolean gone = baseline == Baseline.GONE;
+      records.kind(range, gone ? RecordCodec.GONE : RecordCodec.OUT_OF_SIGHT);
+      records.slot(range, slot);
+      return;
+    }
+    records.kind(range, RecordCodec.ABSOLUTE);
+    records.slot(range, slot);
+    records.generation(range, frame.generation(slot));
+    records.archetype(range, frame.archetype(slot));
+    records.owner(range, frame.owner(slot));
+    records.teleports(range, frame.teleports(slot));
+    frame.motion(slot, actual);
+    records.absolute(range, actual);
   }
 
   /**

@@ -1,5 +1,6 @@
 package carom.net.snapshot;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -96,6 +97,57 @@ final class DeltasTest {
         shared.of(ring.newest(), ring.back(OLDEST), SLOTS - 1) >>> 8,
         shared.of(ring.newest(), ring.back(OLDEST), SLOTS - 2) >>> 8,
         "the room has no end, or this test too few slots");
+  }
+
+  private byte[] run(Deltas deltas, int age, int word, long slots) {
+    byte[] bytes = new byte[4_000];
+    RangeEncoder range = new RangeEncoder();
+    range.reset(bytes, 0, bytes.length);
+    RecordCodec records = new RecordCodec();
+    records.begin();
+    deltas.writeRun(range, records, ring.newest(), ring.back(age), word, slots);
+    return Arrays.copyOf(bytes, range.finish());
+  }
+
+  /** What was asked for first is kept; neither that nor what else was asked for may be seen. */
+  @Test
+  void aRunIsTheSameWhoeverAskedForSomeOfItsSlotsBefore() {
+    for (int i = 0; i < 6; i++) {
+      frame(200);
+    }
+    Deltas shared = ring.deltas(TICK_RATE);
+    for (int round = 0; round < 60; round++) {
+      frame(200);
+      int word = random.nextInt(3);
+      int age = 1 + random.nextInt(5);
+      long some = random.nextLong();
+      long others = random.nextInt(3) == 0 ? -1 : some & random.nextLong() | 1;
+      byte[] first = run(shared, age, word, some);
+      byte[] second = run(shared, age, word, others);
+      assertArrayEquals(first, run(shared, age, word, some), "seed " + SEED);
+      Deltas anew = new Deltas(ring, TICK_RATE);
+      for (int i = 0; i < 192; i += 32) {
+        anew.of(ring.newest(), ring.back(1), i);
+      }
+      if (shared.profile(word << 6) == anew.profile(word << 6)
+          && shared.profile((word << 6) + 32) == anew.profile((word << 6) + 32)) {
+        assertArrayEquals(second, run(anew, age, word, others), "seed " + SEED);
+      }
+      long fitting = shared.fitting(ring.newest(), ring.back(age), word, some, 600);
+      assertTrue(fitting != 0 && (fitting & ~some) == 0);
+      assertTrue(run(shared, age, word, fitting).length <= 600 / 8 + 20);
+    }
+  }
+
+  @Test
+  void theDensityOfMostIsTakenUnlessAnotherSaysTheSlotsMuchShorter() {
+    assertEquals(0, SlotCodec.density(-1, 0));
+    long tenApart = 0x0410_4104_1041_0410L;
+    assertEquals(4, SlotCodec.density(tenApart, 4), "a few bits are no reason");
+    assertEquals(5, SlotCodec.density(tenApart, 0));
+    assertTrue(SlotCodec.cost(0, -1) < 16, "less than a bit tells that all are in it");
+    assertEquals(7, SlotCodec.density(1L << 20, 3), "one alone");
+    assertTrue(SlotCodec.density(-1L >>> 24, 3) <= 1, "clustered");
   }
 
   @Test

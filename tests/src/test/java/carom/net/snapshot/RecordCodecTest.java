@@ -42,25 +42,88 @@ final class RecordCodecTest {
     return m;
   }
 
-  /** Codes one record; what it was given or what was read goes into the answer. */
-  private int[] record(RecordCodec codec, BitCoder c, int[] r, Motion baseline, Motion m) {
-    int[] out = r.clone();
-    out[1] = codec.head(c, r[1], r[0], r[2], r[7]);
-    if (out[1] == RecordCodec.END) {
-      return out;
+  /** One record: numbers that say what it is, and of a run what each of its slots does. */
+  private static final class Item {
+    final int[] head = new int[8];
+    long slots;
+    final Motion[] baselines = new Motion[Long.SIZE];
+    final Motion[] motions = new Motion[Long.SIZE];
+    final int[] ways = new int[Long.SIZE];
+
+    Item() {
+      Arrays.setAll(baselines, i -> new Motion());
+      Arrays.setAll(motions, i -> new Motion());
     }
-    out[0] = codec.slot();
-    if (out[1] == RecordCodec.DELTA) {
-      out[2] = codec.age();
-      deltas.profile(Profiles.table(codec.profile()));
-      out[3] = deltas.code(c, out[2], baseline, r[3], m);
-    } else if (out[1] == RecordCodec.ABSOLUTE) {
-      out[4] = codec.generation(c, r[4]);
-      out[5] = codec.archetype(c, r[5]);
-      out[6] = codec.owner(c, r[6]);
-      codec.absolute(c, m);
+  }
+
+  // The numbers of a head: kind; word, age, profiles, density; or slot, generation, archetype ...
+  private static Item any(Random random) {
+    Item item = new Item();
+    int[] h = item.head;
+    h[0] = random.nextInt(3) > 0 ? RecordCodec.RUN : random.nextInt(4);
+    if (h[0] == RecordCodec.RUN) {
+      h[1] = random.nextInt(5) == 0 ? random.nextInt(1_024) : random.nextInt(4);
+      h[2] = 1 + (random.nextBoolean() ? random.nextInt(63) : random.nextInt(2));
+      h[3] = random.nextInt(Profiles.COUNT);
+      h[4] = random.nextBoolean() ? h[3] : random.nextInt(Profiles.COUNT);
+      h[5] = random.nextInt(SlotCodec.DENSITIES);
+      item.slots = random.nextInt(3) == 0 ? -1 : 1L << random.nextInt(64) | random.nextLong();
+      for (int i = 0; i < Long.SIZE; i++) {
+        item.baselines[i] = motion(random);
+        Motion m = motion(random);
+        item.ways[i] = random.nextInt(3);
+        if (random.nextInt(4) == 0) {
+          m.clear();
+        } else if (item.ways[i] == Predictor.STOPS) {
+          m.vx = 0;
+          m.vy = 0;
+          m.omega = 0;
+        }
+        item.motions[i] = m;
+      }
+    } else {
+      h[1] = random.nextInt(65_535);
+      if (h[0] == RecordCodec.ABSOLUTE) {
+        h[2] = random.nextInt(256);
+        h[3] = random.nextInt(random.nextBoolean() ? 64 : 65_536);
+        h[4] = random.nextInt(257) - 1;
+        h[5] = random.nextInt(16);
+        item.motions[0] = motion(random);
+      }
     }
-    return out;
+    return item;
+  }
+
+  /** Codes a record; what was read goes into it, what was written stays as it was. */
+  private void code(RecordCodec codec, BitCoder c, Runnable cut, Item item) {
+    int[] h = item.head;
+    h[0] = codec.kind(c, h[0]);
+    if (h[0] == RecordCodec.RUN) {
+      codec.run(c, h[1], h[2], h[3], h[4], h[5]);
+      h[1] = codec.word();
+      h[2] = codec.age();
+      h[3] = codec.lowProfile();
+      h[4] = codec.highProfile();
+      h[5] = codec.density();
+      cut.run();
+      item.slots = SlotCodec.code(c, h[5], item.slots);
+      cut.run();
+      for (long rest = item.slots; rest != 0; rest &= rest - 1) {
+        int i = Long.numberOfTrailingZeros(rest);
+        deltas.profile(Profiles.table(h[i < 32 ? 3 : 4]));
+        item.ways[i] = deltas.code(c, h[2], item.baselines[i], item.ways[i], item.motions[i]);
+        cut.run();
+      }
+    } else if (h[0] != RecordCodec.END) {
+      h[1] = codec.slot(c, h[1]);
+      if (h[0] == RecordCodec.ABSOLUTE) {
+        h[2] = codec.generation(c, h[2]);
+        h[3] = codec.archetype(c, h[3]);
+        h[4] = codec.owner(c, h[4]);
+        h[5] = codec.teleports(c, h[5]);
+        codec.absolute(c, item.motions[0]);
+      }
+    }
   }
 
   private static int[] numbers(Motion m) {
@@ -70,67 +133,45 @@ final class RecordCodecTest {
   @Test
   void recordsOfEveryKindComeBackAndARewoundOneLeavesNoTrace() {
     Random random = new Random(SEED);
-    for (int round = 0; round < 300; round++) {
-      int n = random.nextInt(60);
-      int[][] records = new int[n + 1][];
-      Motion[] baselines = new Motion[n];
-      int[][] motions = new int[n][];
+    Item end = new Item();
+    end.head[0] = RecordCodec.END;
+    for (int round = 0; round < 200; round++) {
+      Item[] items = new Item[random.nextInt(30)];
       encoder.reset(buffer, 0, buffer.length);
       writing.begin();
-      int slot = -1;
-      for (int i = 0; i < n; i++) {
-        slot = random.nextInt(5) == 0 ? random.nextInt(65_535) : Math.min(65_534, slot + 1);
-        records[i] =
-            new int[] {
-              slot,
-              random.nextInt(3) > 0 ? RecordCodec.DELTA : random.nextInt(4),
-              1 + random.nextInt(63),
-              random.nextInt(3),
-              random.nextInt(256),
-              random.nextInt(random.nextBoolean() ? 64 : 65_536),
-              random.nextInt(257) - 1,
-              (round + random.nextInt(4) / 3) % Profiles.COUNT
-            };
-        baselines[i] = motion(random);
-        Motion m = motion(random);
-        if (random.nextInt(4) == 0) {
-          m.clear();
-        } else if (records[i][3] == Predictor.STOPS && records[i][1] == RecordCodec.DELTA) {
-          m.vx = 0;
-          m.vy = 0;
-          m.omega = 0;
-        }
+      for (int i = 0; i < items.length; i++) {
+        items[i] = any(random);
         encoder.mark();
         writing.mark();
-        Motion lost = motion(random);
-        record(writing, encoder, new int[] {random.nextInt(65_535), 0, 7, 1, 0, 0, 0, 0}, m, lost);
+        code(writing, encoder, encoder::cut, any(random));
         encoder.rewind();
         writing.rewind();
-        motions[i] = numbers(m);
-        int[] kept = record(writing, encoder, records[i], baselines[i], m);
-        assertArrayEquals(records[i], kept);
+        code(writing, encoder, encoder::cut, items[i]);
       }
-      writing.head(encoder, RecordCodec.END, 0, 0, 0);
+      code(writing, encoder, encoder::cut, end);
       int bits = encoder.bits();
       int length = encoder.finish();
       assertTrue(length <= bits / 8 + 1, length + " bytes of " + bits + " bits");
       decoder.reset(Arrays.copyOf(buffer, length), 0, length);
       reading.begin();
-      for (int i = 0; i < n; i++) {
-        Motion m = new Motion();
-        int[] read = record(reading, decoder, new int[8], baselines[i], m);
-        assertEquals(records[i][0], read[0], "seed " + SEED + " round " + round);
-        assertEquals(records[i][1], read[1]);
-        boolean delta = read[1] == RecordCodec.DELTA;
-        if (delta || read[1] == RecordCodec.ABSOLUTE) {
-          int from = delta ? 2 : 4;
-          int to = delta ? 4 : 7;
-          assertArrayEquals(
-              Arrays.copyOfRange(records[i], from, to), Arrays.copyOfRange(read, from, to));
-          assertArrayEquals(motions[i], numbers(m));
+      String where = "seed " + SEED + " round " + round;
+      for (Item item : items) {
+        Item read = new Item();
+        System.arraycopy(item.baselines, 0, read.baselines, 0, Long.SIZE);
+        code(reading, decoder, decoder::cut, read);
+        assertArrayEquals(item.head, read.head, where);
+        assertEquals(item.slots, read.slots, where);
+        for (int i = 0; i < Long.SIZE; i++) {
+          if ((item.slots >>> i & 1) != 0) {
+            assertEquals(item.ways[i], read.ways[i], where);
+            assertArrayEquals(numbers(item.motions[i]), numbers(read.motions[i]), where);
+          }
+        }
+        if (item.head[0] == RecordCodec.ABSOLUTE) {
+          assertArrayEquals(numbers(item.motions[0]), numbers(read.motions[0]), where);
         }
       }
-      assertEquals(RecordCodec.END, reading.head(decoder, 0, 0, 0, 0));
+      assertEquals(RecordCodec.END, reading.kind(decoder, 0));
       assertTrue(decoder.finished());
     }
   }
