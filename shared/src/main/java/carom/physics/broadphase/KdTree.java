@@ -62,7 +62,6 @@ public final class KdTree implements SpatialIndex {
   private static final int MAX_SIZE = 1 << 27;
 
   private static final float INF = Float.POSITIVE_INFINITY;
-  private static final int LOW = (1 << 31) - 1;
 
   private AabbArray boxes;
   private int size;
@@ -72,10 +71,10 @@ public final class KdTree implements SpatialIndex {
   float[] bounds = new float[8];
 
   /** Per inner node: the split coordinate, in the frame that rides along. */
-  private float[] split = new float[1];
+  float[] split = new float[1];
 
   /** Per inner node: whether the split is across y. */
-  private boolean[] splitsY = new boolean[1];
+  boolean[] splitsY = new boolean[1];
 
   /** Per leaf: the cell (minX, minY, maxX, maxY), slack included, in the frame that rides along. */
   private float[] cell = new float[4];
@@ -99,9 +98,9 @@ public final class KdTree implements SpatialIndex {
   private int[] slotOf = new int[0];
 
   /** Where the frame of the cells has moved since they were made. */
-  private double frameX;
+  double frameX;
 
-  private double frameY;
+  double frameY;
 
   /** The mean motion of the boxes in the last refit. */
   private double meanX;
@@ -114,20 +113,10 @@ public final class KdTree implements SpatialIndex {
   /** Ids that left their cell in this refit. */
   private int[] stray = new int[SLOTS];
 
-  /** Scratch for building: ids, their boxes and centres, and sort keys that carry the index. */
-  private int[] work = new int[SLOTS];
-
-  private final AabbArray workBoxes = new AabbArray(SLOTS);
-
-  private float[] centerX = new float[SLOTS];
-  private float[] centerY = new float[SLOTS];
-  private long[] keys = new long[SLOTS];
-
-  /** Strays of the last refit, and boxes ever placed by building: for tests and tuning. */
+  /** Strays of the last refit. */
   private int lastStrays;
 
-  private long built;
-
+  private final KdBuilder builder = new KdBuilder(this);
   private final KdJoin search = new KdJoin(this);
   private final KdCast cast = new KdCast(this);
 
@@ -163,7 +152,7 @@ public final class KdTree implements SpatialIndex {
 
   /** How many boxes were ever placed by building a subtree, a measure of the work of repair. */
   long built() {
-    return built;
+    return builder.placed();
   }
 
   /** Removes all boxes; keeps the memory. */
@@ -203,9 +192,9 @@ public final class KdTree implements SpatialIndex {
       same = contains(newIds[i]);
     }
     if (same) {
-      gather(0, leaves);
+      builder.gather(0, leaves);
     } else {
-      System.arraycopy(newIds, 0, work, 0, count);
+      System.arraycopy(newIds, 0, builder.ids, 0, count);
     }
     clear();
     try {
@@ -223,7 +212,7 @@ public final class KdTree implements SpatialIndex {
       throw e;
     }
     for (int i = 0; i < count; i++) {
-      fetch(i, work[i]);
+      builder.put(i, builder.ids[i], boxes);
     }
     size = count;
     buildAll(count);
@@ -250,7 +239,7 @@ public final class KdTree implements SpatialIndex {
     size++;
     int leaf = insert(id);
     if (leaf >= 0) {
-      fitAncestors(leaf + leaves);
+      KdBounds.fitAncestors(bounds, leaf + leaves);
     }
   }
 
@@ -277,9 +266,9 @@ public final class KdTree implements SpatialIndex {
       }
     }
     ensureWork(size + count);
-    int to = gather(0, leaves);
+    int to = builder.gather(0, leaves);
     for (int i = 0; i < count; i++) {
-      fetch(to + i, newIds[i]);
+      builder.put(to + i, newIds[i], boxes);
     }
     size += count;
     buildAll(size);
@@ -307,7 +296,7 @@ public final class KdTree implements SpatialIndex {
       clear();
     } else {
       ensureWork(size);
-      buildAll(gather(0, leaves));
+      buildAll(builder.gather(0, leaves));
     }
   }
 
@@ -334,7 +323,7 @@ public final class KdTree implements SpatialIndex {
     }
     int leaf = takeOut(id);
     fitLeaf(leaf);
-    fitAncestors(leaf + leaves);
+    KdBounds.fitAncestors(bounds, leaf + leaves);
     return true;
   }
 
@@ -381,7 +370,8 @@ public final class KdTree implements SpatialIndex {
     fill[leaf] = n + 1;
     store(leaf, n, id, boxes, id);
     int at = leaf * BLOCK + n;
-    extend(4 * node, slots[at], slots[at + ROW], slots[at + 2 * ROW], slots[at + 3 * ROW]);
+    KdBounds.extend(
+        bounds, node, slots[at], slots[at + ROW], slots[at + 2 * ROW], slots[at + 3 * ROW]);
     return leaf;
   }
 
@@ -402,14 +392,14 @@ public final class KdTree implements SpatialIndex {
       long limit = (long) wide * (SLOTS * height - (SLOTS - FILL) * h) / height;
       if (count <= limit) {
         ensureWork(count);
-        fetch(gather(first, end), id);
+        builder.put(builder.gather(first, end), id, boxes);
         buildSubtree((leaf + leaves) >> h, count);
         return;
       }
     }
     ensureWork(size);
-    int others = gather(0, leaves);
-    fetch(others, id);
+    int others = builder.gather(0, leaves);
+    builder.put(others, id, boxes);
     buildAll(others + 1);
   }
 
@@ -419,28 +409,6 @@ public final class KdTree implements SpatialIndex {
       sum += fill[leaf];
     }
     return sum;
-  }
-
-  /** Writes what is in a range of leaves to the scratch arrays; answers how many. */
-  private int gather(int firstLeaf, int endLeaf) {
-    int to = 0;
-    for (int leaf = firstLeaf; leaf < endLeaf; leaf++) {
-      int n = fill[leaf];
-      int block = leaf * BLOCK;
-      System.arraycopy(ids, leaf * SLOTS, work, to, n);
-      for (int at = block; at < block + n; at++) {
-        workBoxes.set(
-            to + at - block, slots[at], slots[at + ROW], slots[at + 2 * ROW], slots[at + 3 * ROW]);
-      }
-      to += n;
-    }
-    return to;
-  }
-
-  /** Writes an id of {@link #work} together with its present box to the scratch arrays. */
-  private void fetch(int at, int id) {
-    work[at] = id;
-    workBoxes.set(at, boxes.minX(id), boxes.minY(id), boxes.maxX(id), boxes.maxY(id));
   }
 
   /**
@@ -504,7 +472,7 @@ public final class KdTree implements SpatialIndex {
     ensureWork(size);
     lastStrays = refitLeaves();
     if (!placeStrays()) {
-      fitInner(1, leaves);
+      KdBounds.fitInner(bounds, 1, leaves);
     }
   }
 
@@ -562,14 +530,14 @@ public final class KdTree implements SpatialIndex {
       return;
     }
     if (touched > leaves / REFIT_SHARE) {
-      fitInner(1, leaves);
+      KdBounds.fitInner(bounds, 1, leaves);
       return;
     }
     for (int i = 0; i < touched; i++) {
-      fitAncestors(touchedLeaf[i] + leaves);
+      KdBounds.fitAncestors(bounds, touchedLeaf[i] + leaves);
     }
     for (int i = 0; i < lastStrays; i++) {
-      fitAncestors(slotOf[stray[i]] / SLOTS + leaves);
+      KdBounds.fitAncestors(bounds, slotOf[stray[i]] / SLOTS + leaves);
     }
   }
 
@@ -580,9 +548,9 @@ public final class KdTree implements SpatialIndex {
   private boolean placeStrays() {
     boolean sparse = size < leaves;
     if (leaves > 1 && (sparse || lastStrays > size / REBUILD_SHARE)) {
-      int stayed = gather(0, leaves);
+      int stayed = builder.gather(0, leaves);
       for (int i = 0; i < lastStrays; i++) {
-        fetch(stayed + i, stray[i]);
+        builder.put(stayed + i, stray[i], boxes);
       }
       buildAll(size);
       return true;
@@ -664,7 +632,7 @@ public final class KdTree implements SpatialIndex {
         k++;
       }
       fill[leaf] = n;
-      setBounds(leaf + leaves, left, bottom, right, top);
+      KdBounds.set(bounds, leaf + leaves, left, bottom, right, top);
       if (n > 0 && !AabbArray.valid(left, bottom, right, top)) {
         checkLeaf(leaf);
       }
@@ -698,7 +666,7 @@ public final class KdTree implements SpatialIndex {
 
   // ---------------------------------------------------------------- building
 
-  /** Builds the whole tree from the first {@code count} entries of the scratch arrays. */
+  /** Builds the whole tree from the first boxes of the builder's list. */
   private void buildAll(int count) {
     int wanted = 1;
     while ((long) wanted * FILL < count) {
@@ -710,101 +678,15 @@ public final class KdTree implements SpatialIndex {
     buildSubtree(1, count);
   }
 
-  /** Builds a subtree anew from the first {@code count} entries of the scratch arrays. */
+  /** The same for a subtree. */
   private void buildSubtree(int node, int count) {
-    built += count;
-    for (int i = 0; i < count; i++) {
-      centerX[i] = (float) (center(workBoxes.minX(i), workBoxes.maxX(i)) - frameX);
-      centerY[i] = (float) (center(workBoxes.minY(i), workBoxes.maxY(i)) - frameY);
-      keys[i] = i;
-    }
-    float left = -INF;
-    float bottom = -INF;
-    float right = INF;
-    float top = INF;
-    for (int h = 30 - Integer.numberOfLeadingZeros(node); h >= 0; h--) {
-      int above = node >> (h + 1);
-      boolean high = (node >> h & 1) == 1;
-      float s = split[above];
-      if (splitsY[above]) {
-        bottom = high ? s : bottom;
-        top = high ? top : s;
-      } else {
-        left = high ? s : left;
-        right = high ? right : s;
-      }
-    }
-    build(node, 0, count, left, bottom, right, top);
-    fitInner(node, leaves);
-    fitAncestors(node);
-  }
-
-  /** Splits the keys from {@code lo} to {@code hi} - 1 among the leaves below a node. */
-  private void build(int node, int lo, int hi, float left, float bottom, float right, float top) {
-    if (node >= leaves) {
-      int leaf = node - leaves;
-      fill[leaf] = hi - lo;
-      setCell(leaf, left, bottom, right, top);
-      for (int i = lo; i < hi; i++) {
-        int e = (int) keys[i] & LOW;
-        store(leaf, i - lo, work[e], workBoxes, e);
-      }
-      fitLeaf(leaf);
-      return;
-    }
-    boolean y = isTaller(lo, hi);
-    float[] c = y ? centerY : centerX;
-    for (int i = lo; i < hi; i++) {
-      int e = (int) keys[i] & LOW;
-      keys[i] = key(c[e], e);
-    }
-    int mid = (lo + hi) >>> 1;
-    float s = 0;
-    if (hi > lo) {
-      Select.nth(keys, lo, hi - 1, mid);
-      s = c[(int) keys[mid] & LOW];
-    }
-    split[node] = s;
-    splitsY[node] = y;
-    if (y) {
-      build(2 * node, lo, mid, left, bottom, right, s);
-      build(2 * node + 1, mid, hi, left, s, right, top);
-    } else {
-      build(2 * node, lo, mid, left, bottom, s, top);
-      build(2 * node + 1, mid, hi, s, bottom, right, top);
-    }
-  }
-
-  /** Whether the centres spread wider in y than in x. */
-  private boolean isTaller(int lo, int hi) {
-    float x0 = INF;
-    float y0 = INF;
-    float x1 = -INF;
-    float y1 = -INF;
-    for (int i = lo; i < hi; i++) {
-      int e = (int) keys[i] & LOW;
-      float x = centerX[e];
-      float y = centerY[e];
-      x0 = Math.min(x0, x);
-      x1 = Math.max(x1, x);
-      y0 = Math.min(y0, y);
-      y1 = Math.max(y1, y);
-    }
-    return y1 - y0 > x1 - x0;
-  }
-
-  /**
-   * A number that sorts like (coordinate, entry); differences of two never overflow, and no two are
-   * equal, so that a million boxes in one place split as evenly as any others.
-   */
-  private static long key(float c, int entry) {
-    int bits = Float.floatToRawIntBits(c);
-    int sortable = bits ^ (bits >> 31 & LOW);
-    return ((long) sortable << 31) + entry;
+    builder.build(node, count);
+    KdBounds.fitInner(bounds, node, leaves);
+    KdBounds.fitAncestors(bounds, node);
   }
 
   /** Writes an id and a box, {@code from[e]}, into slot {@code k} of a leaf. */
-  private void store(int leaf, int k, int id, AabbArray from, int e) {
+  void store(int leaf, int k, int id, AabbArray from, int e) {
     ids[leaf * SLOTS + k] = id;
     slotOf[id] = leaf * SLOTS + k;
     int at = leaf * BLOCK + k;
@@ -815,11 +697,11 @@ public final class KdTree implements SpatialIndex {
     slots[at + 3 * ROW] = from.maxY(e) + 0f;
   }
 
-  private static float center(float min, float max) {
+  static float center(float min, float max) {
     return 0.5f * min + 0.5f * max;
   }
 
-  private void setCell(int leaf, float left, float bottom, float right, float top) {
+  void setCell(int leaf, float left, float bottom, float right, float top) {
     // an open side makes the slack infinite, and infinity minus infinity must not occur
     float slackX = right - left < INF ? CELL_SLACK * (right - left) : 0;
     float slackY = top - bottom < INF ? CELL_SLACK * (top - bottom) : 0;
@@ -831,21 +713,7 @@ public final class KdTree implements SpatialIndex {
 
   // ---------------------------------------------------------------- bounds
 
-  private void setBounds(int node, float left, float bottom, float right, float top) {
-    bounds[4 * node] = left;
-    bounds[4 * node + 1] = bottom;
-    bounds[4 * node + 2] = right;
-    bounds[4 * node + 3] = top;
-  }
-
-  private void extend(int at, float left, float bottom, float right, float top) {
-    bounds[at] = Math.min(bounds[at], left);
-    bounds[at + 1] = Math.min(bounds[at + 1], bottom);
-    bounds[at + 2] = Math.max(bounds[at + 2], right);
-    bounds[at + 3] = Math.max(bounds[at + 3], top);
-  }
-
-  private void fitLeaf(int leaf) {
+  void fitLeaf(int leaf) {
     float left = INF;
     float bottom = INF;
     float right = -INF;
@@ -858,40 +726,7 @@ public final class KdTree implements SpatialIndex {
       right = Math.max(right, slots[i + 2 * ROW]);
       top = Math.max(top, slots[i + 3 * ROW]);
     }
-    setBounds(leaf + leaves, left, bottom, right, top);
-  }
-
-  private void fitNode(int node) {
-    float[] b = bounds;
-    int to = 4 * node;
-    int from = 8 * node;
-    b[to] = Math.min(b[from], b[from + 4]);
-    b[to + 1] = Math.min(b[from + 1], b[from + 5]);
-    b[to + 2] = Math.max(b[from + 2], b[from + 6]);
-    b[to + 3] = Math.max(b[from + 3], b[from + 7]);
-  }
-
-  /** Fits the inner nodes of a subtree, deepest first. */
-  private void fitInner(int top, int endNode) {
-    int first = top;
-    int last = top;
-    while (2 * first < endNode) {
-      first = 2 * first;
-      last = 2 * last + 1;
-    }
-    while (first >= top && first < endNode) {
-      for (int node = last; node >= first; node--) {
-        fitNode(node);
-      }
-      first >>= 1;
-      last >>= 1;
-    }
-  }
-
-  private void fitAncestors(int node) {
-    for (int above = node >> 1; above > 0; above >>= 1) {
-      fitNode(above);
-    }
+    KdBounds.set(bounds, leaf + leaves, left, bottom, right, top);
   }
 
   // ---------------------------------------------------------------- memory
@@ -920,14 +755,9 @@ public final class KdTree implements SpatialIndex {
   }
 
   private void ensureWork(int count) {
-    if (count > work.length) {
-      int grown = Math.max(count, work.length + (work.length >> 1));
-      work = Arrays.copyOf(work, grown);
-      workBoxes.ensureCapacity(grown);
-      stray = new int[grown];
-      centerX = new float[grown];
-      centerY = new float[grown];
-      keys = new long[grown];
+    builder.reserve(count);
+    if (count > stray.length) {
+      stray = new int[Math.max(count, stray.length + (stray.length >> 1))];
     }
   }
 
