@@ -830,7 +830,7 @@ public final class Body<T> {
    */
   public void setGravityScale(float factor) {
     check();
-    Checks.range("gravityScale", factor, -1e3f, 1e3f);
+    Checks.range("gravityScale", factor, -Checks.MAX_GRAVITY_SCALE, Checks.MAX_GRAVITY_SCALE);
     if (store.gravityScale[index] != factor) {
       rouse();
       store.gravityScale[index] = factor;
@@ -855,7 +855,7 @@ public final class Body<T> {
    */
   public void setLinearDamping(float perSecond) {
     check();
-    store.linearDamping[index] = Checks.range("linearDamping", perSecond, 0, 1e4f);
+    store.linearDamping[index] = Checks.range("linearDamping", perSecond, 0, Checks.MAX_DAMPING);
     store.coldChanged();
   }
 
@@ -876,7 +876,7 @@ public final class Body<T> {
    */
   public void setAngularDamping(float perSecond) {
     check();
-    store.angularDamping[index] = Checks.range("angularDamping", perSecond, 0, 1e4f);
+    store.angularDamping[index] = Checks.range("angularDamping", perSecond, 0, Checks.MAX_DAMPING);
     store.coldChanged();
   }
 

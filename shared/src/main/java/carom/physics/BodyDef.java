@@ -179,7 +179,7 @@ public final class BodyDef {
    * @return this
    */
   public BodyDef linearDamping(float perSecond) {
-    linearDamping = Checks.range("linearDamping", perSecond, 0, 1e4f);
+    linearDamping = Checks.range("linearDamping", perSecond, 0, Checks.MAX_DAMPING);
     return this;
   }
 
@@ -190,7 +190,7 @@ public final class BodyDef {
    * @return this
    */
   public BodyDef angularDamping(float perSecond) {
-    angularDamping = Checks.range("angularDamping", perSecond, 0, 1e4f);
+    angularDamping = Checks.range("angularDamping", perSecond, 0, Checks.MAX_DAMPING);
     return this;
   }
 
@@ -201,7 +201,8 @@ public final class BodyDef {
    * @return this
    */
   public BodyDef gravityScale(float factor) {
-    gravityScale = Checks.range("gravityScale", factor, -1e3f, 1e3f);
+    gravityScale =
+        Checks.range("gravityScale", factor, -Checks.MAX_GRAVITY_SCALE, Checks.MAX_GRAVITY_SCALE);
     return this;
   }
 

@@ -477,8 +477,8 @@ public final class Joint<T> {
    */
   public void setSpring(float hertz, float dampingRatio) {
     refuseUnless(JointDef.canSpring(type), "setSpring");
-    Checks.range("hertz", hertz, 0, 1e3f);
-    Checks.range("dampingRatio", dampingRatio, 0, 100);
+    Checks.range("hertz", hertz, 0, Checks.MAX_HERTZ);
+    Checks.range("dampingRatio", dampingRatio, 0, Checks.MAX_DAMPING_RATIO);
     set(store.hertz, hertz);
     set(store.damping, dampingRatio);
     if (JointDef.hasCoordinateSpring(type)) {

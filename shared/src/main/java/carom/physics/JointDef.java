@@ -20,12 +20,9 @@ import carom.physics.math.Trig;
  */
 public final class JointDef<T> {
   private static final float MAX_LENGTH = 1e6f;
-  private static final float MAX_HERTZ = 1e3f;
 
   /** Largest angle of a hinge, rad; a float still tells a thousandth of a radian there. */
   private static final float MAX_ANGLE = 1e4f;
-
-  private static final float MAX_RATIO = 1e4f;
 
   final JointType type;
   final Body<T> bodyA;
@@ -303,7 +300,7 @@ public final class JointDef<T> {
       float groundBx,
       float groundBy,
       float ratio) {
-    Checks.range("ratio", ratio, 0, MAX_RATIO);
+    Checks.range("ratio", ratio, 0, Checks.MAX_RATIO);
     JointDef<T> d = coupled(JointType.PULLEY, bodyA, bodyB, ratio).anchors(ax, ay, bx, by);
     d.baseAx = Checks.coordinate("groundAX", groundAx);
     d.baseAy = Checks.coordinate("groundAY", groundAy);
@@ -317,10 +314,10 @@ public final class JointDef<T> {
     if (bodyA == null) {
       throw new IllegalArgumentException("bodyA=null; a joint of type=" + type + " needs two");
     }
-    Checks.range("ratio", ratio, -MAX_RATIO, MAX_RATIO);
-    if (Math.abs(ratio) < 1 / MAX_RATIO) {
+    Checks.range("ratio", ratio, -Checks.MAX_RATIO, Checks.MAX_RATIO);
+    if (Math.abs(ratio) < 1 / Checks.MAX_RATIO) {
       throw new IllegalArgumentException(
-          "ratio=" + ratio + " couples nothing, its size must be at least " + 1 / MAX_RATIO);
+          "ratio=" + ratio + " couples nothing, its size must be at least " + 1 / Checks.MAX_RATIO);
     }
     JointDef<T> d = new JointDef<>(type, bodyA, bodyB);
     d.ratio = ratio;
@@ -371,8 +368,8 @@ public final class JointDef<T> {
    */
   public JointDef<T> spring(float newHertz, float dampingRatio) {
     refuseUnless(canSpring(type), "spring");
-    hertz = Checks.range("hertz", newHertz, 0, MAX_HERTZ);
-    damping = Checks.range("dampingRatio", dampingRatio, 0, 100);
+    hertz = Checks.range("hertz", newHertz, 0, Checks.MAX_HERTZ);
+    damping = Checks.range("dampingRatio", dampingRatio, 0, Checks.MAX_DAMPING_RATIO);
     sprung = hasCoordinateSpring(type);
     return this;
   }
@@ -386,8 +383,8 @@ public final class JointDef<T> {
    */
   public JointDef<T> angularSpring(float newHertz, float dampingRatio) {
     refuseUnless(type == JointType.WELD || type == JointType.MOTOR, "angularSpring");
-    angularHertz = Checks.range("hertz", newHertz, 0, MAX_HERTZ);
-    angularDamping = Checks.range("dampingRatio", dampingRatio, 0, 100);
+    angularHertz = Checks.range("hertz", newHertz, 0, Checks.MAX_HERTZ);
+    angularDamping = Checks.range("dampingRatio", dampingRatio, 0, Checks.MAX_DAMPING_RATIO);
     return this;
   }
 

@@ -262,4 +262,29 @@ class StateBytesTest {
     }
     assertTrue(read > 150 && read < 1_350, "read=" + read);
   }
+
+  /** What the API refuses to set, an archive can't bring in either. */
+  @Test
+  void whatNobodyMaySetIsRefused() {
+    World<String> w = zoo();
+    int hinge = 0;
+    w.dynamics().joints().hertz[hinge] = 1_001;
+    w.dynamics().joints().coldChanged();
+    byte[] joint = bytes(w);
+    w.dynamics().joints().hertz[hinge] = 1_000;
+    w.dynamics().joints().coldChanged();
+    byte[] allowed = bytes(w);
+    w.store().linearDamping[0] = -1;
+    w.store().coldChanged();
+    byte[] body = bytes(w);
+    World<String> other = zoo();
+    restore(other, allowed);
+    assertRefused(other, joint, "hertz=1001.0 of joint=0 is outside 0..1000.0");
+    assertRefused(other, body, "damping of body=0 is negative");
+  }
+
+  private static void assertRefused(World<String> w, byte[] bytes, String why) {
+    ArchiveException e = assertThrows(ArchiveException.class, () -> restore(w, bytes));
+    assertTrue(e.getMessage().contains(why), e.getMessage());
+  }
 }

@@ -520,14 +520,17 @@ public final class BodyStore {
       a.numbers("velocity or force", floats[f], slots(), MOST);
     }
     a.numbers("time of rest", sleepTime, slots(), MOST);
-    a.numbers("linear damping", linearDamping, slots(), MOST);
-    a.numbers("angular damping", angularDamping, slots(), MOST);
-    a.numbers("gravity scale", gravityScale, slots(), MOST);
+    a.numbers("linear damping", linearDamping, slots(), Checks.MAX_DAMPING);
+    a.numbers("angular damping", angularDamping, slots(), Checks.MAX_DAMPING);
+    a.numbers("gravity scale", gravityScale, slots(), Checks.MAX_GRAVITY_SCALE);
     for (int slot = 0; a.reads() && slot < slots(); slot++) {
       float square = cos[slot] * cos[slot] + sin[slot] * sin[slot];
       a.require(
           type[slot] == FREE || Math.abs(square - 1) < 0.01f,
           "cos^2+sin^2=" + square + " of body=" + slot + " is no rotation");
+      a.require(
+          type[slot] == FREE || (linearDamping[slot] >= 0 && angularDamping[slot] >= 0),
+          "damping of body=" + slot + " is negative");
     }
   }
 

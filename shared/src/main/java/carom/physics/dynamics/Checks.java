@@ -20,6 +20,21 @@ public final class Checks {
   /** Largest force, torque or impulse that may be asked for, N, N m, N s. */
   public static final float MAX_FORCE = 1e20f;
 
+  /** Largest frequency of a joint's spring, 1/s. */
+  public static final float MAX_HERTZ = 1e3f;
+
+  /** Largest damping ratio of a joint's spring. */
+  public static final float MAX_DAMPING_RATIO = 100;
+
+  /** Largest ratio of gears, racks and pulleys. */
+  public static final float MAX_RATIO = 1e4f;
+
+  /** Largest damping of a body, 1/s. */
+  public static final float MAX_DAMPING = 1e4f;
+
+  /** Largest factor on the world's gravity. */
+  public static final float MAX_GRAVITY_SCALE = 1e3f;
+
   /** Longest time step, s. */
   public static final float MAX_TIME_STEP = 0.1f;
 

@@ -664,18 +664,24 @@ public final class JointStore {
               && bodyA[j] != bodyB[j]
               && (grounded || (bodyA[j] >= 0 && bodies.type[bodyA[j]] != BodyStore.FREE)),
           "joint=" + j + " of body=" + bodyA[j] + " with body=" + bodyB[j]);
-      a.require(
-          lower[j] <= upper[j]
-              && hertz[j] >= 0
-              && damping[j] >= 0
-              && angularHertz[j] >= 0
-              && angularDamping[j] >= 0
-              && motorMax[j] >= 0
-              && maxForce[j] >= 0
-              && maxTorque[j] >= 0
-              && breakForce[j] >= 0
-              && breakTorque[j] >= 0,
-          "joint=" + j + " has a negative limit, or limits in the wrong order");
+      a.require(lower[j] <= upper[j], "joint=" + j + " has limits in the wrong order");
+      range(a, j, "hertz", hertz[j], Checks.MAX_HERTZ);
+      range(a, j, "angular hertz", angularHertz[j], Checks.MAX_HERTZ);
+      range(a, j, "damping ratio", damping[j], Checks.MAX_DAMPING_RATIO);
+      range(a, j, "angular damping ratio", angularDamping[j], Checks.MAX_DAMPING_RATIO);
+      range(a, j, "motor speed", Math.abs(motorSpeed[j]), Checks.MAX_VELOCITY);
+      range(a, j, "most of the motor", motorMax[j], Checks.MAX_FORCE);
+      range(a, j, "most force", maxForce[j], Checks.MAX_FORCE);
+      range(a, j, "most torque", maxTorque[j], Checks.MAX_FORCE);
+      range(a, j, "ratio", Math.abs(ratio[j]), Checks.MAX_RATIO);
+      range(a, j, "breaking force", breakForce[j], Float.POSITIVE_INFINITY);
+      range(a, j, "breaking torque", breakTorque[j], Float.POSITIVE_INFINITY);
+    }
+  }
+
+  private static void range(Archive a, int joint, String what, float value, float most) {
+    if (!(value >= 0 && value <= most)) {
+      a.require(false, what + "=" + value + " of joint=" + joint + " is outside 0.." + most);
     }
   }
 
