@@ -1,14 +1,7 @@
 package carom.server.bench;
 
 import carom.sim.scene.SceneReport;
-import com.fasterxml.jackson.core.JsonFactory;
-import com.fasterxml.jackson.core.JsonGenerator;
-import com.fasterxml.jackson.core.JsonParser;
-import com.fasterxml.jackson.core.JsonToken;
 import java.io.IOException;
-import java.io.StringWriter;
-import java.io.UncheckedIOException;
-import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
@@ -26,6 +19,7 @@ import java.util.Map;
  * @param deepPairs overlaps deeper than 2 cm
  * @param jointGap worst distance between the anchors of a hinge, m
  * @param stages ms per step by name of the stage, empty if nobody looked
+ * @param scaling what several threads gain; of Carom's rows with several threads only
  * @param ratios of other engines' times to this one, by who they are; above 1 this one is faster.
  *     Only Carom's rows have them
  * @param fault why the run doesn't count, or empty
@@ -43,10 +37,9 @@ record BenchRow(
     double deepPairs,
     double jointGap,
     Map<String, Double> stages,
+    Scaling scaling,
     Map<String, Double> ratios,
     String fault) {
-  private static final JsonFactory JSON = new JsonFactory();
-
   /** A row about so many bodies without a world to look at. */
   static BenchRow of(String scene, Entrant entrant, int bodies, Times times) {
     return new BenchRow(
@@ -62,6 +55,7 @@ record BenchRow(
         Double.NaN,
         Double.NaN,
         Map.of(),
+        Scaling.NONE,
         Map.of(),
         "");
   }
@@ -86,29 +80,35 @@ record BenchRow(
         end.deepOverlaps(),
         end.worstJointGap(),
         stages,
+        scaling,
         ratios,
         fault);
   }
 
   BenchRow withHash(long newHash) {
-    return with("%016x".formatted(newHash), stages, ratios, fault);
+    return with("%016x".formatted(newHash), stages, scaling, ratios, fault);
   }
 
   BenchRow withStages(Map<String, Double> newStages) {
-    return with(hash, newStages, ratios, fault);
+    return with(hash, newStages, scaling, ratios, fault);
+  }
+
+  BenchRow withScaling(Scaling newScaling) {
+    return with(hash, stages, newScaling, ratios, fault);
   }
 
   BenchRow withRatios(Map<String, Double> newRatios) {
-    return with(hash, stages, newRatios, fault);
+    return with(hash, stages, scaling, newRatios, fault);
   }
 
   BenchRow withFault(String newFault) {
-    return with(hash, stages, ratios, newFault);
+    return with(hash, stages, scaling, ratios, newFault);
   }
 
   private BenchRow with(
       String newHash,
       Map<String, Double> newStages,
+      Scaling newScaling,
       Map<String, Double> newRatios,
       String newFault) {
     return new BenchRow(
@@ -124,6 +124,7 @@ record BenchRow(
         deepPairs,
         jointGap,
         newStages,
+        newScaling,
         newRatios,
         newFault);
   }
@@ -144,56 +145,32 @@ record BenchRow(
 
   /** One object in one line; what wasn't measured is null. */
   String toJson() {
-    StringWriter text = new StringWriter();
-    try (JsonGenerator out = JSON.createGenerator(text)) {
-      out.writeStartObject();
-      out.writeStringField("scene", scene);
-      out.writeStringField("engine", entrant.engine());
-      out.writeStringField("kernels", entrant.kernels());
-      out.writeNumberField("threads", entrant.threads());
-      out.writeNumberField("bodies", bodies);
-      out.writeNumberField("joints", joints);
-      out.writeNumberField("awake", awake);
-      out.writeNumberField("steps", times.steps());
-      number(out, "medianMs", times.medianMs());
-      number(out, "p99Ms", times.p99Ms());
-      number(out, "wallMs", times.wallMs());
-      number(out, "allocatedBytesPerStep", times.allocatedBytes());
-      out.writeStringField("hash", hash);
-      number(out, "kineticEnergy", kineticEnergy);
-      number(out, "maxPenetration", maxPenetration);
-      if (Double.isNaN(deepPairs)) {
-        out.writeNullField("deepPairs");
-      } else {
-        out.writeNumberField("deepPairs", (int) deepPairs);
-      }
-      number(out, "jointGap", jointGap);
-      numbers(out, "stages", stages);
-      numbers(out, "ratios", ratios);
-      out.writeBooleanField("valid", counts());
-      out.writeStringField("fault", fault);
-      out.writeEndObject();
-    } catch (IOException e) {
-      throw new UncheckedIOException(e); // a StringWriter never fails
-    }
-    return text.toString();
-  }
-
-  private static void number(JsonGenerator out, String name, double value) throws IOException {
-    if (Double.isFinite(value)) {
-      out.writeNumberField(name, value);
-    } else {
-      out.writeNullField(name); // JSON has no NaN
-    }
-  }
-
-  private static void numbers(JsonGenerator out, String name, Map<String, Double> values)
-      throws IOException {
-    out.writeObjectFieldStart(name);
-    for (Map.Entry<String, Double> value : values.entrySet()) {
-      number(out, value.getKey(), value.getValue());
-    }
-    out.writeEndObject();
+    return new JsonLine.Writer()
+        .text("scene", scene)
+        .text("engine", entrant.engine())
+        .text("kernels", entrant.kernels())
+        .whole("threads", entrant.threads())
+        .whole("bodies", bodies)
+        .whole("joints", joints)
+        .whole("awake", awake)
+        .whole("steps", times.steps())
+        .number("medianMs", times.medianMs())
+        .number("p99Ms", times.p99Ms())
+        .number("wallMs", times.wallMs())
+        .number("allocatedBytesPerStep", times.allocatedBytes())
+        .text("hash", hash)
+        .number("kineticEnergy", kineticEnergy)
+        .number("maxPenetration", maxPenetration)
+        .number("deepPairs", deepPairs)
+        .number("jointGap", jointGap)
+        .numbers("stages", stages)
+        .number("speedUp", scaling.speedUp())
+        .number("ceiling", scaling.ceiling())
+        .number("share", scaling.share())
+        .numbers("ratios", ratios)
+        .truth("valid", counts())
+        .text("fault", fault)
+        .end();
   }
 
   /**
@@ -202,63 +179,27 @@ record BenchRow(
    * @throws IOException if it is something else
    */
   static BenchRow ofJson(String json) throws IOException {
-    Map<String, String> fields = new LinkedHashMap<>();
-    Map<String, Map<String, Double>> maps = new LinkedHashMap<>();
-    try (JsonParser in = JSON.createParser(json)) {
-      in.nextToken();
-      while (in.nextToken() == JsonToken.FIELD_NAME) {
-        String name = in.currentName();
-        if (in.nextToken() != JsonToken.START_OBJECT) {
-          fields.put(name, in.getText());
-          continue;
-        }
-        Map<String, Double> values = new LinkedHashMap<>();
-        while (in.nextToken() == JsonToken.FIELD_NAME) {
-          in.nextToken();
-          values.put(in.currentName(), in.getDoubleValue());
-        }
-        maps.put(name, values);
-      }
-    }
-    try {
-      return new BenchRow(
-          text(fields, "scene"),
-          new Entrant(
-              text(fields, "engine"),
-              text(fields, "kernels"),
-              Integer.parseInt(text(fields, "threads"))),
-          Integer.parseInt(text(fields, "bodies")),
-          Integer.parseInt(text(fields, "joints")),
-          Integer.parseInt(text(fields, "awake")),
-          new Times(
-              Integer.parseInt(text(fields, "steps")),
-              number(fields, "medianMs"),
-              number(fields, "p99Ms"),
-              number(fields, "wallMs"),
-              number(fields, "allocatedBytesPerStep")),
-          text(fields, "hash"),
-          number(fields, "kineticEnergy"),
-          number(fields, "maxPenetration"),
-          number(fields, "deepPairs"),
-          number(fields, "jointGap"),
-          maps.getOrDefault("stages", Map.of()),
-          maps.getOrDefault("ratios", Map.of()),
-          text(fields, "fault"));
-    } catch (NumberFormatException e) {
-      throw new IOException("not a row: " + json, e);
-    }
-  }
-
-  private static String text(Map<String, String> fields, String name) throws IOException {
-    String value = fields.get(name);
-    if (value == null) {
-      throw new IOException("row without field=" + name);
-    }
-    return value;
-  }
-
-  private static double number(Map<String, String> fields, String name) throws IOException {
-    String value = text(fields, name);
-    return value.equals("null") ? Double.NaN : Double.parseDouble(value);
+    JsonLine line = JsonLine.read(json);
+    return new BenchRow(
+        line.text("scene"),
+        new Entrant(line.text("engine"), line.text("kernels"), line.whole("threads")),
+        line.whole("bodies"),
+        line.whole("joints"),
+        line.whole("awake"),
+        new Times(
+            line.whole("steps"),
+            line.number("medianMs"),
+            line.number("p99Ms"),
+            line.number("wallMs"),
+            line.number("allocatedBytesPerStep")),
+        line.text("hash"),
+        line.number("kineticEnergy"),
+        line.number("maxPenetration"),
+        line.number("deepPairs"),
+        line.number("jointGap"),
+        line.numbers("stages"),
+        new Scaling(line.number("speedUp"), line.number("ceiling"), line.number("share")),
+        line.numbers("ratios"),
+        line.text("fault"));
   }
 }

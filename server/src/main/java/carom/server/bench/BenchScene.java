@@ -79,6 +79,11 @@ record BenchScene(
     return scenes.get();
   }
 
+  /** Whether all of it is awake: what mostly sleeps has nothing that threads could share. */
+  boolean isBusy() {
+    return gate.maxAwake() == Integer.MAX_VALUE;
+  }
+
   /** The same with a quarter of the timed steps. */
   BenchScene quick() {
     return new BenchScene(name, warm, Math.max(10, measured / 4), gate, peers, scenes);

@@ -11,7 +11,7 @@ import java.util.Set;
 
 /**
  * Results for people: the same tables on a terminal and in Markdown. The rows, the other engines'
- * times as multiples of Carom's, and where Carom's time goes. A figure of a run that doesn't count
+ * times as multiples of Carom's, what threads gain, and where Carom's time goes. A figure of a run that doesn't count
  * has an exclamation mark.
  */
 final class BenchTable {
@@ -46,7 +46,7 @@ final class BenchTable {
 
   private static String tables(List<BenchRow> rows, String left, String middle, String right) {
     StringBuilder text = new StringBuilder();
-    for (List<List<String>> table : List.of(results(rows), ratios(rows), stages(rows))) {
+    for (List<List<String>> table : List.of(results(rows), ratios(rows), scaling(rows), stages(rows))) {
       if (table.size() > 1 || text.length() == 0) {
         text.append(text.length() == 0 ? "" : "\n").append(render(table, left, middle, right));
       }
@@ -171,6 +171,25 @@ final class BenchTable {
       }
     }
     return firsts;
+  }
+
+  /** What several threads gain beside what they could, for rows that have it. */
+  private static List<List<String>> scaling(List<BenchRow> rows) {
+    List<List<String>> lines = new ArrayList<>();
+    lines.add(List.of("scene", "engine", "speed-up", "ceiling", "share"));
+    for (BenchRow row : rows) {
+      Scaling scaling = row.scaling();
+      if (scaling.isMeasured()) {
+        lines.add(
+            List.of(
+                row.scene(),
+                row.entrant().toString(),
+                number("%.2f", scaling.speedUp()) + mark(row),
+                number("%.2f", scaling.ceiling()) + mark(row),
+                number("%.2f", scaling.share()) + mark(row)));
+      }
+    }
+    return lines;
   }
 
   /** Milliseconds per stage, for rows that have them. */

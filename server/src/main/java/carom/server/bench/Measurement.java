@@ -8,6 +8,7 @@ import carom.sim.scene.Scene;
 import carom.sim.scene.SceneReport;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.function.Consumer;
 
 /**
  * How long to measure; and how an engine is measured on a scene, on the calling thread.
@@ -15,7 +16,8 @@ import java.util.Map;
  * <p>First the scene is repeated in fresh worlds until the compiler is done: for {@link
  * #warmUpSeconds} and {@value #LEAST_STEPS} steps at least, and until a repeat is hardly faster
  * than the one before. Then it runs once more, some steps untimed, then the timed ones in {@value
- * #SLICES} slices, between which the other entrants have their turns. Carom runs a further time
+ * #SLICES} slices, between which the other entrants have their turns. With several threads each
+ * slice is followed by one of the worlds that tell {@link Scaling}. Carom runs a further time
  * with its stages told, which must end in the same bits.
  *
  * @param warmUpSeconds of stepping before the run that counts
@@ -46,15 +48,21 @@ record Measurement(double warmUpSeconds, double capSeconds, boolean quick, Turns
    * @param work what is timed
    */
   void time(Stopwatch watch, Runnable before, Runnable work) {
+    time(watch, before, work, slice -> {});
+  }
+
+  private void time(Stopwatch watch, Runnable before, Runnable work, Consumer<double[]> meter) {
     int slice = Math.max(1, (watch.most() + SLICES - 1) / SLICES);
     do {
-      if (watch.count() % slice == 0) {
-        turns.pass();
-      }
-      before.run();
-      watch.begin();
-      work.run();
-      watch.end();
+      turns.pass();
+      int begin = watch.count();
+      do {
+        before.run();
+        watch.begin();
+        work.run();
+        watch.end();
+      } while (!watch.isFull() && watch.count() < begin + slice && watch.spent() < capSeconds);
+      meter.accept(watch.wallMs(begin));
     } while (!watch.isFull() && watch.spent() < capSeconds);
   }
 
@@ -71,7 +79,15 @@ record Measurement(double warmUpSeconds, double capSeconds, boolean quick, Turns
         step(engine, untimed);
       }
       Stopwatch timed = new Stopwatch(how.measured(), byClock);
-      time(timed, () -> {}, engine::step);
+      Scaling scaling = Scaling.NONE;
+      if (byClock && how.isBusy()) {
+        try (ScalingMeter meter = new ScalingMeter(scene, entrant.threads(), untimed.count())) {
+          time(timed, () -> {}, engine::step, meter::slice);
+          scaling = meter.result();
+        }
+      } else {
+        time(timed, () -> {}, engine::step);
+      }
       Times times = timed.times();
       World<?> world = engine.world();
       SceneReport end = SceneReport.of(world);
@@ -84,6 +100,7 @@ record Measurement(double warmUpSeconds, double capSeconds, boolean quick, Turns
       BenchRow row =
           BenchRow.of(how.name(), entrant, bodies, times)
               .withHash(hash)
+              .withScaling(scaling)
               .withEnd(world.jointCount(), engine.awake(), end);
       String fault = how.gate().fault(end, engine.awake());
       boolean cut = untimed.count() < how.warm() || timed.count() < how.measured();

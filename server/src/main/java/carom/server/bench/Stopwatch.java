@@ -2,6 +2,7 @@ package carom.server.bench;
 
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
+import java.util.Arrays;
 
 /**
  * Times pieces of work one by one: CPU time of the calling thread, the clock, and what is
@@ -72,6 +73,11 @@ final class Stopwatch {
   /** How many it can time. */
   int most() {
     return cpu.length;
+  }
+
+  /** What the pieces from one on took by the clock, ms. */
+  double[] wallMs(int from) {
+    return Arrays.stream(wall, from, count).map(seconds -> seconds * 1e3).toArray();
   }
 
   boolean isFull() {

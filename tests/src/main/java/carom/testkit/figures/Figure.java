@@ -1,15 +1,9 @@
 package carom.testkit.figures;
 
-import com.fasterxml.jackson.core.JsonFactory;
-import com.fasterxml.jackson.core.JsonGenerator;
-import com.fasterxml.jackson.core.JsonParser;
-import com.fasterxml.jackson.core.JsonToken;
+import carom.server.bench.JsonLine;
 import java.io.IOException;
-import java.io.StringWriter;
-import java.io.UncheckedIOException;
-import java.util.HashMap;
+import java.util.Arrays;
 import java.util.Locale;
-import java.util.Map;
 
 /**
  * One line of the table.
@@ -24,8 +18,6 @@ import java.util.Map;
  */
 record Figure(
     String job, String what, double value, String unit, Goal goal, double reach, String note) {
-  private static final JsonFactory JSON = new JsonFactory();
-
   /** What counts as reached. */
   enum Goal {
     /** The value, or less. */
@@ -103,30 +95,16 @@ record Figure(
 
   /** One object in one line; what isn't a number is null. */
   String toJson() {
-    StringWriter text = new StringWriter();
-    try (JsonGenerator out = JSON.createGenerator(text)) {
-      out.writeStartObject();
-      out.writeStringField("job", job);
-      out.writeStringField("what", what);
-      number(out, "value", value);
-      out.writeStringField("unit", unit);
-      out.writeStringField("goal", goal.name());
-      number(out, "reach", reach);
-      out.writeBooleanField("reached", reached());
-      out.writeStringField("note", note);
-      out.writeEndObject();
-    } catch (IOException e) {
-      throw new UncheckedIOException(e); // a StringWriter never fails
-    }
-    return text.toString();
-  }
-
-  private static void number(JsonGenerator out, String name, double value) throws IOException {
-    if (Double.isFinite(value)) {
-      out.writeNumberField(name, value);
-    } else {
-      out.writeNullField(name); // JSON has no NaN
-    }
+    return new JsonLine.Writer()
+        .text("job", job)
+        .text("what", what)
+        .number("value", value)
+        .text("unit", unit)
+        .text("goal", goal.name())
+        .number("reach", reach)
+        .truth("reached", reached())
+        .text("note", note)
+        .end();
   }
 
   /**
@@ -135,38 +113,18 @@ record Figure(
    * @throws IOException if it is something else
    */
   static Figure ofJson(String json) throws IOException {
-    Map<String, String> fields = new HashMap<>();
-    try (JsonParser in = JSON.createParser(json)) {
-      in.nextToken();
-      while (in.nextToken() == JsonToken.FIELD_NAME) {
-        String name = in.currentName();
-        in.nextToken();
-        fields.put(name, in.getText());
-      }
+    JsonLine line = JsonLine.read(json);
+    String goal = line.text("goal");
+    if (Arrays.stream(Goal.values()).noneMatch(known -> known.name().equals(goal))) {
+      throw new IOException("goal=" + goal + " is unknown");
     }
-    try {
-      return new Figure(
-          text(fields, "job"),
-          text(fields, "what"),
-          number(text(fields, "value")),
-          text(fields, "unit"),
-          Goal.valueOf(text(fields, "goal")),
-          number(text(fields, "reach")),
-          text(fields, "note"));
-    } catch (IllegalArgumentException e) {
-      throw new IOException("not a figure: " + json, e);
-    }
-  }
-
-  private static String text(Map<String, String> fields, String name) throws IOException {
-    String value = fields.get(name);
-    if (value == null) {
-      throw new IOException("figure without field=" + name);
-    }
-    return value;
-  }
-
-  private static double number(String text) {
-    return text.equals("null") ? Double.NaN : Double.parseDouble(text);
+    return new Figure(
+        line.text("job"),
+        line.text("what"),
+        line.number("value"),
+        line.text("unit"),
+        Goal.valueOf(goal),
+        line.number("reach"),
+        line.text("note"));
   }
 }

@@ -41,6 +41,9 @@ class BenchCommandTest {
           "deepPairs",
           "jointGap",
           "stages",
+          "speedUp",
+          "ceiling",
+          "share",
           "ratios",
           "valid",
           "fault");
@@ -110,7 +113,11 @@ class BenchCommandTest {
       assertTrue(Double.parseDouble(row.get("stages.pairs")) > 0, text);
     }
     assertEquals("1", parse(rows.get(0)).get("threads"));
+    assertEquals("null", parse(rows.get(0)).get("share"), "one thread shares nothing");
     assertEquals("2", parse(rows.get(1)).get("threads"));
+    assertTrue(Double.parseDouble(parse(rows.get(1)).get("speedUp")) > 0, rows.get(1));
+    assertTrue(Double.parseDouble(parse(rows.get(1)).get("ceiling")) > 0, rows.get(1));
+    assertTrue(Double.parseDouble(parse(rows.get(1)).get("share")) > 0, rows.get(1));
     assertTrue(out.toString().contains("carom vector x2"), out.toString());
     assertTrue(err.toString().contains("[1/1] gas_1k, carom scalar: "), "progress: " + err);
     assertTrue(Files.readString(markdown).startsWith("| scene"), "markdown");

@@ -32,6 +32,7 @@ class BenchRowTest {
         row(CAROM, 2)
             .withStages(Map.of("pairs", 0.25))
             .withRatios(Map.of("jbox2d", 17.0))
+            .withScaling(new Scaling(1.5, 1.8, 0.8))
             .withFault("a \"quoted\" fault");
     assertEquals(full, BenchRow.ofJson(full.toJson()));
     BenchRow failed = BenchRow.failed("gas_1k", Entrant.of("dyn4j"), "no such thing");
@@ -63,6 +64,24 @@ class BenchRowTest {
     assertTrue(gate.asleepBut(4).fault(end(10, 0.01f, 0), 5).contains("5 bodies are awake"));
     assertTrue(Gate.elastic(100, 105).fault(end(90, 0.01f, 0), 5).contains("below"));
     assertTrue(Gate.still(500, 49).fault(end(10, 0.01f, 0), 5).contains("distance"));
+  }
+
+  /** Two worlds of one thread each are a ceiling; the thread that measures is one of the two. */
+  @Test
+  void scalingIsMeasuredBesideTheSharedWorld() {
+    BenchScene scene = BenchScene.of("gas_1k");
+    try (ScalingMeter meter = new ScalingMeter(scene.scene(), 2, 3)) {
+      assertFalse(meter.result().isMeasured());
+      meter.slice(new double[] {1, 2, 3});
+      meter.slice(new double[] {1, 2, 3, 4, 5});
+      Scaling scaling = meter.result();
+      assertTrue(scaling.isMeasured());
+      assertTrue(scaling.speedUp() > 0 && scaling.ceiling() > 0 && scaling.share() > 0);
+      String table = BenchTable.plain(List.of(row(CAROM, 2).withScaling(scaling)));
+      assertTrue(table.contains("speed-up  ceiling  share"), table);
+    }
+    assertTrue(scene.isBusy());
+    assertFalse(BenchScene.of("asleep_20k").isBusy());
   }
 
   @Test
