@@ -5,13 +5,19 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.physics.geometry.Circle;
+import carom.physics.geometry.Shape;
 import carom.physics.threads.WorkerThreads;
 import carom.physics.threads.Workers;
 import carom.sim.scene.BenchmarkScenes;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneRun;
+import carom.sim.scene.Stage;
+import carom.sim.scene.View;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -28,6 +34,7 @@ final class WorkersTest {
     SMASH(BenchmarkScenes.smash(60, 20)),
     GAS(BenchmarkScenes.gas(2000)),
     NET(BenchmarkScenes.jointGrid(40)),
+    KINDS(kinds(30)),
     SLEEPY(BenchmarkScenes.pile(900, 25, 16).with(new WorldDef()));
 
     private final Scene scene;
@@ -49,6 +56,51 @@ final class WorkersTest {
       }
       return hashes.toString();
     }
+  }
+
+  /** A net of all kinds of joints, some of them to the world and to one body that turns. */
+  private static Scene kinds(int n) {
+    return new Scene("kinds", "a net of all kinds", new View(0, 0, n, n), s -> kinds(s, n))
+        .with(new WorldDef().withSleeping(false));
+  }
+
+  private static <T> void kinds(Stage<T> s, int n) {
+    Shape disc = new Circle(0.4f);
+    Filter apart = Filter.DEFAULT.withGroup(-1);
+    BodyDef def = new BodyDef(BodyType.DYNAMIC).shape(disc, Material.DEFAULT, apart);
+    Body<T> hub = s.body(new BodyDef(BodyType.KINEMATIC).shape(disc, Material.DEFAULT, apart));
+    hub.setAngularVelocity(1);
+    List<Body<T>> bodies = new ArrayList<>();
+    for (int x = 0; x < n; x++) {
+      for (int y = 0; y < n; y++) {
+        Body<T> body = s.body(def.position(x + 1, -y));
+        if (y > 0) {
+          s.joint(kind((x + y) % 11, bodies.get(bodies.size() - 1), body, x + 1, 0.5f - y));
+        } else {
+          s.joint(kind(x % 8, x % 2 == 0 ? hub : null, body, x + 1, 0));
+        }
+        if (x > 0 && y % 2 == 0) {
+          s.joint(kind((x + y / 2) % 11, bodies.get(bodies.size() - n), body, x + 0.5f, -y));
+        }
+        bodies.add(body);
+      }
+    }
+  }
+
+  private static <T> JointDef<T> kind(int which, Body<T> a, Body<T> b, float x, float y) {
+    return switch (which) {
+      case 0 -> JointDef.revolute(a, b, x, y).limits(-0.5f, 0.5f);
+      case 1 -> JointDef.revolute(a, b, x, y).motor(2, 5).spring(3, 0.5f);
+      case 2 -> JointDef.distance(a, b, x, y, b.x(), b.y());
+      case 3 -> JointDef.rope(a, b, x, y, b.x(), b.y(), 0.8f);
+      case 4 -> JointDef.prismatic(a, b, x, y, 0, 1).limits(-0.2f, 0.2f).motor(1, 3);
+      case 5 -> JointDef.weld(a, b, x, y);
+      case 6 -> JointDef.wheel(a, b, x, y, 0, 1).spring(4, 0.7f).motor(3, 2);
+      case 7 -> JointDef.revolute(a, b, x, y);
+      case 8 -> JointDef.motor(a, b, 200, 50);
+      case 9 -> JointDef.gear(a, b, 2);
+      default -> JointDef.rack(a, b, 1, 0, 0.5f);
+    };
   }
 
   /** One thread that does the tasks in an order of its own, as many workers might. */

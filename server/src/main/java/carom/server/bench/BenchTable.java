@@ -11,8 +11,8 @@ import java.util.Set;
 
 /**
  * Results for people: the same tables on a terminal and in Markdown. The rows, the other engines'
- * times as multiples of Carom's, what threads gain, and where Carom's time goes. A figure of a run that doesn't count
- * has an exclamation mark.
+ * times as multiples of Carom's, what threads gain, and where Carom's time goes. A figure of a run
+ * that doesn't count has an exclamation mark.
  */
 final class BenchTable {
   private static final List<String> HEADERS =
@@ -46,7 +46,8 @@ final class BenchTable {
 
   private static String tables(List<BenchRow> rows, String left, String middle, String right) {
     StringBuilder text = new StringBuilder();
-    for (List<List<String>> table : List.of(results(rows), ratios(rows), scaling(rows), stages(rows))) {
+    for (List<List<String>> table :
+        List.of(results(rows), ratios(rows), scaling(rows), stages(rows))) {
       if (table.size() > 1 || text.length() == 0) {
         text.append(text.length() == 0 ? "" : "\n").append(render(table, left, middle, right));
       }

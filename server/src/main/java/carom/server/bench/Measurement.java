@@ -17,8 +17,8 @@ import java.util.function.Consumer;
  * #warmUpSeconds} and {@value #LEAST_STEPS} steps at least, and until a repeat is hardly faster
  * than the one before. Then it runs once more, some steps untimed, then the timed ones in {@value
  * #SLICES} slices, between which the other entrants have their turns. With several threads each
- * slice is followed by one of the worlds that tell {@link Scaling}. Carom runs a further time
- * with its stages told, which must end in the same bits.
+ * slice is followed by one of the worlds that tell {@link Scaling}. Carom runs a further time with
+ * its stages told, which must end in the same bits.
  *
  * @param warmUpSeconds of stepping before the run that counts
  * @param capSeconds after which the warm-up, the timed part, and likewise the untimed part end

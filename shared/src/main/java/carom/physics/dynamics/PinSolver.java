@@ -12,7 +12,7 @@ import java.util.Arrays;
 
 /**
  * Pins: hinges without limit, motor or spring, of which most chains, nets and figures are made. The
- * point constraint of {@link JointSolver} in blocks of {@link #LANES}, so that vectors can solve
+ * point constraint of {@link JointVisit} in blocks of {@link #LANES}, so that vectors can solve
  * them side by side and workers share them.
  *
  * <p>The pins of one block share no body that can be moved; {@link JointSolver} sees to it by
@@ -27,7 +27,7 @@ final class PinSolver {
   /** Pins in a block. */
   static final int LANES = VectorModule.LANES;
 
-  /** As in {@link JointSolver}: what is further apart than this, m, was torn. */
+  /** As in {@link JointVisit}: what is further apart than this, m, was torn. */
   static final float TORN = 4;
 
   // Offsets of the quantities of a block: of the bodies,
@@ -110,6 +110,12 @@ final class PinSolver {
   private final Crew.Range warming = this::warmBlocks;
   private final Crew.Range pushing = this::pushBlocks;
   private final Crew.Range relaxing = this::relaxBlocks;
+  private final Crew.Range storing = (from, to, worker) -> storeBlocks(from, to);
+
+  /** Where impulses are written when a step ends, and the inverse of its substeps' length, 1/s. */
+  private JointStore store;
+
+  private float inverseH;
 
   /**
    * Makes a solver.
@@ -178,44 +184,28 @@ final class PinSolver {
     crew.run(0, blocks, GRAIN, measuring);
   }
 
-  /** Fills a lane: bodies, masses and what the last step left behind. */
-  void pack(
-      int lane,
-      int slot,
-      int offsetA,
-      int offsetB,
-      float massA,
-      float massB,
-      float inertiaA,
-      float inertiaB,
-      float impulseX,
-      float impulseY) {
+  /** Fills a lane with a joint as the step begins, and what the last one left behind. */
+  void pack(int lane, JointFrame f, JointStore j) {
     float[] d = data;
     int at = lane / LANES * RECORD + lane % LANES;
-    joint[lane] = slot;
-    bodyA[lane] = offsetA;
-    bodyB[lane] = offsetB;
-    d[at + MASS_A] = massA;
-    d[at + MASS_B] = massB;
-    d[at + INERTIA_A] = inertiaA;
-    d[at + INERTIA_B] = inertiaB;
-    d[at + PX] = impulseX;
-    d[at + PY] = impulseY;
-    if (massA == 0 || massB == 0) {
+    joint[lane] = f.slot;
+    bodyA[lane] = f.offsetA;
+    bodyB[lane] = f.offsetB;
+    d[at + MASS_A] = f.massA;
+    d[at + MASS_B] = f.massB;
+    d[at + INERTIA_A] = f.inertiaA;
+    d[at + INERTIA_B] = f.inertiaB;
+    d[at + PX] = j.impulseX[f.slot];
+    d[at + PY] = j.impulseY[f.slot];
+    d[at + ARM_AX] = f.armAx;
+    d[at + ARM_AY] = f.armAy;
+    d[at + ARM_BX] = f.armBx;
+    d[at + ARM_BY] = f.armBy;
+    d[at + GAP_X] = f.gapX;
+    d[at + GAP_Y] = f.gapY;
+    if (f.massA == 0 || f.massB == 0) {
       loose[lane / LANES] = false;
     }
-  }
-
-  /** Fills in the lever arms of a lane and B's centre relative to A's, as the step begins. */
-  void place(int lane, float ax, float ay, float bx, float by, float gapX, float gapY) {
-    float[] d = data;
-    int at = lane / LANES * RECORD + lane % LANES;
-    d[at + ARM_AX] = ax;
-    d[at + ARM_AY] = ay;
-    d[at + ARM_BX] = bx;
-    d[at + ARM_BY] = by;
-    d[at + GAP_X] = gapX;
-    d[at + GAP_Y] = gapY;
   }
 
   /** Applies the impulses of the last substep, or the last step. */
@@ -364,8 +354,15 @@ final class PinSolver {
   }
 
   /** Writes down what the pins exerted; of what isn't a number nothing is kept. */
-  void store(JointStore j, float inverseH) {
-    for (int block = 0; block < blocks; block++) {
+  void store(JointStore j, float rate) {
+    store = j;
+    inverseH = rate;
+    crew.run(0, blocks, GRAIN, storing);
+  }
+
+  private void storeBlocks(int from, int to) {
+    JointStore j = store;
+    for (int block = from; block < to; block++) {
       for (int i = 0; i < used[block]; i++) {
         int slot = joint[block * LANES + i];
         float x = data[block * RECORD + i + PX];

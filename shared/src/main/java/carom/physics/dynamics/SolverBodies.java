@@ -79,6 +79,8 @@ final class SolverBodies {
   // The stages, made once so that a step allocates nothing.
   private final Crew.Range loading = (from, to, worker) -> load(from, to);
   private final Crew.Range accelerating = (from, to, worker) -> accelerate(from, to);
+  private final Crew.Range marking = (from, to, worker) -> mark(from, to);
+  private final Crew.Range excepting = (from, to, worker) -> except(from, to);
   private final Crew.Range moving = (from, to, worker) -> move(from, to);
   private final Crew.Range storing = (from, to, worker) -> store(from, to);
 
@@ -217,7 +219,11 @@ final class SolverBodies {
     if (marked.length < plain.length) {
       marked = new float[plain.length];
     }
-    for (int i = 1; i < count; i++) {
+    crew.run(1, count, GRAIN, marking);
+  }
+
+  private void mark(int from, int to) {
+    for (int i = from; i < to; i++) {
       marked[i * PLAIN + VX] = state[i * STRIDE + VX];
       marked[i * PLAIN + VY] = state[i * STRIDE + VY];
       marked[i * PLAIN + W] = state[i * STRIDE + W];
@@ -226,7 +232,11 @@ final class SolverBodies {
 
   /** Takes note that the changes since {@link #mark} weren't made by contacts. */
   void except() {
-    for (int i = 1; i < count; i++) {
+    crew.run(1, count, GRAIN, excepting);
+  }
+
+  private void except(int from, int to) {
+    for (int i = from; i < to; i++) {
       plain[i * PLAIN + VX] += state[i * STRIDE + VX] - marked[i * PLAIN + VX];
       plain[i * PLAIN + VY] += state[i * STRIDE + VY] - marked[i * PLAIN + VY];
       plain[i * PLAIN + W] += state[i * STRIDE + W] - marked[i * PLAIN + W];
