@@ -90,7 +90,8 @@ public final class Server implements AutoCloseable {
     this.config = config;
     this.transport = transport;
     this.clock = clock;
-    this.helpers = config.threads() == 1 ? null : new WorkerThreads(config.threads());
+    this.helpers =
+        config.threads() == 1 ? null : new WorkerThreads(config.threads(), System::nanoTime);
     SecureRandom random = new SecureRandom();
     List<Room> built = new ArrayList<>();
     for (int number = 1; number <= config.rooms(); number++) {

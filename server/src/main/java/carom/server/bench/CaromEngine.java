@@ -18,7 +18,7 @@ final class CaromEngine implements BenchEngine {
    * @param threads how many step a world together, 1..64
    */
   CaromEngine(int threads) {
-    workers = threads == 1 ? null : new WorkerThreads(threads);
+    workers = threads == 1 ? null : new WorkerThreads(threads, System::nanoTime);
   }
 
   @Override

@@ -62,7 +62,7 @@ record Measurement(double warmUpSeconds, double capSeconds, boolean quick, Turns
         work.run();
         watch.end();
       } while (!watch.isFull() && watch.count() < begin + slice && watch.spent() < capSeconds);
-      meter.accept(watch.wallMs(begin));
+      watch.leaveOut(() -> meter.accept(watch.wallMs(begin)));
     } while (!watch.isFull() && watch.spent() < capSeconds);
   }
 
@@ -78,14 +78,16 @@ record Measurement(double warmUpSeconds, double capSeconds, boolean quick, Turns
       while (!untimed.isFull() && (untimed.count() == 0 || untimed.spent() < capSeconds)) {
         step(engine, untimed);
       }
-      Stopwatch timed = new Stopwatch(how.measured(), byClock);
+      Stopwatch timed;
       Scaling scaling = Scaling.NONE;
       if (byClock && how.isBusy()) {
         try (ScalingMeter meter = new ScalingMeter(scene, entrant.threads(), untimed.count())) {
+          timed = new Stopwatch(how.measured(), true);
           time(timed, () -> {}, engine::step, meter::slice);
           scaling = meter.result();
         }
       } else {
+        timed = new Stopwatch(how.measured(), byClock);
         time(timed, () -> {}, engine::step);
       }
       Times times = timed.times();

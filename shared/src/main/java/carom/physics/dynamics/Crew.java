@@ -13,11 +13,14 @@ final class Crew implements Workers.Task {
    */
   private static final int FEWEST_PIECES = 6;
 
-  /** Steps with fewer moving bodies have too little to share for threads that spin meanwhile. */
-  private static final int FEWEST_BODIES = 1000;
+  /** Steps with fewer moving bodies aren't shared: they take a fraction of a millisecond. */
+  private static final int FEWEST_BODIES = 500;
 
   private Workers workers;
   private int count = 1;
+
+  /** Whether a step is on that is worth sharing. */
+  private boolean sharing;
 
   // The run at hand.
   private Range range;
@@ -51,21 +54,23 @@ final class Crew implements Workers.Task {
 
   /** Has the workers ready for a step, if it is worth it. */
   void stepBegins(int bodies) {
-    if (count > 1 && bodies >= FEWEST_BODIES) {
+    sharing = count > 1 && bodies >= FEWEST_BODIES;
+    if (sharing) {
       workers.stepBegins();
     }
   }
 
   /** Must be called when nothing of the step is left to share. */
   void stepEnds() {
-    if (count > 1) {
+    if (sharing) {
+      sharing = false;
       workers.stepEnds();
     }
   }
 
   /** Whether a stage of some elements is shared at all. */
   boolean shares(int size, int grain) {
-    return count > 1 && size / grain >= FEWEST_PIECES;
+    return sharing && size / grain >= FEWEST_PIECES;
   }
 
   /**

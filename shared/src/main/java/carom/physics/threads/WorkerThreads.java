@@ -5,6 +5,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLongArray;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.LongSupplier;
 
 /**
  * {@link Workers} made of threads of its own. May be shared by worlds that are stepped by different
@@ -17,10 +18,9 @@ import java.util.concurrent.locks.LockSupport;
  * helps the others from the ends of theirs. The caller never waits for a thread that the operating
  * system doesn't let run, unless that thread has begun a task.
  *
- * <p><b>Crowds.</b> Where more threads want a processor than there are, a helper may lose its one
- * in the midst of a task, and the caller waits for milliseconds. So the tasks of announced steps
- * that helpers did are set against how long their callers waited; when waiting prevails, some steps
- * aren't shared at all.
+ * <p><b>Crowds.</b> Where fewer processors are free than there are threads, sharing costs more than
+ * it gains. With a clock, announced steps are timed when a caller had to wait, and left to their
+ * callers while that is faster.
  *
  * <p>A thread without work spins for some 100 microseconds and then parks; within a step that was
  * announced for some 2 ms, since it takes tens of microseconds to wake and a step has serial parts
@@ -35,20 +35,6 @@ public final class WorkerThreads implements Workers, AutoCloseable {
 
   /** And within a step. */
   private static final int SPINS_IN_STEP = 40_000;
-
-  /** How many turns of a spinning caller, and of its sleep, take as long as a task of a step. */
-  private static final int SPINS_PER_TASK = 25;
-
-  private static final int TASKS_PER_SLEEP = 64;
-
-  /** How long a caller sleeps until it looks for the end again, unless it is woken. */
-  private static final long SLEEP_NS = 100_000;
-
-  /** How many announced steps are left to their callers when sharing didn't pay. */
-  private static final int PAUSE_STEPS = 32;
-
-  /** Which part (1 / n) of the balance a step forgets. */
-  private static final int FORGOTTEN = 8;
 
   /** Shares are that many longs apart: two cache lines each, as processors fetch them in pairs. */
   private static final int APART = 16;
@@ -74,13 +60,13 @@ public final class WorkerThreads implements Workers, AutoCloseable {
 
   private volatile boolean closed;
 
-  /** Tasks of the last announced steps that others did than their callers, less the waiting. */
-  private int balance;
+  private final LongSupplier clock;
 
-  /** How many announced steps won't be shared, and whether this one isn't. */
-  private int pause;
+  /** Of each thread that announces steps. */
+  private final ThreadLocal<Sharing> sharings = ThreadLocal.withInitial(Sharing::new);
 
-  private boolean alone;
+  /** The holder's, while its step is on; null if it doesn't share that. */
+  private Sharing sharing;
 
   /** Who waits for the end of the run, null if nobody sleeps over it. */
   private volatile Thread waiting;
@@ -96,6 +82,18 @@ public final class WorkerThreads implements Workers, AutoCloseable {
    * @throws IllegalArgumentException if it is out of range
    */
   public WorkerThreads(int count) {
+    this(count, () -> 0);
+  }
+
+  /**
+   * Starts {@code count - 1} threads, daemons named {@code carom-worker-1} and so on.
+   *
+   * @param count as in {@link #WorkerThreads(int)}
+   * @param clock ns, for instance {@code System::nanoTime}; tells whether sharing pays. It shows in
+   *     no result. Called by the threads that step, twice per run at most
+   * @throws IllegalArgumentException if the count is out of range
+   */
+  public WorkerThreads(int count, LongSupplier clock) {
     if (count < 1 || count > MAX_COUNT) {
       throw new IllegalArgumentException(
           "count="
@@ -105,6 +103,7 @@ public final class WorkerThreads implements Workers, AutoCloseable {
               + "; it is the number of threads, the caller included");
     }
     this.count = count;
+    this.clock = clock;
     shares = new AtomicLongArray((count + 1) * APART);
     threads = new Thread[count - 1];
     parked = new AtomicBoolean[count - 1];
@@ -126,7 +125,7 @@ public final class WorkerThreads implements Workers, AutoCloseable {
   public void run(int tasks, Task task) {
     if (tasks > 1 && count > 1 && !closed) {
       Thread caller = Thread.currentThread();
-      if (holder.get() == caller && !alone) {
+      if (holder.get() == caller && sharing != null) {
         spread(tasks, task);
         return;
       }
@@ -153,7 +152,8 @@ public final class WorkerThreads implements Workers, AutoCloseable {
       shares.set((worker + 1) * APART, from << Integer.SIZE | to);
     }
     wake();
-    balance += tasks - help(0) - awaitOthers();
+    help(0);
+    awaitOthers();
     work = null;
     Throwable thrown = failure;
     if (thrown != null) {
@@ -183,10 +183,9 @@ public final class WorkerThreads implements Workers, AutoCloseable {
     if (holder.get() != caller && !holder.compareAndSet(null, caller)) {
       return;
     }
-    alone = pause > 0;
-    if (alone) {
-      pause--;
-    } else {
+    Sharing mine = sharings.get();
+    if (mine.begins(clock.getAsLong())) {
+      sharing = mine;
       inStep = true;
       wake();
     }
@@ -197,32 +196,30 @@ public final class WorkerThreads implements Workers, AutoCloseable {
     if (holder.get() != Thread.currentThread()) {
       return;
     }
-    if (balance < 0) {
-      balance = 0;
-      pause = PAUSE_STEPS;
-    }
-    balance -= balance / FORGOTTEN;
+    sharings.get().ends(clock.getAsLong());
+    sharing = null;
     inStep = false;
-    alone = false;
     holder.set(null);
   }
 
-  /** Waits until all tasks are done; answers for how many tasks' time. */
-  private int awaitOthers() {
-    for (int i = 0; i < SPINS; i++) {
-      if (left.get() == 0) {
-        return i / SPINS_PER_TASK;
-      }
+  private void awaitOthers() {
+    if (left.get() == 0) {
+      return;
+    }
+    long begin = clock.getAsLong();
+    for (int i = 0; left.get() != 0 && i < SPINS; i++) {
       Thread.onSpinWait();
     }
-    int sleeps = 0;
-    waiting = Thread.currentThread();
-    while (left.get() != 0) {
-      LockSupport.parkNanos(this, SLEEP_NS);
-      sleeps++;
+    if (left.get() != 0) {
+      waiting = Thread.currentThread();
+      while (left.get() != 0) {
+        LockSupport.park(this);
+      }
+      waiting = null;
     }
-    waiting = null;
-    return SPINS / SPINS_PER_TASK + sleeps * TASKS_PER_SLEEP;
+    if (sharing != null) {
+      sharing.waited(clock.getAsLong() - begin);
+    }
   }
 
   /**

@@ -1,0 +1,89 @@
+package carom.physics.threads;
+
+/**
+ * Decides which steps of one caller are shared with other threads, by how long they take.
+ *
+ * <p>Where more threads want a processor than there are, a helper loses its one in the midst of a
+ * task and its caller waits for milliseconds, or the caller loses its own to a helper: a shared
+ * step takes up to twice as long as one alone. Nobody sees that but in the time of whole steps. So
+ * when a caller had to wait for long, the next steps are shared and not, by turns, and what was
+ * faster is kept for a while. As long as nobody waits, every step is shared.
+ *
+ * <p>Times come from the caller, in ns of any clock. One thread at a time.
+ */
+final class Sharing {
+  /** Who waits longer than this at the end of a run waits for a thread that isn't running, ns. */
+  static final long LONG_WAIT_NS = 300_000;
+
+  /** Steps of a trial, half of them shared. */
+  static final int TRIAL_STEPS = 16;
+
+  /** Steps until the next trial, if there is reason for one. */
+  static final int STEPS_BETWEEN = 240;
+
+  /** Steps of the trial at hand that are left; then of the time until the next one. */
+  private int trial;
+
+  private int left;
+
+  /** Whether steps are shared between trials, and whether the step at hand is. */
+  private boolean pays = true;
+
+  private boolean shared;
+
+  /** Whether a caller waited for long since the last trial. */
+  private boolean waited;
+
+  private long begin;
+  private long sharedNs;
+  private long aloneNs;
+
+  /**
+   * A step begins.
+   *
+   * @param now ns
+   * @return whether it is to be shared
+   */
+  boolean begins(long now) {
+    if (trial == 0 && left == 0 && (waited || !pays)) {
+      trial = TRIAL_STEPS;
+      sharedNs = 0;
+      aloneNs = 0;
+    }
+    shared = trial > 0 ? (trial & 1) == 0 : pays;
+    begin = now;
+    return shared;
+  }
+
+  /**
+   * A run of the step ended.
+   *
+   * @param ns for which its caller waited for others
+   */
+  void waited(long ns) {
+    waited |= ns > LONG_WAIT_NS;
+  }
+
+  /**
+   * The step ends.
+   *
+   * @param now ns
+   */
+  void ends(long now) {
+    if (trial == 0) {
+      left = Math.max(left - 1, 0);
+      return;
+    }
+    if (shared) {
+      sharedNs += now - begin;
+    } else {
+      aloneNs += now - begin;
+    }
+    trial--;
+    if (trial == 0) {
+      pays = sharedNs <= aloneNs;
+      waited = false;
+      left = STEPS_BETWEEN;
+    }
+  }
+}
