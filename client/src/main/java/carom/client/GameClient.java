@@ -4,6 +4,7 @@ import carom.client.clock.RenderClock;
 import carom.client.clock.TickClock;
 import carom.client.events.EventBook;
 import carom.client.events.EventListener;
+import carom.client.events.Repeats;
 import carom.client.prediction.Prediction;
 import carom.game.Games;
 import carom.net.codec.Quantizer;
@@ -83,6 +84,7 @@ public final class GameClient implements AutoCloseable {
   private final boolean[] sentHold = new boolean[RING];
   private final OwnState own = new OwnState();
   private final Event event = new Event();
+  private final Repeats repeats = new Repeats();
   private final EventListener hears =
       new EventListener() {
         @Override
@@ -426,6 +428,7 @@ public final class GameClient implements AutoCloseable {
                 config.syncTest());
     events = new EventBook(welcome.playerId(), prediction != null, rate, hears);
     simulation.journal(events);
+    repeats.linkBegins(welcome.tick());
     snapshotTick = -1;
     Arrays.fill(seenTick, -1);
     ownTick = -1;
@@ -497,6 +500,9 @@ public final class GameClient implements AutoCloseable {
   private void hearEvents() {
     EventInbox inbox = decoder.events();
     for (EventRecord r; (r = inbox.poll()) != null; ) {
+      if (!repeats.isNew(r.tick)) {
+        continue;
+      }
       EventKind kind = simulation.eventKinds().get(r.kind);
       if (kind == null) {
         stats.malformed++;

@@ -159,6 +159,51 @@ class EventScenarioTest {
   }
 
   @Test
+  void whatHappensWhileTheLineIsDownIsToldOnReturn() {
+    // Goal: once each, nothing lost. Method: three bots play; one's line breaks in the middle, so
+    // that events that were told wait for their acks, and comes back.
+    try (Stepper stepper = Stepper.of("arena")) {
+      List<Ear> ears = new ArrayList<>();
+      for (int i = 0; i < 3; i++) {
+        Impairment line = Impairment.NONE.withLatency(50, 0).withLoss(i == 0 ? 5 : 0);
+        ears.add(new Ear(stepper.join("p" + i, line.withSeed(Stepper.SEED), InputSource.IDLE)));
+      }
+      stepper.run(1);
+      EventRing ring = stepper.room().frames().events();
+      final long from = ring.limit();
+      for (Ear ear : ears) {
+        ear.ticks.clear();
+        ear.client.play(new Bot(ear.client.view().playerId()));
+      }
+      stepper.run(3);
+      final long before = ring.limit();
+      ears.get(0).client.cut();
+      ears.get(0).client.freeze(true);
+      stepper.run(2);
+      ears.get(0).client.freeze(false);
+      stepper.run(0.2);
+      stepper.awaitPlaying(ears.get(0).client);
+      final long after = ring.limit();
+      stepper.run(2);
+      for (Ear ear : ears) {
+        ear.client.play(InputSource.IDLE);
+      }
+      stepper.run(REST_SECONDS);
+      Map<String, List<Integer>> truth = new TreeMap<>();
+      for (long n = from; n < ring.limit(); n++) {
+        EventRecord e = ring.at(n);
+        truth
+            .computeIfAbsent(
+                Ear.signature(e.kind, e.player, e.first, e.second), s -> new ArrayList<>())
+            .add(e.tick);
+      }
+      assertTrue(after > before, "something happens meanwhile: " + before + " " + after);
+      assertEquals(1, ears.get(0).client.stats().reconnects());
+      requireSame(truth, ears.get(0).ticks, "back: " + ears.get(0).client);
+    }
+  }
+
+  @Test
   void ownDeedsOfAPlayerAloneAreForeseenAndConfirmed() {
     // Goal: nothing is heard late or taken back where prediction is exact. Method: a bot alone.
     try (Stepper stepper = Stepper.of("platformer")) {

@@ -128,8 +128,13 @@ final class CaromWindow extends ApplicationAdapter {
     Pixmap picture =
         Pixmap.createFromFrameBuffer(
             0, 0, Gdx.graphics.getBackBufferWidth(), Gdx.graphics.getBackBufferHeight());
+    Pixmap opaque = new Pixmap(picture.getWidth(), picture.getHeight(), Pixmap.Format.RGB888);
+    opaque.setBlending(
+        Pixmap.Blending.None); // panels are seen through in the window, not in a file
+    opaque.drawPixmap(picture, 0, 0);
     PixmapIO.writePNG(
-        Gdx.files.absolute(Path.of(file).toAbsolutePath().toString()), picture, 6, true);
+        Gdx.files.absolute(Path.of(file).toAbsolutePath().toString()), opaque, 6, true);
+    opaque.dispose();
     picture.dispose();
     System.err.println("screenshot saved: " + file);
   }

@@ -5,6 +5,8 @@ import carom.client.ClientView.Drawn;
 import carom.client.ConnectionPhase;
 import carom.client.GameClient;
 import carom.client.InputSource;
+import carom.client.events.EventListener;
+import carom.sim.Event;
 import carom.sim.Input;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;
@@ -28,6 +30,9 @@ final class GameScreen extends ScreenAdapter {
      */
     void leave(String reason);
   }
+
+  /** What happened while the line was down is told afterwards, but a flash of it would puzzle. */
+  private static final float STALE_SECONDS = 1;
 
   private final SpriteBatch batch = new SpriteBatch();
   private final Matrix4 pixels = new Matrix4();
@@ -61,7 +66,21 @@ final class GameScreen extends ScreenAdapter {
   /** Hands in the client to drive; it is closed with this screen. */
   void client(GameClient client) {
     this.client = client;
-    client.events(flashes);
+    client.events(
+        new EventListener() {
+          @Override
+          public void happened(Event event, boolean foreseen) {
+            double ago = client.view().renderTick() - event.tick();
+            if (ago < STALE_SECONDS * client.view().tickRate()) {
+              flashes.happened(event, foreseen);
+            }
+          }
+
+          @Override
+          public void retracted(Event event) {
+            flashes.retracted(event);
+          }
+        });
   }
 
   /** Shows or hides the net graph. */

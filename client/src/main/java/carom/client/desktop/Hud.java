@@ -26,6 +26,8 @@ final class Hud {
   private static final int LONG_LIST = 24;
   private static final float PAD = 12;
   private static final float LINE = 22;
+  private static final float NAME_LINE = 17;
+  private static final int NAME_ROWS = 3;
   private static final long NOTICE_NS = 4_000_000_000L;
   private static final float HINT_SECONDS = 12;
   private static final String KEYS =
@@ -40,6 +42,7 @@ final class Hud {
   private final Color shadow = new Color();
   private final List<RosterEntry> ranking = new ArrayList<>();
   private final GlyphLayout wrapped = new GlyphLayout();
+  private final FreePlaces places = new FreePlaces();
   private String hintsOf = "";
   private String about = "";
 
@@ -49,7 +52,10 @@ final class Hud {
     this.fonts = fonts;
   }
 
-  /** Names above the players' bodies. */
+  /**
+   * Names above the players' bodies, one above the other where bodies are close together; in a
+   * crowd not all of them have room, and none is written where the last frame had a panel.
+   */
   void names(ClientView view, ViewCamera camera, float pixelsPerMetre) {
     batch.begin();
     for (int i = 0; i < view.entityCount(); i++) {
@@ -57,12 +63,26 @@ final class Hud {
       if (drawn.archetype().appearance().look() != Appearance.Look.PLAYER || drawn == view.own()) {
         continue;
       }
-      String name = view.playerName(drawn.ownerId());
       Vector3 at = camera.toScreen(drawn.x(), drawn.y());
       color.set(Theme.TEXT).a = 0.85f * drawn.alpha();
-      centred(fonts.small, name, at.x, at.y + pixelsPerMetre * 0.75f + 16, color);
+      name(view.playerName(drawn.ownerId()), at.x, at.y + pixelsPerMetre * 0.75f + 16);
     }
     batch.end();
+    places.clear();
+  }
+
+  /** A name around x, its upper edge at y, or a little higher if that place is taken. */
+  private void name(String text, float x, float y) {
+    layout.setText(fonts.small, text);
+    float width = layout.width;
+    for (int row = 0; row < NAME_ROWS; row++) {
+      float top = y + row * NAME_LINE;
+      if (places.isFree(x - width / 2, top - NAME_LINE, width, NAME_LINE)) {
+        places.take(x - width / 2, top - NAME_LINE, width, NAME_LINE);
+        centred(fonts.small, text, x, top, color);
+        return;
+      }
+    }
   }
 
   /** The words of events, where they happen. */
@@ -195,6 +215,7 @@ final class Hud {
 
   /** A dark panel with a thin edge. */
   void panel(float x, float y, float w, float h) {
+    places.take(x, y, w, h);
     canvas.begin(batch.getProjectionMatrix(), 1);
     canvas.rect(x, y, w, h, Theme.PANEL);
     canvas.line(x, y, x + w, y, 1, Theme.PANEL_LINE);

@@ -92,6 +92,22 @@ public final class SnapshotSender {
     this.nextEvent = frames.events().limit();
   }
 
+  /** Notes which events the player may hear of while it has no link; call once per tick. */
+  public void listen() {
+    view.update(frames.newest(), encoder);
+    offerEvents();
+  }
+
+  /**
+   * Tells the player of the events that it isn't known to have heard of.
+   *
+   * @param before its sender until its link was lost, {@link #listen listening} since then
+   */
+  public void takeOver(SnapshotSender before) {
+    nextEvent = before.nextEvent;
+    encoder.takeOverEvents(before.encoder);
+  }
+
   /** Takes a client's acks as they are; see {@link SnapshotEncoder#receiveAck}. */
   public void receiveAck(int ackSequence, long ackBits) {
     ticksSinceHeard = 0;

@@ -520,6 +520,8 @@ public final class Room {
         } catch (RuntimeException e) {
           broken.put(session, e);
         }
+      } else if (session.state() == SessionState.GRACE) {
+        session.listen();
       }
     }
     if (!broken.isEmpty()) {

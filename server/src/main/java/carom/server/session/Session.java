@@ -134,7 +134,11 @@ public final class Session implements LinkHandler {
     state = state.become(SessionState.PLAYING);
     link = newLink;
     datagramKey = key;
+    SnapshotSender before = sender;
     sender = new SnapshotSender(frames, player, key, config, counters);
+    if (before != null) {
+      sender.takeOver(before);
+    }
     nearSet = null;
     if (audit != null) {
       audit.clear();
@@ -163,9 +167,15 @@ public final class Session implements LinkHandler {
     graceEndNs = timeNs + config.graceMs() * NS_PER_MS;
     Link old = link;
     link = null;
-    sender = null;
     player.input().clear();
     return old;
+  }
+
+  /**
+   * Notes what the player would hear of while it is away, for its return; once per tick in grace.
+   */
+  public void listen() {
+    sender.listen();
   }
 
   /** Ends the session; returns its link, or null when it had none. */

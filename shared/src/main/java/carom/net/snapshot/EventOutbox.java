@@ -52,6 +52,10 @@ final class EventOutbox {
   private long[] sentSet = {};
 
   private long base;
+
+  /** The first event that happened in the tick of the one before {@link #base}. */
+  private long kept;
+
   private long next;
   private int waitTicks = MAX_WAIT / 2;
   private long lost;
@@ -63,10 +67,10 @@ final class EventOutbox {
   /** Tells the client of an event of the ring, soon. */
   void offer(long number) {
     if (next - base == CAPACITY) {
-      base++;
+      forget();
       lost++;
     }
-    if (next - base == numbers.length) {
+    if (next - kept == numbers.length) {
       grow();
     }
     int at = at(next++);
@@ -82,7 +86,7 @@ final class EventOutbox {
     int[] roomyTick = new int[roomy];
     int[] roomySends = new int[roomy];
     boolean[] roomyAcked = new boolean[roomy];
-    for (long i = base; i < next; i++) {
+    for (long i = kept; i < next; i++) {
       int to = (int) i & roomy - 1;
       roomyNumbers[to] = numbers[at(i)];
       roomyTick[to] = sentTick[at(i)];
@@ -97,6 +101,27 @@ final class EventOutbox {
       sentBase = new long[SentLog.SIZE];
       sentSet = new long[SentLog.SIZE];
     }
+  }
+
+  /**
+   * Offers what another client lacks, from the first event of the tick on of which it lacks any:
+   * that client has become this one, and knows how many of a tick it has.
+   */
+  void takeOver(EventOutbox before) {
+    for (long i = before.kept; i < before.next; i++) {
+      long number = before.numbers[before.at(i)];
+      if (ring.holds(number)) {
+        offer(number);
+      }
+    }
+  }
+
+  /** The oldest isn't told any more. */
+  private void forget() {
+    if (ring.at(numbers[at(base)]).tick != ring.at(numbers[at(kept)]).tick) {
+      kept = base;
+    }
+    base++;
   }
 
   private int at(long event) {
@@ -180,7 +205,7 @@ final class EventOutbox {
   private void forgetLost() {
     while (base < next && (acked[at(base)] || !ring.holds(numbers[at(base)]))) {
       lost += acked[at(base)] ? 0 : 1;
-      base++;
+      forget();
     }
   }
 
@@ -207,6 +232,7 @@ final class EventOutbox {
   /** Forgets everything: the client begins anew. */
   void clear() {
     base = 0;
+    kept = 0;
     next = 0;
     Arrays.fill(sentSet, 0);
   }

@@ -140,6 +140,14 @@ public final class SnapshotEncoder {
     events.offer(eventNumber);
   }
 
+  /**
+   * Tells what the client of another encoder of the same frames wasn't told, or hasn't acked; what
+   * it has of the oldest tick among these is told again.
+   */
+  public void takeOverEvents(SnapshotEncoder before) {
+    events.takeOver(before.events);
+  }
+
   /** Events offered whose ack hasn't come yet. */
   public int eventsWaiting() {
     return events.waiting();
