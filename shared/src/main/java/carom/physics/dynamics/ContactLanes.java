@@ -15,6 +15,9 @@ abstract class ContactLanes {
   /** How long the scratch array of each worker must be. */
   abstract int scratchSize();
 
+  /** Makes lever arms and masses of a full block that {@link ContactPacker} has copied together. */
+  abstract void arms(float[] data, int at, boolean two);
+
   abstract void warm(ContactSolver solver, float[] v, float[] scratch, int block);
 
   abstract void push(ContactSolver solver, float[] v, float[] scratch, int block);

@@ -48,9 +48,17 @@ import static carom.physics.dynamics.SolverBodies.STRIDE;
  */
 final class ContactPacker {
   /** Two points yield that much more, so that points in one place share the load. */
-  private static final float SHARE = 1 + 1 / 1024f;
+  static final float SHARE = 1 + 1 / 1024f;
+
+  /** Where a point relative to A stands until arms are made of it, and, of the first, B's place. */
+  static final int ARM_X = NORMAL_ARM_A;
+
+  static final int ARM_Y = NORMAL_ARM_B;
+  static final int APART_X = TANGENT_ARM_A;
+  static final int APART_Y = TANGENT_ARM_B;
 
   private final ContactBlocks blocks;
+  private final ContactLanes lanes;
 
   // The stages, made once so that a step allocates nothing.
   private final Crew.Range packing = (from, to, worker) -> packBlocks(from, to);
@@ -64,9 +72,14 @@ final class ContactPacker {
   private Settings settings;
   private float h;
 
-  /** Fills these blocks. */
-  ContactPacker(ContactBlocks blocks) {
+  /**
+   * Fills these blocks.
+   *
+   * @param lanes kernels for whole blocks, null for none
+   */
+  ContactPacker(ContactBlocks blocks, ContactLanes lanes) {
     this.blocks = blocks;
+    this.lanes = lanes;
   }
 
   /** Fills the blocks, which are laid out. */
@@ -86,10 +99,40 @@ final class ContactPacker {
     blocks.inAnyOrder(packing);
   }
 
+  /**
+   * A block is copied together, lane by lane, before the one before it is worked out: vectors of
+   * what was just written number by number would have to wait for it.
+   */
   private void packBlocks(int from, int to) {
     for (int block = from; block < to; block++) {
       for (int i = 0; i < blocks.used[block]; i++) {
         packContact(block, i);
+      }
+      if (block > from) {
+        workOut(block - 1);
+      }
+    }
+    if (to > from) {
+      workOut(to - 1);
+    }
+  }
+
+  /** Makes lever arms and masses of what was copied; then bounces, which need them. */
+  private void workOut(int block) {
+    int used = blocks.used[block];
+    boolean two = (blocks.traits[block] & TWO) != 0;
+    if (used == LANES && (blocks.traits[block] & WIDE) != 0) {
+      lanes.arms(blocks.data, block * RECORD, two);
+    } else {
+      for (int i = 0; i < used; i++) {
+        arms(block * RECORD + i, two);
+      }
+    }
+    for (int i = 0; i < used; i++) {
+      int mixed = blocks.row[block * LANES + i] * ContactTable.MATERIAL;
+      float restitution = table.material[mixed + ContactTable.RESTITUTION];
+      if (restitution > 0) {
+        packBounce(block, i, restitution);
       }
     }
   }
@@ -118,32 +161,19 @@ final class ContactPacker {
     d[at + MASS_B] = b.invMass[o];
     d[at + INERTIA_A] = b.invInertia[a];
     d[at + INERTIA_B] = b.invInertia[o];
-    float gapX = b.x[o] - b.x[a];
-    float gapY = b.y[o] - b.y[a];
-    packPoint(
-        at,
-        FIRST,
-        c[from + ContactTable.X0],
-        c[from + ContactTable.Y0],
-        gapX,
-        gapY,
-        c[from + ContactTable.GAP0]);
+    d[at + FIRST + ARM_X] = c[from + ContactTable.X0];
+    d[at + FIRST + ARM_Y] = c[from + ContactTable.Y0];
+    d[at + FIRST + APART_X] = b.x[o] - b.x[a];
+    d[at + FIRST + APART_Y] = b.y[o] - b.y[a];
+    d[at + FIRST + SEPARATION] = c[from + ContactTable.GAP0];
     d[at + FIRST + NORMAL] = c[from + ContactTable.NORMAL0];
     d[at + FIRST + TANGENT] = c[from + ContactTable.TANGENT0];
     if ((blocks.traits[block] & TWO) != 0) {
-      packPoint(
-          at,
-          SECOND,
-          c[from + ContactTable.X1],
-          c[from + ContactTable.Y1],
-          gapX,
-          gapY,
-          c[from + ContactTable.GAP1]);
+      d[at + SECOND + ARM_X] = c[from + ContactTable.X1];
+      d[at + SECOND + ARM_Y] = c[from + ContactTable.Y1];
+      d[at + SECOND + SEPARATION] = c[from + ContactTable.GAP1];
       d[at + SECOND + NORMAL] = c[from + ContactTable.NORMAL1];
       d[at + SECOND + TANGENT] = c[from + ContactTable.TANGENT1];
-      d[at + CROSS] = cross(at);
-      d[at + FIRST + YIELD] *= SHARE;
-      d[at + SECOND + YIELD] *= SHARE;
     }
     if (m[mixed + ContactTable.SURFACE] != 0) {
       blocks.has(block, MOVING_SURFACE, SURFACE, ROUND_A);
@@ -162,15 +192,25 @@ final class ContactPacker {
       blocks.extra[block * EXTRA + i + ROLL] = t.roll[r];
       blocks.traits[block] &= ~WIDE;
     }
-    if (m[mixed + ContactTable.RESTITUTION] > 0) {
-      packBounce(block, i, m[mixed + ContactTable.RESTITUTION]);
+  }
+
+  private void arms(int at, boolean two) {
+    float[] d = blocks.data;
+    float gapX = d[at + FIRST + APART_X];
+    float gapY = d[at + FIRST + APART_Y];
+    arms(at, at + FIRST, gapX, gapY);
+    if (two) {
+      arms(at, at + SECOND, gapX, gapY);
+      d[at + CROSS] = cross(at);
+      d[at + FIRST + YIELD] *= SHARE;
+      d[at + SECOND + YIELD] *= SHARE;
     }
   }
 
-  private void packPoint(
-      int at, int point, float x, float y, float gapX, float gapY, float separation) {
+  private void arms(int at, int p, float gapX, float gapY) {
     float[] d = blocks.data;
-    int p = at + point;
+    float x = d[p + ARM_X];
+    float y = d[p + ARM_Y];
     float bx = x - gapX;
     float by = y - gapY;
     float nx = d[at + NX];
@@ -187,8 +227,7 @@ final class ContactPacker {
     d[p + NORMAL_ARM_B] = normalB;
     d[p + TANGENT_ARM_A] = tangentA;
     d[p + TANGENT_ARM_B] = tangentB;
-    d[p + SEPARATION] = separation;
-    d[p + GAP] = separation;
+    d[p + GAP] = d[p + SEPARATION];
     d[p + YIELD] = masses + inertiaA * normalA * normalA + inertiaB * normalB * normalB;
     d[p + TANGENT_MASS] = kt > 0 ? 1 / kt : 0;
     d[p + TOTAL] = 0;

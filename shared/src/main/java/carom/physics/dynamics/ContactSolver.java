@@ -197,7 +197,7 @@ final class ContactSolver {
     this.lanes = lanes;
     this.crew = crew;
     blocks = new ContactBlocks(crew);
-    packer = new ContactPacker(blocks);
+    packer = new ContactPacker(blocks, lanes);
     bounces = new ContactBounces(blocks);
   }
 

@@ -7,7 +7,7 @@ package carom.physics.dynamics;
  */
 final class LaneTrust {
   /** Blocks that must have been through the kernels before all may. */
-  private static final int WARM_UP = 1800;
+  private static final int WARM_UP = 2600;
 
   /** Blocks per step until then; of large worlds a share, as their steps take longer anyway. */
   private static final int FEW = 4;

@@ -101,6 +101,75 @@ final class VectorLanes extends ContactLanes {
   }
 
   @Override
+  void arms(float[] d, int at, boolean two) {
+    if (two) {
+      arms(d, at, at + SECOND);
+    }
+    arms(d, at, at + FIRST);
+    if (two) {
+      share(d, at);
+    }
+  }
+
+  /** The first point's comes last: it holds where B is. */
+  private static void arms(float[] d, int at, int p) {
+    FloatVector nx = FloatVector.fromArray(LANE, d, at + NX);
+    FloatVector ny = FloatVector.fromArray(LANE, d, at + NY);
+    FloatVector x = FloatVector.fromArray(LANE, d, p + ContactPacker.ARM_X);
+    FloatVector y = FloatVector.fromArray(LANE, d, p + ContactPacker.ARM_Y);
+    FloatVector bx = x.sub(FloatVector.fromArray(LANE, d, at + FIRST + ContactPacker.APART_X));
+    FloatVector by = y.sub(FloatVector.fromArray(LANE, d, at + FIRST + ContactPacker.APART_Y));
+    FloatVector normalA = x.mul(ny).sub(y.mul(nx));
+    FloatVector normalB = bx.mul(ny).sub(by.mul(nx));
+    FloatVector tangentA = x.mul(nx).add(y.mul(ny));
+    FloatVector tangentB = bx.mul(nx).add(by.mul(ny));
+    normalA.intoArray(d, p + NORMAL_ARM_A);
+    normalB.intoArray(d, p + NORMAL_ARM_B);
+    tangentA.intoArray(d, p + TANGENT_ARM_A);
+    tangentB.intoArray(d, p + TANGENT_ARM_B);
+    FloatVector inertiaA = FloatVector.fromArray(LANE, d, at + INERTIA_A);
+    FloatVector inertiaB = FloatVector.fromArray(LANE, d, at + INERTIA_B);
+    FloatVector masses =
+        FloatVector.fromArray(LANE, d, at + MASS_A)
+            .add(FloatVector.fromArray(LANE, d, at + MASS_B));
+    masses
+        .add(inertiaA.mul(normalA).mul(normalA))
+        .add(inertiaB.mul(normalB).mul(normalB))
+        .intoArray(d, p + YIELD);
+    FloatVector kt =
+        masses
+            .add(inertiaA.mul(tangentA).mul(tangentA))
+            .add(inertiaB.mul(tangentB).mul(tangentB));
+    FloatVector zero = FloatVector.zero(LANE);
+    zero.blend(FloatVector.broadcast(LANE, 1).div(kt), kt.compare(VectorOperators.GT, 0))
+        .intoArray(d, p + TANGENT_MASS);
+    FloatVector.fromArray(LANE, d, p + SEPARATION).intoArray(d, p + GAP);
+    zero.intoArray(d, p + TOTAL);
+    zero.intoArray(d, p + SLIDE);
+  }
+
+  /** What the points do to each other. */
+  private static void share(float[] d, int at) {
+    FloatVector turnA =
+        FloatVector.fromArray(LANE, d, at + FIRST + NORMAL_ARM_A)
+            .mul(FloatVector.fromArray(LANE, d, at + SECOND + NORMAL_ARM_A));
+    FloatVector turnB =
+        FloatVector.fromArray(LANE, d, at + FIRST + NORMAL_ARM_B)
+            .mul(FloatVector.fromArray(LANE, d, at + SECOND + NORMAL_ARM_B));
+    FloatVector.fromArray(LANE, d, at + MASS_A)
+        .add(FloatVector.fromArray(LANE, d, at + MASS_B))
+        .add(FloatVector.fromArray(LANE, d, at + INERTIA_A).mul(turnA))
+        .add(FloatVector.fromArray(LANE, d, at + INERTIA_B).mul(turnB))
+        .intoArray(d, at + CROSS);
+    FloatVector.fromArray(LANE, d, at + FIRST + YIELD)
+        .mul(ContactPacker.SHARE)
+        .intoArray(d, at + FIRST + YIELD);
+    FloatVector.fromArray(LANE, d, at + SECOND + YIELD)
+        .mul(ContactPacker.SHARE)
+        .intoArray(d, at + SECOND + YIELD);
+  }
+
+  @Override
   void warm(ContactSolver solver, float[] v, float[] s, int block) {
     float[] d = solver.blocks.data;
     int at = block * RECORD;
