@@ -19,8 +19,9 @@ import java.util.Arrays;
  * be solved in lanes, or by several threads. Contacts between bodies that move come first and those
  * with the static world last, which thus has the last word: what rests on the ground doesn't sink
  * into it. A body with more than {@value #LAST_COLOUR} contacts spills into a last colour that is
- * solved one by one. The colouring depends on the touching contacts of this step alone and costs a
- * few ns per contact, so there is no history to save or to hash.
+ * solved one by one. The colouring depends on the touching contacts of this step alone, so there is
+ * no history to save or to hash; while these stay the same so do colours and lanes ({@link
+ * ColourMemo}).
  *
  * <p><b>Layout.</b> Contacts are packed in blocks, a colour beginning a new block. Each quantity of
  * a block lies side by side for all its contacts; all quantities of a block follow each other
@@ -149,8 +150,11 @@ final class ContactBlocks {
 
   private long[] takenFixed = new long[0];
 
-  /** Per group: its contacts; then, while they are packed, its next lane. */
+  /** Per group: its contacts; and, while they are given lanes, the next one. */
+  private final int[] size = new int[GROUPS];
+
   private final int[] next = new int[GROUPS];
+  private final ColourMemo memo = new ColourMemo();
 
   /** Per block: contacts in it, and its traits. */
   byte[] used = new byte[0];
@@ -207,7 +211,12 @@ final class ContactBlocks {
       int[] activeIndex,
       ContactLanes lanes) {
     v = solverBodies.state;
+    if (memo.holds(table, bodies, activeIndex)) {
+      layOut(lanes);
+      return;
+    }
     paint(table, bodies, activeIndex, solverBodies.count());
+    memo.note(table, bodies, activeIndex);
     layOut(lanes);
     for (int k = 0; k < contacts; k++) {
       row[next[group[k]]++] = touching[k];
@@ -228,7 +237,7 @@ final class ContactBlocks {
     }
     Arrays.fill(taken, 0, slots, 0);
     Arrays.fill(takenFixed, 0, slots, 0);
-    Arrays.fill(next, 0);
+    Arrays.fill(size, 0);
     contacts = 0;
     for (int r = 0; r < t.count(); r++) {
       if (t.points[r] == 0 || (t.flags[r] & ContactTable.DORMANT) != 0) {
@@ -254,7 +263,7 @@ final class ContactBlocks {
         taken[slotB] |= bit;
       }
       group[contacts] = 2 * c + t.points[r] - 1;
-      next[group[contacts]]++;
+      size[group[contacts]]++;
       touching[contacts++] = r;
     }
   }
@@ -269,7 +278,7 @@ final class ContactBlocks {
   private void layOut(ContactLanes lanes) {
     count = 0;
     for (int g = 0; g < GROUPS; g++) {
-      count += (next[g] + LANES - 1) / LANES;
+      count += (size[g] + LANES - 1) / LANES;
     }
     if (used.length < count) {
       int capacity = count + count / 2; // room at once: crowds go on meeting after their first step
@@ -289,7 +298,7 @@ final class ContactBlocks {
         colourStart[colour] = block;
       }
       int kind = ((g & 1) != 0 ? TWO : 0) | (colour > LAST_COLOUR ? FIXED : 0);
-      int left = next[g];
+      int left = size[g];
       next[g] = block * LANES;
       for (; left > 0; left -= LANES) {
         used[block] = (byte) Math.min(left, LANES);

@@ -137,9 +137,7 @@ final class VectorLanes extends ContactLanes {
         .add(inertiaB.mul(normalB).mul(normalB))
         .intoArray(d, p + YIELD);
     FloatVector kt =
-        masses
-            .add(inertiaA.mul(tangentA).mul(tangentA))
-            .add(inertiaB.mul(tangentB).mul(tangentB));
+        masses.add(inertiaA.mul(tangentA).mul(tangentA)).add(inertiaB.mul(tangentB).mul(tangentB));
     FloatVector zero = FloatVector.zero(LANE);
     zero.blend(FloatVector.broadcast(LANE, 1).div(kt), kt.compare(VectorOperators.GT, 0))
         .intoArray(d, p + TANGENT_MASS);
