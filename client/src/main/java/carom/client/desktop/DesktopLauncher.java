@@ -14,7 +14,6 @@ import com.badlogic.gdx.utils.GdxRuntimeException;
 public final class DesktopLauncher implements Window {
   private static final int WIDTH = 1_280;
   private static final int HEIGHT = 720;
-  private static final int SAMPLES = 4;
   private static final int MAX_FPS = 144;
 
   /** Called by the service loader. */
@@ -29,7 +28,7 @@ public final class DesktopLauncher implements Window {
     window.setTitle("Carom");
     window.setWindowedMode(WIDTH, HEIGHT);
     window.setWindowSizeLimits(640, 360, -1, -1);
-    window.setBackBufferConfig(8, 8, 8, 8, 16, 0, SAMPLES);
+    window.setBackBufferConfig(8, 8, 8, 8, 0, 0, 0); // the canvas smooths edges itself
     window.useVsync(true);
     window.setForegroundFPS(MAX_FPS);
     window.disableAudio(true);
