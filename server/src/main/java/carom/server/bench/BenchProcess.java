@@ -66,8 +66,17 @@ final class BenchProcess implements AutoCloseable {
       last = line.isBlank() ? last : line;
     }
     int status = process.waitFor();
-    row = status == 0 ? BenchRow.ofJson(last) : BenchRow.failed(job, entrant, fault(status));
+    row = status == 0 ? rowOf(last) : BenchRow.failed(job, entrant, fault(status));
     return false;
+  }
+
+  /** What somebody else's program says amiss costs its row, not those of all others. */
+  private BenchRow rowOf(String json) {
+    try {
+      return BenchRow.ofJson(json);
+    } catch (IOException e) {
+      return BenchRow.failed(job, entrant, e.getMessage());
+    }
   }
 
   /** The result, once a {@link #turn} was the last one. */

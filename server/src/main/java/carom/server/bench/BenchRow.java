@@ -198,7 +198,7 @@ record BenchRow(
         line.number("deepPairs"),
         line.number("jointGap"),
         line.numbers("stages"),
-        new Scaling(line.number("speedUp"), line.number("ceiling"), line.number("share")),
+        new Scaling(line.optional("speedUp"), line.optional("ceiling"), line.optional("share")),
         line.numbers("ratios"),
         line.text("fault"));
   }

@@ -188,6 +188,17 @@ public final class JsonLine {
   }
 
   /**
+   * A number that not everybody tells.
+   *
+   * @param name of the field
+   * @return NaN for null, and if there is no such field
+   * @throws IOException if there is no number in it
+   */
+  public double optional(String name) throws IOException {
+    return fields.containsKey(name) ? number(name) : Double.NaN;
+  }
+
+  /**
    * A whole number.
    *
    * @param name of the field

@@ -37,6 +37,8 @@ class BenchRowTest {
     assertEquals(full, BenchRow.ofJson(full.toJson()));
     BenchRow failed = BenchRow.failed("gas_1k", Entrant.of("dyn4j"), "no such thing");
     assertEquals(failed, BenchRow.ofJson(failed.toJson()));
+    String older = full.toJson().replaceAll("\"(speedUp|ceiling|share)\":[0-9.]+,", "");
+    assertFalse(BenchRow.ofJson(older).scaling().isMeasured(), "programs of others lack these");
     assertThrows(IOException.class, () -> BenchRow.ofJson("{\"scene\":\"gas_1k\"}"));
     assertThrows(IOException.class, () -> BenchRow.ofJson("Exception in thread"));
   }

@@ -27,7 +27,7 @@ class ServerConfigTest {
     assertThrows(IllegalArgumentException.class, () -> c.withRooms(64).withMaxPlayers(65));
     assertThrows(IllegalArgumentException.class, () -> c.withThreads(0));
     assertThrows(IllegalArgumentException.class, () -> c.withThreads(65));
-    assertThrows(IllegalArgumentException.class, () -> c.withMaxPlayers(257));
+    assertThrows(IllegalArgumentException.class, () -> c.withMaxPlayers(1025));
     assertThrows(IllegalArgumentException.class, () -> c.withHandshakeTimeoutMs(0));
     assertThrows(IllegalArgumentException.class, () -> c.withLoadTimeoutMs(0));
     assertThrows(IllegalArgumentException.class, () -> c.withSilenceTimeoutMs(0));
