@@ -131,7 +131,8 @@ public final class FrameCapture {
 
   /** Angles in steps; all digits are computed only where they might round either way. */
   private static void turn(float[] cos, float[] sin, int n, int[] to) {
-    for (int i = 0; i < n; i++) {
+    int done = Quantizer.anglesOfTurns(cos, sin, n, Trig.ROUGH, to);
+    for (int i = done; i < n; i++) {
       to[i] = Quantizer.angleOfTurn(Trig.roughTurn(sin[i], cos[i]), Trig.ROUGH);
     }
     for (int i = 0; i < n; i++) {

@@ -101,22 +101,43 @@ public final class Quantizer {
 
   /** {@link #position} of the first n numbers of an array. */
   public static void positions(float[] metres, int n, int[] to) {
-    for (int i = 0; i < n; i++) {
-      to[i] = clamp(metres[i] * (double) POSITION_STEPS, MAX_POSITION);
-    }
+    column(metres, n, POSITION_STEPS, MAX_POSITION, to);
   }
 
   /** {@link #velocity} of the first n numbers of an array. */
   public static void velocities(float[] metresPerSecond, int n, int[] to) {
-    for (int i = 0; i < n; i++) {
-      to[i] = clamp(metresPerSecond[i] * (double) VELOCITY_STEPS, MAX_VELOCITY);
-    }
+    column(metresPerSecond, n, VELOCITY_STEPS, MAX_VELOCITY, to);
   }
 
   /** {@link #omega} of the first n numbers of an array. */
   public static void omegas(float[] radiansPerSecond, int n, int[] to) {
-    for (int i = 0; i < n; i++) {
-      to[i] = clamp(radiansPerSecond[i] * (double) OMEGA_STEPS, MAX_OMEGA);
+    column(radiansPerSecond, n, OMEGA_STEPS, MAX_OMEGA, to);
+  }
+
+  /**
+   * About the angles of n directions, as {@link #angleOfTurn} rounds them, by vectors.
+   *
+   * @param cos cosines, or the directions' x
+   * @param sin sines, or their y
+   * @param error how far {@code Trig.roughTurn} may be off, which this does the same way
+   * @param to receives 0..1,023, or -1 for one that is too close to where the next step begins
+   * @return how many were done, 0..n: the first ones; the caller does the others
+   */
+  public static int anglesOfTurns(float[] cos, float[] sin, int n, int error, int[] to) {
+    ColumnLanes lanes = ColumnLanes.FOUND;
+    return lanes == null ? 0 : lanes.turns(cos, sin, n, error, to);
+  }
+
+  private static void column(float[] from, int n, int scale, int max, int[] to) {
+    ColumnLanes lanes = ColumnLanes.FOUND;
+    int done = lanes == null ? 0 : lanes.steps(from, n, scale, max, to);
+    clampColumn(from, done, n, scale, max, to);
+  }
+
+  /** Quantises the numbers from one index to before another. */
+  static void clampColumn(float[] from, int begin, int end, double scale, int max, int[] to) {
+    for (int i = begin; i < end; i++) {
+      to[i] = clamp(from[i] * scale, max);
     }
   }
 

@@ -1,0 +1,102 @@
+package carom.net.codec;
+
+/**
+ * Kernels that quantise the numbers of a column side by side, bit for bit as {@link Quantizer} does
+ * one after the other. How many go through them shows in no result.
+ */
+abstract class ColumnLanes {
+  /** The kernels made with the Vector API, null where the JVM was started without that module. */
+  static final ColumnLanes FOUND = find();
+
+  /**
+   * Calls of a kernel before all numbers go through it: until then the JIT compiler may interpret
+   * it, hundreds of times slower.
+   */
+  private static final int WARM_UP = 8_000;
+
+  /** Calls per column until then; of long columns a share, as their worlds' steps take longer. */
+  private static final int FEW = 3;
+
+  private static final int SHARE = 64;
+
+  /** Shorter columns gain too little to be worth these calls. */
+  private static final int LEAST = 1_000;
+
+  /** How often each kernel was called. Rooms share these counts, which needn't be exact. */
+  private int stepped;
+
+  private int turned;
+
+  /** How many numbers a call of a kernel takes. */
+  abstract int width();
+
+  /**
+   * Numbers to steps, rounded as {@link Quantizer} does.
+   *
+   * @param from the numbers, from {@code at} on
+   * @param scale steps per unit, a power of two
+   * @param max the largest magnitude that a result may have, steps, at most 2^21
+   * @param to receives the steps, from {@code at} on; they mean nothing if it is false
+   * @return whether all numbers are that small; false, too, if one isn't a number
+   */
+  abstract boolean round(float[] from, int at, float scale, float max, int[] to);
+
+  /**
+   * Directions to angles, as {@link Quantizer#angleOfTurn} rounds those of {@code
+   * carom.physics.math.Trig.roughTurn}, by the same polynomial.
+   *
+   * @param error how far these may be off
+   */
+  abstract void turn(float[] cos, float[] sin, int at, int error, int[] to);
+
+  /**
+   * Quantises the first numbers of a column.
+   *
+   * @param max as in {@link #round}, also above 2^21
+   * @return how many were, 0..n; the rest is left to the caller
+   */
+  final int steps(float[] from, int n, int scale, int max, int[] to) {
+    int width = width();
+    int calls = trusted(n, stepped);
+    stepped = seen(calls, stepped);
+    float most = Math.min(max, 1 << 21);
+    for (int at = 0; at < calls * width; at += width) {
+      if (!round(from, at, scale, most, to)) {
+        Quantizer.clampColumn(from, at, at + width, scale, max, to);
+      }
+    }
+    return calls * width;
+  }
+
+  /** Quantises the first directions of two columns, and tells how many. */
+  final int turns(float[] cos, float[] sin, int n, int error, int[] to) {
+    int width = width();
+    int calls = trusted(n, turned);
+    turned = seen(calls, turned);
+    for (int at = 0; at < calls * width; at += width) {
+      turn(cos, sin, at, error, to);
+    }
+    return calls * width;
+  }
+
+  /** How often a kernel may be called for a column, if it was so often before. */
+  private int trusted(int n, int before) {
+    int calls = n < LEAST ? 0 : n / width();
+    return before >= WARM_UP ? calls : Math.min(calls, Math.max(FEW, calls / SHARE));
+  }
+
+  private static int seen(int calls, int before) {
+    return Math.min(WARM_UP, before + calls);
+  }
+
+  private static ColumnLanes find() {
+    try {
+      return Class.forName(ColumnLanes.class.getPackageName() + ".VectorColumns")
+          .asSubclass(ColumnLanes.class)
+          .getDeclaredConstructor()
+          .newInstance();
+    } catch (ReflectiveOperationException | LinkageError e) {
+      return null;
+    }
+  }
+}
