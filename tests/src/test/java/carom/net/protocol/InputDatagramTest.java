@@ -23,6 +23,10 @@ class InputDatagramTest {
     d.count = random.nextInt(Limits.MAX_INPUTS + 1);
     d.newestTick = d.count > 0 ? random.nextInt() : 0;
     d.viewDelay = random.nextInt(InputDatagram.MAX_VIEW_DELAY + 1);
+    d.holdTicks = random.nextInt(InputDatagram.MAX_HOLD_TICKS + 1);
+    d.near = random.nextInt(InputDatagram.NEAR_ALL + 1);
+    d.disagrees = random.nextBoolean();
+    d.disagreedTick = random.nextInt(65_536);
     for (int i = 0; i < d.count; i++) {
       boolean same = i > 0 && random.nextBoolean();
       d.inputs[i] = same ? d.inputs[i - 1] : random.nextLong() & 0xffff_ffff_ffffL;
@@ -40,17 +44,58 @@ class InputDatagramTest {
       int length = out.encode(bytes, 2);
       assertTrue(length <= InputDatagram.MAX_BYTES);
       assertTrue(in.decode(bytes, 2, length), "seed=" + SEED + " i=" + i);
-      assertEquals(out.key, in.key);
       assertEquals(out.key, InputDatagram.peekKey(bytes, 2, length));
-      assertEquals(out.sequence, in.sequence);
-      assertEquals(out.hasAck, in.hasAck);
-      assertEquals(out.ackSequence, in.ackSequence);
-      assertEquals(out.ackBits, in.ackBits);
-      assertEquals(out.newestTick, in.newestTick);
-      assertEquals(out.count, in.count);
-      assertEquals(out.count > 0 ? out.viewDelay : 0, in.viewDelay);
-      assertArrayEquals(Arrays.copyOf(out.inputs, out.count), Arrays.copyOf(in.inputs, in.count));
+      assertMeansSame(out, in, "seed=" + SEED + " i=" + i);
     }
+  }
+
+  /** What counts: a comparison only of what is near, delays only with inputs. */
+  private static void assertMeansSame(InputDatagram out, InputDatagram in, String which) {
+    boolean disagrees = out.near != InputDatagram.NEAR_NONE && out.disagrees;
+    assertEquals(out.key, in.key, which);
+    assertEquals(out.sequence, in.sequence, which);
+    assertEquals(out.hasAck, in.hasAck, which);
+    assertEquals(out.ackSequence, in.ackSequence, which);
+    assertEquals(out.ackBits, in.ackBits, which);
+    assertEquals(out.near, in.near, which);
+    assertEquals(disagrees, in.disagrees, which);
+    assertEquals(disagrees ? out.disagreedTick : 0, in.disagreedTick, which);
+    assertEquals(out.newestTick, in.newestTick, which);
+    assertEquals(out.count, in.count, which);
+    assertEquals(out.count > 0 ? out.viewDelay : 0, in.viewDelay, which);
+    assertEquals(out.count > 0 ? out.holdTicks : 0, in.holdTicks, which);
+    assertArrayEquals(
+        Arrays.copyOf(out.inputs, out.count), Arrays.copyOf(in.inputs, in.count), which);
+  }
+
+  @Test
+  void flippedBitsAreRefusedOrMeanWhatTheySay() {
+    long seed = new Random().nextLong();
+    Random random = new Random(seed);
+    InputDatagram d = new InputDatagram();
+    InputDatagram in = new InputDatagram();
+    InputDatagram again = new InputDatagram();
+    byte[] bytes = new byte[InputDatagram.MAX_BYTES];
+    int accepted = 0;
+    for (int i = 0; i < 50_000; i++) {
+      String which = "seed=" + seed + " i=" + i;
+      fill(d, random);
+      int length = d.encode(bytes, 0);
+      for (int flips = 1 + random.nextInt(3); flips > 0; flips--) {
+        bytes[random.nextInt(length)] ^= (byte) (1 << random.nextInt(8));
+      }
+      if (!in.decode(bytes, 0, length)) {
+        continue;
+      }
+      accepted++;
+      assertTrue(in.count >= 0 && in.count <= Limits.MAX_INPUTS, which);
+      assertTrue(in.viewDelay >= 0 && in.viewDelay <= InputDatagram.MAX_VIEW_DELAY, which);
+      assertTrue(in.holdTicks >= 0 && in.holdTicks <= InputDatagram.MAX_HOLD_TICKS, which);
+      assertTrue(in.disagreedTick >= 0 && in.disagreedTick < 65_536, which);
+      assertTrue(again.decode(bytes, 0, in.encode(bytes, 0)), which);
+      assertMeansSame(in, again, which);
+    }
+    assertTrue(accepted > 1_000, "seed=" + seed + " accepted=" + accepted);
   }
 
   @Test
@@ -93,6 +138,9 @@ class InputDatagramTest {
     d.count = 1;
     assertThrows(IllegalArgumentException.class, () -> d.encode(bytes, 0));
     d.viewDelay = 0;
+    d.holdTicks = InputDatagram.MAX_HOLD_TICKS + 1;
+    assertThrows(IllegalArgumentException.class, () -> d.encode(bytes, 0));
+    d.holdTicks = 0;
     d.count = 17;
     assertThrows(IllegalArgumentException.class, () -> d.encode(bytes, 0));
   }
