@@ -10,9 +10,9 @@ final class LaneTrust {
   private static final int WARM_UP = 2600;
 
   /** Blocks per step until then; of large worlds a share, as their steps take longer anyway. */
-  private static final int FEW = 4;
+  private static final int FEW = 6;
 
-  private static final int SHARE = 64;
+  private static final int SHARE = 32;
 
   private int seen;
 
