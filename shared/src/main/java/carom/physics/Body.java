@@ -174,8 +174,9 @@ public final class Body<T> {
 
   /**
    * Puts the body and its island to sleep at once; velocities and waiting forces are gone then.
-   * Nothing happens if one of them may not sleep, or nothing sleeps in this world. In a callback
-   * this takes effect at the end of the step.
+   * Nothing happens if one of them may not sleep or touches what it may not touch any longer (a
+   * body that was disabled, say, or filtered out since the last step), or nothing sleeps in this
+   * world. In a callback this takes effect at the end of the step.
    *
    * @throws IllegalStateException during a query
    */

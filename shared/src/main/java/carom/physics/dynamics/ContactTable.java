@@ -7,9 +7,10 @@ import java.util.Arrays;
  * Pairs of shape parts that are close, from tick to tick, in the order of their {@link ContactKey}.
  *
  * <p>A row lives while the fat boxes of its parts overlap and one of its bodies is awake; of those
- * that sleep see {@link SleepingContacts}. It carries what the solver learns (the impulses, matched
- * from tick to tick by the feature ids of the points), so the rows of touching parts belong to the
- * state. Whether a row of parts that don't touch exists changes nothing.
+ * that sleep see {@link SleepingContacts}. Rows of bodies made static or disabled are here until
+ * the next step ends them. A row carries what the solver learns (the impulses, matched from tick to
+ * tick by the feature ids of the points), so the rows of touching parts belong to the state.
+ * Whether a row of parts that don't touch exists changes nothing.
  *
  * <p>Rows are dense and sorted, so every pass streams through memory in the canonical order. Copies
  * share them ({@link RowArrays}): saving costs nothing, and who writes first pays. New pairs are
@@ -631,15 +632,17 @@ public final class ContactTable {
     }
   }
 
-  /** Moves the touching rows without an awake body to another store, and drops the others. */
-  void retire(int[] activeIndex, SleepingContacts to) {
+  /**
+   * Moves the touching rows of bodies that sleep to another store, and drops the others of them.
+   */
+  void retire(BodyStore bodies, SleepingContacts to) {
     version++;
     moves.clear(anyShared());
     int[] retired = records.list(count);
     int gone = 0;
     int kept = 0;
     for (int row = 0; row < count; row++) {
-      if (activeIndex[bodyA(row)] >= 0 || activeIndex[bodyB(row)] >= 0) {
+      if (!SleepingContacts.belongs(bodies, bodyA(row), bodyB(row))) {
         moves.keep(row, kept++);
       } else if ((flags[row] & TOUCHING) != 0) {
         retired[gone++] = row;

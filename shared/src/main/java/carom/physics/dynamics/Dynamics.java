@@ -341,10 +341,7 @@ public final class Dynamics {
     rulesStale = false;
     pairs.searchAll();
     for (int row = 0; row < contacts.count(); row++) {
-      int p = contacts.partA(row);
-      int q = contacts.partB(row);
-      boolean gone = bodies.disabled(parts.body[p]) || bodies.disabled(parts.body[q]);
-      contacts.ignore(row, gone || !pairs.mayTouch(p, q));
+      contacts.ignore(row, !pairs.mayStay(contacts, row));
     }
   }
 
@@ -381,7 +378,7 @@ public final class Dynamics {
 
   /**
    * Puts a body and its island to sleep; velocities and forces are gone then. Nothing happens if
-   * one of them may not sleep.
+   * one of them may not sleep, or touches what it may not touch any longer.
    *
    * @param body the slot
    */

@@ -104,7 +104,7 @@ public final class DynamicsState {
     ContactArchive.pass(touching, a, bodies, parts);
     for (int row = 0; a.reads() && row < touching.count(); row++) {
       a.require(
-          bodies.active(contacts.bodyA(row)) || bodies.active(contacts.bodyB(row)),
+          !SleepingContacts.belongs(bodies, contacts.bodyA(row), contacts.bodyB(row)),
           "contact=" + row + " sleeps");
     }
     sleepers.pass(a, bodies, parts);

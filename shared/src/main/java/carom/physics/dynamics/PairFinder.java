@@ -495,6 +495,14 @@ final class PairFinder {
         && (joints.count() == 0 || !joints.keepsApart(a, b));
   }
 
+  /** Whether a row's parts still may touch: after bodies, filters or joints changed. */
+  boolean mayStay(ContactTable rows, int row) {
+    int p = rows.partA(row);
+    int q = rows.partB(row);
+    boolean gone = bodies.disabled(parts.body[p]) || bodies.disabled(parts.body[q]);
+    return !gone && mayTouch(p, q);
+  }
+
   /** Brings the trees up to the fat boxes. */
   void refit() {
     admit();

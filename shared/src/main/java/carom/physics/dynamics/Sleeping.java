@@ -445,8 +445,26 @@ final class Sleeping {
           gather(active.list[i]);
         }
       }
-      putToSleep();
+      if (!losesHold(island)) {
+        putToSleep();
+      }
     }
+  }
+
+  /** Whether a contact of an island is one that the next step ends, as its parts may not touch. */
+  private boolean losesHold(int island) {
+    for (int row = 0; row < contacts.count(); row++) {
+      if ((contacts.flags[row] & ContactTable.TOUCHING) != 0
+          && (isOf(contacts.bodyA(row), island) || isOf(contacts.bodyB(row), island))
+          && !pairs.mayStay(contacts, row)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private boolean isOf(int body, int island) {
+    return active.contains(body) && islands.find(active.index[body]) == island;
   }
 
   /** Puts those of an excerpt to sleep that slept there. */
@@ -482,7 +500,7 @@ final class Sleeping {
     for (int i = 0; i < gatheredCount; i++) {
       refreshJoints(gathered[i]);
     }
-    contacts.retire(active.index, sleepers);
+    contacts.retire(bodies, sleepers);
   }
 
   /** Finds out which awake bodies hold each other, and what keeps them awake. */

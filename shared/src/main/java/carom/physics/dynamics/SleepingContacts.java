@@ -6,10 +6,10 @@ import java.util.Arrays;
 /**
  * The touching pairs of bodies that sleep, so that they wake as they fell asleep.
  *
- * <p>A contact is here if neither of its bodies is awake: each sleeps or is static. Nothing looks
- * at these rows from step to step, however many there are; each body has a list of its own, so that
- * waking some bodies costs as much as they have contacts. The ends of the row r are the entries 2 r
- * (of body A) and 2 r + 1 (of body B), linked both ways.
+ * <p>A contact is here if neither of its bodies is awake and one sleeps; the other does, too, or is
+ * static. Nothing looks at these rows from step to step, however many there are; each body has a
+ * list of its own, so that waking some bodies costs as much as they have contacts. The ends of the
+ * row r are the entries 2 r (of body A) and 2 r + 1 (of body B), linked both ways.
  *
  * <p>Rows are slots that are used again. Their numbers and the order of the lists depend on
  * history, so whoever takes rows out sorts them by {@link ContactKey}.
@@ -35,6 +35,11 @@ final class SleepingContacts {
 
   /** Scratch: rows that are given out. */
   private int[] taken = new int[0];
+
+  /** Whether this is the place of the contacts of two bodies. */
+  static boolean belongs(BodyStore bodies, int a, int b) {
+    return !bodies.active(a) && !bodies.active(b) && (bodies.asleep(a) || bodies.asleep(b));
+  }
 
   /** One more than the largest row ever used. */
   int slots() {
@@ -177,8 +182,10 @@ final class SleepingContacts {
       which = new int[packed.count()];
       for (int row = 0; row < which.length; row++) {
         which[row] = row;
+        int bodyA = packed.bodyA(row);
+        int bodyB = packed.bodyB(row);
         a.require(
-            !bodies.active(packed.bodyA(row)) && !bodies.active(packed.bodyB(row)),
+            belongs(bodies, bodyA, bodyB) && !bodies.disabled(bodyA) && !bodies.disabled(bodyB),
             "contact=" + row + " doesn't sleep");
       }
       put(packed, which, which.length);
