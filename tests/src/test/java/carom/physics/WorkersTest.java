@@ -138,6 +138,7 @@ final class WorkersTest {
     String alone = busy.run(null);
     Shuffled two = new Shuffled(2);
     assertEquals(alone, busy.run(two));
+    assertEquals(alone, busy.run(new Shuffled(4)));
     assertEquals(alone, busy.run(new Shuffled(7)));
     assertTrue(two.runs > STEPS, "nothing was shared");
   }

@@ -22,13 +22,15 @@ final class KdJoin {
   }
 
   /**
-   * Visits every pair of overlapping boxes of the tree once.
+   * Visits every pair of overlapping boxes below two nodes of the same level once.
    *
+   * @param nodeA 1 for the whole tree
+   * @param nodeB the same node, or one to the right of it
    * @param selective whether to pass over pairs of nodes of which none is {@link KdTree#hot}
    */
-  void pairs(boolean selective, PairVisitor visitor) {
+  void pairs(int nodeA, int nodeB, boolean selective, PairVisitor visitor) {
     int found = 0;
-    int top = push(1, 1, 0);
+    int top = push(nodeA, nodeB, 0);
     while (top > 0) {
       int b = stack[--top];
       int a = stack[--top];
@@ -47,22 +49,51 @@ final class KdJoin {
         }
         continue;
       }
-      int a0 = 2 * a;
-      int a1 = a0 + 1;
-      if (a == b) {
-        top = push(a0, a0, top);
-        top = push(a1, a1, top);
-        top = pushIfOverlapping(a0, tree, a1, top);
-      } else {
-        int b0 = 2 * b;
-        int b1 = b0 + 1;
-        top = pushIfOverlapping(a0, tree, b0, top);
-        top = pushIfOverlapping(a0, tree, b1, top);
-        top = pushIfOverlapping(a1, tree, b0, top);
-        top = pushIfOverlapping(a1, tree, b1, top);
-      }
+      top = pushChildren(a, b, top);
     }
     reportPairs(found, visitor);
+  }
+
+  /**
+   * Replaces pairs of nodes of the tree by those of their children that overlap; pairs of leaves
+   * stay.
+   *
+   * @param from pairs of nodes, two numbers each
+   * @param count how many pairs
+   * @param selective as for {@link #pairs}
+   * @param to receives the pairs; four times as many at most
+   * @return how many
+   */
+  int descend(int[] from, int count, boolean selective, int[] to) {
+    int total = 0;
+    for (int i = 0; i < count; i++) {
+      int a = from[2 * i];
+      int b = from[2 * i + 1];
+      if (!selective || tree.hot[a] || tree.hot[b]) {
+        int top = a >= tree.leaves ? push(a, b, 0) : pushChildren(a, b, 0);
+        System.arraycopy(stack, 0, to, total, top);
+        total += top;
+      }
+    }
+    return total / 2;
+  }
+
+  /** Pushes those children of two inner nodes, or of one, twice, that may have pairs. */
+  private int pushChildren(int a, int b, int top) {
+    int a0 = 2 * a;
+    int a1 = a0 + 1;
+    int end = top;
+    if (a == b) {
+      end = push(a0, a0, end);
+      end = push(a1, a1, end);
+      return pushIfOverlapping(a0, tree, a1, end);
+    }
+    int b0 = 2 * b;
+    int b1 = b0 + 1;
+    end = pushIfOverlapping(a0, tree, b0, end);
+    end = pushIfOverlapping(a0, tree, b1, end);
+    end = pushIfOverlapping(a1, tree, b0, end);
+    return pushIfOverlapping(a1, tree, b1, end);
   }
 
   private int push(int a, int b, int top) {
@@ -186,38 +217,59 @@ final class KdJoin {
   }
 
   /**
-   * Visits every pair of overlapping boxes of this tree and another.
+   * Visits every pair of overlapping boxes below a node of this tree and one of another.
    *
+   * @param nodeA node of this tree, 1 for all of it
+   * @param nodeB node of the other
    * @param selective whether to pass over nodes of this tree that aren't {@link KdTree#hot}
    */
-  void join(KdTree other, boolean selective, PairVisitor visitor) {
-    float[] p = tree.bounds;
-    float[] q = other.bounds;
+  void join(KdTree other, int nodeA, int nodeB, boolean selective, PairVisitor visitor) {
     int found = 0;
-    int top = pushIfOverlapping(1, other, 1, 0);
+    int top = pushIfOverlapping(nodeA, other, nodeB, 0);
     while (top > 0) {
       int b = stack[--top];
       int a = stack[--top];
       if (selective && !tree.hot[a]) {
         continue;
       }
-      boolean leafA = a >= tree.leaves;
-      boolean leafB = b >= other.leaves;
-      if (leafA && leafB) {
+      if (a >= tree.leaves && b >= other.leaves) {
         found = pairsOfLeaves(a - tree.leaves, other, b - other.leaves, found);
         if (found >= hits.length - KdTree.SLOTS * KdTree.SLOTS) {
           reportJoin(found, other, visitor);
           found = 0;
         }
-      } else if (leafB || (!leafA && extent(p, a) >= extent(q, b))) {
-        top = pushIfOverlapping(2 * a, other, b, top);
-        top = pushIfOverlapping(2 * a + 1, other, b, top);
       } else {
-        top = pushIfOverlapping(a, other, 2 * b, top);
-        top = pushIfOverlapping(a, other, 2 * b + 1, top);
+        top = pushChildren(a, other, b, top);
       }
     }
     reportJoin(found, other, visitor);
+  }
+
+  /** As {@link #descend(int[], int, boolean, int[])}, for nodes of this tree and another. */
+  int descend(KdTree other, int[] from, int count, boolean selective, int[] to) {
+    int total = 0;
+    for (int i = 0; i < count; i++) {
+      int a = from[2 * i];
+      int b = from[2 * i + 1];
+      if (!selective || tree.hot[a]) {
+        boolean leaves = a >= tree.leaves && b >= other.leaves;
+        int top = leaves ? push(a, b, 0) : pushChildren(a, other, b, 0);
+        System.arraycopy(stack, 0, to, total, top);
+        total += top;
+      }
+    }
+    return total / 2;
+  }
+
+  /** Pushes the children of the wider one of two nodes, each with the other node. */
+  private int pushChildren(int a, KdTree other, int b, int top) {
+    if (b >= other.leaves
+        || (a < tree.leaves && extent(tree.bounds, a) >= extent(other.bounds, b))) {
+      int end = pushIfOverlapping(2 * a, other, b, top);
+      return pushIfOverlapping(2 * a + 1, other, b, end);
+    }
+    int end = pushIfOverlapping(a, other, 2 * b, top);
+    return pushIfOverlapping(a, other, 2 * b + 1, end);
   }
 
   private static float extent(float[] bounds, int node) {

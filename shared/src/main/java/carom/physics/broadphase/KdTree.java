@@ -82,7 +82,10 @@ public final class KdTree implements SpatialIndex {
   /** Per leaf: number of boxes in it. */
   int[] fill = new int[1];
 
-  /** Per node: scratch, whether something in it is of interest; false outside of {@link #refit}. */
+  /**
+   * Per node: scratch, whether something in it is of interest; false outside of {@link #refit} and
+   * of a {@link PairSearch}.
+   */
   boolean[] hot = new boolean[2];
 
   /** Scratch: leaves whose boxes changed. */
@@ -143,6 +146,11 @@ public final class KdTree implements SpatialIndex {
    */
   public boolean contains(int id) {
     return id >= 0 && id < slotOf.length && slotOf[id] >= 0;
+  }
+
+  /** How many levels the leaves are below the root. */
+  int levels() {
+    return Integer.numberOfTrailingZeros(leaves);
   }
 
   /** How many boxes left their cells in the last refit. */
@@ -377,7 +385,7 @@ public final class KdTree implements SpatialIndex {
 
   /** Rebuilds the smallest subtree around a full leaf that isn't crowded, with one box more. */
   private void makeRoom(int leaf, int id) {
-    int height = 31 - Integer.numberOfLeadingZeros(leaves);
+    int height = levels();
     int first = leaf;
     int end = leaf + 1;
     int count = fill[leaf] + 1;
@@ -818,27 +826,11 @@ public final class KdTree implements SpatialIndex {
 
   @Override
   public void pairs(PairVisitor visitor) {
-    search.pairs(false, visitor);
+    search.pairs(1, 1, false, visitor);
   }
 
-  /**
-   * Visits the pairs of overlapping boxes that may be new: all with a marked box, each exactly
-   * once, and some others. Where nothing is marked costs little more than nothing.
-   *
-   * @param marked per id, whether its box changed
-   * @param visitor receives the pairs, idA &lt; idB
-   */
-  public void pairs(boolean[] marked, PairVisitor visitor) {
-    heat(marked);
-    try {
-      search.pairs(true, visitor);
-    } finally {
-      cool();
-    }
-  }
-
-  /** Finds the nodes with marked boxes. */
-  private void heat(boolean[] marked) {
+  /** Finds the {@link #hot} nodes, those with marked boxes. */
+  void heat(boolean[] marked) {
     for (int leaf = 0; leaf < leaves; leaf++) {
       boolean any = false;
       int first = leaf * SLOTS;
@@ -852,7 +844,8 @@ public final class KdTree implements SpatialIndex {
     }
   }
 
-  private void cool() {
+  /** Makes no node {@link #hot}. */
+  void cool() {
     Arrays.fill(hot, 0, 2 * leaves, false);
   }
 
@@ -864,24 +857,7 @@ public final class KdTree implements SpatialIndex {
    * @param visitor receives the pairs
    */
   public void join(KdTree other, PairVisitor visitor) {
-    search.join(other, false, visitor);
-  }
-
-  /**
-   * The same for pairs that may be new: all with a marked box of this tree, each exactly once, and
-   * some others. Nothing of the other tree is touched that isn't near one.
-   *
-   * @param other another tree
-   * @param marked per id, whether its box changed; that of boxes of the other tree doesn't count
-   * @param visitor receives the pairs
-   */
-  public void join(KdTree other, boolean[] marked, PairVisitor visitor) {
-    heat(marked);
-    try {
-      search.join(other, true, visitor);
-    } finally {
-      cool();
-    }
+    search.join(other, 1, 1, false, visitor);
   }
 
   /**

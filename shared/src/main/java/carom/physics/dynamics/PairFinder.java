@@ -3,6 +3,7 @@ package carom.physics.dynamics;
 import carom.physics.broadphase.AabbArray;
 import carom.physics.broadphase.IntVisitor;
 import carom.physics.broadphase.KdTree;
+import carom.physics.broadphase.PairSearch;
 import carom.physics.broadphase.PairVisitor;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
@@ -41,6 +42,9 @@ final class PairFinder {
   /** Bodies whose boxes make a piece of work for a worker. */
   private static final int GRAIN = 64;
 
+  /** Moved parts that make a piece of work, and with too few of which threads don't search. */
+  private static final int SEARCH_GRAIN = 32;
+
   /** Relative rounding of the edges of a box, as far from the origin as it is. */
   private static final float ROUNDING = 0x1p-22f;
 
@@ -53,10 +57,46 @@ final class PairFinder {
   private final Crew crew;
   private Desk[] desks = {new Desk()};
 
-  /** What one worker needs to measure boxes. */
-  private static final class Desk {
+  /** What one worker needs to measure boxes and to collect candidates. */
+  private final class Desk implements PairVisitor, IntVisitor {
     private final Transform pose = new Transform();
     private final Aabb box = new Aabb();
+
+    /** Keys of pairs that it found. */
+    private long[] candidates = new long[FIRST_CAPACITY];
+
+    private int count;
+
+    /** The part that is searched for itself. */
+    private int around;
+
+    @Override
+    public void pair(int p, int q) {
+      long key = candidate(p, q);
+      if (key >= 0) {
+        reserve(count + 1);
+        candidates[count++] = key;
+      }
+    }
+
+    @Override
+    public boolean visit(int found) {
+      pair(around, found);
+      return true;
+    }
+
+    private void reserve(int room) {
+      if (room > candidates.length) {
+        candidates = Arrays.copyOf(candidates, Math.max(room, 2 * candidates.length));
+      }
+    }
+
+    /** Adds what another one found. */
+    private void take(Desk other) {
+      reserve(count + other.count);
+      System.arraycopy(other.candidates, 0, candidates, count, other.count);
+      count += other.count;
+    }
   }
 
   /** Per active body, while boxes are refreshed: whether a part left its fat box. */
@@ -100,16 +140,14 @@ final class PairFinder {
 
   private int partListCount;
 
+  private final PairSearch search;
   private final KeySorter sorter = new KeySorter();
-  private long[] candidates = new long[FIRST_CAPACITY];
-  private int candidateCount;
-  private int searchPart;
-  private final PairVisitor onPair = this::candidate;
-  private final IntVisitor onFound =
-      found -> {
-        candidate(searchPart, found);
-        return true;
-      };
+
+  /** Whether parts in the moving tree are searched for each by itself, unless with neighbours. */
+  private boolean each;
+
+  private final Crew.Range searching = this::searchPieces;
+  private final Crew.Range searchingAround = this::searchAround;
 
   PairFinder(
       Settings settings,
@@ -126,6 +164,7 @@ final class PairFinder {
     this.joints = joints;
     moving = new KdTree(parts.fat);
     resting = new KdTree(parts.fat);
+    search = new PairSearch(moving, resting);
   }
 
   // ---------------------------------------------------------------- who takes part
@@ -367,12 +406,20 @@ final class PairFinder {
     if (strayed.length < active.count) {
       strayed = new boolean[active.list.length];
     }
-    if (desks.length < crew.count()) {
-      desks = new Desk[crew.count()];
-      Arrays.setAll(desks, i -> new Desk());
-    }
+    furnish();
     refreshed = active;
     crew.run(0, active.count, GRAIN, measuring);
+  }
+
+  /** Has a desk for each worker. */
+  private void furnish() {
+    int old = desks.length;
+    if (old < crew.count()) {
+      desks = Arrays.copyOf(desks, crew.count());
+      for (int i = old; i < desks.length; i++) {
+        desks[i] = new Desk();
+      }
+    }
   }
 
   private void measureBodies(int from, int to, int worker) {
@@ -518,28 +565,24 @@ final class PairFinder {
       return;
     }
     refit();
-    candidateCount = 0;
-    if (searchAll) {
-      moving.pairs(onPair);
-      moving.join(resting, onPair);
-    } else {
-      boolean each = movedCount - togetherCount <= moving.size() / SEARCH_SHARE;
-      if (!each || togetherCount > 0) {
-        boolean[] marked = each ? parts.together : parts.moved;
-        moving.pairs(marked, onPair);
-        moving.join(resting, marked, onPair);
-      }
-      for (int i = 0; i < movedCount; i++) {
-        int part = movedParts[i];
-        boolean moves = moving.contains(part);
-        boolean searched = !each || parts.together[part];
-        if ((!searched && moves) || resting.contains(part)) {
-          searchAround(part, moves);
-        }
-      }
+    furnish();
+    for (Desk desk : desks) {
+      desk.count = 0;
+      desk.reserve(desks[0].candidates.length); // who finds how many is chance, to grow by it isn't
     }
-    candidates = sorter.sort(candidates, candidateCount);
-    contacts.merge(candidates, candidateCount, bodies, parts, searchAll);
+    each = !searchAll && movedCount - togetherCount <= moving.size() / SEARCH_SHARE;
+    if (!each || togetherCount > 0) {
+      searchTrees();
+    }
+    if (!searchAll) {
+      crew.run(0, movedCount, SEARCH_GRAIN, searchingAround);
+    }
+    Desk all = desks[0];
+    for (int i = 1; i < desks.length; i++) {
+      all.take(desks[i]);
+    }
+    all.candidates = sorter.sort(all.candidates, all.count);
+    contacts.merge(all.candidates, all.count, bodies, parts, searchAll);
     for (int i = 0; i < movedCount; i++) {
       parts.moved[movedParts[i]] = false;
       parts.together[movedParts[i]] = false;
@@ -549,41 +592,63 @@ final class PairFinder {
     searchAll = false;
   }
 
-  /** Finds what a moved part's fat box overlaps; two parts that rest needn't find each other. */
-  private void searchAround(int part, boolean moves) {
-    searchPart = part;
-    float minX = parts.fat.minX(part);
-    float minY = parts.fat.minY(part);
-    float maxX = parts.fat.maxX(part);
-    float maxY = parts.fat.maxY(part);
-    moving.query(minX, minY, maxX, maxY, onFound);
-    if (moves) {
-      resting.query(minX, minY, maxX, maxY, onFound);
+  /** Walks the trees where boxes are marked, or everywhere. */
+  private void searchTrees() {
+    boolean[] marked = searchAll ? null : each ? parts.together : parts.moved;
+    int searched = searchAll ? moving.size() : each ? togetherCount : movedCount;
+    try {
+      int pieces = search.begin(marked, crew.shares(searched, SEARCH_GRAIN) ? crew.count() : 1);
+      crew.run(0, pieces, 1, searching);
+    } finally {
+      search.end();
     }
   }
 
-  private void candidate(int p, int q) {
+  private void searchPieces(int from, int to, int worker) {
+    for (int piece = from; piece < to; piece++) {
+      search.run(piece, worker, desks[worker]);
+    }
+  }
+
+  /**
+   * Finds what the fat boxes of moved parts overlap that the walk of the trees leaves out; two
+   * parts that rest needn't find each other.
+   */
+  private void searchAround(int from, int to, int worker) {
+    Desk desk = desks[worker];
+    AabbArray fat = parts.fat;
+    for (int i = from; i < to; i++) {
+      int part = movedParts[i];
+      boolean moves = moving.contains(part);
+      boolean searched = !each || parts.together[part];
+      if ((searched || !moves) && !resting.contains(part)) {
+        continue;
+      }
+      desk.around = part;
+      float minX = fat.minX(part);
+      float minY = fat.minY(part);
+      float maxX = fat.maxX(part);
+      float maxY = fat.maxY(part);
+      moving.query(minX, minY, maxX, maxY, desk);
+      if (moves) {
+        resting.query(minX, minY, maxX, maxY, desk);
+      }
+    }
+  }
+
+  /** The key of a pair that needs a row, or -1. Only reads. */
+  private long candidate(int p, int q) {
     if (!searchAll && !parts.moved[p] && !parts.moved[q]) {
-      return;
+      return -1;
     }
     int a = parts.body[p];
     int b = parts.body[q];
     if (a == b || !mayTouch(p, q)) {
-      return;
+      return -1;
     }
-    if (a > b) {
-      int swap = a;
-      a = b;
-      b = swap;
-      swap = p;
-      p = q;
-      q = swap;
-    }
-    if (candidateCount == candidates.length) {
-      candidates = Arrays.copyOf(candidates, candidateCount * 2);
-    }
-    candidates[candidateCount++] =
-        ContactKey.of(a, p - bodies.firstPart[a], b, q - bodies.firstPart[b]);
+    return a < b
+        ? ContactKey.of(a, p - bodies.firstPart[a], b, q - bodies.firstPart[b])
+        : ContactKey.of(b, q - bodies.firstPart[b], a, p - bodies.firstPart[a]);
   }
 
   // ---------------------------------------------------------------- questions

@@ -9,7 +9,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.physics.broadphase.Boxes.Layout;
 import carom.server.bench.BroadphaseScene;
 import java.lang.management.ManagementFactory;
-import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -112,50 +111,6 @@ class KdTreeTest {
   }
 
   @ParameterizedTest
-  @EnumSource(Layout.class)
-  void onlyWhatMovedNeedBeLookedAt(Layout layout) {
-    for (long seed = 1; seed <= 3; seed++) {
-      Boxes boxes = new Boxes(layout, 400, seed);
-      KdTree tree = treeOf(boxes);
-      Boxes others = new Boxes(layout, 120, seed + 100);
-      KdTree other = treeOf(others);
-      int[] changed = new int[400];
-      for (int tick = 0; tick < 80; tick++) {
-        boolean[] marked = new boolean[400];
-        int n = 0;
-        int share = tick % 4 == 0 ? 60 : 1 + boxes.below(20);
-        float far = tick % 9 == 8 ? 300 : 0.3f;
-        for (int id = 0; id < 400; id++) {
-          if (boxes.below(100) < share) {
-            boxes.shift(id, boxes.between(-far, far), boxes.between(-far, far));
-            marked[id] = true;
-            changed[n++] = id;
-          }
-        }
-        tree.refit(changed, n);
-        String where = boxes + " seed=" + seed + " tick=" + tick;
-        TreeCheck.check(tree, boxes.array, where);
-        long[] all = oracle(boxes);
-        assertArrayEquals(all, Pairs.of(tree), where);
-        assertArrayEquals(
-            Arrays.stream(all).filter(p -> marked[(int) (p >> 32)] || marked[(int) p]).toArray(),
-            Arrays.stream(Pairs.of(v -> tree.pairs(marked, v)))
-                .filter(p -> marked[(int) (p >> 32)] || marked[(int) p])
-                .toArray(),
-            where);
-        assertArrayEquals(
-            Arrays.stream(Pairs.of(v -> tree.join(other, v)))
-                .filter(p -> marked[(int) (p >> 32)])
-                .toArray(),
-            Arrays.stream(Pairs.of(v -> tree.join(other, marked, v)))
-                .filter(p -> marked[(int) (p >> 32)])
-                .toArray(),
-            where);
-      }
-    }
-  }
-
-  @ParameterizedTest
   @ValueSource(ints = {0, 1, 7, 300})
   void slicesListEveryBoxOnce(int n) {
     Boxes boxes = new Boxes(Layout.CLUSTERED, 300, 15);
@@ -176,17 +131,6 @@ class KdTreeTest {
         assertEquals(id < n ? 1 : 0, seen[id], "id=" + id + " parts=" + parts);
       }
     }
-  }
-
-  @Test
-  void searchForNewPairsSkipsWhatRests() {
-    Boxes boxes = new Boxes(Layout.UNIFORM, 4000, 9);
-    KdTree tree = treeOf(boxes);
-    boolean[] marked = new boolean[4000];
-    assertEquals(0, Pairs.of(v -> tree.pairs(marked, v)).length);
-    marked[77] = true;
-    int few = Pairs.of(v -> tree.pairs(marked, v)).length;
-    assertTrue(few < oracle(boxes).length / 20, "pairs near one marked box=" + few);
   }
 
   @Test
@@ -352,6 +296,7 @@ class KdTreeTest {
     KdTree other = new KdTree(scene.boxes());
     other.rebuild(scene.boxes(), scene.ids(), n / 10);
     tree.rebuild(scene.boxes(), scene.ids(), n);
+    PairSearch search = new PairSearch(tree, other);
     long[] count = new long[1];
     int[] changed = {5, 50, 500};
     boolean[] marked = new boolean[n];
@@ -372,8 +317,11 @@ class KdTreeTest {
         tree.pairs(pairs);
         tree.join(other, pairs);
         tree.refit(changed, changed.length);
-        tree.pairs(marked, pairs);
-        tree.join(other, marked, pairs);
+        int pieces = search.begin(marked, 2);
+        for (int piece = 0; piece < pieces; piece++) {
+          search.run(piece, piece % 2, pairs);
+        }
+        search.end();
         tree.query(0, 0, 20, 20, ids);
         if (tick % 10 == 0) {
           tree.rebuild(scene.boxes(), scene.ids(), n);
