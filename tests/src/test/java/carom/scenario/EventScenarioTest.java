@@ -120,14 +120,7 @@ class EventScenarioTest {
         ear.client.play(InputSource.IDLE);
       }
       stepper.run(REST_SECONDS);
-      Map<String, List<Integer>> truth = new TreeMap<>();
-      for (long n = from; n < ring.limit(); n++) {
-        EventRecord e = ring.at(n);
-        truth
-            .computeIfAbsent(
-                Ear.signature(e.kind, e.player, e.first, e.second), s -> new ArrayList<>())
-            .add(e.tick);
-      }
+      Map<String, List<Integer>> truth = told(ring, from);
       assertTrue(ring.limit() - from > 20, "events=" + (ring.limit() - from));
       assertEquals(0, stepper.count(Counter.EVENTS_LOST));
       int foreseen = 0;
@@ -140,6 +133,19 @@ class EventScenarioTest {
       }
       assertTrue(foreseen > 0, "somebody's own deeds were foreseen");
     }
+  }
+
+  /** The ticks of what the server told from an event on, by what it was. */
+  private static Map<String, List<Integer>> told(EventRing ring, long from) {
+    Map<String, List<Integer>> truth = new TreeMap<>();
+    for (long n = from; n < ring.limit(); n++) {
+      EventRecord e = ring.at(n);
+      truth
+          .computeIfAbsent(
+              Ear.signature(e.kind, e.player, e.first, e.second), s -> new ArrayList<>())
+          .add(e.tick);
+    }
+    return truth;
   }
 
   private static void requireSame(
@@ -189,14 +195,7 @@ class EventScenarioTest {
         ear.client.play(InputSource.IDLE);
       }
       stepper.run(REST_SECONDS);
-      Map<String, List<Integer>> truth = new TreeMap<>();
-      for (long n = from; n < ring.limit(); n++) {
-        EventRecord e = ring.at(n);
-        truth
-            .computeIfAbsent(
-                Ear.signature(e.kind, e.player, e.first, e.second), s -> new ArrayList<>())
-            .add(e.tick);
-      }
+      Map<String, List<Integer>> truth = told(ring, from);
       assertTrue(after > before, "something happens meanwhile: " + before + " " + after);
       assertEquals(1, ears.get(0).client.stats().reconnects());
       requireSame(truth, ears.get(0).ticks, "back: " + ears.get(0).client);

@@ -161,11 +161,7 @@ final class JointVisit {
     for (int k = from; k < to; k++) {
       int slot = joints.joint[k];
       bring(k);
-      float axial =
-          j.springImpulse[slot]
-              + j.motorImpulse[slot]
-              + j.lowerImpulse[slot]
-              - j.upperImpulse[slot];
+      float axial = axialImpulse(j, slot);
       switch (j.type[slot]) {
         case JointStore.DISTANCE -> {
           lengthRow();
@@ -291,17 +287,21 @@ final class JointVisit {
     }
   }
 
+  /** What spring, motor and limits exert together, along the axis or about it. */
+  private static float axialImpulse(JointStore j, int slot) {
+    return j.springImpulse[slot]
+        + j.motorImpulse[slot]
+        + j.lowerImpulse[slot]
+        - j.upperImpulse[slot];
+  }
+
   /** Writes down what joints exerted. */
   void store(int from, int to) {
     JointStore j = store;
     for (int k = from; k < to; k++) {
       int slot = joints.joint[k];
       bring(k);
-      float axial =
-          j.springImpulse[slot]
-              + j.motorImpulse[slot]
-              + j.lowerImpulse[slot]
-              - j.upperImpulse[slot];
+      float axial = axialImpulse(j, slot);
       float x = j.impulseX[slot];
       float y = j.impulseY[slot];
       float torque = j.impulseW[slot] + axial;

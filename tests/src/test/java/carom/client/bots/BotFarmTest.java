@@ -32,6 +32,37 @@ final class BotFarmTest {
     return ClientConfig.of("bot").withPrediction(PredictionMode.NONE).withTicksPerInputDatagram(2);
   }
 
+  /** An arena in virtual time. */
+  private static Server server(int seats, InProcessNetwork network, long[] now) throws Exception {
+    return new Server(
+        ServerConfig.defaults().withMaxPlayers(seats).withStatusIntervalS(0),
+        () -> Games.create("arena"),
+        Level.builtIn("arena"),
+        network.server(),
+        () -> now[0]);
+  }
+
+  private static BotFarm farm(int count, int churn, InProcessNetwork network) {
+    return new BotFarm(
+        config().withServer("server", 0, 0),
+        network.client(),
+        count,
+        1,
+        false,
+        churn,
+        new WorkerThreads(1));
+  }
+
+  @Test
+  void oneProcessorIsLeftToTheServer() {
+    assertEquals(1, BotsMain.threadsFor(1, 8));
+    assertEquals(1, BotsMain.threadsFor(500, 1));
+    assertEquals(1, BotsMain.threadsFor(500, 2));
+    assertEquals(3, BotsMain.threadsFor(500, 4));
+    assertEquals(5, BotsMain.threadsFor(500, 16));
+    assertEquals(WorkerThreads.MAX_COUNT, BotsMain.threadsFor(100_000, 1_000));
+  }
+
   @Test
   @Timeout(120)
   void aCrowdPlaysOverRealSocketsAndNobodyIsLost() throws Exception {
@@ -87,22 +118,8 @@ final class BotFarmTest {
   void aSlowFrameMakesJoinsGoodAndItsInputsCountAsLate() throws Exception {
     InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
     long[] now = {SECOND};
-    try (Server server =
-            new Server(
-                ServerConfig.defaults().withMaxPlayers(CROWD).withStatusIntervalS(0),
-                () -> Games.create("arena"),
-                Level.builtIn("arena"),
-                network.server(),
-                () -> now[0]);
-        BotFarm farm =
-            new BotFarm(
-                config().withServer("server", 0, 0),
-                network.client(),
-                CROWD,
-                1,
-                false,
-                0,
-                new WorkerThreads(1))) {
+    try (Server server = server(CROWD, network, now);
+        BotFarm farm = farm(CROWD, 0, network)) {
       // The bots' machine manages ten frames a second; one bot per frame would take four.
       for (int tick = 0; tick < 120; tick++) {
         now[0] += SECOND / 60;
@@ -121,22 +138,8 @@ final class BotFarmTest {
   void whoHasPlayedLongEnoughLeavesAndComesBack() throws Exception {
     InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
     long[] now = {SECOND};
-    try (Server server =
-            new Server(
-                ServerConfig.defaults().withMaxPlayers(8).withStatusIntervalS(0),
-                () -> Games.create("arena"),
-                Level.builtIn("arena"),
-                network.server(),
-                () -> now[0]);
-        BotFarm farm =
-            new BotFarm(
-                config().withServer("server", 0, 0),
-                network.client(),
-                8,
-                1,
-                false,
-                2,
-                new WorkerThreads(1))) {
+    try (Server server = server(8, network, now);
+        BotFarm farm = farm(8, 2, network)) {
       for (int tick = 0; tick < 1_200; tick++) {
         now[0] += SECOND / 60;
         server.tick(now[0]);
@@ -164,15 +167,7 @@ final class BotFarmTest {
   private static int attempts(RefusalReason reason, BotReport[] report) {
     InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
     int refused = 0;
-    try (BotFarm farm =
-        new BotFarm(
-            config().withServer("server", 0, 0),
-            network.client(),
-            3,
-            1,
-            false,
-            0,
-            new WorkerThreads(1))) {
+    try (BotFarm farm = farm(3, 0, network)) {
       for (long nowNs = SECOND; nowNs < 200 * SECOND && !farm.over(); nowNs += SECOND / 60) {
         farm.update(nowNs);
         refused += refuseAll(network, reason);
