@@ -56,6 +56,7 @@ public final class SnapshotDecoder {
   private final PlayerSet readKnown = new PlayerSet();
   private int readWindow;
   private final InputFeedback readFeedback = new InputFeedback();
+  private final SlotSet named = new SlotSet(); // a slot comes once at most
   private int[] slots = {};
   private byte[] kinds = {};
   private int[] ages = {};
@@ -90,6 +91,7 @@ public final class SnapshotDecoder {
     for (int i = 0; i < HISTORY; i++) {
       owns[i] = new OwnState();
     }
+    named.ensure(capacity);
     growRecords(MIN_RECORDS);
   }
 
@@ -195,6 +197,7 @@ public final class SnapshotDecoder {
   private DecodeStatus readRecords(int datagramTick) {
     RangeDecoder r = range;
     count = 0;
+    named.clear();
     records.begin();
     for (int kind; (kind = records.kind(r, RecordCodec.END)) != RecordCodec.END; ) {
       DecodeStatus status =
@@ -264,9 +267,10 @@ public final class SnapshotDecoder {
 
   /** Begins the next record, unless there can be none like it. */
   private boolean open(int kind, int slot) {
-    if (slot < 0 || slot >= capacity || count == RecordCodec.MAX_RECORDS) {
+    if (slot < 0 || slot >= capacity || named.has(slot) || count == RecordCodec.MAX_RECORDS) {
       return false;
     }
+    named.add(slot);
     if (count == slots.length) {
       growRecords(2 * count);
     }

@@ -6,7 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.net.codec.BitWriter;
 import carom.net.codec.Crc16;
+import carom.net.codec.RangeEncoder;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.Set;
@@ -224,6 +226,70 @@ class SnapshotWireTest {
     byte[] bytes = nextDatagram();
     SnapshotDecoder small = new SnapshotDecoder(1, KEY, 0, Scene.TICK_RATE);
     assertEquals(DecodeStatus.DAMAGED, small.decode(bytes, 0, bytes.length));
+  }
+
+  /** A datagram of records alone, all of them of slot 3: absolute at rest, gone, or such runs. */
+  private static byte[] recordsOfOneSlot(int sequence, int tick, int age, int... kinds) {
+    byte[] bytes = new byte[100];
+    BitWriter w = new BitWriter();
+    w.reset(bytes, 0, bytes.length);
+    w.write(0, 16);
+    w.write(sequence, 16);
+    w.write(tick, 16);
+    w.write(0, 8); // no news, feedback, own section, events
+    int header = w.bytes();
+    RangeEncoder range = new RangeEncoder();
+    range.reset(bytes, header, bytes.length - header);
+    RecordCodec records = new RecordCodec();
+    DeltaCodec deltas = new DeltaCodec(Scene.TICK_RATE);
+    deltas.profile(Profiles.table(0));
+    records.begin();
+    for (int kind : kinds) {
+      records.kind(range, kind);
+      if (kind == RecordCodec.RUN) {
+        records.run(range, 0, age, 0, 0, 0);
+        range.cut();
+        SlotCodec.code(range, 0, 1 << 3);
+        range.cut();
+        deltas.code(range, age, new Motion(), Predictor.GOES_ON, new Motion());
+        range.cut();
+      } else {
+        records.slot(range, 3);
+      }
+      if (kind == RecordCodec.ABSOLUTE) {
+        records.generation(range, 1);
+        records.archetype(range, 1);
+        records.owner(range, -1);
+        records.teleports(range, 0);
+        records.absolute(range, new Motion());
+      }
+    }
+    records.kind(range, RecordCodec.END);
+    return rightCheck(Arrays.copyOf(bytes, header + range.finish()));
+  }
+
+  /** The first of two could push the other's baseline out of a full history. */
+  @Test
+  void aSlotThatComesTwiceIsDamage() {
+    int sequence = 0;
+    for (int tick = 2; tick <= 2 * EntityHistory.SIZE; tick += 2) {
+      byte[] bytes = recordsOfOneSlot(sequence++, tick, 0, RecordCodec.ABSOLUTE);
+      assertEquals(DecodeStatus.OK, decoder.decode(bytes, 0, bytes.length));
+    }
+    EntityHistory history = decoder.history(3);
+    assertEquals(EntityHistory.SIZE, history.size());
+    for (int first = RecordCodec.RUN; first <= RecordCodec.OUT_OF_SIGHT; first++) {
+      for (int second = RecordCodec.RUN; second <= RecordCodec.OUT_OF_SIGHT; second++) {
+        byte[] twice = recordsOfOneSlot(sequence, 65, 63, first, second);
+        String kinds = first + " then " + second;
+        assertEquals(DecodeStatus.DAMAGED, decoder.decode(twice, 0, twice.length), kinds);
+        assertEquals(sequence - 1, decoder.ackSequence(), kinds);
+        assertEquals(2, history.tick(EntityHistory.SIZE - 1), kinds);
+      }
+    }
+    byte[] once = recordsOfOneSlot(sequence, 65, 63, RecordCodec.RUN);
+    assertEquals(DecodeStatus.OK, decoder.decode(once, 0, once.length));
+    assertEquals(65, history.tick(history.indexAt(65)));
   }
 
   @Test
