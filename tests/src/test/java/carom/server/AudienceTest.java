@@ -10,6 +10,7 @@ import carom.server.config.ServerConfig;
 import carom.sim.Entity;
 import carom.sim.Input;
 import carom.sim.Neighbourhood;
+import carom.sim.Simulation;
 import java.util.HashSet;
 import java.util.Set;
 import org.junit.jupiter.api.AfterEach;
@@ -166,38 +167,69 @@ class AudienceTest {
     }
   }
 
-  @Test
-  void whatIsDoneInHidingIsNotToldAfterwardsEither() {
-    // Method: red's acks stand still meanwhile, so that what it is told reaches back into the time
-    // in which blue was hidden, pressed a button and let it go again.
-    rig.room.simulation().player(blue.welcome.playerId()).team(1);
+  /**
+   * Blue hides for a while, presses a button and lets it go again. What red is told afterwards must
+   * not reach back into that time, whatever its client does meanwhile.
+   */
+  private void hideBlue(Runnable meanwhile, Runnable afterwards) {
+    final int id = blue.welcome.playerId();
+    rig.room.simulation().player(id).team(1);
     rig.steps(60);
-    assertTrue(red.own.relayed().has(blue.welcome.playerId()));
+    assertTrue(red.own.relayed().has(id));
     Set<Long> told = new HashSet<>();
     red.onDecoded =
         () -> {
           for (int tick = red.decoder.newestTick() - 16;
               tick < red.decoder.newestTick() + 8;
               tick++) {
-            if (red.decoder.inputs().knows(blue.welcome.playerId(), tick)) {
-              told.add(red.decoder.inputs().at(blue.welcome.playerId(), tick));
+            if (red.decoder.inputs().knows(id, tick)) {
+              told.add(red.decoder.inputs().at(id, tick));
             }
           }
         };
-    red.sends = false;
+    meanwhile.run();
     rig.steps(2);
-    rig.room.simulation().player(blue.welcome.playerId()).team(2);
+    rig.room.simulation().player(id).team(2);
     blue.input.hold(Input.ACTION, true);
     final long secret = blue.input.pack();
     rig.steps(6);
     blue.input.hold(Input.ACTION, false);
     rig.steps(4); // those on the way are consumed
-    rig.room.simulation().player(blue.welcome.playerId()).team(1);
+    rig.room.simulation().player(id).team(1);
+    afterwards.run();
     rig.steps(3);
     red.sends = true;
+    red.acks = true;
     rig.steps(60);
     assertFalse(told.contains(secret), told::toString);
-    assertTrue(red.own.relayed().has(blue.welcome.playerId()), "shown again");
+    assertTrue(red.own.relayed().has(id), "shown again");
+  }
+
+  @Test
+  void whatIsDoneInHidingIsNotToldAfterwardsEither() {
+    hideBlue(() -> red.sends = false, () -> {});
+  }
+
+  @Test
+  void norIsItToldToWhoLooksAwayMeanwhile() {
+    hideBlue(
+        () -> {
+          red.near = InputDatagram.NEAR_NONE;
+          red.acks = false;
+        },
+        () -> red.near = InputDatagram.NEAR_ALL);
+  }
+
+  @Test
+  void norIsItToldToWhoHasNoBodyMeanwhile() {
+    Simulation s = rig.room.simulation();
+    Entity before = body(red);
+    hideBlue(
+        () -> {
+          red.acks = false;
+          s.despawn(before);
+        },
+        () -> s.spawn(s.archetypes().find("ball"), 0, -20, 0, s.player(red.welcome.playerId())));
   }
 
   @Test

@@ -40,6 +40,7 @@ final class FakeClient implements LinkHandler {
   boolean closed;
   boolean loads = true;
   boolean sends = true;
+  boolean acks = true;
   int leadTicks = 2;
   int near = InputDatagram.NEAR_NONE;
   int sequence;
@@ -83,9 +84,9 @@ final class FakeClient implements LinkHandler {
   void sendInput(int tick) {
     datagram.key = welcome.datagramKey();
     datagram.sequence = sequence = sequence + 1 & 0xffff;
-    datagram.hasAck = decoder.hasAck();
-    datagram.ackSequence = decoder.hasAck() ? decoder.ackSequence() : 0;
-    datagram.ackBits = decoder.hasAck() ? decoder.ackBits() : 0;
+    datagram.hasAck = acks && decoder.hasAck();
+    datagram.ackSequence = datagram.hasAck ? decoder.ackSequence() : 0;
+    datagram.ackBits = datagram.hasAck ? decoder.ackBits() : 0;
     if (tick != inputTick) {
       sent.addFirst(input.pack());
       inputTick = tick;

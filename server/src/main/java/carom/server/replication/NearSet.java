@@ -242,13 +242,12 @@ public final class NearSet {
    * @param out receives it
    */
   public void capture(Player player, boolean all, int disagreedTick, int rowBits, OwnState out) {
-    NearState near = out.near();
-    out.relayed().clear();
     if (player.body() == null) {
-      forget();
-      near.clear();
+      captureNothing(out);
       return;
     }
+    NearState near = out.near();
+    out.relayed().clear();
     long begun = updates + disagreements;
     int before = capturedTick;
     if (updating && simulation.tick() - baseTick > MAX_AGE) {
@@ -301,6 +300,25 @@ public final class NearSet {
     limitList(near.listBits());
   }
 
+  /**
+   * Lists nobody, and forgets whom the client knew: in place of {@link #capture} at each tick at
+   * which the client asks for nothing. What others do at such a tick isn't told later either.
+   *
+   * @param out receives it
+   */
+  public void captureNothing(OwnState out) {
+    out.near().clear();
+    out.relayed().clear();
+    earnRulingCredit();
+    capturedTick = simulation.tick();
+    hasPart = false;
+    members = 0;
+    known = 0;
+    updating = false;
+    torn = false;
+    tellsAll = false;
+  }
+
   /** Whether what another player does is told: not when its body is hidden. */
   private boolean isTellable(Player other, Player to) {
     return other != to && (other.body() == null || mayKnow.test(other.body()));
@@ -329,22 +347,13 @@ public final class NearSet {
     return updating && (dueRows > 0 || !announced);
   }
 
-  private void forget() {
-    hasPart = false;
-    members = 0;
-    known = 0;
-    updating = false;
-    torn = false;
-    tellsAll = false;
-  }
-
   /**
    * Whether the client must be told what the game did to one of those listed since the last time.
    * In a game that pushes all the time that would be too much: then the client finds out.
    */
   private boolean isRuled() {
     int tick = simulation.tick();
-    rulingCredit = Math.min(RULING_TICKS * MOST_RULINGS, rulingCredit + tick - capturedTick);
+    earnRulingCredit();
     boolean ruled = tellsAll;
     for (int i = 0; i < count; i++) {
       Entity e = listed[i];
@@ -358,6 +367,12 @@ public final class NearSet {
     }
     rulingCredit -= RULING_TICKS;
     return true;
+  }
+
+  /** For the ticks since the last capture. */
+  private void earnRulingCredit() {
+    int ticks = simulation.tick() - capturedTick;
+    rulingCredit = Math.min(RULING_TICKS * MOST_RULINGS, rulingCredit + ticks);
   }
 
   /** A client whose line is too slow for the update is told of fewer. */

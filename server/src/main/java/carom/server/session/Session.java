@@ -377,9 +377,11 @@ public final class Session implements LinkHandler {
       boolean ruled = player.ruledTick() >= consumedTick;
       audit.keep(consumedTick, own, !certain, isTouched(), ruled);
     }
-    if (near == InputDatagram.NEAR_NONE) {
+    if (nearSet == null) {
       own.near().clear();
       own.relayed().clear();
+    } else if (near == InputDatagram.NEAR_NONE) {
+      nearSet.captureNothing(own);
     } else {
       nearSet.acknowledge(sender.encoder());
       long updates = nearSet.updates();
