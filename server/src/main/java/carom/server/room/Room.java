@@ -512,16 +512,16 @@ public final class Room {
     }
     for (int i = 0; i < count; i++) {
       Session session = sessions.get(turns.index(i));
-      if (session.state() == SessionState.PLAYING) {
-        try {
-          if (session.isSnapshotDue() && turns.take(i, clock.getAsLong())) {
-            session.sendSnapshot(clock.getAsLong() - beginNs + nowNs);
-          }
-        } catch (RuntimeException e) {
-          broken.put(session, e);
+      try {
+        if (session.state() == SessionState.GRACE) {
+          session.listen();
+        } else if (session.state() == SessionState.PLAYING
+            && session.isSnapshotDue()
+            && turns.take(i, clock.getAsLong())) {
+          session.sendSnapshot(clock.getAsLong() - beginNs + nowNs);
         }
-      } else if (session.state() == SessionState.GRACE) {
-        session.listen();
+      } catch (RuntimeException e) {
+        broken.put(session, e);
       }
     }
     if (!broken.isEmpty()) {
