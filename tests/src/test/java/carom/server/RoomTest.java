@@ -497,12 +497,16 @@ class RoomTest {
   void anOperatorCanAskWhyAnEntityWasNotSent() {
     try (Rig rig = new Rig()) {
       rig.game.ballsMove = false;
-      rig.join("Ann");
+      FakeClient ann = rig.join("Ann");
       rig.seconds(1);
       assertTrue(ask(rig, 0, 1).contains("reason=UP_TO_DATE"), ask(rig, 0, 1));
       assertTrue(ask(rig, 0, 500).contains("reason=FREE"), ask(rig, 0, 500));
       assertTrue(ask(rig, 9, 1).contains("player=9 doesn't play here"), ask(rig, 9, 1));
       assertTrue(ask(rig, 0, -1).contains("entity=-1 is outside"), ask(rig, 0, -1));
+      ann.link.close("cable pulled");
+      rig.steps(2);
+      assertEquals(SessionState.GRACE, rig.room.session(0).state());
+      assertEquals("player=0 is away: nothing is sent to it", ask(rig, 0, 1));
     }
   }
 

@@ -727,8 +727,11 @@ public final class Room {
 
   private String explain(int playerId, int entityId) {
     Session session = session(playerId);
-    if (session == null || session.sender() == null) {
+    if (session == null) {
       return nobody(playerId);
+    }
+    if (session.state() != SessionState.PLAYING) {
+      return "player=" + playerId + " is away: nothing is sent to it";
     }
     if (entityId < 0 || entityId >= frames().capacity()) {
       return "entity=" + entityId + " is outside 0.." + (frames().capacity() - 1);

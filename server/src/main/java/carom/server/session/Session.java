@@ -498,7 +498,10 @@ public final class Session implements LinkHandler {
     return link == null ? "no link" : link.remote();
   }
 
-  /** The session's snapshots, for inspection; null while it doesn't play. */
+  /**
+   * The session's snapshots, for inspection: in grace those of the link that was lost, null before
+   * the first link and after the end.
+   */
   public SnapshotSender sender() {
     return sender;
   }
