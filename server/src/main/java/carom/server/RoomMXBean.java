@@ -36,10 +36,11 @@ public interface RoomMXBean {
   String record(String target);
 
   /**
-   * Ends the recording, also one by {@code --record}; the file is whole then. One that spectators
-   * watch goes on.
+   * Ends the recording, also one by {@code --record} or {@code --record-rotate}, and waits until
+   * the file is whole, for at most 5 s. One that spectators watch goes on.
    *
-   * @return which file and up to which tick, or why there is none
+   * @return which file and up to which tick, and whether the disk takes longer; or why there is
+   *     none
    */
   String stopRecording();
 }

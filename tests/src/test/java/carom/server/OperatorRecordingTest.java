@@ -10,6 +10,7 @@ import carom.net.transport.Impairment;
 import carom.replay.RecordingReader;
 import carom.replay.Replay;
 import carom.server.config.ServerConfig;
+import carom.server.recording.RotationLimit;
 import carom.sim.scene.SceneGame;
 import carom.sim.scene.Scenes;
 import carom.testkit.Stepper;
@@ -119,7 +120,18 @@ final class OperatorRecordingTest {
       stepper.run(1);
       String ended = stop(stepper);
       assertTrue(ended.startsWith("recorded to " + file), ended);
-      stepper.server().close(); // waits for the file
+      assertEquals(number(ended, "tick"), play(file, 0));
+    }
+  }
+
+  @Test
+  void filesThatFollowEachOtherAnOperatorEndsToo() throws Exception {
+    try (Stepper stepper = Stepper.of("arena")) {
+      stepper.server().recordRotating(folder, new RotationLimit(3_600, 0), 0);
+      RoomInspector.show(stepper.room());
+      stepper.run(1);
+      String ended = stop(stepper);
+      Path file = Path.of(ended.replaceAll("recorded to (.*) up to tick=.*", "$1"));
       assertEquals(number(ended, "tick"), play(file, 0));
     }
   }

@@ -171,6 +171,11 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
     return path;
   }
 
+  /** Whether nothing more will be written. Any thread. */
+  public boolean isDone() {
+    return !thread.isAlive();
+  }
+
   /** Has the file end after what waits, and waits for nothing. Any thread; twice does nothing. */
   public void finish() {
     waiting.offer(stop); // there is room, unless it has been told before

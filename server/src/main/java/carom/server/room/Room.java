@@ -692,15 +692,17 @@ public final class Room {
    * Ends the recording, whoever began it, but not one that spectators watch. From any thread but
    * the room's; waits for the room's next turn, and at most 5 s more until the file is written.
    *
-   * @return the file, or why it goes on, in one line for an operator
+   * @return the file, or why it goes on, in one line for an operator, who is told if the disk takes
+   *     longer
    */
   public String stopRecording() {
     String answer = ask(recording::stop);
-    recording.awaitEnd();
-    return answer;
+    return recording.awaitEnd() ? answer : answer + "; the disk has not taken all of it yet";
   }
 
-  /** Waits until the recording of an operator is written, at most 5 s; when the room has closed. */
+  /**
+   * Waits until the recording that ended last is written, at most 5 s; when the room has closed.
+   */
   public void awaitRecording() {
     recording.awaitEnd();
   }

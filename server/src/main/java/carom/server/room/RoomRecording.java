@@ -38,10 +38,7 @@ final class RoomRecording {
   private int begunAt;
   private boolean toldLeftOut;
 
-  /** An operator's file while it is recorded to; null without. */
-  private RecordingFile file;
-
-  /** The last operator's file that was ended, perhaps still being written; null without. */
+  /** The last file that was ended, perhaps still being written; null without. */
   private volatile RecordingFile ended;
 
   /**
@@ -108,7 +105,6 @@ final class RoomRecording {
       delete(path);
       return "not recorded: " + e.getMessage();
     }
-    file = created;
     LOG.info("{}recorded to {} from tick {} on", label, path, simulation.tick());
     return "recording to " + path + " from tick=" + simulation.tick() + " on";
   }
@@ -180,22 +176,36 @@ final class RoomRecording {
   }
 
   private void forget() {
+    RecordingFile file = fileOf(sink);
+    if (file != null) {
+      file.finish();
+      ended = file;
+    }
     simulation.journal(null);
     recorder = null;
     sink = null;
     rotation = null;
-    if (file != null) {
-      file.finish();
-      ended = file;
-      file = null;
-    }
   }
 
-  /** Waits until the operator's file that was ended last is written, for at most 5 s. */
-  void awaitEnd() {
-    RecordingFile last = ended;
-    if (last != null) {
-      last.close();
+  /** The file that a sink writes to, whoever began the recording; null when it is none. */
+  private static RecordingFile fileOf(BlockSink sink) {
+    if (sink instanceof Showing showing) {
+      return showing.file();
     }
+    return sink instanceof RecordingFile file ? file : null;
+  }
+
+  /**
+   * Waits until the file that was ended last is written, for at most 5 s.
+   *
+   * @return whether nothing is left to write
+   */
+  boolean awaitEnd() {
+    RecordingFile last = ended;
+    if (last == null) {
+      return true;
+    }
+    last.close();
+    return last.isDone();
   }
 }
