@@ -500,7 +500,7 @@ public final class GameClient implements AutoCloseable {
   private void hearEvents() {
     EventInbox inbox = decoder.events();
     for (EventRecord r; (r = inbox.poll()) != null; ) {
-      if (!repeats.isNew(r.tick)) {
+      if (!repeats.isNew(r.tick, inbox.missed())) {
         continue;
       }
       EventKind kind = simulation.eventKinds().get(r.kind);

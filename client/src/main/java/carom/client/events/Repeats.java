@@ -2,8 +2,9 @@ package carom.client.events;
 
 /**
  * Tells events apart that a new link repeats: what the server doesn't know to have arrived over the
- * lost one it tells again, from the first event of a tick on, in the same order. One thread; no
- * allocation.
+ * lost one it tells again, from the first event of a tick on, in the same order. If the new link
+ * loses events before the repeat is through, nobody knows which: the rest of that tick isn't heard.
+ * One thread; no allocation.
  */
 public final class Repeats {
   private int tick = -1;
@@ -29,8 +30,12 @@ public final class Repeats {
     repeated = count;
   }
 
-  /** Whether the next event that the server tells, of this tick, wasn't told by an earlier link. */
-  public boolean isNew(int eventTick) {
+  /**
+   * Whether the next event that the server tells, of this tick, wasn't told by an earlier link.
+   *
+   * @param missed events that this link has lost so far
+   */
+  public boolean isNew(int eventTick, long missed) {
     if (eventTick < tick) {
       return false;
     }
@@ -40,7 +45,7 @@ public final class Repeats {
       repeated = 0;
     }
     if (repeated > 0) {
-      repeated--;
+      repeated = missed > 0 ? Integer.MAX_VALUE : repeated - 1;
       return false;
     }
     count++;

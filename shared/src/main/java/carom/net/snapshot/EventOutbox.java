@@ -43,6 +43,7 @@ final class EventOutbox {
 
   // By the lowest bits of the event's number here: a ring that grows.
   private long[] numbers = {};
+  private int[] ticks = {};
   private int[] sentTick = {};
   private int[] sends = {};
   private boolean[] acked = {};
@@ -75,6 +76,7 @@ final class EventOutbox {
     }
     int at = at(next++);
     numbers[at] = number;
+    ticks[at] = ring.at(number).tick;
     sends[at] = 0;
     acked[at] = false;
   }
@@ -83,18 +85,21 @@ final class EventOutbox {
     int size = numbers.length;
     int roomy = Math.max(FIRST_ROOM, 2 * size);
     long[] roomyNumbers = new long[roomy];
-    int[] roomyTick = new int[roomy];
+    int[] roomyTicks = new int[roomy];
+    int[] roomySentTick = new int[roomy];
     int[] roomySends = new int[roomy];
     boolean[] roomyAcked = new boolean[roomy];
     for (long i = kept; i < next; i++) {
       int to = (int) i & roomy - 1;
       roomyNumbers[to] = numbers[at(i)];
-      roomyTick[to] = sentTick[at(i)];
+      roomyTicks[to] = ticks[at(i)];
+      roomySentTick[to] = sentTick[at(i)];
       roomySends[to] = sends[at(i)];
       roomyAcked[to] = acked[at(i)];
     }
     numbers = roomyNumbers;
-    sentTick = roomyTick;
+    ticks = roomyTicks;
+    sentTick = roomySentTick;
     sends = roomySends;
     acked = roomyAcked;
     if (size == 0) {
@@ -105,20 +110,35 @@ final class EventOutbox {
 
   /**
    * Offers what another client lacks, from the first event of the tick on of which it lacks any:
-   * that client has become this one, and knows how many of a tick it has.
+   * that client has become this one, and passes over as many of a tick as it has. So a tick whose
+   * first events don't fit, or have left the ring, isn't begun: the rest of it is lost.
    */
   void takeOver(EventOutbox before) {
-    for (long i = before.kept; i < before.next; i++) {
-      long number = before.numbers[before.at(i)];
-      if (ring.holds(number)) {
-        offer(number);
-      }
+    long from = before.kept;
+    while (from < before.next
+        && (before.next - from > CAPACITY || !ring.holds(before.numbers[before.at(from)]))) {
+      from = before.nextTick(from);
     }
+    for (long i = before.base; i < from; i++) {
+      lost += before.acked[before.at(i)] ? 0 : 1;
+    }
+    for (long i = from; i < before.next; i++) {
+      offer(before.numbers[before.at(i)]);
+    }
+  }
+
+  /** The first event that happened in a later tick than this one. */
+  private long nextTick(long event) {
+    long later = event + 1;
+    while (later < next && ticks[at(later)] == ticks[at(event)]) {
+      later++;
+    }
+    return later;
   }
 
   /** The oldest isn't told any more. */
   private void forget() {
-    if (ring.at(numbers[at(base)]).tick != ring.at(numbers[at(kept)]).tick) {
+    if (ticks[at(base)] != ticks[at(kept)]) {
       kept = base;
     }
     base++;

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.client.events.Repeats;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -33,6 +34,10 @@ class EventOverSnapshotsTest {
   private void tick(int events, Random random) {
     ring.begin(++tick);
     ring.end();
+    happen(events, random);
+  }
+
+  private void happen(int events, Random random) {
     for (int i = 0; i < events; i++) {
       EventRecord e = new EventRecord();
       e.kind = random.nextInt(256);
@@ -147,6 +152,104 @@ class EventOverSnapshotsTest {
     assertEquals(512, heard);
     assertEquals(1_200 - 512, decoder.events().missed());
     assertEquals(tick, decoder.events().completeTick());
+  }
+
+  /** A client that heard of two of a tick's five events comes back over a new link. */
+  private final class Returning {
+    final Random random = new Random(6);
+    final Repeats repeats = new Repeats();
+    final List<String> heard = new ArrayList<>();
+    final SnapshotEncoder again = new SnapshotEncoder(ring, KEY, RATE);
+    final SnapshotDecoder anew = new SnapshotDecoder(4, KEY, 0, RATE);
+
+    Returning() {
+      tick(2, random);
+      byte[] d = next();
+      assertEquals(DecodeStatus.OK, decoder.decode(d, 0, d.length));
+      encoder.receiveAck(decoder.ackSequence(), decoder.ackBits());
+      hear(decoder);
+      assertEquals(2, heard.size());
+      happen(3, random);
+    }
+
+    private void hear(SnapshotDecoder from) {
+      for (EventRecord e; (e = from.events().poll()) != null; ) {
+        if (repeats.isNew(e.tick, from.events().missed())) {
+          heard.add(describe(e));
+        }
+      }
+    }
+
+    void comeBack(int meanwhile) {
+      again.takeOverEvents(encoder);
+      for (int i = 0; i < meanwhile; i++) {
+        tick(1, random);
+        again.offer(ring.events().limit() - 1);
+      }
+      repeats.linkBegins(tick);
+      for (int t = 0; t < 300; t++) {
+        tick(0, random);
+        again.begin(feedback, null, 2_000);
+        byte[] d = Arrays.copyOf(buffer, again.next(buffer));
+        assertEquals(DecodeStatus.OK, anew.decode(d, 0, d.length));
+        again.receiveAck(anew.ackSequence(), anew.ackBits());
+        hear(anew);
+      }
+      assertEquals(0, again.eventsWaiting());
+    }
+
+    /** All but what is left out, numbers of {@link #sent}. */
+    void heardAllBut(int from, int to) {
+      List<String> all = new ArrayList<>(sent.stream().map(e -> describe(e)).toList());
+      all.subList(from, to).clear();
+      assertEquals(all, heard);
+    }
+  }
+
+  @Test
+  void whoComesBackHearsTheRestOfATick() {
+    Returning client = new Returning();
+    for (int i = 0; i < 507; i++) {
+      tick(1, client.random);
+    }
+    client.comeBack(0);
+    client.heardAllBut(0, 0);
+    assertEquals(0, client.again.eventsLost());
+  }
+
+  @Test
+  void ofATickWhoseBeginDoesNotFitNothingIsRepeated() {
+    Returning client = new Returning();
+    for (int i = 0; i < 509; i++) { // with the two that were heard, two too many
+      tick(1, client.random);
+    }
+    assertEquals(512, encoder.eventsWaiting());
+    client.comeBack(0);
+    client.heardAllBut(2, 5);
+    assertEquals(3, client.again.eventsLost(), "what was heard isn't lost");
+  }
+
+  @Test
+  void ofATickWhoseBeginIsForgottenNothingIsRepeated() {
+    Returning client = new Returning();
+    tick(1, client.random);
+    for (int i = 0; i < EventRing.SIZE - 3; i++) { // of others: three of the first tick go
+      ring.events().add(sent.get(5), 0);
+    }
+    client.comeBack(0);
+    client.heardAllBut(2, 5);
+    assertEquals(3, client.again.eventsLost());
+  }
+
+  @Test
+  void whatIsLostBeforeTheRepeatIsThroughEndsItsTick() {
+    Returning client = new Returning();
+    for (int i = 0; i < 507; i++) {
+      tick(1, client.random);
+    }
+    client.comeBack(1); // is one too many
+    assertEquals(1, client.anew.events().missed());
+    client.heardAllBut(2, 5);
   }
 
   @Test
