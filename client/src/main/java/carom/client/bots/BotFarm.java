@@ -42,7 +42,12 @@ public final class BotFarm implements AutoCloseable {
   private static final class Player {
     final int number;
     GameClient client;
+
+    /** Of this stay: how often it tried to get in, and whether it did. */
     int attempts = 1;
+
+    boolean entered;
+    int retries;
     boolean joined;
     boolean playing;
     boolean broken;
@@ -154,6 +159,7 @@ public final class BotFarm implements AutoCloseable {
     if (p.waiting) {
       p.waiting = false;
       p.attempts++;
+      p.retries++;
       p.client = newClient(p);
     }
     try {
@@ -173,8 +179,9 @@ public final class BotFarm implements AutoCloseable {
     }
     countInputs(p, playing, nowNs);
     p.playing = playing;
+    p.entered |= playing;
     p.joined |= playing;
-    if (!p.broken && !p.joined && p.attempts < MAX_ATTEMPTS && p.client.mayTryAgain()) {
+    if (!p.broken && !p.entered && p.attempts < MAX_ATTEMPTS && p.client.mayTryAgain()) {
       p.waiting = true;
       // Apart from each other, and from the next ones that join.
       p.nextAttemptNs = nowNs + (FIRST_WAIT_NS << p.attempts) + p.number * JOIN_GAP_NS / 4;
@@ -194,6 +201,8 @@ public final class BotFarm implements AutoCloseable {
     }
     p.client.close();
     p.client = newClient(p);
+    p.attempts = 1;
+    p.entered = false;
     return true;
   }
 
@@ -262,14 +271,21 @@ public final class BotFarm implements AutoCloseable {
     return p.broken || !p.waiting && p.client.view().phase() == ConnectionPhase.ENDED;
   }
 
-  /** Why a bot could not play, in words for people; empty when all could. */
+  /**
+   * Why a bot could not play, in words for people; empty when all could. Of those that won't play
+   * any more, if there are any.
+   */
   public String problem() {
+    String problem = "";
     for (Player p : players) {
-      if (!p.playing) {
+      if (isOver(p)) {
         return p.broken ? "a bot broke; see the log" : p.client.view().message();
       }
+      if (!p.playing && problem.isEmpty()) {
+        problem = p.client.view().message();
+      }
     }
-    return "";
+    return problem;
   }
 
   /** A line about the last second; cheap, unlike {@link #report}. */
@@ -339,8 +355,8 @@ public final class BotFarm implements AutoCloseable {
       inputs += p.inputs;
       late += p.lateInputs;
       NetStats s = p.client.stats();
-      retries += p.attempts - 1;
-      rejected += !p.joined && isOver(p) ? 1 : 0;
+      retries += p.retries;
+      rejected += !p.entered && isOver(p) ? 1 : 0;
       awake += s.awakeBodies();
       right += s.exactBodies();
       malformed += s.malformed();

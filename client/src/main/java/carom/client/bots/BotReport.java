@@ -14,7 +14,7 @@ import java.util.Locale;
  * @param kbitPerSecond payload received per bot and second of play, snapshots and messages, 1 kbit
  *     = 1,000 bits
  * @param playing bots that play at this moment
- * @param rejected bots that never got in and gave up
+ * @param rejected bots that gave up getting in, or coming back after they had left
  * @param retries how often a bot had to try again to get in
  * @param kbitPerSecondUp payload sent per bot and second of play, inputs and messages
  * @param exactPercent of the awake bodies near the bots, those whose prediction was right in every

@@ -228,7 +228,7 @@ public final class BotsMain implements Callable<Integer> {
       now = pace.nanoTime();
     }
     BotReport report = farm.report(now);
-    boolean good = report.joined() == count && report.disconnects() == 0;
+    boolean good = report.joined() == count && report.disconnects() == 0 && report.rejected() == 0;
     good &= churn > 0 || farm.playing() == count;
     if (!good) {
       System.err.println(report.joined() + " of " + count + " bots joined. " + farm.problem());

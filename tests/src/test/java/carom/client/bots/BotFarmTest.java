@@ -43,9 +43,13 @@ final class BotFarmTest {
   }
 
   private static BotFarm farm(int count, int churn, InProcessNetwork network) {
+    return farm(count, churn, network.client());
+  }
+
+  private static BotFarm farm(int count, int churn, ClientTransport transport) {
     return new BotFarm(
         config().withServer("server", 0, 0),
-        network.client(),
+        transport,
         count,
         1,
         false,
@@ -185,6 +189,52 @@ final class BotFarmTest {
     assertEquals(3, report[0].rejected());
     assertEquals(15, report[0].retries());
     assertEquals(0, report[0].joined());
+  }
+
+  @Test
+  void whoComesBackToAFullServerTriesAgainEachTimeAndGivesUpInTheEnd() throws Exception {
+    InProcessNetwork open = new InProcessNetwork(new KryoMessageCodec());
+    InProcessNetwork full = new InProcessNetwork(new KryoMessageCodec());
+    boolean[] isFull = {false};
+    ClientTransport door =
+        new ClientTransport() {
+          @Override
+          public Link connect(String host, int tcpPort, int udpPort) {
+            return (isFull[0] ? full : open).client().connect(host, tcpPort, udpPort);
+          }
+
+          @Override
+          public void close() {}
+        };
+    long[] now = {SECOND};
+    int refused = 0;
+    int refusedBefore = 0;
+    try (Server server = server(8, open, now);
+        BotFarm farm = farm(3, 1, door)) {
+      // Full for a while, open until all are back, then full for ever.
+      int closings = 0;
+      while (now[0] < 400 * SECOND && !farm.over()) {
+        now[0] += SECOND / 60;
+        server.tick(now[0]);
+        farm.update(now[0]);
+        refused += refuseAll(full, RefusalReason.SERVER_FULL);
+        if (!isFull[0] && farm.playing() == 3) {
+          isFull[0] = true;
+          closings++;
+          refusedBefore = refused;
+        } else if (closings == 1 && refused >= 3) {
+          isFull[0] = false;
+        }
+      }
+      BotReport report = farm.report(now[0]);
+      assertTrue(farm.over());
+      assertEquals(2, closings);
+      assertEquals(18, refused - refusedBefore, "six attempts each, whatever went before");
+      assertEquals(refused - 3, report.retries());
+      assertEquals(3, report.rejected());
+      assertEquals(3, report.joined());
+      assertEquals(0, report.disconnects());
+    }
   }
 
   @Test
