@@ -43,6 +43,9 @@ public final class BotFarm implements AutoCloseable {
     final int number;
     GameClient client;
 
+    /** What the clients before this one measured. */
+    final StaySums before = new StaySums();
+
     /** Of this stay: how often it tried to get in, and whether it did. */
     int attempts = 1;
 
@@ -127,6 +130,13 @@ public final class BotFarm implements AutoCloseable {
     return new GameClient(config.withName(name), transport, bot);
   }
 
+  /** Lets a bot begin anew, and keeps what it has measured. */
+  private void replaceClient(Player p, long nowNs) {
+    p.before.add(p.client.stats(), nowNs);
+    p.client.close();
+    p.client = newClient(p);
+  }
+
   /** Updates all bots, and lets the next one join when it is time. */
   public void update(long nowNs) {
     int begin = started;
@@ -160,7 +170,7 @@ public final class BotFarm implements AutoCloseable {
       p.waiting = false;
       p.attempts++;
       p.retries++;
-      p.client = newClient(p);
+      replaceClient(p, nowNs);
     }
     try {
       p.client.update(nowNs);
@@ -199,8 +209,7 @@ public final class BotFarm implements AutoCloseable {
     if (nowNs - p.leavesNs < 0) {
       return false;
     }
-    p.client.close();
-    p.client = newClient(p);
+    replaceClient(p, nowNs);
     p.attempts = 1;
     p.entered = false;
     return true;
@@ -243,7 +252,7 @@ public final class BotFarm implements AutoCloseable {
   public long fewestSnapshots() {
     long fewest = Long.MAX_VALUE;
     for (Player p : players) {
-      fewest = Math.min(fewest, p.client.stats().snapshots());
+      fewest = Math.min(fewest, p.before.snapshots + p.client.stats().snapshots());
     }
     return fewest;
   }
@@ -329,8 +338,8 @@ public final class BotFarm implements AutoCloseable {
   }
 
   /**
-   * What the bots measured; see {@link BotReport}. Takes about a millisecond for each bot, which
-   * those who play would feel.
+   * What the bots measured in all their stays; see {@link BotReport}. Takes about a millisecond for
+   * each bot, which those who play would feel.
    */
   public BotReport report(long nowNs) {
     double snapshots = 0;
@@ -339,7 +348,6 @@ public final class BotFarm implements AutoCloseable {
     double kbit = 0;
     double kbitUp = 0;
     int n = 0;
-    int malformed = 0;
     int retries = 0;
     int rejected = 0;
     long awake = 0;
@@ -354,28 +362,29 @@ public final class BotFarm implements AutoCloseable {
       errors += p.errors;
       inputs += p.inputs;
       late += p.lateInputs;
-      NetStats s = p.client.stats();
+      StaySums s = new StaySums();
+      s.add(p.before);
+      s.add(p.client.stats(), nowNs);
       retries += p.retries;
       rejected += !p.entered && isOver(p) ? 1 : 0;
-      awake += s.awakeBodies();
-      right += s.exactBodies();
-      malformed += s.malformed();
-      double seconds = s.playedSeconds(nowNs);
-      if (p.joined && seconds > 0) {
+      awake += s.awakeBodies;
+      right += s.exactBodies;
+      errors += s.malformed;
+      if (s.seconds > 0) {
         n++;
-        snapshots += s.snapshots() / seconds;
+        snapshots += s.snapshots / s.seconds;
         gap += s.gapP99Ms();
         rtt += s.rttP50Ms();
-        kbit += s.playingBytesIn() * 8 / 1_000.0 / seconds;
-        corrections += s.correctionsPerMinute(nowNs);
-        kbitUp += s.playingBytesOut() * 8 / 1_000.0 / seconds;
+        kbit += s.bytesIn * 8 / 1_000.0 / s.seconds;
+        corrections += s.corrections * 60 / s.seconds;
+        kbitUp += s.bytesOut * 8 / 1_000.0 / s.seconds;
       }
     }
     int divisor = Math.max(1, n);
     return new BotReport(
         joined(),
         disconnects,
-        errors + malformed,
+        errors,
         snapshots / divisor,
         gap / divisor,
         rtt / divisor,

@@ -3,7 +3,8 @@ package carom.client.bots;
 import java.util.Locale;
 
 /**
- * What a crowd of bots measured. Times and rates are means over the bots that played.
+ * What a crowd of bots measured, in all stays of those who left and came back. Times and rates are
+ * means over the bots that played; of a bot's stays, the times are means by their length.
  *
  * @param joined bots that got into the game
  * @param disconnects how often a bot that played stopped playing without wanting to

@@ -15,11 +15,14 @@ import carom.net.protocol.ServerMessage;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.InProcessNetwork;
 import carom.net.transport.Link;
+import carom.net.transport.ServerTransport;
 import carom.physics.threads.WorkerThreads;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.Level;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -34,11 +37,15 @@ final class BotFarmTest {
 
   /** An arena in virtual time. */
   private static Server server(int seats, InProcessNetwork network, long[] now) throws Exception {
+    return server(seats, network.server(), now);
+  }
+
+  private static Server server(int seats, ServerTransport transport, long[] now) throws Exception {
     return new Server(
         ServerConfig.defaults().withMaxPlayers(seats).withStatusIntervalS(0),
         () -> Games.create("arena"),
         Level.builtIn("arena"),
-        network.server(),
+        transport,
         () -> now[0]);
   }
 
@@ -155,6 +162,63 @@ final class BotFarmTest {
       assertTrue(server.count(Counter.LEAVES) >= joins - 8);
       assertEquals(0, server.count(Counter.LINKS_LOST));
       assertEquals(0, farm.report(now[0]).disconnects());
+    }
+  }
+
+  @Test
+  void theReportTellsOfAllStaysNotOfTheLast() throws Exception {
+    InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());
+    List<Link> links = new ArrayList<>();
+    ServerTransport transport =
+        new ServerTransport() {
+          @Override
+          public Link accept() {
+            Link link = network.server().accept();
+            if (link != null) {
+              links.add(link);
+            }
+            return link;
+          }
+
+          @Override
+          public int tcpPort() {
+            return 0;
+          }
+
+          @Override
+          public int udpPort() {
+            return 0;
+          }
+
+          @Override
+          public void close() {
+            network.server().close();
+          }
+        };
+    long[] now = {SECOND};
+    int garbage = 0;
+    try (Server server = server(8, transport, now);
+        BotFarm farm = farm(4, 2, network)) {
+      for (int tick = 0; tick < 1_200; tick++) {
+        now[0] += SECOND / 60;
+        server.tick(now[0]);
+        if (garbage == 0 && farm.playing() == 4) {
+          for (Link link : links) {
+            garbage += link.sendDatagram(new byte[3], 0, 3) ? 1 : 0;
+          }
+        }
+        farm.update(now[0]);
+      }
+      assertTrue(server.count(Counter.JOINS) > 20);
+      assertEquals(4, garbage);
+      BotReport report = farm.report(now[0]);
+      assertEquals(garbage, report.errors());
+      // A stay is 4 s at most, of 20.
+      int most = 1_200 / 60 * server.config().snapshotRateHz();
+      long fewest = farm.fewestSnapshots();
+      assertTrue(fewest > most / 2 && fewest <= most, fewest + " snapshots of " + most);
+      assertTrue(report.snapshotsPerSecond() <= server.config().snapshotRateHz() * 1.05);
+      assertTrue(report.snapshotsPerSecond() >= server.config().snapshotRateHz() * 0.9);
     }
   }
 
