@@ -5,7 +5,7 @@ public interface ClientTransport extends AutoCloseable {
 
   /**
    * Begins to connect. Returns at once with a link in {@code CONNECTING}; a failure shows as {@code
-   * CLOSED} with a reason that a player understands.
+   * CLOSED} with a reason that a player understands. Any thread, several at once.
    *
    * @param host name or address
    * @param tcpPort 1..65,535

@@ -4,7 +4,8 @@ import java.util.function.LongSupplier;
 
 /**
  * A bad network in front of a client's transport. Each link gets a seed of its own, derived from
- * the first: equal seeds and equal traffic give each datagram the same fate.
+ * the first, in the order of connecting: equal seeds, order and traffic give each datagram the same
+ * fate. Among threads that connect at once the order is up to chance.
  */
 public final class ImpairedClientTransport implements ClientTransport {
   private final ClientTransport inner;

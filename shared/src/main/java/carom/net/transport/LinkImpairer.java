@@ -1,15 +1,17 @@
 package carom.net.transport;
 
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongSupplier;
 
 /**
  * Puts the same bad network around one link after the other, each with random numbers of its own.
+ * Any thread.
  */
 final class LinkImpairer {
   private final Impairment impairment;
   private final MessageCodec codec;
   private final LongSupplier nowNs;
-  private long links;
+  private final AtomicLong links = new AtomicLong();
 
   LinkImpairer(Impairment impairment, MessageCodec codec, LongSupplier nowNs) {
     this.impairment = impairment;
@@ -18,7 +20,7 @@ final class LinkImpairer {
   }
 
   ImpairedLink impair(Link link) {
-    long seed = impairment.seed() + 2 * links++;
+    long seed = impairment.seed() + 2 * links.getAndIncrement();
     return new ImpairedLink(
         link, impairment.withSeed(seed), impairment.withSeed(seed + 1), nowNs, this::messageBytes);
   }

@@ -7,7 +7,11 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
+import java.util.concurrent.BrokenBarrierException;
+import java.util.concurrent.CyclicBarrier;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -292,5 +296,47 @@ class ImpairedLinkTest {
     }
     assertNotEquals(fates.get(0), fates.get(1));
     assertEquals(null, bad.accept());
+  }
+
+  @Test
+  void linksOpenedByTwoThreadsAtOnceHaveSeedsOfTheirOwn() throws Exception {
+    int each = 20_000; // so many that a counter not made for threads is caught
+    LinkImpairer impairer =
+        new LinkImpairer(Impairment.NONE.withLoss(50), new TextCodec(), () -> now);
+    ImpairedLink[] links = new ImpairedLink[2 * each];
+    CyclicBarrier start = new CyclicBarrier(2);
+    Thread[] openers = new Thread[2];
+    for (int t = 0; t < 2; t++) {
+      int first = t * each;
+      openers[t] =
+          new Thread(
+              () -> {
+                try {
+                  start.await();
+                } catch (InterruptedException | BrokenBarrierException x) {
+                  throw new IllegalStateException(x);
+                }
+                for (int i = first; i < first + each; i++) {
+                  links[i] = impairer.impair(client);
+                }
+              });
+      openers[t].start();
+    }
+    for (Thread opener : openers) {
+      opener.join();
+    }
+    Set<Long> fates = new HashSet<>();
+    for (ImpairedLink link : links) {
+      long fate = 0;
+      for (int i = 0; i < 64; i++) {
+        long dropped = link.counters().datagramsDropped.get();
+        link.sendDatagram(numbered(i), 0, 3);
+        fate = fate << 1 | (link.counters().datagramsDropped.get() - dropped);
+      }
+      server.poll(atServer, 64);
+      atServer.datagrams.clear();
+      fates.add(fate);
+    }
+    assertEquals(links.length, fates.size());
   }
 }
