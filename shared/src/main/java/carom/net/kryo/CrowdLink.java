@@ -22,7 +22,8 @@ final class CrowdLink extends ClientEnd {
       ByteBuffer.allocate(Frame.LENGTH_BYTES + Frame.CLIENT_BUFFER_BYTES);
   private final ByteBuffer unsent = ByteBuffer.allocate(WRITE_BUFFER_BYTES); // guards the writing
   private final Selector selector;
-  private final ByteBuffer datagramOut; // the transport's, which its senders share; guards itself
+  private final ByteBuffer datagram =
+      ByteBuffer.allocate(1 + Frame.MAX_PAYLOAD_BYTES); // guards its writing
   private volatile SocketChannel tcp;
   private volatile DatagramChannel udp;
   private volatile SelectionKey tcpKey;
@@ -38,11 +39,9 @@ final class CrowdLink extends ClientEnd {
       int tcpPort,
       int udpPort,
       int connectMillis,
-      Selector selector,
-      ByteBuffer datagramOut) {
+      Selector selector) {
     super(codec, host, tcpPort, udpPort, connectMillis);
     this.selector = selector;
-    this.datagramOut = datagramOut;
   }
 
   /** Opens the sockets. The transport's thread, as all that follows unless it says otherwise. */
@@ -230,11 +229,11 @@ final class CrowdLink extends ClientEnd {
     if (channel == null || isDisconnected()) {
       return false;
     }
-    synchronized (datagramOut) {
-      datagramOut.clear().put(tag).put(bytes, offset, length).flip();
+    synchronized (datagram) {
+      datagram.clear().put(tag).put(bytes, offset, length).flip();
       try {
         datagramLeft();
-        return channel.write(datagramOut) > 0;
+        return channel.write(datagram) > 0;
       } catch (IOException | RuntimeException x) {
         return false; // lost, and TCP will tell why if there is more to it
       }

@@ -31,7 +31,6 @@ public final class CrowdTransport implements ClientTransport, Runnable {
   private final ConcurrentLinkedQueue<CrowdLink> coming = new ConcurrentLinkedQueue<>();
   private final List<CrowdLink> links = new ArrayList<>(); // the thread's
   private final ByteBuffer in = ByteBuffer.allocateDirect(Frame.SERVER_BUFFER_BYTES);
-  private final ByteBuffer out = ByteBuffer.allocateDirect(Frame.SERVER_BUFFER_BYTES);
   private final int connectMillis;
   private final Selector selector;
   private final Thread thread;
@@ -72,7 +71,7 @@ public final class CrowdTransport implements ClientTransport, Runnable {
     if (closed) {
       throw new IllegalStateException("connect after close");
     }
-    CrowdLink link = new CrowdLink(codec, host, tcpPort, udpPort, connectMillis, selector, out);
+    CrowdLink link = new CrowdLink(codec, host, tcpPort, udpPort, connectMillis, selector);
     coming.add(link);
     selector.wakeup();
     return link;
