@@ -361,8 +361,8 @@ public final class World<T> {
 
   /**
    * Sets who helps the thread that calls {@link #step}; not part of the state. Results are the same
-   * bit for bit, with any number of workers or none. Callbacks stay on the calling thread. Worlds
-   * of less than some hundred contacts are stepped by the caller alone.
+   * bit for bit, with any number of workers or none. Callbacks stay on the calling thread. Steps
+   * with fewer than 500 moving bodies are done by the caller alone.
    *
    * @param newWorkers null (the default) for nobody; see {@link
    *     carom.physics.threads.WorkerThreads}. Isn't closed by the world

@@ -165,6 +165,7 @@ public final class KdTree implements SpatialIndex {
 
   /** Removes all boxes; keeps the memory. */
   public void clear() {
+    cool(); // a refit that failed may have left marks, in all leaves there were
     Arrays.fill(slotOf, -1);
     size = 0;
     leaves = 1;
@@ -175,7 +176,6 @@ public final class KdTree implements SpatialIndex {
     meanX = 0;
     meanY = 0;
     riding = false;
-    cool();
     fitLeaf(0);
   }
 

@@ -10,7 +10,7 @@ import java.util.Arrays;
  * on the trees alone; each pair is reported by one of them, exactly once.
  *
  * <p><b>Threads.</b> Begin and end on one; pieces on any, each with a worker's number of its own.
- * Meanwhile the trees mustn't change.
+ * Meanwhile the trees mustn't change, nor be fitted again.
  */
 public final class PairSearch {
   /** Enough that threads end at about the same time, few enough that cutting costs microseconds. */
@@ -99,7 +99,8 @@ public final class PairSearch {
    * @param worker number of the thread, from 0 to one less than {@link #begin} was told; no two at
    *     once have the same
    * @param visitor receives pairs in no particular order: idA &lt; idB of the tree, or idA of the
-   *     tree and idB of the other
+   *     tree and idB of the other. What it throws ends the piece, and goes to the caller
+   * @throws IndexOutOfBoundsException if there is no such piece or worker
    */
   public void run(int piece, int worker, PairVisitor visitor) {
     KdJoin join = joins[worker];

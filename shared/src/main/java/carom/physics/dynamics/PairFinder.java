@@ -389,8 +389,8 @@ final class PairFinder {
           t.maxX(part) + wayX,
           t.maxY(part) + wayY)) {
         renew(part, dt, activeCount);
+        togetherCount += parts.together[part] ? 0 : 1;
         parts.together[part] = true;
-        togetherCount++;
         movingStale = true;
       }
     }

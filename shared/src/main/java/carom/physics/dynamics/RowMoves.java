@@ -22,11 +22,6 @@ final class RowMoves {
   private int count;
   private boolean all;
 
-  /** Forgets all; rows will be moved within their array. */
-  void clear() {
-    clear(false);
-  }
-
   /**
    * Forgets all.
    *
@@ -36,11 +31,6 @@ final class RowMoves {
   void clear(boolean elsewhere) {
     count = 0;
     all = elsewhere;
-  }
-
-  /** The number of runs that move at all. */
-  int count() {
-    return count;
   }
 
   /**

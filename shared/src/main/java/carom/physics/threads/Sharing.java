@@ -6,8 +6,10 @@ package carom.physics.threads;
  * <p>Where more threads want a processor than there are, a helper loses its one in the midst of a
  * task and its caller waits for milliseconds, or the caller loses its own to a helper: a shared
  * step takes up to twice as long as one alone. Nobody sees that but in the time of whole steps. So
- * when a caller had to wait for long, the next steps are shared and not, by turns, and what was
- * faster is kept for a while. As long as nobody waits, every step is shared.
+ * when a caller had to wait for long, half of the next steps are shared, and what was faster is
+ * kept for a while. As long as nobody waits, every step is shared. Which half is told by the parity
+ * of the bits of the step's number (the sequence of Thue and Morse): worlds that one caller steps
+ * by turns, and work that grows, weigh on both sides alike.
  *
  * <p>Times come from the caller, in ns of any clock. One thread at a time.
  */
@@ -31,6 +33,9 @@ final class Sharing {
 
   private boolean shared;
 
+  /** Whether a step is on. */
+  private boolean on;
+
   /** Whether a caller waited for long since the last trial. */
   private boolean waited;
 
@@ -50,9 +55,15 @@ final class Sharing {
       sharedNs = 0;
       aloneNs = 0;
     }
-    shared = trial > 0 ? (trial & 1) == 0 : pays;
+    shared = trial > 0 ? (Integer.bitCount(trial - 1) & 1) == 0 : pays;
     begin = now;
+    on = true;
     return shared;
+  }
+
+  /** Whether a step is on that isn't shared. */
+  boolean isAlone() {
+    return on && !shared;
   }
 
   /**
@@ -65,11 +76,15 @@ final class Sharing {
   }
 
   /**
-   * The step ends.
+   * The step ends. Does nothing when none is on.
    *
    * @param now ns
    */
   void ends(long now) {
+    if (!on) {
+      return;
+    }
+    on = false;
     if (trial == 0) {
       left = Math.max(left - 1, 0);
       return;

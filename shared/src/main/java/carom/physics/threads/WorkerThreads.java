@@ -125,11 +125,11 @@ public final class WorkerThreads implements Workers, AutoCloseable {
   public void run(int tasks, Task task) {
     if (tasks > 1 && count > 1 && !closed) {
       Thread caller = Thread.currentThread();
-      if (holder.get() == caller && sharing != null) {
+      if (holder.get() == caller) {
         spread(tasks, task);
         return;
       }
-      if (holder.compareAndSet(null, caller)) {
+      if (!sharings.get().isAlone() && holder.compareAndSet(null, caller)) {
         try {
           spread(tasks, task);
         } finally {
@@ -175,7 +175,7 @@ public final class WorkerThreads implements Workers, AutoCloseable {
 
   /**
    * {@inheritDoc} The threads are the caller's until {@link #stepEnds}, unless another's step has
-   * them.
+   * them, or this one is better done alone.
    */
   @Override
   public void stepBegins() {
@@ -184,22 +184,24 @@ public final class WorkerThreads implements Workers, AutoCloseable {
       return;
     }
     Sharing mine = sharings.get();
-    if (mine.begins(clock.getAsLong())) {
-      sharing = mine;
-      inStep = true;
+    boolean shared = mine.begins(clock.getAsLong());
+    sharing = shared ? mine : null;
+    inStep = shared;
+    if (shared) {
       wake();
+    } else {
+      holder.set(null);
     }
   }
 
   @Override
   public void stepEnds() {
-    if (holder.get() != Thread.currentThread()) {
-      return;
-    }
     sharings.get().ends(clock.getAsLong());
-    sharing = null;
-    inStep = false;
-    holder.set(null);
+    if (holder.get() == Thread.currentThread()) {
+      sharing = null;
+      inStep = false;
+      holder.set(null);
+    }
   }
 
   private void awaitOthers() {

@@ -33,7 +33,8 @@ public interface Workers {
    * Tells that a step began which is worth sharing: runs of the same thread follow, with serial
    * work in between that may take longer than an idle thread should otherwise spin for. A hint,
    * called by the thread that steps; does nothing unless overridden. The engine makes runs in
-   * announced steps alone, of tasks that take a microsecond or two.
+   * announced steps alone, of tasks that take a microsecond or two. Callbacks of the world run in
+   * between, on the same thread.
    */
   default void stepBegins() {}
 

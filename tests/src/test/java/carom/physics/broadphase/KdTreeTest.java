@@ -383,6 +383,33 @@ class KdTreeTest {
     assertEquals(0, tree.size(), "a refit that failed leaves an empty tree");
   }
 
+  /** What a refit had begun before it met a bad box must not be taken for done in a later one. */
+  @Test
+  void aRefitThatFailedHalfwayLeavesNoTrace() {
+    int n = 200;
+    AabbArray boxes = new AabbArray(n);
+    int[] ids = new int[n];
+    for (int id = 0; id < n; id++) {
+      ids[id] = id;
+      boxes.set(id, id, 0, id + 0.5f, 1);
+    }
+    KdTree tree = new KdTree(boxes);
+    tree.rebuild(boxes, ids, n);
+    boxes.set(n - 1, 0, 0, Float.NaN, 1);
+    int[] backwards = new int[n];
+    for (int id = 0; id < n; id++) {
+      backwards[id] = id == n - 1 ? n - 1 : n - 2 - id;
+    }
+    assertThrows(IllegalArgumentException.class, () -> tree.refit(backwards, n));
+    boxes.set(n - 1, n - 1, 0, n - 0.5f, 1);
+    tree.rebuild(boxes, ids, n);
+    for (int id = 0; id < n; id++) {
+      boxes.set(id, id, 3, id + 0.5f, 4);
+    }
+    tree.refit(ids, n);
+    TreeCheck.check(tree, boxes, "after a refit that failed");
+  }
+
   @Test
   void benchmarkSceneGivesTheSamePairsWhateverTheMethod() {
     int n = 1000;

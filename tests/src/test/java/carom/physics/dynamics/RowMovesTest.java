@@ -18,7 +18,7 @@ final class RowMovesTest {
       float[] expected = new float[3 * n + 50];
       int to = 0;
       int fresh = 0;
-      moves.clear();
+      moves.clear(false);
       for (int row = 0; row <= n; row++) {
         for (int k = r.nextInt(3); k > 0 && r.nextInt(100) < come; k--) {
           moves.insert(fresh++, to);

@@ -44,6 +44,18 @@ final class SharingTest {
   }
 
   @Test
+  void twoWorldsByTurnsAreNotTakenForTwoWays() {
+    steps(1, 9_000_000, 2_000_000);
+    for (int step = 0; step < Sharing.TRIAL_STEPS; step++) {
+      boolean shares = sharing.begins(now);
+      int small = shares ? 400_000 : 500_000;
+      now += step % 2 == 0 ? 10 * small : small;
+      sharing.ends(now);
+    }
+    assertEquals(100, steps(100, 4_000_000, 1000), "sharing was faster in both worlds");
+  }
+
+  @Test
   void withoutAClockEverythingIsShared() {
     for (int i = 0; i < 500; i++) {
       assertTrue(sharing.begins(0));

@@ -13,6 +13,7 @@ import java.util.Arrays;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicIntegerArray;
+import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -206,6 +207,49 @@ final class WorkerThreadsTest {
       Thread third = new Thread(() -> workers.run(2, meeting(workers)));
       third.start();
       third.join();
+    }
+  }
+
+  /** A step that is better done alone leaves the threads to others. */
+  @Test
+  void aStepDoneAloneHasNoThreads() throws InterruptedException {
+    AtomicLong now = new AtomicLong();
+    try (WorkerThreads workers = new WorkerThreads(2, () -> now.addAndGet(1_000_000))) {
+      workers.stepBegins();
+      CountDownLatch helped = new CountDownLatch(1);
+      workers.run(
+          2,
+          (task, worker) -> {
+            if (worker == 0) {
+              awaitQuietly(helped);
+              return;
+            }
+            long before = now.get();
+            helped.countDown();
+            while (now.get() == before) { // until the caller looks how long it waits
+              Thread.onSpinWait();
+            }
+          });
+      workers.stepEnds();
+      Thread me = Thread.currentThread();
+      for (int left = Sharing.TRIAL_STEPS - 1; left >= 0; left--) {
+        workers.stepBegins();
+        if (Integer.bitCount(left) % 2 == 0) {
+          workers.run(2, meeting(workers)); // would never end alone
+        } else {
+          workers.run(20, (task, worker) -> assertSame(me, Thread.currentThread()));
+          Thread other =
+              new Thread(
+                  () -> {
+                    workers.stepBegins();
+                    workers.run(2, meeting(workers));
+                    workers.stepEnds();
+                  });
+          other.start();
+          other.join();
+        }
+        workers.stepEnds();
+      }
     }
   }
 
