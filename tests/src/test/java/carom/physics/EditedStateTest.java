@@ -52,6 +52,29 @@ class EditedStateTest {
     return w;
   }
 
+  /** Bodies can't wake while callbacks run; what those asked for is done right afterwards. */
+  @Test
+  void whoHearsOfAnEndMayWakeAnother() {
+    World<String> w = wall();
+    Body<String> far = w.createBody(brick(15, 0.25f).awake(false), "far");
+    Body<String> sensor = w.body(1);
+    w.step(DT);
+    assertFalse(far.awake());
+    w.listener(
+        new CollisionListener<>() {
+          @Override
+          public void end(Collision<String> contact) {
+            far.wake();
+          }
+        });
+    sensor.setSensor(0, false);
+    assertTrue(far.awake());
+    World<String> copy = copy(w);
+    w.step(DT);
+    copy.step(DT);
+    assertEquals(w.stateHash(), copy.stateHash());
+  }
+
   private static String edit(World<String> w, Random random) {
     Body<String> one = w.body(random.nextInt(w.slotCount()));
     Body<String> two = w.body(random.nextInt(w.slotCount()));

@@ -222,6 +222,7 @@ public final class Dynamics {
     contacts.mixAgain(body, parts);
     sleeping.wakeOverlapped(body);
     rulesStale = true;
+    sleeping.doAsked(); // by those who heard of contacts that ended
   }
 
   /**
