@@ -536,8 +536,8 @@ public final class ContactTable {
   void merge(
       long[] candidates, int candidateCount, BodyStore bodies, ShapeTable parts, boolean all) {
     version++;
+    beginMoves();
     RowMoves m = moves;
-    m.clear(anyShared());
     int to = 0;
     int next = 0;
     int fresh = 0;
@@ -575,8 +575,15 @@ public final class ContactTable {
     return !(all || parts.moved[a] || parts.moved[b]) || parts.fat.overlaps(a, b);
   }
 
-  private boolean anyShared() {
-    return pairs.shared() || touches.shared();
+  /** Begins to note how rows move. */
+  private void beginMoves() {
+    realignManifolds();
+    moves.clear(pairs.shared() || touches.shared());
+  }
+
+  private void realignManifolds() {
+    growCaches(Math.max(count, kept.rowsBefore()));
+    kept.realign(key, count, moves);
   }
 
   /** Moves rows, of which there are then another number, to where they may be written. */
@@ -600,7 +607,7 @@ public final class ContactTable {
    */
   void insert(ContactTable from, int[] which, int n) {
     version++;
-    moves.clear(anyShared());
+    beginMoves();
     int next = 0;
     for (int row = 0; row <= count; row++) {
       for (; next < n && (row == count || from.key[which[next]] < key[row]); next++) {
@@ -637,7 +644,7 @@ public final class ContactTable {
    */
   void retire(BodyStore bodies, SleepingContacts to) {
     version++;
-    moves.clear(anyShared());
+    beginMoves();
     int[] retired = records.list(count);
     int gone = 0;
     int kept = 0;
@@ -676,7 +683,7 @@ public final class ContactTable {
   /** Drops all rows of a body. */
   void removeBody(int body) {
     version++;
-    moves.clear(anyShared());
+    beginMoves();
     int kept = 0;
     for (int row = 0; row < count; row++) {
       if (ContactKey.bodyA(key[row]) != body && ContactKey.bodyB(key[row]) != body) {
@@ -723,17 +730,23 @@ public final class ContactTable {
 
   /** Makes room to keep manifolds; where nobody does so none are kept. */
   void keepManifolds() {
-    growCaches(count);
+    realignManifolds();
     kept.ensure(hint.length);
   }
 
   /** Must be called when a body's parts were put elsewhere in its frame. */
   void forgetManifolds(int body) {
+    realignManifolds();
     for (int row = 0; row < count; row++) {
       if (bodyA(row) == body || bodyB(row) == body) {
         kept.forget(row);
       }
     }
+  }
+
+  /** Must be called when bodies came, went or got other shapes. */
+  void forgetManifolds() {
+    kept.clear();
   }
 
   /** Must be called when materials of a body changed. */
@@ -860,7 +873,7 @@ public final class ContactTable {
     to.touches.release();
     to.touches = touches;
     if (!rows.same(to.rows)) {
-      to.kept.clear();
+      to.kept.rowsReplaced(to.pairs, to.count);
       rows.copyTo(to.rows);
     }
     pairs.share();

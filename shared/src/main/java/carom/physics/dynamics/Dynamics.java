@@ -756,6 +756,7 @@ public final class Dynamics {
         enter(sleeping.gathered(i));
       }
     } else {
+      contacts.forgetManifolds();
       from.parts.copyTo(parts);
       pairs.clear();
       active.clear();

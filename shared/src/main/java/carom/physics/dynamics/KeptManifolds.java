@@ -92,6 +92,11 @@ final class KeptManifolds {
 
   private float[] rows = new float[0];
 
+  /** The pairs these are of, if the table has taken others over since; else null. */
+  private RowArrays before;
+
+  private int beforeCount;
+
   /** Makes room for so many rows, if any were ever kept. */
   void grow(int count) {
     if (rows.length > 0) {
@@ -119,6 +124,10 @@ final class KeptManifolds {
 
   /** Forgets everything. */
   void clear() {
+    if (before != null) {
+      before.release();
+      before = null;
+    }
     for (int at = 0; at < rows.length; at += STRIDE) {
       rows[at + COS] = UNKNOWN;
     }
@@ -129,6 +138,58 @@ final class KeptManifolds {
     if (rows.length > 0) {
       moves.apply(rows, STRIDE);
     }
+  }
+
+  /**
+   * Must be called before the table takes other rows over, of the same shapes. What is kept finds
+   * its rows when it is next needed ({@link #realign}): who restores and steps on finds most of the
+   * same pairs in much the same poses.
+   *
+   * @param pairs who the rows so far are of, as in {@link ContactTable}
+   */
+  void rowsReplaced(RowArrays pairs, int count) {
+    if (rows.length > 0 && before == null) {
+      before = pairs.share();
+      beforeCount = count;
+    }
+  }
+
+  /** Rows there must be room for before {@link #realign}. */
+  int rowsBefore() {
+    return before == null ? 0 : beforeCount;
+  }
+
+  /**
+   * Takes what is kept to the rows that the table has now. Must be called before rows move, or what
+   * is kept of one is asked for or forgotten.
+   *
+   * @param key of each row, ascending
+   * @param moves scratch
+   */
+  void realign(long[] key, int count, RowMoves moves) {
+    if (before == null) {
+      return;
+    }
+    long[] old = (long[]) before.array(0);
+    moves.clear(false);
+    int from = 0;
+    int fresh = 0;
+    for (int row = 0; row < count; row++) {
+      while (from < beforeCount && old[from] < key[row]) {
+        from++;
+      }
+      if (from < beforeCount && old[from] == key[row]) {
+        moves.keep(from++, row);
+      } else {
+        moves.insert(fresh++, row);
+      }
+    }
+    move(moves);
+    for (int i = 0; i < fresh; i++) {
+      forget(moves.inserted[i]);
+    }
+    before.release();
+    before = null;
   }
 
   /** What one worker needs. */

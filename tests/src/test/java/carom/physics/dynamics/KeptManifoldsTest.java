@@ -1,6 +1,7 @@
 package carom.physics.dynamics;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.physics.collision.Collider;
@@ -183,6 +184,49 @@ final class KeptManifoldsTest {
       assertEquals(0, m.normalX);
       assertEquals(1, m.normalY);
     }
+  }
+
+  /**
+   * Goal: when a table takes other rows over, what is kept follows its pairs. Method: per pair
+   * another gap; pairs stay, go, come, and the table changes twice before anybody asks.
+   */
+  @Test
+  void whatIsKeptFollowsItsPairs() {
+    KeptManifolds kept = new KeptManifolds();
+    kept.ensure(8);
+    Transform here = new Transform();
+    RowArrays first = pairs(3, 5, 6, 9, 12);
+    for (int row = 0; row < 5; row++) {
+      kept.keepApart(row, here, there(row), row + 1, 0);
+    }
+    kept.rowsReplaced(first, 5);
+    first.release();
+    RowArrays second = pairs(1, 2);
+    kept.rowsReplaced(second, 2);
+    assertEquals(5, kept.rowsBefore());
+    long[] now = {4, 5, 7, 9, 11, 12, 20};
+    int[] then = {-1, 1, -1, 3, -1, 4, -1};
+    kept.realign(now, now.length, new RowMoves());
+    assertEquals(0, kept.rowsBefore());
+    for (int row = 0; row < now.length; row++) {
+      Transform b = there(then[row]);
+      assertEquals(then[row] >= 0, kept.apart(row, here, b, 1), "row=" + row);
+      b.x += then[row] + 0.9f;
+      assertEquals(then[row] >= 0, kept.apart(row, here, b, 1), "nearly as far, row=" + row);
+      b.x += 0.2f;
+      assertFalse(kept.apart(row, here, b, 1), "further, row=" + row);
+    }
+    assertFalse(second.shared(), "it isn't held");
+  }
+
+  private static RowArrays pairs(long... keys) {
+    RowArrays pairs = new RowArrays(keys.length, new int[] {1}, new long[0]);
+    System.arraycopy(keys, 0, (long[]) pairs.array(0), 0, keys.length);
+    return pairs;
+  }
+
+  private static Transform there(int row) {
+    return new Transform().set(10 + row, row, 1, 0);
   }
 
   private static KeptManifolds kept() {
