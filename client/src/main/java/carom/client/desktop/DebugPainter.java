@@ -64,7 +64,6 @@ final class DebugPainter {
 
   private final Canvas canvas;
   private final ShapePainter shapes;
-  private final float[] corners = new float[8];
   private final Color cell = new Color();
   private float lineM;
 
@@ -238,14 +237,6 @@ final class DebugPainter {
   }
 
   private void frame(float minX, float minY, float maxX, float maxY, Color color) {
-    corners[0] = minX;
-    corners[1] = minY;
-    corners[2] = maxX;
-    corners[3] = minY;
-    corners[4] = maxX;
-    corners[5] = maxY;
-    corners[6] = minX;
-    corners[7] = maxY;
-    canvas.outline(corners, 4, lineM, color);
+    canvas.frame(minX, minY, maxX - minX, maxY - minY, lineM, color);
   }
 }

@@ -218,10 +218,7 @@ final class Hud {
     places.take(x, y, w, h);
     canvas.begin(batch.getProjectionMatrix(), 1);
     canvas.rect(x, y, w, h, Theme.PANEL);
-    canvas.line(x, y, x + w, y, 1, Theme.PANEL_LINE);
-    canvas.line(x, y + h, x + w, y + h, 1, Theme.PANEL_LINE);
-    canvas.line(x, y, x, y + h, 1, Theme.PANEL_LINE);
-    canvas.line(x + w, y, x + w, y + h, 1, Theme.PANEL_LINE);
+    canvas.frame(x, y, w, h, 1, Theme.PANEL_LINE);
     canvas.end();
   }
 

@@ -87,13 +87,7 @@ final class ScenePainter {
     while (step * pixelsPerMetre < 40) {
       step *= 5;
     }
-    float width = 1.2f / pixelsPerMetre;
-    for (float x = MathUtils.ceil(seen.minX / step) * step; x <= seen.maxX; x += step) {
-      canvas.line(x, seen.minY, x, seen.maxY, width, gridLine);
-    }
-    for (float y = MathUtils.ceil(seen.minY / step) * step; y <= seen.maxY; y += step) {
-      canvas.line(seen.minX, y, seen.maxX, y, width, gridLine);
-    }
+    canvas.grid(seen.minX, seen.minY, seen.maxX, seen.maxY, step, gridLine);
   }
 
   private <T> boolean visible(Body<T> body) {
@@ -160,8 +154,8 @@ final class ScenePainter {
       rgb = untagged(body);
     }
     if (body.sensor(i)) {
-      shapes.fill(shape, Theme.shade(rgb, 1, 0.22f, fill));
-      shapes.outline(shape, edgeM, Theme.shade(rgb, 1.2f, 0.6f, edge));
+      Theme.shade(rgb, 1, 0.22f, fill);
+      shapes.paint(shape, fill, edgeM, Theme.shade(rgb, 1.2f, 0.6f, edge));
       return;
     }
     boolean still = body.type() == BodyType.STATIC;
@@ -180,8 +174,7 @@ final class ScenePainter {
       }
     }
     if (shape.area() > 0) {
-      shapes.fill(shape, fill);
-      shapes.outline(shape, edgeM, edge);
+      shapes.paint(shape, fill, edgeM, edge);
     }
     if (shape instanceof Circle circle && !still) {
       spoke(circle);

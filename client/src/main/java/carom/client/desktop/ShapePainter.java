@@ -1,5 +1,7 @@
 package carom.client.desktop;
 
+import carom.physics.geometry.Box;
+import carom.physics.geometry.Capsule;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.Shape;
@@ -9,6 +11,7 @@ import com.badlogic.gdx.math.MathUtils;
 /** Draws physics shapes at a pose, on a canvas in metres. Render thread only. */
 final class ShapePainter {
   private final Canvas canvas;
+  private final Color inside = new Color();
   private final float[] corners = new float[2 * Convex.MAX_VERTICES];
   private int cornerCount;
   private float x;
@@ -31,37 +34,91 @@ final class ShapePainter {
   /** Fills every part of a shape. */
   void fill(Shape shape, Color color) {
     for (Convex part : shape.parts()) {
-      if (part instanceof Circle circle) {
-        canvas.disc(
-            worldX(circle.centerX(), circle.centerY()),
-            worldY(circle.centerX(), circle.centerY()),
-            circle.radius(),
-            color);
-      } else {
+      part(part, color, 0, 0, color);
+    }
+  }
+
+  /** Draws the edge of every part of a shape: inside of round ones, centred for the others. */
+  void outline(Shape shape, float width, Color color) {
+    for (Convex part : shape.parts()) {
+      part(part, null, usualGrowth(part, width), width, color);
+    }
+  }
+
+  /** Fills a shape and draws its edge, but not the edges between its parts. */
+  void paint(Shape shape, Color fill, float width, Color edge) {
+    if (shape.parts().size() == 1) {
+      Convex part = shape.parts().get(0);
+      part(part, fill, usualGrowth(part, width), width, edge);
+      return;
+    }
+    for (Convex part : shape.parts()) {
+      part(part, null, width, 2 * width, edge); // the inner half is painted over
+    }
+    fill(shape, fill);
+  }
+
+  private static float usualGrowth(Convex part, float width) {
+    return part.radius() > 0 ? 0 : width / 2;
+  }
+
+  /**
+   * Draws a part of a shape.
+   *
+   * @param fill its colour; null = only the edge
+   * @param growth by how much the outside of the edge is outside of the shape, metres; corners
+   *     given one by one have their edges centred instead
+   * @param width of the edge, metres; 0 = only the fill
+   */
+  private void part(Convex part, Color fill, float growth, float width, Color edge) {
+    if (fill == null) {
+      inside.set(edge).a = 0;
+    } else {
+      inside.set(fill);
+    }
+    if (part instanceof Circle c) {
+      float px = worldX(c.centerX(), c.centerY());
+      float py = worldY(c.centerX(), c.centerY());
+      canvas.box(px, py, cos, sin, 0, 0, c.radius() + growth, inside, width, edge);
+    } else if (part instanceof Box b) {
+      float px = worldX(b.centerX(), b.centerY());
+      float py = worldY(b.centerX(), b.centerY());
+      float w = b.halfWidth() + growth;
+      float h = b.halfHeight() + growth;
+      canvas.box(px, py, cos, sin, w, h, 0, inside, width, edge);
+    } else if (part instanceof Capsule c) {
+      capsule(c, growth, width, edge);
+    } else {
+      if (fill != null) {
         corners(part);
-        canvas.convex(corners, cornerCount, color);
-        fillRounding(part, color);
+        canvas.convex(corners, cornerCount, fill);
+        fillRounding(part, fill);
+      }
+      if (width > 0 && part.radius() > 0) {
+        outlineRounded(part, width, edge);
+      } else if (width > 0) {
+        corners(part);
+        canvas.outline(corners, cornerCount, width, edge);
       }
     }
   }
 
-  /** Draws the edge of every part of a shape, on the inside for circles, centred for the others. */
-  void outline(Shape shape, float width, Color color) {
-    for (Convex part : shape.parts()) {
-      if (part instanceof Circle circle) {
-        canvas.ring(
-            worldX(circle.centerX(), circle.centerY()),
-            worldY(circle.centerX(), circle.centerY()),
-            circle.radius(),
-            width,
-            color);
-      } else if (part.radius() > 0) {
-        outlineRounded(part, width, color);
-      } else {
-        corners(part);
-        canvas.outline(corners, cornerCount, width, color);
-      }
-    }
+  private void capsule(Capsule c, float growth, float width, Color edge) {
+    float dx = (c.vertexX(1) - c.vertexX(0)) / c.length();
+    float dy = (c.vertexY(1) - c.vertexY(0)) / c.length();
+    float mx = (c.vertexX(0) + c.vertexX(1)) / 2;
+    float my = (c.vertexY(0) + c.vertexY(1)) / 2;
+    canvas.box(
+        worldX(mx, my),
+        worldY(mx, my),
+        cos * dx - sin * dy,
+        sin * dx + cos * dy,
+        c.length() / 2,
+        0,
+        c.radius() + growth,
+        inside,
+        width,
+        edge);
   }
 
   /** A strip along each edge and a disc at each corner. */
@@ -98,7 +155,7 @@ final class ShapePainter {
       float from = MathUtils.atan2(sin * mx + cos * my, cos * mx - sin * my);
       float sweep = MathUtils.atan2(mx * ny - my * nx, mx * nx + my * ny);
       corner(0, part.vertexX(i), part.vertexY(i));
-      canvas.arc(corners[0], corners[1], r, width, from, count == 2 ? MathUtils.PI : sweep, color);
+      canvas.arc(corners[0], corners[1], r, width, from, sweep, color);
     }
   }
 

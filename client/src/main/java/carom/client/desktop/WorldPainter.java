@@ -165,13 +165,7 @@ final class WorldPainter {
         Theme.shade(level.theme().sky(), 1, 1, edge));
     Level.Bounds b = level.bounds();
     Color grid = Theme.shade(level.theme().grid(), 1, 0.4f, fill);
-    float width = Math.max(0.02f, camera.viewportHeight / 900);
-    for (float x = MathUtils.ceil(b.minX() / GRID_M) * GRID_M; x <= b.maxX(); x += GRID_M) {
-      canvas.line(x, b.minY(), x, b.maxY(), width, grid);
-    }
-    for (float y = MathUtils.ceil(b.minY() / GRID_M) * GRID_M; y <= b.maxY(); y += GRID_M) {
-      canvas.line(b.minX(), y, b.maxX(), y, width, grid);
-    }
+    canvas.grid(b.minX(), b.minY(), b.maxX(), b.maxY(), GRID_M, grid);
     for (Level.Zone zone : level.zones()) {
       if (zone.rgb() >= 0) {
         zone(zone);
@@ -183,11 +177,8 @@ final class WorldPainter {
     float width = zone.maxX() - zone.minX();
     float height = zone.maxY() - zone.minY();
     canvas.rect(zone.minX(), zone.minY(), width, height, Theme.shade(zone.rgb(), 1, 0.22f, fill));
-    Color line = Theme.shade(zone.rgb(), 1, 0.7f, fill);
-    canvas.line(zone.minX(), zone.minY(), zone.maxX(), zone.minY(), EDGE_M, line);
-    canvas.line(zone.minX(), zone.maxY(), zone.maxX(), zone.maxY(), EDGE_M, line);
-    canvas.line(zone.minX(), zone.minY(), zone.minX(), zone.maxY(), EDGE_M, line);
-    canvas.line(zone.maxX(), zone.minY(), zone.maxX(), zone.maxY(), EDGE_M, line);
+    Theme.shade(zone.rgb(), 1, 0.7f, fill);
+    canvas.frame(zone.minX(), zone.minY(), width, height, EDGE_M, fill);
   }
 
   private void pose(Drawn drawn, float dx, float dy) {
@@ -210,8 +201,7 @@ final class WorldPainter {
     Theme.shade(look.rgb(), 1 + 0.6f * glow, alpha, fill);
     Theme.shade(look.outlineRgb(), 1, alpha, edge);
     for (Shape shape : archetype.shapes()) {
-      shapes.fill(shape, fill);
-      shapes.outline(shape, EDGE_M, edge);
+      shapes.paint(shape, fill, EDGE_M, edge);
     }
     for (Shape shape : archetype.shapes()) {
       for (Convex part : shape.parts()) {
