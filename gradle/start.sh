@@ -12,6 +12,13 @@ if [ -f "\$APP_HOME/lib/${applicationName}.jsa" ]; then
     jdk=\${JAVA_HOME:-\$(dirname "\$(readlink -f "\$(command -v java)")")/..}
     cmp -s "\$jdk/release" "\$APP_HOME/lib/${applicationName}.release" && classes=\$APP_HOME/lib/${applicationName}.jsa
 fi
-exec "\${JAVA_HOME:+\$JAVA_HOME/bin/}java" <% print defaultJvmOpts.replace("'", '') %> \\
-    \${classes:+"-Xlog:cds*=off" "-XX:SharedArchiveFile=\$classes"} \$JAVA_OPTS \\
+priorities=
+<% if (applicationName in ['carom-server', 'carom-bots']) { %># Linux: Java's priorities count, as nice values, and the JIT compiler's threads leave the processors to those that play. Whoever isn't
+# root can't be preferred, only step back, and the JVM would say so at each start. Measured: docs/BENCHMARKS.md, "A crowd".
+if [ "\$(uname)" = Linux ]; then
+    priorities='-XX:ThreadPriorityPolicy=1 -XX:CompilerThreadPriority=10'
+    [ "\$(id -u)" = 0 ] || priorities="\$priorities -XX:-PrintWarnings"
+fi
+<% } %>exec "\${JAVA_HOME:+\$JAVA_HOME/bin/}java" <% print defaultJvmOpts.replace("'", '') %> \\
+    \${classes:+"-Xlog:cds*=off" "-XX:SharedArchiveFile=\$classes"} \$priorities \$JAVA_OPTS \\
     -cp "$classpath" $mainClassName "\$@"

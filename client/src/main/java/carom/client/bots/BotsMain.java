@@ -182,6 +182,9 @@ public final class BotsMain implements Callable<Integer> {
       throw new BadFlag(spec.commandLine(), problem);
     }
     network.startLogging();
+    // Threads that begin later inherit it. A crowd of bots mostly shares a machine with the server
+    // that it is to load, and must not take the processor from a tick.
+    Thread.currentThread().setPriority(Thread.MIN_PRIORITY);
     ClientConfig config =
         network
             .config(name)
