@@ -21,4 +21,4 @@ if [ "\$(uname)" = Linux ]; then
 fi
 <% } %>exec "\${JAVA_HOME:+\$JAVA_HOME/bin/}java" <% print defaultJvmOpts.replace("'", '') %> \\
     \${classes:+"-Xlog:cds*=off" "-XX:SharedArchiveFile=\$classes"} \$priorities \$JAVA_OPTS \\
-    -cp "$classpath" $mainClassName "\$@"
+    -cp "$classpath:\$APP_HOME/games/*" $mainClassName "\$@"

@@ -1,0 +1,102 @@
+package carom.game;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.sim.Game;
+import carom.sim.Input;
+import carom.sim.Player;
+import carom.sim.Simulation;
+import java.io.File;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
+import java.net.MalformedURLException;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Games that users bring, as jars on the class path do: whole ones, and broken ones. */
+class GameJarTest {
+  @TempDir Path folder;
+
+  /** A game whose author forgot a file that it reads at once. */
+  public static final class Forgetful implements Game {
+    public Forgetful() {
+      throw new IllegalStateException("no file of rules");
+    }
+
+    @Override
+    public String name() {
+      return "forgetful";
+    }
+
+    @Override
+    public String defaultLevel() {
+      return "arena";
+    }
+
+    @Override
+    public void setUp(Simulation s) {}
+
+    @Override
+    public void join(Simulation s, Player p) {}
+
+    @Override
+    public void input(Simulation s, Player p, Input in) {}
+  }
+
+  /** The programs' class path, and behind it a folder that lists these games. */
+  private URLClassLoader program(String... games) throws Exception {
+    Path services = Files.createDirectories(folder.resolve("META-INF/services"));
+    Files.write(services.resolve("carom.sim.Game"), List.of(games));
+    List<URL> path = new ArrayList<>();
+    for (String entry : System.getProperty("java.class.path").split(File.pathSeparator)) {
+      path.add(url(Path.of(entry)));
+    }
+    path.add(url(folder));
+    return new URLClassLoader(path.toArray(new URL[0]), ClassLoader.getPlatformClassLoader());
+  }
+
+  private static URL url(Path path) throws MalformedURLException {
+    return path.toUri().toURL();
+  }
+
+  private static String create(ClassLoader program, String name) throws Throwable {
+    Method create = program.loadClass(Games.class.getName()).getMethod("create", String.class);
+    try {
+      return create.invoke(null, name).getClass().getName();
+    } catch (InvocationTargetException e) {
+      throw e.getCause();
+    }
+  }
+
+  @Test
+  void isFoundByItsName() throws Throwable {
+    try (URLClassLoader program = program(TagGame.class.getName())) {
+      assertEquals(TagGame.class.getName(), create(program, "tag"));
+      assertEquals(ArenaGame.class.getName(), create(program, "arena"));
+    }
+  }
+
+  @Test
+  void aBrokenOneIsToldToWhoLooksForIt() throws Throwable {
+    try (URLClassLoader program =
+        program("missing.Game", Forgetful.class.getName(), TagGame.class.getName())) {
+      assertEquals(ArenaGame.class.getName(), create(program, "arena"));
+      assertEquals(TagGame.class.getName(), create(program, "tag"));
+      Throwable e = assertThrows(IllegalArgumentException.class, () -> create(program, "chess"));
+      String message = e.getMessage();
+      assertTrue(
+          message.contains("\"chess\" is unknown, known are [arena, platformer, tag]"), message);
+      assertTrue(message.contains("a game can't be loaded: "), message);
+      assertTrue(message.contains("missing.Game not found"), message);
+      assertTrue(message.contains("no file of rules"), message);
+    }
+  }
+}
