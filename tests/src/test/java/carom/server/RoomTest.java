@@ -127,6 +127,27 @@ class RoomTest {
     }
   }
 
+  /** A collection, a suspended machine, a busy one: what clients sent meanwhile wasn't read. */
+  @Test
+  void aServerThatStoodStillBlamesNobody() {
+    try (Rig rig = new Rig()) {
+      FakeClient client = rig.join("Ann");
+      for (int pause = 0; pause < 3; pause++) {
+        rig.nowNs += 20_000_000_000L;
+        rig.server.tick(rig.nowNs);
+        assertEquals(SessionState.PLAYING, rig.room.session(0).state());
+        rig.seconds(1);
+      }
+      assertEquals(0, rig.count(Counter.LINKS_LOST));
+      assertTrue(rig.count(Counter.TICKS_DROPPED) > 3_000);
+      client.sends = false;
+      rig.seconds(5.8);
+      assertEquals(0, rig.count(Counter.LINKS_LOST), "it heard of the client until then");
+      rig.seconds(0.4);
+      assertEquals(1, rig.count(Counter.LINKS_LOST));
+    }
+  }
+
   @Test
   void silentPlayerKeepsTheBodyForTheGracePeriodAndThenIsGone() {
     try (Rig rig = new Rig()) {

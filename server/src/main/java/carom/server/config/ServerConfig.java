@@ -29,7 +29,8 @@ import java.util.function.Consumer;
  * @param loadTimeoutMs how long a player may take from Welcome to Ready, 100..600,000: a slow
  *     machine on a slow line pulls the level in this time
  * @param silenceTimeoutMs how long a playing session may stay silent (no datagram, no message)
- *     until its link counts as lost, 500..60,000
+ *     until its link counts as lost, 500..60,000; time for which the server itself stood still, and
+ *     dropped ticks, doesn't count
  * @param graceMs how long the body of a lost player waits for its owner, 0..600,000; 0 removes it
  *     at once
  * @param catchUpTicks ticks that may be made good in one burst after a pause, 1..60; a quarter of a

@@ -349,7 +349,7 @@ public final class Room {
       session.sayGoodbye(GoodbyeReason.RESUMED_ELSEWHERE, "");
       part(session.detach(nowNs), "resumed by another link", nowNs);
     }
-    session.attach(a.link(), a.datagramKey(), simulation.tick(), nowNs);
+    session.attach(a.link(), a.datagramKey(), simulation.tick());
     roster.changed();
     counters.add(Counter.JOINS, 1);
     if (resumed) {
@@ -428,7 +428,7 @@ public final class Room {
       remove(session, "expelled for " + session.offence(), " was removed", nowNs);
     } else if (session.linkLost()) {
       lose(session, "link lost: " + session.linkLostReason(), nowNs);
-    } else if (session.isSilent(nowNs)) {
+    } else if (session.isSilent()) {
       lose(session, "silent for " + config.silenceTimeoutMs() + " ms", nowNs);
     } else {
       return false;

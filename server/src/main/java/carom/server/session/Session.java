@@ -87,7 +87,7 @@ public final class Session implements LinkHandler {
   private long divergenceLoggedNs;
   private SnapshotSender sender;
   private long nowNs;
-  private long lastHeardNs;
+  private int silentTicks;
   private long sequenceArrivalNs;
   private long graceEndNs;
   private boolean linkLost;
@@ -130,7 +130,7 @@ public final class Session implements LinkHandler {
    * @param key first 32 bits of each input datagram of this link
    * @param tick the room's last tick: inputs for later ones are welcome
    */
-  public void attach(Link newLink, int key, int tick, long timeNs) {
+  public void attach(Link newLink, int key, int tick) {
     state = state.become(SessionState.PLAYING);
     link = newLink;
     datagramKey = key;
@@ -150,7 +150,7 @@ public final class Session implements LinkHandler {
     viewDelay = 0;
     feedback.present = false;
     feedback.consumedTick = tick;
-    lastHeardNs = timeNs;
+    silentTicks = 0;
     linkLost = false;
     linkLostReason = "";
     wish = Wish.STAY;
@@ -202,7 +202,7 @@ public final class Session implements LinkHandler {
     if (from != link) {
       return;
     }
-    lastHeardNs = nowNs;
+    silentTicks = 0;
     if (message instanceof ClientMessage.Leave) {
       wish = Wish.LEAVE;
     } else if (message instanceof ClientMessage.Look look) {
@@ -283,7 +283,7 @@ public final class Session implements LinkHandler {
       return;
     }
     counters.add(Counter.DATAGRAMS_IN, 1);
-    lastHeardNs = nowNs;
+    silentTicks = 0;
     if (!feedback.present || Sequence.isNewer(datagram.sequence, feedback.sequence)) {
       feedback.present = true;
       feedback.sequence = datagram.sequence;
@@ -327,6 +327,7 @@ public final class Session implements LinkHandler {
       return;
     }
     consumedTick = tick;
+    silentTicks++;
     player.viewDelay(viewDelay);
     player.input().unpack(inputs.consume(tick));
     if (!inputs.lastWasMissing()) {
@@ -483,9 +484,12 @@ public final class Session implements LinkHandler {
     return linkLostReason;
   }
 
-  /** Whether nothing was heard for longer than the configured silence. */
-  public boolean isSilent(long timeNs) {
-    return timeNs - lastHeardNs > config.silenceTimeoutMs() * NS_PER_MS;
+  /**
+   * Whether nothing was heard for longer than the configured silence, counted in ticks of the room:
+   * while the server itself stood still nobody could be heard, and those ticks were dropped.
+   */
+  public boolean isSilent() {
+    return silentTicks * 1_000L > (long) config.silenceTimeoutMs() * config.tickRateHz();
   }
 
   /** Whether the grace period is over; meaningful in grace. */
