@@ -336,6 +336,28 @@ class RoomTest {
   }
 
   @Test
+  void aCrowdThatComesAtOnceTakesAPartOfEachTick() {
+    for (boolean slow : new boolean[] {false, true}) {
+      try (Rig rig = new Rig()) {
+        rig.game.whileJoining = () -> rig.nowNs += slow ? 3 * Rig.TICK_NS / 16 : 0;
+        for (int i = 0; i < 12; i++) {
+          rig.connect().hello("crowd" + i, 0);
+        }
+        int most = 0;
+        for (int i = 0; i < 60; i++) {
+          int joins = rig.game.joins;
+          int tick = rig.room.tick();
+          rig.step(); // two ticks when joins have made the time pass
+          int ticks = Math.max(1, rig.room.tick() - tick);
+          most = Math.max(most, (rig.game.joins - joins + ticks - 1) / ticks);
+        }
+        assertEquals(12, rig.game.joins);
+        assertEquals(slow ? 1 : 8, most, "slow=" + slow);
+      }
+    }
+  }
+
+  @Test
   void forgedInputsWithARightKeyChangeOnlyThatPlayer() {
     long seed = Long.getLong("carom.seed", 4);
     Random random = new Random(seed);

@@ -45,6 +45,7 @@ final class TestGame implements Game {
 
   int failEvery;
   boolean failInJoin;
+  Runnable whileJoining = () -> {};
   int joins;
   int leaves;
   int inputs;
@@ -106,6 +107,7 @@ final class TestGame implements Game {
   @Override
   public void join(Simulation s, Player p) {
     joins++;
+    whileJoining.run();
     if (failInJoin) {
       throw new IllegalStateException("join fails on purpose");
     }

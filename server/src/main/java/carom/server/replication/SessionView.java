@@ -13,7 +13,6 @@ import carom.sim.Entity;
 import carom.sim.Level;
 import carom.sim.Neighbourhood;
 import carom.sim.Player;
-import carom.sim.Simulation;
 
 /**
  * What one player looks at: a rectangle around the own body, or around the place that a spectator's
@@ -77,6 +76,7 @@ public final class SessionView implements Interest {
   private float spectatorX;
   private float spectatorY;
   private boolean everything;
+  private boolean everyone;
   private int team;
   private boolean sawAll;
   private int nextLook;
@@ -134,27 +134,14 @@ public final class SessionView implements Interest {
 
   /** Moves to where the player is, and offers the encoder what may have come into view. */
   void update(FrameState frame, SnapshotEncoder to) {
-    Entity own = player.body();
+    follow(frame);
     touchedCount = 0;
-    if (own == null) {
-      ownSlot = -1;
-      x = spectatorX;
-      y = spectatorY;
-    } else {
-      ownSlot = own.id();
-      x = own.body().x();
-      y = own.body().y();
-      spectatorX = x; // without a body the player goes on looking at where it was
-      spectatorY = y;
-      own.body().forEachContact(touch);
+    if (ownSlot >= 0) {
+      player.body().body().forEachContact(touch);
     }
-    Simulation simulation = index.simulation();
-    few = automatic && frame.count() <= (few ? FEW : FEW_AGAIN);
-    boolean all = simulation.game().seesAll(simulation, player);
-    everything = smallLevel || few || all;
-    if (player.team() != team || all != sawAll) {
+    if (player.team() != team || everyone != sawAll) {
       team = player.team();
-      sawAll = all;
+      sawAll = everyone;
       encoder = to;
       index.special(frame, notice); // what rests, too, is shown to others now
     }
@@ -168,6 +155,21 @@ public final class SessionView implements Interest {
     if (ownSlot >= 0) {
       to.notice(ownSlot);
     }
+  }
+
+  /** Moves to where the player is, which is all that {@link #hears} needs. */
+  void follow(FrameState frame) {
+    Entity own = player.body();
+    ownSlot = own == null ? -1 : own.id();
+    if (own != null) {
+      spectatorX = own.body().x(); // without a body the player goes on looking at where it was
+      spectatorY = own.body().y();
+    }
+    x = spectatorX;
+    y = spectatorY;
+    few = automatic && frame.count() <= (few ? FEW : FEW_AGAIN);
+    everyone = seesAll();
+    everything = smallLevel || few || everyone;
   }
 
   @Override

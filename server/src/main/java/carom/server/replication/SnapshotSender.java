@@ -92,10 +92,15 @@ public final class SnapshotSender {
     this.nextEvent = frames.events().limit();
   }
 
-  /** Notes which events the player may hear of while it has no link; call once per tick. */
+  /**
+   * Notes which events the player may hear of while it has no link; call once per tick. Where the
+   * player is matters only when there is something to hear.
+   */
   public void listen() {
-    view.update(frames.newest(), encoder);
-    offerEvents();
+    if (nextEvent < frames.events().limit()) {
+      view.follow(frames.newest());
+      offerEvents();
+    }
   }
 
   /**

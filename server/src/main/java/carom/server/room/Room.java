@@ -78,8 +78,11 @@ public final class Room {
   private static final long PARTING_MS = 1_000;
   private static final long WARN_GAP_NS = 10_000_000_000L;
 
-  /** A crowd that comes at once must not cost those who play a tick. */
+  /** A crowd that comes at once must not cost those who play a tick: at most so many a tick. */
   private static final int MAX_ARRIVALS_PER_TICK = 8;
+
+  /** And after such a part of a tick's time the rest waits for the next tick. */
+  private static final int ARRIVALS_PART = 8;
 
   /** Nor must one that goes at once. */
   private static final int MAX_DEPARTURES_PER_TICK = 16;
@@ -265,7 +268,7 @@ public final class Room {
 
   private void tick(long nowNs, boolean sends) {
     long beginNs = clock.getAsLong();
-    admitArrivals(nowNs);
+    admitArrivals(beginNs, nowNs);
     serveWishes(nowNs);
     int next = simulation.tick() + 1;
     for (int i = sessions.size() - 1; i >= 0; i--) {
@@ -315,8 +318,11 @@ public final class Room {
     return work;
   }
 
-  private void admitArrivals(long nowNs) {
+  private void admitArrivals(long beginNs, long nowNs) {
     for (int i = 0; i < MAX_ARRIVALS_PER_TICK; i++) {
+      if (i > 0 && clock.getAsLong() - beginNs > loop.periodNs() / ARRIVALS_PART) {
+        break;
+      }
       Admission a = arrivals.poll();
       if (a == null) {
         break;

@@ -291,7 +291,7 @@ public final class Session implements LinkHandler {
       if (datagram.count > 0) {
         viewDelay = datagram.viewDelay;
       }
-      near = datagram.near > InputDatagram.NEAR_ALL ? InputDatagram.NEAR_NONE : datagram.near;
+      near = datagram.near;
       if (datagram.disagrees) {
         disagreedTick = Sequence.expand(datagram.disagreedTick, frames.frames().newest().tick());
       }

@@ -94,8 +94,8 @@ public final class InputDatagram {
    *
    * @param out at least {@link #MAX_BYTES} from {@code offset} on
    * @return number of bytes written
-   * @throws IllegalArgumentException when {@link #count}, {@link #viewDelay} or {@link #holdTicks}
-   *     is outside its range
+   * @throws IllegalArgumentException when {@link #count}, {@link #viewDelay}, {@link #holdTicks} or
+   *     {@link #near} is outside its range
    */
   public int encode(byte[] out, int offset) {
     if (count < 0 || count > Limits.MAX_INPUTS) {
@@ -109,6 +109,9 @@ public final class InputDatagram {
     if (holdTicks < 0 || holdTicks > MAX_HOLD_TICKS) {
       throw new IllegalArgumentException(
           "holdTicks=" + holdTicks + " is outside 0.." + MAX_HOLD_TICKS);
+    }
+    if (near < NEAR_NONE || near > NEAR_ALL) {
+      throw new IllegalArgumentException("near=" + near + " is outside 0.." + NEAR_ALL);
     }
     BitWriter w = writer;
     w.reset(out, offset, MAX_BYTES);
@@ -159,6 +162,9 @@ public final class InputDatagram {
     ackSequence = hasAck ? r.read(16) : 0;
     ackBits = hasAck ? r.readLong() : 0;
     near = r.read(2);
+    if (near > NEAR_ALL) {
+      return false;
+    }
     disagrees = near != NEAR_NONE && r.readBit();
     disagreedTick = disagrees ? r.read(16) : 0;
     count = r.read(5);

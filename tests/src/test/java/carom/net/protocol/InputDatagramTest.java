@@ -91,11 +91,28 @@ class InputDatagramTest {
       assertTrue(in.count >= 0 && in.count <= Limits.MAX_INPUTS, which);
       assertTrue(in.viewDelay >= 0 && in.viewDelay <= InputDatagram.MAX_VIEW_DELAY, which);
       assertTrue(in.holdTicks >= 0 && in.holdTicks <= InputDatagram.MAX_HOLD_TICKS, which);
+      assertTrue(in.near >= 0 && in.near <= InputDatagram.NEAR_ALL, which);
       assertTrue(in.disagreedTick >= 0 && in.disagreedTick < 65_536, which);
       assertTrue(again.decode(bytes, 0, in.encode(bytes, 0)), which);
       assertMeansSame(in, again, which);
     }
     assertTrue(accepted > 1_000, "seed=" + seed + " accepted=" + accepted);
+  }
+
+  @Test
+  void aWishForWhatIsNearThatDoesNotExistIsRefused() {
+    InputDatagram d = new InputDatagram();
+    byte[] bytes = new byte[InputDatagram.MAX_BYTES];
+    for (int near = 0; near <= InputDatagram.NEAR_ALL; near++) {
+      d.near = near;
+      assertTrue(d.decode(bytes, 0, d.encode(bytes, 0)), "near=" + near);
+      assertEquals(near, d.near);
+    }
+    int length = d.encode(bytes, 0); // 32 bits of key, 16 of sequence, none of acks, then near = 2
+    bytes[6] |= 0b010;
+    assertFalse(d.decode(bytes, 0, length));
+    d.near = InputDatagram.NEAR_ALL + 1;
+    assertThrows(IllegalArgumentException.class, () -> d.encode(bytes, 0));
   }
 
   @Test
