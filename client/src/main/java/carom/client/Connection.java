@@ -238,10 +238,13 @@ final class Connection implements LinkHandler {
       count(from);
       link = null;
       mayPass = true;
-      lost(
-          stage == Stage.PLAYING
-              ? sentence("The connection to " + address() + " was lost: " + reason)
-              : sentence("Can't reach the server: " + reason));
+      if (stage == Stage.PLAYING) {
+        lost(sentence("The connection to " + address() + " was lost: " + reason));
+      } else if (comingBack) {
+        lost("No answer from " + address() + "."); // it was there, so the address is right
+      } else {
+        lost(sentence("Can't reach the server: " + reason));
+      }
     }
   }
 

@@ -11,8 +11,10 @@ import com.badlogic.gdx.graphics.g2d.BitmapFont;
 import com.badlogic.gdx.graphics.g2d.GlyphLayout;
 import com.badlogic.gdx.graphics.g2d.SpriteBatch;
 import com.badlogic.gdx.math.MathUtils;
+import com.badlogic.gdx.math.Matrix4;
 import com.badlogic.gdx.math.Vector3;
 import com.badlogic.gdx.utils.Align;
+import com.badlogic.gdx.utils.Disposable;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -21,21 +23,23 @@ import java.util.List;
  * Text and panels over the picture: names, scores, what the server said, what the connection is up
  * to, key hints. In pixels, origin bottom left. Render thread only.
  */
-final class Hud {
+final class Hud implements Disposable {
   private static final int SHORT_LIST = 5;
   private static final int LONG_LIST = 24;
   private static final float PAD = 12;
   private static final float LINE = 22;
   private static final float NAME_LINE = 17;
   private static final int NAME_ROWS = 3;
+  private static final float NAME_GAP = 6;
   private static final long NOTICE_NS = 4_000_000_000L;
   private static final float HINT_SECONDS = 12;
   private static final String KEYS =
-      "WASD, arrows or pad: move     Space or click: jump, dash     F3: net graph     F4: debug    "
-          + " Esc: leave";
+      "WASD, arrows or pad: move     Space or click: jump, dash     E or right click: second move"
+          + "     Tab: scores     F3: net graph     Esc: leave";
 
   private final Canvas canvas;
-  private final SpriteBatch batch;
+  private final SpriteBatch batch = new SpriteBatch();
+  private final Matrix4 pixels = new Matrix4();
   private final Fonts fonts;
   private final GlyphLayout layout = new GlyphLayout();
   private final Color color = new Color();
@@ -45,11 +49,40 @@ final class Hud {
   private final FreePlaces places = new FreePlaces();
   private String hintsOf = "";
   private String about = "";
+  private int width;
+  private int height;
 
-  Hud(Canvas canvas, SpriteBatch batch, Fonts fonts) {
+  Hud(Canvas canvas, Fonts fonts) {
     this.canvas = canvas;
-    this.batch = batch;
     this.fonts = fonts;
+  }
+
+  /** The window's size, px; once per frame, before anything else. */
+  void size(int newWidth, int newHeight) {
+    width = newWidth;
+    height = newHeight;
+    pixels.setToOrtho2D(0, 0, width, height);
+    batch.setProjectionMatrix(pixels);
+  }
+
+  /** The window's height, px. */
+  int height() {
+    return height;
+  }
+
+  /** Pixels, origin bottom left, to clip space. */
+  Matrix4 pixels() {
+    return pixels;
+  }
+
+  /** Text begins; {@link #left} and {@link #floating} stand between this and {@link #end}. */
+  void begin() {
+    batch.begin();
+  }
+
+  /** Text ends. */
+  void end() {
+    batch.end();
   }
 
   /**
@@ -74,7 +107,7 @@ final class Hud {
   /** A name around x, its upper edge at y, or a little higher if that place is taken. */
   private void name(String text, float x, float y) {
     layout.setText(fonts.small, text);
-    float width = layout.width;
+    float width = layout.width + NAME_GAP;
     for (int row = 0; row < NAME_ROWS; row++) {
       float top = y + row * NAME_LINE;
       if (places.isFree(x - width / 2, top - NAME_LINE, width, NAME_LINE)) {
@@ -97,8 +130,8 @@ final class Hud {
     centred(large ? fonts.title : fonts.text, text, at.x, at.y, textColor);
   }
 
-  /** The players by score: a few of them, or on demand many. */
-  void scores(ClientView view, int width, int height, boolean all) {
+  /** The players by score: a few of them, or on demand many; the own one is always among them. */
+  void scores(ClientView view, boolean all) {
     ranking.clear();
     ranking.addAll(view.players());
     ranking.sort(
@@ -117,12 +150,16 @@ final class Hud {
     batch.begin();
     left(
         fonts.small,
-        view.players().size() + (all ? " players" : " players   Tab: all"),
+        ranking.size() == 1
+            ? "1 player"
+            : ranking.size()
+                + (all || ranking.size() == shown ? " players" : " players   Tab: all"),
         x + PAD,
         top - PAD,
         Theme.MUTED);
     for (int i = 0; i < shown; i++) {
-      RosterEntry entry = ranking.get(i);
+      int rank = i == shown - 1 ? Math.max(i, rank(view.playerId())) : i;
+      RosterEntry entry = ranking.get(rank);
       boolean own = entry.playerId() == view.playerId();
       float y = top - PAD - (i + 1) * LINE;
       Color tint = own ? Theme.ACCENT : Theme.TEXT;
@@ -130,15 +167,25 @@ final class Hud {
       layout.setText(fonts.text, score);
       float room = w - 3 * PAD - layout.width;
       left(fonts.text, score, x + w - PAD - layout.width, y, tint);
-      String name = (i + 1) + "  " + entry.name();
+      String name = (rank + 1) + "  " + entry.name();
       layout.setText(fonts.text, name, 0, name.length(), tint, room, Align.left, false, "...");
       fonts.text.draw(batch, layout, MathUtils.round(x + PAD), MathUtils.round(y));
     }
     batch.end();
   }
 
+  /** The place in the ranking of a player, or -1. */
+  private int rank(int playerId) {
+    for (int i = 0; i < ranking.size(); i++) {
+      if (ranking.get(i).playerId() == playerId) {
+        return i;
+      }
+    }
+    return -1;
+  }
+
   /** What the server announced in the last seconds, newest on top, fading. */
-  void notices(ClientView view, long nowNs, int width, int height) {
+  void notices(ClientView view, long nowNs) {
     batch.begin();
     float y = height - 70;
     for (int i = view.notices().size() - 1; i >= 0; i--) {
@@ -154,8 +201,12 @@ final class Hud {
     batch.end();
   }
 
-  /** What the game is about and the keys, for the first seconds. */
-  void hints(ClientView view, float secondsPlayed, int width) {
+  /**
+   * What the game is about and the keys, for the first seconds.
+   *
+   * @param from what is left of this, px, is taken
+   */
+  void hints(ClientView view, float secondsPlayed, float from) {
     if (secondsPlayed > HINT_SECONDS) {
       return;
     }
@@ -165,33 +216,44 @@ final class Hud {
     }
     batch.begin();
     color.set(Theme.TEXT).a = Math.min(1, HINT_SECONDS - secondsPlayed) * 0.9f;
-    centred(fonts.text, about, width / 2f, PAD + 42, color);
-    centred(fonts.text, KEYS, width / 2f, PAD + 18, color);
+    float y = below(KEYS, from, PAD);
+    below(about, from, y + 6);
     batch.end();
   }
 
+  /** Lines around the middle of what is right of a place, from a height upwards; tells the top. */
+  private float below(String text, float from, float bottom) {
+    float room = width - from - 4 * PAD;
+    shadow.set(0, 0, 0, 0.6f * color.a);
+    wrapped.setText(fonts.text, text, shadow, room, Align.center, true);
+    float x = MathUtils.round(from + 2 * PAD);
+    float top = MathUtils.round(bottom + wrapped.height);
+    fonts.text.draw(batch, wrapped, x + 1, top - 1);
+    wrapped.setText(fonts.text, text, color, room, Align.center, true);
+    fonts.text.draw(batch, wrapped, x, top);
+    return top;
+  }
+
   /** Tells a player without a body that it is only for a moment. */
-  void bodiless(int width, int height) {
+  void bodiless() {
     batch.begin();
     centred(fonts.large, "You are back in a moment", width / 2f, height / 2f, Theme.TEXT);
     batch.end();
   }
 
   /** What the connection is doing while there is no game to play. */
-  void phase(ClientView view, int width, int height) {
+  void phase(ClientView view) {
     ConnectionPhase phase = view.phase();
-    if (phase == ConnectionPhase.PLAYING) {
-      return;
-    }
+    veil();
     float w = Math.min(width - 2 * PAD, 560);
     wrapped.setText(fonts.text, view.message(), Theme.MUTED, w - 4 * PAD, Align.center, true);
     float h = 90 + wrapped.height;
     float x = (width - w) / 2;
     float y = (height - h) / 2;
-    panel(x, y, w, h);
+    panel(x, y, w, h, Theme.DIALOG);
     if (phase == ConnectionPhase.LOADING) {
       float bar = (w - 2 * PAD) * (float) view.loadingProgress();
-      canvas.begin(batch.getProjectionMatrix(), 1);
+      canvas.begin(pixels, 1);
       canvas.rect(x + PAD, y + PAD, w - 2 * PAD, 4, Theme.PANEL_LINE);
       canvas.rect(x + PAD, y + PAD, bar, 4, Theme.ACCENT);
       canvas.end();
@@ -213,13 +275,30 @@ final class Hud {
     };
   }
 
-  /** A dark panel with a thin edge. */
+  /** Darkens everything: what is below isn't the present. */
+  private void veil() {
+    canvas.begin(pixels, 1);
+    canvas.rect(0, 0, width, height, Theme.VEIL);
+    canvas.end();
+  }
+
+  /** A dark panel with a thin edge, through which the game is seen. */
   void panel(float x, float y, float w, float h) {
+    panel(x, y, w, h, Theme.PANEL);
+  }
+
+  private void panel(float x, float y, float w, float h, Color ground) {
     places.take(x, y, w, h);
-    canvas.begin(batch.getProjectionMatrix(), 1);
-    canvas.rect(x, y, w, h, Theme.PANEL);
+    canvas.begin(pixels, 1);
+    canvas.rect(x, y, w, h, ground);
     canvas.frame(x, y, w, h, 1, Theme.PANEL_LINE);
     canvas.end();
+  }
+
+  /** How wide a text is, px. */
+  float width(BitmapFont font, String text) {
+    layout.setText(font, text);
+    return layout.width;
   }
 
   /**
@@ -229,6 +308,11 @@ final class Hud {
   void left(BitmapFont font, String text, float x, float y, Color tint) {
     font.setColor(tint);
     font.draw(batch, text, MathUtils.round(x), MathUtils.round(y));
+  }
+
+  @Override
+  public void dispose() {
+    batch.dispose();
   }
 
   /** Text around x, with a shadow that keeps it legible on any ground. */

@@ -3,7 +3,6 @@ package carom.client.desktop;
 import carom.client.NetStats;
 import carom.client.Series;
 import com.badlogic.gdx.graphics.Color;
-import com.badlogic.gdx.graphics.g2d.SpriteBatch;
 import java.util.Locale;
 
 /**
@@ -17,20 +16,22 @@ final class NetGraph {
   private static final float LINE = 17;
   private static final float GRAPH_HEIGHT = 34;
   private static final float REFRESH_SECONDS = 0.25f;
+
+  /** Where it ends, px from the window's left edge. */
+  static final float RIGHT = PAD + WIDTH;
+
   private static final int ROWS = 8;
   private static final int GRAPHS = 4;
 
   private final Canvas canvas;
-  private final SpriteBatch batch;
   private final Hud hud;
   private final Fonts fonts;
   private final String[] rows = new String[ROWS];
   private final String[] captions = new String[GRAPHS];
   private float age = REFRESH_SECONDS;
 
-  NetGraph(Canvas canvas, SpriteBatch batch, Hud hud, Fonts fonts) {
+  NetGraph(Canvas canvas, Hud hud, Fonts fonts) {
     this.canvas = canvas;
-    this.batch = batch;
     this.hud = hud;
     this.fonts = fonts;
   }
@@ -44,7 +45,7 @@ final class NetGraph {
     float height = 2 * PAD + ROWS * LINE + GRAPHS * (GRAPH_HEIGHT + LINE + 4);
     hud.panel(PAD, PAD, WIDTH, height);
     float graphsTop = PAD + height - PAD - ROWS * LINE;
-    canvas.begin(batch.getProjectionMatrix(), 1);
+    canvas.begin(hud.pixels(), 1);
     float y = graphsTop - LINE - GRAPH_HEIGHT;
     float step = GRAPH_HEIGHT + LINE + 4;
     bars(stats.gapSeries(), y, 100, Theme.INFO);
@@ -53,7 +54,7 @@ final class NetGraph {
     bars(stats.correctionSeries(), y - 3 * step, 0.5f, Theme.BAD);
     canvas.end();
 
-    batch.begin();
+    hud.begin();
     float top = PAD + height - PAD;
     for (int i = 0; i < ROWS; i++) {
       hud.left(fonts.small, rows[i], 2 * PAD, top - i * LINE, Theme.TEXT);
@@ -61,7 +62,7 @@ final class NetGraph {
     for (int i = 0; i < GRAPHS; i++) {
       hud.left(fonts.small, captions[i], 2 * PAD, graphsTop - 4 - i * step, Theme.MUTED);
     }
-    batch.end();
+    hud.end();
   }
 
   private void write(NetStats s, long nowNs, float fps) {

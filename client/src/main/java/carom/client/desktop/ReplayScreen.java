@@ -1,15 +1,10 @@
 package carom.client.desktop;
 
-import carom.client.ClientView;
-import carom.client.ClientView.Drawn;
 import carom.client.ReplayClient;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;
 import com.badlogic.gdx.InputAdapter;
 import com.badlogic.gdx.ScreenAdapter;
-import com.badlogic.gdx.graphics.g2d.SpriteBatch;
-import com.badlogic.gdx.math.Matrix4;
-import com.badlogic.gdx.utils.ScreenUtils;
 import java.io.IOException;
 import java.util.Locale;
 
@@ -21,19 +16,11 @@ final class ReplayScreen extends ScreenAdapter {
       "Space: pause     .: one step     Left, Right: 5 s     - +: speed     Home, End     "
           + "Tab: follow a player     F4: debug     Esc: leave";
 
-  private final SpriteBatch batch = new SpriteBatch();
-  private final Matrix4 pixels = new Matrix4();
-  private final ViewCamera camera = new ViewCamera();
-  private final WorldPainter world;
-  private final DebugPainter debug;
-  private final Hud hud;
-  private final Flashes flashes = new Flashes();
+  private final GamePicture picture;
   private final Fonts fonts;
   private final ReplayClient client;
   private final String heading;
   private final Runnable exit;
-  private boolean showDebug;
-  private float seconds;
 
   /**
    * @param client closed with this screen
@@ -44,15 +31,13 @@ final class ReplayScreen extends ScreenAdapter {
     this.client = client;
     this.heading = heading;
     this.exit = exit;
-    world = new WorldPainter(canvas);
-    client.events(flashes);
-    debug = new DebugPainter(canvas);
-    hud = new Hud(canvas, batch, fonts);
+    picture = new GamePicture(canvas, fonts);
+    client.events(picture.events(client.view()));
   }
 
   /** Shows or hides what the physics sees. */
   void debug(boolean shown) {
-    showDebug = shown;
+    picture.debug(shown);
   }
 
   @Override
@@ -78,10 +63,9 @@ final class ReplayScreen extends ScreenAdapter {
       case Keys.MINUS, Keys.NUMPAD_SUBTRACT -> client.speedUp(-1);
       case Keys.EQUALS, Keys.PLUS, Keys.NUMPAD_ADD -> client.speedUp(1);
       case Keys.TAB -> client.followNext();
-      case Keys.F4 -> showDebug = !showDebug;
       case Keys.ESCAPE -> exit.run();
       default -> {
-        return false;
+        return picture.key(key);
       }
     }
     return true;
@@ -91,35 +75,11 @@ final class ReplayScreen extends ScreenAdapter {
   public void render(float deltaSeconds) {
     long nowNs = System.nanoTime();
     client.update(nowNs);
-    seconds += deltaSeconds;
-    ClientView view = client.view();
-    int width = Gdx.graphics.getWidth();
-    int height = Gdx.graphics.getHeight();
-    ScreenUtils.clear(Theme.BACKDROP);
-    pixels.setToOrtho2D(0, 0, width, height);
-    batch.setProjectionMatrix(pixels);
-    Drawn own = view.own();
-    camera.update(
-        view.level().bounds(),
-        own != null,
-        own == null ? 0 : own.x(),
-        own == null ? 0 : own.y(),
-        width,
-        height,
-        deltaSeconds);
-    float pixelsPerMetre = camera.pixelsPerMetre(height);
-    world.draw(view, flashes, camera.gdx(), pixelsPerMetre, seconds, deltaSeconds);
-    if (showDebug) {
-      debug.draw(client.simulation().world(), camera.gdx(), pixelsPerMetre);
-    }
-    hud.names(view, camera, pixelsPerMetre);
-    hud.labels(flashes, camera);
-    hud.scores(view, width, height, false);
-    hud.notices(view, nowNs, width, height);
-    title(height);
+    picture.draw(client.view(), false, nowNs, deltaSeconds);
+    title(picture.hud());
   }
 
-  private void title(int height) {
+  private void title(Hud hud) {
     int rate = client.view().tickRate();
     StringBuilder text = new StringBuilder(heading).append("   ");
     text.append(time(client.tick(), rate)).append(" / ");
@@ -134,13 +94,13 @@ final class ReplayScreen extends ScreenAdapter {
     if (trouble.isEmpty() && client.divergence() != null) {
       trouble = "diverged from the recording at tick " + client.divergence().tick();
     }
-    batch.begin();
-    hud.left(fonts.text, text.toString(), PAD, height - PAD, Theme.TEXT);
+    hud.begin();
+    hud.left(fonts.text, text.toString(), PAD, hud.height() - PAD, Theme.TEXT);
     if (!trouble.isEmpty()) {
-      hud.left(fonts.text, trouble, PAD, height - PAD - 24, Theme.ACCENT);
+      hud.left(fonts.text, trouble, PAD, hud.height() - PAD - 24, Theme.ACCENT);
     }
     hud.left(fonts.small, KEYS, PAD, PAD + 12, Theme.MUTED);
-    batch.end();
+    hud.end();
   }
 
   private static String time(int tick, int rate) {
@@ -155,6 +115,6 @@ final class ReplayScreen extends ScreenAdapter {
     } catch (IOException e) {
       System.err.println("carom-client: " + e);
     }
-    batch.dispose();
+    picture.dispose();
   }
 }

@@ -201,12 +201,9 @@ final class ScenePainter {
     float x1 = s.vertexX(1);
     float y1 = s.vertexY(1);
     if (s.isOneSided()) {
-      // The first edge's normal points to the front.
-      float bx = -s.normalX(0) * GROUND_M;
-      float by = -s.normalY(0) * GROUND_M;
       corner(0, x0, y0);
-      corner(1, x0 + bx, y0 + by);
-      corner(2, x1 + bx, y1 + by);
+      depth(1, s, 0);
+      depth(2, s, 1);
       corner(3, x1, y1);
       canvas.convex(band, 4, Theme.shade(rgb, 0.75f, 1, fill));
     }
@@ -218,6 +215,30 @@ final class ScenePainter {
         2.5f * edgeM,
         Theme.shade(rgb, 1.3f, 1, fill));
     Theme.shade(rgb, 1, 1, fill);
+  }
+
+  /** The corner behind an end of a line, halfway towards the next line's if there is one. */
+  private void depth(int i, Segment s, int end) {
+    float nx = s.normalX(0); // the first edge's normal points to the front
+    float ny = s.normalY(0);
+    float x = s.vertexX(end);
+    float y = s.vertexY(end);
+    float scale = GROUND_M;
+    if (s.isLinked(end)) {
+      float along = end == 0 ? 1 : -1;
+      float dx = along * (x - s.ghostX(end));
+      float dy = along * (y - s.ghostY(end));
+      float length = (float) Math.sqrt(dx * dx + dy * dy);
+      float left =
+          (s.vertexX(1) - s.vertexX(0)) * ny - (s.vertexY(1) - s.vertexY(0)) * nx; // of the front
+      float turn = Math.copySign(1 / length, left);
+      float ox = -dy * turn;
+      float oy = dx * turn;
+      scale /= Math.max(0.25f, 1 + nx * ox + ny * oy);
+      nx += ox;
+      ny += oy;
+    }
+    corner(i, x - scale * nx, y - scale * ny);
   }
 
   private void corner(int i, float x, float y) {

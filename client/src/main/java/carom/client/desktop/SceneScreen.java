@@ -9,8 +9,6 @@ import com.badlogic.gdx.Input.Buttons;
 import com.badlogic.gdx.Input.Keys;
 import com.badlogic.gdx.InputAdapter;
 import com.badlogic.gdx.ScreenAdapter;
-import com.badlogic.gdx.graphics.g2d.SpriteBatch;
-import com.badlogic.gdx.math.Matrix4;
 import com.badlogic.gdx.math.Vector3;
 import com.badlogic.gdx.utils.ScreenUtils;
 import java.util.EnumSet;
@@ -43,8 +41,6 @@ final class SceneScreen extends ScreenAdapter {
     "H  F1  this help     Esc  leave",
   };
 
-  private final SpriteBatch batch = new SpriteBatch();
-  private final Matrix4 pixels = new Matrix4();
   private final ViewCamera camera = new ViewCamera();
   private final ScenePlayer player = new ScenePlayer(System::nanoTime);
   private final ScenePainter painter;
@@ -67,7 +63,7 @@ final class SceneScreen extends ScreenAdapter {
     this.exit = exit;
     painter = new ScenePainter(canvas);
     debug = new DebugPainter(canvas);
-    hud = new Hud(canvas, batch, fonts);
+    hud = new Hud(canvas, fonts);
   }
 
   /** Shows a scene from its beginning. */
@@ -189,8 +185,7 @@ final class SceneScreen extends ScreenAdapter {
     }
     camera.resize(width, height);
     ScreenUtils.clear(Theme.BACKDROP);
-    pixels.setToOrtho2D(0, 0, width, height);
-    batch.setProjectionMatrix(pixels);
+    hud.size(width, height);
     float pixelsPerMetre = camera.pixelsPerMetre(height);
     painter.draw(player.run(), camera.gdx(), pixelsPerMetre);
     if (!layers.isEmpty()) {
@@ -236,14 +231,15 @@ final class SceneScreen extends ScreenAdapter {
 
   private void title(int height) {
     float y = height - PAD;
-    hud.panel(PAD / 2, y - 3 * LINE - 22, 560, 3 * LINE + 28);
-    batch.begin();
+    float room = Math.max(560, hud.width(fonts.text, player.scene().description()) + 2 * PAD);
+    hud.panel(PAD / 2, y - 3 * LINE - 22, room, 3 * LINE + 28);
+    hud.begin();
     hud.left(fonts.large, player.scene().name().replace('_', ' '), PAD, y, Theme.TEXT);
     hud.left(fonts.text, player.scene().description(), PAD, y - 28, Theme.ACCENT);
     hud.left(fonts.small, counts, PAD, y - 50, Theme.TEXT);
     hud.left(fonts.small, clock, PAD, y - 67, Theme.MUTED);
     hud.left(fonts.small, "H: keys     Tab: next scene", PAD, PAD + 12, Theme.MUTED);
-    batch.end();
+    hud.end();
   }
 
   private void help(int width, int height) {
@@ -252,15 +248,15 @@ final class SceneScreen extends ScreenAdapter {
     float x = width - w - PAD;
     float top = height - PAD;
     hud.panel(x, top - h, w, h);
-    batch.begin();
+    hud.begin();
     for (int i = 0; i < HELP.length; i++) {
       hud.left(fonts.small, HELP[i], x + PAD, top - PAD - i * LINE, Theme.TEXT);
     }
-    batch.end();
+    hud.end();
   }
 
   @Override
   public void dispose() {
-    batch.dispose();
+    hud.dispose();
   }
 }

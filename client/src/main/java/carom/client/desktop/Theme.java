@@ -6,6 +6,8 @@ import com.badlogic.gdx.graphics.Color;
 final class Theme {
   static final Color BACKDROP = rgb(0x0c1017);
   static final Color PANEL = new Color(0.03f, 0.05f, 0.08f, 0.62f);
+  static final Color DIALOG = new Color(0.05f, 0.07f, 0.11f, 0.94f);
+  static final Color VEIL = new Color(0.03f, 0.05f, 0.08f, 0.55f);
   static final Color PANEL_LINE = rgb(0x2c3a4f);
   static final Color TEXT = rgb(0xe8eef6);
   static final Color MUTED = rgb(0x8fa0b5);
