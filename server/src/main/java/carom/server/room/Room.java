@@ -13,6 +13,7 @@ import carom.replay.BlockSink;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
+import carom.server.metrics.LogInterval;
 import carom.server.recording.RecordingFile;
 import carom.server.recording.RotatingRecording;
 import carom.server.replication.FrameCapture;
@@ -76,7 +77,6 @@ public final class Room {
   private static final Logger LOG = LoggerFactory.getLogger(Room.class);
   private static final long NS_PER_MS = 1_000_000;
   private static final long PARTING_MS = 1_000;
-  private static final long WARN_GAP_NS = 10_000_000_000L;
 
   /** A crowd that comes at once must not cost those who play a tick: at most so many a tick. */
   private static final int MAX_ARRIVALS_PER_TICK = 8;
@@ -119,8 +119,9 @@ public final class Room {
   private int failedTicks;
   private int announcedTick;
   private float announcements = MAX_ANNOUNCEMENTS;
-  private boolean warnedOfLate;
-  private long warnedOfLateNs;
+  private final LogInterval dropsWarning = new LogInterval();
+  private final LogInterval lateWarning = new LogInterval();
+  private long droppedUntold;
   private volatile int tick;
   private volatile boolean failed;
   private volatile boolean closed;
@@ -222,15 +223,10 @@ public final class Room {
     int due = loop.due(nowNs);
     if (loop.droppedNow() > 0) {
       counters.add(Counter.TICKS_DROPPED, loop.droppedNow());
-      if (loop.burstBegan()) {
-        LOG.warn(
-            "{}can't keep up: {} ticks ({} ms) dropped at tick {}; {}",
-            label,
-            loop.droppedNow(),
-            loop.droppedNow() * 1_000L / config.tickRateHz(),
-            tick,
-            "if this repeats, lower --tick-rate or --max-players, or find a faster machine");
-      }
+      droppedUntold += loop.droppedNow();
+    }
+    if (droppedUntold > 0 && dropsWarning.begins(nowNs)) {
+      warnOfDroppedTicks();
     }
     counters.add(Counter.TICKS_LATE, Math.max(0, due - 1));
     for (int left = due; left > 0 && !closed; left--) {
@@ -539,12 +535,22 @@ public final class Room {
     }
   }
 
+  /** At once, and of those that follow in a line every ten seconds: a log must last for weeks. */
+  private void warnOfDroppedTicks() {
+    LOG.warn(
+        "{}can't keep up: {} ticks ({} ms) dropped up to tick {}; {}",
+        label,
+        droppedUntold,
+        droppedUntold * 1_000 / config.tickRateHz(),
+        tick,
+        "if this repeats, lower --tick-rate or --max-players, or find a faster machine");
+    droppedUntold = 0;
+  }
+
   /** The first sign that the machine gets too slow; the ticks are still on time. */
   private void warnOfLateSnapshots(long nowNs) {
     counters.add(Counter.SNAPSHOTS_POSTPONED, turns.late());
-    if (!warnedOfLate || nowNs - warnedOfLateNs >= WARN_GAP_NS) {
-      warnedOfLate = true;
-      warnedOfLateNs = nowNs;
+    if (lateWarning.begins(nowNs)) {
       LOG.warn(
           "{}ticks take too long at tick {}: {} of {} snapshots wait for the next one; {}",
           label,

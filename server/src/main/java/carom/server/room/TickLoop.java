@@ -24,8 +24,6 @@ public final class TickLoop {
   private long lateTicks;
   private long droppedTicks;
   private int droppedNow;
-  private boolean inBurst;
-  private boolean burstBegan;
 
   /**
    * @param rateHz ticks per second, at least 1
@@ -49,7 +47,6 @@ public final class TickLoop {
    */
   public int due(long nowNs) {
     droppedNow = 0;
-    burstBegan = false;
     if (!started) {
       started = true;
       startNs = nowNs;
@@ -68,10 +65,6 @@ public final class TickLoop {
     if (reached > catchUpTicks) {
       droppedNow = (int) Math.min(Integer.MAX_VALUE, reached - catchUpTicks);
       droppedTicks += reached - catchUpTicks;
-      burstBegan = !inBurst;
-      inBurst = true;
-    } else if (reached == 1) {
-      inBurst = false;
     }
     scheduled += reached;
     int run = (int) Math.min(reached, catchUpTicks);
@@ -104,13 +97,5 @@ public final class TickLoop {
   /** Ticks dropped by the latest call of {@link #due}. */
   public int droppedNow() {
     return droppedNow;
-  }
-
-  /**
-   * Whether the latest call of {@link #due} dropped the first ticks of a burst: the moment to log
-   * one line. A burst ends with the first call that finds the loop on time again.
-   */
-  public boolean burstBegan() {
-    return burstBegan;
   }
 }

@@ -17,6 +17,7 @@ import carom.physics.BodyType;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
+import carom.server.metrics.LogInterval;
 import carom.server.replication.FrameCapture;
 import carom.server.replication.NearSet;
 import carom.server.replication.OwnCapture;
@@ -43,7 +44,6 @@ public final class Session implements LinkHandler {
   private static final Logger LOG = LoggerFactory.getLogger(Session.class);
   private static final long NS_PER_MS = 1_000_000;
   private static final int MAX_HOLD_MS = 255;
-  private static final long DIVERGENCE_LOG_NS = 10_000_000_000L;
   private static final int MIN_MARGIN = -32;
   private static final int MAX_MARGIN = 31;
 
@@ -83,8 +83,7 @@ public final class Session implements LinkHandler {
   private boolean touched;
   private final BodyContactVisitor<Entity> touch =
       (other, normalX, normalY, impulse) -> touched |= other.type() != BodyType.STATIC;
-  private boolean divergenceLogged;
-  private long divergenceLoggedNs;
+  private final LogInterval divergenceLines = new LogInterval();
   private SnapshotSender sender;
   private long nowNs;
   private int silentTicks;
@@ -255,12 +254,7 @@ public final class Session implements LinkHandler {
   /** Counts a divergence; whether it may be logged, too. */
   private boolean unexplained() {
     counters.add(Counter.DIVERGENCES_UNEXPLAINED, 1);
-    if (divergenceLogged && nowNs - divergenceLoggedNs < DIVERGENCE_LOG_NS) {
-      return false;
-    }
-    divergenceLogged = true;
-    divergenceLoggedNs = nowNs;
-    return true;
+    return divergenceLines.begins(nowNs);
   }
 
   /** What touched the body in the last step, see {@link PredictionAudit}. */

@@ -1,9 +1,7 @@
 package carom.server.room;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -44,7 +42,6 @@ class TickLoopTest {
     assertEquals(5, loop.due(SECOND / 12 + 1));
     assertEquals(4, loop.lateTicks());
     assertEquals(0, loop.droppedTicks());
-    assertFalse(loop.burstBegan());
   }
 
   @Test
@@ -54,27 +51,8 @@ class TickLoopTest {
     assertEquals(8, loop.due(SECOND));
     assertEquals(52, loop.droppedNow());
     assertEquals(52, loop.droppedTicks());
-    assertTrue(loop.burstBegan());
     assertEquals(1, loop.due(SECOND + SECOND / 60 + 1));
     assertEquals(0, loop.droppedNow());
-    assertFalse(loop.burstBegan());
-  }
-
-  @Test
-  void oneBurstIsAnnouncedOnceUntilTheLoopIsOnTimeAgain() {
-    TickLoop loop = new TickLoop(60, 2);
-    loop.due(0);
-    long now = 0;
-    int announced = 0;
-    for (int i = 0; i < 10; i++) {
-      now += SECOND / 10;
-      loop.due(now);
-      announced += loop.burstBegan() ? 1 : 0;
-    }
-    assertEquals(1, announced);
-    assertEquals(1, loop.due(now + SECOND / 60 + 1));
-    loop.due(now + SECOND);
-    assertTrue(loop.burstBegan());
   }
 
   @Test

@@ -1,0 +1,21 @@
+package carom.server.metrics;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+
+class LogIntervalTest {
+  @Test
+  void letsALineThroughEveryTenSeconds() {
+    for (long start : new long[] {0, -5, Long.MAX_VALUE - 3}) {
+      LogInterval interval = new LogInterval();
+      assertTrue(interval.begins(start));
+      assertFalse(interval.begins(start));
+      assertFalse(interval.begins(start + LogInterval.LENGTH_NS - 1));
+      assertTrue(interval.begins(start + LogInterval.LENGTH_NS));
+      assertFalse(interval.begins(start + LogInterval.LENGTH_NS + 1));
+      assertTrue(interval.begins(start + 10 * LogInterval.LENGTH_NS));
+    }
+  }
+}
