@@ -2,7 +2,6 @@ package carom.physics.dynamics;
 
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Shape;
-import java.util.Arrays;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -41,10 +40,9 @@ public class ContactSolverBenchmark {
           1, false);
 
   private final Dynamics world = new Dynamics(settings);
-  private final SolverBodies bodies = new SolverBodies(new Crew());
+  private final ActiveBodies active = new ActiveBodies();
+  private final SolverBodies bodies = new SolverBodies(active, null, new Crew());
   private ContactSolver solver;
-  private int[] active;
-  private int[] activeIndex;
 
   /** Builds the pyramid and lets it settle. */
   @Setup
@@ -61,12 +59,9 @@ public class ContactSolverBenchmark {
       world.step(DT, null, null);
     }
     int count = world.bodies().count();
-    active = new int[count];
-    activeIndex = new int[count];
-    Arrays.fill(activeIndex, -1);
+    active.reserve(count);
     for (int slot = 1; slot < count; slot++) { // the ground came first
-      active[slot - 1] = slot;
-      activeIndex[slot] = slot - 1;
+      active.add(slot);
     }
     for (int i = 0; i < 400; i++) {
       prepare(); // the first steps of a process use the kernels sparingly
@@ -94,8 +89,8 @@ public class ContactSolverBenchmark {
   @Benchmark
   public void prepare() {
     float h = DT / settings.substeps();
-    bodies.load(world.bodies(), active, active.length - 1, settings, h);
-    solver.prepare(world.contacts(), world.bodies(), bodies, activeIndex, settings, h);
+    bodies.load(world.bodies(), settings, h);
+    solver.prepare(world.contacts(), world.bodies(), bodies, settings, h);
   }
 
   /** Applies the impulses again. */

@@ -17,6 +17,13 @@ final class ActiveBodies {
 
   int count;
 
+  private int version;
+
+  /** Changes with every body that comes or goes. */
+  int version() {
+    return version;
+  }
+
   /** Makes room for the slots below a number; new ones are not in the list. */
   void reserve(int slots) {
     if (index.length < slots) {
@@ -36,6 +43,7 @@ final class ActiveBodies {
     }
     list[count] = body;
     index[body] = count++;
+    version++;
   }
 
   void remove(int body) {
@@ -44,11 +52,13 @@ final class ActiveBodies {
     list[at] = last;
     index[last] = at;
     index[body] = -1;
+    version++;
   }
 
   /** Empties the list. */
   void clear() {
     count = 0;
+    version++;
     Arrays.fill(index, -1);
   }
 }

@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /**
  * What the colours of the last step followed from, to tell whether those of this step are the same:
- * rows, their numbers of points, which bodies are awake in which order, and their masses.
+ * rows, their numbers of points, which slots bodies have in the solver, and their masses.
  *
  * <p>A memo isn't state. It only says that colouring anew would give the same colours, since
  * everything that colouring reads is equal, number by number; so nothing of it is saved, hashed or
@@ -22,25 +22,25 @@ final class ColourMemo {
   private int slots;
   private long[] key = new long[0];
   private byte[] points = new byte[0];
-  private int[] index = new int[0];
+  private int[] slot = new int[0];
   private float[] inverseMass = new float[0];
 
   /** Whether the colours of what was {@link #note noted} are those of this step. */
-  boolean holds(ContactTable t, BodyStore b, int[] activeIndex) {
+  boolean holds(ContactTable t, BodyStore b, int[] slotOf) {
     holds =
         holds
             && rows == t.count()
             && slots == b.slots()
             && Arrays.equals(points, 0, rows, t.points, 0, rows)
             && plain(t)
-            && Arrays.equals(index, 0, slots, activeIndex, 0, slots)
+            && Arrays.equals(slot, 0, slots, slotOf, 0, slots)
             && Arrays.equals(inverseMass, 0, slots, b.invMass, 0, slots)
             && Arrays.equals(key, 0, rows, t.key, 0, rows);
     return holds;
   }
 
   /** Notes what colours follow from. */
-  void note(ContactTable t, BodyStore b, int[] activeIndex) {
+  void note(ContactTable t, BodyStore b, int[] slotOf) {
     holds = b.slots() <= BODIES_PER_ROW * t.count() && plain(t);
     if (!holds) {
       return;
@@ -51,13 +51,13 @@ final class ColourMemo {
       key = new long[rows + rows / 2];
       points = new byte[key.length];
     }
-    if (index.length < slots) {
-      index = new int[slots + slots / 2];
-      inverseMass = new float[index.length];
+    if (slot.length < slots) {
+      slot = new int[slots + slots / 2];
+      inverseMass = new float[slot.length];
     }
     System.arraycopy(t.key, 0, key, 0, rows);
     System.arraycopy(t.points, 0, points, 0, rows);
-    System.arraycopy(activeIndex, 0, index, 0, slots);
+    System.arraycopy(slotOf, 0, slot, 0, slots);
     System.arraycopy(b.invMass, 0, inverseMass, 0, slots);
   }
 

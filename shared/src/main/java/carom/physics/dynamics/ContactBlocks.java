@@ -140,20 +140,25 @@ final class ContactBlocks {
 
   private int count;
 
-  /** The touching rows and their groups, in the order of the keys. */
+  /** The touching rows and their places, group and zone, in the order of the keys. */
   private int[] touching = new int[0];
 
-  private int[] group = new int[0];
+  private int[] place = new int[0];
 
   /** Colours each slot of {@link SolverBodies} has, among moving bodies and with static ones. */
   private long[] taken = new long[0];
 
   private long[] takenFixed = new long[0];
 
-  /** Per group: its contacts; and, while they are given lanes, the next one. */
+  /** Per group: its contacts. */
   private final int[] size = new int[GROUPS];
 
-  private final int[] next = new int[GROUPS];
+  /** Per zone of each group: its contacts; and, while they are given lanes, the next one. */
+  private final int[] next = new int[GROUPS * SolverSlots.MOST_ZONES];
+
+  /** The contacts of a group lie by the zones of their bodies; so many there are. */
+  private int zones;
+
   private final ColourMemo memo = new ColourMemo();
 
   /** Per block: contacts in it, and its traits. */
@@ -178,15 +183,21 @@ final class ContactBlocks {
 
   private final Crew crew;
 
-  /** Pieces of all colours, first those of the first worker's share: from and to of each. */
+  /** Pieces of all colours: from and to of each. */
   private int[] piece = new int[0];
 
   private int pieces;
+
+  /** Per colour: its first piece; and all pieces by the workers that get them. */
+  private final int[] firstPiece = new int[2 * (LAST_COLOUR + 1) + 1];
+
+  private int[] byWorkers = new int[0];
 
   /** What is done piece by piece. */
   private Crew.Range visit;
 
   private final Crew.Range visiting = this::visitPieces;
+  private final Crew.Range visitingAll = this::visitAllPieces;
 
   /** Makes room for nothing yet; the crew does colours. */
   ContactBlocks(Crew crew) {
@@ -204,31 +215,31 @@ final class ContactBlocks {
    *
    * @param lanes kernels that take whole blocks, null for none
    */
-  void lay(
-      ContactTable table,
-      BodyStore bodies,
-      SolverBodies solverBodies,
-      int[] activeIndex,
-      ContactLanes lanes) {
+  void lay(ContactTable table, BodyStore bodies, SolverBodies solverBodies, ContactLanes lanes) {
     v = solverBodies.state;
-    if (memo.holds(table, bodies, activeIndex)) {
+    if (memo.holds(table, bodies, solverBodies.slotOf())) {
       layOut(lanes);
       return;
     }
-    paint(table, bodies, activeIndex, solverBodies.count());
-    memo.note(table, bodies, activeIndex);
+    paint(table, bodies, solverBodies);
+    memo.note(table, bodies, solverBodies.slotOf());
     layOut(lanes);
+    layZones();
     for (int k = 0; k < contacts; k++) {
-      row[next[group[k]]++] = touching[k];
+      row[next[place[k]]++] = touching[k];
     }
   }
 
   /** Finds the contacts to solve and gives each its colour. */
-  private void paint(ContactTable t, BodyStore b, int[] activeIndex, int slots) {
+  private void paint(ContactTable t, BodyStore b, SolverBodies solverBodies) {
+    int[] slotOf = solverBodies.slotOf();
+    int slots = solverBodies.count();
+    int zoneShift = solverBodies.zoneShift();
+    zones = ((slots - 1) >> zoneShift) + 1;
     if (touching.length < t.count()) {
       int capacity = t.count() + t.count() / 2;
       touching = new int[capacity];
-      group = new int[capacity];
+      place = new int[capacity];
     }
     if (taken.length < slots) {
       int capacity = Math.max(slots, taken.length * 2);
@@ -238,6 +249,7 @@ final class ContactBlocks {
     Arrays.fill(taken, 0, slots, 0);
     Arrays.fill(takenFixed, 0, slots, 0);
     Arrays.fill(size, 0);
+    Arrays.fill(next, 0, GROUPS * zones, 0);
     contacts = 0;
     for (int r = 0; r < t.count(); r++) {
       if (t.points[r] == 0 || (t.flags[r] & ContactTable.DORMANT) != 0) {
@@ -250,21 +262,39 @@ final class ContactBlocks {
       int a = ContactKey.bodyA(t.key[r]);
       int o = ContactKey.bodyB(t.key[r]);
       int c;
+      int slotA = slotOf[a];
+      int slotB = slotOf[o];
       if (b.invMass[a] == 0) {
-        c = LAST_COLOUR + 1 + paint(takenFixed, activeIndex[o] + 1);
+        slotA = slotB;
+        c = LAST_COLOUR + 1 + paint(takenFixed, slotB);
       } else if (b.invMass[o] == 0) {
-        c = LAST_COLOUR + 1 + paint(takenFixed, activeIndex[a] + 1);
+        c = LAST_COLOUR + 1 + paint(takenFixed, slotA);
       } else {
-        int slotA = activeIndex[a] + 1;
-        int slotB = activeIndex[o] + 1;
         c = Math.min(Long.numberOfTrailingZeros(~(taken[slotA] | taken[slotB])), LAST_COLOUR);
         long bit = 1L << c;
         taken[slotA] |= bit;
         taken[slotB] |= bit;
       }
-      group[contacts] = 2 * c + t.points[r] - 1;
-      size[group[contacts]]++;
+      int zone = (c & LAST_COLOUR) == LAST_COLOUR ? 0 : slotA >> zoneShift;
+      int group = 2 * c + t.points[r] - 1;
+      size[group]++;
+      place[contacts] = group * zones + zone;
+      next[place[contacts]]++;
       touching[contacts++] = r;
+    }
+  }
+
+  /** Gives each zone of a group its lanes. */
+  private void layZones() {
+    int block = 0;
+    for (int g = 0; g < GROUPS; g++) {
+      int lane = block * LANES;
+      for (int i = g * zones; i < (g + 1) * zones; i++) {
+        int n = next[i];
+        next[i] = lane;
+        lane += n;
+      }
+      block += (size[g] + LANES - 1) / LANES;
     }
   }
 
@@ -299,7 +329,6 @@ final class ContactBlocks {
       }
       int kind = ((g & 1) != 0 ? TWO : 0) | (colour > LAST_COLOUR ? FIXED : 0);
       int left = size[g];
-      next[g] = block * LANES;
       for (; left > 0; left -= LANES) {
         used[block] = (byte) Math.min(left, LANES);
         boolean wide = block < widest && left >= FEWEST && (colour & LAST_COLOUR) != LAST_COLOUR;
@@ -315,10 +344,10 @@ final class ContactBlocks {
   }
 
   /**
-   * Cuts all colours into pieces, in the order of the workers that get them when colours are
-   * solved: the first worker the first part of each colour, and so on. Within a colour contacts are
-   * in the order of their keys, so that worker looked at their rows, too, in the narrow phase; who
-   * packs and stores them finds rows and blocks in its core's cache.
+   * Cuts all colours into pieces, those of a colour in the order of the workers that get them: the
+   * first worker the first part of each of its groups, and so on. Within a group contacts lie by
+   * the zones of their bodies, or by their keys, so every worker stays with the same bodies; who
+   * packs and stores them finds blocks in its core's cache.
    */
   private void cut() {
     pieces = 0;
@@ -326,23 +355,46 @@ final class ContactBlocks {
       return;
     }
     int workers = crew.count();
-    int most = count / GRAIN + (GROUPS >> 1) * workers;
+    int most = count / GRAIN + 2 * GROUPS * workers;
     if (piece.length < 2 * most) {
       piece = new int[3 * most];
+      byWorkers = new int[piece.length / 2];
     }
+    for (int c = 0; c < GROUPS >> 1; c++) {
+      firstPiece[c] = pieces;
+      int start = colourStart[c];
+      int middle = start + (size[2 * c] + LANES - 1) / LANES;
+      int end = colourStart[c + 1];
+      int shares = isShared(c) ? workers : 1;
+      for (int i = 0; i < shares; i++) {
+        cut(part(start, middle, i, shares), part(start, middle, i + 1, shares));
+        cut(part(middle, end, i, shares), part(middle, end, i + 1, shares));
+      }
+    }
+    firstPiece[GROUPS >> 1] = pieces;
+    int n = 0;
     for (int worker = 0; worker < workers; worker++) {
       for (int c = 0; c < GROUPS >> 1; c++) {
-        int start = colourStart[c];
-        int blocks = colourStart[c + 1] - start;
-        boolean shared = isShared(c);
-        int from = shared ? blocks * worker / workers : 0;
-        int to = shared ? blocks * (worker + 1) / workers : worker == 0 ? blocks : 0;
-        for (; from < to; from += GRAIN) {
-          piece[2 * pieces] = start + from;
-          piece[2 * pieces + 1] = start + Math.min(from + GRAIN, to);
-          pieces++;
+        int shares = isShared(c) ? workers : 1;
+        int from = part(firstPiece[c], firstPiece[c + 1], Math.min(worker, shares), shares);
+        int to = part(firstPiece[c], firstPiece[c + 1], Math.min(worker + 1, shares), shares);
+        for (int k = from; k < to; k++) {
+          byWorkers[n++] = k;
         }
       }
+    }
+  }
+
+  /** Where the part of a number begins, of so many equal parts of a range. */
+  private static int part(int from, int to, int number, int parts) {
+    return from + (to - from) * number / parts;
+  }
+
+  private void cut(int from, int to) {
+    for (int at = from; at < to; at += GRAIN) {
+      piece[2 * pieces] = at;
+      piece[2 * pieces + 1] = Math.min(at + GRAIN, to);
+      pieces++;
     }
   }
 
@@ -359,12 +411,19 @@ final class ContactBlocks {
       return;
     }
     visit = stage;
-    crew.run(0, pieces, 1, visiting);
+    crew.run(0, pieces, 1, visitingAll);
     visit = null;
   }
 
   private void visitPieces(int from, int to, int worker) {
     for (int k = from; k < to; k++) {
+      visit.run(piece[2 * k], piece[2 * k + 1], worker);
+    }
+  }
+
+  private void visitAllPieces(int from, int to, int worker) {
+    for (int i = from; i < to; i++) {
+      int k = byWorkers[i];
       visit.run(piece[2 * k], piece[2 * k + 1], worker);
     }
   }
@@ -392,7 +451,8 @@ final class ContactBlocks {
         if (from < start) {
           stage.run(from, start, 0);
         }
-        crew.run(start, end, GRAIN, stage);
+        visit = stage;
+        crew.run(firstPiece[c], firstPiece[c + 1], 1, visiting);
         from = end;
       }
     }

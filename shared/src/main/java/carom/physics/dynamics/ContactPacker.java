@@ -68,7 +68,7 @@ final class ContactPacker {
   private ContactTable table;
   private BodyStore store;
   private SolverBodies bodies;
-  private int[] activeIndex;
+  private int[] slotOf;
   private Settings settings;
   private float h;
 
@@ -87,13 +87,12 @@ final class ContactPacker {
       ContactTable contacts,
       BodyStore bodyStore,
       SolverBodies solverBodies,
-      int[] activeIndices,
       Settings constants,
       float substep) {
     table = contacts;
     store = bodyStore;
     bodies = solverBodies;
-    activeIndex = activeIndices;
+    slotOf = solverBodies.slotOf();
     settings = constants;
     h = substep;
     blocks.inAnyOrder(packing);
@@ -146,8 +145,8 @@ final class ContactPacker {
     int r = blocks.row[lane];
     int a = ContactKey.bodyA(t.key[r]);
     int o = ContactKey.bodyB(t.key[r]);
-    blocks.bodyA[lane] = (activeIndex[a] + 1) * STRIDE;
-    blocks.bodyB[lane] = (activeIndex[o] + 1) * STRIDE;
+    blocks.bodyA[lane] = slotOf[a] * STRIDE;
+    blocks.bodyB[lane] = slotOf[o] * STRIDE;
     float[] c = t.contact;
     int from = r * ContactTable.CONTACT;
     float[] m = t.material;

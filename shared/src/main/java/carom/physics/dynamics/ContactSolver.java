@@ -211,7 +211,6 @@ final class ContactSolver {
       ContactTable contacts,
       BodyStore bodyStore,
       SolverBodies solverBodies,
-      int[] activeIndices,
       Settings constants,
       float substep) {
     v = solverBodies.state;
@@ -223,8 +222,8 @@ final class ContactSolver {
     if (lanes != null && scratch.length != crew.count()) {
       scratch = new float[crew.count()][lanes.scratchSize()];
     }
-    blocks.lay(contacts, bodyStore, solverBodies, activeIndices, lanes);
-    packer.pack(contacts, bodyStore, solverBodies, activeIndices, constants, substep);
+    blocks.lay(contacts, bodyStore, solverBodies, lanes);
+    packer.pack(contacts, bodyStore, solverBodies, constants, substep);
   }
 
   /** Contacts with what can't be moved are twice as stiff (in o). */

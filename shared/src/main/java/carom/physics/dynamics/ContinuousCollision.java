@@ -234,7 +234,7 @@ public final class ContinuousCollision {
         moving = true;
         continue;
       }
-      int at = (i + 1) * SolverBodies.STRIDE;
+      int at = solved.slot(body) * SolverBodies.STRIDE;
       float dx = s[at + SolverBodies.DX];
       float dy = s[at + SolverBodies.DY];
       float turn = ANGLE_BY_SINE * Math.abs(s[at + SolverBodies.SIN]);
@@ -293,7 +293,7 @@ public final class ContinuousCollision {
 
   /** How an awake body moved in this step, as the solver left it. */
   private void motion(int body, Sweep out) {
-    int at = (active.index[body] + 1) * SolverBodies.STRIDE;
+    int at = solverBodies.slot(body) * SolverBodies.STRIDE;
     float[] s = solverBodies.state;
     float dc = s[at + SolverBodies.COS];
     float ds = s[at + SolverBodies.SIN];

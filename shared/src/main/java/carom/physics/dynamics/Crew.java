@@ -68,6 +68,11 @@ final class Crew implements Workers.Task {
     }
   }
 
+  /** Whether a step is on that is shared. */
+  boolean isSharing() {
+    return sharing;
+  }
+
   /** Whether a stage of some elements is shared at all. */
   boolean shares(int size, int grain) {
     return sharing && size / grain >= FEWEST_PIECES;

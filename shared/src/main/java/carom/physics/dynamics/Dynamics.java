@@ -78,7 +78,7 @@ public final class Dynamics {
     sleeping = new Sleeping(settings, bodies, active, parts, contacts, sleepers, joints, pairs);
     collideStage = new CollideStage(sleeping, settings, bodies, parts, contacts, crew, continuous);
     eventStage = new EventStage(settings, bodies, contacts);
-    substeps = new Substeps(settings, bodies, active, contacts, joints, crew);
+    substeps = new Substeps(settings, bodies, active, contacts, joints, pairs, crew);
   }
 
   /**

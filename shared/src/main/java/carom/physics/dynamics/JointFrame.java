@@ -34,7 +34,7 @@ final class JointFrame {
   float gapY;
 
   /** Looks at a joint. */
-  void look(int joint, JointStore j, BodyStore bodies, int[] activeIndex) {
+  void look(int joint, JointStore j, BodyStore bodies, int[] slotOf) {
     slot = joint;
     int one = j.bodyA[slot];
     int two = j.bodyB[slot];
@@ -42,7 +42,7 @@ final class JointFrame {
     sinB = bodies.sin[two];
     float bx = j.anchorBx[slot] - bodies.localX[two];
     float by = j.anchorBy[slot] - bodies.localY[two];
-    offsetB = (activeIndex[two] + 1) * STRIDE;
+    offsetB = slotOf[two] * STRIDE;
     massB = bodies.invMass[two];
     inertiaB = bodies.invInertia[two];
     armBx = cosB * bx - sinB * by;
@@ -59,7 +59,7 @@ final class JointFrame {
       gapY = bodies.y[two] - j.anchorAy[slot];
       return;
     }
-    offsetA = (activeIndex[one] + 1) * STRIDE;
+    offsetA = slotOf[one] * STRIDE;
     massA = bodies.invMass[one];
     inertiaA = bodies.invInertia[one];
     cosA = bodies.cos[one];

@@ -42,7 +42,7 @@ final class JointSolver {
 
   private JointStore store;
   private BodyStore bodies;
-  private int[] activeIndex;
+  private int[] slotOf;
   private float inverseH;
   private int count;
 
@@ -93,16 +93,10 @@ final class JointSolver {
   }
 
   /** Collects, colours and packs the joints that can move something. */
-  void prepare(
-      JointStore j,
-      BodyStore bodyStore,
-      int[] activeIndices,
-      Settings s,
-      float h,
-      SolverBodies solverBodies) {
+  void prepare(JointStore j, BodyStore bodyStore, Settings s, float h, SolverBodies solverBodies) {
     store = j;
     bodies = bodyStore;
-    activeIndex = activeIndices;
+    slotOf = solverBodies.slotOf();
     inverseH = 1 / h;
     if (found.length < j.count()) {
       int capacity = Math.max(j.count(), found.length * 2);
@@ -170,8 +164,8 @@ final class JointSolver {
         continue;
       }
       // Slot 0 stands for what can't be moved, and takes no colour.
-      int a = heldA ? 0 : activeIndex[one] + 1;
-      int b = heldB ? 0 : activeIndex[two] + 1;
+      int a = heldA ? 0 : slotOf[one];
+      int b = heldB ? 0 : slotOf[two];
       int colour = Math.min(Long.numberOfTrailingZeros(~(taken[a] | taken[b])), LAST_COLOUR);
       long bit = 1L << colour;
       taken[a] |= bit;
@@ -214,7 +208,7 @@ final class JointSolver {
   private void packJoints(int from, int to, int worker) {
     JointFrame frame = frames[worker];
     for (int i = from; i < to; i++) {
-      frame.look(found[i], store, bodies, activeIndex);
+      frame.look(found[i], store, bodies, slotOf);
       if ((group[i] & 1) == 0) {
         pins.pack(place[i], frame, store);
       } else {

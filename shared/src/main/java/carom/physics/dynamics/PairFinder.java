@@ -396,6 +396,25 @@ final class PairFinder {
     }
   }
 
+  /** How many parts active bodies have, once they were searched. */
+  int movingParts() {
+    return moving.size();
+  }
+
+  /**
+   * Lists the active bodies, near ones near each other, each as often as it has parts.
+   *
+   * @param out receives {@link #movingParts} slots
+   * @return how many
+   */
+  int listBodies(int[] out) {
+    int n = moving.slice(0, 1, out);
+    for (int i = 0; i < n; i++) {
+      out[i] = parts.body[out[i]];
+    }
+    return n;
+  }
+
   /** Whether there are so few pairs that roomy boxes spare more searches than they make rows. */
   private boolean isSparse(int activeCount) {
     return 2 * contacts.count() <= activeCount;

@@ -69,10 +69,11 @@ final class SolverBodies {
   private static final int GRAIN = 128;
 
   private final Crew crew;
+  private final ActiveBodies active;
+  private final SolverSlots slots;
 
   // What the step is about.
   private BodyStore bodies;
-  private int[] active;
   private Settings settings;
   private float h;
 
@@ -84,9 +85,32 @@ final class SolverBodies {
   private final Crew.Range moving = (from, to, worker) -> move(from, to);
   private final Crew.Range storing = (from, to, worker) -> store(from, to);
 
-  /** Makes it empty; the crew does the stages. */
-  SolverBodies(Crew crew) {
+  /**
+   * Makes it empty.
+   *
+   * @param active whom it is of
+   * @param pairs tells who is near whom; null where no step is shared
+   * @param crew does the stages
+   */
+  SolverBodies(ActiveBodies active, PairFinder pairs, Crew crew) {
+    this.active = active;
     this.crew = crew;
+    slots = new SolverSlots(active, pairs);
+  }
+
+  /** The slot of a body, 0 if it doesn't move. */
+  int slot(int body) {
+    return slots.slotOf[body];
+  }
+
+  /** By so many bits a slot is shifted right to get its zone: near bodies are in the same one. */
+  int zoneShift() {
+    return slots.zoneShift();
+  }
+
+  /** Per body: its slot, 0 if it doesn't move; until the next step. */
+  int[] slotOf() {
+    return slots.slotOf;
   }
 
   /** Slots in use, the static one included. */
@@ -103,12 +127,12 @@ final class SolverBodies {
   }
 
   /** Loads the moving bodies, speeds above the limits cut; their forces are used up. */
-  void load(BodyStore b, int[] activeBodies, int activeCount, Settings s, float substep) {
+  void load(BodyStore b, Settings s, float substep) {
     bodies = b;
-    active = activeBodies;
     settings = s;
     h = substep;
-    count = activeCount + 1;
+    slots.assign(crew.isSharing());
+    count = slots.count();
     if (ax.length < count) {
       int capacity = Math.max(count, ax.length * 2);
       state = new float[capacity * STRIDE];
@@ -127,14 +151,15 @@ final class SolverBodies {
     }
     Arrays.fill(state, 0, STRIDE, 0);
     state[COS] = 1;
-    crew.run(1, count, GRAIN, loading);
+    crew.run(0, active.count, GRAIN, loading);
   }
 
   private void load(int from, int to) {
     BodyStore b = bodies;
     Settings s = settings;
-    for (int i = from; i < to; i++) {
-      int body = active[i - 1];
+    for (int k = from; k < to; k++) {
+      int body = active.list[k];
+      int i = slots.slotOf[body];
       int at = i * STRIDE;
       boolean dynamic = b.type[body] == BodyStore.DYNAMIC;
       if (dynamic) {
@@ -336,15 +361,16 @@ final class SolverBodies {
    * stops there.
    */
   void store() {
-    crew.run(1, count, GRAIN, storing);
+    crew.run(0, active.count, GRAIN, storing);
   }
 
   private void store(int from, int to) {
     BodyStore b = bodies;
     Settings limits = settings;
     float[] s = state;
-    for (int i = from; i < to; i++) {
-      int body = active[i - 1];
+    for (int k = from; k < to; k++) {
+      int body = active.list[k];
+      int i = slots.slotOf[body];
       int at = i * STRIDE;
       limit(s, at, limits.maxSpeed(), limits.maxAngularSpeed());
       b.vx[body] = s[at + VX];

@@ -11,7 +11,6 @@ final class Substeps {
 
   private final Settings settings;
   private final BodyStore bodies;
-  private final ActiveBodies active;
   private final ContactTable contacts;
   private final JointStore joints;
   private final ContactSolver contactSolver;
@@ -27,13 +26,13 @@ final class Substeps {
       ActiveBodies active,
       ContactTable contacts,
       JointStore joints,
+      PairFinder pairs,
       Crew crew) {
     this.settings = settings;
     this.bodies = bodies;
-    this.active = active;
     this.contacts = contacts;
     this.joints = joints;
-    solverBodies = new SolverBodies(crew);
+    solverBodies = new SolverBodies(active, pairs, crew);
     contactSolver = new ContactSolver(ContactLanes.find(), crew);
     jointSolver = new JointSolver(PinLanes.find(), crew);
   }
@@ -48,10 +47,10 @@ final class Substeps {
     int substeps = settings.substeps();
     float h = dt / substeps;
     begins(StepStage.PREPARE);
-    solverBodies.load(bodies, active.list, active.count, settings, h);
-    contactSolver.prepare(contacts, bodies, solverBodies, active.index, settings, h);
+    solverBodies.load(bodies, settings, h);
+    contactSolver.prepare(contacts, bodies, solverBodies, settings, h);
     begins(StepStage.JOINTS);
-    jointSolver.prepare(joints, bodies, active.index, settings, h, solverBodies);
+    jointSolver.prepare(joints, bodies, settings, h, solverBodies);
     boolean jointsToo = jointSolver.count() > 0;
     for (int i = 0; i < substeps; i++) {
       boolean warm = i > 0 && !settings.explicitEuler() && contactSolver.blocks() > 0;
