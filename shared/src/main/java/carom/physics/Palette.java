@@ -33,6 +33,11 @@ final class Palette<E> {
   private int find(E one) {
     int first = Math.max(0, known.size() - LOOKED_THROUGH);
     for (int i = known.size() - 1; i >= first; i--) {
+      if (known.get(i) == one) { // mostly, and found in a fraction of the time
+        return i;
+      }
+    }
+    for (int i = known.size() - 1; i >= first; i--) {
       if (same.test(known.get(i), one)) {
         return i;
       }

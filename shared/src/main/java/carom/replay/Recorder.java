@@ -207,13 +207,15 @@ public final class Recorder implements Journal {
     }
     before.clear();
     Arrays.fill(keyStates, 0);
-    keyframe.bytes(archive.array(), archive.length());
-    int length = keyframe.length();
+    int head = keyframe.length();
+    int length = head + archive.length();
     for (int at = 0; at < length && !stopped; at += Block.STATE_PIECE) {
-      int piece = Math.min(Block.STATE_PIECE, length - at);
+      int end = Math.min(at + Block.STATE_PIECE, length);
+      int ofHead = Math.min(end, head) - Math.min(at, head);
       out.varint(at);
       out.varint(length);
-      out.bytes(keyframe.array(), at, piece);
+      out.bytes(keyframe.array(), Math.min(at, head), ofHead);
+      out.bytes(archive.array(), at + ofHead - head, end - at - ofHead);
       seal(Block.STATE);
     }
     return true;

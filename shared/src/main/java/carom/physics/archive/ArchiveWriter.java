@@ -1,9 +1,17 @@
 package carom.physics.archive;
 
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
+import java.nio.ByteOrder;
 import java.util.Arrays;
 
 /** Takes numbers and holds them as bytes. Mutable, reused; allocates only to grow. */
 public final class ArchiveWriter extends Archive {
+  private static final VarHandle INTS =
+      MethodHandles.byteArrayViewVarHandle(int[].class, ByteOrder.BIG_ENDIAN);
+  private static final VarHandle LONGS =
+      MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.BIG_ENDIAN);
+
   private byte[] bytes = new byte[1 << 12];
   private int length;
 
@@ -58,8 +66,8 @@ public final class ArchiveWriter extends Archive {
   @Override
   public long bits(String what, long value) {
     ensure(Long.BYTES);
-    put((int) (value >>> 32));
-    put((int) value);
+    LONGS.set(bytes, length, value);
+    length += Long.BYTES;
     return value;
   }
 
@@ -90,31 +98,40 @@ public final class ArchiveWriter extends Archive {
   @Override
   public void integers(String what, int[] values, int count, int least, int most) {
     ensure(count * (long) Integer.BYTES);
+    byte[] to = bytes;
+    int at = length;
     for (int i = 0; i < count; i++) {
-      check(what, values[i], least, most);
-      put(values[i]);
+      int value = values[i];
+      check(what, value, least, most);
+      INTS.set(to, at + i * Integer.BYTES, value);
     }
+    length = at + count * Integer.BYTES;
   }
 
   @Override
   public void bits(String what, long[] values, int count) {
     ensure(count * (long) Long.BYTES);
+    byte[] to = bytes;
+    int at = length;
     for (int i = 0; i < count; i++) {
-      put((int) (values[i] >>> 32));
-      put((int) values[i]);
+      LONGS.set(to, at + i * Long.BYTES, values[i]);
     }
+    length = at + count * Long.BYTES;
   }
 
   @Override
   public void numbers(String what, float[] values, int count, float most) {
     ensure(count * (long) Float.BYTES);
+    byte[] to = bytes;
+    int at = length;
     for (int i = 0; i < count; i++) {
       float value = values[i];
       if (!(Math.abs(value) <= most)) {
         throw outside(what, value, -most, most);
       }
-      put(Float.floatToRawIntBits(value));
+      INTS.set(to, at + i * Float.BYTES, Float.floatToRawIntBits(value));
     }
+    length = at + count * Float.BYTES;
   }
 
   private void check(String what, int value, int least, int most) {
@@ -124,13 +141,8 @@ public final class ArchiveWriter extends Archive {
   }
 
   private void put(int value) {
-    byte[] b = bytes;
-    int at = length;
-    b[at] = (byte) (value >>> 24);
-    b[at + 1] = (byte) (value >>> 16);
-    b[at + 2] = (byte) (value >>> 8);
-    b[at + 3] = (byte) value;
-    length = at + 4;
+    INTS.set(bytes, length, value);
+    length += Integer.BYTES;
   }
 
   private void ensure(long more) {
