@@ -40,7 +40,7 @@ public final class World<T> {
    * bytes, recordings and connections of another version are refused; {@code
    * carom.net.protocol.Protocol} says the same number.
    */
-  public static final int PHYSICS_VERSION = 3;
+  public static final int PHYSICS_VERSION = 4;
 
   private final WorldDef def;
   private final Dynamics dynamics;

@@ -32,21 +32,21 @@ final class DeterminismTest {
    */
   private static final String GOLDEN =
       """
-      STACK bfdc5c5665fdacb0 2f8fd5b754627dcd
-      PYRAMID cda05d7dd3934e8d ec9f65103420e7f9
-      PILE c5db622ac2049721 88d3aba7796f5380
-      GAS 4aa9418313882995 b2bf88269a94facd
-      SPIN e89912b028d541c0 f9f5085f30978756
-      NET cad8e74c34bfbd8 11
-      JOINTS f7303f8feb17c4ee e6020dccf5d9a78
-      BELTS 1584a0f95823e198 b98c309a7312afe6
-      CHAINS de73ad4d068873f5 3df11dec5926c9b1
-      ROUND 7b642d3cbc0e363e c979a5417d435c8
-      BULLETS 3cd8c0e258a0dcd5 ed569a6b02ecb994
-      SLEEPERS 44a7f9a9a645a115 b26b9abd94b750d
-      EDITS eecbfe2399f177e2 f7f90216973ca47c
-      WATER e5682c65d64fb51e 7239916d48d8d6bb
-      EULER ece0bfe2d2bdec5c e414b17e9518fa1b
+      STACK 429c1e025f2a29d3 2f8fd5b754627dcd
+      PYRAMID a63cd6ae5a78d0b6 ec9f65103420e7f9
+      PILE f4f82460b3f181d0 88d3aba7796f5380
+      GAS c0c610f591943f4 b2bf88269a94facd
+      SPIN a4c4e5bf9218572d f9f5085f30978756
+      NET 15bab75dffa82cf3 11
+      JOINTS f98bc431a52f3576 e6020dccf5d9a78
+      BELTS adb5a27bede8c9aa b98c309a7312afe6
+      CHAINS 8af92c7f0d0cae7c 3df11dec5926c9b1
+      ROUND c7d36c6080917a87 c979a5417d435c8
+      BULLETS 41c6c2abf42a6877 ed569a6b02ecb994
+      SLEEPERS 7070ec0c3680b54b b26b9abd94b750d
+      EDITS 433dc1f37733c5a1 f7f90216973ca47c
+      WATER 631b53fa3e7f9be1 7239916d48d8d6bb
+      EULER 99fdb6ae472190d2 e414b17e9518fa1b
       """;
 
   @Test

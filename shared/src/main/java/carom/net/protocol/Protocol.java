@@ -14,7 +14,7 @@ public final class Protocol {
    * same state hash; whoever changes a result of {@code carom.physics}, {@code carom.sim} or a game
    * that ships raises it.
    */
-  public static final String PHYSICS_VERSION = "carom-physics-3";
+  public static final String PHYSICS_VERSION = "carom-physics-4";
 
   private Protocol() {}
 

@@ -160,7 +160,7 @@ public final class BodyStore {
   private long coldHash = hashCold();
 
   private final Stamp hashed = new Stamp();
-  private final RecordHash hotHash = new RecordHash();
+  private final ColumnHash columns = new ColumnHash();
 
   /** Makes an empty store. */
   public BodyStore() {}
@@ -211,16 +211,14 @@ public final class BodyStore {
     if (slot == type.length) {
       grow();
     }
-    for (float[] field : floats) {
-      field[slot] = 0;
+    for (int f = HOT; f < floats.length; f++) {
+      floats[f][slot] = 0;
     }
-    cos[slot] = 1;
+    rest(slot);
     gravityScale[slot] = 1;
     type[slot] = newType;
-    flags[slot] = 0;
     firstPart[slot] = 0;
     partCount[slot] = 0;
-    sleepTime[slot] = 0;
     reach[slot] = 0;
     shapeHash[slot] = 0;
     coldChanged();
@@ -234,8 +232,19 @@ public final class BodyStore {
    */
   public void release(int slot) {
     type[slot] = FREE;
+    rest(slot);
     slots.release(slot);
     coldChanged();
+  }
+
+  /** Sets what is hot to what free slots hold, so that it is the same in equal states. */
+  private void rest(int slot) {
+    for (int f = 0; f < HOT; f++) {
+      floats[f][slot] = 0;
+    }
+    cos[slot] = 1;
+    flags[slot] = 0;
+    sleepTime[slot] = 0;
   }
 
   /** Must be called when a number was written that steps don't change; see the class. */
@@ -403,29 +412,12 @@ public final class BodyStore {
     if (!cold.same(hashed)) {
       coldHash = hashCold();
       cold.copyTo(hashed);
-      listUsed();
     }
-    RecordHash hot = hotHash;
-    hot.begin(count());
-    for (int i = 0; i < count(); i++) {
-      int slot = hot.record(i);
-      hot.add(i, 0, (long) slot << 8 | flags[slot] & 0xff);
+    h = columns.mix(StateHash.mix(h, coldHash), flags, slots());
+    for (int f = 0; f < HOT; f++) {
+      h = columns.mix(h, floats[f], slots());
     }
-    hot.add(1, x, y, cos, sin);
-    hot.add(5, vx, vy, w, sleepTime);
-    hot.add(9, forceX, forceY, torque, impulseW);
-    hot.add(13, impulseX, impulseY);
-    return StateHash.mix(StateHash.mix(h, coldHash), hot.finish());
-  }
-
-  private void listUsed() {
-    int[] used = hotHash.list(count());
-    int n = 0;
-    for (int i = 0; i < slots(); i++) {
-      if (type[i] != FREE) {
-        used[n++] = i;
-      }
-    }
+    return columns.mix(h, sleepTime, slots());
   }
 
   /** Bits of what no step changes. */
@@ -524,6 +516,9 @@ public final class BodyStore {
     a.numbers("angular damping", angularDamping, slots(), Checks.MAX_DAMPING);
     a.numbers("gravity scale", gravityScale, slots(), Checks.MAX_GRAVITY_SCALE);
     for (int slot = 0; a.reads() && slot < slots(); slot++) {
+      if (type[slot] == FREE) {
+        rest(slot);
+      }
       float square = cos[slot] * cos[slot] + sin[slot] * sin[slot];
       a.require(
           type[slot] == FREE || Math.abs(square - 1) < 0.01f,

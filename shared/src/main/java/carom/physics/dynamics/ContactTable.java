@@ -145,7 +145,10 @@ public final class ContactTable {
   /** Whether any row ever resisted rolling. */
   private boolean rolls;
 
-  private final RecordHash records = new RecordHash();
+  private final ContactHash hash = new ContactHash();
+
+  /** Scratch: numbers of rows. */
+  private int[] listed = new int[0];
 
   ContactTable() {
     bind();
@@ -473,6 +476,9 @@ public final class ContactTable {
     int oldId0 = id[2 * row];
     int oldId1 = id[2 * row + 1];
     points[row] = (byte) n;
+    // What isn't there is zero, for the hash.
+    id[2 * row] = 0;
+    id[2 * row + 1] = 0;
     c[at + NORMAL0] = 0;
     c[at + TANGENT0] = 0;
     c[at + NORMAL1] = 0;
@@ -645,7 +651,7 @@ public final class ContactTable {
   void retire(BodyStore bodies, SleepingContacts to) {
     version++;
     beginMoves();
-    int[] retired = records.list(count);
+    int[] retired = listed();
     int gone = 0;
     int kept = 0;
     for (int row = 0; row < count; row++) {
@@ -657,6 +663,14 @@ public final class ContactTable {
     }
     to.put(this, retired, gone);
     moveRows(kept);
+  }
+
+  /** Room for the numbers of all rows. */
+  private int[] listed() {
+    if (listed.length < count) {
+      listed = new int[hint.length];
+    }
+    return listed;
   }
 
   /** Drops all rows. */
@@ -764,7 +778,7 @@ public final class ContactTable {
     clear();
     ensure(n);
     count = n;
-    int[] all = records.list(n);
+    int[] all = listed();
     for (int i = 0; i < n; i++) {
       all[i] = i;
     }
@@ -811,58 +825,8 @@ public final class ContactTable {
   }
 
   /** Bits of the rows that touch, which are all that influences the future. */
-  long hash() {
-    int[] list = records.list(count);
-    int found = 0;
-    for (int row = 0; row < count; row++) {
-      list[found] = row;
-      found += flags[row] & TOUCHING;
-    }
-    return hash(found);
-  }
-
-  /** Bits of the rows that stand for something; the others mean nothing. */
-  long hashUsed() {
-    int[] list = records.list(count);
-    int found = 0;
-    for (int row = 0; row < count; row++) {
-      list[found] = row;
-      found += unused(row) ? 0 : 1;
-    }
-    return hash(found);
-  }
-
-  /**
-   * Bits of the listed rows. Normals and sliding impulses of the whole step aren't in it: they
-   * follow from the state before the step, and nothing in a step reads them.
-   */
-  private long hash(int listed) {
-    records.begin(listed);
-    for (int i = 0; i < listed; i++) {
-      int row = records.record(i);
-      int state = flags[row] & 0xff & ~(FRESH | WAS_PUSHED);
-      records.add(i, 0, key[row]);
-      records.add(i, 1, (long) points[row] << 40 | (long) state << 32 | id[2 * row] & 0xffffffffL);
-    }
-    records.addThree(2, contact, CONTACT, NORMAL0);
-    if (rolls) {
-      records.add(5, roll);
-    }
-    int two = 0;
-    int[] list = records.list(listed);
-    for (int i = 0; i < listed; i++) {
-      list[two] = list[i];
-      two += points[list[i]] >> 1;
-    }
-    long sum = records.finish();
-    records.begin(two);
-    for (int i = 0; i < two; i++) {
-      int row = records.record(i);
-      records.add(i, 6, key[row]);
-      records.add(i, 7, id[2 * row + 1]);
-    }
-    records.addThree(8, contact, CONTACT, NORMAL1);
-    return sum + records.finish();
+  long hash(long h) {
+    return hash.mix(h, this, rolls);
   }
 
   /**

@@ -689,7 +689,7 @@ public final class Dynamics {
    */
   public long hash() {
     sleeping.mergeWoken();
-    long h = StateHash.mix(bodies.hash(StateHash.SEED), contacts.hash());
+    long h = contacts.hash(bodies.hash(StateHash.SEED));
     return StateHash.finish(joints.hash(sleepers.hash(h)));
   }
 

@@ -225,7 +225,7 @@ public final class JointStore {
   private long coldHash = hashCold();
 
   private final Stamp hashed = new Stamp();
-  private final RecordHash hotHash = new RecordHash();
+  private final ColumnHash columns = new ColumnHash();
 
   JointStore() {}
 
@@ -335,8 +335,15 @@ public final class JointStore {
     unlink(2 * slot, bodyA[slot]);
     unlink(2 * slot + 1, bodyB[slot]);
     type[slot] = FREE;
+    rest(slot);
     slots.release(slot);
     coldChanged();
+  }
+
+  /** Sets what is hot to what free slots hold, so that it is the same in equal states. */
+  private void rest(int slot) {
+    forget(slot);
+    flags[slot] = 0;
   }
 
   /** Must be called when something was written that steps don't change. */
@@ -513,33 +520,18 @@ public final class JointStore {
     if (!cold.same(hashed)) {
       coldHash = hashCold();
       cold.copyTo(hashed);
-      listUsed();
     }
-    RecordHash hot = hotHash;
-    hot.begin(count());
-    for (int i = 0; i < count(); i++) {
-      int slot = hot.record(i);
-      hot.add(i, 0, slot);
-      if (winds(slot)) {
-        hot.add(i, 1, (long) turnsA[slot] << 32 | turnsB[slot] & 0xffffffffL);
-        hot.add(i, 2, Float.floatToRawIntBits(lastA[slot]));
-        hot.add(i, 3, Float.floatToRawIntBits(lastB[slot]));
+    h = StateHash.mix(h, coldHash);
+    for (int f = HOT; f < floats.length; f++) {
+      h = columns.mix(h, floats[f], slots());
+    }
+    for (int j = 0; j < slots(); j++) {
+      if (winds(j)) {
+        h = StateHash.mix(h, (long) turnsA[j] << 32 | turnsB[j] & 0xffffffffL);
+        h = StateHash.mix(h, lastA[j], lastB[j]);
       }
     }
-    hot.add(4, impulseX, impulseY, impulseW, springImpulse);
-    hot.add(8, motorImpulse, lowerImpulse, upperImpulse, torque);
-    hot.add(12, forceX, forceY);
-    return StateHash.mix(StateHash.mix(h, coldHash), hot.finish());
-  }
-
-  private void listUsed() {
-    int[] used = hotHash.list(count());
-    int n = 0;
-    for (int i = 0; i < slots(); i++) {
-      if (type[i] != FREE) {
-        used[n++] = i;
-      }
-    }
+    return h;
   }
 
   /** Bits of what no step changes. */
@@ -655,6 +647,7 @@ public final class JointStore {
   private void checkJoints(Archive a, BodyStore bodies) {
     for (int j = 0; j < slots(); j++) {
       if (type[j] == FREE) {
+        rest(j);
         continue;
       }
       boolean grounded = bodyA[j] < 0 && type[j] < GEAR;

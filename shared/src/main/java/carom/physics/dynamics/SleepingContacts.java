@@ -33,6 +33,11 @@ final class SleepingContacts {
   private int[] freeRows = new int[FIRST_CAPACITY];
   private int freeCount;
 
+  /** Bits of the rows, as they were at this version of them. */
+  private long hash;
+
+  private int hashedVersion = -1;
+
   /** Scratch: rows that are given out. */
   private int[] taken = new int[0];
 
@@ -126,6 +131,7 @@ final class SleepingContacts {
   void release(int row) {
     rows.rowsChange();
     rows.key[row] = FREE;
+    rows.flags[row] = 0;
     if (freeCount == freeRows.length) {
       freeRows = Arrays.copyOf(freeRows, 2 * freeCount);
     }
@@ -137,7 +143,11 @@ final class SleepingContacts {
     if (freeCount == slots()) {
       return h;
     }
-    return StateHash.mix(h, rows.hashUsed());
+    if (rows.version() != hashedVersion) {
+      hash = rows.hash(StateHash.SEED);
+      hashedVersion = rows.version();
+    }
+    return StateHash.mix(h, hash);
   }
 
   /**

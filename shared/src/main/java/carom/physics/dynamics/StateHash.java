@@ -6,7 +6,7 @@ package carom.physics.dynamics;
  *
  * <p>Each word is multiplied by an odd constant, rotated and multiplied again, which is the scheme
  * of Austin Appleby's MurmurHash3 (public domain); zero and minus zero differ. Every word waits for
- * the one before it: for thousands of equal structures see {@link RecordHash}.
+ * the one before it: for thousands of numbers see {@link ColumnHash} and {@link ContactHash}.
  */
 public final class StateHash {
   /** Where a hash starts. */
@@ -14,6 +14,11 @@ public final class StateHash {
 
   private static final long FIRST = 0x87c37b91114253d5L;
   private static final long SECOND = 0x4cf5ad432745937fL;
+
+  /** The factors of {@link #finish}. */
+  static final long FINISH_FIRST = 0xff51afd7ed558ccdL;
+
+  static final long FINISH_SECOND = 0xc4ceb9fe1a85ec53L;
 
   private StateHash() {}
 
@@ -49,8 +54,8 @@ public final class StateHash {
    * @return the finished hash
    */
   public static long finish(long hash) {
-    long h = (hash ^ (hash >>> 33)) * 0xff51afd7ed558ccdL;
-    h = (h ^ (h >>> 33)) * 0xc4ceb9fe1a85ec53L;
+    long h = (hash ^ (hash >>> 33)) * FINISH_FIRST;
+    h = (h ^ (h >>> 33)) * FINISH_SECOND;
     return h ^ (h >>> 33);
   }
 }

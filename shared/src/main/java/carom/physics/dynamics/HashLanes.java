@@ -1,0 +1,119 @@
+package carom.physics.dynamics;
+
+import java.util.Arrays;
+
+/**
+ * Kernels that hash numbers side by side, bit for bit as {@link ColumnHash} and {@link ContactHash}
+ * do one after the other. How many go through them shows in no result.
+ */
+abstract class HashLanes {
+  /** The kernels made with the Vector API, null without; see {@link VectorModule}. */
+  static final HashLanes FOUND = VectorModule.find("VectorHash", HashLanes.class);
+
+  /** Longs per vector, at most. */
+  static final int SUMS = 8;
+
+  /** Rows a kernel takes at a time: their flags are one word. */
+  static final int ROWS = 8;
+
+  /**
+   * Calls of a kernel before everything goes through it: until then the JIT compiler may interpret
+   * it, hundreds of times slower.
+   */
+  private static final int WARM_UP = 1_500;
+
+  /** Pieces per hash until then, and how many numbers or rows they have. */
+  private static final int FEW = 8;
+
+  private static final int SMALL = 32;
+
+  /** Rows per call afterwards, so that their factors stay in the nearest cache. */
+  static final int PIECE = 256;
+
+  /** Shorter columns and tables gain too little to be worth these calls. */
+  private static final int LEAST = 512;
+
+  /** How often kernels were called. Worlds share these counts, which needn't be exact. */
+  private int columnCalls;
+
+  private int rowCalls;
+
+  /**
+   * Adds words of a column, multiplied by their factors, to sums that belong together.
+   *
+   * @param from first number, a multiple of {@value #SMALL}, like the end
+   * @param sums {@link #SUMS} of them
+   */
+  abstract void column(float[] column, long[] factors, int from, int to, long[] sums);
+
+  /**
+   * Finds the factors of rows, zero for those that don't touch, and adds what the rows are called.
+   *
+   * @param from first row, a multiple of {@link #ROWS}, like the end
+   * @param factors receives that of the first row first
+   * @param sums {@link #SUMS} that belong together for flags and points, as many for feature ids
+   */
+  abstract void names(ContactTable t, int from, int to, long[] factors, long[] sums);
+
+  /**
+   * Adds the rows' impulses, multiplied by those factors.
+   *
+   * @param sums {@link #SUMS}, from the third time as many on
+   */
+  abstract void impulses(float[] contact, int from, int to, long[] factors, long[] sums);
+
+  /**
+   * Takes the sums of impulses apart.
+   *
+   * @param sums as {@link #impulses} leaves them
+   * @param to receives them from {@link ContactHash#START0} on
+   */
+  abstract void gather(long[] sums, long[] to);
+
+  /**
+   * Adds the first numbers of a column.
+   *
+   * @param n how many there are
+   * @return how many were, an even number; the rest is left to the caller
+   */
+  final int column(float[] column, long[] factors, int n, long[] sums) {
+    int whole = n < LEAST ? 0 : n & -SMALL;
+    if (columnCalls >= WARM_UP) {
+      column(column, factors, 0, whole, sums);
+      return whole;
+    }
+    int done = Math.min(whole, FEW * SMALL);
+    for (int at = 0; at < done; at += SMALL, columnCalls++) {
+      column(column, factors, at, at + SMALL, sums);
+    }
+    return done;
+  }
+
+  /**
+   * Adds the first rows of a table.
+   *
+   * @param factors scratch, {@link #PIECE}
+   * @param lanes scratch, three times {@link #SUMS}
+   * @param sums by place, see {@link ContactHash}
+   * @return how many were; the rest is left to the caller
+   */
+  final int rows(ContactTable t, long[] factors, long[] lanes, long[] sums) {
+    int whole = t.count() < LEAST ? 0 : t.count() & -ROWS;
+    boolean trusted = rowCalls >= WARM_UP;
+    int piece = trusted ? PIECE : SMALL;
+    int done = trusted ? whole : Math.min(whole, FEW * SMALL);
+    Arrays.fill(lanes, 0);
+    for (int at = 0; at < done; at += piece) {
+      int end = Math.min(at + piece, done);
+      names(t, at, end, factors, lanes);
+      impulses(t.contact, at, end, factors, lanes);
+      rowCalls += trusted ? 0 : 1;
+    }
+    for (int i = 0; i < SUMS; i++) {
+      sums[ContactHash.STATE] += lanes[i];
+      sums[ContactHash.IDS] += lanes[SUMS + i];
+    }
+    gather(lanes, sums);
+    return done;
+  }
+}
