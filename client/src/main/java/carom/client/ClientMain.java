@@ -78,6 +78,13 @@ public final class ClientMain implements Callable<Integer> {
   private String screenshot = "";
 
   @Option(
+      names = "--volume",
+      paramLabel = "PERCENT",
+      description = "of the sounds, 0..100; 0 = silent (default: ${DEFAULT-VALUE})",
+      defaultValue = "25")
+  private int volume = 25;
+
+  @Option(
       names = "--scene",
       paramLabel = "NAME",
       description = "look at a scene of the library, without a server; list = show their names",
@@ -126,6 +133,8 @@ public final class ClientMain implements Callable<Integer> {
       problem = "--name: " + PlayerName.problem(name);
     } else if (!(seconds >= 0 && seconds <= 1e6)) {
       problem = "--seconds=" + seconds + " is outside 0..1000000";
+    } else if (problem == null && (volume < 0 || volume > 100)) {
+      problem = "--volume=" + volume + " is outside 0..100";
     }
     if (problem == null && replay != null) {
       problem = replayProblem();
@@ -174,6 +183,7 @@ public final class ClientMain implements Callable<Integer> {
             netGraph,
             debug,
             screenshot,
+            volume / 100f,
             recording,
             watch > 0,
             scene.isEmpty() ? null : Scenes.get(scene));

@@ -15,6 +15,7 @@ import java.nio.file.Path;
  * @param debug whether the window starts with debug drawing ({@code --debug})
  * @param screenshot PNG file for the window's last picture, written when {@code seconds} are over
  *     ({@code --screenshot FILE}); empty = none
+ * @param volume of the loudest sound, 0..1 ({@code --volume}); 0 = silent
  * @param replay a recording to play instead of playing oneself ({@code --replay FILE}); null to
  *     play
  * @param live whether that recording grows: it is played from its end on ({@code --watch})
@@ -28,6 +29,7 @@ public record ClientOptions(
     boolean netGraph,
     boolean debug,
     String screenshot,
+    float volume,
     Path replay,
     boolean live,
     Scene scene) {}

@@ -22,6 +22,7 @@ import carom.sim.Level;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.Sound;
 import java.util.Arrays;
 import java.util.List;
 
@@ -62,6 +63,9 @@ public final class ArenaGame implements Game {
 
   /** Hits of balls and discs faster than this are told, m/s. */
   private static final float TOLD_HIT_SPEED = 3;
+
+  /** Impulse of a hit that is as loud as can be, N s: a dash into a ball. */
+  private static final float LOUD_HIT = 12;
 
   /** Impulse of a jolt, N s: a ball leaves with 11 m/s. */
   public static final float JOLT_IMPULSE = 6;
@@ -140,7 +144,7 @@ public final class ArenaGame implements Game {
 
   @Override
   public String description() {
-    return "push the balls into the other side's goal; a dash hits harder";
+    return "push the balls into the other side's goal: Space dashes, E jolts from afar";
   }
 
   @Override
@@ -200,11 +204,11 @@ public final class ArenaGame implements Game {
                     .shape(new Circle(0.25f), skin)
                     .sensor(true)
                     .appearance(Appearance.of(0xfff6c8, Appearance.Look.LAMP)));
-    hitEvent = s.eventKinds().add("hit", 0xffffff, 0, ""); // sparks show it already
-    dashEvent = s.eventKinds().add("dash", 0x9ad1ff, 1.2f, "");
-    joltEvent = s.eventKinds().add("jolt", 0xfff6c8, 1.5f, "");
-    joltHitEvent = s.eventKinds().add("jolt hit", 0xfff6c8, 2, "");
-    goalEvent = s.eventKinds().add("goal", 0xffe08a, 6, "GOAL");
+    hitEvent = s.eventKinds().add("hit", 0xffffff, 0, "", Sound.KNOCK, LOUD_HIT); // sparks show it
+    dashEvent = s.eventKinds().add("dash", 0x9ad1ff, 1.2f, "", Sound.WHOOSH, 0);
+    joltEvent = s.eventKinds().add("jolt", 0xfff6c8, 1.5f, "", Sound.ZAP, 0);
+    joltHitEvent = s.eventKinds().add("jolt hit", 0xfff6c8, 2, "", Sound.KNOCK, JOLT_IMPULSE);
+    goalEvent = s.eventKinds().add("goal", 0xffe08a, 6, "GOAL", Sound.FANFARE, 0);
     goals = s.level().zones("goal");
     kickOffs = s.level().spawns("ball");
     for (Level.Zone home : s.level().zones("home")) {

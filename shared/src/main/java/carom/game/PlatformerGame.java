@@ -21,6 +21,7 @@ import carom.sim.OneWay;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.Sound;
 import java.util.Arrays;
 import java.util.List;
 
@@ -174,10 +175,10 @@ public final class PlatformerGame implements Game {
                     .sensor(true)
                     .shape(Polygon.of(-0.4f, -0.7f, -0.25f, -0.7f, 0.7f, 0.35f, -0.4f, 0.8f), skin)
                     .appearance(Appearance.of(0xff4d6d, Appearance.Look.PLAIN)));
-    jumpEvent = s.eventKinds().add("jump", 0xffffff, 0.6f, "");
-    coinEvent = s.eventKinds().add("coin", 0xffd166, 0.8f, "+1");
-    flagEvent = s.eventKinds().add("flag", 0xff4d6d, 3, "+" + FLAG_POINTS);
-    fallEvent = s.eventKinds().add("fall", 0xef476f, 2, "");
+    jumpEvent = s.eventKinds().add("jump", 0xffffff, 0.6f, "", Sound.HOP, 0);
+    coinEvent = s.eventKinds().add("coin", 0xffd166, 0.8f, "+1", Sound.CHIME, 0);
+    flagEvent = s.eventKinds().add("flag", 0xff4d6d, 3, "+" + FLAG_POINTS, Sound.FANFARE, 0);
+    fallEvent = s.eventKinds().add("fall", 0xef476f, 2, "", Sound.DROP, 0);
     coins = s.level().spawns("coin");
     flags = s.level().spawns("flag");
     places = s.level().spawns("player");

@@ -17,16 +17,27 @@ public final class EventKinds {
   EventKinds() {}
 
   /**
+   * Registers a kind that is silent, see {@link #add(String, int, float, String, Sound, float)}.
+   */
+  public EventKind add(String name, int rgb, float radius, String label) {
+    return add(name, rgb, radius, label, Sound.NONE, 0);
+  }
+
+  /**
    * Registers a kind; call it in {@link Game#setUp} only.
    *
    * @param name for logs and tests
    * @param rgb colour of its flash, 0xrrggbb
    * @param radius of its flash, metres, 0..100; 0 = it doesn't flash
    * @param label short text that rises from where it happens; empty = none
+   * @param sound what it sounds like
+   * @param fullStrength {@link Event#strength} from which on it is as loud as can be, finite, 0 and
+   *     above; 0 = it always is
    * @throws IllegalStateException after set-up, or beyond {@value #MAX}
-   * @throws IllegalArgumentException when the radius is outside its range
+   * @throws IllegalArgumentException when radius or fullStrength is outside its range
    */
-  public EventKind add(String name, int rgb, float radius, String label) {
+  public EventKind add(
+      String name, int rgb, float radius, String label, Sound sound, float fullStrength) {
     if (closed) {
       throw new IllegalStateException(
           "event kind=" + name + " comes after set-up; register it in Game.setUp");
@@ -38,7 +49,15 @@ public final class EventKinds {
       throw new IllegalArgumentException(
           "radius=" + radius + " of event kind " + name + " is outside 0..100");
     }
-    EventKind kind = new EventKind(list.size(), name, rgb, radius, label);
+    if (!(fullStrength >= 0 && fullStrength < Float.POSITIVE_INFINITY)) {
+      throw new IllegalArgumentException(
+          "fullStrength="
+              + fullStrength
+              + " of event kind "
+              + name
+              + " is not finite, 0 and above");
+    }
+    EventKind kind = new EventKind(list.size(), name, rgb, radius, label, sound, fullStrength);
     list.add(kind);
     return kind;
   }

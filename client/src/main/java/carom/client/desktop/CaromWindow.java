@@ -19,14 +19,23 @@ import java.nio.file.Path;
 final class CaromWindow extends ApplicationAdapter {
   private final ClientOptions options;
   private final ClientTransport transport;
+  private final boolean hasSound;
   private ClientConfig config;
   private Fonts fonts;
   private Canvas canvas;
+  private AudioDevice audio;
+  private EventSounds sounds;
   private Screen screen;
   private float seconds;
 
-  CaromWindow(ClientOptions options, ClientTransport transport) {
+  /**
+   * Creates it; nothing opens.
+   *
+   * @param hasSound whether the toolkit was asked for sound
+   */
+  CaromWindow(ClientOptions options, ClientTransport transport, boolean hasSound) {
     this.options = options;
+    this.hasSound = hasSound;
     this.transport = transport;
     config = options.config();
   }
@@ -35,6 +44,11 @@ final class CaromWindow extends ApplicationAdapter {
   public void create() {
     fonts = new Fonts();
     canvas = new Canvas();
+    audio = new AudioDevice(hasSound);
+    sounds = new EventSounds(audio, options.volume());
+    if (wantsSound(options) && !audio.works()) {
+      System.err.println("carom-client: no audio device: plays without sound");
+    }
     if (options.replay() != null) {
       replay();
     } else if (options.scene() != null) {
@@ -49,12 +63,17 @@ final class CaromWindow extends ApplicationAdapter {
     }
   }
 
+  /** Scenes are silent. */
+  static boolean wantsSound(ClientOptions options) {
+    return options.volume() > 0 && options.scene() == null;
+  }
+
   private void replay() {
     try {
       ReplayClient recording = new ReplayClient(options.replay());
       String heading = options.live() ? "WATCHING" : "REPLAY";
       ReplayScreen player =
-          new ReplayScreen(canvas, fonts, recording, heading, () -> Gdx.app.exit());
+          new ReplayScreen(canvas, fonts, sounds, recording, heading, () -> Gdx.app.exit());
       player.debug(options.debug());
       if (options.live()) {
         recording.seek(Integer.MAX_VALUE);
@@ -83,7 +102,7 @@ final class CaromWindow extends ApplicationAdapter {
 
   private void play() {
     GameScreen game =
-        new GameScreen(canvas, fonts, reason -> Gdx.app.postRunnable(() -> left(reason)));
+        new GameScreen(canvas, fonts, sounds, reason -> Gdx.app.postRunnable(() -> left(reason)));
     game.client(new GameClient(config, transport, game.devices()));
     game.netGraph(options.netGraph());
     game.debug(options.debug());
@@ -149,6 +168,7 @@ final class CaromWindow extends ApplicationAdapter {
     if (screen != null) {
       screen.dispose();
     }
+    audio.dispose();
     canvas.dispose();
     fonts.dispose();
   }

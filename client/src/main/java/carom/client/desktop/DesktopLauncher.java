@@ -31,14 +31,15 @@ public final class DesktopLauncher implements Window {
     window.setBackBufferConfig(8, 8, 8, 8, 0, 0, 0); // the canvas smooths edges itself
     window.useVsync(true);
     window.setForegroundFPS(MAX_FPS);
-    window.disableAudio(true);
+    boolean hasSound = CaromWindow.wantsSound(options) && AudioDevice.mayExist();
+    window.disableAudio(!hasSound);
     try (ClientTransport transport =
         new ImpairedClientTransport(
             new KryoClientTransport(),
             options.impairment(),
             new KryoMessageCodec(),
             System::nanoTime)) {
-      new Lwjgl3Application(new CaromWindow(options, transport), window);
+      new Lwjgl3Application(new CaromWindow(options, transport, hasSound), window);
       return 0;
     } catch (GdxRuntimeException | UnsatisfiedLinkError e) {
       return refuse(e.getMessage());

@@ -11,8 +11,8 @@ import com.badlogic.gdx.utils.ScreenUtils;
 
 /**
  * A game as its {@link ClientView} tells it, whoever plays or replays it: the level and what moves
- * in it, what its events look like, names, scores and notices. Screens add what is theirs with its
- * {@link #hud}. Render thread only.
+ * in it, what its events look and sound like, names, scores and notices. Screens add what is theirs
+ * with its {@link #hud}. Render thread only.
  */
 final class GamePicture implements Disposable {
   /** What happened while the line was down is told afterwards, but a flash of it would puzzle. */
@@ -20,13 +20,15 @@ final class GamePicture implements Disposable {
 
   private final ViewCamera camera = new ViewCamera();
   private final Flashes flashes = new Flashes();
+  private final EventSounds sounds;
   private final WorldPainter world;
   private final DebugPainter debug;
   private final Hud hud;
   private boolean showDebug;
   private float seconds;
 
-  GamePicture(Canvas canvas, Fonts fonts) {
+  GamePicture(Canvas canvas, Fonts fonts, EventSounds sounds) {
+    this.sounds = sounds;
     world = new WorldPainter(canvas);
     debug = new DebugPainter(canvas);
     hud = new Hud(canvas, fonts);
@@ -47,7 +49,7 @@ final class GamePicture implements Disposable {
     showDebug = shown;
   }
 
-  /** Shows what happens in a game; to be told by whoever fills the view. */
+  /** Shows and plays what happens in a game; to be told by whoever fills the view. */
   EventListener events(ClientView view) {
     return new EventListener() {
       @Override
@@ -55,23 +57,32 @@ final class GamePicture implements Disposable {
         double ago = view.renderTick() - event.tick();
         if (ago < STALE_SECONDS * view.tickRate()) {
           flashes.happened(event, foreseen);
+          sounds.happened(event, foreseen);
         }
       }
 
       @Override
       public void retracted(Event event) {
         flashes.retracted(event);
+        sounds.retracted(event);
       }
     };
   }
 
   /** Does what a key says about the picture; false when it says nothing. */
   boolean key(int key) {
-    if (key == Keys.F4) {
-      showDebug = !showDebug;
-      return true;
+    switch (key) {
+      case Keys.F4 -> showDebug = !showDebug;
+      case Keys.M -> {
+        sounds.mute(!sounds.muted());
+        hud.tell(
+            !sounds.audible() ? "No sound here" : sounds.muted() ? "Sound is off" : "Sound is on");
+      }
+      default -> {
+        return false;
+      }
     }
-    return false;
+    return true;
   }
 
   /**
@@ -99,6 +110,10 @@ final class GamePicture implements Disposable {
         width,
         height,
         deltaSeconds);
+    sounds.listen(
+        own == null ? camera.gdx().position.x : own.x(),
+        own == null ? camera.gdx().position.y : own.y(),
+        deltaSeconds);
     float pixelsPerMetre = camera.pixelsPerMetre(height);
     world.draw(view, flashes, camera.gdx(), pixelsPerMetre, seconds, deltaSeconds);
     if (showDebug && view.predictedWorld() != null) {
@@ -108,6 +123,7 @@ final class GamePicture implements Disposable {
     hud.labels(flashes, camera);
     hud.scores(view, allScores);
     hud.notices(view, nowNs);
+    hud.told(deltaSeconds);
   }
 
   @Override

@@ -34,9 +34,9 @@ final class GameScreen extends ScreenAdapter {
   private boolean showNetGraph;
   private float secondsPlayed;
 
-  GameScreen(Canvas canvas, Fonts fonts, Exit exit) {
+  GameScreen(Canvas canvas, Fonts fonts, EventSounds sounds, Exit exit) {
     this.exit = exit;
-    picture = new GamePicture(canvas, fonts);
+    picture = new GamePicture(canvas, fonts, sounds);
     netGraph = new NetGraph(canvas, picture.hud(), fonts);
   }
 

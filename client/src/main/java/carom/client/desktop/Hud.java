@@ -33,9 +33,10 @@ final class Hud implements Disposable {
   private static final float NAME_GAP = 6;
   private static final long NOTICE_NS = 4_000_000_000L;
   private static final float HINT_SECONDS = 12;
+  private static final float TOLD_SECONDS = 1.5f;
   private static final String KEYS =
       "WASD, arrows or pad: move     Space or click: jump, dash     E or right click: second move"
-          + "     Tab: scores     F3: net graph     Esc: leave";
+          + "     Tab: scores     M: sound     F3: net graph     Esc: leave";
 
   private final Canvas canvas;
   private final SpriteBatch batch = new SpriteBatch();
@@ -49,6 +50,8 @@ final class Hud implements Disposable {
   private final FreePlaces places = new FreePlaces();
   private String hintsOf = "";
   private String about = "";
+  private String told = "";
+  private float toldSeconds;
   private int width;
   private int height;
 
@@ -199,6 +202,23 @@ final class Hud implements Disposable {
       y -= 32;
     }
     batch.end();
+  }
+
+  /** Answers a key: a few words for a moment. */
+  void tell(String text) {
+    told = text;
+    toldSeconds = TOLD_SECONDS;
+  }
+
+  /** The answer to the last key, as long as it shows. */
+  void told(float seconds) {
+    if (toldSeconds > 0) {
+      batch.begin();
+      color.set(Theme.TEXT).a = Math.min(1, 3 * toldSeconds);
+      centred(fonts.large, told, width / 2f, height / 3f, color);
+      batch.end();
+      toldSeconds -= seconds;
+    }
   }
 
   /**

@@ -14,7 +14,7 @@ final class ReplayScreen extends ScreenAdapter {
   private static final int JUMP_SECONDS = 5;
   private static final String KEYS =
       "Space: pause     .: one step     Left, Right: 5 s     - +: speed     Home, End     "
-          + "Tab: follow a player     F4: debug     Esc: leave";
+          + "Tab: follow a player     M: sound     F4: debug     Esc: leave";
 
   private final GamePicture picture;
   private final Fonts fonts;
@@ -26,12 +26,18 @@ final class ReplayScreen extends ScreenAdapter {
    * @param client closed with this screen
    * @param heading what is looked at, in a word
    */
-  ReplayScreen(Canvas canvas, Fonts fonts, ReplayClient client, String heading, Runnable exit) {
+  ReplayScreen(
+      Canvas canvas,
+      Fonts fonts,
+      EventSounds sounds,
+      ReplayClient client,
+      String heading,
+      Runnable exit) {
     this.fonts = fonts;
     this.client = client;
     this.heading = heading;
     this.exit = exit;
-    picture = new GamePicture(canvas, fonts);
+    picture = new GamePicture(canvas, fonts, sounds);
     client.events(picture.events(client.view()));
   }
 
