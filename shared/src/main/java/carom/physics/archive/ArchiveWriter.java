@@ -1,17 +1,9 @@
 package carom.physics.archive;
 
-import java.lang.invoke.MethodHandles;
-import java.lang.invoke.VarHandle;
-import java.nio.ByteOrder;
 import java.util.Arrays;
 
 /** Takes numbers and holds them as bytes. Mutable, reused; allocates only to grow. */
 public final class ArchiveWriter extends Archive {
-  private static final VarHandle INTS =
-      MethodHandles.byteArrayViewVarHandle(int[].class, ByteOrder.BIG_ENDIAN);
-  private static final VarHandle LONGS =
-      MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.BIG_ENDIAN);
-
   private byte[] bytes = new byte[1 << 12];
   private int length;
 
@@ -66,7 +58,8 @@ public final class ArchiveWriter extends Archive {
   @Override
   public long bits(String what, long value) {
     ensure(Long.BYTES);
-    LONGS.set(bytes, length, value);
+    put(bytes, length, (int) (value >>> 32));
+    put(bytes, length + Integer.BYTES, (int) value);
     length += Long.BYTES;
     return value;
   }
@@ -103,9 +96,10 @@ public final class ArchiveWriter extends Archive {
     for (int i = 0; i < count; i++) {
       int value = values[i];
       check(what, value, least, most);
-      INTS.set(to, at + i * Integer.BYTES, value);
+      put(to, at, value);
+      at += Integer.BYTES;
     }
-    length = at + count * Integer.BYTES;
+    length = at;
   }
 
   @Override
@@ -114,9 +108,11 @@ public final class ArchiveWriter extends Archive {
     byte[] to = bytes;
     int at = length;
     for (int i = 0; i < count; i++) {
-      LONGS.set(to, at + i * Long.BYTES, values[i]);
+      put(to, at, (int) (values[i] >>> 32));
+      put(to, at + Integer.BYTES, (int) values[i]);
+      at += Long.BYTES;
     }
-    length = at + count * Long.BYTES;
+    length = at;
   }
 
   @Override
@@ -129,9 +125,10 @@ public final class ArchiveWriter extends Archive {
       if (!(Math.abs(value) <= most)) {
         throw outside(what, value, -most, most);
       }
-      INTS.set(to, at + i * Float.BYTES, Float.floatToRawIntBits(value));
+      put(to, at, Float.floatToRawIntBits(value));
+      at += Float.BYTES;
     }
-    length = at + count * Float.BYTES;
+    length = at;
   }
 
   private void check(String what, int value, int least, int most) {
@@ -141,8 +138,15 @@ public final class ArchiveWriter extends Archive {
   }
 
   private void put(int value) {
-    INTS.set(bytes, length, value);
+    put(bytes, length, value);
     length += Integer.BYTES;
+  }
+
+  private static void put(byte[] to, int at, int value) {
+    to[at] = (byte) (value >>> 24);
+    to[at + 1] = (byte) (value >>> 16);
+    to[at + 2] = (byte) (value >>> 8);
+    to[at + 3] = (byte) value;
   }
 
   private void ensure(long more) {
