@@ -4,6 +4,7 @@ import carom.client.ClientView;
 import carom.client.ClientView.Drawn;
 import carom.client.ConnectionPhase;
 import carom.game.Games;
+import carom.net.protocol.Limits;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.sim.Appearance;
 import com.badlogic.gdx.graphics.Color;
@@ -28,9 +29,6 @@ final class Hud implements Disposable {
   private static final int LONG_LIST = 24;
   private static final float PAD = 12;
   private static final float LINE = 22;
-  private static final float NAME_LINE = 17;
-  private static final int NAME_ROWS = 3;
-  private static final float NAME_GAP = 6;
   private static final long NOTICE_NS = 4_000_000_000L;
   private static final float HINT_SECONDS = 12;
   private static final float TOLD_SECONDS = 1.5f;
@@ -48,6 +46,7 @@ final class Hud implements Disposable {
   private final List<RosterEntry> ranking = new ArrayList<>();
   private final GlyphLayout wrapped = new GlyphLayout();
   private final FreePlaces places = new FreePlaces();
+  private final NameRows names = new NameRows(places, Limits.MAX_PLAYERS);
   private String hintsOf = "";
   private String about = "";
   private String told = "";
@@ -101,23 +100,22 @@ final class Hud implements Disposable {
       }
       Vector3 at = camera.toScreen(drawn.x(), drawn.y());
       color.set(Theme.TEXT).a = 0.85f * drawn.alpha();
-      name(view.playerName(drawn.ownerId()), at.x, at.y + pixelsPerMetre * 0.75f + 16);
+      name(
+          drawn.ownerId(),
+          view.playerName(drawn.ownerId()),
+          at.x,
+          at.y + pixelsPerMetre * 0.75f + 16);
     }
     batch.end();
     places.clear();
   }
 
-  /** A name around x, its upper edge at y, or a little higher if that place is taken. */
-  private void name(String text, float x, float y) {
+  /** A player's name around x, its upper edge at y, or a little higher if that place is taken. */
+  private void name(int player, String text, float x, float y) {
     layout.setText(fonts.small, text);
-    float width = layout.width + NAME_GAP;
-    for (int row = 0; row < NAME_ROWS; row++) {
-      float top = y + row * NAME_LINE;
-      if (places.isFree(x - width / 2, top - NAME_LINE, width, NAME_LINE)) {
-        places.take(x - width / 2, top - NAME_LINE, width, NAME_LINE);
-        centred(fonts.small, text, x, top, color);
-        return;
-      }
+    float top = names.top(player, x, y, layout.width);
+    if (!Float.isNaN(top)) {
+      centred(fonts.small, text, x, top, color);
     }
   }
 
