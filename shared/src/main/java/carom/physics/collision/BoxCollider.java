@@ -25,9 +25,6 @@ import carom.physics.math.Transform;
 final class BoxCollider {
   private static final float TOUCHING = Collider.TOUCHING;
 
-  /** Faces of two boxes that differ by less than this part of the boxes' sizes are equally good. */
-  private static final float ROUNDING = 1e-6f;
-
   /** Outward normals of a box's edges. */
   private static final float[] EDGE_X = {0, 1, 0, -1};
 
@@ -82,7 +79,7 @@ final class BoxCollider {
       out.clear();
       return;
     }
-    float bias = ROUNDING * (aw + ah + bw + bh);
+    float bias = Collider.BOX_ROUNDING * (aw + ah + bw + bh);
     if (separationB <= TOUCHING) {
       bias += Collider.faceBias(2 * Math.min(aw, bw));
     }

@@ -48,17 +48,20 @@ public final class Collider {
    * Gap, metres, below which the direction between two vertices is not trusted and a face normal
    * serves.
    */
-  static final float TOUCHING = 1e-5f;
+  public static final float TOUCHING = 1e-5f;
 
   /**
    * B's face must be better by this much, metres, to be preferred to A's while shapes overlap...
    */
-  private static final float FACE_BIAS = 5e-4f;
+  public static final float FACE_BIAS = 5e-4f;
 
   /**
    * ...or by this part of the smaller shape's first edge, whichever is less: shapes may be tiny.
    */
-  private static final float RELATIVE_FACE_BIAS = 0.01f;
+  public static final float RELATIVE_FACE_BIAS = 0.01f;
+
+  /** Faces of two boxes that differ by less than this part of the boxes' sizes are equally good. */
+  public static final float BOX_ROUNDING = 1e-6f;
 
   /** Bits of a vertex or edge in a hint. */
   private static final int HINT_BITS = 8;

@@ -442,9 +442,22 @@ public final class ContactTable {
     }
   }
 
+  /** Whether the parts push each other if they touch. */
+  boolean acts(int row) {
+    return (flags[row] & (SENSOR | IGNORED)) == 0;
+  }
+
   /** Whether the parts touch, and push each other. */
   boolean responds(int row) {
     return (flags[row] & (TOUCHING | SENSOR | IGNORED)) == TOUCHING;
+  }
+
+  /** Whether the parts touched, and pushed each other, at so many points of such ids. */
+  boolean continues(int row, int n, int id0, int id1) {
+    return responds(row)
+        && points[row] == n
+        && id[2 * row] == id0
+        && (n == 1 || id[2 * row + 1] == id1);
   }
 
   /**

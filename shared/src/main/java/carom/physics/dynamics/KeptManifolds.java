@@ -2,6 +2,7 @@ package carom.physics.dynamics;
 
 import carom.physics.collision.Collider;
 import carom.physics.collision.Manifold;
+import carom.physics.geometry.Box;
 import carom.physics.geometry.Convex;
 import carom.physics.math.Transform;
 import java.util.Arrays;
@@ -37,7 +38,7 @@ final class KeptManifolds {
    * Adding and subtracting this rounds a number to the grid; those beyond 8 km, where the grid of
    * floats itself is as coarse, to that.
    */
-  private static final float ROUNDING = 1.5f * (1 << 23) * CELL;
+  static final float ROUNDING = 1.5f * (1 << 23) * CELL;
 
   /** A gap is trusted after so much has been taken off for rounding: absolute, m, and relative. */
   private static final float DOUBT = 1e-4f;
@@ -199,6 +200,13 @@ final class KeptManifolds {
     private final Transform pose = new Transform();
     private final Manifold made = new Manifold();
     private final float[] followed = new float[ContactTable.CONTACT];
+
+    private int boxMakes;
+
+    /** How many manifolds of two boxes weren't kept, but made. */
+    int boxMakes() {
+      return boxMakes;
+    }
   }
 
   /** Whether a manifold is kept of a relative pose that is rounded to the same. */
@@ -493,6 +501,7 @@ final class KeptManifolds {
   /** Computes what is kept of the rounded pose. */
   private void make(
       int at, Convex a, Convex b, float reach, float speculative, int[] hints, int row, Desk desk) {
+    desk.boxMakes += a instanceof Box && b instanceof Box ? 1 : 0;
     float[] r = rows;
     float cos = r[at + COS];
     float sin = r[at + SIN];

@@ -6,23 +6,38 @@ package carom.physics.dynamics;
  * how never shows in the result, so one object serves all worlds of the JVM, and needn't be exact.
  */
 final class LaneTrust {
-  /** Blocks that must have been through the kernels before all may. */
-  private static final int WARM_UP = 2600;
-
   /** Blocks per step until then; of large worlds a share, as their steps take longer anyway. */
   private static final int FEW = 6;
 
-  private static final int SHARE = 32;
-
+  private final int warmUp;
+  private final int share;
   private int seen;
 
-  /** How many of a step's blocks may be given to the kernels; asked once per step. */
+  /**
+   * Trusts nobody yet.
+   *
+   * @param warmUp blocks that must have been through the kernels before all may
+   * @param share of how many blocks one may be, until then
+   */
+  LaneTrust(int warmUp, int share) {
+    this.warmUp = warmUp;
+    this.share = share;
+  }
+
+  /** How many of a step's blocks may be given to the kernels, which they then are. */
   int blocks(int blocks) {
-    if (seen >= WARM_UP) {
-      return blocks;
-    }
-    int few = Math.max(FEW, blocks / SHARE);
-    seen += few;
-    return few;
+    int allowed = allowed(blocks);
+    used(allowed);
+    return allowed;
+  }
+
+  /** How many of a step's blocks may be given to the kernels. */
+  int allowed(int blocks) {
+    return seen >= warmUp ? blocks : Math.max(FEW, blocks / share);
+  }
+
+  /** Must be called when blocks were given to the kernels. */
+  void used(int blocks) {
+    seen = Math.min(seen, warmUp) + blocks;
   }
 }

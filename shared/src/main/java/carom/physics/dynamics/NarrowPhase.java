@@ -12,16 +12,20 @@ import java.util.Arrays;
  * order doesn't matter, and workers may share the rows. Within a block of {@value #BLOCK} rows,
  * which stay in the nearest cache, those that are kept come first; then pairs of the same kinds of
  * shapes follow each other: the processor guesses most branches right, then, which in a pile of
- * mixed shapes saves a quarter of the time.
+ * mixed shapes saves a quarter of the time. Where boxes move so that little is kept, a kernel does
+ * many rows of boxes at once ({@link BoxRows}), and keeps nothing.
  */
 final class NarrowPhase {
   private static final int BLOCK = 128;
 
-  /** What is kept is asked first if one row in so many can be done by it; */
-  private static final int WORTHWHILE = 5;
+  /** Rows of which the first block tells whether manifolds of all of them are worth keeping, */
+  private static final int GROUP = 8 * BLOCK;
 
-  /** else not for so many blocks. */
-  private static final int SKIPS = 7;
+  /** or were faster made anew by the kernel: if more than one in so many was, of two boxes. */
+  private static final int KEPT = 8;
+
+  /** With fewer rows of boxes the kernel is idle in too many lanes. */
+  private static final int FEW_BOXES = 4;
 
   /** Rows that make a piece of work for a worker. */
   private static final int GRAIN = 64;
@@ -31,12 +35,19 @@ final class NarrowPhase {
   private final ShapeTable parts;
   private final ContactTable contacts;
   private final Crew crew;
+  private final BoxLanes lanes = BoxLanes.find();
   private final Crew.Range updating = this::update;
 
   /** Per row: whether it stays as it is. */
   private boolean[] left = new boolean[0];
 
-  private Desk[] desks = {new Desk()};
+  /**
+   * Per group of rows: whether many manifolds of its first block were made anew. Decides about
+   * speed alone, so workers needn't agree on it.
+   */
+  private boolean[] restless = new boolean[0];
+
+  private Desk[] desks = new Desk[0];
 
   /** What one worker needs. */
   private static final class Desk {
@@ -46,17 +57,48 @@ final class NarrowPhase {
     private final Transform poseA = new Transform();
     private final Transform poseB = new Transform();
 
-    /** The rows of a block, or those that are left to do; and the same in the order of kinds. */
+    /** The rows of a block that are left to do, and the same in the order of kinds. */
     private final int[] rest = new int[BLOCK];
 
     private final int[] rows = new int[BLOCK];
     private final byte[] kinds = new byte[BLOCK];
     private final int[] next = new int[ShapeTable.KINDS * ShapeTable.KINDS];
+
+    /** Rows of boxes that wait until there are enough; null without a kernel for them. */
+    private BoxRows boxes;
+
+    /** How many times the kernel may be used in this step, and was. */
+    private int trusted;
+
+    private int used;
+
     private int touching;
     private boolean pressed;
 
-    /** Blocks that are gone through without asking first what is kept. */
-    private int skips;
+    void begin(int kernelRuns) {
+      touching = 0;
+      pressed = false;
+      trusted = boxes == null ? 0 : kernelRuns;
+      used = 0;
+      if (boxes != null) {
+        boxes.begin();
+      }
+    }
+
+    void end(float slop) {
+      if (boxes != null) {
+        touching += boxes.touching();
+        pressed |= boxes.deepest() > slop;
+      }
+    }
+
+    /** Counts what a row that responds became. */
+    void note(Manifold m, float slop) {
+      if (m.count > 0) {
+        touching++;
+        pressed |= -m.minSeparation() > slop;
+      }
+    }
   }
 
   NarrowPhase(
@@ -73,6 +115,7 @@ final class NarrowPhase {
     int count = contacts.count();
     if (left.length < count) {
       left = new boolean[Math.max(count, left.length * 2)];
+      restless = Arrays.copyOf(restless, left.length / GROUP + 1);
     }
     Arrays.fill(left, 0, count, false);
     contacts.keepManifolds();
@@ -90,23 +133,35 @@ final class NarrowPhase {
 
   /** Updates the rows; answers how many of them have contact points. */
   int run() {
-    if (desks.length < crew.count()) {
-      int old = desks.length;
-      desks = Arrays.copyOf(desks, crew.count());
-      for (int i = old; i < desks.length; i++) {
-        desks[i] = new Desk();
-      }
-    }
+    furnish();
+    int blocks = contacts.count() / BoxLanes.LANES;
+    int trusted = lanes == null ? 0 : lanes.trusted(blocks);
     for (Desk desk : desks) {
-      desk.touching = 0;
-      desk.pressed = false;
+      desk.begin(trusted < blocks ? trusted / desks.length : Integer.MAX_VALUE);
     }
     crew.run(0, contacts.count(), GRAIN, updating);
     int touching = 0;
+    int used = 0;
     for (Desk desk : desks) {
+      desk.end(settings.slop());
       touching += desk.touching;
+      used += desk.used;
+    }
+    if (used > 0) {
+      lanes.used(used);
     }
     return touching;
+  }
+
+  private void furnish() {
+    int old = desks.length;
+    if (old < crew.count()) {
+      desks = Arrays.copyOf(desks, crew.count());
+      for (int i = old; i < desks.length; i++) {
+        desks[i] = new Desk();
+        desks[i].boxes = lanes == null ? null : new BoxRows(bodies, parts, contacts, lanes);
+      }
+    }
   }
 
   /** Whether any row updated overlaps by more than the slop. */
@@ -121,34 +176,69 @@ final class NarrowPhase {
 
   private void update(int from, int to, int worker) {
     Desk desk = desks[worker];
-    for (int start = from; start < to; start += BLOCK) {
-      int n = followOrList(start, Math.min(start + BLOCK, to), desk);
+    int end;
+    for (int start = from; start < to; start = end) {
+      end = Math.min(start - start % BLOCK + BLOCK, to);
+      int before = desk.keeping.boxMakes();
+      int group = start / GROUP;
+      boolean sample = start % GROUP < BLOCK;
+      int n = sample || !restless[group] ? follow(start, end, desk) : handBoxes(start, end, desk);
       sort(n, desk);
       for (int i = 0; i < n; i++) {
         update(desk.rows[i], desk);
       }
+      if (sample) {
+        restless[group] = (desk.keeping.boxMakes() - before) * KEPT > end - start;
+      }
+    }
+    if (desk.boxes != null) {
+      finishBoxes(desk);
     }
   }
 
   /**
-   * Updates the rows of a block that {@link #follow} can, and lists the others; where it could but
-   * few the next blocks are listed whole.
+   * Has a kernel update the rows of boxes of a block, whenever there are enough of them.
    *
-   * @return how many rows are listed
+   * @return how many rows are left to do, listed at the desk
    */
-  private int followOrList(int from, int to, Desk desk) {
-    if (desk.skips > 0) {
-      desk.skips--;
-      for (int row = from; row < to; row++) {
-        desk.rest[row - from] = row;
+  private int handBoxes(int from, int to, Desk desk) {
+    int rest = 0;
+    for (int row = from; row < to; row++) {
+      if (left[row]) {
+        continue;
       }
-      return to - from;
+      if (desk.used >= desk.trusted || !isOfBoxes(row)) {
+        desk.rest[rest++] = row;
+      } else if (desk.boxes.add(row)) {
+        updateBoxes(desk);
+      }
     }
-    int n = follow(from, to, desk);
-    if (to - from - n < (to - from) / WORTHWHILE) {
-      desk.skips = SKIPS;
+    return rest;
+  }
+
+  private boolean isOfBoxes(int row) {
+    return contacts.acts(row)
+        && parts.isBox(contacts.part[2 * row])
+        && parts.isBox(contacts.part[2 * row + 1]);
+  }
+
+  private void updateBoxes(Desk desk) {
+    desk.used++;
+    int n = desk.boxes.update(settings.speculativeDistance());
+    for (int i = 0; i < n; i++) {
+      update(desk.boxes.row(i), desk);
     }
-    return n;
+  }
+
+  /** Updates the rows of boxes that are left of a worker's piece. */
+  private void finishBoxes(Desk desk) {
+    if (desk.used < desk.trusted && desk.boxes.count() >= FEW_BOXES) {
+      updateBoxes(desk);
+    }
+    for (int i = 0; i < desk.boxes.count(); i++) {
+      update(desk.boxes.row(i), desk);
+    }
+    desk.boxes.clear();
   }
 
   /**
@@ -165,8 +255,12 @@ final class NarrowPhase {
     float speculative = settings.speculativeDistance();
     float deepest = 0;
     int rest = 0;
+    int followed = 0;
     for (int row = from; row < to; row++) {
-      if (left[row] || !t.responds(row)) {
+      if (left[row]) {
+        continue;
+      }
+      if (!t.responds(row)) {
         desk.rest[rest++] = row;
         continue;
       }
@@ -193,9 +287,10 @@ final class NarrowPhase {
         continue;
       }
       t.touchOn(row);
+      followed++;
       deepest = Math.min(deepest, gap);
     }
-    desk.touching += to - from - rest;
+    desk.touching += followed;
     desk.pressed |= -deepest > settings.slop();
     return rest;
   }
@@ -225,9 +320,6 @@ final class NarrowPhase {
   }
 
   private void update(int row, Desk desk) {
-    if (left[row]) {
-      return;
-    }
     Manifold manifold = desk.manifold;
     boolean sensor = contacts.sensor(row);
     if ((contacts.flags[row] & ContactTable.IGNORED) != 0
@@ -237,9 +329,8 @@ final class NarrowPhase {
       collide(row, sensor, desk);
     }
     contacts.update(row, manifold);
-    if (manifold.count > 0 && !sensor) {
-      desk.touching++;
-      desk.pressed |= -manifold.minSeparation() > settings.slop();
+    if (!sensor) {
+      desk.note(manifold, settings.slop());
     }
   }
 

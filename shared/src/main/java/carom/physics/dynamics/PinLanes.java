@@ -5,7 +5,7 @@ package carom.physics.dynamics;
  * {@link PinSolver} does one after the other.
  */
 abstract class PinLanes {
-  private static final LaneTrust TRUST = new LaneTrust();
+  private static final LaneTrust TRUST = new LaneTrust(2_600, 32);
 
   /** How many of a step's blocks may be given to the kernels. */
   int trusted(int blocks) {

@@ -28,6 +28,12 @@ public final class ShapeTable {
   /** Whether it is a disc, a box, another polygon with sharp corners, or anything else. */
   byte[] kind = new byte[FIRST_CAPACITY];
 
+  /** Floats per part in {@link #box}. */
+  static final int BOX = 4;
+
+  /** Of boxes: half width, half height, x and y of the centre in the body's frame, m. */
+  float[] box = new float[BOX * FIRST_CAPACITY];
+
   /** The body that owns it, -1 if free. */
   int[] body = new int[FIRST_CAPACITY];
 
@@ -117,6 +123,12 @@ public final class ShapeTable {
   void set(int part, Convex local, int shape, ShapeSpec spec) {
     convex[part] = pool.share(local);
     kind[part] = kind(local);
+    if (local instanceof Box b) {
+      box[BOX * part] = b.halfWidth();
+      box[BOX * part + 1] = b.halfHeight();
+      box[BOX * part + 2] = b.centerX();
+      box[BOX * part + 3] = b.centerY();
+    }
     shapeIndex[part] = shape;
     friction[part] = spec.friction();
     restitution[part] = spec.restitution();
@@ -139,6 +151,11 @@ public final class ShapeTable {
   /** Whether a part is a disc. */
   boolean isDisc(int part) {
     return kind[part] == 0;
+  }
+
+  /** Whether a part is a box. */
+  boolean isBox(int part) {
+    return kind[part] == 1;
   }
 
   /** Whether a part is a box or another polygon with sharp corners. */
@@ -185,6 +202,7 @@ public final class ShapeTable {
     to.ensure(used);
     System.arraycopy(convex, 0, to.convex, 0, used);
     System.arraycopy(kind, 0, to.kind, 0, used);
+    System.arraycopy(box, 0, to.box, 0, BOX * used);
     if (to.used > used) {
       Arrays.fill(to.convex, used, to.used, null);
       Arrays.fill(to.body, used, to.used, -1);
@@ -212,6 +230,7 @@ public final class ShapeTable {
       int grown = Math.max(capacity, body.length * 2);
       convex = Arrays.copyOf(convex, grown);
       kind = Arrays.copyOf(kind, grown);
+      box = Arrays.copyOf(box, BOX * grown);
       body = Arrays.copyOf(body, grown);
       shapeIndex = Arrays.copyOf(shapeIndex, grown);
       friction = Arrays.copyOf(friction, grown);
