@@ -33,19 +33,19 @@ public final class ClientMain implements Callable<Integer> {
   @Option(
       names = "--name",
       paramLabel = "NAME",
-      description = "player's name (default: ${DEFAULT-VALUE})",
+      description = "Player's name (${DEFAULT-VALUE}).",
       defaultValue = "player")
   private String name = "player";
 
   @Option(
       names = "--headless",
-      description = "no window: a status line each second, a JSON line at the end")
+      description = "No window: a status line each second, a JSON line at the end.")
   private boolean headless;
 
   @Option(
       names = "--seconds",
       paramLabel = "S",
-      description = "leave after this time; 0 = stay (default: ${DEFAULT-VALUE})",
+      description = "Leave after this time; 0 = stay (${DEFAULT-VALUE}).",
       defaultValue = "0")
   private double seconds;
 
@@ -53,48 +53,48 @@ public final class ClientMain implements Callable<Integer> {
       names = "--prediction",
       paramLabel = "MODE",
       description =
-          "what is simulated ahead of the server: island (the own body and what it touches), all"
-              + " (as much as possible) or none (default: ${DEFAULT-VALUE})",
+          "What is simulated ahead of the server: island (the own body and what it touches), all"
+              + " (as much as possible) or none (${DEFAULT-VALUE}).",
       defaultValue = "island")
   private PredictionMode prediction = PredictionMode.ISLAND;
 
   @Option(
       names = "--synctest",
       description =
-          "for developers: roll the prediction back 8 ticks in each tick, and count other hashes")
+          "For developers: roll the prediction back 8 ticks in each tick, and count other hashes.")
   private boolean syncTest;
 
-  @Option(names = "--net-graph", description = "start with the net graph shown")
+  @Option(names = "--net-graph", description = "Start with the net graph shown.")
   private boolean netGraph;
 
-  @Option(names = "--debug", description = "start with debug drawing")
+  @Option(names = "--debug", description = "Start with debug drawing.")
   private boolean debug;
 
   @Option(
       names = "--screenshot",
       paramLabel = "FILE",
-      description = "write the window's last picture there when --seconds are over",
+      description = "Write the window's last picture there when --seconds are over.",
       defaultValue = "")
   private String screenshot = "";
 
   @Option(
       names = "--volume",
       paramLabel = "PERCENT",
-      description = "of the sounds, 0..100; 0 = silent (default: ${DEFAULT-VALUE})",
+      description = "Loudness of the sounds, 0..100; 0 = silent (${DEFAULT-VALUE}).",
       defaultValue = "25")
   private int volume = 25;
 
   @Option(
       names = "--scene",
       paramLabel = "NAME",
-      description = "look at a scene of the library, without a server; list = show their names",
+      description = "Look at a scene of the library, without a server; list = show their names.",
       defaultValue = "")
   private String scene = "";
 
   @Option(
       names = "--replay",
       paramLabel = "FILE",
-      description = "play what carom-server --record has written, also while it is being written")
+      description = "Play what carom-server --record has written, also while it is being written.")
   private Path replay;
 
   @Option(
@@ -104,8 +104,8 @@ public final class ClientMain implements Callable<Integer> {
       fallbackValue = "1",
       defaultValue = "0",
       description =
-          "watch this room of the server instead of playing, as late as the server wants it (1 when"
-              + " no number is given)")
+          "Watch this room of the server instead of playing, as late as the server wants it (1 when"
+              + " no number is given).")
   private int watch;
 
   @CommandLine.Spec private CommandLine.Model.CommandSpec spec;

@@ -32,28 +32,28 @@ public final class NetworkOptions {
   @Option(
       names = "--host",
       paramLabel = "HOST",
-      description = "server's name or address (default: ${DEFAULT-VALUE})",
+      description = "Server's name or address (${DEFAULT-VALUE}).",
       defaultValue = "localhost")
   String host = "localhost";
 
   @Option(
       names = "--tcp-port",
       paramLabel = "N",
-      description = "server's TCP port (default: ${DEFAULT-VALUE})",
+      description = "Server's TCP port (${DEFAULT-VALUE}).",
       defaultValue = "54555")
   int tcpPort = ClientConfig.DEFAULT_TCP_PORT;
 
   @Option(
       names = "--udp-port",
       paramLabel = "N",
-      description = "server's UDP port (default: ${DEFAULT-VALUE})",
+      description = "Server's UDP port (${DEFAULT-VALUE}).",
       defaultValue = "54777")
   int udpPort = ClientConfig.DEFAULT_UDP_PORT;
 
   @Option(
       names = "--log-level",
       paramLabel = "LEVEL",
-      description = "error, warn, info or debug (default: ${DEFAULT-VALUE})",
+      description = "How much is logged: error, warn, info or debug (${DEFAULT-VALUE}).",
       defaultValue = "warn")
   LogLevel logLevel = LogLevel.WARN;
 

@@ -47,21 +47,21 @@ public final class BotsMain implements Callable<Integer> {
   @Option(
       names = "--count",
       paramLabel = "N",
-      description = "how many bots (default: ${DEFAULT-VALUE})",
+      description = "How many bots (${DEFAULT-VALUE}).",
       defaultValue = "10")
   private int count = 10;
 
   @Option(
       names = "--seconds",
       paramLabel = "S",
-      description = "how long to play once they have joined (default: ${DEFAULT-VALUE})",
+      description = "How long to play once they have joined (${DEFAULT-VALUE}).",
       defaultValue = "30")
   private double seconds = 30;
 
   @Option(
       names = "--name",
       paramLabel = "NAME",
-      description = "first part of their names (default: ${DEFAULT-VALUE})",
+      description = "First part of their names (${DEFAULT-VALUE}).",
       defaultValue = "bot")
   private String name = "bot";
 
@@ -69,15 +69,15 @@ public final class BotsMain implements Callable<Integer> {
       names = "--prediction",
       paramLabel = "MODE",
       description =
-          "none, island or all; a prediction costs a simulation per bot (default:"
-              + " ${DEFAULT-VALUE})",
+          "What each predicts: none, island or all; a prediction costs a simulation per bot"
+              + " (${DEFAULT-VALUE}).",
       defaultValue = "none")
   private PredictionMode prediction = PredictionMode.NONE;
 
   @Option(
       names = "--input-every",
       paramLabel = "TICKS",
-      description = "ticks of input in each datagram, 1..8 (default: ${DEFAULT-VALUE})",
+      description = "Ticks of input in each datagram, 1..8 (${DEFAULT-VALUE}).",
       defaultValue = "1")
   private int ticksPerInputDatagram = 1;
 
@@ -86,20 +86,20 @@ public final class BotsMain implements Callable<Integer> {
       paramLabel = "N",
       defaultValue = "0",
       description =
-          "threads that look after the bots, 1..64; 0 = one for every hundred bots, and all"
-              + " processors but one at most, which the server needs (default: ${DEFAULT-VALUE})")
+          "Threads that look after the bots, 1..64; 0 = one for every hundred bots, and all"
+              + " processors but one at most, which the server needs (${DEFAULT-VALUE}).")
   private int threads;
 
   @Option(
       names = "--seed",
       paramLabel = "N",
-      description = "seed of what they do (default: ${DEFAULT-VALUE})",
+      description = "Seed of what they do (${DEFAULT-VALUE}).",
       defaultValue = "1")
   private long seed = 1;
 
   @Option(
       names = "--roam",
-      description = "walk about all over the level instead of playing, which gathers at the balls")
+      description = "Walk about all over the level instead of playing, which gathers at the balls.")
   private boolean roam;
 
   @Option(
@@ -107,8 +107,8 @@ public final class BotsMain implements Callable<Integer> {
       paramLabel = "S",
       defaultValue = "0",
       description =
-          "seconds each plays on average until it leaves and joins again; 0 = all stay (default:"
-              + " ${DEFAULT-VALUE})")
+          "Seconds each plays on average until it leaves and joins again; 0 = all stay"
+              + " (${DEFAULT-VALUE}).")
   private double churn;
 
   @CommandLine.Spec private CommandLine.Model.CommandSpec spec;

@@ -35,35 +35,34 @@ final class CodecCommand implements Callable<Integer> {
       names = "--trace",
       paramLabel = "FILE",
       required = true,
-      description = "the recording; with --record, where it is written")
+      description = "The recording; with --record, where it is written.")
   private Path trace;
 
   @Option(
       names = "--rate",
       paramLabel = "HZ",
-      description = "snapshots per second, at most the recording's (default: the recording's)")
+      description = "Snapshots per second, at most the recording's (the recording's).")
   private Integer rate;
 
   @Option(
       names = "--lag",
       paramLabel = "SNAPSHOTS",
-      description =
-          "how many snapshots the acknowledged baseline is old, 1..64 (default: 100 ms of them)")
+      description = "How many snapshots the acknowledged baseline is old, 1..64 (100 ms of them).")
   private Integer lag;
 
-  @Option(names = "--full", description = "velocities too, not only poses")
+  @Option(names = "--full", description = "Velocities too, not only poses.")
   private boolean full;
 
   @Option(
       names = "--record",
       paramLabel = "SCENE",
-      description = "first record this scene of the library into the file")
+      description = "First record this scene of the library into the file.")
   private String scene;
 
   @Option(
       names = "--seconds",
       paramLabel = "S",
-      description = "how long to record, 1..600 (default: ${DEFAULT-VALUE})",
+      description = "How long to record, seconds, 1..600 (${DEFAULT-VALUE}).",
       defaultValue = "20")
   private int seconds = 20;
 
