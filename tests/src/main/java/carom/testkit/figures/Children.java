@@ -17,9 +17,16 @@ final class Children {
    * @param log takes what it writes; null: output is piped, errors go where ours go
    */
   static Process start(File log, Class<?> program, String... args) throws IOException {
+    return start(log, List.of(), program, args);
+  }
+
+  /** As the other one, with further flags for the JVM, which count more than this one's. */
+  static Process start(File log, List<String> flags, Class<?> program, String... args)
+      throws IOException {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(ManagementFactory.getRuntimeMXBean().getInputArguments());
+    command.addAll(flags);
     command.add("-cp");
     command.add(System.getProperty("java.class.path"));
     command.add(program.getName());
