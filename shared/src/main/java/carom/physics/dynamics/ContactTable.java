@@ -112,6 +112,8 @@ public final class ContactTable {
   /** Manifolds of steps before; change no result, so they aren't saved. */
   final KeptManifolds kept = new KeptManifolds();
 
+  private final StayingRows staying = new StayingRows(this);
+
   /** What steps change, {@value #CONTACT} floats per row. */
   float[] contact;
 
@@ -551,11 +553,18 @@ public final class ContactTable {
    * @param candidateCount number of keys
    * @param all whether to look at every row, or only at those of parts that {@link
    *     ShapeTable#moved}
+   * @param crew does what can be shared
    */
   void merge(
-      long[] candidates, int candidateCount, BodyStore bodies, ShapeTable parts, boolean all) {
+      long[] candidates,
+      int candidateCount,
+      BodyStore bodies,
+      ShapeTable parts,
+      boolean all,
+      Crew crew) {
     version++;
     beginMoves();
+    boolean[] stays = staying.find(parts, all, crew);
     RowMoves m = moves;
     int to = 0;
     int next = 0;
@@ -569,29 +578,17 @@ public final class ContactTable {
           m.insert(fresh++, to++);
         }
       }
-      if (row < count && stays(row, parts, all)) {
+      if (row < count && stays[row]) {
         m.keep(row, to++);
       }
     }
     if (fresh == 0 && to == count) {
       return;
     }
-    moveRows(to);
+    moveRows(to, crew);
     for (int i = 0; i < fresh; i++) {
       start(m.inserted[i], candidates[i], bodies, parts);
     }
-  }
-
-  private boolean stays(int row, ShapeTable parts, boolean all) {
-    if ((flags[row] & TOUCHING) != 0) {
-      return true;
-    }
-    if ((flags[row] & IGNORED) != 0) {
-      return false;
-    }
-    int a = part[2 * row];
-    int b = part[2 * row + 1];
-    return !(all || parts.moved[a] || parts.moved[b]) || parts.fat.overlaps(a, b);
   }
 
   /** Begins to note how rows move. */
@@ -605,15 +602,20 @@ public final class ContactTable {
     kept.realign(key, count, moves);
   }
 
-  /** Moves rows, of which there are then another number, to where they may be written. */
-  private void moveRows(int newCount) {
+  /**
+   * Moves rows, of which there are then another number, to where they may be written.
+   *
+   * @param crew does it, null for the caller alone
+   */
+  private void moveRows(int newCount, Crew crew) {
     rows.change();
     growCaches(Math.max(count, newCount));
     pairs = pairs.moved(moves, pairs.room(newCount));
     touches = touches.moved(moves, touches.room(newCount));
     bind();
-    moves.apply(hint, 1);
+    moves.plan(hint, hint, 1);
     kept.move(moves);
+    moves.carryOut(crew);
     count = newCount;
   }
 
@@ -636,7 +638,7 @@ public final class ContactTable {
         moves.keep(row, row + next);
       }
     }
-    moveRows(count + n);
+    moveRows(count + n, null);
     copyRows(from, which, moves.inserted, n);
     for (int i = 0; i < n; i++) {
       int to = moves.inserted[i];
@@ -675,7 +677,7 @@ public final class ContactTable {
       }
     }
     to.put(this, retired, gone);
-    moveRows(kept);
+    moveRows(kept, null);
   }
 
   /** Room for the numbers of all rows. */
@@ -717,7 +719,7 @@ public final class ContactTable {
         moves.keep(row, kept++);
       }
     }
-    moveRows(kept);
+    moveRows(kept, null);
   }
 
   /** Makes a row of two parts that were not known to be close. */

@@ -134,10 +134,10 @@ final class KeptManifolds {
     }
   }
 
-  /** Moves rows, for all of which there must be room. */
+  /** Plans to move rows, for all of which there must be room. */
   void move(RowMoves moves) {
     if (rows.length > 0) {
-      moves.apply(rows, STRIDE);
+      moves.plan(rows, rows, STRIDE);
     }
   }
 
@@ -186,6 +186,7 @@ final class KeptManifolds {
       }
     }
     move(moves);
+    moves.carryOut(null);
     for (int i = 0; i < fresh; i++) {
       forget(moves.inserted[i]);
     }

@@ -15,6 +15,7 @@ final class KeySorter {
   private static final int RADIX = 1 << DIGIT;
 
   private long[] other = new long[64];
+  private int[] otherRows = new int[64];
   private final int[] counts = new int[RADIX];
 
   /**
@@ -43,12 +44,7 @@ final class KeySorter {
       for (int i = 0; i < n; i++) {
         counts[(int) (from[i] >>> shift) & RADIX - 1]++;
       }
-      int sum = 0;
-      for (int d = 0; d < RADIX; d++) {
-        int c = counts[d];
-        counts[d] = sum;
-        sum += c;
-      }
+      addUp();
       for (int i = 0; i < n; i++) {
         to[counts[(int) (from[i] >>> shift) & RADIX - 1]++] = from[i];
       }
@@ -58,6 +54,62 @@ final class KeySorter {
     }
     other = to;
     return from;
+  }
+
+  /**
+   * Sorts the first n row numbers by the keys of these rows.
+   *
+   * @param key of each row
+   */
+  void sort(int[] rows, int n, long[] key) {
+    if (n <= FEW) {
+      insertion(rows, n, key);
+      return;
+    }
+    if (otherRows.length < n) {
+      otherRows = new int[rows.length];
+    }
+    long all = -1;
+    long any = 0;
+    for (int i = 0; i < n; i++) {
+      all &= key[rows[i]];
+      any |= key[rows[i]];
+    }
+    long differs = all ^ any;
+    for (int shift = 0; shift < 64 && differs >>> shift != 0; shift += DIGIT) {
+      shift += Long.numberOfTrailingZeros(differs >>> shift);
+      Arrays.fill(counts, 0);
+      for (int i = 0; i < n; i++) {
+        counts[(int) (key[rows[i]] >>> shift) & RADIX - 1]++;
+      }
+      addUp();
+      for (int i = 0; i < n; i++) {
+        otherRows[counts[(int) (key[rows[i]] >>> shift) & RADIX - 1]++] = rows[i];
+      }
+      System.arraycopy(otherRows, 0, rows, 0, n);
+    }
+  }
+
+  /** Turns the counts of the digits into where each one's first goes. */
+  private void addUp() {
+    int sum = 0;
+    for (int d = 0; d < RADIX; d++) {
+      int c = counts[d];
+      counts[d] = sum;
+      sum += c;
+    }
+  }
+
+  private static void insertion(int[] rows, int n, long[] key) {
+    for (int i = 1; i < n; i++) {
+      int row = rows[i];
+      int j = i - 1;
+      while (j >= 0 && key[rows[j]] > key[row]) {
+        rows[j + 1] = rows[j];
+        j--;
+      }
+      rows[j + 1] = row;
+    }
   }
 
   private static void insertion(long[] keys, int n) {

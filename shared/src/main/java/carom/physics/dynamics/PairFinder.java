@@ -601,7 +601,7 @@ final class PairFinder {
       all.take(desks[i]);
     }
     all.candidates = sorter.sort(all.candidates, all.count);
-    contacts.merge(all.candidates, all.count, bodies, parts, searchAll);
+    contacts.merge(all.candidates, all.count, bodies, parts, searchAll, crew);
     for (int i = 0; i < movedCount; i++) {
       parts.moved[movedParts[i]] = false;
       parts.together[movedParts[i]] = false;

@@ -110,9 +110,9 @@ final class RowArrays {
   }
 
   /**
-   * Arrays to write to, with the same rows in other places.
+   * Arrays to write to, with the same rows in other places once the moves are carried out.
    *
-   * @param moves tells of rows that stay, too, if these are shared
+   * @param moves tells of rows that stay, too, if these are shared; is to do the rest
    * @param least rows to have room for
    */
   RowArrays moved(RowMoves moves, int least) {
@@ -124,7 +124,7 @@ final class RowArrays {
       grow(least);
     }
     for (int i = 0; i < arrays.length; i++) {
-      moves.apply(arrays[i], to.arrays[i], strides[i]);
+      moves.plan(arrays[i], to.arrays[i], strides[i]);
     }
     return to;
   }

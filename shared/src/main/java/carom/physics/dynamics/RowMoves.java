@@ -11,6 +11,12 @@ import java.util.Arrays;
  * latter in descending order, and nothing is lost.
  */
 final class RowMoves {
+  /** Arrays that a table may have. */
+  private static final int MOST_ARRAYS = 16;
+
+  /** Moving fewer rows takes less time than to share it is worth. */
+  private static final int FEWEST_SHARED = 2_048;
+
   /** Where new rows go, by their number. */
   int[] inserted = new int[64];
 
@@ -21,6 +27,14 @@ final class RowMoves {
   private int[] offset = new int[64];
   private int count;
   private boolean all;
+
+  /** What is planned: from which arrays, to which, and elements per row. */
+  private final Object[] sources = new Object[MOST_ARRAYS];
+
+  private final Object[] targets = new Object[MOST_ARRAYS];
+  private final int[] strides = new int[MOST_ARRAYS];
+  private int planned;
+  private final Crew.Range carrying = (first, end, worker) -> carryOut(first, end);
 
   /**
    * Forgets all.
@@ -75,23 +89,46 @@ final class RowMoves {
   }
 
   /**
-   * Moves the rows of an array.
-   *
-   * @param array of floats, ints, longs or bytes
-   * @param stride how many of these a row has
-   */
-  void apply(Object array, int stride) {
-    apply(array, array, stride);
-  }
-
-  /**
-   * Moves the rows of an array within it or to another one, if {@link #clear(boolean)} was told so.
+   * Plans to move the rows of an array within it, or to another one if {@link #clear(boolean)} was
+   * told so. No two plans may have the same target.
    *
    * @param source of floats, ints, longs or bytes
    * @param target the same, or one that has nothing yet
    * @param stride how many elements a row has
    */
-  void apply(Object source, Object target, int stride) {
+  void plan(Object source, Object target, int stride) {
+    sources[planned] = source;
+    targets[planned] = target;
+    strides[planned++] = stride;
+  }
+
+  /**
+   * Does what was planned.
+   *
+   * @param crew does it, an array each; null for the caller alone
+   */
+  void carryOut(Crew crew) {
+    long rows = 0;
+    for (int i = 0; i < count; i++) {
+      rows += length[i];
+    }
+    if (crew == null || rows < FEWEST_SHARED) {
+      carryOut(0, planned);
+    } else {
+      crew.run(0, planned, 1, carrying);
+    }
+    Arrays.fill(sources, 0, planned, null);
+    Arrays.fill(targets, 0, planned, null);
+    planned = 0;
+  }
+
+  private void carryOut(int first, int end) {
+    for (int i = first; i < end; i++) {
+      apply(sources[i], targets[i], strides[i]);
+    }
+  }
+
+  private void apply(Object source, Object target, int stride) {
     boolean within = source == target;
     for (int i = 0; i < count; i++) {
       if (offset[i] < 0 || !within) {

@@ -39,6 +39,7 @@ final class Sleeping {
   private final JointStore joints;
   private final PairFinder pairs;
   private final Islands islands = new Islands();
+  private final KeySorter sorter = new KeySorter();
   private int asleepCount;
 
   /** Changes whenever a body falls asleep or wakes. */
@@ -216,9 +217,11 @@ final class Sleeping {
       return;
     }
     wake(body);
+    beginWaking();
     for (int end = sleepers.first(body); end >= 0; end = sleepers.first(body)) {
-      wakeIsland(sleepers.other(end));
+      rouseIsland(sleepers.other(end));
     }
+    endWaking();
     for (int end = joints.firstEnd(body); end >= 0; end = joints.nextEnd(end)) {
       wakeEnds(end >> 1);
     }
@@ -274,9 +277,15 @@ final class Sleeping {
     if (touchedCount == 0) {
       return false;
     }
+    beginWaking();
     for (int i = 0; i < touchedCount; i++) {
-      wake(touched[i]);
+      if (suspended) {
+        ask(touched[i], ASK_WAKE);
+      } else {
+        rouseIsland(touched[i]);
+      }
     }
+    endWaking();
     touchedCount = 0;
     mergeWoken();
     return true;
@@ -313,13 +322,26 @@ final class Sleeping {
 
   /** Wakes a sleeping body and all that is tied to it by contacts and joints. */
   private void wakeIsland(int body) {
+    beginWaking();
+    rouseIsland(body);
+    endWaking();
+  }
+
+  /** Any number of islands may be roused from now on; trees and joints follow at the end. */
+  private void beginWaking() {
+    gatheredCount = 0;
+  }
+
+  private void rouseIsland(int body) {
     if (!bodies.asleep(body)) {
       return;
     }
-    pairs.admit();
-    gatheredCount = 0;
+    if (gatheredCount == 0) {
+      pairs.admit();
+    }
+    int first = gatheredCount;
     rouse(body);
-    for (int i = 0; i < gatheredCount; i++) {
+    for (int i = first; i < gatheredCount; i++) {
       int at = gathered[i];
       boolean ties = bodies.type[at] == BodyStore.DYNAMIC;
       for (int end = sleepers.first(at); end >= 0; end = sleepers.first(at)) {
@@ -340,10 +362,17 @@ final class Sleeping {
         }
       }
     }
-    pairs.wake(gathered, gatheredCount);
+  }
+
+  /** Takes those who were roused to the tree of what moves, all at once. */
+  private void endWaking() {
+    if (gatheredCount > 0) {
+      pairs.wake(gathered, gatheredCount);
+    }
     for (int i = 0; i < gatheredCount; i++) {
       refreshJoints(gathered[i]);
     }
+    gatheredCount = 0;
   }
 
   private void rouseDynamic(int body) {
@@ -373,7 +402,7 @@ final class Sleeping {
     if (wokenCount == 0) {
       return;
     }
-    sleepers.rows.sortByKey(wokenRows, wokenCount);
+    sorter.sort(wokenRows, wokenCount, sleepers.rows.key);
     contacts.insert(sleepers.rows, wokenRows, wokenCount);
     for (int i = 0; i < wokenCount; i++) {
       sleepers.release(wokenRows[i]);

@@ -26,6 +26,22 @@ final class KeySorterTest {
   }
 
   @Test
+  void sortsRowsByTheirKeys() {
+    KeySorter sorter = new KeySorter();
+    long seed = 43;
+    SplittableRandom r = new SplittableRandom(seed);
+    for (int n : new int[] {0, 1, 2, 31, 32, 33, 500, 3000, 40}) {
+      long[] keys = new long[n + 50];
+      Arrays.setAll(keys, i -> ContactKey.of(r.nextInt(5000), r.nextInt(3), 5000 + i, i % 9));
+      int[] rows = r.ints(0, keys.length).distinct().limit(n).toArray();
+      long[] expected = Arrays.stream(rows).mapToLong(row -> keys[row]).sorted().toArray();
+      sorter.sort(rows, n, keys);
+      long[] sorted = Arrays.stream(rows).mapToLong(row -> keys[row]).toArray();
+      assertArrayEquals(expected, sorted, "seed=" + seed + " n=" + n);
+    }
+  }
+
+  @Test
   void keysCarryFourNumbers() {
     int body = BodyStore.MAX_BODIES - 1;
     int part = ContactKey.MAX_PARTS - 1;

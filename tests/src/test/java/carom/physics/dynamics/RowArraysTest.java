@@ -112,6 +112,7 @@ class RowArraysTest {
             moves.insert(fresh++, now.size());
             now.add(-step);
             live = live.moved(moves, live.room(now.size()));
+            moves.carryOut(null);
             for (int i = 0; i < fresh; i++) {
               write(live, moves.inserted[i], -step);
             }

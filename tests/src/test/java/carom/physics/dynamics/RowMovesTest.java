@@ -35,8 +35,9 @@ final class RowMovesTest {
         Arrays.fill(floats, 3 * row, 3 * row + 3, row);
         longs[row] = row;
       }
-      moves.apply(floats, 3);
-      moves.apply(longs, 1);
+      moves.plan(floats, floats, 3);
+      moves.plan(longs, longs, 1);
+      moves.carryOut(null);
       for (int i = 0; i < fresh; i++) {
         Arrays.fill(floats, 3 * moves.inserted[i], 3 * moves.inserted[i] + 3, -(i + 1));
         longs[moves.inserted[i]] = -(i + 1);
