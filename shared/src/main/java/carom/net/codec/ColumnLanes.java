@@ -17,7 +17,7 @@ abstract class ColumnLanes {
   /** Calls per column until then; of long columns a share, as their worlds' steps take longer. */
   private static final int FEW = 3;
 
-  private static final int SHARE = 64;
+  private static final int SHARE = 16;
 
   /** Shorter columns gain too little to be worth these calls. */
   private static final int LEAST = 1_000;

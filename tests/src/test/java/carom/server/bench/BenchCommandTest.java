@@ -135,7 +135,9 @@ class BenchCommandTest {
             "--scenes=bp_uniform_1k,rebuild_10k,hash_10k");
     assertEquals(0, status, err.toString());
     List<String> rows = out.toString().lines().toList();
-    assertEquals(5 + 3 + 1, rows.size(), out.toString());
+    assertEquals(5 + 3 + 2, rows.size(), out.toString());
+    assertEquals("vector", parse(rows.get(8)).get("kernels"));
+    assertEquals("scalar", parse(rows.get(9)).get("kernels"));
     for (String text : rows) {
       Map<String, String> row = parse(text);
       assertTrue(row.keySet().containsAll(PROMISED), text);
