@@ -31,7 +31,7 @@ final class TreeCheck {
             seen[0] += other == wanted ? 1 : 0;
             return true;
           });
-      assertEquals(1, seen[0], "id=" + id + " found once; " + where);
+      assertEquals(1, seen[0], () -> "id=" + wanted + " found once; " + where);
       union[0] = Math.min(union[0], boxes.minX(id));
       union[1] = Math.min(union[1], boxes.minY(id));
       union[2] = Math.max(union[2], boxes.maxX(id));
@@ -42,7 +42,8 @@ final class TreeCheck {
         (x0, y0, x1, y1, depth) -> {
           boolean inside = x0 >= union[0] && y0 >= union[1] && x1 <= union[2] && y1 <= union[3];
           boolean tight = x0 == union[0] && y0 == union[1] && x1 == union[2] && y1 == union[3];
-          assertEquals(true, depth == 0 ? tight : inside, "cell at depth=" + depth + "; " + where);
+          assertEquals(
+              true, depth == 0 ? tight : inside, () -> "cell at depth=" + depth + "; " + where);
         });
   }
 }
