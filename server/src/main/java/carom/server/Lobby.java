@@ -355,7 +355,9 @@ final class Lobby {
         waiting = null;
         welcome();
       } else if (full || (allowed && seatsLeft() == 0 && nowNs - waitsUntilNs >= 0)) {
-        refused(RefusalReason.SERVER_FULL, "All %d places are taken.".formatted(config.places()));
+        int places = config.places();
+        String text = places == 1 ? "The only place is taken." : "All %d places are taken.";
+        refused(RefusalReason.SERVER_FULL, text.formatted(places));
       } else if (nowNs - waitsUntilNs >= 0) {
         refused(RefusalReason.TOO_MANY_CONNECTIONS, "");
       }
