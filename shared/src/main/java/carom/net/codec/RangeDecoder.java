@@ -28,12 +28,12 @@ public final class RangeDecoder extends BitCoder {
   private long range = -1;
   private long ahead;
 
-  // The slice that was begun: how much of the interval each of its numbers is, those that are left,
-  // how many are before them, and how far behind the first of them the message's is.
+  // The slice that was begun: how much of the interval each of its numbers is, how many are left,
+  // how far behind the first of them the message's is, and where in that the message is.
   private long step;
   private long width = SliceWriter.ALL;
-  private long first;
   private long rest;
+  private long within;
 
   /** The last 64 bits of the message that were read. */
   private long read;
@@ -98,7 +98,6 @@ public final class RangeDecoder extends BitCoder {
       result = 1;
     } else {
       rest -= ones;
-      first += ones;
       width -= ones;
       result = 0;
     }
@@ -108,14 +107,58 @@ public final class RangeDecoder extends BitCoder {
     return result;
   }
 
+  @Override
+  public int symbol(SymbolTable table, int row, int symbol, int most) {
+    if (width == SliceWriter.ALL) {
+      begin();
+    }
+    long part = width >>> SymbolTable.BITS;
+    int result = Math.min(table.find(row, share(part, SymbolTable.ALL)), most);
+    int from = table.from(row, result);
+    int to = result < most ? table.from(row, result + 1) : SymbolTable.ALL;
+    rest -= from * part;
+    width = (to - from) * part;
+    if (width >>> SliceWriter.LEAST_BITS == 0) {
+      cut();
+    }
+    return result;
+  }
+
+  @Override
+  public int even(int value, int count) {
+    if (count == 0) {
+      return 0;
+    }
+    if (width == SliceWriter.ALL) {
+      begin();
+    }
+    width >>>= count;
+    int result = share(width, 1 << count);
+    rest -= result * width;
+    if (width >>> SliceWriter.LEAST_BITS == 0) {
+      cut();
+    }
+    return result;
+  }
+
+  /** Which of some parts of the slice the message is in. */
+  private int share(long part, int parts) {
+    long share = rest / part;
+    if (share >= parts) {
+      failed = true; // of what is left over by the division, an encoder uses nothing
+      return parts - 1;
+    }
+    return (int) share;
+  }
+
   private void begin() {
     step = range >>> SliceWriter.BITS;
     rest = Long.divideUnsigned(ahead, step);
-    first = 0;
     if (rest < 0 || rest >= SliceWriter.ALL) {
-      failed = true; // of what is left over by the division, an encoder uses nothing
+      failed = true; // as there
       rest = SliceWriter.ALL - 1;
     }
+    within = ahead - rest * step;
   }
 
   /** Ends the slice that was begun, where the encoder did. */
@@ -123,10 +166,10 @@ public final class RangeDecoder extends BitCoder {
     if (width == SliceWriter.ALL) {
       return;
     }
-    ahead -= first * step;
+    ahead = rest * step + within;
     range = width * step;
     width = SliceWriter.ALL;
-    int gone = Long.numberOfLeadingZeros(range) & RangeEncoder.WHOLE_WORDS;
+    int gone = Long.numberOfLeadingZeros(range) & RangeEncoder.WHOLE_BYTES;
     if (gone != 0) {
       long next = next() >>> -gone;
       range <<= gone;

@@ -7,7 +7,7 @@ import java.nio.ByteOrder;
 /**
  * Writes bits of known probability into a caller's array, each at the cost of its surprise: an
  * arithmetic coder. The message so far is an interval of fractions, of which 64 bits are at hand;
- * each slice keeps its part of the interval, and words of 16 bits leave when the interval has
+ * each slice keeps its part of the interval, and bytes leave when the interval has
  * become so short that they are certain but for a carry, which then runs back through them.
  *
  * <p>What is longer than the room sets a sticky overflow. The caller's array is written at {@link
@@ -16,12 +16,10 @@ import java.nio.ByteOrder;
 public final class RangeEncoder extends SliceWriter {
 
   /** The interval is kept longer than 2^{@value}. */
-  static final int RANGE_BITS = 48;
+  static final int RANGE_BITS = 56;
 
-  static final int WORD_BITS = 16;
-
-  /** Of a number of leading zeros, those that fill whole words: they leave. */
-  static final int WHOLE_WORDS = RANGE_BITS;
+  /** Of a number of leading zeros, those that fill whole bytes: they leave. */
+  static final int WHOLE_BYTES = RANGE_BITS;
 
   /** Behind the room: so far a message may go on, as zeros at its end don't count. */
   private static final int SLACK = 2 * Long.BYTES;
@@ -131,7 +129,7 @@ public final class RangeEncoder extends SliceWriter {
         carry(at);
       }
       length = numbers[i + 1] * step;
-      int leaving = Long.numberOfLeadingZeros(length) & WHOLE_WORDS;
+      int leaving = Long.numberOfLeadingZeros(length) & WHOLE_BYTES;
       LONGS.set(left, at, begin);
       begin <<= leaving;
       length <<= leaving;

@@ -2,21 +2,21 @@ package carom.net.codec;
 
 /**
  * The writing side of the arithmetic coder, in slices. A slice is a run of the numbers from 0 to
- * below 2^{@value #BITS}: each bit keeps the part of it that belongs to the bit, and a slice that
- * has become short is done; the next bit begins with all numbers again. What a slice is depends on
- * the bits and their probabilities alone and not on what was written before. So what many messages
+ * below 2^{@value #BITS}: each bit or symbol keeps the part of it that belongs to it, and a slice
+ * that has become short is done; what follows begins with all numbers again. What a slice is depends on
+ * these and their probabilities alone and not on what was written before. So what many messages
  * have in common is worked out once ({@link SliceList}), and put into each at the cost of two
  * products ({@link RangeEncoder#slice}).
  */
 public abstract class SliceWriter extends BitCoder {
 
   /** Slices are of the numbers that have so many bits. */
-  static final int BITS = 40;
+  static final int BITS = 48;
 
   static final long ALL = 1L << BITS;
 
-  /** A slice shorter than 2^{@value} is done. */
-  static final int LEAST_BITS = 12;
+  /** A slice shorter than 2^{@value} is done: what is left of longer ones by rounding is little. */
+  static final int LEAST_BITS = 22;
 
   private long first;
   long width = ALL;
@@ -34,6 +34,30 @@ public abstract class SliceWriter extends BitCoder {
       cut();
     }
     return bit;
+  }
+
+  @Override
+  public final int symbol(SymbolTable table, int row, int symbol, int most) {
+    long part = width >>> SymbolTable.BITS;
+    int from = table.from(row, symbol);
+    int to = symbol < most ? table.from(row, symbol + 1) : SymbolTable.ALL;
+    first += from * part;
+    width = (to - from) * part;
+    if (width >>> LEAST_BITS == 0) {
+      cut();
+    }
+    return symbol;
+  }
+
+  @Override
+  public final int even(int value, int count) {
+    int result = value & (1 << count) - 1;
+    width >>>= count;
+    first += result * width;
+    if (width >>> LEAST_BITS == 0) {
+      cut();
+    }
+    return result;
   }
 
   /**
@@ -68,6 +92,6 @@ public abstract class SliceWriter extends BitCoder {
    * are two.
    */
   static long ones(long width, int probability) {
-    return 1 + ((width - 1) * probability >>> 16); // 40 and 16 bits
+    return 1 + ((width - 1) * probability >>> 16); // 48 and 16 bits
   }
 }

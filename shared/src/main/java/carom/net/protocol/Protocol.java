@@ -7,7 +7,7 @@ public final class Protocol {
    * Version of everything in {@code docs/PROTOCOL.md}; a change of one byte on the wire raises it,
    * also between two releases: builds that don't understand each other must refuse each other.
    */
-  public static final int VERSION = 7;
+  public static final int VERSION = 8;
 
   /**
    * Version of the simulation's arithmetic. Two builds with the same value step any world to the

@@ -8,9 +8,10 @@ import carom.net.codec.BitCoder;
  * same lines write that with a {@link carom.net.codec.RangeDecoder} read. {@code docs/PROTOCOL.md}
  * has the same as tables.
  *
- * <p>Each bit has a node in a table of probabilities, one of the {@link Profiles}. Which node it is
- * depends on what is known of the body by then: how old the baseline is, how fast the body was, how
- * large the differences before are. Nothing depends on other records: so what a delta's bits are is
+ * <p>Each number's sign, length and highest digits are one symbol, and so are the way and whether it
+ * was right; how likely each is, one of the {@link Profiles} says, as a product over the nodes of a
+ * tree of yes and no. Which tree it is depends on what is known of the body by then: how old the
+ * baseline is, how fast the body was, how large the differences before are. Nothing depends on other records: so what a delta's bits are is
  * the same for all sessions.
  */
 class DeltaCodec {
@@ -27,31 +28,65 @@ class DeltaCodec {
   private static final int MODELLED_DIGITS = 9;
   private static final int NUMBER_NODES = SECOND + MODELLED_DIGITS - 1;
 
-  // Where in the table what begins.
+  // Forms of a magnitude: one digit; up to nine by the second one; more, up to fourteen; longer.
+  private static final int LONG_FORMS = 1 + 2 * (MODELLED_DIGITS - 1);
+  private static final int LONGEST = LONG_FORMS + LONGER_NODES - MODELLED_DIGITS;
+  private static final int LENGTH_BITS = 4;
+
+  /** Symbols of a number: zero, and each form with each sign. */
+  static final int NUMBER_SYMBOLS = 1 + 2 * (LONGEST + 1);
+
+  /** Symbols of a head: each way, exact or not. */
+  static final int HEAD_SYMBOLS = 6;
+
+  /** By form: the least magnitude, and how many plain bits follow. */
+  private static final int[] LEAST = new int[LONGEST];
+
+  private static final int[] LOW_BITS = new int[LONGEST];
+
+  // Which tree is which.
   private static final int AGES = 3;
   private static final int SPEEDS = 12;
   private static final int WAYS = 3;
-  private static final int EXACT_AT = 2 * AGES * SPEEDS;
-  private static final int VX_AT = EXACT_AT + WAYS * AGES * SPEEDS;
   private static final int VY_CLASSES = 8;
-  private static final int VY_AT = VX_AT + AGES * SPEEDS * NUMBER_NODES;
   private static final int OMEGA_CLASSES = 10;
-  private static final int OMEGA_AT = VY_AT + AGES * VY_CLASSES * NUMBER_NODES;
   private static final int PLACE_CLASSES = 12;
-  private static final int PLACE_AT = OMEGA_AT + AGES * OMEGA_CLASSES * NUMBER_NODES;
   private static final int ANGLE_CLASSES = 10;
-  private static final int ANGLE_AT = PLACE_AT + AGES * PLACE_CLASSES * NUMBER_NODES;
+  private static final int VX_AT = 0;
+  private static final int VY_AT = VX_AT + AGES * SPEEDS;
+  private static final int OMEGA_AT = VY_AT + AGES * VY_CLASSES;
+  private static final int PLACE_AT = OMEGA_AT + AGES * OMEGA_CLASSES;
+  private static final int ANGLE_AT = PLACE_AT + AGES * PLACE_CLASSES;
 
-  /** Length of a table. */
-  static final int NODES = ANGLE_AT + AGES * ANGLE_CLASSES * NUMBER_NODES;
+  /** Trees of a profile. */
+  static final int TREES = ANGLE_AT + AGES * ANGLE_CLASSES;
+
+  /** Heads of a profile. */
+  static final int HEADS = AGES * SPEEDS;
+
+  private static final int EXACT_NODES = 2 * HEADS;
+  private static final int TREE_NODES = EXACT_NODES + WAYS * HEADS;
+
+  /** Length of a profile. */
+  static final int NODES = TREE_NODES + TREES * NUMBER_NODES;
 
   /** Position steps that a step of velocity makes in a second, and angle steps, roughly. */
   private static final int PLACE_RATE = 8;
 
   private static final int ANGLE_RATE = 5;
 
+  static {
+    for (int form = 0; form < LONGEST; form++) {
+      int digits = digitsOf(form);
+      boolean second = form > 0 && form < LONG_FORMS;
+      LOW_BITS[form] = digits - (second ? 2 : 1);
+      LEAST[form] = (second ? 2 + (form + 1 & 1) : 1) << LOW_BITS[form];
+    }
+  }
+
   private final int tickRate;
-  private char[] profile;
+  private int firstHead;
+  private int firstTree;
 
   /**
    * Creates a codec; needs a {@link #profile}.
@@ -62,23 +97,68 @@ class DeltaCodec {
     this.tickRate = tickRate;
   }
 
-  /** Sets the table for the deltas that follow: probabilities of a 1 by node; not copied. */
-  void profile(char[] table) {
-    profile = table;
+  /**
+   * Sets how likely everything is in the deltas that follow.
+   *
+   * @param number of {@link Profiles}
+   */
+  void profile(int number) {
+    firstHead = number * HEADS;
+    firstTree = number * TREES;
   }
 
-  /** Codes a bit at a node. */
-  int bit(BitCoder c, int node, int bit) {
-    return c.code(bit, profile[node]);
+  /** What a symbol says about the nodes that it was made of. */
+  interface Steps {
+    /** The bit at a node. */
+    void take(int node, int bit);
+  }
+
+  /** The nodes behind a symbol of a head. */
+  static void headSteps(int head, int symbol, Steps out) {
+    int way = symbol >> 1;
+    out.take(2 * head, way == Predictor.GOES_ON ? 1 : 0);
+    if (way != Predictor.GOES_ON) {
+      out.take(2 * head + 1, way == Predictor.FALLS ? 1 : 0);
+    }
+    out.take(EXACT_NODES + WAYS * head + way, symbol & 1 ^ 1);
+  }
+
+  /** The nodes behind a symbol of a number. */
+  static void numberSteps(int tree, int symbol, Steps out) {
+    int first = TREE_NODES + tree * NUMBER_NODES;
+    out.take(first + ZERO, symbol == 0 ? 1 : 0);
+    if (symbol == 0) {
+      return;
+    }
+    int form = symbol - 1 >> 1;
+    out.take(first + NEGATIVE, symbol - 1 & 1);
+    int digits = digitsOf(form);
+    for (int d = 1; d <= Math.min(digits, LONGER_NODES); d++) {
+      out.take(first + LONGER + d - 1, digits > d ? 1 : 0);
+    }
+    if (form > 0 && form < LONG_FORMS) {
+      out.take(first + SECOND + digits - 2, form + 1 & 1);
+    }
+  }
+
+  /** Binary digits of the magnitudes of a form, of the longest one's least. */
+  private static int digitsOf(int form) {
+    return form < LONG_FORMS ? 1 + (form + 1 >> 1) : MODELLED_DIGITS + 1 + form - LONG_FORMS;
+  }
+
+  /** Codes the symbol of a head. */
+  int head(BitCoder c, int head, int symbol) {
+    return c.symbol(Profiles.HEADS, firstHead + head, symbol, HEAD_SYMBOLS - 1);
+  }
+
+  /** Codes the symbol of a number. */
+  int symbol(BitCoder c, int tree, int symbol) {
+    return c.symbol(Profiles.NUMBERS, firstTree + tree, symbol, NUMBER_SYMBOLS - 1);
   }
 
   /** Codes bits that are equally likely. */
   int plain(BitCoder c, int value, int count) {
     return c.plain(value, count);
-  }
-
-  private boolean flag(BitCoder c, int node, boolean value) {
-    return bit(c, node, value ? 1 : 0) != 0;
   }
 
   /**
@@ -95,9 +175,9 @@ class DeltaCodec {
     int speed = Math.abs(baseline.vx) + Math.abs(baseline.vy);
     boolean moving = (speed | baseline.omega) != 0;
     int fast = moving ? 1 + digits(speed, SPEEDS - 2) : 0;
-    int situation = old * SPEEDS + fast;
-    int result = way(c, 2 * situation, way);
-    if (flag(c, EXACT_AT + WAYS * situation + result, residual.isZero())) {
+    int head = head(c, old * SPEEDS + fast, 2 * way + (residual.isZero() ? 0 : 1));
+    int result = head >> 1;
+    if ((head & 1) == 0) {
       residual.clear();
       return result;
     }
@@ -112,21 +192,14 @@ class DeltaCodec {
     return result;
   }
 
-  private int way(BitCoder c, int node, int way) {
-    if (flag(c, node, way == Predictor.GOES_ON)) {
-      return Predictor.GOES_ON;
-    }
-    return flag(c, node + 1, way == Predictor.FALLS) ? Predictor.FALLS : Predictor.STOPS;
-  }
-
   /** Where it came to rest: the faster it was, the less that can be foreseen. */
   private void stopped(BitCoder c, int old, int age, Motion baseline, Motion residual) {
-    int at = PLACE_AT + old * PLACE_CLASSES * NUMBER_NODES;
-    int x = stoppedClass(baseline.vx, age) * NUMBER_NODES;
+    int at = PLACE_AT + old * PLACE_CLASSES;
+    int x = stoppedClass(baseline.vx, age);
     residual.x = number(c, at + x, residual.x, baseline.vx);
-    int y = stoppedClass(baseline.vy, age) * NUMBER_NODES;
+    int y = stoppedClass(baseline.vy, age);
     residual.y = number(c, at + y, residual.y, baseline.vy);
-    at = ANGLE_AT + old * ANGLE_CLASSES * NUMBER_NODES;
+    at = ANGLE_AT + old * ANGLE_CLASSES;
     residual.angle = number(c, at, residual.angle, baseline.omega);
   }
 
@@ -135,19 +208,19 @@ class DeltaCodec {
   }
 
   private void moving(BitCoder c, int old, int age, int fast, Motion baseline, Motion residual) {
-    int at = VX_AT + (old * SPEEDS + fast) * NUMBER_NODES;
+    int at = VX_AT + old * SPEEDS + fast;
     residual.vx = number(c, at, residual.vx, baseline.vx);
-    at = VY_AT + (old * VY_CLASSES + digits(residual.vx, VY_CLASSES - 1)) * NUMBER_NODES;
+    at = VY_AT + old * VY_CLASSES + digits(residual.vx, VY_CLASSES - 1);
     residual.vy = number(c, at, residual.vy, baseline.vy);
     int pushed = digits(Math.abs(residual.vx) + Math.abs(residual.vy), OMEGA_CLASSES - 1);
-    at = OMEGA_AT + (old * OMEGA_CLASSES + pushed) * NUMBER_NODES;
+    at = OMEGA_AT + old * OMEGA_CLASSES + pushed;
     residual.omega = number(c, at, residual.omega, baseline.omega);
-    int place = PLACE_AT + old * PLACE_CLASSES * NUMBER_NODES;
-    at = place + placeClass(residual.vx, residual.vy, age) * NUMBER_NODES;
+    int place = PLACE_AT + old * PLACE_CLASSES;
+    at = place + placeClass(residual.vx, residual.vy, age);
     residual.x = number(c, at, residual.x, residual.vx);
-    at = place + placeClass(residual.vy, residual.vx, age) * NUMBER_NODES;
+    at = place + placeClass(residual.vy, residual.vx, age);
     residual.y = number(c, at, residual.y, residual.vy);
-    at = ANGLE_AT + (old * ANGLE_CLASSES + angleClass(residual.omega, age)) * NUMBER_NODES;
+    at = ANGLE_AT + old * ANGLE_CLASSES + angleClass(residual.omega, age);
     residual.angle = number(c, at, residual.angle, residual.omega);
   }
 
@@ -179,27 +252,33 @@ class DeltaCodec {
   private int number(BitCoder c, int tree, int value, int along) {
     int turned = along < 0 ? -value : value;
     int magnitude = Math.abs(turned);
-    if (flag(c, tree + ZERO, magnitude == 0)) {
+    int symbol = symbol(c, tree, magnitude == 0 ? 0 : 1 + 2 * form(magnitude) + (turned >>> 31));
+    if (symbol == 0) {
       return 0;
     }
-    boolean negative = flag(c, tree + NEGATIVE, turned < 0);
-    magnitude = magnitude(c, tree, magnitude);
-    return negative == along < 0 ? magnitude : -magnitude;
+    int form = symbol - 1 >> 1;
+    int low = form < LONGEST ? LOW_BITS[form] : lengthen(c, magnitude);
+    int least = form < LONGEST ? LEAST[form] : 1 << low;
+    if (low > 0) {
+      least |= plain(c, magnitude, low);
+    }
+    return (symbol & 1) == 0 == along < 0 ? least : -least;
   }
 
-  /** A number of at least 1: how many binary digits, then those behind the first. */
-  private int magnitude(BitCoder c, int tree, int value) {
-    int digits = 1;
-    while (digits < MAX_DIGITS
-        && flag(c, tree + LONGER + Math.min(digits, LONGER_NODES) - 1, value >>> digits != 0)) {
-      digits++;
-    }
+  private static int form(int magnitude) {
+    int digits = digits(magnitude, MAX_DIGITS);
     if (digits == 1) {
-      return 1;
+      return 0;
     }
-    int low = digits - 2;
-    int second = value >>> low & 1;
-    second = digits <= MODELLED_DIGITS ? bit(c, tree + SECOND + low, second) : plain(c, second, 1);
-    return (2 | second) << low | plain(c, value, low);
+    if (digits <= MODELLED_DIGITS) {
+      return 2 * digits - 3 + (magnitude >>> digits - 2 & 1);
+    }
+    return LONG_FORMS + Math.min(digits - 1, LONGER_NODES) - MODELLED_DIGITS;
+  }
+
+  /** The digits behind the first of a magnitude of the longest form. */
+  private int lengthen(BitCoder c, int magnitude) {
+    int more = digits(magnitude, MAX_DIGITS) - 1 - LONGER_NODES;
+    return Math.min(MAX_DIGITS - 1, LONGER_NODES + plain(c, more, LENGTH_BITS));
   }
 }

@@ -163,7 +163,7 @@ final class Deltas {
           costs[at] -= costs[at] >> FORGET_SHIFT;
         }
         surprise.reset();
-        codec.profile(Profiles.table(i));
+        codec.profile(i);
         codec.code(surprise, age, old, way, residual);
         costs[at] += surprise.sum();
         best = costs[at] < costs[block * Profiles.COUNT + best] ? i : best;
@@ -183,7 +183,7 @@ final class Deltas {
 
   private int add(int at, int age, FrameState now, FrameState held, int slot) {
     slices.shorten(kept);
-    codec.profile(Profiles.table(profile(slot)));
+    codec.profile(profile(slot));
     int way = work(age, now, held, slot);
     codec.code(slices, age, old, way, residual);
     slices.cut();

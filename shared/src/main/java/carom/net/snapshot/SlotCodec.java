@@ -1,6 +1,7 @@
 package carom.net.snapshot;
 
 import carom.net.codec.BitCoder;
+import carom.net.codec.SymbolTable;
 
 /**
  * Which of 64 neighbouring slots a run has, described once for writing and reading. Each slot is a
@@ -30,7 +31,8 @@ final class SlotCodec {
     {12, 12},
   };
 
-  private static final int SHIFT = 6;
+  /** Rows: density and state; symbols: how many more slots are in the state, up to all. */
+  private static final SymbolTable LENGTHS = new SymbolTable(2 * DENSITIES, Long.SIZE + 1);
 
   /** By density, and whether this slot and the one before are in it: 1/16 bit. */
   private static final int[] COST = new int[4 * DENSITIES];
@@ -41,11 +43,24 @@ final class SlotCodec {
         double in = IN[density][before] / 1_024.0;
         COST[4 * density + 2 * before] = cost(1 - in);
         COST[4 * density + 2 * before + 1] = cost(in);
+        LENGTHS.set(2 * density + before, lengths(before == 1 ? in : 1 - in));
       }
     }
   }
 
   private SlotCodec() {}
+
+  /** How likely so many more slots are in a state before one isn't. */
+  private static double[] lengths(double stay) {
+    double[] weights = new double[Long.SIZE + 1];
+    double left = 1;
+    for (int i = 0; i < Long.SIZE; i++) {
+      weights[i] = left * (1 - stay);
+      left *= stay;
+    }
+    weights[Long.SIZE] = left;
+    return weights;
+  }
 
   private static int cost(double probability) {
     return (int) Math.rint(-16 * StrictMath.log(probability) / StrictMath.log(2));
@@ -57,14 +72,25 @@ final class SlotCodec {
    * @param slots the lowest bit is the first slot
    */
   static long code(BitCoder c, int density, long slots) {
-    int[] in = IN[density];
     long result = 0;
-    int before = 1;
-    for (int i = 0; i < Long.SIZE; i++) {
-      before = c.code((int) (slots >>> i) & 1, in[before] << SHIFT);
-      result |= (long) before << i;
+    long in = -1;
+    for (int at = 0; at < Long.SIZE; ) {
+      int left = Long.SIZE - at;
+      int alike = Math.min(left, Long.numberOfTrailingZeros((slots ^ in) >>> at));
+      int length = c.symbol(LENGTHS, 2 * density + (int) (in & 1), alike, left);
+      result |= in & mask(length) << at;
+      in = ~in;
+      at += length;
+      if (at < Long.SIZE) {
+        result |= in & 1L << at;
+        at++;
+      }
     }
     return result;
+  }
+
+  private static long mask(int bits) {
+    return bits == Long.SIZE ? -1 : (1L << bits) - 1;
   }
 
   /** What slots cost with a density, in 1/16 bit. */

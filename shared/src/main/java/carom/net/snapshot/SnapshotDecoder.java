@@ -241,8 +241,6 @@ public final class SnapshotDecoder {
     if (age == 0 || which == 0) {
       return DAMAGED;
     }
-    char[] low = Profiles.table(records.lowProfile());
-    char[] high = Profiles.table(records.highProfile());
     for (long rest = which; rest != 0; rest &= rest - 1) {
       int slot = (records.word() << 6) + Long.numberOfTrailingZeros(rest);
       if (!open(RecordCodec.RUN, slot) || r.exhausted()) {
@@ -252,7 +250,7 @@ public final class SnapshotDecoder {
         return DecodeStatus.NO_BASELINE;
       }
       ages[count] = age;
-      deltas.profile((slot & 32) == 0 ? low : high);
+      deltas.profile((slot & 32) == 0 ? records.lowProfile() : records.highProfile());
       Motion motion = motions[count];
       int way = deltas.code(r, age, motion, 0, scratch);
       r.cut();

@@ -113,8 +113,8 @@ final class RangeCoderTest {
       BigInteger range = BigInteger.ONE.shiftLeft(64).subtract(BigInteger.ONE);
       int shifted = 0;
       for (int i = random.nextInt(40); i > 0; i--) {
-        long width = 1 + (random.nextLong() >>> 24 + random.nextInt(40));
-        long first = random.nextInt(3) == 0 ? SliceWriter.ALL - width : random.nextLong() >>> 24;
+        long width = 1 + (random.nextLong() >>> 16 + random.nextInt(40));
+        long first = random.nextInt(3) == 0 ? SliceWriter.ALL - width : random.nextLong() >>> 16;
         first = Math.min(first, SliceWriter.ALL - width);
         encoder.slice(first, width);
         BigInteger step = range.shiftRight(SliceWriter.BITS);
@@ -123,9 +123,9 @@ final class RangeCoderTest {
         carries += low.shiftRight(64).equals(before) ? 0 : 1;
         range = step.multiply(BigInteger.valueOf(width));
         while (range.bitLength() <= RangeEncoder.RANGE_BITS) {
-          low = low.shiftLeft(RangeEncoder.WORD_BITS);
-          range = range.shiftLeft(RangeEncoder.WORD_BITS);
-          shifted += RangeEncoder.WORD_BITS;
+          low = low.shiftLeft(Byte.SIZE);
+          range = range.shiftLeft(Byte.SIZE);
+          shifted += Byte.SIZE;
         }
       }
       int length = encoder.finish();

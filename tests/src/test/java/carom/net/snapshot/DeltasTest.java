@@ -44,7 +44,7 @@ final class DeltasTest {
     RangeEncoder range = new RangeEncoder();
     range.reset(bytes, 0, bytes.length);
     DeltaCodec codec = new DeltaCodec(TICK_RATE);
-    codec.profile(Profiles.table(profile));
+    codec.profile(profile);
     codec.code(range, age, old, way, residual);
     return Arrays.toString(Arrays.copyOf(bytes, range.finish()));
   }
@@ -157,7 +157,8 @@ final class DeltasTest {
       FrameState frame = ring.begin(++tick);
       for (int slot = 0; slot < 128; slot++) {
         int v = slot < 64 ? 64 : random.nextInt(-300, 300); // the first fly on, the others are hit
-        frame.putQuantized(slot, 1, 1, -1, 8 * tick * v / 60, 0, v & 1023, v, -v, 0);
+        int way = 8 * tick * v / 60;
+        frame.putQuantized(slot, 1, 1, -1, way, -way, v & 1023, v, -v, 0);
       }
       ring.end();
       if (round > 6) {

@@ -110,7 +110,7 @@ final class RecordCodecTest {
       cut.run();
       for (long rest = item.slots; rest != 0; rest &= rest - 1) {
         int i = Long.numberOfTrailingZeros(rest);
-        deltas.profile(Profiles.table(h[i < 32 ? 3 : 4]));
+        deltas.profile(h[i < 32 ? 3 : 4]);
         item.ways[i] = deltas.code(c, h[2], item.baselines[i], item.ways[i], item.motions[i]);
         cut.run();
       }

@@ -52,9 +52,19 @@ public final class SimulationTrial {
     }
 
     @Override
-    int bit(BitCoder c, int node, int bit) {
+    int head(BitCoder c, int head, int symbol) {
+      headSteps(head, symbol, this::step);
+      return symbol;
+    }
+
+    @Override
+    int symbol(BitCoder c, int tree, int symbol) {
+      numberSteps(tree, symbol, this::step);
+      return symbol;
+    }
+
+    private void step(int node, int bit) {
       seen[2 * node + bit]++;
-      return bit;
     }
 
     @Override

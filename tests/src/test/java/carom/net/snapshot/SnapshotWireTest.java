@@ -242,7 +242,7 @@ class SnapshotWireTest {
     range.reset(bytes, header, bytes.length - header);
     RecordCodec records = new RecordCodec();
     DeltaCodec deltas = new DeltaCodec(Scene.TICK_RATE);
-    deltas.profile(Profiles.table(0));
+    deltas.profile(0);
     records.begin();
     for (int kind : kinds) {
       records.kind(range, kind);
