@@ -1,5 +1,6 @@
 package carom.server.replication;
 
+import carom.net.snapshot.NearMeter;
 import carom.net.snapshot.NearState;
 import carom.net.snapshot.OwnState;
 import carom.net.snapshot.SnapshotEncoder;
@@ -75,7 +76,7 @@ public final class NearSet {
    * Updates of so few parts are sent twice where parts get lost: waiting for one costs a round
    * trip.
    */
-  private static final int TWICE_PARTS = 3;
+  private static final int TWICE_PARTS = 2;
 
   /** So long after a loss the line counts as one that loses. */
   private static final int LOSSY_TICKS = 600;
@@ -128,6 +129,7 @@ public final class NearSet {
   private final Marks marks;
   private final Predicate<Entity> mayKnow;
   private final Neighbourhood state = new Neighbourhood();
+  private final NearMeter meter = new NearMeter();
   private final Aabb box = new Aabb();
   private final BodyVisitor<Entity> closeBy = this::consider;
   private final BodyContactVisitor<Entity> touching =
@@ -239,7 +241,7 @@ public final class NearSet {
    * @param disagreedTick newest tick at which the client had another state, or -1
    * @param rowBits what the rows of an update may take in this snapshot: a row that is longer goes
    *     alone; none while this isn't positive, then the update waits
-   * @param out receives it
+   * @param out receives it; has the own body already
    */
   public void capture(Player player, boolean all, int disagreedTick, int rowBits, OwnState out) {
     if (player.body() == null) {
@@ -295,7 +297,7 @@ public final class NearSet {
     partRows = 0;
     hasPart = isDue() && (dueRows == 0 || rowBits > 0);
     if (hasPart) {
-      writePart(near, rowBits);
+      writePart(out, rowBits);
     }
     limitList(near.listBits());
   }
@@ -587,7 +589,8 @@ public final class NearSet {
     return -1;
   }
 
-  private void writePart(NearState near, int rowBits) {
+  private void writePart(OwnState out, int rowBits) {
+    NearState near = out.near();
     int total = toldCount + toldContacts;
     firstRow = 0;
     while (firstRow < total && !due[firstRow]) {
@@ -598,14 +601,13 @@ public final class NearSet {
       near.tell(told[i]);
     }
     int room = Math.min(rowBits, PART_BITS - near.listBits());
-    int bits = 0;
+    meter.begin(out);
     for (int row = firstRow; row < total && due[row] && partRows < NearState.MAX_PART; row++) {
       boolean isEntity = row < toldCount;
       int[] from = isEntity ? base.entities() : base.contacts();
       int at = isEntity ? told[row] * Neighbourhood.ENTITY_INTS : toldContact[row - toldCount];
-      int ints = isEntity ? Neighbourhood.ENTITY_INTS : Neighbourhood.CONTACT_INTS;
-      bits += NearState.bits(from, at, ints);
-      if (bits > room && partRows > 0) {
+      meter.add(isEntity, from, at);
+      if (meter.bits() > room && partRows > 0) {
         break;
       }
       near.addRow(from, at);

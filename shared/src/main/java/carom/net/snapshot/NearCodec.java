@@ -2,19 +2,18 @@ package carom.net.snapshot;
 
 import carom.net.codec.BitReader;
 import carom.net.codec.BitWriter;
-import carom.net.codec.Bits;
 
-/** What is near, in bits. Pairs of write and read that mirror each other. */
+/**
+ * What is near, in bits, but for the rows of an update, which are {@link NearRowCodec}'s. Pairs of
+ * write and read that mirror each other.
+ */
 final class NearCodec {
-  private static final int PLACE_BITS = 8;
   private static final int PART_BITS = 6;
   private static final int KEY_BITS = 24;
   private static final int MAX_KEY = (1 << KEY_BITS) - 1;
   private static final int SLOT_MASK = 0xffff;
   private static final int CLOSE_BITS = 4;
   private static final int ROW_BITS = 11;
-  private static final int PARTS_BITS = 20;
-  private static final int POINTS_BITS = 16;
 
   private NearCodec() {}
 
@@ -155,15 +154,6 @@ final class NearCodec {
     w.write(near.totalRows, ROW_BITS);
     w.write(near.firstRow, ROW_BITS);
     w.write(near.partRows, PART_BITS);
-    for (int row = 0; row < near.partRows; row++) {
-      if (near.isEntity(row)) {
-        for (int i = 1; i < NearState.ENTITY_INTS; i++) {
-          writeInt(w, near.rows[near.rowAt(row) + i]);
-        }
-      } else {
-        writeContact(w, near.rows, near.rowAt(row));
-      }
-    }
   }
 
   private static void readPart(BitReader r, NearState near) {
@@ -180,60 +170,7 @@ final class NearCodec {
       int at = near.growRow();
       if (near.isEntity(near.partRows - 1)) {
         near.rows[at] = near.key(near.told[near.firstRow + near.partRows - 1]);
-        for (int i = 1; i < NearState.ENTITY_INTS; i++) {
-          near.rows[at + i] = readInt(r);
-        }
-      } else {
-        readContact(r, near.rows, at);
       }
     }
-  }
-
-  private static void writeContact(BitWriter w, int[] rows, int at) {
-    writeEnd(w, rows[at]);
-    writeEnd(w, rows[at + 1]);
-    w.write(rows[at + 2] != 0);
-    if (rows[at + 2] != 0) {
-      w.write(rows[at + 2], PARTS_BITS);
-    }
-    w.write(rows[at + 3], POINTS_BITS);
-    for (int i = 4; i < NearState.CONTACT_INTS; i++) {
-      writeInt(w, rows[at + i]);
-    }
-  }
-
-  private static void readContact(BitReader r, int[] rows, int at) {
-    rows[at] = readEnd(r);
-    rows[at + 1] = readEnd(r);
-    rows[at + 2] = r.readBit() ? r.read(PARTS_BITS) : 0;
-    rows[at + 3] = r.read(POINTS_BITS);
-    for (int i = 4; i < NearState.CONTACT_INTS; i++) {
-      rows[at + i] = readInt(r);
-    }
-  }
-
-  /** A place in the list, or the slot of a static body. */
-  private static void writeEnd(BitWriter w, int end) {
-    w.write(end < 0);
-    if (end < 0) {
-      Bits.writeSized(w, ~end);
-    } else {
-      w.write(end, PLACE_BITS);
-    }
-  }
-
-  private static int readEnd(BitReader r) {
-    return r.readBit() ? ~(Bits.readSized(r) & Integer.MAX_VALUE) : r.read(PLACE_BITS);
-  }
-
-  private static void writeInt(BitWriter w, int value) {
-    w.write(value != 0);
-    if (value != 0) {
-      w.write(value, 32);
-    }
-  }
-
-  private static int readInt(BitReader r) {
-    return r.readBit() ? r.read(32) : 0;
   }
 }

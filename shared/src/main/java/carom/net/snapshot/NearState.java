@@ -33,7 +33,7 @@ public final class NearState {
   /** Most rows of an update in one snapshot. */
   public static final int MAX_PART = 63;
 
-  private static final int STRIDE = Math.max(ENTITY_INTS, CONTACT_INTS);
+  static final int STRIDE = Math.max(ENTITY_INTS, CONTACT_INTS);
   private static final int FIRST_ROOM = 16;
   private static final int[] NONE = {};
 
@@ -252,15 +252,6 @@ public final class NearState {
     int bits = 0;
     for (int i = 0; i < count; i++) {
       bits += NearCodec.insertBits(i == 0 ? 0 : keys[i - 1], keys[i]);
-    }
-    return bits;
-  }
-
-  /** About how many bits a row takes. */
-  public static int bits(int[] from, int at, int ints) {
-    int bits = 0;
-    for (int i = 0; i < ints; i++) {
-      bits += from[at + i] == 0 ? 1 : 33;
     }
     return bits;
   }

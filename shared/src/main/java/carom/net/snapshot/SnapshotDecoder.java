@@ -28,6 +28,7 @@ public final class SnapshotDecoder {
   private final Predictor predictor;
   private final BitReader reader = new BitReader();
   private final RangeDecoder range = new RangeDecoder();
+  private final NearRowCodec nearRows = new NearRowCodec();
   private final RecordCodec records = new RecordCodec();
   private final DeltaCodec deltas;
   private EntityHistory[] histories = {};
@@ -182,6 +183,9 @@ public final class SnapshotDecoder {
       return DAMAGED;
     }
     range.reset(bytes, at, end - at);
+    if (withOwn && readOwn.near.updating) {
+      nearRows.part(range, readOwn);
+    }
     DecodeStatus status = readRecords(datagramTick);
     if (status == OK) {
       hasOwn = withOwn;

@@ -53,6 +53,7 @@ public final class SnapshotEncoder {
   private final int key;
   private final Deltas deltas;
   private final RangeEncoder range = new RangeEncoder();
+  private final NearRowCodec nearRows = new NearRowCodec();
   private final RecordCodec records = new RecordCodec();
   private final SentLog sent = new SentLog();
   private final BitWriter writer = new BitWriter();
@@ -310,10 +311,15 @@ public final class SnapshotEncoder {
     w.reset(out, 0, MAX_DATAGRAM_BYTES);
     writeHeader(w, sent.begin(frame.tick(), withOwn, news), withOwn);
     int header = w.bytes();
-    headerBytes = first ? header : headerBytes;
-    aheadBytes += header;
     int room = 8 * (Math.min(MAX_DATAGRAM_BYTES, Math.max(budget, 0)) - header) - END_BITS;
     range.reset(out, header, MAX_DATAGRAM_BYTES - header);
+    if (withOwn && ownNow.near.updating) {
+      nearRows.part(range, ownNow);
+    }
+    int rowBytes = range.bits() / Byte.SIZE;
+    nearBytes += rowBytes;
+    aheadBytes += header + rowBytes;
+    headerBytes = first ? header + rowBytes : headerBytes;
     records.begin();
     written = 0;
     passedOver = 0;

@@ -168,6 +168,102 @@ final class RangeCoderTest {
     assertEquals(encoder.bits(), surprise.sum() / 256.0, 0.01 * encoder.bits());
   }
 
+  /** Rows of few and of many symbols, even and steep. */
+  private static SymbolTable table(Random random, int symbols) {
+    SymbolTable table = new SymbolTable(5, symbols);
+    for (int row = 1; row < 5; row++) {
+      double[] weights = new double[symbols];
+      for (int s = 0; s < symbols; s++) {
+        weights[s] = Math.pow(random.nextDouble(), 4 * row) + (s == row ? 1 : 0);
+      }
+      table.set(row, weights);
+    }
+    return table;
+  }
+
+  @Test
+  void symbolsAndPlainNumbersComeBackAsShortAsTheirSurprise() {
+    Random random = new Random(SEED);
+    Surprise surprise = new Surprise();
+    for (int round = 0; round < 2_000; round++) {
+      SymbolTable table = table(random, 1 + random.nextInt(128));
+      int n = random.nextInt(200);
+      int[][] items = new int[n][];
+      encoder.reset(buffer, 0, buffer.length);
+      surprise.reset();
+      for (int i = 0; i < n; i++) {
+        int most = random.nextInt(3) == 0 ? random.nextInt(table.last() + 1) : table.last();
+        int row = random.nextInt(5);
+        int count = random.nextInt(33);
+        items[i] =
+            switch (random.nextInt(4)) {
+              case 0 -> new int[] {0, random.nextInt(2), probability(random)};
+              case 1 -> new int[] {1, random.nextInt() & (int) ((1L << count) - 1), count};
+              case 2 -> new int[] {2, random.nextInt(most + 1), row, most};
+              default -> new int[] {2, Math.min(most, row), row, most};
+            };
+        assertEquals(items[i][1], code(encoder, table, items[i], items[i][1]));
+        code(surprise, table, items[i], items[i][1]);
+        if (random.nextInt(9) == 0) {
+          encoder.cut();
+          items[i][0] += 3;
+        }
+      }
+      int length = encoder.finish();
+      assertTrue(length <= surprise.sum() * 1.01 / 256 / 8 + 2 + n / 20.0, length + " bytes");
+      byte[] message = Arrays.copyOf(buffer, length);
+      String where = "seed " + SEED + " round " + round;
+      assertTrue(readsItems(message, table, items), where);
+      assertFalse(readsItems(Arrays.copyOf(message, length + 1), table, items), where);
+      if (length > 0) {
+        assertFalse(readsItems(Arrays.copyOf(message, length - 1), table, items), where);
+        message[random.nextInt(length)] ^= (byte) (1 << random.nextInt(8));
+        assertFalse(readsItems(message, table, items), where);
+      }
+    }
+  }
+
+  private static int code(BitCoder c, SymbolTable table, int[] item, int value) {
+    return switch (item[0] % 3) {
+      case 0 -> c.code(value, item[2]);
+      case 1 -> c.plain(value, item[2]);
+      default -> c.symbol(table, item[2], value, item[3]);
+    };
+  }
+
+  private boolean readsItems(byte[] message, SymbolTable table, int[][] items) {
+    decoder.reset(message, 0, message.length);
+    boolean equal = true;
+    for (int[] item : items) {
+      equal &= code(decoder, table, item, 0) == item[1];
+      if (item[0] > 2) {
+        decoder.cut();
+      }
+    }
+    return equal && decoder.finished();
+  }
+
+  @Test
+  void everySymbolHasAPartAndAllPartsTogetherAreAll() {
+    Random random = new Random(SEED);
+    for (int round = 0; round < 200; round++) {
+      SymbolTable table = table(random, 1 + random.nextInt(128));
+      for (int row = 0; row < 5; row++) {
+        assertEquals(0, table.from(row, 0));
+        assertEquals(SymbolTable.ALL, table.from(row, table.last() + 1));
+        for (int s = 0; s <= table.last(); s++) {
+          int from = table.from(row, s);
+          int to = table.from(row, s + 1);
+          assertTrue(from < to, "symbol=" + s);
+          assertEquals(s, table.find(row, from));
+          assertEquals(s, table.find(row, to - 1));
+        }
+      }
+    }
+    assertThrows(IllegalArgumentException.class, () -> new SymbolTable(1, 129));
+    assertThrows(IllegalArgumentException.class, () -> new SymbolTable(1, 2).set(0, new double[1]));
+  }
+
   private boolean reads(byte[] message, int[] bits, int[] probabilities) {
     decoder.reset(message, 0, message.length);
     boolean equal = true;
@@ -185,20 +281,29 @@ final class RangeCoderTest {
       byte[] message = new byte[random.nextInt(4)];
       random.nextBytes(message);
       decoder.reset(message, 0, message.length);
+      SymbolTable table = table(random, 3);
       int[] bits = new int[random.nextInt(24)];
       for (int i = 0; i < bits.length; i++) {
-        bits[i] = decoder.code(0, 20_000);
+        bits[i] = any(decoder, table, i, 0);
       }
       if (decoder.finished()) {
         accepted++;
         encoder.reset(buffer, 0, buffer.length);
-        for (int bit : bits) {
-          encoder.code(bit, 20_000);
+        for (int i = 0; i < bits.length; i++) {
+          any(encoder, table, i, bits[i]);
         }
         assertArrayEquals(message, Arrays.copyOf(buffer, encoder.finish()));
       }
     }
     assertTrue(accepted > 100, "accepted=" + accepted);
+  }
+
+  private static int any(BitCoder c, SymbolTable table, int i, int value) {
+    return switch (i % 3) {
+      case 0 -> c.code(value, 20_000);
+      case 1 -> c.symbol(table, 1, value, 2);
+      default -> c.even(value, 1);
+    };
   }
 
   @Test
