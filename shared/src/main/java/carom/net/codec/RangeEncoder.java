@@ -7,8 +7,8 @@ import java.nio.ByteOrder;
 /**
  * Writes bits of known probability into a caller's array, each at the cost of its surprise: an
  * arithmetic coder. The message so far is an interval of fractions, of which 64 bits are at hand;
- * each slice keeps its part of the interval, and bytes leave when the interval has
- * become so short that they are certain but for a carry, which then runs back through them.
+ * each slice keeps its part of the interval, and bytes leave when the interval has become so short
+ * that they are certain but for a carry, which then runs back through them.
  *
  * <p>What is longer than the room sets a sticky overflow. The caller's array is written at {@link
  * #finish} only. One thread; allocates only for more room than it ever had.

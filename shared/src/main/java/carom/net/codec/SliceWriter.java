@@ -3,10 +3,10 @@ package carom.net.codec;
 /**
  * The writing side of the arithmetic coder, in slices. A slice is a run of the numbers from 0 to
  * below 2^{@value #BITS}: each bit or symbol keeps the part of it that belongs to it, and a slice
- * that has become short is done; what follows begins with all numbers again. What a slice is depends on
- * these and their probabilities alone and not on what was written before. So what many messages
- * have in common is worked out once ({@link SliceList}), and put into each at the cost of two
- * products ({@link RangeEncoder#slice}).
+ * that has become short is done; what follows begins with all numbers again. What a slice is
+ * depends on these and their probabilities alone and not on what was written before. So what many
+ * messages have in common is worked out once ({@link SliceList}), and put into each at the cost of
+ * two products ({@link RangeEncoder#slice}).
  */
 public abstract class SliceWriter extends BitCoder {
 

@@ -1,8 +1,8 @@
 package carom.net.codec;
 
 /**
- * Stores nothing and adds up what bits and symbols would cost: to choose the cheaper of two ways to say
- * something. One thread, no allocation.
+ * Stores nothing and adds up what bits and symbols would cost: to choose the cheaper of two ways to
+ * say something. One thread, no allocation.
  */
 public final class Surprise extends BitCoder {
 

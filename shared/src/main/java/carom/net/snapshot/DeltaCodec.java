@@ -8,11 +8,11 @@ import carom.net.codec.BitCoder;
  * same lines write that with a {@link carom.net.codec.RangeDecoder} read. {@code docs/PROTOCOL.md}
  * has the same as tables.
  *
- * <p>Each number's sign, length and highest digits are one symbol, and so are the way and whether it
- * was right; how likely each is, one of the {@link Profiles} says, as a product over the nodes of a
- * tree of yes and no. Which tree it is depends on what is known of the body by then: how old the
- * baseline is, how fast the body was, how large the differences before are. Nothing depends on other records: so what a delta's bits are is
- * the same for all sessions.
+ * <p>Each number's sign, length and highest digits are one symbol, and so are the way and whether
+ * it was right; how likely each is, one of the {@link Profiles} says, as a product over the nodes
+ * of a tree of yes and no. Which tree it is depends on what is known of the body by then: how old
+ * the baseline is, how fast the body was, how large the differences before are. Nothing depends on
+ * other records: so what a delta's bits are is the same for all sessions.
  */
 class DeltaCodec {
 

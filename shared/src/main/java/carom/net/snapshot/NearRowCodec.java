@@ -115,10 +115,8 @@ class NearRowCodec {
 
   private void entity(BitCoder c, int[] r, int at) {
     int rest = r[at + REST];
-    int kind =
-        symbol(c, Row.REST_KIND, 0, rest == 0 ? 0 : rest == ASLEEP ? 1 : 2);
-    r[at + REST] =
-        kind == 0 ? 0 : kind == 1 ? ASLEEP : real(c, Row.REST, 0, rest);
+    int kind = symbol(c, Row.REST_KIND, 0, rest == 0 ? 0 : rest == ASLEEP ? 1 : 2);
+    r[at + REST] = kind == 0 ? 0 : kind == 1 ? ASLEEP : real(c, Row.REST, 0, rest);
     r[at + X] = like(c, Row.PLACE, 0, r[at + X], own.values[0]);
     r[at + Y] = like(c, Row.PLACE, 1, r[at + Y], own.values[1]);
     unit(c, 0, r, at + COS);
@@ -161,17 +159,12 @@ class NearRowCodec {
     r[at + NORMAL_0] = real(c, Row.NORMAL, two, r[at + NORMAL_0]);
     int first = r[at + NORMAL_0] == 0 ? 0 : 1;
     r[at + TANGENT_0] = real(c, Row.TANGENT, first, r[at + TANGENT_0]);
-    r[at + NORMAL_1] =
-        like(c, Row.SECOND, 2 * first + two, r[at + NORMAL_1], r[at + NORMAL_0]);
+    r[at + NORMAL_1] = like(c, Row.SECOND, 2 * first + two, r[at + NORMAL_1], r[at + NORMAL_0]);
     int second = r[at + NORMAL_1] == 0 ? 0 : 1;
-    r[at + TANGENT_1] =
-        real(c, Row.TANGENT, 2 + 2 * second + two, r[at + TANGENT_1]);
+    r[at + TANGENT_1] = real(c, Row.TANGENT, 2 + 2 * second + two, r[at + TANGENT_1]);
     r[at + ROLLING] = real(c, Row.ROLLING, 0, r[at + ROLLING]);
-    r[at + LAST_0] =
-        like(c, Row.LAST, first, r[at + LAST_0], all(r[at + NORMAL_0]));
-    r[at + LAST_1] =
-        like(
-            c, Row.LAST, 2 + 2 * second + two, r[at + LAST_1], all(r[at + NORMAL_1]));
+    r[at + LAST_0] = like(c, Row.LAST, first, r[at + LAST_0], all(r[at + NORMAL_0]));
+    r[at + LAST_1] = like(c, Row.LAST, 2 + 2 * second + two, r[at + LAST_1], all(r[at + NORMAL_1]));
   }
 
   /** What all parts of a step do if each does the same; one pattern for all that is no number. */
@@ -249,9 +242,7 @@ class NearRowCodec {
       return c.plain(bits, Integer.SIZE);
     }
     exponent = (symbol - USUAL >> 1) + LEAST_EXPONENT;
-    return (symbol - USUAL & 1) << 31
-        | exponent << MANTISSA_BITS
-        | c.plain(bits, MANTISSA_BITS);
+    return (symbol - USUAL & 1) << 31 | exponent << MANTISSA_BITS | c.plain(bits, MANTISSA_BITS);
   }
 
   /** A float that is mostly near a guess. */

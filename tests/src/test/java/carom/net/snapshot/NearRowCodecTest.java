@@ -33,7 +33,8 @@ final class NearRowCodecTest {
   }
 
   private void unit(int[] row, int at) {
-    double angle = random.nextInt(5) * Math.PI / 4 + (random.nextBoolean() ? random.nextFloat() : 0);
+    double angle =
+        random.nextInt(5) * Math.PI / 4 + (random.nextBoolean() ? random.nextFloat() : 0);
     boolean odd = random.nextInt(6) == 0;
     row[at] = odd ? number(1) : Float.floatToRawIntBits((float) Math.cos(angle));
     row[at + 1] = odd ? number(1) : Float.floatToRawIntBits((float) Math.sin(angle));
