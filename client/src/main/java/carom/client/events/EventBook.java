@@ -130,14 +130,19 @@ public final class EventBook implements Journal {
     }
   }
 
-  /** The entry nearest in time that may be the same; of two as near, the earlier. */
+  /**
+   * The entry nearest in time that may be the same; of two as near, the earlier. However often it
+   * was computed again, a little later each time, it is the same only near the tick as which it
+   * fired.
+   */
   private Entry find(Event event, boolean unsettledOnly) {
     Entry nearest = null;
     int best = tolerance + 1;
     for (int i = 0; i < book.size(); i++) {
       Entry e = book.get(i);
       boolean open = unsettledOnly ? !e.settled : !e.computed;
-      if (e.used && open && e.event.isLike(event)) {
+      boolean near = Math.abs(e.event.tick() - event.tick()) <= tolerance;
+      if (e.used && open && near && e.event.isLike(event)) {
         int apart = Math.abs(e.tick - event.tick());
         if (apart < best || (apart == best && nearest != null && e.tick < nearest.tick)) {
           best = apart;

@@ -126,6 +126,19 @@ class EventBookTest {
   }
 
   @Test
+  void whatComesLaterEachTimeIsAnotherThingInTheEnd() {
+    step(10);
+    step(true);
+    back(9);
+    step(9);
+    step(true); // eight ticks later
+    tell(ME, 27); // the server has it another eight later: too far from what was heard
+    assertEquals(List.of("foreseen 11", "told 27"), heard);
+    book.complete(100);
+    assertEquals(List.of("foreseen 11", "told 27", "retracted 11"), heard);
+  }
+
+  @Test
   void whatTheServerToldFirstIsNotForeseenAfterwards() {
     step(10);
     tell(ME, 8);
