@@ -67,18 +67,25 @@ public final class Bot implements InputSource {
         wanderY = 2 * random.nextFloat() - 1;
         bold = random.nextInt(3) > 0;
       }
-      ClientView.Drawn own = view.own();
-      if (own != null && view.level() != null) {
-        if (roams) {
-          roam();
-        } else if (view.level().gravityY() == 0) {
-          pushBalls(view, own);
-        } else {
-          runAndJump(view, own);
-        }
+      if (roams) {
+        roam();
+      } else {
+        play(view);
       }
     }
     out.set(held);
+  }
+
+  private void play(ClientView view) {
+    ClientView.Drawn own = view.own(); // has the whole picture made: most of what a bot costs
+    if (own == null || view.level() == null) {
+      return;
+    }
+    if (view.level().gravityY() == 0) {
+      pushBalls(view, own);
+    } else {
+      runAndJump(view, own);
+    }
   }
 
   /** A walk at random, which ends up anywhere equally often; walls turn it back. */
