@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
 import carom.physics.geometry.Box;
+import carom.physics.threads.WorkerThreads;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
@@ -58,6 +59,21 @@ class ColourMemoTest {
       case 6 -> w.createBody(brick(random.nextFloat() * 10 - 5, 3.5f), "new");
       case 7 -> one.setFixedRotation(random.nextBoolean());
       default -> one.wake();
+    }
+  }
+
+  /** The moving ones stay the same, and so does what is known of them alone. */
+  @Test
+  void bodiesThatDoNotMoveMayComeInAnyNumber() {
+    for (int workers = 1; workers <= 2; workers++) {
+      World<String> w = wall();
+      try (WorkerThreads threads = new WorkerThreads(workers)) {
+        w.workers(threads);
+        for (int i = 0; i < 600; i++) {
+          w.createBody(new BodyDef().position(i, -9).shape(new Box(0.4f, 0.4f)), "pillar");
+          w.step(DT);
+        }
+      }
     }
   }
 

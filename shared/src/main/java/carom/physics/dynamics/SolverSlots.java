@@ -75,6 +75,9 @@ final class SolverSlots {
    * @param shared whether threads share the step, so that zones are worth it
    */
   void assign(boolean shared) {
+    if (slotOf.length < active.index.length) { // bodies may come that don't move
+      slotOf = Arrays.copyOf(slotOf, active.index.length);
+    }
     left--;
     if (version == active.version() && byZones == shared && (left >= 0 || !shared)) {
       return;
@@ -84,9 +87,6 @@ final class SolverSlots {
     left = LASTING;
     for (int i = 1; i < count; i++) {
       slotOf[body[i]] = 0;
-    }
-    if (slotOf.length < active.index.length) {
-      slotOf = Arrays.copyOf(slotOf, active.index.length);
     }
     if (body.length <= active.count) {
       body = new int[active.list.length + 1];
