@@ -72,7 +72,7 @@ abstract class BoxLanes {
   /** A float to which an integer from 0 to 2^23 was added has it as its lower bits. */
   static final float INTEGER = 1 << 23;
 
-  private static final LaneTrust TRUST = new LaneTrust(8_000, 64);
+  private static final LaneTrust TRUST = new LaneTrust(8_000, 24);
 
   /** How many of a step's blocks may be given to the kernel; {@link #used} must be told. */
   int trusted(int blocks) {

@@ -135,7 +135,7 @@ final class NarrowPhase {
   int run() {
     furnish();
     int blocks = contacts.count() / BoxLanes.LANES;
-    int trusted = lanes == null ? 0 : lanes.trusted(blocks);
+    int trusted = lanes == null || !isRestless() ? 0 : lanes.trusted(blocks);
     for (Desk desk : desks) {
       desk.begin(trusted < blocks ? trusted / desks.length : Integer.MAX_VALUE);
     }
@@ -151,6 +151,19 @@ final class NarrowPhase {
       lanes.used(used);
     }
     return touching;
+  }
+
+  /**
+   * Whether half of the groups had many manifolds made anew in the step before. Where fewer have,
+   * the kernel gains nothing, and until it is compiled it allocates.
+   */
+  private boolean isRestless() {
+    int groups = (contacts.count() + GROUP - 1) / GROUP;
+    int count = 0;
+    for (int group = 0; group < groups; group++) {
+      count += restless[group] ? 1 : 0;
+    }
+    return 2 * count >= groups;
   }
 
   private void furnish() {
@@ -182,7 +195,8 @@ final class NarrowPhase {
       int before = desk.keeping.boxMakes();
       int group = start / GROUP;
       boolean sample = start % GROUP < BLOCK;
-      int n = sample || !restless[group] ? follow(start, end, desk) : handBoxes(start, end, desk);
+      boolean kernel = !sample && restless[group] && desk.trusted > 0;
+      int n = kernel ? handBoxes(start, end, desk) : follow(start, end, desk);
       sort(n, desk);
       for (int i = 0; i < n; i++) {
         update(desk.rows[i], desk);
