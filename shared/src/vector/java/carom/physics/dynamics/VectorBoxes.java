@@ -121,9 +121,7 @@ final class VectorBoxes extends BoxLanes {
 
   /** Loaded by name, see {@link BoxLanes#find}. */
   VectorBoxes() {
-    if (FloatVector.SPECIES_PREFERRED.length() < LANES) {
-      throw new UnsupportedOperationException("vectors have fewer than " + LANES + " lanes");
-    }
+    VectorWidth.require(LANES);
   }
 
   @Override

@@ -90,9 +90,7 @@ final class VectorLanes extends ContactLanes {
 
   /** Loaded by name, see {@link ContactLanes#find}. */
   VectorLanes() {
-    if (FloatVector.SPECIES_PREFERRED.length() < LANES) {
-      throw new UnsupportedOperationException("vectors have fewer than " + LANES + " lanes");
-    }
+    VectorWidth.require(LANES);
   }
 
   @Override

@@ -66,9 +66,7 @@ final class VectorPins extends PinLanes {
 
   /** Loaded by name, see {@code PinLanes.find}. */
   VectorPins() {
-    if (FloatVector.SPECIES_PREFERRED.length() < LANES) {
-      throw new UnsupportedOperationException("vectors have fewer than " + LANES + " lanes");
-    }
+    VectorWidth.require(LANES);
   }
 
   @Override
