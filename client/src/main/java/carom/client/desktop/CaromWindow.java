@@ -26,7 +26,7 @@ final class CaromWindow extends ApplicationAdapter {
   private AudioDevice audio;
   private EventSounds sounds;
   private Screen screen;
-  private float seconds;
+  private double seconds;
 
   /**
    * Creates it; nothing opens.

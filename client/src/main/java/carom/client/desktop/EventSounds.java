@@ -36,17 +36,20 @@ final class EventSounds implements EventListener {
   private static final class Voice {
     final Event event = new Event();
     float loudness;
-    float until;
+    double until;
     long id;
   }
 
   private final Speaker speaker;
   private final Voice[] voices = new Voice[VOICES];
-  private final float[] quietUntil = new float[Sound.values().length];
+  private final double[] quietUntil = new double[Sound.values().length];
   private final float[] lastLoudness = new float[Sound.values().length];
   private final float volume;
   private boolean muted;
-  private float now;
+
+  /** Seconds; a float would stand still after some days. */
+  private double now;
+
   private float earX;
   private float earY;
 

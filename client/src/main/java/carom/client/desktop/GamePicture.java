@@ -25,7 +25,7 @@ final class GamePicture implements Disposable {
   private final DebugPainter debug;
   private final Hud hud;
   private boolean showDebug;
-  private float seconds;
+  private double seconds;
 
   GamePicture(Canvas canvas, Fonts fonts, EventSounds sounds) {
     this.sounds = sounds;
@@ -115,7 +115,7 @@ final class GamePicture implements Disposable {
         own == null ? camera.gdx().position.y : own.y(),
         deltaSeconds);
     float pixelsPerMetre = camera.pixelsPerMetre(height);
-    world.draw(view, flashes, camera.gdx(), pixelsPerMetre, seconds, deltaSeconds);
+    world.draw(view, flashes, camera.gdx(), pixelsPerMetre, (float) seconds, deltaSeconds);
     if (showDebug && view.predictedWorld() != null) {
       debug.draw(view.predictedWorld().world(), camera.gdx(), pixelsPerMetre);
     }

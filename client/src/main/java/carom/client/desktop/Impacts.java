@@ -48,7 +48,7 @@ final class Impacts {
   private float[] lastY = new float[0];
   private float[] fromX = new float[0]; // velocity before the blow that goes on
   private float[] fromY = new float[0];
-  private float[] quietUntil = new float[0];
+  private double[] quietUntil = new double[0];
   private boolean[] struck = new boolean[0];
 
   private final float[] blowX = new float[BLOWS];
@@ -66,7 +66,7 @@ final class Impacts {
   private int nextSpark;
 
   private final Color color = new Color();
-  private float now;
+  private double now;
 
   Impacts() {
     Arrays.fill(blowAge, RING_SECONDS);

@@ -105,6 +105,19 @@ class EventSoundsTest {
   }
 
   @Test
+  void aWindowMayStayOpenForMonths() {
+    sounds.listen(0, 0, 10_000_000);
+    sounds.happened(event(Sound.WHOOSH, 1, 0, 0, 0), false);
+    sounds.happened(event(Sound.WHOOSH, 1, 0, 0, 0), false);
+    assertEquals(1, played.size(), "two of a kind at once");
+    for (int frame = 0; frame < 20; frame++) {
+      sounds.listen(0, 0, 1 / 60f);
+    }
+    sounds.happened(event(Sound.WHOOSH, 2, 0, 0, 0), false);
+    assertEquals(2, played.size());
+  }
+
+  @Test
   void soundsComeFromTheirSide() {
     sounds.listen(100, 0, 1);
     sounds.happened(event(Sound.WHOOSH, 1, 100, 5, 0), false);
