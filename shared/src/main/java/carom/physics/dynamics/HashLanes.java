@@ -16,10 +16,15 @@ abstract class HashLanes {
   /** Rows a kernel takes at a time: their flags are one word. */
   static final int ROWS = 8;
 
-  /** Calls of a kernel before everything goes through it, few per hash. */
+  /**
+   * Calls of a kernel before everything goes through it: until then the JIT compiler may interpret
+   * it, hundreds of times slower.
+   */
   private static final int WARM_UP = 1_500;
 
-  /** How many numbers or rows it gets per call until then. */
+  /** Pieces per hash until then, and how many numbers or rows they have. */
+  private static final int FEW = 8;
+
   private static final int SMALL = 32;
 
   /** Rows per call afterwards, so that their factors stay in the nearest cache. */
@@ -28,8 +33,10 @@ abstract class HashLanes {
   /** Shorter columns and tables gain too little to be worth these calls. */
   private static final int LEAST = 512;
 
-  private final LaneTrust columnTrust = new LaneTrust(WARM_UP, Integer.MAX_VALUE);
-  private final LaneTrust rowTrust = new LaneTrust(WARM_UP, Integer.MAX_VALUE);
+  /** How often kernels were called. Worlds share these counts, which needn't be exact. */
+  private int columnCalls;
+
+  private int rowCalls;
 
   /**
    * Adds words of a column, multiplied by their factors, to sums that belong together.
@@ -71,12 +78,12 @@ abstract class HashLanes {
    */
   final int column(float[] column, long[] factors, int n, long[] sums) {
     int whole = n < LEAST ? 0 : n & -SMALL;
-    int done = whole == 0 ? 0 : columnTrust.blocks(whole / SMALL) * SMALL;
-    if (done >= whole) {
+    if (columnCalls >= WARM_UP) {
       column(column, factors, 0, whole, sums);
       return whole;
     }
-    for (int at = 0; at < done; at += SMALL) {
+    int done = Math.min(whole, FEW * SMALL);
+    for (int at = 0; at < done; at += SMALL, columnCalls++) {
       column(column, factors, at, at + SMALL, sums);
     }
     return done;
@@ -92,15 +99,15 @@ abstract class HashLanes {
    */
   final int rows(ContactTable t, long[] factors, long[] lanes, long[] sums) {
     int whole = t.count() < LEAST ? 0 : t.count() & -ROWS;
-    int pieces = whole == 0 ? 0 : rowTrust.blocks(whole / SMALL);
-    boolean trusted = pieces >= whole / SMALL;
+    boolean trusted = rowCalls >= WARM_UP;
     int piece = trusted ? PIECE : SMALL;
-    int done = trusted ? whole : pieces * SMALL;
+    int done = trusted ? whole : Math.min(whole, FEW * SMALL);
     Arrays.fill(lanes, 0);
     for (int at = 0; at < done; at += piece) {
       int end = Math.min(at + piece, done);
       names(t, at, end, factors, lanes);
       impulses(t.contact, at, end, factors, lanes);
+      rowCalls += trusted ? 0 : 1;
     }
     for (int i = 0; i < SUMS; i++) {
       sums[ContactHash.STATE] += lanes[i];

@@ -121,7 +121,9 @@ final class VectorBoxes extends BoxLanes {
 
   /** Loaded by name, see {@link BoxLanes#find}. */
   VectorBoxes() {
-    VectorWidth.require(LANES);
+    if (FloatVector.SPECIES_PREFERRED.length() < LANES) {
+      throw new UnsupportedOperationException("vectors have fewer than " + LANES + " lanes");
+    }
   }
 
   @Override

@@ -90,7 +90,9 @@ final class VectorLanes extends ContactLanes {
 
   /** Loaded by name, see {@link ContactLanes#find}. */
   VectorLanes() {
-    VectorWidth.require(LANES);
+    if (FloatVector.SPECIES_PREFERRED.length() < LANES) {
+      throw new UnsupportedOperationException("vectors have fewer than " + LANES + " lanes");
+    }
   }
 
   @Override

@@ -66,7 +66,9 @@ final class VectorPins extends PinLanes {
 
   /** Loaded by name, see {@code PinLanes.find}. */
   VectorPins() {
-    VectorWidth.require(LANES);
+    if (FloatVector.SPECIES_PREFERRED.length() < LANES) {
+      throw new UnsupportedOperationException("vectors have fewer than " + LANES + " lanes");
+    }
   }
 
   @Override
