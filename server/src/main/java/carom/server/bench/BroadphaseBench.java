@@ -97,6 +97,9 @@ public final class BroadphaseBench {
 
   private static final int SLICES = 12;
 
+  /** Ticks that are measured at most; there is no limit to those of the warm-up. */
+  private static final int MOST_TICKS = 100_000;
+
   private BroadphaseBench() {}
 
   /**
@@ -110,6 +113,11 @@ public final class BroadphaseBench {
    * @return the row
    */
   public static Row run(Method method, int n, boolean clustered, double seconds, Runnable pause) {
+    return run(method, n, clustered, seconds, pause, MOST_TICKS);
+  }
+
+  static Row run(
+      Method method, int n, boolean clustered, double seconds, Runnable pause, int most) {
     BroadphaseScene scene = new BroadphaseScene(n, clustered);
     KdTree kd = new KdTree(scene.boxes());
     QuadTree quad = new QuadTree();
@@ -121,9 +129,9 @@ public final class BroadphaseBench {
     }
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     long me = Thread.currentThread().getId();
-    double[] update = new double[100_000];
-    double[] pairs = new double[update.length];
-    double[] sum = new double[update.length];
+    double[] update = new double[most];
+    double[] pairs = new double[most];
+    double[] sum = new double[most];
     long allocated = 0;
     long hash = 0;
     Tally tally = new Tally();
@@ -132,7 +140,7 @@ public final class BroadphaseBench {
     double end = warm + seconds;
     double nextPause = warm;
     int rows = 0;
-    for (int tick = 0; tick < update.length && (tick < 6 || Stopwatch.cpuSeconds() < end); tick++) {
+    for (int tick = 0; rows < most && (tick < 6 || Stopwatch.cpuSeconds() < end); tick++) {
       if (tick >= 3 && Stopwatch.cpuSeconds() >= nextPause) {
         pause.run();
         nextPause += seconds / SLICES;

@@ -15,7 +15,8 @@ package carom.physics.broadphase;
  *
  * <p>For how many ticks the rooms are follows from how fast boxes move in relation to their sizes,
  * so that the lists stay short. The few that leave early, as they changed their course, get larger
- * rooms one by one. What moves its own size in a tick is better off with the tree alone.
+ * rooms one by one, until a list is twice as long as when it was made: then its rooms are made
+ * anew. What moves its own size in a tick is better off with the tree alone.
  *
  * <p><b>Order, ownership, threads, errors</b> as for every {@link SpatialIndex}. <b>Cost.</b> O(n +
  * pairs) in most ticks. Boxes are kept in the order of the tree, so that all streams are local.
@@ -37,6 +38,9 @@ public final class PairCache {
 
   /** The same for outer rooms. */
   private static final int OUTER_SHARE = 4;
+
+  /** Ticks up to which {@link #age} is counted: of more than these a way's mean is nil. */
+  private static final int OLDEST = 1 << 20;
 
   /** Room on each side in any case, in extents of the box. */
   private static final float MARGIN = 1 / 64f;
@@ -65,15 +69,13 @@ public final class PairCache {
   private final AabbArray outer = new AabbArray(0);
 
   /**
-   * By place: left and lower edge at the tick {@link #since}, or where they would have been had the
+   * By place: left and lower edge when inner rooms were made, or where they would have been had the
    * box always moved as it does now.
    */
   private float[] start = new float[0];
 
-  /** When inner rooms were made, and the tick now. */
-  private int since;
-
-  private int now;
+  /** Ticks since inner rooms were made, {@link #OLDEST} at most. */
+  private int age;
 
   /** For how many ticks new rooms are. */
   private float innerTicks;
@@ -85,6 +87,11 @@ public final class PairCache {
 
   private final PairList innerPairs = new PairList();
   private final PairList outerPairs = new PairList();
+
+  /** See {@link #limit}. */
+  private int innerLimit;
+
+  private int outerLimit;
   private final int[] batch = new int[BATCH];
 
   /** Places that left a room in this tick, and how they moved in it. */
@@ -133,6 +140,11 @@ public final class PairCache {
     return size;
   }
 
+  /** How many pairs are kept, a measure of memory and time. */
+  int kept() {
+    return innerPairs.count + outerPairs.count;
+  }
+
   /**
    * Forgets everything and takes these boxes.
    *
@@ -160,8 +172,7 @@ public final class PairCache {
     ensure(count);
     System.arraycopy(newIds, 0, ids, 0, count);
     size = count;
-    now = 0;
-    since = 0;
+    age = 0;
     for (int place = 0; place < size; place++) {
       copy(source, ids[place], boxes, place);
       copy(source, ids[place], outer, place);
@@ -179,12 +190,14 @@ public final class PairCache {
    *     then
    */
   public void refit() {
-    now++;
+    age = Math.min(age + 1, OLDEST);
     follow();
     if (leftCount > size / INNER_SHARE) {
       renewInner();
-    } else if (!growAll()) {
+    } else if (!growAll() || outerPairs.count > outerLimit) {
       renewOuter();
+    } else if (innerPairs.count > innerLimit) {
+      renewInner();
     }
   }
 
@@ -195,7 +208,7 @@ public final class PairCache {
       follow(0, size);
       return;
     }
-    fetched = fetch(0, AHEAD);
+    fetched = fetch(0, Math.min(AHEAD, size));
     for (int from = 0; from < size; from += AHEAD) {
       int to = from + AHEAD;
       fetched += fetch(to, Math.min(to + AHEAD, size));
@@ -269,7 +282,7 @@ public final class PairCache {
         left[leftCount++] = place;
       }
     }
-    if (leftCount <= size / OUTER_SHARE && growAll()) {
+    if (leftCount <= size / OUTER_SHARE && growAll() && outerPairs.count <= outerLimit) {
       pickInner();
     } else {
       renewOuter();
@@ -295,6 +308,7 @@ public final class PairCache {
     setRooms(outer, outerTicks);
     outerPairs.clear();
     tree.pairs(outerPairs);
+    outerLimit = limit(outerPairs);
     pickInner();
   }
 
@@ -347,17 +361,27 @@ public final class PairCache {
       start[2 * place] = e[at];
       start[2 * place + 1] = e[at + 1];
     }
-    since = now;
+    age = 0;
     innerPairs.clear();
     for (int from = 0; from < outerPairs.count; from += BATCH) {
       int found = test(room, outerPairs, from);
       innerPairs.addFrom(outerPairs, batch, found);
     }
+    innerLimit = limit(innerPairs);
+  }
+
+  /**
+   * How long a list that was made just now may become, by rooms that grow one by one, before all
+   * its rooms are made anew. Without a limit what flies about among others that rest would have a
+   * pair with all of them some day.
+   */
+  private int limit(PairList made) {
+    return (int) Math.min(Integer.MAX_VALUE, 2L * made.count + size);
   }
 
   /** One by the ticks since inner rooms were made. */
   private float perTick() {
-    return 1f / Math.max(1, now - since);
+    return 1f / Math.max(1, age);
   }
 
   /** Makes rooms for some ticks ahead along the mean way since inner rooms were made. */
@@ -446,8 +470,8 @@ public final class PairCache {
 
   /** Has the mean way of a box be this one. */
   private void startAt(int place, float wayX, float wayY) {
-    start[2 * place] = boxes.minX(place) - (now - since) * wayX;
-    start[2 * place + 1] = boxes.minY(place) - (now - since) * wayY;
+    start[2 * place] = boxes.minX(place) - age * wayX;
+    start[2 * place + 1] = boxes.minY(place) - age * wayY;
   }
 
   /** Adds the pair of the box that grows and another to the lists it has come into. */

@@ -114,6 +114,70 @@ class PairCacheTest {
     }
   }
 
+  /** Few boxes for long, many seeds, each with a mix of its own of speeds, turns, rests, sizes. */
+  @ParameterizedTest
+  @ValueSource(ints = {1, 2, 5, 31, 33, 64, 150})
+  void longRunsOfAnyMotionAreExact(int count) {
+    for (int seed = 0; seed < 8; seed++) {
+      Boxes boxes = new Boxes(seed % 2 == 0 ? Layout.UNIFORM : Layout.CLUSTERED, count, seed);
+      float[] way = new float[2 * count];
+      double moving = boxes.between(0, 1);
+      double turning = Math.pow(boxes.between(0, 0.7), 3);
+      double speed = Math.pow(10, boxes.between(-3, 0.3));
+      float side = (float) (2 * Math.sqrt(count));
+      BruteForce oracle = new BruteForce();
+      PairCache cache = new PairCache(seed % 4 < 2 ? 1 : BOXES); // some as if far away in memory
+      cache.rebuild(boxes.array, boxes.ids(), count);
+      for (int tick = 0; tick < 40_000 / (count + 20); tick++) {
+        for (int id = 0; id < count * moving; id++) {
+          if (tick == 0 || boxes.between(0, 1) < turning) {
+            way[2 * id] = boxes.between(-speed, speed);
+            way[2 * id + 1] = boxes.between(-speed, speed);
+          }
+          boolean out =
+              Math.abs(boxes.array.minX(id)) > side || Math.abs(boxes.array.minY(id)) > side;
+          if (out && boxes.below(3) > 0) {
+            boxes.place(id);
+          } else {
+            boxes.shift(id, way[2 * id], way[2 * id + 1]);
+          }
+        }
+        cache.refit();
+        oracle.rebuild(boxes.array, boxes.ids(), count);
+        assertArrayEquals(Pairs.of(oracle), Pairs.of(cache::pairs), boxes + " tick=" + tick);
+      }
+    }
+  }
+
+  /** After hours as after a minute: what was near once is forgotten. */
+  @ParameterizedTest
+  @ValueSource(ints = {30, 150})
+  void fewThatFlyAboutDoNotFillTheLists(int flying) {
+    Boxes boxes = new Boxes(Layout.UNIFORM, 300, 47);
+    BruteForce oracle = new BruteForce();
+    PairCache cache = new PairCache();
+    cache.rebuild(boxes.array, boxes.ids(), 300);
+    float[] way = new float[2 * flying];
+    int most = 0;
+    for (int tick = 0; tick < 12_000; tick++) {
+      for (int id = 0; id < flying; id++) {
+        for (int axis = 0; axis < 2; axis++) {
+          float at = boxes.array.edges[4 * id + axis];
+          float speed = at < 0 ? 0.1f : at > 25 ? -0.1f : way[2 * id + axis];
+          way[2 * id + axis] = tick % 97 == id ? boxes.between(-0.1, 0.1) : speed;
+        }
+        boxes.shift(id, way[2 * id], way[2 * id + 1]);
+      }
+      cache.refit();
+      most = Math.max(most, tick < 200 ? 0 : cache.kept());
+      if (tick % 100 == 0) {
+        oracle.rebuild(boxes.array, boxes.ids(), 300);
+        assertArrayEquals(Pairs.of(oracle), Pairs.of(cache::pairs), boxes + " tick=" + tick);
+      }
+    }
+    assertTrue(most < 4000, boxes + " most=" + most);
+  }
+
   @Test
   void idsThatComeTwiceOrAreTooManyAreRefused() {
     Boxes boxes = new Boxes(Layout.UNIFORM, 50, 46);
