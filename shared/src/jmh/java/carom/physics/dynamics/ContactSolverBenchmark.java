@@ -2,6 +2,7 @@ package carom.physics.dynamics;
 
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Shape;
+import carom.physics.threads.Lockstep;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -42,6 +43,7 @@ public class ContactSolverBenchmark {
   private final Dynamics world = new Dynamics(settings);
   private final ActiveBodies active = new ActiveBodies();
   private final SolverBodies bodies = new SolverBodies(active, null, new Crew());
+  private final Lockstep lockstep = new Lockstep();
   private ContactSolver solver;
 
   /** Builds the pyramid and lets it settle. */
@@ -82,32 +84,39 @@ public class ContactSolverBenchmark {
   @Setup(Level.Iteration)
   public void begin() {
     prepare();
-    bodies.integrateVelocities(false);
+    bodies.integrateVelocities(lockstep, false);
+    lockstep.run();
   }
 
   /** Collects, colours and packs the contacts. */
   @Benchmark
   public void prepare() {
     float h = DT / settings.substeps();
-    bodies.load(world.bodies(), settings, h);
+    bodies.begin(world.bodies(), settings, h, world.contacts());
     solver.prepare(world.contacts(), world.bodies(), bodies, settings, h);
+    bodies.load(lockstep);
+    solver.pack(lockstep);
+    lockstep.run();
   }
 
   /** Applies the impulses again. */
   @Benchmark
   public void warmStart() {
-    solver.warmStart();
+    solver.warmStart(lockstep);
+    lockstep.run();
   }
 
   /** The pass with bias. */
   @Benchmark
   public void push() {
-    solver.push();
+    solver.push(lockstep);
+    lockstep.run();
   }
 
   /** The pass without bias, with friction. */
   @Benchmark
   public void relax() {
-    solver.relax();
+    solver.relax(lockstep);
+    lockstep.run();
   }
 }

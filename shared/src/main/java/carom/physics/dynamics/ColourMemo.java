@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /**
  * What the colours of the last step followed from, to tell whether those of this step are the same:
- * rows, their numbers of points, which slots bodies have in the solver, and their masses.
+ * rows, their numbers of points, which bodies are active, their domains, and their masses.
  *
  * <p>A memo isn't state. It only says that colouring anew would give the same colours, since
  * everything that colouring reads is equal, number by number; so nothing of it is saved, hashed or
@@ -20,44 +20,46 @@ final class ColourMemo {
   private boolean holds;
   private int rows;
   private int slots;
+
+  /** {@link Domains#edition}. */
+  private int edition;
+
   private long[] key = new long[0];
   private byte[] points = new byte[0];
-  private int[] slot = new int[0];
   private float[] inverseMass = new float[0];
 
   /** Whether the colours of what was {@link #note noted} are those of this step. */
-  boolean holds(ContactTable t, BodyStore b, int[] slotOf) {
+  boolean holds(ContactTable t, BodyStore b, int edition) {
     holds =
         holds
+            && this.edition == edition
             && rows == t.count()
             && slots == b.slots()
             && Arrays.equals(points, 0, rows, t.points, 0, rows)
             && plain(t)
-            && Arrays.equals(slot, 0, slots, slotOf, 0, slots)
             && Arrays.equals(inverseMass, 0, slots, b.invMass, 0, slots)
             && Arrays.equals(key, 0, rows, t.key, 0, rows);
     return holds;
   }
 
   /** Notes what colours follow from. */
-  void note(ContactTable t, BodyStore b, int[] slotOf) {
+  void note(ContactTable t, BodyStore b, int edition) {
     holds = b.slots() <= BODIES_PER_ROW * t.count() && plain(t);
     if (!holds) {
       return;
     }
+    this.edition = edition;
     rows = t.count();
     slots = b.slots();
     if (key.length < rows) {
       key = new long[rows + rows / 2];
       points = new byte[key.length];
     }
-    if (slot.length < slots) {
-      slot = new int[slots + slots / 2];
-      inverseMass = new float[slot.length];
+    if (inverseMass.length < slots) {
+      inverseMass = new float[slots + slots / 2];
     }
     System.arraycopy(t.key, 0, key, 0, rows);
     System.arraycopy(t.points, 0, points, 0, rows);
-    System.arraycopy(slotOf, 0, slot, 0, slots);
     System.arraycopy(b.invMass, 0, inverseMass, 0, slots);
   }
 

@@ -8,6 +8,7 @@ import static carom.physics.dynamics.SolverBodies.VX;
 import static carom.physics.dynamics.SolverBodies.VY;
 import static carom.physics.dynamics.SolverBodies.W;
 
+import carom.physics.threads.Lockstep;
 import java.util.Arrays;
 
 /**
@@ -23,10 +24,15 @@ import java.util.Arrays;
  * no history to save or to hash; while these stay the same so do colours and lanes ({@link
  * ColourMemo}).
  *
- * <p><b>Layout.</b> Contacts are packed in blocks, a colour beginning a new block. Each quantity of
- * a block lies side by side for all its contacts; all quantities of a block follow each other
- * ({@code data[block * RECORD + quantity + lane]}). So a pass is one stream through memory, and a
- * block's quantity is one vector register.
+ * <p><b>Layout.</b> Contacts are packed in blocks, a colour of a {@linkplain Domains domain}
+ * beginning a new block. Each quantity of a block lies side by side for all its contacts; all
+ * quantities of a block follow each other ({@code data[block * RECORD + quantity + lane]}). So a
+ * pass is one stream through memory, and a block's quantity is one vector register.
+ *
+ * <p><b>Domains.</b> A contact belongs to the domain of its first body that can be moved, those
+ * without a colour among moving bodies to the first domain. It is at the border if one of its
+ * bodies is touched from another domain. Contacts at the border lie behind the others of their
+ * group: blocks without any are the inner part of a phase (see {@link Lockstep}).
  */
 final class ContactBlocks {
   /** Contacts in a block. */
@@ -41,11 +47,14 @@ final class ContactBlocks {
   /** Steps with fewer blocks don't use vectors. */
   private static final int FEWEST_BLOCKS = 512 / LANES;
 
-  /** Blocks that make a piece of work for a worker. */
-  private static final int GRAIN = 64 / LANES;
+  /** Colours of a domain. */
+  private static final int COLOURS = 2 * (LAST_COLOUR + 1);
+
+  /** Instead of a colour: all of them, one after the other. */
+  private static final int ALL = -1;
 
   /** Every colour has a group of contacts with one point, and one of those with two. */
-  private static final int GROUPS = 2 * 2 * (LAST_COLOUR + 1);
+  private static final int GROUPS = 2 * COLOURS;
 
   // Offsets of the quantities of a block in data: of the contact,
   static final int NX = 0;
@@ -140,24 +149,35 @@ final class ContactBlocks {
 
   private int count;
 
-  /** The touching rows and their places, group and zone, in the order of the keys. */
+  /** Groups of all domains. */
+  private int groups = GROUPS;
+
+  /** The touching rows and their groups, in the order of the keys. */
   private int[] touching = new int[0];
 
-  private int[] place = new int[0];
+  private int[] groupOf = new int[0];
 
-  /** Colours each slot of {@link SolverBodies} has, among moving bodies and with static ones. */
+  /** Colours each active body has, among moving bodies and with static ones. */
   private long[] taken = new long[0];
 
   private long[] takenFixed = new long[0];
 
-  /** Per group: its contacts. */
-  private final int[] size = new int[GROUPS];
+  /**
+   * Per group, all those of a domain one after the other: its contacts; the lane of the next one
+   * that isn't at the border, and the one behind the next that is; its first block, and that of its
+   * border. Behind the last group, its end.
+   */
+  private int[] size = new int[0];
 
-  /** Per zone of each group: its contacts; and, while they are given lanes, the next one. */
-  private final int[] next = new int[GROUPS * SolverSlots.MOST_ZONES];
+  private int[] next = new int[0];
+  private int[] last = new int[0];
+  private int[] start = new int[1];
+  private int[] startOfBorder = new int[0];
 
-  /** The contacts of a group lie by the zones of their bodies; so many there are. */
-  private int zones;
+  /** Colours that any domain has contacts of. */
+  private final int[] colour = new int[COLOURS];
+
+  private int colours;
 
   private final ColourMemo memo = new ColourMemo();
 
@@ -178,139 +198,141 @@ final class ContactBlocks {
   /** {@link SolverBodies#state}, which the offsets are of. */
   float[] v;
 
-  /** First block of each colour. */
-  private final int[] colourStart = new int[2 * (LAST_COLOUR + 1) + 1];
-
-  private final Crew crew;
-
-  /** Pieces of all colours: from and to of each. */
-  private int[] piece = new int[0];
-
-  private int pieces;
-
-  /** Per colour: its first piece; and all pieces by the workers that get them. */
-  private final int[] firstPiece = new int[2 * (LAST_COLOUR + 1) + 1];
-
-  private int[] byWorkers = new int[0];
-
-  /** What is done piece by piece. */
-  private Crew.Range visit;
-
-  private final Crew.Range visiting = this::visitPieces;
-  private final Crew.Range visitingAll = this::visitAllPieces;
-
-  /** Makes room for nothing yet; the crew does colours. */
-  ContactBlocks(Crew crew) {
-    this.crew = crew;
-  }
-
   /** The number of blocks. */
   int count() {
     return count;
   }
 
   /**
-   * Finds the contacts to solve, touching and not vetoed, colours them and gives each a lane. What
-   * it holds of them is to be filled in.
+   * Finds the contacts to solve, touching and not vetoed, colours them and gives each a lane, and
+   * active bodies their slots. What it holds of contacts is to be filled in.
    *
    * @param lanes kernels that take whole blocks, null for none
    */
   void lay(ContactTable table, BodyStore bodies, SolverBodies solverBodies, ContactLanes lanes) {
-    v = solverBodies.state;
-    if (memo.holds(table, bodies, solverBodies.slotOf())) {
+    Domains domains = solverBodies.domains;
+    if (memo.holds(table, bodies, domains.edition())) {
       layOut(lanes);
-      return;
+    } else {
+      paint(table, bodies, solverBodies.active, domains);
+      solverBodies.assignSlots();
+      memo.note(table, bodies, domains.edition());
+      findGroups();
+      giveLanes(table, domains);
+      layOut(lanes);
     }
-    paint(table, bodies, solverBodies);
-    memo.note(table, bodies, solverBodies.slotOf());
-    layOut(lanes);
-    layZones();
-    for (int k = 0; k < contacts; k++) {
-      row[next[place[k]]++] = touching[k];
-    }
+    v = solverBodies.state;
   }
 
   /** Finds the contacts to solve and gives each its colour. */
-  private void paint(ContactTable t, BodyStore b, SolverBodies solverBodies) {
-    int[] slotOf = solverBodies.slotOf();
-    int slots = solverBodies.count();
-    int zoneShift = solverBodies.zoneShift();
-    zones = ((slots - 1) >> zoneShift) + 1;
-    if (touching.length < t.count()) {
-      int capacity = t.count() + t.count() / 2;
-      touching = new int[capacity];
-      place = new int[capacity];
+  private void paint(ContactTable t, BodyStore b, ActiveBodies active, Domains domains) {
+    ensure(t.count(), active.count, domains.count());
+    boolean divided = domains.count() > 1;
+    if (divided) {
+      domains.forgetBorders();
     }
-    if (taken.length < slots) {
-      int capacity = Math.max(slots, taken.length * 2);
-      taken = new long[capacity];
-      takenFixed = new long[capacity];
-    }
-    Arrays.fill(taken, 0, slots, 0);
-    Arrays.fill(takenFixed, 0, slots, 0);
-    Arrays.fill(size, 0);
-    Arrays.fill(next, 0, GROUPS * zones, 0);
+    Arrays.fill(taken, 0, active.count, 0);
+    Arrays.fill(takenFixed, 0, active.count, 0);
+    Arrays.fill(size, 0, domains.count() * GROUPS, 0);
+    int found = listTouching(t);
     contacts = 0;
-    for (int r = 0; r < t.count(); r++) {
-      if (t.points[r] == 0 || (t.flags[r] & ContactTable.DORMANT) != 0) {
-        continue;
-      }
+    for (int k = 0; k < found; k++) {
+      int r = touching[k];
       if ((t.flags[r] & ContactTable.VETOED) != 0) {
         t.forget(r);
         continue;
       }
-      int a = ContactKey.bodyA(t.key[r]);
-      int o = ContactKey.bodyB(t.key[r]);
+      int mover = ContactKey.bodyA(t.key[r]);
+      int other = ContactKey.bodyB(t.key[r]);
       int c;
-      int slotA = slotOf[a];
-      int slotB = slotOf[o];
-      if (b.invMass[a] == 0) {
-        slotA = slotB;
-        c = LAST_COLOUR + 1 + paint(takenFixed, slotB);
-      } else if (b.invMass[o] == 0) {
-        c = LAST_COLOUR + 1 + paint(takenFixed, slotA);
-      } else {
-        c = Math.min(Long.numberOfTrailingZeros(~(taken[slotA] | taken[slotB])), LAST_COLOUR);
-        long bit = 1L << c;
-        taken[slotA] |= bit;
-        taken[slotB] |= bit;
+      if (b.invMass[mover] == 0) {
+        int swap = mover;
+        mover = other;
+        other = swap;
       }
-      int zone = (c & LAST_COLOUR) == LAST_COLOUR ? 0 : slotA >> zoneShift;
+      int at = active.index[mover];
+      if (b.invMass[other] == 0) {
+        c = Math.min(Long.numberOfTrailingZeros(~takenFixed[at]), LAST_COLOUR);
+        takenFixed[at] |= 1L << c;
+        c += LAST_COLOUR + 1;
+      } else {
+        int otherAt = active.index[other];
+        c = Math.min(Long.numberOfTrailingZeros(~(taken[at] | taken[otherAt])), LAST_COLOUR);
+        long bit = 1L << c;
+        taken[at] |= bit;
+        taken[otherAt] |= bit;
+      }
       int group = 2 * c + t.points[r] - 1;
+      if (divided) {
+        int domain = c == LAST_COLOUR ? 0 : domains.of[mover];
+        group += domain * GROUPS;
+        domains.touch(domain, mover);
+        if (active.contains(other)) {
+          domains.touch(domain, other);
+        }
+      }
       size[group]++;
-      place[contacts] = group * zones + zone;
-      next[place[contacts]]++;
+      groupOf[contacts] = group;
       touching[contacts++] = r;
     }
   }
 
-  /** Gives each zone of a group its lanes. */
-  private void layZones() {
+  /**
+   * Lists the rows that touch and aren't dormant; answers how many. Without a branch, as it is not
+   * to be foreseen which do.
+   */
+  private int listTouching(ContactTable t) {
+    int n = 0;
+    for (int r = 0; r < t.count(); r++) {
+      touching[n] = r;
+      n += -t.points[r] >>> Integer.SIZE - 1 & ~(t.flags[r] >> Byte.SIZE - 1);
+    }
+    return n;
+  }
+
+  private void ensure(int rows, int bodies, int domains) {
+    if (touching.length < rows) {
+      int capacity = rows + rows / 2;
+      touching = new int[capacity];
+      groupOf = new int[capacity];
+    }
+    if (taken.length < bodies) {
+      int capacity = Math.max(bodies, taken.length * 2);
+      taken = new long[capacity];
+      takenFixed = new long[capacity];
+    }
+    if (size.length < domains * GROUPS) {
+      size = new int[domains * GROUPS];
+      next = new int[domains * GROUPS];
+      last = new int[domains * GROUPS];
+      start = new int[domains * GROUPS + 1];
+      startOfBorder = new int[domains * GROUPS];
+    }
+    groups = domains * GROUPS;
+  }
+
+  /** Gives each group its blocks, and finds out which colours there are. */
+  private void findGroups() {
     int block = 0;
-    for (int g = 0; g < GROUPS; g++) {
-      int lane = block * LANES;
-      for (int i = g * zones; i < (g + 1) * zones; i++) {
-        int n = next[i];
-        next[i] = lane;
-        lane += n;
-      }
+    for (int g = 0; g < groups; g++) {
+      start[g] = block;
+      next[g] = block * LANES;
+      last[g] = next[g] + size[g];
       block += (size[g] + LANES - 1) / LANES;
     }
-  }
-
-  private static int paint(long[] masks, int slot) {
-    int c = Math.min(Long.numberOfTrailingZeros(~masks[slot]), LAST_COLOUR);
-    masks[slot] |= 1L << c;
-    return c;
-  }
-
-  /** Gives each group its count. */
-  private void layOut(ContactLanes lanes) {
-    count = 0;
-    for (int g = 0; g < GROUPS; g++) {
-      count += (size[g] + LANES - 1) / LANES;
+    start[groups] = block;
+    count = block;
+    colours = 0;
+    for (int c = 0; c < COLOURS; c++) {
+      int sum = 0;
+      for (int g = 2 * c; g < groups; g += GROUPS) {
+        sum += size[g] + size[g + 1];
+      }
+      if (sum > 0) {
+        colour[colours++] = c;
+      }
     }
-    if (used.length < count) {
+    if (row.length < count * LANES) {
       int capacity = count + count / 2; // room at once: crowds go on meeting after their first step
       used = new byte[capacity];
       traits = new byte[capacity];
@@ -320,111 +342,99 @@ final class ContactBlocks {
       data = new float[capacity * RECORD];
       extra = new float[capacity * EXTRA];
     }
-    int widest = lanes == null || count < FEWEST_BLOCKS ? 0 : lanes.trusted(count);
-    int block = 0;
-    for (int g = 0; g < GROUPS; g++) {
-      int colour = g >> 1;
-      if ((g & 1) == 0) {
-        colourStart[colour] = block;
+  }
+
+  /**
+   * Gives each contact a lane: from the front of its group, or from its end if it is at the border.
+   * What found no colour keeps the order of the keys, and all of it counts as border.
+   */
+  private void giveLanes(ContactTable t, Domains domains) {
+    boolean divided = domains.count() > 1;
+    for (int k = 0; k < contacts; k++) {
+      int r = touching[k];
+      int g = groupOf[k];
+      boolean border =
+          divided
+              && isColour(g)
+              && (domains.isAtBorder(ContactKey.bodyA(t.key[r]))
+                  || domains.isAtBorder(ContactKey.bodyB(t.key[r])));
+      row[border ? --last[g] : next[g]++] = r;
+    }
+    for (int g = 0; g < groups; g++) {
+      int inner = next[g] - start[g] * LANES;
+      if (divided && !isColour(g)) {
+        inner = 0;
       }
-      int kind = ((g & 1) != 0 ? TWO : 0) | (colour > LAST_COLOUR ? FIXED : 0);
+      startOfBorder[g] = inner == size[g] ? start[g + 1] : start[g] + inner / LANES;
+    }
+  }
+
+  /** Whether contacts of a group share no body that can be moved. */
+  private static boolean isColour(int group) {
+    return (group >> 1 & LAST_COLOUR) != LAST_COLOUR;
+  }
+
+  /** Says what is in each block. */
+  private void layOut(ContactLanes lanes) {
+    int widest = lanes == null || count < FEWEST_BLOCKS ? 0 : lanes.trusted(count);
+    for (int g = 0; g < groups; g++) {
+      int kind = ((g & 1) != 0 ? TWO : 0) | ((g >> 1) % COLOURS > LAST_COLOUR ? FIXED : 0);
       int left = size[g];
-      for (; left > 0; left -= LANES) {
+      for (int block = start[g]; left > 0; block++, left -= LANES) {
         used[block] = (byte) Math.min(left, LANES);
-        boolean wide = block < widest && left >= FEWEST && (colour & LAST_COLOUR) != LAST_COLOUR;
+        boolean wide = block < widest && left >= FEWEST && isColour(g);
         traits[block] = (byte) (kind | (wide ? WIDE : 0));
         if (left < LANES) {
           clear(block);
         }
-        block++;
       }
     }
-    colourStart[GROUPS >> 1] = count;
-    cut();
   }
 
   /**
-   * Cuts all colours into pieces, those of a colour in the order of the workers that get them: the
-   * first worker the first part of each of its groups, and so on. Within a group contacts lie by
-   * the zones of their bodies, or by their keys, so every worker stays with the same bodies; who
-   * packs and stores them finds blocks in its core's cache.
+   * Adds a stage in which no block has anything to do with another; whatever other domains did
+   * before in their border parts is done then.
    */
-  private void cut() {
-    pieces = 0;
-    if (!crew.shares(count, GRAIN)) {
+  void addAll(Lockstep lockstep, Lockstep.Phase stage) {
+    lockstep.add(stage, ALL);
+  }
+
+  /** Adds a stage colour by colour. */
+  void addColours(Lockstep lockstep, Lockstep.Phase stage) {
+    if (groups == GROUPS) {
+      lockstep.add(stage, ALL);
       return;
     }
-    int workers = crew.count();
-    int most = count / GRAIN + 2 * GROUPS * workers;
-    if (piece.length < 2 * most) {
-      piece = new int[3 * most];
-      byWorkers = new int[piece.length / 2];
+    for (int i = 0; i < colours; i++) {
+      lockstep.add(stage, colour[i]);
     }
-    for (int c = 0; c < GROUPS >> 1; c++) {
-      firstPiece[c] = pieces;
-      int start = colourStart[c];
-      int middle = start + (size[2 * c] + LANES - 1) / LANES;
-      int end = colourStart[c + 1];
-      int shares = isShared(c) ? workers : 1;
-      for (int i = 0; i < shares; i++) {
-        cut(part(start, middle, i, shares), part(start, middle, i + 1, shares));
-        cut(part(middle, end, i, shares), part(middle, end, i + 1, shares));
+  }
+
+  /** Makes a phase of a stage that takes blocks from one to another. */
+  Lockstep.Phase phase(Crew.Range stage) {
+    return (number, domain, border, worker) -> visit(number, domain, border, worker, stage);
+  }
+
+  private void visit(int number, int domain, boolean border, int worker, Crew.Range stage) {
+    if (number == ALL) {
+      if (border) {
+        stage.run(start[domain * GROUPS], start[(domain + 1) * GROUPS], worker);
       }
-    }
-    firstPiece[GROUPS >> 1] = pieces;
-    int n = 0;
-    for (int worker = 0; worker < workers; worker++) {
-      for (int c = 0; c < GROUPS >> 1; c++) {
-        int shares = isShared(c) ? workers : 1;
-        int from = part(firstPiece[c], firstPiece[c + 1], Math.min(worker, shares), shares);
-        int to = part(firstPiece[c], firstPiece[c + 1], Math.min(worker + 1, shares), shares);
-        for (int k = from; k < to; k++) {
-          byWorkers[n++] = k;
-        }
-      }
-    }
-  }
-
-  /** Where the part of a number begins, of so many equal parts of a range. */
-  private static int part(int from, int to, int number, int parts) {
-    return from + (to - from) * number / parts;
-  }
-
-  private void cut(int from, int to) {
-    for (int at = from; at < to; at += GRAIN) {
-      piece[2 * pieces] = at;
-      piece[2 * pieces + 1] = Math.min(at + GRAIN, to);
-      pieces++;
-    }
-  }
-
-  /** Whether a colour is shared by the workers: not what found no colour, nor too few blocks. */
-  private boolean isShared(int c) {
-    return (c & LAST_COLOUR) != LAST_COLOUR
-        && crew.shares(colourStart[c + 1] - colourStart[c], GRAIN);
-  }
-
-  /** Does a stage in which no block has anything to do with another. */
-  void inAnyOrder(Crew.Range stage) {
-    if (pieces == 0) {
-      stage.run(0, count, 0);
       return;
     }
-    visit = stage;
-    crew.run(0, pieces, 1, visitingAll);
-    visit = null;
-  }
-
-  private void visitPieces(int from, int to, int worker) {
-    for (int k = from; k < to; k++) {
-      visit.run(piece[2 * k], piece[2 * k + 1], worker);
+    int g = domain * GROUPS + 2 * number;
+    if (border) {
+      visit(startOfBorder[g], start[g + 1], worker, stage);
+      visit(startOfBorder[g + 1], start[g + 2], worker, stage);
+    } else {
+      visit(start[g], startOfBorder[g], worker, stage);
+      visit(start[g + 1], startOfBorder[g + 1], worker, stage);
     }
   }
 
-  private void visitAllPieces(int from, int to, int worker) {
-    for (int i = from; i < to; i++) {
-      int k = byWorkers[i];
-      visit.run(piece[2 * k], piece[2 * k + 1], worker);
+  private static void visit(int from, int to, int worker, Crew.Range stage) {
+    if (from < to) {
+      stage.run(from, to, worker);
     }
   }
 
@@ -436,29 +446,6 @@ final class ContactBlocks {
     Arrays.fill(data, at + SECOND + YIELD, at + SECOND + YIELD + LANES, 1);
     Arrays.fill(bodyA, block * LANES, (block + 1) * LANES, 0);
     Arrays.fill(bodyB, block * LANES, (block + 1) * LANES, 0);
-  }
-
-  /**
-   * Does a stage colour by colour. Colours with too little to share, and what found no colour, are
-   * done by the caller alone, neighbours in one go.
-   */
-  void byColours(Crew.Range stage) {
-    int from = 0;
-    for (int c = 0; c < GROUPS >> 1; c++) {
-      int start = colourStart[c];
-      int end = colourStart[c + 1];
-      if (isShared(c)) {
-        if (from < start) {
-          stage.run(from, start, 0);
-        }
-        visit = stage;
-        crew.run(firstPiece[c], firstPiece[c + 1], 1, visiting);
-        from = end;
-      }
-    }
-    if (from < count) {
-      stage.run(from, count, 0);
-    }
   }
 
   /** Gives a block a trait; its part of extra is zero for those lanes that don't have it. */

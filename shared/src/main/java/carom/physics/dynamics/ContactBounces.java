@@ -35,6 +35,8 @@ import static carom.physics.dynamics.SolverBodies.VX;
 import static carom.physics.dynamics.SolverBodies.VY;
 import static carom.physics.dynamics.SolverBodies.W;
 
+import carom.physics.threads.Lockstep;
+
 /**
  * Restitution of contacts, once per step, after its substeps.
  *
@@ -50,26 +52,28 @@ final class ContactBounces {
   private final ContactBlocks blocks;
 
   // The stages, made once so that a step allocates nothing.
-  private final Crew.Range bouncing = (from, to, worker) -> bounceBlocks(from, to);
-  private final Crew.Range ending = (from, to, worker) -> endBounces(from, to);
+  private final Lockstep.Phase bouncing;
+  private final Lockstep.Phase ending;
 
   private float h;
 
   /** Has the contacts of these blocks bounce. */
   ContactBounces(ContactBlocks blocks) {
     this.blocks = blocks;
+    bouncing = blocks.phase((from, to, worker) -> bounceBlocks(from, to));
+    ending = blocks.phase((from, to, worker) -> endBounces(from, to));
   }
 
-  /** Lets all bounce; the substep's length in s. */
-  void solve(float h) {
+  /** Adds: all bounce. The blocks must be packed; the substep's length in s. */
+  void solve(Lockstep lockstep, float h) {
     if (!any()) {
       return;
     }
     this.h = h;
     for (int round = 0; round < BOUNCE_ROUNDS; round++) {
-      blocks.byColours(bouncing);
+      blocks.addColours(lockstep, bouncing);
     }
-    blocks.inAnyOrder(ending);
+    blocks.addAll(lockstep, ending);
   }
 
   private boolean any() {

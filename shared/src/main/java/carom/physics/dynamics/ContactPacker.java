@@ -42,6 +42,8 @@ import static carom.physics.dynamics.ContactBlocks.WIDE;
 import static carom.physics.dynamics.ContactBlocks.YIELD;
 import static carom.physics.dynamics.SolverBodies.STRIDE;
 
+import carom.physics.threads.Lockstep;
+
 /**
  * Carries contacts between the {@link ContactTable} and the blocks of the solver: what they are
  * when a step begins, and the impulses when it ends.
@@ -61,8 +63,8 @@ final class ContactPacker {
   private final ContactLanes lanes;
 
   // The stages, made once so that a step allocates nothing.
-  private final Crew.Range packing = (from, to, worker) -> packBlocks(from, to);
-  private final Crew.Range storing = (from, to, worker) -> storeBlocks(from, to);
+  private final Lockstep.Phase packing;
+  private final Lockstep.Phase storing;
 
   // What the step is about.
   private ContactTable table;
@@ -80,10 +82,12 @@ final class ContactPacker {
   ContactPacker(ContactBlocks blocks, ContactLanes lanes) {
     this.blocks = blocks;
     this.lanes = lanes;
+    packing = blocks.phase((from, to, worker) -> packBlocks(from, to));
+    storing = blocks.phase((from, to, worker) -> storeBlocks(from, to));
   }
 
-  /** Fills the blocks, which are laid out. */
-  void pack(
+  /** Says what the step is about. */
+  void begin(
       ContactTable contacts,
       BodyStore bodyStore,
       SolverBodies solverBodies,
@@ -95,7 +99,11 @@ final class ContactPacker {
     slotOf = solverBodies.slotOf();
     settings = constants;
     h = substep;
-    blocks.inAnyOrder(packing);
+  }
+
+  /** Adds: the blocks, which are laid out, are filled. */
+  void pack(Lockstep lockstep) {
+    blocks.addAll(lockstep, packing);
   }
 
   /**
@@ -279,9 +287,9 @@ final class ContactPacker {
     return square > 0 ? (float) Math.sqrt(square) : 0;
   }
 
-  /** Hands the impulses back to the table, but for those that overflowed. */
-  void store() {
-    blocks.inAnyOrder(storing);
+  /** Adds: the impulses are handed back to the table, but for those that overflowed. */
+  void store(Lockstep lockstep) {
+    blocks.addAll(lockstep, storing);
   }
 
   private void storeBlocks(int from, int to) {

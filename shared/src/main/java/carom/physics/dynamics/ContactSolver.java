@@ -38,6 +38,8 @@ import static carom.physics.dynamics.SolverBodies.VX;
 import static carom.physics.dynamics.SolverBodies.VY;
 import static carom.physics.dynamics.SolverBodies.W;
 
+import carom.physics.threads.Lockstep;
+
 /**
  * Contacts as soft constraints, solved by sequential impulses in substeps.
  *
@@ -152,6 +154,12 @@ final class ContactSolver {
 
   private static final float SINGLE_STIFFNESS = 1.3f;
 
+  /**
+   * Floats behind the scratch memory of a worker that nobody uses, so that none writes to a line of
+   * the cache, or the one beside it, from which another reads the length of its own.
+   */
+  private static final int APART = 32;
+
   final ContactBlocks blocks;
   private final ContactPacker packer;
   private final ContactBounces bounces;
@@ -165,9 +173,9 @@ final class ContactSolver {
   private final Crew crew;
 
   // The stages, made once so that a step allocates nothing.
-  private final Crew.Range warming = this::warmBlocks;
-  private final Crew.Range pushing = this::pushBlocks;
-  private final Crew.Range relaxing = this::relaxBlocks;
+  private final Lockstep.Phase warming;
+  private final Lockstep.Phase pushing;
+  private final Lockstep.Phase relaxing;
 
   /** {@link SolverBodies#state}. */
   private float[] v;
@@ -196,7 +204,10 @@ final class ContactSolver {
   ContactSolver(ContactLanes lanes, Crew crew) {
     this.lanes = lanes;
     this.crew = crew;
-    blocks = new ContactBlocks(crew);
+    blocks = new ContactBlocks();
+    warming = blocks.phase(this::warmBlocks);
+    pushing = blocks.phase(this::pushBlocks);
+    relaxing = blocks.phase(this::relaxBlocks);
     packer = new ContactPacker(blocks, lanes);
     bounces = new ContactBounces(blocks);
   }
@@ -206,24 +217,32 @@ final class ContactSolver {
     return blocks.count();
   }
 
-  /** Collects, colours and packs the touching, not vetoed contacts of the table. */
+  /**
+   * Collects and colours the touching, not vetoed contacts of the table, and gives active bodies
+   * their slots. To be packed when the bodies are loaded.
+   */
   void prepare(
       ContactTable contacts,
       BodyStore bodyStore,
       SolverBodies solverBodies,
       Settings constants,
       float substep) {
-    v = solverBodies.state;
     h = substep;
     inverseH = 1 / substep;
     maxPush = constants.maxPushSpeed();
     slop = constants.slop();
     soften(constants);
     if (lanes != null && scratch.length != crew.count()) {
-      scratch = new float[crew.count()][lanes.scratchSize()];
+      scratch = new float[crew.count()][lanes.scratchSize() + APART];
     }
     blocks.lay(contacts, bodyStore, solverBodies, lanes);
-    packer.pack(contacts, bodyStore, solverBodies, constants, substep);
+    v = solverBodies.state;
+    packer.begin(contacts, bodyStore, solverBodies, constants, substep);
+  }
+
+  /** Adds: what contacts are is written into the blocks. */
+  void pack(Lockstep lockstep) {
+    packer.pack(lockstep);
   }
 
   /** Contacts with what can't be moved are twice as stiff (in o). */
@@ -242,11 +261,11 @@ final class ContactSolver {
   }
 
   /**
-   * Applies the impulses remembered from the last step; see {@link SolverBodies} for what happens
-   * in later substeps.
+   * Adds: the impulses remembered from the last step are applied; see {@link SolverBodies} for what
+   * happens in later substeps.
    */
-  void warmStart() {
-    blocks.byColours(warming);
+  void warmStart(Lockstep lockstep) {
+    blocks.addColours(lockstep, warming);
   }
 
   private void warmBlocks(int from, int to, int worker) {
@@ -289,9 +308,9 @@ final class ContactSolver {
     blocks.give(lane, at, normal, tangent, wa, wb);
   }
 
-  /** One visit of each contact, with its spring. */
-  void push() {
-    blocks.byColours(pushing);
+  /** Adds one visit of each contact, with its spring. */
+  void push(Lockstep lockstep) {
+    blocks.addColours(lockstep, pushing);
   }
 
   private void pushBlocks(int from, int to, int worker) {
@@ -306,9 +325,9 @@ final class ContactSolver {
     }
   }
 
-  /** One visit of each contact, rigid. */
-  void relax() {
-    blocks.byColours(relaxing);
+  /** Adds one visit of each contact, rigid. */
+  void relax(Lockstep lockstep) {
+    blocks.addColours(lockstep, relaxing);
   }
 
   private void relaxBlocks(int from, int to, int worker) {
@@ -550,13 +569,13 @@ final class ContactSolver {
     d[q + NORMAL] = sum2;
   }
 
-  /** Lets contacts bounce that came together fast; see {@link ContactBounces}. */
-  void restitution() {
-    bounces.solve(h);
+  /** Adds: contacts bounce that came together fast; see {@link ContactBounces}. */
+  void restitution(Lockstep lockstep) {
+    bounces.solve(lockstep, h);
   }
 
-  /** Hands the impulses back to the table, but for those that overflowed. */
-  void store() {
-    packer.store();
+  /** Adds: the impulses are handed back to the table, but for those that overflowed. */
+  void store(Lockstep lockstep) {
+    packer.store(lockstep);
   }
 }

@@ -1,5 +1,6 @@
 package carom.physics.dynamics;
 
+import carom.physics.threads.Lockstep;
 import carom.physics.threads.Workers;
 
 /**
@@ -96,6 +97,11 @@ final class Crew implements Workers.Task {
     pieces = size / grain;
     range = stage;
     workers.run(pieces, this);
+  }
+
+  /** Has phases of the step done by the workers. */
+  void divide(Lockstep lockstep, int domains) {
+    lockstep.divide(domains, workers);
   }
 
   @Override

@@ -1,5 +1,6 @@
 package carom.physics.dynamics;
 
+import carom.physics.threads.Lockstep;
 import java.util.Arrays;
 
 /**
@@ -60,16 +61,14 @@ final class SolverBodies {
   private float[] solved = new float[0];
   private boolean explicit;
 
-  /** Whether bodies get what contacts did in the last substep. */
-  private boolean warm;
-
   private int count;
 
   /** Bodies that make a piece of work for a worker. */
   private static final int GRAIN = 128;
 
   private final Crew crew;
-  private final ActiveBodies active;
+  final ActiveBodies active;
+  final Domains domains;
   private final SolverSlots slots;
 
   // What the step is about.
@@ -78,34 +77,34 @@ final class SolverBodies {
   private float h;
 
   // The stages, made once so that a step allocates nothing.
-  private final Crew.Range loading = (from, to, worker) -> load(from, to);
-  private final Crew.Range accelerating = (from, to, worker) -> accelerate(from, to);
+  private final Lockstep.Phase loading =
+      (given, d, border, worker) -> load(from(d, border), to(d, border));
+  private final Lockstep.Phase accelerating =
+      (warm, d, border, worker) -> accelerate(from(d, border), to(d, border), warm != 0);
+  private final Lockstep.Phase moving =
+      (given, d, border, worker) -> move(from(d, border), to(d, border));
+  private final Lockstep.Phase storing =
+      (given, d, border, worker) -> store(from(d, border), to(d, border));
   private final Crew.Range marking = (from, to, worker) -> mark(from, to);
   private final Crew.Range excepting = (from, to, worker) -> except(from, to);
-  private final Crew.Range moving = (from, to, worker) -> move(from, to);
-  private final Crew.Range storing = (from, to, worker) -> store(from, to);
 
   /**
    * Makes it empty.
    *
    * @param active whom it is of
    * @param pairs tells who is near whom; null where no step is shared
-   * @param crew does the stages
+   * @param crew does the stages that joints need
    */
   SolverBodies(ActiveBodies active, PairFinder pairs, Crew crew) {
     this.active = active;
     this.crew = crew;
-    slots = new SolverSlots(active, pairs);
+    domains = new Domains(active, pairs);
+    slots = new SolverSlots(active, domains);
   }
 
   /** The slot of a body, 0 if it doesn't move. */
   int slot(int body) {
     return slots.slotOf[body];
-  }
-
-  /** By so many bits a slot is shifted right to get its zone: near bodies are in the same one. */
-  int zoneShift() {
-    return slots.zoneShift();
   }
 
   /** Per body: its slot, 0 if it doesn't move; until the next step. */
@@ -118,6 +117,14 @@ final class SolverBodies {
     return count;
   }
 
+  private int from(int domain, boolean border) {
+    return slots.from(domain, border);
+  }
+
+  private int to(int domain, boolean border) {
+    return slots.to(domain, border);
+  }
+
   float ax(int slot) {
     return ax[slot];
   }
@@ -126,12 +133,18 @@ final class SolverBodies {
     return ay[slot];
   }
 
-  /** Loads the moving bodies, speeds above the limits cut; their forces are used up. */
-  void load(BodyStore b, Settings s, float substep) {
+  /** A step begins: finds domains. Contacts are laid next, which {@link #assignSlots}. */
+  void begin(BodyStore b, Settings s, float substep, ContactTable contacts) {
     bodies = b;
     settings = s;
     h = substep;
-    slots.assign(crew.isSharing());
+    explicit = s.explicitEuler();
+    domains.find(crew.isSharing() ? crew.count() : 1, contacts);
+  }
+
+  /** Gives active bodies their slots, when it is known who is at the border of a domain. */
+  void assignSlots() {
+    slots.assign();
     count = slots.count();
     if (ax.length < count) {
       int capacity = Math.max(count, ax.length * 2);
@@ -143,23 +156,20 @@ final class SolverBodies {
       keep = new float[capacity];
       keepW = new float[capacity];
     }
-    explicit = s.explicitEuler();
-    if (explicit && before.length < state.length) {
-      before = new float[state.length];
-      free = new float[state.length];
-      solved = new float[state.length];
-    }
     Arrays.fill(state, 0, STRIDE, 0);
     state[COS] = 1;
-    crew.run(0, active.count, GRAIN, loading);
+  }
+
+  /** Adds: the moving bodies are loaded, speeds above the limits cut; their forces are used up. */
+  void load(Lockstep lockstep) {
+    lockstep.add(loading, 0);
   }
 
   private void load(int from, int to) {
     BodyStore b = bodies;
     Settings s = settings;
-    for (int k = from; k < to; k++) {
-      int body = active.list[k];
-      int i = slots.slotOf[body];
+    for (int i = from; i < to; i++) {
+      int body = slots.body[i];
       int at = i * STRIDE;
       boolean dynamic = b.type[body] == BodyStore.DYNAMIC;
       if (dynamic) {
@@ -193,24 +203,29 @@ final class SolverBodies {
   }
 
   /**
-   * First half of symplectic Euler: v += h a. Damping is implicit, v / (1 + h c), hence stable for
-   * any rate. Speeds above the limits are cut; what isn't a number becomes zero, so that one broken
-   * body stays one.
+   * Adds the first half of symplectic Euler: v += h a. Damping is implicit, v / (1 + h c), hence
+   * stable for any rate. Speeds above the limits are cut; what isn't a number becomes zero, so that
+   * one broken body stays one.
    *
-   * @param warmStart whether bodies also get what contacts did to them in the last substep
+   * @param warm whether bodies also get what contacts did to them in the last substep
    */
-  void integrateVelocities(boolean warmStart) {
-    warm = warmStart;
-    if (explicit) {
-      System.arraycopy(state, 0, before, 0, count * STRIDE);
+  void integrateVelocities(Lockstep lockstep, boolean warm) {
+    if (!explicit) {
+      lockstep.add(accelerating, warm ? 1 : 0);
+      return;
     }
-    crew.run(1, count, GRAIN, accelerating);
-    if (explicit) {
-      System.arraycopy(state, 0, free, 0, count * STRIDE);
+    lockstep.run();
+    if (before.length < state.length) {
+      before = new float[state.length];
+      free = new float[state.length];
+      solved = new float[state.length];
     }
+    System.arraycopy(state, 0, before, 0, count * STRIDE);
+    accelerate(1, count, warm);
+    System.arraycopy(state, 0, free, 0, count * STRIDE);
   }
 
-  private void accelerate(int from, int to) {
+  private void accelerate(int from, int to, boolean warm) {
     float[] s = state;
     float[] p = plain;
     float maxSpeed = settings.maxSpeed();
@@ -269,15 +284,18 @@ final class SolverBodies {
   }
 
   /**
-   * Explicit Euler: bodies move with the velocity from before they were accelerated, {@code v}, and
-   * what constraints changed since. Constraints so act on positions at once; else what overlaps
-   * would never be pushed apart.
+   * Adds the second half: bodies move.
+   *
+   * <p>Explicit Euler: with the velocity from before they were accelerated, {@code v}, and what
+   * constraints changed since. Constraints so act on positions at once; else what overlaps would
+   * never be pushed apart.
    */
-  void integratePositions() {
+  void integratePositions(Lockstep lockstep) {
     if (!explicit) {
-      crew.run(1, count, GRAIN, moving);
+      lockstep.add(moving, 0);
       return;
     }
+    lockstep.run();
     float[] s = state;
     System.arraycopy(s, 0, solved, 0, count * STRIDE);
     for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
@@ -285,7 +303,7 @@ final class SolverBodies {
       s[at + VY] = before[at + VY] + (solved[at + VY] - free[at + VY]);
       s[at + W] = before[at + W] + (solved[at + W] - free[at + W]);
     }
-    crew.run(1, count, GRAIN, moving);
+    move(1, count);
     for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
       s[at + VX] = finite(solved[at + VX]);
       s[at + VY] = finite(solved[at + VY]);
@@ -357,20 +375,19 @@ final class SolverBodies {
   }
 
   /**
-   * Writes velocities, speeds above the limits cut, and poses back. A body at the edge of the world
-   * stops there.
+   * Adds: velocities, speeds above the limits cut, and poses are written back. A body at the edge
+   * of the world stops there.
    */
-  void store() {
-    crew.run(0, active.count, GRAIN, storing);
+  void store(Lockstep lockstep) {
+    lockstep.add(storing, 0);
   }
 
   private void store(int from, int to) {
     BodyStore b = bodies;
     Settings limits = settings;
     float[] s = state;
-    for (int k = from; k < to; k++) {
-      int body = active.list[k];
-      int i = slots.slotOf[body];
+    for (int i = from; i < to; i++) {
+      int body = slots.body[i];
       int at = i * STRIDE;
       limit(s, at, limits.maxSpeed(), limits.maxAngularSpeed());
       b.vx[body] = s[at + VX];

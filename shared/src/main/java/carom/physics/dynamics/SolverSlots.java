@@ -3,65 +3,34 @@ package carom.physics.dynamics;
 import java.util.Arrays;
 
 /**
- * Which slot of {@link SolverBodies} each moving body has, from 1 on; all others have slot 0.
- *
- * <p>One thread takes the active bodies as they come. Where threads share a step, and bodies have
- * mixed since they were made, the world is cut into zones by the order of the tree, and the bodies
- * of a zone get slots that follow each other. What one thread solves then hardly shares lines of
- * the cache with what the others do. No bit of a result depends on slots.
- *
- * <p>One thread at a time. Costs nothing while the same bodies are active, but for zones: these are
- * looked at again every {@value #LASTING} steps, some 5 ns per body.
+ * Which slot of {@link SolverBodies} each active body has, from 1 on; all others have slot 0. Slots
+ * of a domain follow each other, those of bodies at its border last. No bit of a result depends on
+ * slots. One thread at a time.
  */
 final class SolverSlots {
-  /** So many steps slots stay the same while the same bodies are active. */
-  private static final int LASTING = 32;
-
-  /** Zones have a power of two of slots: there are half as many as this, up to one more. */
-  private static final int ZONES = 16;
-
-  static final int MOST_ZONES = ZONES + 1;
-
-  /** Bodies are mixed when one in so many is in another zone than the one before it. */
-  private static final int MIXED_SHARE = 4;
-
   private final ActiveBodies active;
-  private final PairFinder pairs;
+  private final Domains domains;
 
   /** Per body: its slot. */
   int[] slotOf = new int[0];
 
-  /** See {@link #zoneShift()}; so large without zones that all are in the first one. */
-  private int zoneShift;
-
-  /** Scratch: the next slot of each zone. */
-  private final int[] zones = new int[MOST_ZONES];
-
   /** Per slot: its body. */
-  private int[] body = new int[1];
+  int[] body = new int[1];
 
   private int count = 1;
 
-  /**
-   * Which active bodies slots are of, whether zones were asked for, and for how many more steps.
-   */
-  private int version = -1;
+  /** Per domain: its first slot, and that of its border; and behind the last one. */
+  private int[] first = new int[2];
 
-  private boolean byZones;
-  private int left;
+  private int[] firstAtBorder = new int[1];
 
-  /** Scratch: bodies in the order of the tree, with one entry per part. */
-  private int[] listed = new int[0];
+  /** {@link Domains#edition} that slots are of. */
+  private int edition = -1;
 
-  /** Gives these bodies slots; zones are those of the tree in which pairs are searched. */
-  SolverSlots(ActiveBodies active, PairFinder pairs) {
+  /** Gives these bodies slots. */
+  SolverSlots(ActiveBodies active, Domains domains) {
     this.active = active;
-    this.pairs = pairs;
-  }
-
-  /** By so many bits the slot of a body is shifted right to get its zone. */
-  int zoneShift() {
-    return zoneShift;
+    this.domains = domains;
   }
 
   /** Slots in use, the static one included. */
@@ -69,22 +38,34 @@ final class SolverSlots {
     return count;
   }
 
+  /** First slot of a part of a domain. */
+  int from(int domain, boolean border) {
+    return border ? firstAtBorder[domain] : first[domain];
+  }
+
+  /** Behind the last slot of a part of a domain. */
+  int to(int domain, boolean border) {
+    return border ? first[domain + 1] : firstAtBorder[domain];
+  }
+
   /**
-   * Gives every active body a slot and the others none.
-   *
-   * @param shared whether threads share the step, so that zones are worth it
+   * Gives every active body a slot and the others none, by domains and borders. While domains stay
+   * the same only bodies change places that came to a border or left it.
    */
-  void assign(boolean shared) {
+  void assign() {
+    if (edition == domains.edition()) {
+      for (int i = 0; i < domains.beforeCount; i++) {
+        leaveBorder(domains.before[i]);
+      }
+      for (int i = 0; i < domains.borderCount; i++) {
+        comeToBorder(domains.atBorder[i]);
+      }
+      return;
+    }
+    edition = domains.edition();
     if (slotOf.length < active.index.length) { // bodies may come that don't move
       slotOf = Arrays.copyOf(slotOf, active.index.length);
     }
-    left--;
-    if (version == active.version() && byZones == shared && (left >= 0 || !shared)) {
-      return;
-    }
-    version = active.version();
-    byZones = shared;
-    left = LASTING;
     for (int i = 1; i < count; i++) {
       slotOf[body[i]] = 0;
     }
@@ -92,49 +73,50 @@ final class SolverSlots {
       body = new int[active.list.length + 1];
     }
     count = active.count + 1;
-    boolean zoned = shared && areMixed();
-    if (!zoned) {
-      zoneShift = Integer.SIZE - 1;
+    int n = domains.count();
+    if (firstAtBorder.length < n) {
+      first = new int[n + 1];
+      firstAtBorder = new int[n];
+    }
+    Arrays.fill(first, 0, n + 1, 0);
+    for (int i = 0; i < active.count; i++) {
+      first[domains.of[active.list[i]] + 1]++;
+    }
+    first[0] = 1;
+    for (int domain = 0; domain < n; domain++) {
+      firstAtBorder[domain] = first[domain];
+      first[domain + 1] += first[domain];
     }
     for (int i = 0; i < active.count; i++) {
       int one = active.list[i];
-      int next = zoned ? zones[slotOf[one] - 1]++ : i + 1;
-      body[next] = one;
-      slotOf[one] = next;
+      put(one, firstAtBorder[domains.of[one]]++);
+    }
+    for (int i = 0; i < domains.borderCount; i++) {
+      comeToBorder(domains.atBorder[i]);
     }
   }
 
-  /** Finds zones; answers whether bodies are in others than those next to them in the list. */
-  private boolean areMixed() {
-    zoneShift = Integer.SIZE - Integer.numberOfLeadingZeros(active.count / ZONES);
-    findZones();
-    int changes = 0;
-    for (int i = 1; i < active.count; i++) {
-      changes += slotOf[active.list[i]] != slotOf[active.list[i - 1]] ? 1 : 0;
+  private void leaveBorder(int one) {
+    int domain = domains.of[one];
+    if (!domains.isAtBorder(one)) {
+      swap(one, firstAtBorder[domain]++);
     }
-    return changes > active.count / MIXED_SHARE;
   }
 
-  /** Gives each active body the number of its zone, from 1 on, and each zone its first slot. */
-  private void findZones() {
-    if (listed.length < pairs.movingParts()) {
-      listed = new int[2 * pairs.movingParts()];
+  private void comeToBorder(int one) {
+    int domain = domains.of[one];
+    if (slotOf[one] < firstAtBorder[domain]) {
+      swap(one, --firstAtBorder[domain]);
     }
-    int n = pairs.listBodies(listed);
-    int seen = 0;
-    for (int i = 0; i < n; i++) {
-      int one = listed[i];
-      if (slotOf[one] == 0 && active.contains(one)) {
-        slotOf[one] = 1 + (++seen >> zoneShift);
-      }
-    }
-    for (int i = 0; i < active.count; i++) { // whatever has no parts
-      if (slotOf[active.list[i]] == 0) {
-        slotOf[active.list[i]] = 1 + (++seen >> zoneShift);
-      }
-    }
-    for (int zone = 0; zone <= seen >> zoneShift; zone++) {
-      zones[zone] = Math.max(zone << zoneShift, 1);
-    }
+  }
+
+  private void swap(int one, int slot) {
+    put(body[slot], slotOf[one]);
+    put(one, slot);
+  }
+
+  private void put(int one, int slot) {
+    body[slot] = one;
+    slotOf[one] = slot;
   }
 }

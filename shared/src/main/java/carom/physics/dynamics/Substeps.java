@@ -1,5 +1,7 @@
 package carom.physics.dynamics;
 
+import carom.physics.threads.Lockstep;
+
 /**
  * The part of a step in which velocities and positions change: {@code substeps} times velocities
  * are integrated, joints and contacts solved with bias, positions integrated, joints and contacts
@@ -15,6 +17,8 @@ final class Substeps {
   private final JointStore joints;
   private final ContactSolver contactSolver;
   private final JointSolver jointSolver;
+  private final Crew crew;
+  private final Lockstep lockstep = new Lockstep();
 
   /** Null, unless somebody measures. */
   private StageListener stages;
@@ -32,6 +36,7 @@ final class Substeps {
     this.bodies = bodies;
     this.contacts = contacts;
     this.joints = joints;
+    this.crew = crew;
     solverBodies = new SolverBodies(active, pairs, crew);
     contactSolver = new ContactSolver(ContactLanes.find(), crew);
     jointSolver = new JointSolver(PinLanes.find(), crew);
@@ -47,15 +52,21 @@ final class Substeps {
     int substeps = settings.substeps();
     float h = dt / substeps;
     begins(StepStage.PREPARE);
-    solverBodies.load(bodies, settings, h);
+    solverBodies.begin(bodies, settings, h, contacts);
     contactSolver.prepare(contacts, bodies, solverBodies, settings, h);
+    crew.divide(lockstep, solverBodies.domains.count());
+    solverBodies.load(lockstep);
+    contactSolver.pack(lockstep);
     begins(StepStage.JOINTS);
+    if (joints.count() > 0) {
+      lockstep.run(); // joints look at loaded bodies
+    }
     jointSolver.prepare(joints, bodies, settings, h, solverBodies);
     boolean jointsToo = jointSolver.count() > 0;
     for (int i = 0; i < substeps; i++) {
       boolean warm = i > 0 && !settings.explicitEuler() && contactSolver.blocks() > 0;
       begins(StepStage.INTEGRATE);
-      solverBodies.integrateVelocities(warm);
+      solverBodies.integrateVelocities(lockstep, warm);
       if (jointsToo) {
         beforeJoints();
         jointSolver.warmStart();
@@ -63,7 +74,7 @@ final class Substeps {
       }
       if (!warm) {
         begins(StepStage.WARM);
-        contactSolver.warmStart();
+        contactSolver.warmStart(lockstep);
       }
       if (jointsToo) {
         beforeJoints();
@@ -71,27 +82,30 @@ final class Substeps {
         afterJoints();
       }
       begins(StepStage.SOLVE);
-      contactSolver.push();
+      contactSolver.push(lockstep);
       begins(StepStage.INTEGRATE);
-      solverBodies.integratePositions();
+      solverBodies.integratePositions(lockstep);
       if (jointsToo) {
         beforeJoints();
         jointSolver.relax();
         afterJoints();
       }
       begins(StepStage.RELAX);
-      contactSolver.relax();
+      contactSolver.relax(lockstep);
     }
     begins(StepStage.BOUNCE);
-    contactSolver.restitution();
+    lockstep.run(); // only now it is known who bounces
+    contactSolver.restitution(lockstep);
     begins(StepStage.FINISH);
-    contactSolver.store();
-    jointSolver.store();
-    solverBodies.store();
+    contactSolver.store(lockstep);
+    jointSolver.store(); // reads poses as they were, and nothing that contacts store
+    solverBodies.store(lockstep);
+    lockstep.run();
   }
 
   /** What joints do must not be repeated as the contacts' share of the next substep. */
   private void beforeJoints() {
+    lockstep.run();
     begins(StepStage.JOINTS);
     if (contactSolver.blocks() > 0) {
       solverBodies.mark();
@@ -104,8 +118,10 @@ final class Substeps {
     }
   }
 
+  /** Somebody who measures stages has each of them end before the next one begins. */
   private void begins(StepStage stage) {
     if (stages != null) {
+      lockstep.run();
       stages.begins(stage);
     }
   }

@@ -2,13 +2,15 @@ package carom.physics.threads;
 
 /**
  * Threads that carry out parts of a step side by side; given to a world by {@code World.workers}.
- * The engine makes no threads and decides nothing by them: tasks of one run touch nothing in
- * common, so every result is the same, bit for bit, for any number of workers and whoever does
- * which task when.
+ * The engine makes no threads and decides nothing by them: every result is the same, bit for bit,
+ * for any number of workers and whoever does which task when. Tasks of one run touch nothing in
+ * common, or else see to it themselves who touches it first ({@link Lockstep}); none needs another
+ * one to be under way.
  *
- * <p>A step makes some hundred runs, most of a few microseconds: an implementation should keep its
- * threads spinning for a while between two runs, and from {@link #stepBegins} to {@link #stepEnds}
- * for longer. {@link WorkerThreads} is one.
+ * <p>A step makes some ten to a hundred runs, many of a few microseconds: an implementation should
+ * keep its threads spinning for a while between two runs, and from {@link #stepBegins} to {@link
+ * #stepEnds} for longer, and have the same thread do the tasks of the same number where it can,
+ * since these are about the same part of the world. {@link WorkerThreads} is one.
  */
 public interface Workers {
   /**
@@ -33,8 +35,7 @@ public interface Workers {
    * Tells that a step began which is worth sharing: runs of the same thread follow, with serial
    * work in between that may take longer than an idle thread should otherwise spin for. A hint,
    * called by the thread that steps; does nothing unless overridden. The engine makes runs in
-   * announced steps alone, of tasks that take a microsecond or two. Callbacks of the world run in
-   * between, on the same thread.
+   * announced steps alone. Callbacks of the world run in between, on the same thread.
    */
   default void stepBegins() {}
 
