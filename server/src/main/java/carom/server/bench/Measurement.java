@@ -79,18 +79,20 @@ record Measurement(double warmUpSeconds, double capSeconds, boolean quick, Turns
         step(engine, untimed);
       }
       Stopwatch timed;
+      Times times;
       Scaling scaling = Scaling.NONE;
       if (byClock && how.isBusy()) {
         try (ScalingMeter meter = new ScalingMeter(scene, entrant.threads(), untimed.count())) {
           timed = new Stopwatch(how.measured(), true);
           time(timed, () -> {}, engine::step, meter::slice);
+          times = timed.times();
           scaling = meter.result();
         }
       } else {
         timed = new Stopwatch(how.measured(), byClock);
         time(timed, () -> {}, engine::step);
+        times = timed.times();
       }
-      Times times = timed.times();
       World<?> world = engine.world();
       SceneReport end = SceneReport.of(world);
       int bodies = dynamicBodies(world);

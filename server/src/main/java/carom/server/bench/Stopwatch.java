@@ -16,7 +16,7 @@ final class Stopwatch {
   private final double[] wall;
   private int count;
   private double spent;
-  private long allThreadsBegin;
+  private long othersBegin;
   private long bytes;
   private long bytesBegin;
   private long cpuBegin;
@@ -27,13 +27,13 @@ final class Stopwatch {
    *
    * @param most pieces it can time
    * @param byClock whether several threads work: the clock counts instead of the CPU time of the
-   *     calling one, and what all of them allocate, also between the pieces
+   *     calling one, and what the others allocate, also between the pieces
    */
   Stopwatch(int most, boolean byClock) {
     this.byClock = byClock;
     cpu = new double[most];
     wall = new double[most];
-    allThreadsBegin = byAllThreads();
+    othersBegin = byOthers();
   }
 
   /** CPU time of the calling thread since it began, s. */
@@ -58,9 +58,9 @@ final class Stopwatch {
 
   /** Does something between two pieces that isn't part of what is measured. */
   void leaveOut(Runnable work) {
-    long before = byAllThreads();
+    long before = byOthers();
     work.run();
-    allThreadsBegin += byAllThreads() - before;
+    othersBegin += byOthers() - before;
   }
 
   private double[] seconds() {
@@ -91,16 +91,20 @@ final class Stopwatch {
     return count == cpu.length;
   }
 
-  /** The result; times are sorted by it, so ask once. */
+  /** The result; times are sorted by it, so ask once, and before threads end that were left out. */
   Times times() {
-    long allocated = byClock ? byAllThreads() - allThreadsBegin : bytes;
+    long allocated = byClock ? bytes + byOthers() - othersBegin : bytes;
     return Times.of(seconds().clone(), wall, count, allocated);
   }
 
-  private static long byAllThreads() {
+  /** What threads other than the calling one have allocated. */
+  private static long byOthers() {
+    long me = Thread.currentThread().getId();
+    long[] ids = THREADS.getAllThreadIds();
+    long[] allocated = THREADS.getThreadAllocatedBytes(ids);
     long sum = 0;
-    for (long each : THREADS.getThreadAllocatedBytes(THREADS.getAllThreadIds())) {
-      sum += Math.max(each, 0); // -1 for one that has ended since
+    for (int i = 0; i < ids.length; i++) {
+      sum += ids[i] == me ? 0 : Math.max(allocated[i], 0); // -1 for one that has ended since
     }
     return sum;
   }

@@ -6,7 +6,7 @@ package carom.physics.dynamics;
  *
  * <p>All work is on a scratch array: quantities one after the other, of each those of all lanes.
  */
-abstract class BoxLanes {
+abstract class BoxLanes extends RehearsedLanes {
   static final int LANES = VectorModule.LANES;
 
   // In: from A's position to B's, world axes, m;
@@ -72,25 +72,16 @@ abstract class BoxLanes {
   /** A float to which an integer from 0 to 2^23 was added has it as its lower bits. */
   static final float INTEGER = 1 << 23;
 
-  private static final LaneTrust TRUST = new LaneTrust(8_000, 24);
+  private static final LaneTrust TRUST = new LaneTrust();
 
-  /** How many of a step's blocks may be given to the kernel; {@link #used} must be told. */
-  int trusted(int blocks) {
-    return TRUST.allowed(blocks);
-  }
-
-  /** Must be called when so many blocks were given to the kernel. */
-  void used(int blocks) {
-    TRUST.used(blocks);
+  BoxLanes() {
+    super(TRUST);
   }
 
   /** An integer in a scratch array. */
   static int integer(float[] scratch, int at) {
     return Float.floatToRawIntBits(scratch[at]) - Float.floatToRawIntBits(INTEGER);
   }
-
-  /** How long the scratch array of each worker must be. */
-  abstract int scratchSize();
 
   /**
    * Finds the manifolds.

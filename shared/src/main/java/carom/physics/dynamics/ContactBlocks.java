@@ -212,14 +212,14 @@ final class ContactBlocks {
   void lay(ContactTable table, BodyStore bodies, SolverBodies solverBodies, ContactLanes lanes) {
     Domains domains = solverBodies.domains;
     if (memo.holds(table, bodies, domains.edition())) {
-      layOut(lanes);
+      layOut(lanes, table.count());
     } else {
       paint(table, bodies, solverBodies.active, domains);
       solverBodies.assignSlots();
       memo.note(table, bodies, domains.edition());
       findGroups();
       giveLanes(table, domains);
-      layOut(lanes);
+      layOut(lanes, table.count());
     }
     v = solverBodies.state;
   }
@@ -375,8 +375,12 @@ final class ContactBlocks {
   }
 
   /** Says what is in each block. */
-  private void layOut(ContactLanes lanes) {
-    int widest = lanes == null || count < FEWEST_BLOCKS ? 0 : lanes.trusted(count);
+  private void layOut(ContactLanes lanes, int rows) {
+    int widest = 0;
+    if (lanes != null && count >= FEWEST_BLOCKS) {
+      widest = lanes.trusted(count, rows);
+      lanes.used(widest);
+    }
     for (int g = 0; g < groups; g++) {
       int kind = ((g & 1) != 0 ? TWO : 0) | ((g >> 1) % COLOURS > LAST_COLOUR ? FIXED : 0);
       int left = size[g];

@@ -875,6 +875,11 @@ public final class ContactTable {
     count = rowCount;
   }
 
+  /** How many rows there is room for. */
+  int capacity() {
+    return hint.length;
+  }
+
   /** Makes room for so many rows before they come. */
   void reserve(int rowCount) {
     ensure(rowCount);

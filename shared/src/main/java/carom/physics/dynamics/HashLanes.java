@@ -77,7 +77,10 @@ abstract class HashLanes {
    * @return how many were, an even number; the rest is left to the caller
    */
   final int column(float[] column, long[] factors, int n, long[] sums) {
-    int whole = n < LEAST ? 0 : n & -SMALL;
+    if (n < LEAST) {
+      return 0; // the compiled kernel, which knows long columns only, would box vectors for nothing
+    }
+    int whole = n & -SMALL;
     if (columnCalls >= WARM_UP) {
       column(column, factors, 0, whole, sums);
       return whole;

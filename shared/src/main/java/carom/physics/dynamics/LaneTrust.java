@@ -1,43 +1,62 @@
 package carom.physics.dynamics;
 
 /**
- * How many blocks of a step may be given to vector kernels: few at first, as the JIT compiler
- * interprets these until it has seen them often, hundreds of times slower. Which blocks are solved
- * how never shows in the result, so one object serves all worlds of the JVM, and needn't be exact.
+ * How much vector kernels are used: little at first. Until the JIT compiler has seen them often it
+ * interprets them, hundreds of times slower, and what runs them boxes their vectors. Which blocks
+ * are solved how never shows in the result, so one object serves all worlds of the JVM, and needn't
+ * be exact.
  */
 final class LaneTrust {
+  /** Blocks that must have been through the kernels before all may. */
+  private static final int WARM_UP = 2_600;
+
   /** Blocks per step until then; of large worlds a share, as their steps take longer anyway. */
   private static final int FEW = 6;
 
-  private final int warmUp;
-  private final int share;
+  private static final int SHARE = 32;
+
+  /** Rehearsals that must have been before all blocks may go through the kernels: */
+  private static final int REHEARSALS = 40_000;
+
+  /** the first ones, in which little of the API is compiled, take ten times as long; */
+  private static final int FIRST_REHEARSALS = 1_000;
+
+  /** in a step, of these and of the later ones; */
+  private static final int FEW_FIRST = 8;
+
+  private static final int FEW_LATER = 64;
+
+  /** of the later ones, one for so many rows. */
+  private static final int ROWS = 64;
+
   private int seen;
+  private int rehearsed;
 
   /**
-   * Trusts nobody yet.
+   * How many times the kernels are to be rehearsed in a step, which they then are.
    *
-   * @param warmUp blocks that must have been through the kernels before all may
-   * @param share of how many blocks one may be, until then
+   * @param rows a measure of how long the world's steps are: its contacts or joints
    */
-  LaneTrust(int warmUp, int share) {
-    this.warmUp = warmUp;
-    this.share = share;
-  }
-
-  /** How many of a step's blocks may be given to the kernels, which they then are. */
-  int blocks(int blocks) {
-    int allowed = allowed(blocks);
-    used(allowed);
-    return allowed;
+  int rehearsals(int rows) {
+    if (rehearsed >= REHEARSALS) {
+      return 0;
+    }
+    int times = Math.max(FEW_LATER, rows / ROWS);
+    if (rehearsed < FIRST_REHEARSALS) {
+      times = times * FEW_FIRST / FEW_LATER;
+    }
+    rehearsed += times;
+    return times;
   }
 
   /** How many of a step's blocks may be given to the kernels. */
   int allowed(int blocks) {
-    return seen >= warmUp ? blocks : Math.max(FEW, blocks / share);
+    boolean all = seen >= WARM_UP && rehearsed >= REHEARSALS;
+    return all ? blocks : Math.max(FEW, blocks / SHARE);
   }
 
   /** Must be called when blocks were given to the kernels. */
   void used(int blocks) {
-    seen = Math.min(seen, warmUp) + blocks;
+    seen = Math.min(seen, WARM_UP) + blocks;
   }
 }

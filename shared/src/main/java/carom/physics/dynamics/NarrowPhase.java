@@ -114,7 +114,7 @@ final class NarrowPhase {
   void begin() {
     int count = contacts.count();
     if (left.length < count) {
-      left = new boolean[Math.max(count, left.length * 2)];
+      left = new boolean[contacts.capacity()];
       restless = Arrays.copyOf(restless, left.length / GROUP + 1);
     }
     Arrays.fill(left, 0, count, false);
@@ -134,8 +134,9 @@ final class NarrowPhase {
   /** Updates the rows; answers how many of them have contact points. */
   int run() {
     furnish();
-    int blocks = contacts.count() / BoxLanes.LANES;
-    int trusted = lanes == null || !isRestless() ? 0 : lanes.trusted(blocks);
+    int rows = contacts.count();
+    int blocks = rows / BoxLanes.LANES;
+    int trusted = lanes == null || !isRestless() ? 0 : lanes.trusted(blocks, rows);
     for (Desk desk : desks) {
       desk.begin(trusted < blocks ? trusted / desks.length : Integer.MAX_VALUE);
     }

@@ -177,7 +177,11 @@ final class PinSolver {
 
   /** Must be called when all lanes are filled: decides what vectors solve, and finds lever arms. */
   void ready() {
-    int most = lanes == null || blocks < FEWEST_BLOCKS ? 0 : lanes.trusted(blocks);
+    int most = 0;
+    if (lanes != null && blocks >= FEWEST_BLOCKS) {
+      most = lanes.trusted(blocks, blocks * LANES);
+      lanes.used(most);
+    }
     for (int block = 0; block < blocks; block++) {
       wide[block] = block < most && used[block] >= FEWEST;
     }

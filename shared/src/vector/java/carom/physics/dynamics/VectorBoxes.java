@@ -132,6 +132,16 @@ final class VectorBoxes extends BoxLanes {
   }
 
   @Override
+  int rehearsalSize() {
+    return SCRATCH;
+  }
+
+  @Override
+  void rehearse(float[] numbers) {
+    collide(numbers, 1);
+  }
+
+  @Override
   void collide(float[] s, float speculative) {
     place(s);
     gaps(s);

@@ -101,6 +101,35 @@ final class VectorLanes extends ContactLanes {
   }
 
   @Override
+  int rehearsalSize() {
+    return SCRATCH + RECORD + EXTRA;
+  }
+
+  @Override
+  void rehearse(float[] n) {
+    int at = SCRATCH;
+    int first = at + FIRST;
+    int more = at + RECORD;
+    arms(n, at, true);
+    warmOne(n, n, at);
+    warmBoth(n, n, at);
+    turnToFrame(n, n, at);
+    surface(n, n, more);
+    soften(n, n, at, 1);
+    urge(n, n, first, 0, 1, 1, 1, 1);
+    friction(n, n, at, first);
+    press(n, n, first);
+    turn(n, n, at);
+    pressBoth(n, n, at);
+    turnBoth(n, n, at);
+    give(n, n, at);
+    move(n, n, at);
+    round(n, n, more);
+    room(n, n, first, 0, 1);
+    addUp(n, first);
+  }
+
+  @Override
   void arms(float[] d, int at, boolean two) {
     if (two) {
       arms(d, at, at + SECOND);

@@ -77,6 +77,22 @@ final class VectorPins extends PinLanes {
   }
 
   @Override
+  int rehearsalSize() {
+    return SCRATCH + RECORD;
+  }
+
+  @Override
+  void rehearse(float[] n) {
+    turn(n, n, SCRATCH);
+    meet(n, n, SCRATCH, 1);
+    weigh(n, SCRATCH);
+    take(n, n, SCRATCH);
+    give(n, n, SCRATCH);
+    draw(n, n, SCRATCH, 1, 1);
+    hold(n, n, SCRATCH);
+  }
+
+  @Override
   void measure(PinSolver solver, float[] v, float[] s, int block) {
     float[] d = solver.data;
     int at = block * RECORD;
@@ -91,8 +107,7 @@ final class VectorPins extends PinLanes {
     float[] d = solver.data;
     int at = block * RECORD;
     gather(s, v, solver.bodyA, solver.bodyB, block * LANES);
-    FloatVector.fromArray(LANE, d, at + PX).intoArray(s, DPX);
-    FloatVector.fromArray(LANE, d, at + PY).intoArray(s, DPY);
+    take(s, d, at);
     give(s, d, at);
     scatter(s, v, solver, block);
   }
@@ -182,6 +197,12 @@ final class VectorPins extends PinLanes {
         v[b + SolverBodies.W] = s[WB + i];
       }
     }
+  }
+
+  /** The impulse of the step before. */
+  private static void take(float[] s, float[] d, int at) {
+    FloatVector.fromArray(LANE, d, at + PX).intoArray(s, DPX);
+    FloatVector.fromArray(LANE, d, at + PY).intoArray(s, DPY);
   }
 
   /** Lever arms where the bodies are now. */

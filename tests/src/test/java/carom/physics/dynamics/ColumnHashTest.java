@@ -60,6 +60,46 @@ class ColumnHashTest {
     }
   }
 
+  /**
+   * Goal: a short column costs no boxed vectors in a JVM that hashed long ones before. Method: what
+   * kernels are called for, on either side of the calls after which they are trusted.
+   */
+  @Test
+  void kernelsNeverSeeColumnsThatAreTooShortForThem() {
+    ColumnsOnly lanes = new ColumnsOnly();
+    float[] column = column(600);
+    long[] sums = new long[HashLanes.SUMS];
+    for (int call = 0; call < MANY; call++) {
+      lanes.numbers = 0;
+      assertEquals(0, lanes.column(column, new long[300], 40, sums));
+      assertEquals(0, lanes.calls, "call=" + call);
+      int done = lanes.column(column, new long[300], 600, sums);
+      assertEquals(done, lanes.numbers, "call=" + call);
+      lanes.calls = 0;
+    }
+  }
+
+  /** Counts what it is given. */
+  private static final class ColumnsOnly extends HashLanes {
+    private int calls;
+    private int numbers;
+
+    @Override
+    void column(float[] column, long[] factors, int from, int to, long[] sums) {
+      calls++;
+      numbers += to - from;
+    }
+
+    @Override
+    void names(ContactTable t, int from, int to, long[] factors, long[] sums) {}
+
+    @Override
+    void impulses(float[] contact, int from, int to, long[] factors, long[] sums) {}
+
+    @Override
+    void gather(long[] sums, long[] to) {}
+  }
+
   @Test
   void oneOrTwoFlippedBitsGiveAnotherHash() {
     float[] column = column(600);

@@ -1,0 +1,57 @@
+package carom.physics.dynamics;
+
+import java.util.Arrays;
+
+/**
+ * Vector kernels that are <i>rehearsed</i> on numbers of no world, all of them equally often in
+ * every step that could use them, whatever there is in the world. So the JIT compiler is soon done
+ * with them, and those that a world hardly needs don't box their vectors for minutes. Their callers
+ * are compiled by the few blocks that go through them meanwhile; see {@link LaneTrust}.
+ */
+abstract class RehearsedLanes {
+  private final LaneTrust trust;
+
+  /** What is rehearsed on. */
+  private float[] numbers = new float[0];
+
+  /**
+   * Makes those of a world.
+   *
+   * @param trust that of all worlds
+   */
+  RehearsedLanes(LaneTrust trust) {
+    this.trust = trust;
+  }
+
+  /** How long the scratch array of each worker must be. */
+  abstract int scratchSize();
+
+  /** How many numbers a rehearsal takes. */
+  abstract int rehearsalSize();
+
+  /** Runs each kernel once on these numbers. */
+  abstract void rehearse(float[] numbers);
+
+  /**
+   * How many of a step's blocks may be given to the kernels; {@link #used} must be told. To be
+   * asked once per step.
+   *
+   * @param rows contacts or joints of the world, which tell how long its steps are
+   */
+  final int trusted(int blocks, int rows) {
+    int times = trust.rehearsals(rows);
+    if (times > 0 && numbers.length == 0) {
+      numbers = new float[rehearsalSize()];
+    }
+    for (int i = 0; i < times; i++) {
+      Arrays.fill(numbers, 1);
+      rehearse(numbers);
+    }
+    return trust.allowed(blocks);
+  }
+
+  /** Must be called when so many blocks were given to the kernels. */
+  final void used(int blocks) {
+    trust.used(blocks);
+  }
+}
