@@ -9,7 +9,11 @@ import carom.sim.scene.SceneRun;
 final class CaromEngine implements BenchEngine {
   static final String NAME = "carom";
 
-  private final WorkerThreads workers;
+  private final int threads;
+
+  /** Of the world at hand alone: whether sharing pays beside others' warm-up is not to count. */
+  private WorkerThreads workers;
+
   private SceneRun run;
 
   /**
@@ -18,7 +22,7 @@ final class CaromEngine implements BenchEngine {
    * @param threads how many step a world together, 1..64
    */
   CaromEngine(int threads) {
-    workers = threads == 1 ? null : new WorkerThreads(threads, System::nanoTime);
+    this.threads = threads;
   }
 
   @Override
@@ -28,7 +32,9 @@ final class CaromEngine implements BenchEngine {
 
   @Override
   public void start(Scene scene) {
+    dismiss();
     run = scene.start();
+    workers = threads == 1 ? null : new WorkerThreads(threads, System::nanoTime);
     run.world().workers(workers);
   }
 
@@ -60,8 +66,13 @@ final class CaromEngine implements BenchEngine {
   @Override
   public void close() {
     run = null;
+    dismiss();
+  }
+
+  private void dismiss() {
     if (workers != null) {
       workers.close();
+      workers = null;
     }
   }
 }

@@ -99,6 +99,19 @@ final class Crew implements Workers.Task {
     workers.run(pieces, this);
   }
 
+  /** Does so many pieces, large or small, where a step is shared by one worker each. */
+  void each(int number, Range stage) {
+    if (!sharing || number == 1) {
+      stage.run(0, number, 0);
+      return;
+    }
+    begin = 0;
+    size = number;
+    pieces = number;
+    range = stage;
+    workers.run(number, this);
+  }
+
   /** Has phases of the step done by the workers. */
   void divide(Lockstep lockstep, int domains) {
     lockstep.divide(domains, workers);

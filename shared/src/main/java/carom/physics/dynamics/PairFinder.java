@@ -42,6 +42,9 @@ final class PairFinder {
   /** Bodies whose boxes make a piece of work for a worker. */
   private static final int GRAIN = 64;
 
+  /** Sorting fewer candidates isn't worth sharing. */
+  private static final int FEWEST_TO_SHARE = 2_048;
+
   /** Moved parts that make a piece of work, and with too few of which threads don't search. */
   private static final int SEARCH_GRAIN = 32;
 
@@ -67,6 +70,12 @@ final class PairFinder {
 
     private int count;
 
+    /** Those that this worker sorts for all. */
+    private long[] share = new long[FIRST_CAPACITY];
+
+    private int shareCount;
+    private final KeySorter sorter = new KeySorter();
+
     /** The part that is searched for itself. */
     private int around;
 
@@ -91,11 +100,21 @@ final class PairFinder {
       }
     }
 
-    /** Adds what another one found. */
-    private void take(Desk other) {
-      reserve(count + other.count);
-      System.arraycopy(other.candidates, 0, candidates, count, other.count);
-      count += other.count;
+    /**
+     * Takes the keys of a range that all found, in order. Without a branch, as ranges are found in
+     * any order.
+     */
+    private void sortRange(long from, long to) {
+      int n = 0;
+      for (Desk desk : desks) {
+        for (int i = 0; i < desk.count; i++) {
+          long key = desk.candidates[i];
+          share[n] = key;
+          n += (int) ((~(key - from) & (key - to)) >>> Long.SIZE - 1);
+        }
+      }
+      shareCount = n;
+      share = sorter.sort(share, n);
     }
   }
 
@@ -141,7 +160,17 @@ final class PairFinder {
   private int partListCount;
 
   private final PairSearch search;
+
+  /** The pairs to have rows, by ascending key. */
+  private long[] candidates = new long[FIRST_CAPACITY];
+
+  private int candidateCount;
   private final KeySorter sorter = new KeySorter();
+
+  /** By how many workers they are sorted. */
+  private int ranges;
+
+  private final Crew.Range sorting = this::sortShares;
 
   /** Whether parts in the moving tree are searched for each by itself, unless with neighbours. */
   private boolean each;
@@ -587,7 +616,7 @@ final class PairFinder {
     furnish();
     for (Desk desk : desks) {
       desk.count = 0;
-      desk.reserve(desks[0].candidates.length); // who finds how many is chance, to grow by it isn't
+      desk.reserve(candidates.length); // who finds how many is chance, to grow by it isn't
     }
     each = !searchAll && movedCount - togetherCount <= moving.size() / SEARCH_SHARE;
     if (!each || togetherCount > 0) {
@@ -596,12 +625,8 @@ final class PairFinder {
     if (!searchAll) {
       crew.run(0, movedCount, SEARCH_GRAIN, searchingAround);
     }
-    Desk all = desks[0];
-    for (int i = 1; i < desks.length; i++) {
-      all.take(desks[i]);
-    }
-    all.candidates = sorter.sort(all.candidates, all.count);
-    contacts.merge(all.candidates, all.count, bodies, parts, searchAll, crew);
+    sortCandidates();
+    contacts.merge(candidates, candidateCount, bodies, parts, searchAll, crew);
     for (int i = 0; i < movedCount; i++) {
       parts.moved[movedParts[i]] = false;
       parts.together[movedParts[i]] = false;
@@ -609,6 +634,60 @@ final class PairFinder {
     togetherCount = 0;
     movedCount = 0;
     searchAll = false;
+  }
+
+  /**
+   * Brings together what the desks found. Each worker sorts the keys of a range; that ranges be
+   * about as long, they end where shares of the rows do that are there already.
+   */
+  private void sortCandidates() {
+    int sum = 0;
+    for (Desk desk : desks) {
+      sum += desk.count;
+    }
+    if (candidates.length <= sum) {
+      candidates = new long[2 * sum];
+    }
+    candidateCount = 0;
+    ranges = sum < FEWEST_TO_SHARE ? 1 : desks.length;
+    if (ranges == 1) {
+      for (Desk desk : desks) {
+        append(desk.candidates, desk.count);
+      }
+      candidates = sorter.sort(candidates, candidateCount);
+      return;
+    }
+    for (Desk desk : desks) {
+      if (desk.share.length < candidates.length) {
+        desk.share = new long[candidates.length];
+      }
+    }
+    crew.each(ranges, sorting);
+    for (Desk desk : desks) {
+      append(desk.share, desk.shareCount);
+    }
+  }
+
+  private void append(long[] keys, int count) {
+    System.arraycopy(keys, 0, candidates, candidateCount, count);
+    candidateCount += count;
+  }
+
+  private void sortShares(int from, int to, int worker) {
+    for (int range = from; range < to; range++) {
+      desks[range].sortRange(rangeStart(range), rangeStart(range + 1));
+    }
+  }
+
+  /** The least key of a range, and behind the last one of all. */
+  private long rangeStart(int range) {
+    if (range == 0) {
+      return 0;
+    }
+    int rows = contacts.count();
+    return range == ranges || rows == 0
+        ? Long.MAX_VALUE
+        : contacts.key[(int) ((long) rows * range / ranges)];
   }
 
   /** Walks the trees where boxes are marked, or everywhere. */

@@ -7,9 +7,10 @@ package carom.physics.threads;
  * task and its caller waits for milliseconds, or the caller loses its own to a helper: a shared
  * step takes up to twice as long as one alone. Nobody sees that but in the time of whole steps. So
  * when a caller had to wait for long, half of the next steps are shared, and what was faster is
- * kept for a while. As long as nobody waits, every step is shared. Which half is told by the parity
- * of the bits of the step's number (the sequence of Thue and Morse): worlds that one caller steps
- * by turns, and work that grows, weigh on both sides alike.
+ * kept for a while: as long as nobody waits, every step is shared, and who steps alone tries again
+ * soon, then ever more rarely. Which half is told by the parity of the bits of the step's number
+ * (the sequence of Thue and Morse): worlds that one caller steps by turns, and work that grows,
+ * weigh on both sides alike.
  *
  * <p>Times come from the caller, in ns of any clock. One thread at a time.
  */
@@ -23,6 +24,9 @@ final class Sharing {
   /** Steps until the next trial, if there is reason for one. */
   static final int STEPS_BETWEEN = 240;
 
+  /** The same after the first trial that told against sharing: it may have been chance. */
+  private static final int STEPS_AT_FIRST = TRIAL_STEPS;
+
   /** Steps of the trial at hand that are left; then of the time until the next one. */
   private int trial;
 
@@ -32,6 +36,9 @@ final class Sharing {
   private boolean pays = true;
 
   private boolean shared;
+
+  /** Steps alone before the next trial. */
+  private int rest = STEPS_AT_FIRST;
 
   /** Whether a step is on. */
   private boolean on;
@@ -98,7 +105,8 @@ final class Sharing {
     if (trial == 0) {
       pays = sharedNs <= aloneNs;
       waited = false;
-      left = STEPS_BETWEEN;
+      left = pays ? STEPS_BETWEEN : rest;
+      rest = pays ? STEPS_AT_FIRST : Math.min(2 * rest, STEPS_BETWEEN);
     }
   }
 }

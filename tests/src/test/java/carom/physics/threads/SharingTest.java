@@ -44,6 +44,13 @@ final class SharingTest {
   }
 
   @Test
+  void oneBadTrialIsSoonForgotten() {
+    steps(1 + Sharing.TRIAL_STEPS, 9_000_000, 2_000_000);
+    int shared = steps(100, 3_000_000, 1000);
+    assertTrue(shared > 70, "shared=" + shared);
+  }
+
+  @Test
   void twoWorldsByTurnsAreNotTakenForTwoWays() {
     steps(1, 9_000_000, 2_000_000);
     for (int step = 0; step < Sharing.TRIAL_STEPS; step++) {
