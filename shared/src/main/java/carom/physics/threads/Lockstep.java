@@ -15,8 +15,8 @@ import java.util.concurrent.atomic.AtomicIntegerArray;
  *
  * <p>A worker does the parts of its own domain, and those of domains whose worker hasn't come, or
  * seems to have lost its processor between two parts. So all is done however few threads there are,
- * and whoever else wants them. Who would have to wait for long goes, and those for whom he waits do
- * the rest.
+ * and whoever else wants them. Who has to wait for long, as another one lost its processor in the
+ * midst of a part, offers his own.
  *
  * <p>Who does what when shows in no result. One thread adds and runs. Allocates only when there are
  * more phases or domains than ever before.
@@ -31,8 +31,8 @@ public final class Lockstep implements Workers.Task {
   /** Looks at a domain that could go on but doesn't before another thread helps it. */
   private static final int LOOKS_BEFORE_HELP = 200;
 
-  /** Looks for work before a thread goes: some 100 microseconds. */
-  private static final int LOOKS_BEFORE_LEAVING = 2_000;
+  /** Looks for work before a thread offers its processor to others: some 100 microseconds. */
+  private static final int LOOKS_BEFORE_YIELD = 2_000;
 
   private Workers workers;
   private int domains = 1;
@@ -45,6 +45,9 @@ public final class Lockstep implements Workers.Task {
 
   /** Per domain: twice the parts that are done, plus one while somebody does the next one. */
   private AtomicIntegerArray done = new AtomicIntegerArray(2 * APART);
+
+  /** Whether a part threw. */
+  private volatile boolean failed;
 
   /** Per domain: 1 while the thread that its task was given to is at work. */
   private AtomicIntegerArray attended = new AtomicIntegerArray(2 * APART);
@@ -110,6 +113,7 @@ public final class Lockstep implements Workers.Task {
         done.setPlain(place(domain), 0);
         attended.setPlain(place(domain), 0);
       }
+      failed = false;
       workers.run(domains, this);
     }
     phases = 0;
@@ -126,7 +130,6 @@ public final class Lockstep implements Workers.Task {
     while (true) {
       boolean helps = looks > LOOKS_BEFORE_HELP;
       boolean any = advance(own, worker);
-      boolean busy = false;
       boolean left = false;
       for (int k = 1; k < domains && !any; k++) {
         int other = own + k < domains ? own + k : own + k - domains;
@@ -134,21 +137,22 @@ public final class Lockstep implements Workers.Task {
           any = advance(other, worker);
         }
       }
+      for (int domain = 0; domain < domains && !any; domain++) {
+        left |= done.get(place(domain)) < 4 * phases;
+      }
       if (any) {
         looks = 0;
-        continue;
-      }
-      for (int domain = 0; domain < domains; domain++) {
-        int progress = done.get(place(domain));
-        busy |= (progress & 1) != 0;
-        left |= progress < 4 * phases;
-      }
-      if (!left || (busy && looks > LOOKS_BEFORE_LEAVING)) {
+      } else if (!left || failed) {
         attended.setOpaque(place(own), 0);
         return;
+      } else if (looks++ < LOOKS_BEFORE_YIELD) {
+        Thread.onSpinWait();
+      } else {
+        if (looks == LOOKS_BEFORE_YIELD + 1) {
+          workers.waits();
+        }
+        Thread.yield();
       }
-      looks++;
-      Thread.onSpinWait();
     }
   }
 
@@ -162,7 +166,12 @@ public final class Lockstep implements Workers.Task {
         && mayDo(progress >> 1, domain)
         && done.compareAndSet(at, progress, progress + 1)) {
       int i = progress >> 2;
-      phase[i].run(number[i], domain, (progress & 2) != 0, worker);
+      try {
+        phase[i].run(number[i], domain, (progress & 2) != 0, worker);
+      } catch (RuntimeException | Error e) {
+        failed = true; // the part will never be done, and nobody is to wait for it
+        throw e;
+      }
       progress += 2;
       done.setRelease(at, progress);
       any = true;

@@ -52,6 +52,9 @@ public final class WorkerThreads implements Workers, AutoCloseable {
   /** Tasks of the run that nobody has reported as done. */
   private final AtomicInteger left = new AtomicInteger();
 
+  /** Whether a task waited for another one since a run began. */
+  private volatile boolean waited;
+
   /** What a task threw first. */
   private volatile Throwable failure;
 
@@ -155,6 +158,12 @@ public final class WorkerThreads implements Workers, AutoCloseable {
     help(0);
     awaitOthers();
     work = null;
+    if (waited) {
+      waited = false;
+      if (sharing != null) {
+        sharing.waited(Sharing.LONG_WAIT_NS + 1);
+      }
+    }
     Throwable thrown = failure;
     if (thrown != null) {
       failure = null;
@@ -222,6 +231,11 @@ public final class WorkerThreads implements Workers, AutoCloseable {
     if (sharing != null) {
       sharing.waited(clock.getAsLong() - begin);
     }
+  }
+
+  @Override
+  public void waits() {
+    waited = true;
   }
 
   /**

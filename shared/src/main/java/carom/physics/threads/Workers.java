@@ -45,6 +45,13 @@ public interface Workers {
    */
   default void stepEnds() {}
 
+  /**
+   * Tells that a task of the run that is on has waited for another one for some 100 microseconds: a
+   * thread seems to have lost its processor. A hint, called by tasks, on any of the threads; does
+   * nothing unless overridden.
+   */
+  default void waits() {}
+
   /** A piece of work that consists of independent tasks. */
   @FunctionalInterface
   interface Task {
