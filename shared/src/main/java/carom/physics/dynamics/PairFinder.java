@@ -645,8 +645,8 @@ final class PairFinder {
     for (Desk desk : desks) {
       sum += desk.count;
     }
-    if (candidates.length <= sum) {
-      candidates = new long[2 * sum];
+    if (candidates.length <= sum) { // there is always one to spare, see sortRange
+      candidates = new long[2 * Integer.highestOneBit(sum)];
     }
     candidateCount = 0;
     ranges = sum < FEWEST_TO_SHARE ? 1 : desks.length;
