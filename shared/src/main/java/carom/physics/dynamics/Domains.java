@@ -40,10 +40,10 @@ final class Domains {
   private boolean[] border = new boolean[0];
 
   /** Those bodies, and those of the step before. */
-  int[] atBorder = new int[64];
+  int[] atBorder = new int[0];
 
   int borderCount;
-  int[] before = new int[64];
+  int[] before = new int[0];
   int beforeCount;
 
   private int count = 1;
@@ -97,6 +97,8 @@ final class Domains {
     if (of.length < active.index.length) {
       of = new int[active.index.length];
       border = Arrays.copyOf(border, active.index.length);
+      atBorder = Arrays.copyOf(atBorder, of.length); // at once, as worlds go on mixing for long
+      before = Arrays.copyOf(before, of.length);
       cost = new int[active.index.length];
     }
     forgetBorders();
@@ -186,9 +188,6 @@ final class Domains {
       return;
     }
     border[body] = true;
-    if (borderCount == atBorder.length) {
-      atBorder = Arrays.copyOf(atBorder, 2 * borderCount);
-    }
     atBorder[borderCount++] = body;
   }
 

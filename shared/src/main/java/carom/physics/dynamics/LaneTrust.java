@@ -18,6 +18,13 @@ final class LaneTrust {
   /** Rehearsals that must have been before all blocks may go through the kernels: */
   private static final int REHEARSALS = 40_000;
 
+  /**
+   * and that are made in all. They go on, and are quick once kernels are compiled: a kernel that is
+   * no longer called often while it waits for the compiler loses its place there, and boxes vectors
+   * until it has been called often again.
+   */
+  private static final int ALL_REHEARSALS = 200_000;
+
   /** the first ones, in which little of the API is compiled, take ten times as long; */
   private static final int FIRST_REHEARSALS = 1_000;
 
@@ -38,7 +45,7 @@ final class LaneTrust {
    * @param rows a measure of how long the world's steps are: its contacts or joints
    */
   int rehearsals(int rows) {
-    if (rehearsed >= REHEARSALS) {
+    if (rehearsed >= ALL_REHEARSALS) {
       return 0;
     }
     int times = Math.max(FEW_LATER, rows / ROWS);

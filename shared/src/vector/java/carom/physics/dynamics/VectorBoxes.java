@@ -136,9 +136,28 @@ final class VectorBoxes extends BoxLanes {
     return SCRATCH;
   }
 
+  /**
+   * {@inheritDoc}
+   *
+   * <p>Not by {@link #collide}: were that compiled before its kernels, it would take so many of
+   * them in that the compiler gave up within, and boxed vectors for good.
+   */
   @Override
-  void rehearse(float[] numbers) {
-    collide(numbers, 1);
+  void rehearse(float[] s) {
+    place(s);
+    gaps(s);
+    choose(s);
+    frame(s);
+    face(s);
+    clip(s);
+    keep(s, 1);
+    corners(s);
+    points(s);
+    ids(s);
+    order(s, 1);
+    turn(s);
+    follow(s, PX0, GAP0, X0);
+    limit(s, 1);
   }
 
   @Override

@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 
 /** Kernels are rehearsed for an end, and for all steps that ask, whatever these are of. */
 class RehearsedLanesTest {
-  private static final int MOST_STEPS = 1_000;
+  private static final int MOST_STEPS = 10_000;
 
   private static final class Counting extends RehearsedLanes {
     private int rehearsals;
@@ -66,7 +66,7 @@ class RehearsedLanesTest {
     LaneTrust trust = new LaneTrust();
     Counting small = new Counting(trust);
     Counting large = new Counting(trust);
-    for (int step = 0; step < 100; step++) {
+    for (int step = 0; step < 400; step++) {
       large.used(large.trusted(3_000, 48_000));
     }
     assertEquals(40, small.trusted(40, 600));
