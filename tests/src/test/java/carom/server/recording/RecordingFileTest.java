@@ -10,6 +10,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.client.bots.Bot;
 import carom.net.transport.Impairment;
 import carom.replay.Block;
+import carom.replay.RecordingException;
 import carom.replay.RecordingReader;
 import carom.replay.Replay;
 import carom.server.CaromMain;
@@ -129,7 +130,7 @@ final class RecordingFileTest {
     try (Stepper stepper = Stepper.of("arena")) {
       Path file = stepper.server().record(folder.resolve("live.carom")).get(0);
       stepper.join("bot", Impairment.NONE, new Bot(1));
-      try (RecordingReader reader = RecordingReader.open(file)) {
+      try (RecordingReader reader = openWritten(file)) {
         Replay replay = new Replay(reader);
         for (int i = 0; i < 40 && replay.simulation().tick() < 240; i++) {
           stepper.run(0.5);
@@ -140,6 +141,20 @@ final class RecordingFileTest {
         }
         assertTrue(replay.simulation().tick() >= 240);
         assertTrue(stepper.room().simulation().tick() >= replay.simulation().tick());
+      }
+    }
+  }
+
+  /** Opens a recording whose header is being written by another thread. */
+  private static RecordingReader openWritten(Path file) throws Exception {
+    for (int left = 500; ; left--) {
+      try {
+        return RecordingReader.open(file);
+      } catch (RecordingException e) {
+        if (left == 0) {
+          throw e;
+        }
+        Thread.sleep(10);
       }
     }
   }
