@@ -377,14 +377,29 @@ public final class BodyStore {
     sin[slot] = s;
   }
 
-  /** Velocity changes by pending impulses, which are then gone. */
+  /**
+   * Velocity changes by pending impulses, which are then gone. Where there is none nothing is
+   * written, as bodies beside this one may be another thread's.
+   */
   void applyImpulses(int slot) {
+    if (impulseX[slot] == 0 && impulseY[slot] == 0 && impulseW[slot] == 0) {
+      return;
+    }
     vx[slot] += invMass[slot] * impulseX[slot];
     vy[slot] += invMass[slot] * impulseY[slot];
     w[slot] += invInertia[slot] * impulseW[slot];
     impulseX[slot] = 0;
     impulseY[slot] = 0;
     impulseW[slot] = 0;
+  }
+
+  /** Forgets forces, which were used; writes nothing where there are none. */
+  void useForces(int slot) {
+    if (forceX[slot] != 0 || forceY[slot] != 0 || torque[slot] != 0) {
+      forceX[slot] = 0;
+      forceY[slot] = 0;
+      torque[slot] = 0;
+    }
   }
 
   /** Whether a force or an impulse waits. */

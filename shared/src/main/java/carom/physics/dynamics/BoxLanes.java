@@ -10,7 +10,7 @@ abstract class BoxLanes extends RehearsedLanes {
   static final int LANES = VectorModule.LANES;
 
   // In: from A's position to B's, world axes, m;
-  static final int WAY_X = 0;
+  static final int WAY_X = APART;
 
   static final int WAY_Y = WAY_X + LANES;
 

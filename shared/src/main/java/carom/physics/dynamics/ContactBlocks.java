@@ -212,14 +212,14 @@ final class ContactBlocks {
   void lay(ContactTable table, BodyStore bodies, SolverBodies solverBodies, ContactLanes lanes) {
     Domains domains = solverBodies.domains;
     if (memo.holds(table, bodies, domains.edition())) {
-      layOut(lanes, table.count());
+      layOut(lanes, table.count(), solverBodies);
     } else {
       paint(table, bodies, solverBodies.active, domains);
       solverBodies.assignSlots();
       memo.note(table, bodies, domains.edition());
       findGroups();
       giveLanes(table, domains);
-      layOut(lanes, table.count());
+      layOut(lanes, table.count(), solverBodies);
     }
     v = solverBodies.state;
   }
@@ -375,7 +375,7 @@ final class ContactBlocks {
   }
 
   /** Says what is in each block. */
-  private void layOut(ContactLanes lanes, int rows) {
+  private void layOut(ContactLanes lanes, int rows, SolverBodies solverBodies) {
     int widest = 0;
     if (lanes != null && count >= FEWEST_BLOCKS) {
       widest = lanes.trusted(count, rows);
@@ -389,7 +389,7 @@ final class ContactBlocks {
         boolean wide = block < widest && left >= FEWEST && isColour(g);
         traits[block] = (byte) (kind | (wide ? WIDE : 0));
         if (left < LANES) {
-          clear(block);
+          clear(block, solverBodies.idle(g / GROUPS));
         }
       }
     }
@@ -442,14 +442,17 @@ final class ContactBlocks {
     }
   }
 
-  /** Makes the empty lanes of a block contacts of nothing with nothing. */
-  private void clear(int block) {
+  /**
+   * Makes the empty lanes of a block contacts of nothing with nothing. Kernels write back what they
+   * read, so that must be the domain's own: the static body's slot, all read.
+   */
+  private void clear(int block, int idle) {
     int at = block * RECORD;
     Arrays.fill(data, at, at + RECORD, 0);
     Arrays.fill(data, at + FIRST + YIELD, at + FIRST + YIELD + LANES, 1);
     Arrays.fill(data, at + SECOND + YIELD, at + SECOND + YIELD + LANES, 1);
-    Arrays.fill(bodyA, block * LANES, (block + 1) * LANES, 0);
-    Arrays.fill(bodyB, block * LANES, (block + 1) * LANES, 0);
+    Arrays.fill(bodyA, block * LANES, (block + 1) * LANES, idle);
+    Arrays.fill(bodyB, block * LANES, (block + 1) * LANES, idle);
   }
 
   /** Gives a block a trait; its part of extra is zero for those lanes that don't have it. */

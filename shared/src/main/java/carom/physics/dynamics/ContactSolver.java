@@ -154,12 +154,6 @@ final class ContactSolver {
 
   private static final float SINGLE_STIFFNESS = 1.3f;
 
-  /**
-   * Floats behind the scratch memory of a worker that nobody uses, so that none writes to a line of
-   * the cache, or the one beside it, from which another reads the length of its own.
-   */
-  private static final int APART = 32;
-
   final ContactBlocks blocks;
   private final ContactPacker packer;
   private final ContactBounces bounces;
@@ -233,7 +227,7 @@ final class ContactSolver {
     slop = constants.slop();
     soften(constants);
     if (lanes != null && scratch.length != crew.count()) {
-      scratch = new float[crew.count()][lanes.scratchSize() + APART];
+      scratch = new float[crew.count()][lanes.scratchSize()];
     }
     blocks.lay(contacts, bodyStore, solverBodies, lanes);
     v = solverBodies.state;

@@ -9,6 +9,13 @@ import java.util.Arrays;
  * are compiled by the few blocks that go through them meanwhile; see {@link LaneTrust}.
  */
 abstract class RehearsedLanes {
+  /**
+   * Floats at both ends of a scratch array that nobody uses: two cache lines, as they come in
+   * pairs. Without them each worker wrote to the line from which another one reads the length of
+   * its own array, or the array of all of them, block by block.
+   */
+  static final int APART = 32;
+
   private final LaneTrust trust;
 
   /** What is rehearsed on. */
@@ -23,7 +30,7 @@ abstract class RehearsedLanes {
     this.trust = trust;
   }
 
-  /** How long the scratch array of each worker must be. */
+  /** How long the scratch array of each worker must be, {@link #APART} at both ends included. */
   abstract int scratchSize();
 
   /** How many numbers a rehearsal takes. */

@@ -8,8 +8,8 @@ import java.util.Arrays;
  * has moved and turned since the step began.
  *
  * <p>Slot 0 is the one static body of all constraints: without mass and at rest, it absorbs
- * whatever is added to it (which is zero). Moving bodies follow from slot 1. Positions are
- * differences, so the solver works with small numbers wherever in the world it is.
+ * whatever is added to it (which is zero). Moving bodies follow, see {@link SolverSlots}. Positions
+ * are differences, so the solver works with small numbers wherever in the world it is.
  */
 final class SolverBodies {
   /** Floats per slot, and their order. */
@@ -84,7 +84,7 @@ final class SolverBodies {
   private final Lockstep.Phase moving =
       (given, d, border, worker) -> move(from(d, border), to(d, border));
   private final Lockstep.Phase storing =
-      (given, d, border, worker) -> store(from(d, border), to(d, border));
+      (given, d, border, worker) -> store(from(d, border), to(d, border), d % 2 != 0);
   private final Crew.Range marking = (from, to, worker) -> mark(from, to);
   private final Crew.Range excepting = (from, to, worker) -> except(from, to);
 
@@ -112,9 +112,14 @@ final class SolverBodies {
     return slots.slotOf;
   }
 
-  /** Slots in use, the static one included. */
+  /** Slots there are, the static one and unused ones included. */
   int count() {
     return count;
+  }
+
+  /** Offset in {@link #state} of what a domain may write to where there is no body: it is zero. */
+  int idle(int domain) {
+    return slots.idle(domain) * STRIDE;
   }
 
   private int from(int domain, boolean border) {
@@ -156,8 +161,19 @@ final class SolverBodies {
       keep = new float[capacity];
       keepW = new float[capacity];
     }
-    Arrays.fill(state, 0, STRIDE, 0);
-    state[COS] = 1;
+    rest(0);
+    for (int domain = 0; domain < domains.count(); domain++) {
+      rest(slots.idle(domain));
+    }
+  }
+
+  /** Has a slot stay where it is. */
+  private void rest(int slot) {
+    Arrays.fill(state, slot * STRIDE, (slot + 1) * STRIDE, 0);
+    state[slot * STRIDE + COS] = 1;
+    ax[slot] = 0;
+    ay[slot] = 0;
+    aw[slot] = 0;
   }
 
   /** Adds: the moving bodies are loaded, speeds above the limits cut; their forces are used up. */
@@ -175,9 +191,9 @@ final class SolverBodies {
       if (dynamic) {
         b.applyImpulses(body);
       }
-      state[at + VX] = b.vx[body];
-      state[at + VY] = b.vy[body];
-      state[at + W] = b.w[body];
+      state[at + VX] = b.vx[body] + 0f; // no -0: what rests has one sign
+      state[at + VY] = b.vy[body] + 0f;
+      state[at + W] = b.w[body] + 0f;
       limit(state, at, s.maxSpeed(), s.maxAngularSpeed());
       state[at + DX] = 0;
       state[at + DY] = 0;
@@ -189,9 +205,7 @@ final class SolverBodies {
         aw[i] = b.invInertia[body] * b.torque[body];
         keep[i] = 1 / (1 + h * b.linearDamping[body]);
         keepW[i] = 1 / (1 + h * b.angularDamping[body]);
-        b.forceX[body] = 0;
-        b.forceY[body] = 0;
-        b.torque[body] = 0;
+        b.useForces(body);
       } else {
         ax[i] = 0;
         ay[i] = 0;
@@ -382,28 +396,38 @@ final class SolverBodies {
     lockstep.add(storing, 0);
   }
 
-  private void store(int from, int to) {
+  /**
+   * Every other domain goes backwards: where domains have mixed, all their threads write to the
+   * same lines of memory, and are to do so at different times.
+   */
+  private void store(int from, int to, boolean backwards) {
+    for (int i = from; i < to && !backwards; i++) {
+      store(i);
+    }
+    for (int i = to - 1; i >= from && backwards; i--) {
+      store(i);
+    }
+  }
+
+  private void store(int slot) {
     BodyStore b = bodies;
-    Settings limits = settings;
     float[] s = state;
-    for (int i = from; i < to; i++) {
-      int body = slots.body[i];
-      int at = i * STRIDE;
-      limit(s, at, limits.maxSpeed(), limits.maxAngularSpeed());
-      b.vx[body] = s[at + VX];
-      b.vy[body] = s[at + VY];
-      b.w[body] = s[at + W];
-      b.x[body] = inside(b, body, b.x[body] + s[at + DX]);
-      b.y[body] = inside(b, body, b.y[body] + s[at + DY]);
-      if (s[at + SIN] != 0) {
-        float dc = s[at + COS];
-        float ds = s[at + SIN];
-        float c = b.cos[body] * dc - b.sin[body] * ds;
-        float n = b.sin[body] * dc + b.cos[body] * ds;
-        float inverse = 1 / (float) Math.sqrt(c * c + n * n);
-        b.cos[body] = c * inverse;
-        b.sin[body] = n * inverse;
-      }
+    int body = slots.body[slot];
+    int at = slot * STRIDE;
+    limit(s, at, settings.maxSpeed(), settings.maxAngularSpeed());
+    b.vx[body] = s[at + VX];
+    b.vy[body] = s[at + VY];
+    b.w[body] = s[at + W];
+    b.x[body] = inside(b, body, b.x[body] + s[at + DX]);
+    b.y[body] = inside(b, body, b.y[body] + s[at + DY]);
+    if (s[at + SIN] != 0) {
+      float dc = s[at + COS];
+      float ds = s[at + SIN];
+      float c = b.cos[body] * dc - b.sin[body] * ds;
+      float n = b.sin[body] * dc + b.cos[body] * ds;
+      float inverse = 1 / (float) Math.sqrt(c * c + n * n);
+      b.cos[body] = c * inverse;
+      b.sin[body] = n * inverse;
     }
   }
 

@@ -3,11 +3,18 @@ package carom.physics.dynamics;
 import java.util.Arrays;
 
 /**
- * Which slot of {@link SolverBodies} each active body has, from 1 on; all others have slot 0. Slots
- * of a domain follow each other, those of bodies at its border last. No bit of a result depends on
- * slots. One thread at a time.
+ * Which slot of {@link SolverBodies} each active body has; all others have slot 0. Slots of a
+ * domain follow each other, those of bodies at its border last. Before its first one it has an
+ * <i>idle</i> slot of nobody, and between domains slots are unused, so that no line of memory to
+ * which one domain's thread writes is read by another one, but for bodies at borders. No bit of a
+ * result depends on slots. One thread at a time.
  */
 final class SolverSlots {
+  /**
+   * Unused slots between what different threads write to: two cache lines, as they come in pairs.
+   */
+  private static final int APART = 4;
+
   private final ActiveBodies active;
   private final Domains domains;
 
@@ -19,10 +26,11 @@ final class SolverSlots {
 
   private int count = 1;
 
-  /** Per domain: its first slot, and that of its border; and behind the last one. */
-  private int[] first = new int[2];
+  /** Per domain: its first slot, that of its border, and behind the last one. */
+  private int[] first = new int[1];
 
   private int[] firstAtBorder = new int[1];
+  private int[] end = new int[1];
 
   /** {@link Domains#edition} that slots are of. */
   private int edition = -1;
@@ -33,7 +41,7 @@ final class SolverSlots {
     this.domains = domains;
   }
 
-  /** Slots in use, the static one included. */
+  /** Slots there are, the static one and unused ones included. */
   int count() {
     return count;
   }
@@ -45,7 +53,12 @@ final class SolverSlots {
 
   /** Behind the last slot of a part of a domain. */
   int to(int domain, boolean border) {
-    return border ? first[domain + 1] : firstAtBorder[domain];
+    return border ? end[domain] : firstAtBorder[domain];
+  }
+
+  /** The slot of a domain that no body has. */
+  int idle(int domain) {
+    return first[domain] - 1;
   }
 
   /**
@@ -67,25 +80,28 @@ final class SolverSlots {
       slotOf = Arrays.copyOf(slotOf, active.index.length);
     }
     for (int i = 1; i < count; i++) {
-      slotOf[body[i]] = 0;
+      slotOf[body[i]] = 0; // or that of whoever was in an unused slot once: all get theirs below
     }
-    if (body.length <= active.count) {
-      body = new int[active.list.length + 1];
-    }
-    count = active.count + 1;
     int n = domains.count();
     if (firstAtBorder.length < n) {
-      first = new int[n + 1];
+      first = new int[n];
       firstAtBorder = new int[n];
+      end = new int[n];
     }
-    Arrays.fill(first, 0, n + 1, 0);
+    Arrays.fill(end, 0, n, 0);
     for (int i = 0; i < active.count; i++) {
-      first[domains.of[active.list[i]] + 1]++;
+      end[domains.of[active.list[i]]]++;
     }
-    first[0] = 1;
+    count = 1;
     for (int domain = 0; domain < n; domain++) {
+      first[domain] = count + APART + 1;
       firstAtBorder[domain] = first[domain];
-      first[domain + 1] += first[domain];
+      end[domain] += first[domain];
+      count = end[domain];
+    }
+    count += APART;
+    if (body.length < count) {
+      body = new int[count + active.list.length - active.count];
     }
     for (int i = 0; i < active.count; i++) {
       int one = active.list[i];

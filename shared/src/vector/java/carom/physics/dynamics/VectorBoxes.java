@@ -116,8 +116,7 @@ final class VectorBoxes extends BoxLanes {
 
   private static final int TURN_SIN = TURN_COS + LANES;
 
-  /** And room behind, so that no two workers' arrays share a line of the cache. */
-  private static final int SCRATCH = TURN_SIN + 3 * LANES;
+  private static final int SCRATCH = TURN_SIN + LANES + APART;
 
   /** Loaded by name, see {@link BoxLanes#find}. */
   VectorBoxes() {

@@ -49,7 +49,7 @@ final class VectorLanes extends ContactLanes {
       LANES == 16 ? FloatVector.SPECIES_512 : FloatVector.SPECIES_256;
 
   // Quantities of the scratch array: velocities of the bodies;
-  private static final int VXA = 0;
+  private static final int VXA = APART;
   private static final int VYA = VXA + LANES;
   private static final int WA = VYA + LANES;
   private static final int VXB = WA + LANES;
@@ -85,8 +85,7 @@ final class VectorLanes extends ContactLanes {
 
   private static final int TANGENT_SUM = NORMAL_SUM + LANES;
 
-  /** And room behind, so that no two workers' arrays share a line of the cache. */
-  private static final int SCRATCH = TANGENT_SUM + 3 * LANES;
+  private static final int SCRATCH = TANGENT_SUM + LANES + APART;
 
   /** Loaded by name, see {@link ContactLanes#find}. */
   VectorLanes() {

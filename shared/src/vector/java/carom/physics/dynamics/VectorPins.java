@@ -40,7 +40,7 @@ final class VectorPins extends PinLanes {
       LANES == 16 ? FloatVector.SPECIES_512 : FloatVector.SPECIES_256;
 
   // Quantities of the scratch array: velocities of both bodies,
-  private static final int AVX = 0;
+  private static final int AVX = APART;
   private static final int AVY = AVX + LANES;
   private static final int WA = AVY + LANES;
   private static final int BVX = WA + LANES;
@@ -61,8 +61,7 @@ final class VectorPins extends PinLanes {
 
   private static final int DPY = DPX + LANES;
 
-  /** And room behind, so that no two workers' arrays share a line of the cache. */
-  private static final int SCRATCH = DPY + 3 * LANES;
+  private static final int SCRATCH = DPY + LANES + APART;
 
   /** Loaded by name, see {@code PinLanes.find}. */
   VectorPins() {
