@@ -416,7 +416,22 @@ final class ContactBlocks {
 
   /** Makes a phase of a stage that takes blocks from one to another. */
   Lockstep.Phase phase(Crew.Range stage) {
-    return (number, domain, border, worker) -> visit(number, domain, border, worker, stage);
+    return new Lockstep.Phase() {
+      @Override
+      public void run(int number, int domain, boolean border, int worker) {
+        visit(number, domain, border, worker, stage);
+      }
+
+      @Override
+      public boolean hasBorder(int number, int domain) {
+        return number == ALL || touchesBorder(domain * GROUPS + 2 * number);
+      }
+    };
+  }
+
+  /** Whether a colour of a domain has contacts at the border. */
+  private boolean touchesBorder(int group) {
+    return startOfBorder[group] < start[group + 1] || startOfBorder[group + 1] < start[group + 2];
   }
 
   private void visit(int number, int domain, boolean border, int worker, Crew.Range stage) {

@@ -13,10 +13,14 @@ import java.util.concurrent.atomic.AtomicIntegerArray;
  * is ahead by less than an inner part thus never waits, where a barrier after each phase would have
  * everybody wait for the slowest every time, and for lines of memory on their way between cores.
  *
- * <p>A worker does the parts of its own domain, and those of domains whose worker hasn't come, or
- * seems to have lost its processor between two parts. So all is done however few threads there are,
- * and whoever else wants them. Who has to wait for long, as another one lost its processor in the
- * midst of a part, offers his own.
+ * <p>A worker does all phases of its own domain from when it comes, and until then others do them
+ * one by one where they would have to wait. So all is done however few threads there are, and
+ * whoever else wants them. Who has to wait for long, as another one lost its processor, offers his
+ * own.
+ *
+ * <p>A phase costs a worker one store that the others see, and a look at each of them if it has a
+ * border part: with two cores some 100 ns, while a claim per part cost several times that, as it
+ * waits until all that was written before has left for memory.
  *
  * <p>Who does what when shows in no result. One thread adds and runs. Allocates only when there are
  * more phases or domains than ever before.
@@ -27,9 +31,6 @@ public final class Lockstep implements Workers.Task {
    * first ones stay unused, as everybody reads the array's length beside them.
    */
   private static final int APART = 32;
-
-  /** Looks at a domain that could go on but doesn't before another thread helps it. */
-  private static final int LOOKS_BEFORE_HELP = 200;
 
   /** Looks for work before a thread offers its processor to others: some 100 microseconds. */
   private static final int LOOKS_BEFORE_YIELD = 2_000;
@@ -43,14 +44,14 @@ public final class Lockstep implements Workers.Task {
   private int[] number = new int[64];
   private int phases;
 
-  /** Per domain: twice the parts that are done, plus one while somebody does the next one. */
+  /** Per domain: how many phases somebody does or has done. */
+  private AtomicIntegerArray claimed = new AtomicIntegerArray(2 * APART);
+
+  /** Per domain: how many are done. */
   private AtomicIntegerArray done = new AtomicIntegerArray(2 * APART);
 
   /** Whether a part threw. */
   private volatile boolean failed;
-
-  /** Per domain: 1 while the thread that its task was given to is at work. */
-  private AtomicIntegerArray attended = new AtomicIntegerArray(2 * APART);
 
   /** What a phase does. */
   @FunctionalInterface
@@ -64,6 +65,17 @@ public final class Lockstep implements Workers.Task {
      * @param worker as in {@link Workers.Task}
      */
     void run(int number, int domain, boolean border, int worker);
+
+    /**
+     * Whether a border part does anything. Who has none needn't wait for the others.
+     *
+     * @param number what was added with it
+     * @param domain from 0
+     * @return true unless it says otherwise
+     */
+    default boolean hasBorder(int number, int domain) {
+      return true;
+    }
   }
 
   /**
@@ -78,7 +90,7 @@ public final class Lockstep implements Workers.Task {
     phases = 0;
     if (done.length() < (count + 1) * APART) {
       done = new AtomicIntegerArray((count + 1) * APART);
-      attended = new AtomicIntegerArray((count + 1) * APART);
+      claimed = new AtomicIntegerArray((count + 1) * APART);
     }
   }
 
@@ -111,7 +123,7 @@ public final class Lockstep implements Workers.Task {
     } else if (phases > 0) {
       for (int domain = 0; domain < domains; domain++) {
         done.setPlain(place(domain), 0);
-        attended.setPlain(place(domain), 0);
+        claimed.setPlain(place(domain), 0);
       }
       failed = false;
       workers.run(domains, this);
@@ -120,30 +132,32 @@ public final class Lockstep implements Workers.Task {
   }
 
   /**
-   * Does the parts of a domain, and helps where need is, until nothing is left to do. For {@link
-   * #run()} alone.
+   * Does the phases of a domain, and helps where nobody else is, until nobody needs help. For
+   * {@link #run()} alone.
    */
   @Override
   public void run(int own, int worker) {
-    attended.setOpaque(place(own), 1);
+    int next = claimed.getAndSet(place(own), phases);
+    boolean begun = false;
     int looks = 0;
-    while (true) {
-      boolean helps = looks > LOOKS_BEFORE_HELP;
-      boolean any = advance(own, worker);
-      boolean left = false;
-      for (int k = 1; k < domains && !any; k++) {
-        int other = own + k < domains ? own + k : own + k - domains;
-        if (helps || attended.getOpaque(place(other)) == 0) {
-          any = advance(other, worker);
+    while (!failed) {
+      boolean any = false;
+      if (next < phases && done.getAcquire(place(own)) == next) { // else a helper is still at it
+        if (!begun) {
+          run(next, own, false, worker);
+          begun = true;
+          any = true;
+        }
+        if (mayEnd(next, own)) {
+          run(next, own, true, worker);
+          done.setRelease(place(own), ++next);
+          begun = false;
+          any = true;
         }
       }
-      for (int domain = 0; domain < domains && !any; domain++) {
-        left |= done.get(place(domain)) < 4 * phases;
-      }
-      if (any) {
+      if (any || help(own, worker)) {
         looks = 0;
-      } else if (!left || failed) {
-        attended.setOpaque(place(own), 0);
+      } else if (next == phases && allClaimed()) {
         return;
       } else if (looks++ < LOOKS_BEFORE_YIELD) {
         Thread.onSpinWait();
@@ -156,44 +170,56 @@ public final class Lockstep implements Workers.Task {
     }
   }
 
-  /** Does the next parts of a domain as long as nothing hinders; answers whether it did any. */
-  private boolean advance(int domain, int worker) {
-    boolean any = false;
-    int at = place(domain);
-    int progress = done.get(at);
-    while (progress < 4 * phases
-        && (progress & 1) == 0
-        && mayDo(progress >> 1, domain)
-        && done.compareAndSet(at, progress, progress + 1)) {
-      int i = progress >> 2;
-      try {
-        phase[i].run(number[i], domain, (progress & 2) != 0, worker);
-      } catch (RuntimeException | Error e) {
-        failed = true; // the part will never be done, and nobody is to wait for it
-        throw e;
+  /** Does a phase of a domain whose worker hasn't come; answers whether there was one to do. */
+  private boolean help(int own, int worker) {
+    for (int k = 1; k < domains; k++) {
+      int other = own + k < domains ? own + k : own + k - domains;
+      int next = claimed.get(place(other));
+      if (next < phases
+          && done.getAcquire(place(other)) == next
+          && mayEnd(next, other)
+          && claimed.compareAndSet(place(other), next, next + 1)) {
+        run(next, other, false, worker);
+        run(next, other, true, worker);
+        done.setRelease(place(other), next + 1);
+        return true;
       }
-      progress += 2;
-      done.setRelease(at, progress);
-      any = true;
     }
-    return any;
+    return false;
   }
 
-  private static int place(int domain) {
-    return (domain + 1) * APART;
-  }
-
-  /** Whether the others are as far as a part of a domain needs them to be. */
-  private boolean mayDo(int part, int domain) {
-    if ((part & 1) == 0) {
-      return true;
-    }
-    int least = 2 * (part - 1);
-    for (int other = 0; other < domains; other++) {
-      if (other != domain && done.getAcquire(place(other)) < least) {
+  private boolean allClaimed() {
+    for (int domain = 0; domain < domains; domain++) {
+      if (claimed.get(place(domain)) < phases) {
         return false;
       }
     }
     return true;
+  }
+
+  private void run(int i, int domain, boolean border, int worker) {
+    try {
+      phase[i].run(number[i], domain, border, worker);
+    } catch (RuntimeException | Error e) {
+      failed = true; // the part will never be done, and nobody is to wait for it
+      throw e;
+    }
+  }
+
+  /** Whether the others are as far as the border part of a phase needs them to be. */
+  private boolean mayEnd(int i, int domain) {
+    if (!phase[i].hasBorder(number[i], domain)) {
+      return true;
+    }
+    for (int other = 0; other < domains; other++) {
+      if (other != domain && done.getAcquire(place(other)) < i) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private static int place(int domain) {
+    return (domain + 1) * APART;
   }
 }

@@ -86,6 +86,31 @@ final class LockstepTest {
     }
   }
 
+  /** One thread has the last domain done before it begins with the first one. */
+  @Test
+  void whoHasNoBorderWaitsForNobody() {
+    Lockstep lockstep = new Lockstep();
+    lockstep.divide(2, new Backwards(2));
+    StringBuilder order = new StringBuilder();
+    for (int i = 0; i < 3; i++) {
+      lockstep.add(
+          new Lockstep.Phase() {
+            @Override
+            public void run(int number, int domain, boolean border, int worker) {
+              order.append(border ? (char) ('A' + domain) : (char) ('a' + domain));
+            }
+
+            @Override
+            public boolean hasBorder(int number, int domain) {
+              return domain == 0;
+            }
+          },
+          i);
+    }
+    lockstep.run();
+    assertEquals("bBbBbBaAaAaA", order.toString());
+  }
+
   @Test
   void nothingAddedIsNothingDone() {
     Lockstep lockstep = new Lockstep();
