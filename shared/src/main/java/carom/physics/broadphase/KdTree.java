@@ -63,7 +63,7 @@ public final class KdTree implements SpatialIndex {
 
   private static final float INF = Float.POSITIVE_INFINITY;
 
-  private AabbArray boxes;
+  AabbArray boxes;
   private int size;
   int leaves = 1;
 
@@ -77,7 +77,7 @@ public final class KdTree implements SpatialIndex {
   boolean[] splitsY = new boolean[1];
 
   /** Per leaf: the cell (minX, minY, maxX, maxY), slack included, in the frame that rides along. */
-  private float[] cell = new float[4];
+  float[] cell = new float[4];
 
   /** Per leaf: number of boxes in it. */
   int[] fill = new int[1];
@@ -88,9 +88,6 @@ public final class KdTree implements SpatialIndex {
    */
   boolean[] hot = new boolean[2];
 
-  /** Scratch: leaves whose boxes changed. */
-  private int[] touchedLeaf = new int[1];
-
   /** Per slot: the box's id. */
   int[] ids = new int[SLOTS];
 
@@ -98,7 +95,7 @@ public final class KdTree implements SpatialIndex {
   float[] slots = new float[BLOCK];
 
   /** Per id: its slot, or -1. */
-  private int[] slotOf = new int[0];
+  int[] slotOf = new int[0];
 
   /** Where the frame of the cells has moved since they were made. */
   double frameX;
@@ -106,20 +103,15 @@ public final class KdTree implements SpatialIndex {
   double frameY;
 
   /** The mean motion of the boxes in the last refit. */
-  private double meanX;
+  double meanX;
 
-  private double meanY;
+  double meanY;
 
   /** Whether the frame is expected to move by that much in the next refit, or to stay. */
-  private boolean riding;
-
-  /** Ids that left their cell in this refit. */
-  private int[] stray = new int[SLOTS];
-
-  /** Strays of the last refit. */
-  private int lastStrays;
+  boolean riding;
 
   private final KdBuilder builder = new KdBuilder(this);
+  private final KdRefit refit = new KdRefit(this);
   private final KdJoin search = new KdJoin(this);
   private final KdCast cast = new KdCast(this);
 
@@ -155,7 +147,7 @@ public final class KdTree implements SpatialIndex {
 
   /** How many boxes left their cells in the last refit. */
   int strays() {
-    return lastStrays;
+    return refit.strays();
   }
 
   /** How many boxes were ever placed by building a subtree, a measure of the work of repair. */
@@ -308,6 +300,12 @@ public final class KdTree implements SpatialIndex {
     }
   }
 
+  /** Takes a box that stays in the tree out of its leaf, whose bounds stay as they are. */
+  void takeFromCell(int id) {
+    takeOut(id);
+    size++;
+  }
+
   /** Takes a box out of its leaf, whose bounds stay as they are; answers the leaf. */
   private int takeOut(int id) {
     int slot = slotOf[id];
@@ -336,7 +334,7 @@ public final class KdTree implements SpatialIndex {
   }
 
   /** Copies slot {@code from} over slot {@code to} of the same leaf. */
-  private void moveSlot(int from, int to) {
+  void moveSlot(int from, int to) {
     int id = ids[from];
     ids[to] = id;
     slotOf[id] = to;
@@ -355,6 +353,11 @@ public final class KdTree implements SpatialIndex {
    *     and all bounds are right
    */
   private int insert(int id) {
+    return put(id, leafFor(id));
+  }
+
+  /** The leaf for a box's centre. Only reads. */
+  int leafFor(int id) {
     float x = (float) (center(boxes.minX(id), boxes.maxX(id)) - frameX);
     float y = (float) (center(boxes.minY(id), boxes.maxY(id)) - frameY);
     int ties = id * 0x9E3779B9;
@@ -369,7 +372,11 @@ public final class KdTree implements SpatialIndex {
       }
       node = 2 * node + right;
     }
-    int leaf = node - leaves;
+    return node - leaves;
+  }
+
+  /** Does {@link #insert}, the leaf being known. */
+  int put(int id, int leaf) {
     int n = fill[leaf];
     if (n == SLOTS) {
       makeRoom(leaf, id);
@@ -379,7 +386,12 @@ public final class KdTree implements SpatialIndex {
     store(leaf, n, id, boxes, id);
     int at = leaf * BLOCK + n;
     KdBounds.extend(
-        bounds, node, slots[at], slots[at + ROW], slots[at + 2 * ROW], slots[at + 3 * ROW]);
+        bounds,
+        leaf + leaves,
+        slots[at],
+        slots[at + ROW],
+        slots[at + 2 * ROW],
+        slots[at + 3 * ROW]);
     return leaf;
   }
 
@@ -474,14 +486,16 @@ public final class KdTree implements SpatialIndex {
    *     then
    */
   public void refit() {
-    if (size == 0) {
-      return;
-    }
-    ensureWork(size);
-    lastStrays = refitLeaves();
-    if (!placeStrays()) {
-      KdBounds.fitInner(bounds, 1, leaves);
-    }
+    refit.all();
+  }
+
+  /**
+   * The same, for threads to do it side by side.
+   *
+   * @return the tree's own
+   */
+  public KdRefit refitting() {
+    return refit;
   }
 
   /**
@@ -495,162 +509,42 @@ public final class KdTree implements SpatialIndex {
    */
   public void refit(int[] changed, int count) {
     if (count > size / REFIT_SHARE) {
-      refit();
-      return;
-    }
-    ensureWork(size);
-    lastStrays = 0;
-    float offX = (float) frameX;
-    float offY = (float) frameY;
-    int touched = 0;
-    for (int i = 0; i < count; i++) {
-      int id = changed[i];
-      if (!contains(id)) {
-        continue;
-      }
-      if (!AabbArray.valid(boxes.minX(id), boxes.minY(id), boxes.maxX(id), boxes.maxY(id))) {
-        clear();
-        throw boxes.invalid(id);
-      }
-      int slot = slotOf[id];
-      int leaf = slot / SLOTS;
-      if (!hot[leaf + leaves]) {
-        hot[leaf + leaves] = true;
-        touchedLeaf[touched++] = leaf;
-      }
-      float x = center(boxes.minX(id), boxes.maxX(id)) - offX;
-      float y = center(boxes.minY(id), boxes.maxY(id)) - offY;
-      int c = 4 * leaf;
-      if (x < cell[c] || y < cell[c + 1] || x > cell[c + 2] || y > cell[c + 3]) {
-        takeOut(id);
-        size++;
-        stray[lastStrays++] = id;
-      } else {
-        store(leaf, slot % SLOTS, id, boxes, id);
-      }
-    }
-    riding = false;
-    for (int i = 0; i < touched; i++) {
-      hot[touchedLeaf[i] + leaves] = false;
-      fitLeaf(touchedLeaf[i]);
-    }
-    if (placeStrays()) {
-      return;
-    }
-    if (touched > leaves / REFIT_SHARE) {
-      KdBounds.fitInner(bounds, 1, leaves);
-      return;
-    }
-    for (int i = 0; i < touched; i++) {
-      KdBounds.fitAncestors(bounds, touchedLeaf[i] + leaves);
-    }
-    for (int i = 0; i < lastStrays; i++) {
-      KdBounds.fitAncestors(bounds, slotOf[stray[i]] / SLOTS + leaves);
+      refit.all();
+    } else {
+      refit.some(changed, count);
     }
   }
 
   /**
-   * Puts the boxes that left their cells where they belong; answers whether all was built anew, so
-   * that all bounds are right.
+   * Whether {@link #refit(int[], int)} would rather read all boxes.
+   *
+   * @param count how many changed
+   * @return true if so many are better done by {@link #refitting}
    */
-  private boolean placeStrays() {
-    boolean sparse = size < leaves;
-    if (leaves > 1 && (sparse || lastStrays > size / REBUILD_SHARE)) {
-      int stayed = builder.gather(0, leaves);
-      for (int i = 0; i < lastStrays; i++) {
-        builder.put(stayed + i, stray[i], boxes);
-      }
-      buildAll(size);
-      return true;
-    }
-    for (int i = 0; i < lastStrays; i++) {
-      insert(stray[i]);
-    }
-    return false;
+  public boolean isMost(int count) {
+    return count > size / REFIT_SHARE;
   }
 
-  /** Reads all boxes, takes those that left their cells out ({@link #stray}); answers how many. */
-  private int refitLeaves() {
-    float[] edges = boxes.edges;
-    float guessX = (float) meanX;
-    float guessY = (float) meanY;
-    float offX = (float) frameX + (riding ? guessX : 0);
-    float offY = (float) frameY + (riding ? guessY : 0);
-    double sumX = 0;
-    double sumY = 0;
-    double motion = 0;
-    double residue = 0;
-    int seen = 0;
-    int strays = 0;
-    for (int leaf = 0; leaf < leaves; leaf++) {
-      float cellLeft = cell[4 * leaf] + offX;
-      float cellBottom = cell[4 * leaf + 1] + offY;
-      float cellRight = cell[4 * leaf + 2] + offX;
-      float cellTop = cell[4 * leaf + 3] + offY;
-      float left = INF;
-      float bottom = INF;
-      float right = -INF;
-      float top = -INF;
-      int n = fill[leaf];
-      int block = leaf * BLOCK;
-      if (n > 0) {
-        // one box of a leaf is sample enough
-        int id = ids[leaf * SLOTS];
-        float moveX = boxes.minX(id) - slots[block];
-        float moveY = boxes.minY(id) - slots[block + ROW];
-        seen++;
-        sumX += moveX;
-        sumY += moveY;
-        motion += Math.abs(moveX) + Math.abs(moveY);
-        residue += Math.abs(moveX - guessX) + Math.abs(moveY - guessY);
-      }
-      for (int k = 0; k < n; ) {
-        int id = ids[leaf * SLOTS + k];
-        float x0 = edges[4 * id] + 0f;
-        float y0 = edges[4 * id + 1] + 0f;
-        float x1 = edges[4 * id + 2] + 0f;
-        float y1 = edges[4 * id + 3] + 0f;
-        if (!(x0 <= x1 && y0 <= y1)) {
-          clear();
-          throw boxes.invalid(id);
-        }
-        float x = center(x0, x1);
-        float y = center(y0, y1);
-        if (x < cellLeft || x > cellRight || y < cellBottom || y > cellTop) {
-          if (!AabbArray.valid(x0, y0, x1, y1)) {
-            clear();
-            throw boxes.invalid(id);
-          }
-          stray[strays++] = id;
-          slotOf[id] = -1;
-          n--;
-          if (k < n) {
-            moveSlot(leaf * SLOTS + n, leaf * SLOTS + k);
-          }
-          continue;
-        }
-        slots[block + k] = x0;
-        slots[block + ROW + k] = y0;
-        slots[block + 2 * ROW + k] = x1;
-        slots[block + 3 * ROW + k] = y1;
-        left = Math.min(left, x0);
-        bottom = Math.min(bottom, y0);
-        right = Math.max(right, x1);
-        top = Math.max(top, y1);
-        k++;
-      }
-      fill[leaf] = n;
-      KdBounds.set(bounds, leaf + leaves, left, bottom, right, top);
-      if (n > 0 && !AabbArray.valid(left, bottom, right, top)) {
-        checkLeaf(leaf);
-      }
+  /**
+   * Builds all anew if the boxes that left their cells are too many to be put elsewhere one by one;
+   * answers whether it did.
+   */
+  boolean rebuild(int[] stray, int strays) {
+    boolean sparse = size < leaves;
+    if (leaves == 1 || (!sparse && strays <= size / REBUILD_SHARE)) {
+      return false;
     }
-    follow(sumX / Math.max(1, seen), sumY / Math.max(1, seen), residue < 0.5 * motion);
-    return strays;
+    ensureWork(size);
+    int stayed = builder.gather(0, leaves);
+    for (int i = 0; i < strays; i++) {
+      builder.put(stayed + i, stray[i], boxes);
+    }
+    buildAll(size);
+    return true;
   }
 
   /** Moves the frame by the mean motion if it was riding, and decides whether it will next time. */
-  private void follow(double newMeanX, double newMeanY, boolean common) {
+  void follow(double newMeanX, double newMeanY, boolean common) {
     boolean finite = Math.abs(newMeanX) + Math.abs(newMeanY) <= Float.MAX_VALUE;
     meanX = finite ? newMeanX : 0;
     meanY = finite ? newMeanY : 0;
@@ -659,17 +553,6 @@ public final class KdTree implements SpatialIndex {
       frameY += meanY;
     }
     riding = common && finite;
-  }
-
-  /** A leaf with suspicious bounds: throws if one of its boxes is not finite. */
-  private void checkLeaf(int leaf) {
-    for (int k = 0; k < fill[leaf]; k++) {
-      int id = ids[leaf * SLOTS + k];
-      if (!AabbArray.valid(boxes.minX(id), boxes.minY(id), boxes.maxX(id), boxes.maxY(id))) {
-        clear();
-        throw boxes.invalid(id);
-      }
-    }
   }
 
   // ---------------------------------------------------------------- building
@@ -748,7 +631,6 @@ public final class KdTree implements SpatialIndex {
       cell = new float[4 * wanted];
       fill = new int[wanted];
       hot = new boolean[2 * wanted];
-      touchedLeaf = new int[wanted];
       ids = new int[SLOTS * wanted];
       slots = new float[BLOCK * wanted];
     }
@@ -764,9 +646,6 @@ public final class KdTree implements SpatialIndex {
 
   private void ensureWork(int count) {
     builder.reserve(count);
-    if (count > stray.length) {
-      stray = new int[Math.max(count, stray.length + (stray.length >> 1))];
-    }
   }
 
   // ---------------------------------------------------------------- searching

@@ -112,7 +112,7 @@ public final class ContactTable {
   /** Manifolds of steps before; change no result, so they aren't saved. */
   final KeptManifolds kept = new KeptManifolds();
 
-  private final StayingRows staying = new StayingRows(this);
+  private final RowMerge merge = new RowMerge(this);
 
   /** What steps change, {@value #CONTACT} floats per row. */
   float[] contact;
@@ -549,7 +549,8 @@ public final class ContactTable {
    * Drops the rows that neither touch nor have overlapping fat boxes, and merges new pairs in.
    * Every row moves at most once, runs of neighbours together.
    *
-   * @param candidates keys in ascending order; those already present and repetitions are skipped
+   * @param candidates keys in ascending order; those already present and repetitions are skipped;
+   *     new ones are brought to the front
    * @param candidateCount number of keys
    * @param all whether to look at every row, or only at those of parts that {@link
    *     ShapeTable#moved}
@@ -564,31 +565,12 @@ public final class ContactTable {
       Crew crew) {
     version++;
     beginMoves();
-    boolean[] stays = staying.find(parts, all, crew);
-    RowMoves m = moves;
-    int to = 0;
-    int next = 0;
-    int fresh = 0;
-    for (int row = 0; row <= count; row++) {
-      long own = row < count ? key[row] : Long.MAX_VALUE;
-      for (; next < candidateCount && candidates[next] <= own; next++) {
-        long k = candidates[next];
-        if (k != own && (fresh == 0 || candidates[fresh - 1] != k)) {
-          candidates[fresh] = k;
-          m.insert(fresh++, to++);
-        }
-      }
-      if (row < count && stays[row]) {
-        m.keep(row, to++);
-      }
-    }
-    if (fresh == 0 && to == count) {
+    int fresh = merge.find(candidates, candidateCount, parts, all, crew, moves);
+    if (fresh == 0 && merge.rowCount() == count) {
       return;
     }
-    moveRows(to, crew);
-    for (int i = 0; i < fresh; i++) {
-      start(m.inserted[i], candidates[i], bodies, parts);
-    }
+    moveRows(merge.rowCount(), crew);
+    merge.startNew(fresh, bodies, crew);
   }
 
   /** Begins to note how rows move. */
@@ -747,7 +729,9 @@ public final class ContactTable {
     float roundA = parts.convex[a].radius();
     float roundB = parts.convex[b].radius();
     float rolling = Math.max(parts.rolling[a], parts.rolling[b]) * Math.max(roundA, roundB);
-    rolls |= rolling != 0;
+    if (rolling != 0) {
+      rolls = true; // not |=, which could undo what another worker did meanwhile
+    }
     int at = row * MATERIAL;
     material[at + FRICTION] = (float) Math.sqrt(parts.friction[a] * parts.friction[b]);
     material[at + RESTITUTION] = Math.max(parts.restitution[a], parts.restitution[b]);

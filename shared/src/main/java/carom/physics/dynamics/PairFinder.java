@@ -2,6 +2,7 @@ package carom.physics.dynamics;
 
 import carom.physics.broadphase.AabbArray;
 import carom.physics.broadphase.IntVisitor;
+import carom.physics.broadphase.KdRefit;
 import carom.physics.broadphase.KdTree;
 import carom.physics.broadphase.PairSearch;
 import carom.physics.broadphase.PairVisitor;
@@ -118,14 +119,22 @@ final class PairFinder {
     }
   }
 
-  /** Per active body, while boxes are refreshed: whether a part left its fat box. */
-  private boolean[] strayed = new boolean[FIRST_CAPACITY];
+  /**
+   * While boxes are refreshed: the bodies of which a part left its fat box, those that one piece of
+   * work found from its first place on; per piece, by that place, its end and how many it found.
+   */
+  private int[] strayed = new int[FIRST_CAPACITY];
+
+  private int[] pieceEnd = new int[FIRST_CAPACITY];
+  private int[] pieceFound = new int[FIRST_CAPACITY];
 
   /** Which branch of the tree had its turn last. */
   private int turn;
 
   private ActiveBodies refreshed;
+  private float lastStep;
   private final Crew.Range measuring = this::measureBodies;
+  private final Crew.Range renewing = this::renewParts;
 
   /** Parts of active bodies, and of those that are static or sleep. */
   private final KdTree moving;
@@ -160,6 +169,9 @@ final class PairFinder {
   private int partListCount;
 
   private final PairSearch search;
+  private final KdRefit refitting;
+  private final Crew.Range reading = this::readPieces;
+  private final Crew.Range routing = this::routePieces;
 
   /** The pairs to have rows, by ascending key. */
   private long[] candidates = new long[FIRST_CAPACITY];
@@ -194,6 +206,7 @@ final class PairFinder {
     moving = new KdTree(parts.fat);
     resting = new KdTree(parts.fat);
     search = new PairSearch(moving, resting);
+    refitting = moving.refitting();
   }
 
   // ---------------------------------------------------------------- who takes part
@@ -368,29 +381,45 @@ final class PairFinder {
       return;
     }
     boxesStale = false;
+    lastStep = dt;
     measure(active);
-    partListCount = 0;
-    for (int i = 0; i < active.count; i++) {
-      if (strayed[i]) {
-        int first = bodies.firstPart[active.list[i]];
-        int end = first + bodies.partCount[active.list[i]];
-        for (int part = first; part < end; part++) {
-          if (!holds(part)) {
-            listPart(part);
-          }
-        }
-      }
-    }
+    listStrayed();
     boolean many = partListCount > moving.size() / RENEW_SHARE;
     if (many) {
       listParts(active.list, active.count);
     }
     for (int i = 0; i < partListCount; i++) {
-      renew(partList[i], dt, active.count);
+      markMoved(partList[i]);
     }
+    crew.run(0, partListCount, GRAIN, renewing);
     movingStale |= partListCount > 0;
     if (!many && moving.size() >= LONG_STEP && isSparse(active.count)) {
-      renewInTurn(dt, active.count);
+      renewInTurn();
+    }
+  }
+
+  /** Lists the parts that left their fat boxes, in the order of the active bodies. */
+  private void listStrayed() {
+    partListCount = 0;
+    int end;
+    for (int from = 0; from < refreshed.count; from = end) {
+      int piece = from / GRAIN;
+      end = pieceEnd[piece];
+      for (int i = from; i < from + pieceFound[piece]; i++) {
+        int first = bodies.firstPart[strayed[i]];
+        int parts = bodies.partCount[strayed[i]];
+        for (int part = first; part < first + parts; part++) {
+          if (parts == 1 || !holds(part)) {
+            listPart(part);
+          }
+        }
+      }
+    }
+  }
+
+  private void renewParts(int from, int to, int worker) {
+    for (int i = from; i < to; i++) {
+      renew(partList[i]);
     }
   }
 
@@ -399,7 +428,7 @@ final class PairFinder {
    * again. So the work is spread over the steps, and what is searched in one of them is in one
    * place.
    */
-  private void renewInTurn(float dt, int activeCount) {
+  private void renewInTurn() {
     if (partList.length < moving.size()) {
       partList = new int[2 * moving.size()];
     }
@@ -409,15 +438,16 @@ final class PairFinder {
     for (int i = 0; i < count; i++) {
       int part = partList[i];
       int body = parts.body[part];
-      float wayX = TURNS * dt * bodies.vx[body];
-      float wayY = TURNS * dt * bodies.vy[body];
+      float wayX = TURNS * lastStep * bodies.vx[body];
+      float wayY = TURNS * lastStep * bodies.vy[body];
       if (!parts.fat.contains(
           part,
           t.minX(part) + wayX,
           t.minY(part) + wayY,
           t.maxX(part) + wayX,
           t.maxY(part) + wayY)) {
-        renew(part, dt, activeCount);
+        markMoved(part);
+        renew(part);
         togetherCount += parts.together[part] ? 0 : 1;
         parts.together[part] = true;
         movingStale = true;
@@ -452,7 +482,9 @@ final class PairFinder {
   /** Measures the parts of all active bodies, and finds out which bodies strayed. */
   private void measure(ActiveBodies active) {
     if (strayed.length < active.count) {
-      strayed = new boolean[active.list.length];
+      strayed = new int[active.list.length];
+      pieceEnd = new int[strayed.length / GRAIN + 1];
+      pieceFound = new int[pieceEnd.length];
     }
     furnish();
     refreshed = active;
@@ -470,8 +502,10 @@ final class PairFinder {
     }
   }
 
+  /** Lists who strayed without a branch, as that is not to be foreseen. */
   private void measureBodies(int from, int to, int worker) {
     Desk desk = desks[worker];
+    int found = from;
     for (int i = from; i < to; i++) {
       int body = refreshed.list[i];
       place(body, desk.pose);
@@ -482,8 +516,11 @@ final class PairFinder {
         measure(part, desk);
         hold &= holds(part);
       }
-      strayed[i] = !hold;
+      strayed[found] = body;
+      found += hold ? 0 : 1;
     }
+    pieceEnd[from / GRAIN] = to;
+    pieceFound[from / GRAIN] = found - from;
   }
 
   private void place(int body, Transform pose) {
@@ -511,10 +548,11 @@ final class PairFinder {
    * pairs a roomy box spares searches; in a crowd a needless pair costs more than a search, so the
    * boxes of what moves fast are hardly larger than it.
    */
-  private void renew(int part, float dt, int activeCount) {
+  private void renew(int part) {
     int body = parts.body[part];
-    float wayX = dt * bodies.vx[body];
-    float wayY = dt * bodies.vy[body];
+    float wayX = lastStep * bodies.vx[body];
+    float wayY = lastStep * bodies.vy[body];
+    int activeCount = refreshed.count;
     int pairs = contacts.count();
     float margin = settings.aabbMargin();
     float ticks = SPARSE_TICKS;
@@ -525,7 +563,6 @@ final class PairFinder {
       ticks = 1;
     }
     fatten(part, margin, ticks * wayX, ticks * wayY);
-    markMoved(part);
   }
 
   /** Sets a part's fat box: the tight one with a margin, and room for a way. */
@@ -601,9 +638,28 @@ final class PairFinder {
   /** Brings the trees up to the fat boxes. */
   void refit() {
     admit();
-    if (movingStale) {
+    if (!movingStale) {
+      return;
+    }
+    movingStale = false;
+    if (!moving.isMost(movedCount)) {
       moving.refit(movedParts, movedCount);
-      movingStale = false;
+      return;
+    }
+    crew.run(0, refitting.begin(), 1, reading);
+    crew.run(0, refitting.gather(), 1, routing);
+    refitting.end();
+  }
+
+  private void readPieces(int from, int to, int worker) {
+    for (int piece = from; piece < to; piece++) {
+      refitting.read(piece);
+    }
+  }
+
+  private void routePieces(int from, int to, int worker) {
+    for (int piece = from; piece < to; piece++) {
+      refitting.route(piece);
     }
   }
 

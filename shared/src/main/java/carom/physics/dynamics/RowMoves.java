@@ -64,19 +64,24 @@ final class RowMoves {
 
   /** Notes that a row stays in the table; in ascending order. */
   void keep(int row, int to) {
-    if (row == to && !all) {
+    keep(row, 1, to);
+  }
+
+  /** Notes that so many rows do, the first of which goes there. */
+  void keep(int row, int rows, int to) {
+    if ((row == to && !all) || rows == 0) {
       return;
     }
     int last = count - 1;
     if (last >= 0 && offset[last] == to - row && from[last] + length[last] == row) {
-      length[last]++;
+      length[last] += rows;
       return;
     }
     if (count == from.length) {
       reserve(2 * count);
     }
     from[count] = row;
-    length[count] = 1;
+    length[count] = rows;
     offset[count++] = to - row;
   }
 
