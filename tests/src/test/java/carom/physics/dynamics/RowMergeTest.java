@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.physics.threads.Workers;
 import java.util.Arrays;
+import java.util.SortedSet;
 import java.util.SplittableRandom;
 import java.util.TreeSet;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -52,7 +53,7 @@ final class RowMergeTest {
     }
   }
 
-  private void fill(SplittableRandom r, TreeSet<Long> keys) {
+  private void fill(SplittableRandom r, SortedSet<Long> keys) {
     table.clear();
     for (long key : keys) {
       int row = table.append();
@@ -120,8 +121,8 @@ final class RowMergeTest {
       Crew crew,
       long[] found,
       boolean all,
-      TreeSet<Long> expected,
-      TreeSet<Long> fresh,
+      SortedSet<Long> expected,
+      SortedSet<Long> fresh,
       String when) {
     RowMoves moves = new RowMoves();
     moves.clear(false);
@@ -138,7 +139,7 @@ final class RowMergeTest {
     assertArrayEquals(toArray(expected), Arrays.copyOf(keys, merge.rowCount()), when);
   }
 
-  private static long[] toArray(TreeSet<Long> keys) {
+  private static long[] toArray(SortedSet<Long> keys) {
     return keys.stream().mapToLong(Long::longValue).toArray();
   }
 }
