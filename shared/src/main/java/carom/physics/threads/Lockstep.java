@@ -19,8 +19,8 @@ import java.util.concurrent.atomic.AtomicIntegerArray;
  * own.
  *
  * <p>A phase costs a worker one store that the others see, and a look at each of them if it has a
- * border part: with two cores some 100 ns, while a claim per part cost several times that, as it
- * waits until all that was written before has left for memory.
+ * border part. A claim per part would cost more, as it waits until all that was written before has
+ * left for memory.
  *
  * <p>Who does what when shows in no result. One thread adds and runs. Allocates only when there are
  * more phases or domains than ever before.
