@@ -22,6 +22,7 @@ import carom.physics.math.Transform;
 import carom.physics.math.Trig;
 import carom.physics.threads.Workers;
 import java.util.Arrays;
+import java.util.Objects;
 import java.util.function.Consumer;
 import java.util.function.IntFunction;
 
@@ -533,27 +534,28 @@ public final class World<T> {
   public static final int MOTION = 7;
 
   /**
-   * Writes where all bodies are and how they move: the same numbers as {@link Body#x}, {@link
-   * Body#y}, {@link Body#cos}, {@link Body#sin}, {@link Body#velocityX}, {@link Body#velocityY} and
-   * {@link Body#angularVelocity}, for whoever wants those of thousands. O(slots).
+   * Writes where bodies are and how they move: the same numbers as {@link Body#x}, {@link Body#y},
+   * {@link Body#cos}, {@link Body#sin}, {@link Body#velocityX}, {@link Body#velocityY} and {@link
+   * Body#angularVelocity}, for whoever wants those of thousands.
    *
-   * @param to {@link #MOTION} arrays, in this order, that receive a number for every slot, at
-   *     {@link Body#index}; those of unused slots mean nothing
-   * @throws IndexOutOfBoundsException if one is shorter than {@link #slotCount}
+   * @param from the first one's {@link Body#index}, not negative
+   * @param n how many slots in a row, which may be unused: then their numbers mean nothing
+   * @param to {@link #MOTION} arrays, in this order, that receive n numbers each
+   * @throws IndexOutOfBoundsException if one is shorter, or a slot is not below {@link #slotCount}
    */
-  public void readMotions(float[][] to) {
-    int n = store.slots();
+  public void readMotions(int from, int n, float[][] to) {
+    Objects.checkFromIndexSize(from, n, store.slots());
     float[] x = to[0];
     float[] y = to[1];
-    for (int slot = 0; slot < n; slot++) {
-      x[slot] = store.originX(slot);
-      y[slot] = store.originY(slot);
+    for (int i = 0; i < n; i++) {
+      x[i] = store.originX(from + i);
+      y[i] = store.originY(from + i);
     }
-    System.arraycopy(store.cos, 0, to[2], 0, n);
-    System.arraycopy(store.sin, 0, to[3], 0, n);
-    System.arraycopy(store.vx, 0, to[4], 0, n);
-    System.arraycopy(store.vy, 0, to[5], 0, n);
-    System.arraycopy(store.w, 0, to[6], 0, n);
+    System.arraycopy(store.cos, from, to[2], 0, n);
+    System.arraycopy(store.sin, from, to[3], 0, n);
+    System.arraycopy(store.vx, from, to[4], 0, n);
+    System.arraycopy(store.vy, from, to[5], 0, n);
+    System.arraycopy(store.w, from, to[6], 0, n);
   }
 
   /**

@@ -4,6 +4,7 @@ import carom.client.ClientConfig;
 import carom.client.ConnectionPhase;
 import carom.client.InputSource;
 import carom.game.Games;
+import carom.net.snapshot.FrameRing;
 import carom.net.snapshot.FrameState;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.Impairment;
@@ -120,6 +121,11 @@ public final class Stepper implements AutoCloseable {
   /** The server's newest quantised state. */
   public FrameState frame() {
     return room().frames().newest();
+  }
+
+  /** The server's last quantised states. */
+  public FrameRing frames() {
+    return room().frames();
   }
 
   /** A player at the server, or null. */

@@ -95,7 +95,7 @@ class AgreementScenarioTest {
     int newest = 0;
     var frame = stepper.frame();
     for (int slot = 0; slot < frame.slotLimit(); slot++) {
-      newest = Math.max(newest, frame.changedTick(slot));
+      newest = Math.max(newest, stepper.frames().changedTick(slot));
     }
     return frame.tick() - newest;
   }

@@ -7,6 +7,7 @@ import carom.client.ConnectionPhase;
 import carom.client.InputSource;
 import carom.net.protocol.PackedLevel;
 import carom.net.snapshot.EntityHistory;
+import carom.net.snapshot.FrameRing;
 import carom.net.snapshot.FrameState;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
@@ -36,7 +37,7 @@ class WorldEntryScenarioTest {
       SimulatedClient first =
           stepper.join("first", Impairment.NONE, Scripts.hold(0, 1)); // up, into the crates
       stepper.run(6);
-      long moved = countMoved(stepper.frame());
+      long moved = countMoved(stepper.frames());
       assertTrue(moved > 2, "moved=" + moved);
       long startNs = stepper.nowNs();
       long bytes = stepper.count(Counter.SNAPSHOT_BYTES);
@@ -66,10 +67,10 @@ class WorldEntryScenarioTest {
     }
   }
 
-  private static long countMoved(FrameState frame) {
+  private static long countMoved(FrameRing frames) {
     long moved = 0;
     for (int slot = 0; slot < BODIES; slot++) {
-      moved += frame.changedTick(slot) > 0 ? 1 : 0;
+      moved += frames.changedTick(slot) > 0 ? 1 : 0;
     }
     return moved;
   }

@@ -31,7 +31,7 @@ record StateJob(String name, Supplier<Work> work) implements BenchJob {
 
   /**
    * By then every buffer was used (the ring of frames is the longest), and everything goes through
-   * vector kernels where there are any: for angles that takes 205 frames.
+   * vector kernels where there are any: for angles that takes 267 frames.
    */
   private static final int LEAST_WARM_UP = FrameRing.SIZE + 240;
 

@@ -13,6 +13,7 @@ import carom.sim.Event;
 import carom.sim.Game;
 import carom.sim.Player;
 import carom.sim.Simulation;
+import java.util.Arrays;
 import java.util.function.Consumer;
 
 /**
@@ -22,6 +23,12 @@ import java.util.function.Consumer;
  */
 public final class FrameCapture {
   private static final int TEAM_SHIFT = 3;
+
+  private static final int NOBODY = -1;
+
+  /** Bodies quantised at a time, or nearly twice as many, if there are so many. */
+  private static final int BLOCK = Quantizer.LONG;
+
   private static final Audience[] AUDIENCES = Audience.values();
 
   private final Simulation simulation;
@@ -29,15 +36,21 @@ public final class FrameCapture {
   private final InterestIndex index;
   private final EventRecord record = new EventRecord();
   private final Consumer<Event> takeEvent = this::take;
-  private final float[][] motions = new float[World.MOTION][0];
 
-  /** What becomes of them: x, y, angle, vx, vy, omega. */
-  private final int[][] steps = new int[6][0];
+  /** Of some bodies at a time, so that they stay in near caches: how they move. */
+  private final float[][] numbers = new float[World.MOTION][2 * BLOCK];
 
-  /** Of all entities: their ids, and the slots of their bodies; as of {@link #roster}. */
+  /** What becomes of that: x, y, angle, vx, vy, omega. */
+  private final int[][] steps = new int[6][2 * BLOCK];
+
+  /** The ids of all entities; as of {@link #roster}. */
   private int[] ids = {};
 
-  private int[] bodies = {};
+  /** By body: the id of its entity, or {@link #NOBODY}. */
+  private int[] slots = {};
+
+  private int bodyCount;
+
   private int entityCount;
   private long roster = -1;
 
@@ -80,13 +93,17 @@ public final class FrameCapture {
     int capacity = simulation.entityCapacity();
     if (ids.length < capacity) {
       ids = new int[2 * capacity];
-      bodies = new int[ids.length];
     }
+    bodyCount = simulation.world().slotCount();
+    if (slots.length < bodyCount) {
+      slots = new int[2 * bodyCount];
+    }
+    Arrays.fill(slots, 0, bodyCount, NOBODY);
     for (int id = 0; id < capacity; id++) {
       Entity entity = simulation.entity(id);
       if (entity != null) {
-        ids[entityCount] = id;
-        bodies[entityCount++] = entity.bodySlot();
+        ids[entityCount++] = id;
+        slots[entity.bodySlot()] = id;
         frame.identify(id, entity.generation(), entity.archetype().index(), entity.ownerId());
         frame.setTeleports(id, entity.teleports());
       }
@@ -109,24 +126,19 @@ public final class FrameCapture {
   /** Quantises column by column, body by body, in loops that compilers make vectors of. */
   private void putMotions(FrameState frame) {
     World<Entity> world = simulation.world();
-    int n = world.slotCount();
-    if (steps[0].length < n) {
-      for (int i = 0; i < motions.length; i++) {
-        motions[i] = new float[2 * n];
-      }
-      for (int i = 0; i < steps.length; i++) {
-        steps[i] = new int[2 * n];
-      }
+    int blocks = Math.max(1, bodyCount / BLOCK);
+    for (int block = 0, from = 0; block < blocks; block++) {
+      int count = (bodyCount - from) / (blocks - block);
+      world.readMotions(from, count, numbers);
+      Quantizer.positions(numbers[0], count, steps[0]);
+      Quantizer.positions(numbers[1], count, steps[1]);
+      turn(numbers[2], numbers[3], count, steps[2]);
+      Quantizer.velocities(numbers[4], count, steps[3]);
+      Quantizer.velocities(numbers[5], count, steps[4]);
+      Quantizer.omegas(numbers[6], count, steps[5]);
+      frame.putMotions(count, slots, from, steps);
+      from += count;
     }
-    float[][] m = motions;
-    world.readMotions(m);
-    Quantizer.positions(m[0], n, steps[0]);
-    Quantizer.positions(m[1], n, steps[1]);
-    turn(m[2], m[3], n, steps[2]);
-    Quantizer.velocities(m[4], n, steps[3]);
-    Quantizer.velocities(m[5], n, steps[4]);
-    Quantizer.omegas(m[6], n, steps[5]);
-    frame.putMotions(entityCount, ids, bodies, steps);
   }
 
   /** Angles in steps; all digits are computed only where they might round either way. */

@@ -14,13 +14,8 @@ abstract class ColumnLanes {
    */
   private static final int WARM_UP = 8_000;
 
-  /** Calls per column until then; of long columns a share, as their worlds' steps take longer. */
-  private static final int FEW = 3;
-
+  /** The share of a column's calls that are made until then. */
   private static final int SHARE = 16;
-
-  /** Shorter columns gain too little to be worth these calls. */
-  private static final int LEAST = 1_000;
 
   /** How often each kernel was called. Rooms share these counts, which needn't be exact. */
   private int stepped;
@@ -81,8 +76,8 @@ abstract class ColumnLanes {
 
   /** How often a kernel may be called for a column, if it was so often before. */
   private int trusted(int n, int before) {
-    int calls = n < LEAST ? 0 : n / width();
-    return before >= WARM_UP ? calls : Math.min(calls, Math.max(FEW, calls / SHARE));
+    int calls = n < Quantizer.LONG ? 0 : n / width();
+    return before >= WARM_UP ? calls : calls / SHARE;
   }
 
   private static int seen(int calls, int before) {

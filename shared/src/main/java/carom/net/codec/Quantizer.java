@@ -28,6 +28,12 @@ public final class Quantizer {
   /** Largest magnitude of a quantised angular velocity: 1,024 rad/s. */
   public static final int MAX_OMEGA = 1 << 15;
 
+  /**
+   * Columns of so many numbers, and longer ones, are quantised by vectors where the JVM has them;
+   * shorter ones gain too little to be worth the calls until the JIT compiler is done.
+   */
+  public static final int LONG = 1_000;
+
   private static final double ANGLE_SCALE = ANGLE_STEPS / (2 * Math.PI);
 
   /** From 2^26 to a turn to 2^10. */

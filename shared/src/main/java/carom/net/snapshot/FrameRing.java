@@ -24,6 +24,11 @@ public final class FrameRing {
   private final WaitingInputs waiting = new WaitingInputs();
   private final SlotSet asLevel = new SlotSet();
   private final Changes changes = new Changes(this);
+
+  /** When slots changed last, up to the newest frame, and up to those that have left the ring. */
+  private final SlotTicks changedTicks = new SlotTicks();
+
+  private final SlotTicks oldTicks = new SlotTicks();
   private Deltas deltas;
   private FrameState level;
   private float gravityX;
@@ -42,8 +47,9 @@ public final class FrameRing {
       throw new IllegalArgumentException("capacity=" + capacity + " is outside 1..65535");
     }
     this.capacity = capacity;
+    Identities.Pool pool = new Identities.Pool();
     for (int i = 0; i < SIZE; i++) {
-      frames[i] = new FrameState(capacity);
+      frames[i] = new FrameState(capacity, pool);
     }
   }
 
@@ -129,7 +135,10 @@ public final class FrameRing {
           "tick=" + tick + " must follow " + (newest == null ? -1 : newest.tick()));
     }
     FrameState frame = frames[(int) ended & MASK];
-    frame.begin(tick);
+    if (ended >= SIZE && !begun) {
+      raise(oldTicks, frame);
+    }
+    frame.begin(tick, newest);
     waiting.clear();
     begun = true;
     return frame;
@@ -141,13 +150,49 @@ public final class FrameRing {
       throw new IllegalStateException("end() without begin()");
     }
     FrameState frame = frames[(int) ended & MASK];
-    frame.end(newest());
+    frame.end();
+    changedTicks.ensure(frame.room());
+    oldTicks.ensure(frame.room());
+    raise(changedTicks, frame);
     if (ended == 0) {
       firstTick = frame.tick();
       compareWithLevel(frame);
     }
     ended++;
     begun = false;
+  }
+
+  private static void raise(SlotTicks ticks, FrameState frame) {
+    SlotSet changed = frame.changed();
+    for (int word = changed.nextWord(0); word >= 0; word = changed.nextWord(word + 1)) {
+      ticks.raise(word, changed.word(word), frame.tick());
+    }
+  }
+
+  /**
+   * The last tick at which anything of the newest frame's state of a slot changed, liveness and
+   * identity included. A slot never used has never changed: -1.
+   */
+  public int changedTick(int slot) {
+    return changedTicks.get(slot);
+  }
+
+  /**
+   * The newest frame in which a slot is as it was in a tick, or null when the ring has none.
+   *
+   * @param tick of an older frame of the ring, or of one that has left it
+   */
+  FrameState lastLike(int slot, int tick) {
+    int back = count() - 1;
+    if (back < 0
+        || oldTicks.get(slot) > tick
+        || back(back).tick() > tick && back(back).changed().has(slot)) {
+      return null;
+    }
+    while (back > 0 && (back(back).tick() < tick || !back(back - 1).changed().has(slot))) {
+      back--;
+    }
+    return back(back);
   }
 
   private void compareWithLevel(FrameState first) {

@@ -5,45 +5,50 @@ import java.util.Arrays;
 import java.util.function.Consumer;
 
 /**
- * A room's whole world at one tick, quantised once for all sessions: a structure of int arrays, by
- * entity slot. Filled through {@link FrameRing}. Units: see {@link carom.net.codec.Quantizer}.
+ * A room's whole world at one tick, quantised once for all sessions, by entity slot. Filled through
+ * {@link FrameRing}. Units: see {@link carom.net.codec.Quantizer}.
  */
 public final class FrameState {
 
   /** Bits of a number of teleports that are sent. */
   static final int TELEPORT_BITS = 4;
 
-  private static final int FREE = -1;
+  private static final int FREE = Identities.FREE;
   private static final int TELEPORT_SHIFT = 24;
   private static final int IDENTITY = (1 << TELEPORT_SHIFT) - 1;
   private static final int MIN_LENGTH = 64;
 
   private final int capacity;
+  private final Identities.Pool pool;
   private int tick;
-  private int count;
   private int limit;
   private boolean filling;
   private boolean hashed;
   private long hash;
-  private int[] kind = {};
-  private int[] owner = {};
-  private int[] x = {};
-  private int[] y = {};
-  private int[] angle = {};
-  private int[] vx = {};
-  private int[] vy = {};
-  private int[] omega = {};
-  private int[] changedTick = {};
-  private int[] identityTick = {};
+  private Identities who;
+
+  /** Whether {@link #who} is another frame's, too, so that nobody can be added. */
+  private boolean shared;
+
+  private final MotionTable motions = new MotionTable();
+  private FrameState previous;
+
+  /** Slots for which there is room. */
+  private int room;
+
   private final PlayerSet players = new PlayerSet();
   private long[] inputs = {};
   private final SlotSet changed = new SlotSet();
   private final SlotSet renamed = new SlotSet();
-  private final SlotSet living = new SlotSet();
+
+  /** The slots with an audience other than 0, and all slots' as far as there was one. */
+  private final SlotSet special = new SlotSet();
+
   private int[] audience = {};
 
-  FrameState(int capacity) {
+  FrameState(int capacity, Identities.Pool pool) {
     this.capacity = capacity;
+    this.pool = pool;
   }
 
   /**
@@ -54,21 +59,36 @@ public final class FrameState {
    * @param fill puts the entities
    */
   public static FrameState of(int capacity, Consumer<FrameState> fill) {
-    FrameState frame = new FrameState(capacity);
-    frame.begin(0);
+    FrameState frame = new FrameState(capacity, new Identities.Pool());
+    frame.begin(0, null);
     fill.accept(frame);
-    frame.end(null);
+    frame.end();
     return frame;
   }
 
-  void begin(int tick) {
+  /**
+   * Begins a frame.
+   *
+   * @param previous the frame before, or null for the first one
+   */
+  void begin(int tick, FrameState previous) {
     this.tick = tick;
-    count = 0;
-    Arrays.fill(kind, 0, limit, FREE);
+    this.previous = previous;
+    be(pool.take());
     limit = 0;
+    special.clear();
     players.clear();
     filling = true;
+    shared = false;
     hashed = false;
+  }
+
+  private void be(Identities next) {
+    if (who != null) {
+      who.holders--;
+    }
+    who = next;
+    who.holders++;
   }
 
   /**
@@ -97,12 +117,14 @@ public final class FrameState {
       float vy,
       float omega) {
     identify(slot, generation, archetype, owner);
-    this.x[slot] = Quantizer.position(x);
-    this.y[slot] = Quantizer.position(y);
-    this.angle[slot] = Quantizer.angle(angle);
-    this.vx[slot] = Quantizer.velocity(vx);
-    this.vy[slot] = Quantizer.velocity(vy);
-    this.omega[slot] = Quantizer.omega(omega);
+    motions.put(
+        slot,
+        Quantizer.position(x),
+        Quantizer.position(y),
+        Quantizer.angle(angle),
+        Quantizer.velocity(vx),
+        Quantizer.velocity(vy),
+        Quantizer.omega(omega));
   }
 
   /**
@@ -126,53 +148,36 @@ public final class FrameState {
     check("vy", vy, -Quantizer.MAX_VELOCITY, Quantizer.MAX_VELOCITY);
     check("omega", omega, -Quantizer.MAX_OMEGA, Quantizer.MAX_OMEGA);
     identify(slot, generation, archetype, owner);
-    this.x[slot] = x;
-    this.y[slot] = y;
-    this.angle[slot] = angle;
-    this.vx[slot] = vx;
-    this.vy[slot] = vy;
-    this.omega[slot] = omega;
+    motions.put(slot, x, y, angle, vx, vy, omega);
   }
 
   /**
-   * Puts the motions of entities that were {@linkplain #identify identified}; in steps, within the
+   * Puts motions of entities that were {@linkplain #identify identified}; in steps, within the
    * ranges of {@code Quantizer}, which isn't checked.
    *
    * @param n how many
-   * @param slot of each entity
-   * @param from of each entity where its numbers are in the columns
-   * @param columns x, y, angle, vx, vy, omega
+   * @param slot whose the motions are, or -1 for nobody's, from one index on
+   * @param from that index
+   * @param columns x, y, angle, vx, vy, omega, n of each
    */
-  public void putMotions(int n, int[] slot, int[] from, int[][] columns) {
-    gather(n, slot, from, columns[0], x);
-    gather(n, slot, from, columns[1], y);
-    gather(n, slot, from, columns[2], angle);
-    gather(n, slot, from, columns[3], vx);
-    gather(n, slot, from, columns[4], vy);
-    gather(n, slot, from, columns[5], omega);
-  }
-
-  private static void gather(int n, int[] slot, int[] from, int[] column, int[] to) {
-    for (int i = 0; i < n; i++) {
-      to[slot[i]] = column[from[i]];
-    }
+  public void putMotions(int n, int[] slot, int from, int[][] columns) {
+    motions.putAll(n, slot, from, columns);
   }
 
   /**
    * Puts the entities of another frame into this one, which has none yet; their motions must follow
-   * by {@link #putMotions}, and all that is told of them but audiences is the same.
+   * by {@link #putMotions}, and all that is told of them but audiences is the same. Nobody else can
+   * be put.
    *
    * @param other of the same ring
    */
   public void identifyAs(FrameState other) {
-    if (!filling || count > 0) {
+    if (!filling || shared || who.count > 0) {
       throw new IllegalStateException("identifyAs() after a put(), or outside begin() and end()");
     }
+    be(other.who);
+    shared = true;
     ensure(other.limit);
-    System.arraycopy(other.kind, 0, kind, 0, other.limit);
-    System.arraycopy(other.owner, 0, owner, 0, other.limit);
-    Arrays.fill(audience, 0, other.limit, 0);
-    count = other.count;
     limit = other.limit;
   }
 
@@ -196,22 +201,20 @@ public final class FrameState {
    * @param slot as in {@link #put}, like the others
    */
   public void identify(int slot, int generation, int archetype, int owner) {
-    if (!filling) {
-      throw new IllegalStateException("put() outside FrameRing.begin() and end()");
+    if (!filling || shared) {
+      throw new IllegalStateException(
+          "put() after identifyAs(), or outside FrameRing.begin() and end()");
     }
     check("slot", slot, 0, capacity - 1);
     check("generation", generation, 0, 255);
     check("archetype", archetype, 0, 65_535);
     check("owner", owner, -1, PlayerId.MAX);
     ensure(slot + 1);
-    if (kind[slot] != FREE) {
+    if (who.kind[slot] != FREE) {
       throw new IllegalStateException("slot=" + slot + " was put twice");
     }
-    kind[slot] = archetype << 8 | generation;
-    this.owner[slot] = owner;
-    audience[slot] = 0;
-    count++;
-    limit = Math.max(limit, slot + 1);
+    who.add(slot, archetype << 8 | generation, owner);
+    limit = who.limit;
   }
 
   /**
@@ -222,7 +225,18 @@ public final class FrameState {
     if (!filling || !alive(slot)) {
       throw new IllegalStateException("setAudience() of slot=" + slot + " before its put()");
     }
+    if (special.has(slot)) {
+      special.remove(slot);
+    }
+    if (audience == 0) {
+      return;
+    }
+    if (slot >= this.audience.length) {
+      this.audience = Arrays.copyOf(this.audience, room);
+      special.ensure(room);
+    }
     this.audience[slot] = audience;
+    special.add(slot);
   }
 
   private static void check(String name, int value, int min, int max) {
@@ -232,85 +246,62 @@ public final class FrameState {
   }
 
   private void ensure(int length) {
-    if (length <= kind.length) {
-      return;
+    if (length > room) {
+      // the same in all frames of a ring that reach as far, so that none grows for its neighbour
+      int power = Integer.highestOneBit(Math.max(MIN_LENGTH, length) - 1) << 1;
+      room = Math.max(MIN_LENGTH, Math.min(capacity, power));
+      motions.ensure(room);
+      changed.ensure(room);
+      renamed.ensure(room);
     }
-    int old = kind.length;
-    int grown = Math.max(MIN_LENGTH, Math.min(capacity, Math.max(length, 2 * old)));
-    kind = Arrays.copyOf(kind, grown);
-    Arrays.fill(kind, old, grown, FREE);
-    owner = Arrays.copyOf(owner, grown);
-    x = Arrays.copyOf(x, grown);
-    y = Arrays.copyOf(y, grown);
-    angle = Arrays.copyOf(angle, grown);
-    vx = Arrays.copyOf(vx, grown);
-    vy = Arrays.copyOf(vy, grown);
-    omega = Arrays.copyOf(omega, grown);
-    changedTick = Arrays.copyOf(changedTick, grown);
-    identityTick = Arrays.copyOf(identityTick, grown);
-    audience = Arrays.copyOf(audience, grown);
-    changed.ensure(grown);
-    renamed.ensure(grown);
-    living.ensure(grown);
+    who.ensure(room);
   }
 
-  /** Finds what changed since {@code previous}, the frame before, or null for the first one. */
-  void end(FrameState previous) {
-    if (previous != null) {
-      ensure(previous.limit);
-      limit = Math.max(limit, previous.limit);
-    }
-    changed.clear();
+  /** Finds what changed since the frame before. */
+  void end() {
     int known = previous == null ? 0 : previous.limit;
-    findDifferences(previous, known);
-    for (int slot = 0; slot < known; slot++) {
-      // a free slot's owner means nothing
-      int identity =
-          kind[slot] ^ previous.kind[slot]
-              | (owner[slot] ^ previous.owner[slot]) & ~(kind[slot] >> 31);
-      identityTick[slot] = identity != 0 ? tick : previous.identityTick[slot];
-      changedTick[slot] = changedTick[slot] != 0 ? tick : previous.changedTick[slot];
-    }
-    for (int slot = known; slot < limit; slot++) {
-      identityTick[slot] = tick;
-      changedTick[slot] = tick;
-    }
-    changed.addEqual(changedTick, limit, tick);
+    limit = Math.max(limit, known);
+    ensure(limit);
+    changed.clear();
     renamed.clear();
-    renamed.addEqual(identityTick, limit, tick);
-    living.clear();
-    living.addNotNegative(kind, limit);
+    findRenamed(known);
+    for (int word = 0; word << 6 < limit; word++) {
+      long moved = word << 6 < known ? motions.differing(previous.motions, word, known) : 0;
+      long bits = renamed.word(word) | (moved | readdressed(word)) & who.living.word(word);
+      if (bits != 0) {
+        changed.addWord(word, bits);
+      }
+    }
+    previous = null;
     filling = false;
   }
 
-  /** Leaves in {@link #changedTick} what isn't zero where a slot differs; a loop for vectors. */
-  private void findDifferences(FrameState previous, int known) {
-    int[] out = changedTick;
-    for (int slot = 0; slot < known; slot++) {
-      out[slot] =
-          owner[slot] ^ previous.owner[slot]
-              | audience[slot] ^ previous.audience[slot]
-              | x[slot] ^ previous.x[slot]
-              | y[slot] ^ previous.y[slot]
-              | angle[slot] ^ previous.angle[slot];
+  /** Finds who isn't who was there before; slots that are new count, too. */
+  private void findRenamed(int known) {
+    for (int word = 0; !shared && word << 6 < known; word++) {
+      long bits = who.differing(previous.who, word, known);
+      if (bits != 0) {
+        renamed.addWord(word, bits);
+      }
     }
-    for (int slot = 0; slot < known; slot++) {
-      int motion =
-          vx[slot] ^ previous.vx[slot]
-              | vy[slot] ^ previous.vy[slot]
-              | omega[slot] ^ previous.omega[slot];
-      // what a free slot holds means nothing
-      out[slot] = kind[slot] ^ previous.kind[slot] | (out[slot] | motion) & ~(kind[slot] >> 31);
+    for (int slot = known; slot < limit; slot++) {
+      renamed.add(slot);
+    }
+    if (previous != null && !shared && renamed.nextWord(0) < 0) {
+      be(previous.who);
     }
   }
 
-  private boolean sameMotion(FrameState other, int slot) {
-    return x[slot] == other.x[slot]
-        && y[slot] == other.y[slot]
-        && angle[slot] == other.angle[slot]
-        && vx[slot] == other.vx[slot]
-        && vy[slot] == other.vy[slot]
-        && omega[slot] == other.omega[slot];
+  /** Those of 64 slots that others are told about than before. */
+  private long readdressed(int word) {
+    long specials = special.word(word);
+    long before = previous == null ? 0 : previous.special.word(word);
+    long result = specials ^ before;
+    for (long both = specials & before; both != 0; both &= both - 1) {
+      int slot = (word << 6) + Long.numberOfTrailingZeros(both);
+      result |= audience[slot] != previous.audience[slot] ? Long.lowestOneBit(both) : 0;
+    }
+    return result;
   }
 
   /**
@@ -320,10 +311,11 @@ public final class FrameState {
    * @param teleports of which the lowest {@value #TELEPORT_BITS} bits count
    */
   public void setTeleports(int slot, int teleports) {
-    if (!filling || !alive(slot)) {
+    if (!filling || shared || !alive(slot)) {
       throw new IllegalStateException("setTeleports() of slot=" + slot + " before its put()");
     }
-    kind[slot] = kind[slot] & IDENTITY | (teleports & (1 << TELEPORT_BITS) - 1) << TELEPORT_SHIFT;
+    int sent = teleports & (1 << TELEPORT_BITS) - 1;
+    who.kind[slot] = who.kind[slot] & IDENTITY | sent << TELEPORT_SHIFT;
   }
 
   /** The tick this frame is the state after. */
@@ -331,9 +323,14 @@ public final class FrameState {
     return tick;
   }
 
+  /** Slots for which there is room. */
+  int room() {
+    return room;
+  }
+
   /** Entities alive. */
   public int count() {
-    return count;
+    return who == null ? 0 : who.count;
   }
 
   /**
@@ -346,70 +343,62 @@ public final class FrameState {
 
   /** Whether a slot holds an entity; false for slots beyond {@link #slotLimit}. */
   public boolean alive(int slot) {
-    return slot < limit && kind[slot] != FREE;
+    return slot < limit && who.kind[slot] != FREE;
   }
 
   /** Generation of the slot's entity, 0..255. */
   public int generation(int slot) {
-    return kind[slot] & 0xff;
+    return who.kind[slot] & 0xff;
   }
 
   /** Archetype of the slot's entity. */
   public int archetype(int slot) {
-    return kind[slot] >>> 8 & 0xffff;
+    return who.kind[slot] >>> 8 & 0xffff;
   }
 
   /** How often the slot's entity was put elsewhere, 0..15, modulo 16. */
   public int teleports(int slot) {
-    return kind[slot] >>> TELEPORT_SHIFT;
+    return who.kind[slot] >>> TELEPORT_SHIFT;
   }
 
   /** Player id of the owner, or -1. */
   public int owner(int slot) {
-    return owner[slot];
+    return who.owner[slot];
   }
 
   /** Who is told about the slot's entity, as {@link #setAudience} said. */
   public int audience(int slot) {
-    return audience[slot];
+    return special.has(slot) ? audience[slot] : 0;
   }
 
   /** Position, steps. */
   public int x(int slot) {
-    return x[slot];
+    return motions.x(slot);
   }
 
   /** Position, steps. */
   public int y(int slot) {
-    return y[slot];
+    return motions.y(slot);
   }
 
   /** Angle, steps, 0..1,023. */
   public int angle(int slot) {
-    return angle[slot];
+    return motions.angle(slot);
   }
 
   /** Velocity, steps. */
   public int vx(int slot) {
-    return vx[slot];
+    return motions.vx(slot);
   }
 
   /** Velocity, steps. */
   public int vy(int slot) {
-    return vy[slot];
+    return motions.vy(slot);
   }
 
   /** Angular velocity, steps. */
   public int omega(int slot) {
-    return omega[slot];
-  }
-
-  /**
-   * The last tick at which anything of the slot's quantised state changed, liveness and identity
-   * included. A slot never used has never changed: -1.
-   */
-  public int changedTick(int slot) {
-    return slot < limit ? changedTick[slot] : -1;
+    return motions.omega(slot);
   }
 
   /**
@@ -424,14 +413,14 @@ public final class FrameState {
   }
 
   private long computeHash() {
-    long h = count;
+    long h = who.count;
     for (int slot = 0; slot < limit; slot++) {
-      if (kind[slot] != FREE) {
-        h = mix(h, slot, kind[slot]);
-        h = mix(h, owner[slot], angle[slot]);
-        h = mix(h, x[slot], y[slot]);
-        h = mix(h, vx[slot], vy[slot]);
-        h = mix(h, omega[slot], 0);
+      if (who.kind[slot] != FREE) {
+        h = mix(h, slot, who.kind[slot]);
+        h = mix(h, who.owner[slot], angle(slot));
+        h = mix(h, x(slot), y(slot));
+        h = mix(h, vx(slot), vy(slot));
+        h = mix(h, omega(slot), 0);
       }
     }
     return h;
@@ -459,33 +448,28 @@ public final class FrameState {
   boolean sameIdentity(FrameState other, int slot) {
     return alive(slot)
         && other.alive(slot)
-        && kind[slot] == other.kind[slot]
-        && owner[slot] == other.owner[slot];
-  }
-
-  /** Whether a slot of this frame is the same as in an older frame of its ring; as above. */
-  boolean sameIdentitySince(FrameState older, int slot) {
-    return identityTick[slot] <= older.tick ? alive(slot) : sameIdentity(older, slot);
+        && who.kind[slot] == other.who.kind[slot]
+        && who.owner[slot] == other.who.owner[slot];
   }
 
   /** Copies the slot's motion. */
   void motion(int slot, Motion out) {
-    out.x = x[slot];
-    out.y = y[slot];
-    out.angle = angle[slot];
-    out.vx = vx[slot];
-    out.vy = vy[slot];
-    out.omega = omega[slot];
+    out.x = x(slot);
+    out.y = y(slot);
+    out.angle = angle(slot);
+    out.vx = vx(slot);
+    out.vy = vy(slot);
+    out.omega = omega(slot);
   }
 
   /** Whether a slot is the same entity in the same motion in both frames, and alive. */
   boolean sameState(FrameState other, int slot) {
-    return sameIdentity(other, slot) && sameMotion(other, slot);
+    return sameIdentity(other, slot) && motions.same(other.motions, slot);
   }
 
   /** The slots that hold an entity. */
   SlotSet living() {
-    return living;
+    return who.living;
   }
 
   /** The slots whose entity, owner or archetype changed in this very tick, or was put elsewhere. */

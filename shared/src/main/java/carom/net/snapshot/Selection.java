@@ -406,7 +406,7 @@ final class Selection {
       return true;
     }
     boolean force = forced.has(slot) && now.alive(slot);
-    return acked.get(slot) >= now.changedTick(slot) && !force;
+    return acked.get(slot) >= ring.changedTick(slot) && !force;
   }
 
   /**
@@ -434,14 +434,14 @@ final class Selection {
   }
 
   private Baseline against(FrameState now, int slot, int ackedTick) {
-    FrameState newestHolding = lastHolding(slot, ackedTick);
+    FrameState newestHolding = ring.lastLike(slot, ackedTick);
     if (newestHolding == null) {
       return now.tick() - ackedTick < FrameRing.SIZE ? Baseline.ROLLED_OUT : Baseline.TOO_OLD;
     }
     if (now.tick() - newestHolding.tick() >= FrameRing.SIZE) {
       return Baseline.TOO_OLD;
     }
-    if (!now.sameIdentitySince(newestHolding, slot)) {
+    if (!now.sameIdentity(newestHolding, slot)) {
       return Baseline.IDENTITY;
     }
     held = newestHolding;
@@ -451,25 +451,6 @@ final class Selection {
   /** The frame of the last {@link Baseline#ACKED}, else null. */
   FrameState held() {
     return held;
-  }
-
-  /** The newest frame in which the slot is as in the acked tick, or null when the ring has none. */
-  private FrameState lastHolding(int slot, int ackedTick) {
-    // changedTick only grows from frame to frame: search the border between "still as acked" and
-    // "changed".
-    int holds = ring.count();
-    int differs = 0;
-    while (holds - differs > 1) {
-      int middle = (holds + differs) >>> 1;
-      FrameState candidate = ring.back(middle);
-      if (candidate.tick() >= ackedTick && candidate.changedTick(slot) > ackedTick) {
-        differs = middle;
-      } else {
-        holds = middle;
-      }
-    }
-    FrameState newest = ring.back(holds);
-    return newest != null && newest.tick() >= ackedTick ? newest : null;
   }
 
   // ---- what it is told first

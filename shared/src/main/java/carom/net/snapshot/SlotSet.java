@@ -80,35 +80,6 @@ final class SlotSet {
     }
   }
 
-  /** Adds all slots below a limit for which an array holds a value; there must be room. */
-  void addEqual(int[] of, int limit, int value) {
-    for (int word = 0; word << 6 < limit; word++) {
-      long bits = 0;
-      int end = Math.min(limit, word + 1 << 6);
-      for (int slot = word << 6; slot < end; slot++) {
-        bits |= (of[slot] == value ? 1L : 0) << slot;
-      }
-      if (bits != 0) {
-        words[word] |= bits;
-        filled[word >> 6] |= 1L << word;
-      }
-    }
-  }
-
-  /** Adds all slots below a limit for which an array holds no negative number, in the same way. */
-  void addNotNegative(int[] of, int limit) {
-    for (int word = 0; word << 6 < limit; word++) {
-      long bits = 0;
-      int end = Math.min(limit, word + 1 << 6);
-      for (int slot = word << 6; slot < end; slot++) {
-        bits |= (of[slot] >= 0 ? 1L : 0) << slot;
-      }
-      if (bits != 0) {
-        addWord(word, bits);
-      }
-    }
-  }
-
   /** Adds all of another set, which must not reach further than this one has room for. */
   void addAll(SlotSet other) {
     for (int group = 0; group < other.filled.length; group++) {

@@ -504,10 +504,10 @@ public final class SnapshotEncoder {
       }
       return selection.isInSight(slot) ? Verdict.Reason.UP_TO_DATE : Verdict.Reason.OUT_OF_SIGHT;
     }
-    if (newest.changedTick(slot) > beganTick) {
+    if (ring.changedTick(slot) > beganTick) {
       return Verdict.Reason.NOT_DUE;
     }
-    return sentTick(slot) >= newest.changedTick(slot)
+    return sentTick(slot) >= ring.changedTick(slot)
         ? Verdict.Reason.UNACKED
         : Verdict.Reason.OVER_BUDGET;
   }

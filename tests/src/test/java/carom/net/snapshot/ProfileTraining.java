@@ -267,7 +267,7 @@ public final class ProfileTraining {
     Motion actual = new Motion();
     Motion residual = new Motion();
     for (int slot = 0; slot < frame.slotLimit(); slot++) {
-      if (frame.changedTick(slot) > baseline.tick()) {
+      if (ring.changedTick(slot) > baseline.tick()) {
         baseline.motion(slot, old);
         frame.motion(slot, actual);
         int way = predictor.way(old, actual, age);

@@ -362,15 +362,15 @@ class SnapshotWireTest {
     ring.begin(2).putQuantized(3, 1, 1, -1, 5, 6, 7, 8, 9, 10);
     ring.end();
     assertEquals(first, ring.newest().hash());
-    assertEquals(1, ring.newest().changedTick(3));
+    assertEquals(1, ring.changedTick(3));
     ring.begin(3).putQuantized(3, 1, 1, 0, 5, 6, 7, 8, 9, 10);
     ring.end();
     assertTrue(first != ring.newest().hash(), "the owner counts");
-    assertEquals(3, ring.newest().changedTick(3));
+    assertEquals(3, ring.changedTick(3));
     ring.begin(4);
     ring.end();
-    assertEquals(4, ring.newest().changedTick(3), "so does death");
-    assertEquals(-1, ring.newest().changedTick(7));
+    assertEquals(4, ring.changedTick(3), "so does death");
+    assertEquals(-1, ring.changedTick(7));
     assertEquals(0, ring.newest().count());
   }
 }
