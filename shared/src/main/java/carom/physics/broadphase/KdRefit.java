@@ -90,7 +90,7 @@ public final class KdRefit {
   /**
    * Reads the boxes of some leaves, and takes those out of them that left their cells.
    *
-   * @param piece which, from 0
+   * @param piece which, 0..{@link #begin} - 1, not checked: one beyond spoils the refit
    */
   public void read(int piece) {
     int from = piece * LEAVES;
@@ -202,7 +202,7 @@ public final class KdRefit {
   /**
    * Brings together what was read.
    *
-   * @return the number of pieces to route
+   * @return the number of pieces to route, 0 if {@link #end} will build all anew
    * @throws IllegalArgumentException if a box isn't finite with min &lt;= max; the tree is empty
    *     then
    */
@@ -233,13 +233,13 @@ public final class KdRefit {
       }
     }
     tree.follow(sumX / Math.max(1, seen), sumY / Math.max(1, seen), residue < 0.5 * motion);
-    return (strays + BOXES - 1) / BOXES;
+    return tree.isOutrun(strays) ? 0 : (strays + BOXES - 1) / BOXES;
   }
 
   /**
    * Finds where some boxes belong that left their cells.
    *
-   * @param piece which, from 0
+   * @param piece which, 0..{@link #gather} - 1, not checked: one beyond does nothing
    */
   public void route(int piece) {
     route(piece * BOXES, Math.min((piece + 1) * BOXES, strays));
@@ -263,7 +263,8 @@ public final class KdRefit {
    * that all bounds are right.
    */
   private boolean placeStrays() {
-    if (tree.rebuild(stray, strays)) {
+    if (tree.isOutrun(strays)) {
+      tree.rebuild(stray, strays);
       return true;
     }
     long built = tree.built();
@@ -279,8 +280,10 @@ public final class KdRefit {
     for (int piece = 0; piece < read; piece++) {
       read(piece);
     }
-    gather();
-    route(0, strays);
+    int routed = gather();
+    for (int piece = 0; piece < routed; piece++) {
+      route(piece);
+    }
     end();
   }
 
@@ -323,7 +326,7 @@ public final class KdRefit {
       t.hot[touched[i] + t.leaves] = false;
       t.fitLeaf(touched[i]);
     }
-    route(0, strays);
+    route(0, t.isOutrun(strays) ? 0 : strays);
     if (placeStrays()) {
       return;
     }

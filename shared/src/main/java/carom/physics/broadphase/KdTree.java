@@ -508,7 +508,7 @@ public final class KdTree implements SpatialIndex {
    *     then
    */
   public void refit(int[] changed, int count) {
-    if (count > size / REFIT_SHARE) {
+    if (isMost(count)) {
       refit.all();
     } else {
       refit.some(changed, count);
@@ -525,22 +525,20 @@ public final class KdTree implements SpatialIndex {
     return count > size / REFIT_SHARE;
   }
 
-  /**
-   * Builds all anew if the boxes that left their cells are too many to be put elsewhere one by one;
-   * answers whether it did.
-   */
-  boolean rebuild(int[] stray, int strays) {
+  /** Whether building all anew is cheaper than putting so many boxes elsewhere one by one. */
+  boolean isOutrun(int strays) {
     boolean sparse = size < leaves;
-    if (leaves == 1 || (!sparse && strays <= size / REBUILD_SHARE)) {
-      return false;
-    }
+    return leaves > 1 && (sparse || strays > size / REBUILD_SHARE);
+  }
+
+  /** Builds all anew, the boxes that left their cells included. */
+  void rebuild(int[] stray, int strays) {
     ensureWork(size);
     int stayed = builder.gather(0, leaves);
     for (int i = 0; i < strays; i++) {
       builder.put(stayed + i, stray[i], boxes);
     }
     buildAll(size);
-    return true;
   }
 
   /** Moves the frame by the mean motion if it was riding, and decides whether it will next time. */
