@@ -15,6 +15,7 @@ import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaCall;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.domain.JavaFieldAccess;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.lang.ArchRule;
@@ -242,6 +243,23 @@ final class ArchitectureTest {
         .dependOnClassesThat()
         .haveNameMatching("java\\.util\\.(HashMap|HashSet|IdentityHashMap|WeakHashMap|Hashtable)")
         .because("iteration order would leak into results; use arrays, lists or TreeMap")
+        .check(CAROM);
+  }
+
+  /** Other lengths in one process make the JIT compiler box vectors, see docs/BENCHMARKS.md. */
+  @Test
+  void vectorsHaveOneLength() {
+    noClasses()
+        .should()
+        .accessFieldWhere(JavaFieldAccess.Predicates.target(nameMatching("SPECIES_(64|128|MAX)")))
+        .because("kernels use the preferred length")
+        .check(CAROM);
+    noClasses()
+        .that()
+        .haveNameNotMatching("carom\\.physics\\.dynamics\\.Vector(Boxes|Lanes|Pins)")
+        .should()
+        .accessFieldWhere(JavaFieldAccess.Predicates.target(nameMatching("SPECIES_(256|512)")))
+        .because("only these choose, as VectorModule.LANES says: the preferred one of both")
         .check(CAROM);
   }
 
