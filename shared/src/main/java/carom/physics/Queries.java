@@ -52,8 +52,8 @@ public final class Queries<T> {
   /** A way that ends just behind the nearest hit, so that equal fractions are found too. */
   private static final float BEHIND = 1.0001f;
 
-  private static final int PART_BITS = 10;
-  private static final int BODY_BITS = 21;
+  private static final int PART_BITS = BodyStore.PART_BITS;
+  private static final int BODY_BITS = BodyStore.SLOT_BITS;
   private static final long NONE = Long.MAX_VALUE;
 
   private final World<T> world;

@@ -50,12 +50,12 @@ final class BodyMaker {
     for (ShapeSpec spec : shapes) {
       count += spec.shape().parts().size();
     }
-    if (count > ContactKey.MAX_PARTS) {
+    if (count > BodyStore.MAX_PARTS) {
       throw new IllegalArgumentException(
           "parts="
               + count
               + " is more than the "
-              + ContactKey.MAX_PARTS
+              + BodyStore.MAX_PARTS
               + " convex parts one body can have; split it into several bodies");
     }
     return (int) count;

@@ -33,8 +33,17 @@ public final class BodyStore {
   /** Moves by forces and contacts. */
   public static final byte DYNAMIC = 2;
 
-  /** The most bodies a world can hold; bounded by the bits of a contact's key. */
-  public static final int MAX_BODIES = 1 << ContactKey.BODY_BITS;
+  /** Bits of a body's slot; a contact's key holds two slots and two parts in 62 bits. */
+  public static final int SLOT_BITS = 21;
+
+  /** Bits of a part's number within its body. */
+  public static final int PART_BITS = 10;
+
+  /** The most bodies a world can hold. */
+  public static final int MAX_BODIES = 1 << SLOT_BITS;
+
+  /** The most parts a body can have. */
+  public static final int MAX_PARTS = 1 << PART_BITS;
 
   /** Flag: nothing but {@code setAngularVelocity} turns the body. */
   public static final byte FIXED_ROTATION = 1;

@@ -93,6 +93,6 @@ abstract class BoxLanes extends RehearsedLanes {
 
   /** The kernel made with the Vector API, null without; see {@link VectorModule}. */
   static BoxLanes find() {
-    return VectorModule.find("VectorBoxes", BoxLanes.class);
+    return VectorModule.find("carom.physics.dynamics.VectorBoxes", BoxLanes.class);
   }
 }

@@ -8,7 +8,7 @@ import java.util.Arrays;
  * no word waits for another. A number of zero adds nothing: what slots hold that aren't in use must
  * be the same in equal states.
  *
- * <p>Vectors do it where the JVM has them ({@link HashLanes}), with the same bits. One thread;
+ * <p>Vectors do it where the JVM has them ({@link ColumnHashLanes}), with the same bits. One thread;
  * allocates only when there are more slots than ever before.
  */
 final class ColumnHash {
@@ -18,7 +18,7 @@ final class ColumnHash {
   /** Per place an odd number without a pattern: the steps of a Weyl sequence, finished. */
   private long[] factors = new long[0];
 
-  private final long[] sums = new long[HashLanes.SUMS];
+  private final long[] sums = new long[ColumnHashLanes.SUMS];
 
   /**
    * Adds a column of floats by their raw bits.
@@ -30,7 +30,7 @@ final class ColumnHash {
   long mix(long h, float[] column, int n) {
     ensure(n + 1 >> 1);
     Arrays.fill(sums, 0);
-    int done = HashLanes.FOUND == null ? 0 : HashLanes.FOUND.column(column, factors, n, sums);
+    int done = ColumnHashLanes.FOUND == null ? 0 : ColumnHashLanes.FOUND.column(column, factors, n, sums);
     long sum = sumOf(sums);
     for (int i = done; i < n; i += 2) {
       int low = Float.floatToRawIntBits(column[i]);

@@ -20,7 +20,7 @@ import java.util.Arrays;
  * <p>Normals, places, gaps and sliding impulses of the whole step aren't in it: they follow from
  * the state before the step, and nothing in a step reads them.
  *
- * <p>Vectors do it where the JVM has them ({@link HashLanes}), with the same bits. One thread;
+ * <p>Vectors do it where the JVM has them ({@link ContactHashLanes}), with the same bits. One thread;
  * allocates nothing.
  */
 final class ContactHash {
@@ -42,10 +42,10 @@ final class ContactHash {
 
   private final long[] sums = new long[PLACES];
 
-  /** Scratch of {@link HashLanes}. */
-  private final long[] factors = new long[HashLanes.PIECE];
+  /** Scratch of {@link ContactHashLanes}. */
+  private final long[] factors = new long[ContactHashLanes.PIECE];
 
-  private final long[] lanes = new long[3 * HashLanes.SUMS];
+  private final long[] lanes = new long[3 * ContactHashLanes.SUMS];
 
   /** The odd number that stands for a key: its bits, mixed as {@link StateHash#finish} does. */
   static long factor(long key) {
@@ -62,7 +62,7 @@ final class ContactHash {
   long mix(long h, ContactTable t, boolean rolls) {
     int n = t.count();
     Arrays.fill(sums, 0);
-    int done = HashLanes.FOUND == null ? 0 : HashLanes.FOUND.rows(t, factors, lanes, sums);
+    int done = ContactHashLanes.FOUND == null ? 0 : ContactHashLanes.FOUND.rows(t, factors, lanes, sums);
     for (int row = done; row < n; row++) {
       if ((t.flags[row] & TOUCHING) != 0) {
         add(t, row);

@@ -8,14 +8,10 @@ package carom.physics.dynamics;
  * the broadphase found the pair, so neither does any result.
  */
 public final class ContactKey {
-  static final int BODY_BITS = 21;
-  static final int PART_BITS = 10;
-
-  /** The most convex parts one body can have. */
-  public static final int MAX_PARTS = 1 << PART_BITS;
-
-  private static final int BODY_MASK = (1 << BODY_BITS) - 1;
-  private static final int PART_MASK = MAX_PARTS - 1;
+  private static final int BODY_BITS = BodyStore.SLOT_BITS;
+  private static final int PART_BITS = BodyStore.PART_BITS;
+  private static final int BODY_MASK = BodyStore.MAX_BODIES - 1;
+  private static final int PART_MASK = BodyStore.MAX_PARTS - 1;
 
   private ContactKey() {}
 

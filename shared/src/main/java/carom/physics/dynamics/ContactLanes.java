@@ -22,6 +22,6 @@ abstract class ContactLanes extends RehearsedLanes {
 
   /** The kernels made with the Vector API, null without; see {@link VectorModule}. */
   static ContactLanes find() {
-    return VectorModule.find("VectorLanes", ContactLanes.class);
+    return VectorModule.find("carom.physics.dynamics.VectorLanes", ContactLanes.class);
   }
 }

@@ -427,16 +427,19 @@ public final class JointStore {
     next[before] = next[end];
   }
 
-  /** Whether a joint keeps two bodies from colliding. */
-  boolean keepsApart(int a, int b) {
+  /** Returns whether no joint keeps two bodies from colliding. */
+  boolean mayTouch(int a, int b) {
+    if (count() == 0) {
+      return true;
+    }
     for (int end = firstEnd(a); end >= 0; end = next[end]) {
       int j = end >> 1;
       int other = (end & 1) == 0 ? bodyB[j] : bodyA[j];
       if (other == b && (flags[j] & COLLIDE) == 0) {
-        return true;
+        return false;
       }
     }
-    return false;
+    return true;
   }
 
   /** Whether full turns are counted. */

@@ -56,7 +56,7 @@ final class PairFinder {
   private final BodyStore bodies;
   private final ShapeTable parts;
   private final ContactTable contacts;
-  private final JointStore joints;
+  private final PairRule rule;
 
   private final Crew crew;
   private Desk[] desks = {new Desk()};
@@ -195,14 +195,14 @@ final class PairFinder {
       BodyStore bodies,
       ShapeTable parts,
       ContactTable contacts,
-      JointStore joints,
+      PairRule rule,
       Crew crew) {
     this.crew = crew;
     this.settings = settings;
     this.bodies = bodies;
     this.parts = parts;
     this.contacts = contacts;
-    this.joints = joints;
+    this.rule = rule;
     moving = new KdTree(parts.fat);
     resting = new KdTree(parts.fat);
     search = new PairSearch(moving, resting);
@@ -624,7 +624,7 @@ final class PairFinder {
     int b = parts.body[q];
     return (bodies.invMass[a] != 0 || bodies.invMass[b] != 0)
         && parts.meet(p, q)
-        && (joints.count() == 0 || !joints.keepsApart(a, b));
+        && rule.mayTouch(a, b);
   }
 
   /** Whether a row's parts still may touch: after bodies, filters or joints changed. */

@@ -21,6 +21,6 @@ abstract class PinLanes extends RehearsedLanes {
 
   /** The kernels made with the Vector API, null without; see {@link VectorModule}. */
   static PinLanes find() {
-    return VectorModule.find("VectorPins", PinLanes.class);
+    return VectorModule.find("carom.physics.dynamics.VectorPins", PinLanes.class);
   }
 }

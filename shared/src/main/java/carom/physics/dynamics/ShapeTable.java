@@ -78,7 +78,7 @@ public final class ShapeTable {
   final AabbArray tight = new AabbArray(FIRST_CAPACITY);
 
   /** Per block size: the first free block's part, -1 if none; the next one is in {@link #body}. */
-  private final int[] freeBlocks = new int[ContactKey.MAX_PARTS + 1];
+  private final int[] freeBlocks = new int[BodyStore.MAX_PARTS + 1];
 
   private final ShapePool pool = new ShapePool();
   private int[] nextFree = new int[FIRST_CAPACITY];

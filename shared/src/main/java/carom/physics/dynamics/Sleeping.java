@@ -496,19 +496,20 @@ final class Sleeping {
     return active.contains(body) && islands.find(active.index[body]) == island;
   }
 
-  /** Puts those of an excerpt to sleep that slept there. */
-  void putToSleep(Excerpt excerpt) {
+  /** Begins a new list of bodies to be put to sleep by {@link #putToSleep()}. */
+  void gatherNone() {
     gatheredCount = 0;
-    for (int i = 0; i < excerpt.count(); i++) {
-      if (excerpt.sleeps(i) && active.contains(excerpt.slot(i))) {
-        gather(excerpt.slot(i));
-      }
+  }
+
+  /** Adds a body to the list, unless it sleeps already. */
+  void gatherAwake(int body) {
+    if (active.contains(body)) {
+      gather(body);
     }
-    putToSleep();
   }
 
   /** Puts the gathered bodies to sleep; they must be whole islands. */
-  private void putToSleep() {
+  void putToSleep() {
     if (gatheredCount == 0) {
       return;
     }
@@ -612,15 +613,16 @@ final class Sleeping {
   /**
    * Finds the bodies that are in the wrong tree, or in the wrong place of the tree that rests.
    *
+   * @param then the bodies of the state that is restored
+   * @param thenSleep its stamp of who sleeps
    * @param staticMoved whether a static body may have been moved since
    * @return how many {@link #gathered} there are
    */
-  int gatherMisplaced(DynamicsState from, boolean staticMoved) {
+  int gatherMisplaced(BodyStore then, Stamp thenSleep, boolean staticMoved) {
     gatheredCount = 0;
-    if (!staticMoved && stamp.same(from.sleep)) {
+    if (!staticMoved && stamp.same(thenSleep)) {
       return 0;
     }
-    BodyStore then = from.bodies;
     for (int body = 0; body < bodies.slots(); body++) {
       if (bodies.type[body] == BodyStore.FREE || bodies.disabled(body)) {
         continue;
@@ -647,10 +649,10 @@ final class Sleeping {
   }
 
   /** Takes over what sleeps, once bodies, contacts and joints are those of the state. */
-  void take(DynamicsState from) {
-    if (!stamp.same(from.sleep)) {
-      from.sleepers.copyTo(sleepers);
-      from.sleep.copyTo(stamp);
+  void take(SleepingContacts thenSleepers, Stamp thenSleep) {
+    if (!stamp.same(thenSleep)) {
+      thenSleepers.copyTo(sleepers);
+      thenSleep.copyTo(stamp);
     }
     joints.clearAwake();
     for (int j = 0; j < joints.slots(); j++) {

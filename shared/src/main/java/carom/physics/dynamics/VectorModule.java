@@ -20,18 +20,19 @@ final class VectorModule {
   private VectorModule() {}
 
   private static int lanes() {
-    Width width = find("VectorWidth", Width.class);
+    Width width = find("carom.physics.dynamics.VectorWidth", Width.class);
     return width != null && width.floats() >= 16 ? 16 : 8;
   }
 
   /**
-   * Makes an object of a class of this package.
+   * Makes an object of a class that is loaded by name.
    *
+   * @param name full name
    * @return null if the JVM has no such module, or if its vectors are too short to be worth it
    */
   static <T> T find(String name, Class<T> type) {
     try {
-      return Class.forName(VectorModule.class.getPackageName() + "." + name)
+      return Class.forName(name)
           .asSubclass(type)
           .getDeclaredConstructor()
           .newInstance();

@@ -68,7 +68,7 @@ class ColumnHashTest {
   void kernelsNeverSeeColumnsThatAreTooShortForThem() {
     ColumnsOnly lanes = new ColumnsOnly();
     float[] column = column(600);
-    long[] sums = new long[HashLanes.SUMS];
+    long[] sums = new long[ColumnHashLanes.SUMS];
     for (int call = 0; call < MANY; call++) {
       lanes.numbers = 0;
       assertEquals(0, lanes.column(column, new long[300], 40, sums));
@@ -80,7 +80,7 @@ class ColumnHashTest {
   }
 
   /** Counts what it is given. */
-  private static final class ColumnsOnly extends HashLanes {
+  private static final class ColumnsOnly extends ColumnHashLanes {
     private int calls;
     private int numbers;
 
@@ -89,15 +89,6 @@ class ColumnHashTest {
       calls++;
       numbers += to - from;
     }
-
-    @Override
-    void names(ContactTable t, int from, int to, long[] factors, long[] sums) {}
-
-    @Override
-    void impulses(float[] contact, int from, int to, long[] factors, long[] sums) {}
-
-    @Override
-    void gather(long[] sums, long[] to) {}
   }
 
   @Test

@@ -44,7 +44,7 @@ final class KeySorterTest {
   @Test
   void keysCarryFourNumbers() {
     int body = BodyStore.MAX_BODIES - 1;
-    int part = ContactKey.MAX_PARTS - 1;
+    int part = BodyStore.MAX_PARTS - 1;
     long key = ContactKey.of(body - 1, part, body, part - 1);
     assertEquals(body - 1, ContactKey.bodyA(key));
     assertEquals(body, ContactKey.bodyB(key));

@@ -3,12 +3,12 @@ package carom.physics.dynamics;
 import java.util.Arrays;
 
 /**
- * Kernels that hash numbers side by side, bit for bit as {@link ColumnHash} and {@link ContactHash}
- * do one after the other. How many go through them shows in no result.
+ * Kernels that hash the rows of a contact table side by side, bit for bit as {@link ContactHash}
+ * does one after the other. How many rows go through them shows in no result.
  */
-abstract class HashLanes {
+abstract class ContactHashLanes {
   /** The kernels made with the Vector API, null without; see {@link VectorModule}. */
-  static final HashLanes FOUND = VectorModule.find("VectorHash", HashLanes.class);
+  static final ContactHashLanes FOUND = VectorModule.find("carom.physics.dynamics.VectorContactHash", ContactHashLanes.class);
 
   /** Longs per vector, at most. */
   static final int SUMS = 8;
@@ -30,21 +30,11 @@ abstract class HashLanes {
   /** Rows per call afterwards, so that their factors stay in the nearest cache. */
   static final int PIECE = 256;
 
-  /** Shorter columns and tables gain too little to be worth these calls. */
+  /** Shorter tables gain too little to be worth the calls. */
   private static final int LEAST = 512;
 
-  /** How often kernels were called. Worlds share these counts, which needn't be exact. */
-  private int columnCalls;
-
-  private int rowCalls;
-
-  /**
-   * Adds words of a column, multiplied by their factors, to sums that belong together.
-   *
-   * @param from first number, a multiple of {@value #SMALL}, like the end
-   * @param sums {@link #SUMS} of them
-   */
-  abstract void column(float[] column, long[] factors, int from, int to, long[] sums);
+  /** How often the kernels were called. Worlds share this count, which needn't be exact. */
+  private int calls;
 
   /**
    * Finds the factors of rows, zero for those that don't touch, and adds what the rows are called.
@@ -71,28 +61,6 @@ abstract class HashLanes {
   abstract void gather(long[] sums, long[] to);
 
   /**
-   * Adds the first numbers of a column.
-   *
-   * @param n how many there are
-   * @return how many were, an even number; the rest is left to the caller
-   */
-  final int column(float[] column, long[] factors, int n, long[] sums) {
-    if (n < LEAST) {
-      return 0; // the compiled kernel, which knows long columns only, would box vectors for nothing
-    }
-    int whole = n & -SMALL;
-    if (columnCalls >= WARM_UP) {
-      column(column, factors, 0, whole, sums);
-      return whole;
-    }
-    int done = Math.min(whole, FEW * SMALL);
-    for (int at = 0; at < done; at += SMALL, columnCalls++) {
-      column(column, factors, at, at + SMALL, sums);
-    }
-    return done;
-  }
-
-  /**
    * Adds the first rows of a table.
    *
    * @param factors scratch, {@link #PIECE}
@@ -102,7 +70,7 @@ abstract class HashLanes {
    */
   final int rows(ContactTable t, long[] factors, long[] lanes, long[] sums) {
     int whole = t.count() < LEAST ? 0 : t.count() & -ROWS;
-    boolean trusted = rowCalls >= WARM_UP;
+    boolean trusted = calls >= WARM_UP;
     int piece = trusted ? PIECE : SMALL;
     int done = trusted ? whole : Math.min(whole, FEW * SMALL);
     Arrays.fill(lanes, 0);
@@ -110,7 +78,7 @@ abstract class HashLanes {
       int end = Math.min(at + piece, done);
       names(t, at, end, factors, lanes);
       impulses(t.contact, at, end, factors, lanes);
-      rowCalls += trusted ? 0 : 1;
+      calls += trusted ? 0 : 1;
     }
     for (int i = 0; i < SUMS; i++) {
       sums[ContactHash.STATE] += lanes[i];

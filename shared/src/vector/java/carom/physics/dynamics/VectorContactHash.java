@@ -10,11 +10,11 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * Hashes by vectors, with the Vector API. Small methods that pass each other arrays, never vectors:
+ * The hash of contact rows by vectors, with the Vector API. Small methods that pass each other arrays, never vectors:
  * these would be boxed. The impulses of a row are the second half of its record: the last four
  * longs of a vector that ends where the record does.
  */
-final class VectorHash extends HashLanes {
+final class VectorContactHash extends ContactHashLanes {
   private static final VectorSpecies<Long> LONGS = LongVector.SPECIES_PREFERRED;
   private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_PREFERRED;
   private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_PREFERRED;
@@ -32,8 +32,8 @@ final class VectorHash extends HashLanes {
   /** All but the impulses of friction of the whole step. */
   private static final LongVector COUNTED = counted();
 
-  /** Loaded by name, see {@link HashLanes#FOUND}. */
-  VectorHash() {
+  /** Loaded by name, see {@link ContactHashLanes#FOUND}. */
+  VectorContactHash() {
     if (WIDTH < IMPULSES || WIDTH > SUMS) {
       throw new UnsupportedOperationException("vectors of " + WIDTH + " longs");
     }
@@ -45,18 +45,6 @@ final class VectorHash extends HashLanes {
       mask[i] = i % 2 == 0 ? -1 : 0xffffffffL;
     }
     return LongVector.fromArray(LONGS, mask, 0);
-  }
-
-  @Override
-  void column(float[] column, long[] factors, int from, int to, long[] sums) {
-    LongVector sum = LongVector.fromArray(LONGS, sums, 0);
-    for (int i = from; i < to; i += 2 * WIDTH) {
-      LongVector word = FloatVector.fromArray(FLOATS, column, i).reinterpretAsLongs();
-      word = word.mul(ColumnHash.SPREAD);
-      word = word.lanewise(VectorOperators.LSHR, 32).lanewise(VectorOperators.XOR, word);
-      sum = sum.add(word.mul(LongVector.fromArray(LONGS, factors, i >> 1)));
-    }
-    sum.intoArray(sums, 0);
   }
 
   @Override
