@@ -3,9 +3,28 @@ package carom.physics.dynamics;
 import carom.physics.broadphase.CastVisitor;
 import carom.physics.broadphase.CellVisitor;
 import carom.physics.broadphase.IntVisitor;
+import carom.physics.dynamics.body.ActiveBodies;
+import carom.physics.dynamics.body.BodyMaker;
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.body.Settings;
+import carom.physics.dynamics.body.ShapeSpec;
+import carom.physics.dynamics.body.ShapeTable;
+import carom.physics.dynamics.contact.BodyContacts;
+import carom.physics.dynamics.contact.ContactEvents;
+import carom.physics.dynamics.contact.ContactKey;
+import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.contact.SleepingContacts;
+import carom.physics.dynamics.joint.JointEvents;
+import carom.physics.dynamics.joint.JointStore;
+import carom.physics.dynamics.pairs.PairFinder;
+import carom.physics.dynamics.parallel.Crew;
+import carom.physics.dynamics.sleep.Sleeping;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.MassData;
 import carom.physics.math.Aabb;
+import carom.physics.math.StateHash;
+import carom.physics.profile.StageListener;
+import carom.physics.profile.StepStage;
 import carom.physics.threads.Workers;
 
 /**
@@ -747,7 +766,8 @@ public final class Dynamics {
    */
   public void restore(DynamicsState from, boolean sameStructure) {
     sleeping.reset();
-    int misplaced = sameStructure ? sleeping.gatherMisplaced(from.bodies, from.sleep, staticMoved) : 0;
+    int misplaced =
+        sameStructure ? sleeping.gatherMisplaced(from.bodies, from.sleep, staticMoved) : 0;
     from.bodies.copyTo(bodies);
     from.contacts.copyTo(contacts);
     from.joints.copyTo(joints);

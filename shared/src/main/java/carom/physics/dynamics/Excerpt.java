@@ -1,5 +1,11 @@
 package carom.physics.dynamics;
 
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.body.ShapeTable;
+import carom.physics.dynamics.contact.BodyContacts;
+import carom.physics.dynamics.contact.ContactKey;
+import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.contact.SleepingContacts;
 import java.util.Arrays;
 
 /**
