@@ -43,11 +43,11 @@ final class ArchitectureTest {
 
   private static final DescribedPredicate<JavaClass> NOT_THREADS =
       DescribedPredicate.describe(
-          "classes other than WorkerThreads and Lockstep",
+          "classes other than WorkerThreads and DomainPhases",
           c ->
               !c.getName()
                   .matches(
-                      "carom\\.physics\\.(threads\\.WorkerThreads|dynamics\\.parallel\\.Lockstep)(\\$.*)?"));
+                      "carom\\.physics\\.(threads\\.WorkerThreads|dynamics\\.parallel\\.DomainPhases)(\\$.*)?"));
 
   /** What needs the Vector API, in a source folder of its own. */
   private static final String VECTORS =
@@ -330,7 +330,7 @@ final class ArchitectureTest {
         .check(CAROM);
     noClasses()
         .that()
-        .haveNameNotMatching("carom\\.physics\\.dynamics\\.simd\\.Vector(Boxes|Lanes|Pins)")
+        .haveNameNotMatching("carom\\.physics\\.dynamics\\.simd\\.Vector(Boxes|Contacts|Revolutes)")
         .should()
         .accessFieldWhere(JavaFieldAccess.Predicates.target(nameMatching("SPECIES_(256|512)")))
         .because("only these choose, as VectorModule.LANES says: the preferred one of both")

@@ -49,7 +49,7 @@ import jdk.incubator.vector.VectorSpecies;
  * vector that crosses a call the JIT compiler didn't inline would be boxed (40 MB per step of the
  * 5,050-box pyramid, and no gain).
  */
-public final class VectorLanes extends ContactLanes {
+public final class VectorContacts extends ContactLanes {
   private static final VectorSpecies<Float> LANE =
       LANES == 16 ? FloatVector.SPECIES_512 : FloatVector.SPECIES_256;
 
@@ -93,7 +93,7 @@ public final class VectorLanes extends ContactLanes {
   private static final int SCRATCH = TANGENT_SUM + LANES + APART;
 
   /** Loaded by name, see {@link ContactLanes#find}. */
-  public VectorLanes() {
+  public VectorContacts() {
     if (FloatVector.SPECIES_PREFERRED.length() < LANES) {
       throw new UnsupportedOperationException("vectors have fewer than " + LANES + " lanes");
     }

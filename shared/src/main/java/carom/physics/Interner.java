@@ -10,14 +10,14 @@ import java.util.function.UnaryOperator;
  * Things that many bodies have in common, in an archive once: the first mention says what it is,
  * later ones refer to it.
  */
-final class Palette<E> {
+final class Interner<E> {
   /** How many of the last new ones are looked through when writing. */
   private static final int LOOKED_THROUGH = 64;
 
   private final List<E> known = new ArrayList<>();
   private final BiPredicate<E, E> same;
 
-  Palette(BiPredicate<E, E> same) {
+  Interner(BiPredicate<E, E> same) {
     this.same = same;
   }
 

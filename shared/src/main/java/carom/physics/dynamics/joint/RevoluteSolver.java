@@ -8,7 +8,7 @@ import static carom.physics.dynamics.solver.SolverBodies.VX;
 import static carom.physics.dynamics.solver.SolverBodies.VY;
 import static carom.physics.dynamics.solver.SolverBodies.W;
 
-import carom.physics.dynamics.parallel.Crew;
+import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.solver.ContactBlocks;
 import carom.physics.simd.VectorModule;
 import java.util.Arrays;
@@ -26,7 +26,7 @@ import java.util.Arrays;
  * <p>Laid out as {@link ContactBlocks} lays out contacts: all quantities of a block follow each
  * other, each for all its lanes.
  */
-public final class PinSolver {
+public final class RevoluteSolver {
   /** Pins in a block. */
   public static final int LANES = VectorModule.LANES;
 
@@ -81,8 +81,8 @@ public final class PinSolver {
   /** Blocks that make a piece of work for a worker. */
   private static final int GRAIN = 64 / LANES;
 
-  private final PinLanes lanes;
-  private final Crew crew;
+  private final RevoluteLanes lanes;
+  private final ParallelFor parallel;
 
   /** Of each worker. */
   private float[][] scratch = new float[0][];
@@ -109,11 +109,11 @@ public final class PinSolver {
   public float impulseScale;
 
   // The stages, made once so that a step allocates nothing.
-  private final Crew.Range measuring = this::measureBlocks;
-  private final Crew.Range warming = this::warmBlocks;
-  private final Crew.Range pushing = this::pushBlocks;
-  private final Crew.Range relaxing = this::relaxBlocks;
-  private final Crew.Range storing = (from, to, worker) -> storeBlocks(from, to);
+  private final ParallelFor.Range measuring = this::measureBlocks;
+  private final ParallelFor.Range warming = this::warmBlocks;
+  private final ParallelFor.Range pushing = this::pushBlocks;
+  private final ParallelFor.Range relaxing = this::relaxBlocks;
+  private final ParallelFor.Range storing = (from, to, worker) -> storeBlocks(from, to);
 
   /** Where impulses are written when a step ends, and the inverse of its substeps' length, 1/s. */
   private JointStore store;
@@ -124,11 +124,11 @@ public final class PinSolver {
    * Makes a solver.
    *
    * @param lanes kernels for whole blocks, null for none
-   * @param crew does blocks
+   * @param parallel does blocks
    */
-  PinSolver(PinLanes lanes, Crew crew) {
+  RevoluteSolver(RevoluteLanes lanes, ParallelFor parallel) {
     this.lanes = lanes;
-    this.crew = crew;
+    this.parallel = parallel;
   }
 
   /** Begins a step: no pins yet. */
@@ -138,8 +138,8 @@ public final class PinSolver {
     massScale = scale;
     impulseScale = leak;
     blocks = 0;
-    if (lanes != null && scratch.length != crew.count()) {
-      scratch = new float[crew.count()][lanes.scratchSize()];
+    if (lanes != null && scratch.length != parallel.count()) {
+      scratch = new float[parallel.count()][lanes.scratchSize()];
     }
   }
 
@@ -188,7 +188,7 @@ public final class PinSolver {
     for (int block = 0; block < blocks; block++) {
       wide[block] = block < most && used[block] >= FEWEST;
     }
-    crew.run(0, blocks, GRAIN, measuring);
+    parallel.run(0, blocks, GRAIN, measuring);
   }
 
   /** Fills a lane with a joint as the step begins, and what the last one left behind. */
@@ -217,17 +217,17 @@ public final class PinSolver {
 
   /** Applies the impulses of the last substep, or the last step. */
   void warmStart(int from, int to) {
-    crew.run(from, to, GRAIN, warming);
+    parallel.run(from, to, GRAIN, warming);
   }
 
   /** One visit of each pin before bodies move, which draws anchors together. */
   void push(int from, int to) {
-    crew.run(from, to, GRAIN, pushing);
+    parallel.run(from, to, GRAIN, pushing);
   }
 
   /** One visit of each pin after bodies moved, rigid. */
   void relax(int from, int to) {
-    crew.run(from, to, GRAIN, relaxing);
+    parallel.run(from, to, GRAIN, relaxing);
   }
 
   private void measureBlocks(int from, int to, int worker) {
@@ -364,7 +364,7 @@ public final class PinSolver {
   void store(JointStore j, float rate) {
     store = j;
     inverseH = rate;
-    crew.run(0, blocks, GRAIN, storing);
+    parallel.run(0, blocks, GRAIN, storing);
   }
 
   private void storeBlocks(int from, int to) {

@@ -16,7 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Every part once, in an order that domains can stand, whoever does it. */
-final class LockstepTest {
+final class DomainPhasesTest {
   /** One thread for all tasks, the last one first. */
   private record Backwards(int count) implements Workers {
     @Override
@@ -55,13 +55,13 @@ final class LockstepTest {
   }
 
   private static void watch(Workers workers, int domains, int phases, Watch watch) {
-    Lockstep lockstep = new Lockstep();
+    DomainPhases schedule = new DomainPhases();
     for (int round = 0; round < 200; round++) {
-      lockstep.divide(domains, workers);
+      schedule.divide(domains, workers);
       for (int i = 0; i < phases; i++) {
-        lockstep.add((n, d, border, worker) -> watch.part(n, d, border), round * phases + i);
+        schedule.add((n, d, border, worker) -> watch.part(n, d, border), round * phases + i);
       }
-      lockstep.run();
+      schedule.run();
     }
     assertEquals(0, watch.faults.get());
     for (int d = 0; d < domains; d++) {
@@ -91,12 +91,12 @@ final class LockstepTest {
   /** One thread has the last domain done before it begins with the first one. */
   @Test
   void whoHasNoBorderWaitsForNobody() {
-    Lockstep lockstep = new Lockstep();
-    lockstep.divide(2, new Backwards(2));
+    DomainPhases schedule = new DomainPhases();
+    schedule.divide(2, new Backwards(2));
     StringBuilder order = new StringBuilder();
     for (int i = 0; i < 3; i++) {
-      lockstep.add(
-          new Lockstep.Phase() {
+      schedule.add(
+          new DomainPhases.Phase() {
             @Override
             public void run(int number, int domain, boolean border, int worker) {
               order.append(border ? (char) ('A' + domain) : (char) ('a' + domain));
@@ -109,16 +109,16 @@ final class LockstepTest {
           },
           i);
     }
-    lockstep.run();
+    schedule.run();
     assertEquals("bBbBbBaAaAaA", order.toString());
   }
 
   @Test
   void nothingAddedIsNothingDone() {
-    Lockstep lockstep = new Lockstep();
-    lockstep.run();
-    lockstep.divide(3, new Backwards(3));
-    lockstep.run();
+    DomainPhases schedule = new DomainPhases();
+    schedule.run();
+    schedule.divide(3, new Backwards(3));
+    schedule.run();
   }
 
   /**
@@ -132,7 +132,7 @@ final class LockstepTest {
     int domains = 2 + random.nextInt(3);
     int stretch = 3 + random.nextInt(40);
     long[][] cells = new long[2][domains * stretch];
-    Lockstep.Phase phase =
+    DomainPhases.Phase phase =
         (n, d, border, worker) -> {
           long[] from = cells[n & 1];
           long[] to = cells[1 - (n & 1)];
@@ -151,18 +151,19 @@ final class LockstepTest {
     }
   }
 
-  private static long[] mix(Workers workers, int domains, long[][] cells, Lockstep.Phase phase) {
+  private static long[] mix(
+      Workers workers, int domains, long[][] cells, DomainPhases.Phase phase) {
     for (int i = 0; i < cells[0].length; i++) {
       cells[0][i] = i;
       cells[1][i] = 0;
     }
-    Lockstep lockstep = new Lockstep();
-    lockstep.divide(domains, workers);
+    DomainPhases schedule = new DomainPhases();
+    schedule.divide(domains, workers);
     for (int round = 0; round < 500; round++) {
       for (int n = 0; n < 20; n++) {
-        lockstep.add(phase, n);
+        schedule.add(phase, n);
       }
-      lockstep.run();
+      schedule.run();
     }
     return cells[0].clone();
   }
@@ -172,10 +173,10 @@ final class LockstepTest {
   void whoStandsStillHoldsNobodyForEver() {
     try (WorkerThreads workers = new WorkerThreads(3)) {
       AtomicInteger parts = new AtomicInteger();
-      Lockstep lockstep = new Lockstep();
-      lockstep.divide(3, workers);
+      DomainPhases schedule = new DomainPhases();
+      schedule.divide(3, workers);
       for (int i = 0; i < 12; i++) {
-        lockstep.add(
+        schedule.add(
             (n, d, border, worker) -> {
               if (border && n % 3 == d) {
                 LockSupport.parkNanos(3_000_000);
@@ -184,7 +185,7 @@ final class LockstepTest {
             },
             i);
       }
-      lockstep.run();
+      schedule.run();
       assertEquals(12 * 3 * 2, parts.get());
     }
   }
@@ -194,10 +195,10 @@ final class LockstepTest {
     try (WorkerThreads workers = new WorkerThreads(2)) {
       for (Workers each : new Workers[] {workers, new Backwards(2)}) {
         IllegalStateException thrown = new IllegalStateException("as planned");
-        Lockstep lockstep = new Lockstep();
-        lockstep.divide(2, each);
+        DomainPhases schedule = new DomainPhases();
+        schedule.divide(2, each);
         for (int i = 0; i < 5; i++) {
-          lockstep.add(
+          schedule.add(
               (n, d, border, worker) -> {
                 if (n == 2 && d == 1 && border) {
                   throw thrown;
@@ -205,11 +206,11 @@ final class LockstepTest {
               },
               i);
         }
-        assertSame(thrown, assertThrows(IllegalStateException.class, lockstep::run));
+        assertSame(thrown, assertThrows(IllegalStateException.class, schedule::run));
         AtomicInteger parts = new AtomicInteger();
-        lockstep.divide(2, each);
-        lockstep.add((n, d, border, worker) -> parts.incrementAndGet(), 0);
-        lockstep.run();
+        schedule.divide(2, each);
+        schedule.add((n, d, border, worker) -> parts.incrementAndGet(), 0);
+        schedule.run();
         assertEquals(4, parts.get());
       }
     }

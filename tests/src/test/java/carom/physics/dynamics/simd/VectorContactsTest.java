@@ -23,7 +23,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Vectors give the bits of the scalar code; whether they are there depends on the JVM's flags. */
-class VectorLanesTest {
+class VectorContactsTest {
   /**
    * A heap of boxes and discs, with friction, bounces and moving surfaces, some of which resist
    * rolling; and a hanging net of plain hinges with some motors, of which one corner is torn.

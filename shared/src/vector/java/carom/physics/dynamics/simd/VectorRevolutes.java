@@ -1,32 +1,32 @@
 package carom.physics.dynamics.simd;
 
-import static carom.physics.dynamics.joint.PinSolver.ARM_AX;
-import static carom.physics.dynamics.joint.PinSolver.ARM_AY;
-import static carom.physics.dynamics.joint.PinSolver.ARM_BX;
-import static carom.physics.dynamics.joint.PinSolver.ARM_BY;
-import static carom.physics.dynamics.joint.PinSolver.BIAS_X;
-import static carom.physics.dynamics.joint.PinSolver.BIAS_Y;
-import static carom.physics.dynamics.joint.PinSolver.GAP_X;
-import static carom.physics.dynamics.joint.PinSolver.GAP_Y;
-import static carom.physics.dynamics.joint.PinSolver.INERTIA_A;
-import static carom.physics.dynamics.joint.PinSolver.INERTIA_B;
-import static carom.physics.dynamics.joint.PinSolver.LANES;
-import static carom.physics.dynamics.joint.PinSolver.MASS_A;
-import static carom.physics.dynamics.joint.PinSolver.MASS_B;
-import static carom.physics.dynamics.joint.PinSolver.PX;
-import static carom.physics.dynamics.joint.PinSolver.PY;
-import static carom.physics.dynamics.joint.PinSolver.RAX;
-import static carom.physics.dynamics.joint.PinSolver.RAY;
-import static carom.physics.dynamics.joint.PinSolver.RBX;
-import static carom.physics.dynamics.joint.PinSolver.RBY;
-import static carom.physics.dynamics.joint.PinSolver.RECORD;
-import static carom.physics.dynamics.joint.PinSolver.TORN;
-import static carom.physics.dynamics.joint.PinSolver.XX;
-import static carom.physics.dynamics.joint.PinSolver.XY;
-import static carom.physics.dynamics.joint.PinSolver.YY;
+import static carom.physics.dynamics.joint.RevoluteSolver.ARM_AX;
+import static carom.physics.dynamics.joint.RevoluteSolver.ARM_AY;
+import static carom.physics.dynamics.joint.RevoluteSolver.ARM_BX;
+import static carom.physics.dynamics.joint.RevoluteSolver.ARM_BY;
+import static carom.physics.dynamics.joint.RevoluteSolver.BIAS_X;
+import static carom.physics.dynamics.joint.RevoluteSolver.BIAS_Y;
+import static carom.physics.dynamics.joint.RevoluteSolver.GAP_X;
+import static carom.physics.dynamics.joint.RevoluteSolver.GAP_Y;
+import static carom.physics.dynamics.joint.RevoluteSolver.INERTIA_A;
+import static carom.physics.dynamics.joint.RevoluteSolver.INERTIA_B;
+import static carom.physics.dynamics.joint.RevoluteSolver.LANES;
+import static carom.physics.dynamics.joint.RevoluteSolver.MASS_A;
+import static carom.physics.dynamics.joint.RevoluteSolver.MASS_B;
+import static carom.physics.dynamics.joint.RevoluteSolver.PX;
+import static carom.physics.dynamics.joint.RevoluteSolver.PY;
+import static carom.physics.dynamics.joint.RevoluteSolver.RAX;
+import static carom.physics.dynamics.joint.RevoluteSolver.RAY;
+import static carom.physics.dynamics.joint.RevoluteSolver.RBX;
+import static carom.physics.dynamics.joint.RevoluteSolver.RBY;
+import static carom.physics.dynamics.joint.RevoluteSolver.RECORD;
+import static carom.physics.dynamics.joint.RevoluteSolver.TORN;
+import static carom.physics.dynamics.joint.RevoluteSolver.XX;
+import static carom.physics.dynamics.joint.RevoluteSolver.XY;
+import static carom.physics.dynamics.joint.RevoluteSolver.YY;
 
-import carom.physics.dynamics.joint.PinLanes;
-import carom.physics.dynamics.joint.PinSolver;
+import carom.physics.dynamics.joint.RevoluteLanes;
+import carom.physics.dynamics.joint.RevoluteSolver;
 import carom.physics.dynamics.solver.SolverBodies;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
@@ -35,10 +35,10 @@ import jdk.incubator.vector.VectorSpecies;
 
 /**
  * The pins of a block at once, with the Vector API: the same operations in the same order as {@code
- * PinSolver}'s, hence the same bits. In small methods that pass each other arrays; see {@code
- * VectorLanes} for why.
+ * RevoluteSolver}'s, hence the same bits. In small methods that pass each other arrays; see {@code
+ * VectorContacts} for why.
  */
-public final class VectorPins extends PinLanes {
+public final class VectorRevolutes extends RevoluteLanes {
   private static final VectorSpecies<Float> LANE =
       LANES == 16 ? FloatVector.SPECIES_512 : FloatVector.SPECIES_256;
 
@@ -66,8 +66,8 @@ public final class VectorPins extends PinLanes {
 
   private static final int SCRATCH = DPY + LANES + APART;
 
-  /** Loaded by name, see {@code PinLanes.find}. */
-  public VectorPins() {
+  /** Loaded by name, see {@code RevoluteLanes.find}. */
+  public VectorRevolutes() {
     if (FloatVector.SPECIES_PREFERRED.length() < LANES) {
       throw new UnsupportedOperationException("vectors have fewer than " + LANES + " lanes");
     }
@@ -95,7 +95,7 @@ public final class VectorPins extends PinLanes {
   }
 
   @Override
-  public void measure(PinSolver solver, float[] v, float[] s, int block) {
+  public void measure(RevoluteSolver solver, float[] v, float[] s, int block) {
     float[] d = solver.data;
     int at = block * RECORD;
     gatherMotion(s, v, solver.bodyA, solver.bodyB, block * LANES);
@@ -105,7 +105,7 @@ public final class VectorPins extends PinLanes {
   }
 
   @Override
-  public void warm(PinSolver solver, float[] v, float[] s, int block) {
+  public void warm(RevoluteSolver solver, float[] v, float[] s, int block) {
     float[] d = solver.data;
     int at = block * RECORD;
     gather(s, v, solver.bodyA, solver.bodyB, block * LANES);
@@ -115,7 +115,7 @@ public final class VectorPins extends PinLanes {
   }
 
   @Override
-  public void push(PinSolver solver, float[] v, float[] s, int block) {
+  public void push(RevoluteSolver solver, float[] v, float[] s, int block) {
     float[] d = solver.data;
     int at = block * RECORD;
     gather(s, v, solver.bodyA, solver.bodyB, block * LANES);
@@ -125,7 +125,7 @@ public final class VectorPins extends PinLanes {
   }
 
   @Override
-  public void relax(PinSolver solver, float[] v, float[] s, int block) {
+  public void relax(RevoluteSolver solver, float[] v, float[] s, int block) {
     float[] d = solver.data;
     int at = block * RECORD;
     gather(s, v, solver.bodyA, solver.bodyB, block * LANES);
@@ -161,7 +161,7 @@ public final class VectorPins extends PinLanes {
     }
   }
 
-  private static void scatter(float[] s, float[] v, PinSolver solver, int block) {
+  private static void scatter(float[] s, float[] v, RevoluteSolver solver, int block) {
     if (solver.loose[block]) {
       scatterBoth(s, v, solver.bodyA, solver.bodyB, block * LANES);
     } else {
@@ -183,7 +183,7 @@ public final class VectorPins extends PinLanes {
   }
 
   /** Writes nothing to bodies that can't be moved: other workers may be reading them. */
-  private static void scatterMoved(float[] s, float[] v, PinSolver solver, int block) {
+  private static void scatterMoved(float[] s, float[] v, RevoluteSolver solver, int block) {
     float[] d = solver.data;
     for (int i = 0; i < LANES; i++) {
       if (d[block * RECORD + MASS_A + i] != 0) {

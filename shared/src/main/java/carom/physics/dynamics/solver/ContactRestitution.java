@@ -35,7 +35,7 @@ import static carom.physics.dynamics.solver.SolverBodies.VX;
 import static carom.physics.dynamics.solver.SolverBodies.VY;
 import static carom.physics.dynamics.solver.SolverBodies.W;
 
-import carom.physics.dynamics.parallel.Lockstep;
+import carom.physics.dynamics.parallel.DomainPhases;
 
 /**
  * Restitution of contacts, once per step, after its substeps.
@@ -45,35 +45,35 @@ import carom.physics.dynamics.parallel.Lockstep;
  * as when a body is hit from two sides, more rounds settle it; impulses never pull. Warm-start
  * impulses end here, as the points fly apart.
  */
-final class ContactBounces {
+final class ContactRestitution {
   /** A closed gas loses 2.5 % of its energy in 300 steps with one round, 0.2 % with four. */
   private static final int BOUNCE_ROUNDS = 4;
 
   private final ContactBlocks blocks;
 
   // The stages, made once so that a step allocates nothing.
-  private final Lockstep.Phase bouncing;
-  private final Lockstep.Phase ending;
+  private final DomainPhases.Phase bouncing;
+  private final DomainPhases.Phase ending;
 
   private float h;
 
   /** Has the contacts of these blocks bounce. */
-  ContactBounces(ContactBlocks blocks) {
+  ContactRestitution(ContactBlocks blocks) {
     this.blocks = blocks;
     bouncing = blocks.phase((from, to, worker) -> bounceBlocks(from, to));
     ending = blocks.phase((from, to, worker) -> endBounces(from, to));
   }
 
   /** Adds: all bounce. The blocks must be packed; the substep's length in s. */
-  void solve(Lockstep lockstep, float h) {
+  void solve(DomainPhases phases, float h) {
     if (!any()) {
       return;
     }
     this.h = h;
     for (int round = 0; round < BOUNCE_ROUNDS; round++) {
-      blocks.addColours(lockstep, bouncing);
+      blocks.addColours(phases, bouncing);
     }
-    blocks.addAll(lockstep, ending);
+    blocks.addAll(phases, ending);
   }
 
   private boolean any() {

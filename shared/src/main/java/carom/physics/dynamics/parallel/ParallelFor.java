@@ -6,7 +6,7 @@ import carom.physics.threads.Workers;
  * Cuts a stage of the step into pieces for a world's {@link Workers}, or does it at once where
  * there are none or too little is to do.
  */
-public final class Crew implements Workers.Task {
+public final class ParallelFor implements Workers.Task {
   /**
    * Pieces that a stage must have to be shared: fewer aren't worth the microsecond that it takes to
    * hand some over and to wait for the end.
@@ -42,7 +42,7 @@ public final class Crew implements Workers.Task {
   }
 
   /** Hires, or lets go with null. */
-  public void hire(Workers hired) {
+  public void use(Workers hired) {
     workers = hired;
     count = hired == null ? 1 : hired.count();
   }
@@ -112,8 +112,8 @@ public final class Crew implements Workers.Task {
   }
 
   /** Has phases of the step done by the workers. */
-  public void divide(Lockstep lockstep, int domains) {
-    lockstep.divide(domains, workers);
+  public void divide(DomainPhases phases, int domains) {
+    phases.divide(domains, workers);
   }
 
   @Override

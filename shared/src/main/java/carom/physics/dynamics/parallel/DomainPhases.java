@@ -26,7 +26,7 @@ import java.util.concurrent.atomic.AtomicIntegerArray;
  * <p>Who does what when shows in no result. One thread adds and runs. Allocates only when there are
  * more phases or domains than ever before.
  */
-public final class Lockstep implements Workers.Task {
+public final class DomainPhases implements Workers.Task {
   /**
    * Progress of domains is kept that many ints apart: two cache lines, as they come in pairs. The
    * first ones stay unused, as everybody reads the array's length beside them.
@@ -83,11 +83,11 @@ public final class Lockstep implements Workers.Task {
    * Sets how many domains there are; phases that were added and not run are forgotten.
    *
    * @param count at least 1
-   * @param crew who does them; not looked at for one domain, which the caller does
+   * @param parallel who does them; not looked at for one domain, which the caller does
    */
-  public void divide(int count, Workers crew) {
+  public void divide(int count, Workers parallel) {
     domains = count;
-    workers = crew;
+    workers = parallel;
     phases = 0;
     if (done.length() < (count + 1) * APART) {
       done = new AtomicIntegerArray((count + 1) * APART);
