@@ -320,7 +320,7 @@ final class ArchitectureTest {
         .check(CAROM);
   }
 
-  /** Other lengths in one process make the JIT compiler box vectors, see docs/BENCHMARKS.md. */
+  /** Other lengths in one process make the JIT compiler box vectors, see docs/lab/kernels.md. */
   @Test
   void vectorsHaveOneLength() {
     noClasses()
