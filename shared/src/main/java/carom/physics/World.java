@@ -13,7 +13,6 @@ import carom.physics.dynamics.Dynamics;
 import carom.physics.dynamics.Excerpt;
 import carom.physics.dynamics.JointEvents;
 import carom.physics.dynamics.JointStore;
-import carom.physics.dynamics.Settings;
 import carom.physics.dynamics.ShapeSpec;
 import carom.physics.dynamics.StageListener;
 import carom.physics.geometry.MassData;
@@ -75,29 +74,7 @@ public final class World<T> {
    */
   public World(WorldDef def) {
     this.def = def;
-    dynamics =
-        new Dynamics(
-            new Settings(
-                def.gravityX(),
-                def.gravityY(),
-                def.substeps(),
-                def.contactHertz(),
-                def.contactDampingRatio(),
-                def.restitutionThreshold(),
-                def.maxPushSpeed(),
-                def.slop(),
-                def.speculativeDistance(),
-                def.aabbMargin(),
-                def.maxSpeed(),
-                def.maxAngularSpeed(),
-                def.jointHertz(),
-                def.jointDampingRatio(),
-                def.sleeping(),
-                def.sleepSpeed(),
-                def.sleepDelay(),
-                def.continuous(),
-                def.hitSpeed(),
-                def.integrator() == Integrator.EXPLICIT_EULER));
+    dynamics = new Dynamics(def);
     store = dynamics.bodies();
     joints = dynamics.joints();
     collision = new Collision<>(this, dynamics.contacts());

@@ -79,8 +79,14 @@ final class ArchitectureTest {
     allow("carom.net.trace", "carom.net.codec");
     allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol");
     allow("carom.net.protocol", "carom.net.codec");
-    allow("carom.net.transport", "carom.net.protocol");
-    allow("carom.net.kryo", "carom.net.protocol", "carom.net.transport", "carom.net.codec");
+    allow("carom.values");
+    allow("carom.net.transport", "carom.net.protocol", "carom.values");
+    allow(
+        "carom.net.kryo",
+        "carom.net.protocol",
+        "carom.net.transport",
+        "carom.net.codec",
+        "carom.values");
     allow("carom.options", "carom.net.transport");
     allow("carom.replay", "carom.sim", "carom.physics", "carom.physics.archive", "carom.game");
     allow(
@@ -88,6 +94,7 @@ final class ArchitectureTest {
         "carom.server..",
         "carom.net..",
         "carom.options",
+        "carom.values",
         "carom.replay",
         "carom.sim..",
         "carom.game",
@@ -97,6 +104,7 @@ final class ArchitectureTest {
         "carom.client..",
         "carom.net..",
         "carom.options",
+        "carom.values",
         "carom.replay",
         "carom.sim..",
         "carom.game",
