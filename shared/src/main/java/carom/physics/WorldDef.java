@@ -1,7 +1,7 @@
 package carom.physics;
 
-import carom.physics.dynamics.Checks;
-import carom.physics.dynamics.Settings;
+import carom.physics.dynamics.body.Checks;
+import carom.physics.dynamics.body.Settings;
 import java.util.function.Consumer;
 
 /**

@@ -1,5 +1,12 @@
 package carom.physics.dynamics;
 
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.body.Settings;
+import carom.physics.dynamics.body.ShapeTable;
+import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.narrow.NarrowPhase;
+import carom.physics.dynamics.parallel.Crew;
+import carom.physics.dynamics.sleep.Sleeping;
 import java.util.Arrays;
 
 /**

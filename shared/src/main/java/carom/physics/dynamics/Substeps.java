@@ -1,6 +1,20 @@
 package carom.physics.dynamics;
 
-import carom.physics.threads.Lockstep;
+import carom.physics.dynamics.body.ActiveBodies;
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.body.Settings;
+import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.joint.JointSolver;
+import carom.physics.dynamics.joint.JointStore;
+import carom.physics.dynamics.joint.PinLanes;
+import carom.physics.dynamics.pairs.PairFinder;
+import carom.physics.dynamics.parallel.Crew;
+import carom.physics.dynamics.parallel.Lockstep;
+import carom.physics.dynamics.solver.ContactLanes;
+import carom.physics.dynamics.solver.ContactSolver;
+import carom.physics.dynamics.solver.SolverBodies;
+import carom.physics.profile.StageListener;
+import carom.physics.profile.StepStage;
 
 /**
  * The part of a step in which velocities and positions change: {@code substeps} times velocities

@@ -1,5 +1,7 @@
 package carom.physics.threads;
 
+import carom.physics.dynamics.parallel.Lockstep;
+
 /**
  * Threads that carry out parts of a step side by side; given to a world by {@code World.workers}.
  * The engine makes no threads and decides nothing by them: every result is the same, bit for bit,
