@@ -5,8 +5,8 @@
  * it; {@link carom.server.ServerMain} is the program an operator starts.
  *
  * <p>Allowed imports: {@code carom.sim}, {@code carom.game}, {@code carom.net} without codecs, its
- * own sub-packages, slf4j, the JDK; picocli and logback in {@code ServerMain} only, {@code
- * carom.net.kryo} in {@code ServerMain} only.
+ * own sub-packages, slf4j, the JDK; picocli, logback and {@code carom.net.kryo} only in {@code
+ * ServerMain} and its parts ({@code ServerFlags}, {@code GameChoice}, {@code ServerStart}).
  *
  * <p>Read first: {@link carom.server.Server}, {@code Lobby}, {@link carom.server.room.Room}.
  */
