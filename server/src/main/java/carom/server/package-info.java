@@ -1,5 +1,5 @@
 /**
- * The dedicated server: one lobby where links become players, rooms where they play.
+ * The dedicated server: a lobby and rooms behind a transport, and the program that runs them.
  *
  * <p>{@link carom.server.Server} is the server as an object, for tests and for programs that embed
  * it; {@link carom.server.ServerMain} is the program an operator starts.
@@ -8,6 +8,7 @@
  * own sub-packages, slf4j, the JDK; picocli, logback and {@code carom.net.kryo} only in {@code
  * ServerMain} and its parts ({@code ServerFlags}, {@code GameChoice}, {@code ServerStart}).
  *
- * <p>Read first: {@link carom.server.Server}, {@code Lobby}, {@link carom.server.room.Room}.
+ * <p>Read first: {@link carom.server.Server}, {@link carom.server.lobby.Lobby}, {@link
+ * carom.server.room.Room}.
  */
 package carom.server;
