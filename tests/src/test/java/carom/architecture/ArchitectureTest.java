@@ -43,11 +43,11 @@ final class ArchitectureTest {
 
   private static final DescribedPredicate<JavaClass> NOT_THREADS =
       DescribedPredicate.describe(
-          "classes other than WorkerThreads and Lockstep",
+          "classes other than WorkerThreads and DomainPhases",
           c ->
               !c.getName()
                   .matches(
-                      "carom\\.physics\\.(threads\\.WorkerThreads|dynamics\\.parallel\\.Lockstep)(\\$.*)?"));
+                      "carom\\.physics\\.(threads\\.WorkerThreads|dynamics\\.parallel\\.DomainPhases)(\\$.*)?"));
 
   /** What needs the Vector API, in a source folder of its own. */
   private static final String VECTORS =
@@ -142,7 +142,28 @@ final class ArchitectureTest {
     allow("carom.game", "carom.physics..", "carom.sim", "carom.sim.scene");
     allow("carom.net.codec");
     allow("carom.net.trace", "carom.net.codec");
-    allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol");
+    allow("carom.net.snapshot.event", "carom.net.codec", "carom.net.protocol");
+    allow(
+        "carom.net.snapshot.frame",
+        "carom.net.codec",
+        "carom.net.protocol",
+        "carom.net.snapshot.event");
+    allow(
+        "carom.net.snapshot.record",
+        "carom.net.codec",
+        "carom.net.protocol",
+        "carom.net.snapshot.frame");
+    allow(
+        "carom.net.snapshot.relay",
+        "carom.net.codec",
+        "carom.net.protocol",
+        "carom.net.snapshot.frame");
+    allow(
+        "carom.net.snapshot.exact",
+        "carom.net.codec",
+        "carom.net.snapshot.frame",
+        "carom.net.snapshot.relay");
+    allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol", "carom.net.snapshot.*");
     allow("carom.net.protocol", "carom.net.codec");
     allow("carom.values");
     allow("carom.net.transport", "carom.net.protocol", "carom.values");
@@ -328,7 +349,7 @@ final class ArchitectureTest {
         .check(CAROM);
   }
 
-  /** Other lengths in one process make the JIT compiler box vectors, see docs/BENCHMARKS.md. */
+  /** Other lengths in one process make the JIT compiler box vectors, see docs/lab/kernels.md. */
   @Test
   void vectorsHaveOneLength() {
     noClasses()
@@ -338,7 +359,7 @@ final class ArchitectureTest {
         .check(CAROM);
     noClasses()
         .that()
-        .haveNameNotMatching("carom\\.physics\\.dynamics\\.simd\\.Vector(Boxes|Lanes|Pins)")
+        .haveNameNotMatching("carom\\.physics\\.dynamics\\.simd\\.Vector(Boxes|Contacts|Revolutes)")
         .should()
         .accessFieldWhere(JavaFieldAccess.Predicates.target(nameMatching("SPECIES_(256|512)")))
         .because("only these choose, as VectorModule.LANES says: the preferred one of both")

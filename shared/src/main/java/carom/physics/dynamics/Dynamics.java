@@ -17,7 +17,7 @@ import carom.physics.dynamics.contact.SleepingContacts;
 import carom.physics.dynamics.joint.JointEvents;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.pairs.PairFinder;
-import carom.physics.dynamics.parallel.Crew;
+import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.sleep.Sleeping;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.MassData;
@@ -58,7 +58,7 @@ public final class Dynamics {
   private final BodyMaker maker = new BodyMaker(bodies, parts);
   private final ContactTable contacts = new ContactTable();
   private final JointStore joints = new JointStore();
-  private final Crew crew = new Crew();
+  private final ParallelFor parallel = new ParallelFor();
   private final Substeps substeps;
   private final ContinuousCollision continuous;
   private final PairFinder pairs;
@@ -92,12 +92,13 @@ public final class Dynamics {
    */
   public Dynamics(Settings settings) {
     this.settings = settings;
-    pairs = new PairFinder(settings, bodies, parts, contacts, joints::mayTouch, crew);
+    pairs = new PairFinder(settings, bodies, parts, contacts, joints::mayTouch, parallel);
     continuous = new ContinuousCollision(pairs, settings, bodies, active, parts, contacts);
     sleeping = new Sleeping(settings, bodies, active, parts, contacts, sleepers, joints, pairs);
-    collideStage = new CollideStage(sleeping, settings, bodies, parts, contacts, crew, continuous);
+    collideStage =
+        new CollideStage(sleeping, settings, bodies, parts, contacts, parallel, continuous);
     eventStage = new EventStage(settings, bodies, contacts);
-    substeps = new Substeps(settings, bodies, active, contacts, joints, pairs, crew);
+    substeps = new Substeps(settings, bodies, active, contacts, joints, pairs, parallel);
   }
 
   /**
@@ -106,7 +107,7 @@ public final class Dynamics {
    * @param workers null for the caller alone
    */
   public void workers(Workers workers) {
-    crew.hire(workers);
+    parallel.use(workers);
   }
 
   /**
@@ -450,12 +451,12 @@ public final class Dynamics {
     pairs.posesChanged();
     refilter();
     begins(StepStage.BOXES);
-    crew.stepBegins(active.count);
+    parallel.stepBegins(active.count);
     try {
       findContacts(events);
       substeps.run(dt);
     } finally {
-      crew.stepEnds();
+      parallel.stepEnds();
     }
     pairs.posesChanged();
     begins(StepStage.CONTINUOUS);

@@ -6,8 +6,8 @@ import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.body.ShapeSpec;
-import carom.physics.dynamics.parallel.Crew;
-import carom.physics.dynamics.parallel.Lockstep;
+import carom.physics.dynamics.parallel.DomainPhases;
+import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Shape;
 import java.util.concurrent.TimeUnit;
@@ -54,14 +54,15 @@ public class ContactSolverBenchmark {
 
   private final Dynamics world = new Dynamics(settings);
   private final ActiveBodies active = new ActiveBodies();
-  private final SolverBodies bodies = new SolverBodies(active, null, new Crew());
-  private final Lockstep lockstep = new Lockstep();
+  private final SolverBodies bodies = new SolverBodies(active, null, new ParallelFor());
+  private final DomainPhases phases = new DomainPhases();
   private ContactSolver solver;
 
   /** Builds the pyramid and lets it settle. */
   @Setup
   public void build() {
-    solver = new ContactSolver(kernels.equals("vector") ? ContactLanes.find() : null, new Crew());
+    solver =
+        new ContactSolver(kernels.equals("vector") ? ContactLanes.find() : null, new ParallelFor());
     add(BodyStore.STATIC, new Box(100, 1), 0, -1);
     Box box = new Box(0.5f, 0.5f);
     for (int row = 0; row < ROWS; row++) {
@@ -96,8 +97,8 @@ public class ContactSolverBenchmark {
   @Setup(Level.Iteration)
   public void begin() {
     prepare();
-    bodies.integrateVelocities(lockstep, false);
-    lockstep.run();
+    bodies.integrateVelocities(phases, false);
+    phases.run();
   }
 
   /** Collects, colours and packs the contacts. */
@@ -106,29 +107,29 @@ public class ContactSolverBenchmark {
     float h = DT / settings.substeps();
     bodies.begin(world.bodies(), settings, h, world.contacts());
     solver.prepare(world.contacts(), world.bodies(), bodies, settings, h);
-    bodies.load(lockstep);
-    solver.pack(lockstep);
-    lockstep.run();
+    bodies.load(phases);
+    solver.pack(phases);
+    phases.run();
   }
 
   /** Applies the impulses again. */
   @Benchmark
   public void warmStart() {
-    solver.warmStart(lockstep);
-    lockstep.run();
+    solver.warmStart(phases);
+    phases.run();
   }
 
   /** The pass with bias. */
   @Benchmark
   public void push() {
-    solver.push(lockstep);
-    lockstep.run();
+    solver.push(phases);
+    phases.run();
   }
 
   /** The pass without bias, with friction. */
   @Benchmark
   public void relax() {
-    solver.relax(lockstep);
-    lockstep.run();
+    solver.relax(phases);
+    phases.run();
   }
 }

@@ -3,7 +3,7 @@ package carom.physics.dynamics.contact;
 import carom.physics.collision.Manifold;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
-import carom.physics.dynamics.parallel.Crew;
+import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.store.Stamp;
 import java.util.Arrays;
 
@@ -558,7 +558,7 @@ public final class ContactTable {
    * @param candidateCount number of keys
    * @param all whether to look at every row, or only at those of parts that {@link
    *     ShapeTable#moved}
-   * @param crew does what can be shared
+   * @param parallel does what can be shared
    */
   public void merge(
       long[] candidates,
@@ -566,15 +566,15 @@ public final class ContactTable {
       BodyStore bodies,
       ShapeTable parts,
       boolean all,
-      Crew crew) {
+      ParallelFor parallel) {
     version++;
     beginMoves();
-    int fresh = merge.find(candidates, candidateCount, parts, all, crew, moves);
+    int fresh = merge.find(candidates, candidateCount, parts, all, parallel, moves);
     if (fresh == 0 && merge.rowCount() == count) {
       return;
     }
-    moveRows(merge.rowCount(), crew);
-    merge.startNew(fresh, bodies, crew);
+    moveRows(merge.rowCount(), parallel);
+    merge.startNew(fresh, bodies, parallel);
   }
 
   /** Begins to note how rows move. */
@@ -591,9 +591,9 @@ public final class ContactTable {
   /**
    * Moves rows, of which there are then another number, to where they may be written.
    *
-   * @param crew does it, null for the caller alone
+   * @param parallel does it, null for the caller alone
    */
-  private void moveRows(int newCount, Crew crew) {
+  private void moveRows(int newCount, ParallelFor parallel) {
     rows.change();
     growCaches(Math.max(count, newCount));
     pairs = pairs.moved(moves, pairs.room(newCount));
@@ -601,7 +601,7 @@ public final class ContactTable {
     bind();
     moves.plan(hint, hint, 1);
     kept.move(moves);
-    moves.carryOut(crew);
+    moves.carryOut(parallel);
     count = newCount;
   }
 

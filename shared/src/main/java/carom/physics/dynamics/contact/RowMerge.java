@@ -2,7 +2,7 @@ package carom.physics.dynamics.contact;
 
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
-import carom.physics.dynamics.parallel.Crew;
+import carom.physics.dynamics.parallel.ParallelFor;
 import java.util.Arrays;
 
 /**
@@ -49,8 +49,8 @@ final class RowMerge {
   private boolean all;
   private BodyStore bodies;
   private RowMoves moves;
-  private final Crew.Range looking = (from, to, worker) -> look(from, to);
-  private final Crew.Range starting = (from, to, worker) -> start(from, to);
+  private final ParallelFor.Range looking = (from, to, worker) -> look(from, to);
+  private final ParallelFor.Range starting = (from, to, worker) -> start(from, to);
 
   /** Merges into this table. */
   RowMerge(ContactTable table) {
@@ -65,11 +65,12 @@ final class RowMerge {
    * @param count how many
    * @param shapes have fat boxes, some of which {@link ShapeTable#moved}
    * @param every whether rows may leave whose parts didn't move
-   * @param crew looks
+   * @param parallel looks
    * @param to is told how rows move
    * @return how many pairs are new
    */
-  int find(long[] keys, int count, ShapeTable shapes, boolean every, Crew crew, RowMoves to) {
+  int find(
+      long[] keys, int count, ShapeTable shapes, boolean every, ParallelFor parallel, RowMoves to) {
     int rows = table.count();
     if (leaving.length < rows) {
       leaving = new int[table.key.length];
@@ -86,15 +87,15 @@ final class RowMerge {
     if (rows == 0) {
       look(0, 0);
     } else {
-      crew.run(0, rows, GRAIN, looking);
+      parallel.run(0, rows, GRAIN, looking);
     }
     return note();
   }
 
   /** Starts the rows of new pairs, once the others have moved. */
-  void startNew(int count, BodyStore of, Crew crew) {
+  void startNew(int count, BodyStore of, ParallelFor parallel) {
     bodies = of;
-    crew.run(0, count, START_GRAIN, starting);
+    parallel.run(0, count, START_GRAIN, starting);
   }
 
   private void start(int from, int to) {

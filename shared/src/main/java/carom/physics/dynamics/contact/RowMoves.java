@@ -1,6 +1,6 @@
 package carom.physics.dynamics.contact;
 
-import carom.physics.dynamics.parallel.Crew;
+import carom.physics.dynamics.parallel.ParallelFor;
 import java.util.Arrays;
 
 /**
@@ -35,7 +35,7 @@ final class RowMoves {
   private final Object[] targets = new Object[MOST_ARRAYS];
   private final int[] strides = new int[MOST_ARRAYS];
   private int planned;
-  private final Crew.Range carrying = (first, end, worker) -> carryOut(first, end);
+  private final ParallelFor.Range carrying = (first, end, worker) -> carryOut(first, end);
 
   /**
    * Forgets all.
@@ -111,17 +111,17 @@ final class RowMoves {
   /**
    * Does what was planned.
    *
-   * @param crew does it, an array each; null for the caller alone
+   * @param parallel does it, an array each; null for the caller alone
    */
-  void carryOut(Crew crew) {
+  void carryOut(ParallelFor parallel) {
     long rows = 0;
     for (int i = 0; i < count; i++) {
       rows += length[i];
     }
-    if (crew == null || rows < FEWEST_SHARED) {
+    if (parallel == null || rows < FEWEST_SHARED) {
       carryOut(0, planned);
     } else {
-      crew.run(0, planned, 1, carrying);
+      parallel.run(0, planned, 1, carrying);
     }
     Arrays.fill(sources, 0, planned, null);
     Arrays.fill(targets, 0, planned, null);

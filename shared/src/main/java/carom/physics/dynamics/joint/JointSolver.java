@@ -2,7 +2,7 @@ package carom.physics.dynamics.joint;
 
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.Settings;
-import carom.physics.dynamics.parallel.Crew;
+import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.solver.SolverBodies;
 import java.util.Arrays;
 
@@ -12,10 +12,10 @@ import java.util.Arrays;
  *
  * <p><b>Colours.</b> As contacts, joints are given colours, greedily in the order of their slots:
  * those of one colour share no body that can be moved, so their order changes no bit. Colours are
- * solved one after the other, of each first the plain hinges, in lanes (see {@link PinSolver}),
- * then the others one by one; both are shared by the crew. A body with more than {@value
- * #LAST_COLOUR} joints spills into a last colour without pins, which isn't shared. The colouring
- * depends on the awake joints alone, and is kept while these stay the same.
+ * solved one after the other, of each first the plain hinges, in lanes (see {@link
+ * RevoluteSolver}), then the others one by one; both are shared by threads. A body with more than
+ * {@value #LAST_COLOUR} joints spills into a last colour without pins, which isn't shared. The
+ * colouring depends on the awake joints alone, and is kept while these stay the same.
  */
 public final class JointSolver {
   private static final float TWO_PI = 6.2831855f;
@@ -32,12 +32,12 @@ public final class JointSolver {
   /** Joints that make a piece of work for a worker. */
   private static final int GRAIN = 16;
 
-  private final PinSolver pins;
+  private final RevoluteSolver pins;
 
   /** The joints that are no pins. */
   private final JointRecords others = new JointRecords();
 
-  private final Crew crew;
+  private final ParallelFor parallel;
 
   /** Of each worker. */
   private JointVisit[] visits = new JointVisit[0];
@@ -74,21 +74,24 @@ public final class JointSolver {
   private int painted = -1;
 
   // The stages, made once so that a step allocates nothing.
-  private final Crew.Range packing = this::packJoints;
-  private final Crew.Range warming = (from, to, worker) -> visits[worker].warmStart(from, to);
-  private final Crew.Range pushing = (from, to, worker) -> visits[worker].solve(from, to, true);
-  private final Crew.Range relaxing = (from, to, worker) -> visits[worker].solve(from, to, false);
-  private final Crew.Range storing = (from, to, worker) -> visits[worker].store(from, to);
+  private final ParallelFor.Range packing = this::packJoints;
+  private final ParallelFor.Range warming =
+      (from, to, worker) -> visits[worker].warmStart(from, to);
+  private final ParallelFor.Range pushing =
+      (from, to, worker) -> visits[worker].solve(from, to, true);
+  private final ParallelFor.Range relaxing =
+      (from, to, worker) -> visits[worker].solve(from, to, false);
+  private final ParallelFor.Range storing = (from, to, worker) -> visits[worker].store(from, to);
 
   /**
    * Makes a solver.
    *
    * @param lanes kernels for pins, null for none
-   * @param crew does colours
+   * @param parallel does colours
    */
-  public JointSolver(PinLanes lanes, Crew crew) {
-    this.crew = crew;
-    pins = new PinSolver(lanes, crew);
+  public JointSolver(RevoluteLanes lanes, ParallelFor parallel) {
+    this.parallel = parallel;
+    pins = new RevoluteSolver(lanes, parallel);
   }
 
   /** The number of joints to solve. */
@@ -132,16 +135,16 @@ public final class JointSolver {
         place[i] = next[group[i]]++;
       }
     }
-    crew.run(0, count, GRAIN, packing);
+    parallel.run(0, count, GRAIN, packing);
     pins.ready();
   }
 
   /** Sees that every worker has what it needs. */
   private void gather() {
     int had = visits.length;
-    if (had < crew.count()) {
-      visits = Arrays.copyOf(visits, crew.count());
-      frames = Arrays.copyOf(frames, crew.count());
+    if (had < parallel.count()) {
+      visits = Arrays.copyOf(visits, parallel.count());
+      frames = Arrays.copyOf(frames, parallel.count());
       for (int i = had; i < visits.length; i++) {
         visits[i] = new JointVisit(others);
         frames[i] = new JointFrame();
@@ -247,17 +250,17 @@ public final class JointSolver {
   }
 
   /** Does a stage for the joints of a colour that are no pins. */
-  private void run(int colour, Crew.Range stage) {
+  private void run(int colour, ParallelFor.Range stage) {
     if (colour == LAST_COLOUR) {
       stage.run(start[colour], start[colour + 1], 0);
     } else {
-      crew.run(start[colour], start[colour + 1], GRAIN, stage);
+      parallel.run(start[colour], start[colour + 1], GRAIN, stage);
     }
   }
 
   /** Writes down what the joints exerted. */
   public void store() {
     pins.store(store, inverseH);
-    crew.run(0, start[colours], GRAIN, storing);
+    parallel.run(0, start[colours], GRAIN, storing);
   }
 }

@@ -7,7 +7,7 @@ import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.contact.KeptManifolds;
-import carom.physics.dynamics.parallel.Crew;
+import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.math.Transform;
 import java.util.Arrays;
 
@@ -40,9 +40,9 @@ public final class NarrowPhase {
   private final BodyStore bodies;
   private final ShapeTable parts;
   private final ContactTable contacts;
-  private final Crew crew;
+  private final ParallelFor parallel;
   private final BoxLanes lanes = BoxLanes.find();
-  private final Crew.Range updating = this::update;
+  private final ParallelFor.Range updating = this::update;
 
   /** Per row: whether it stays as it is. */
   private boolean[] left = new boolean[0];
@@ -108,12 +108,16 @@ public final class NarrowPhase {
   }
 
   public NarrowPhase(
-      Settings settings, BodyStore bodies, ShapeTable parts, ContactTable contacts, Crew crew) {
+      Settings settings,
+      BodyStore bodies,
+      ShapeTable parts,
+      ContactTable contacts,
+      ParallelFor parallel) {
     this.settings = settings;
     this.bodies = bodies;
     this.parts = parts;
     this.contacts = contacts;
-    this.crew = crew;
+    this.parallel = parallel;
   }
 
   /** Begins: all rows are to be updated that aren't {@link #leave left} as they are. */
@@ -146,7 +150,7 @@ public final class NarrowPhase {
     for (Desk desk : desks) {
       desk.begin(trusted < blocks ? trusted / desks.length : Integer.MAX_VALUE);
     }
-    crew.run(0, contacts.count(), GRAIN, updating);
+    parallel.run(0, contacts.count(), GRAIN, updating);
     int touching = 0;
     int used = 0;
     for (Desk desk : desks) {
@@ -175,8 +179,8 @@ public final class NarrowPhase {
 
   private void furnish() {
     int old = desks.length;
-    if (old < crew.count()) {
-      desks = Arrays.copyOf(desks, crew.count());
+    if (old < parallel.count()) {
+      desks = Arrays.copyOf(desks, parallel.count());
       for (int i = old; i < desks.length; i++) {
         desks[i] = new Desk();
         desks[i].boxes = lanes == null ? null : new BoxRows(bodies, parts, contacts, lanes);

@@ -12,7 +12,7 @@ import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactKey;
 import carom.physics.dynamics.contact.ContactTable;
-import carom.physics.dynamics.parallel.Crew;
+import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.store.KeySorter;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
@@ -66,7 +66,7 @@ public final class PairFinder {
   private final ContactTable contacts;
   private final PairRule rule;
 
-  private final Crew crew;
+  private final ParallelFor parallel;
   private Desk[] desks = {new Desk()};
 
   /** What one worker needs to measure boxes and to collect candidates. */
@@ -141,8 +141,8 @@ public final class PairFinder {
 
   private ActiveBodies refreshed;
   private float lastStep;
-  private final Crew.Range measuring = this::measureBodies;
-  private final Crew.Range renewing = this::renewParts;
+  private final ParallelFor.Range measuring = this::measureBodies;
+  private final ParallelFor.Range renewing = this::renewParts;
 
   /** Parts of active bodies, and of those that are static or sleep. */
   private final KdTree moving;
@@ -178,8 +178,8 @@ public final class PairFinder {
 
   private final PairSearch search;
   private final KdRefit refitting;
-  private final Crew.Range reading = this::readPieces;
-  private final Crew.Range routing = this::routePieces;
+  private final ParallelFor.Range reading = this::readPieces;
+  private final ParallelFor.Range routing = this::routePieces;
 
   /** The pairs to have rows, by ascending key. */
   private long[] candidates = new long[FIRST_CAPACITY];
@@ -190,13 +190,13 @@ public final class PairFinder {
   /** By how many workers they are sorted. */
   private int ranges;
 
-  private final Crew.Range sorting = this::sortShares;
+  private final ParallelFor.Range sorting = this::sortShares;
 
   /** Whether parts in the moving tree are searched for each by itself, unless with neighbours. */
   private boolean each;
 
-  private final Crew.Range searching = this::searchPieces;
-  private final Crew.Range searchingAround = this::searchAround;
+  private final ParallelFor.Range searching = this::searchPieces;
+  private final ParallelFor.Range searchingAround = this::searchAround;
 
   public PairFinder(
       Settings settings,
@@ -204,8 +204,8 @@ public final class PairFinder {
       ShapeTable parts,
       ContactTable contacts,
       PairRule rule,
-      Crew crew) {
-    this.crew = crew;
+      ParallelFor parallel) {
+    this.parallel = parallel;
     this.settings = settings;
     this.bodies = bodies;
     this.parts = parts;
@@ -399,7 +399,7 @@ public final class PairFinder {
     for (int i = 0; i < partListCount; i++) {
       markMoved(partList[i]);
     }
-    crew.run(0, partListCount, GRAIN, renewing);
+    parallel.run(0, partListCount, GRAIN, renewing);
     movingStale |= partListCount > 0;
     if (!many && moving.size() >= LONG_STEP && isSparse(active.count)) {
       renewInTurn();
@@ -496,14 +496,14 @@ public final class PairFinder {
     }
     furnish();
     refreshed = active;
-    crew.run(0, active.count, GRAIN, measuring);
+    parallel.run(0, active.count, GRAIN, measuring);
   }
 
   /** Has a desk for each worker. */
   private void furnish() {
     int old = desks.length;
-    if (old < crew.count()) {
-      desks = Arrays.copyOf(desks, crew.count());
+    if (old < parallel.count()) {
+      desks = Arrays.copyOf(desks, parallel.count());
       for (int i = old; i < desks.length; i++) {
         desks[i] = new Desk();
       }
@@ -654,8 +654,8 @@ public final class PairFinder {
       moving.refit(movedParts, movedCount);
       return;
     }
-    crew.run(0, refitting.begin(), 1, reading);
-    crew.run(0, refitting.gather(), 1, routing);
+    parallel.run(0, refitting.begin(), 1, reading);
+    parallel.run(0, refitting.gather(), 1, routing);
     refitting.end();
   }
 
@@ -687,10 +687,10 @@ public final class PairFinder {
       searchTrees();
     }
     if (!searchAll) {
-      crew.run(0, movedCount, SEARCH_GRAIN, searchingAround);
+      parallel.run(0, movedCount, SEARCH_GRAIN, searchingAround);
     }
     sortCandidates();
-    contacts.merge(candidates, candidateCount, bodies, parts, searchAll, crew);
+    contacts.merge(candidates, candidateCount, bodies, parts, searchAll, parallel);
     for (int i = 0; i < movedCount; i++) {
       parts.moved[movedParts[i]] = false;
       parts.together[movedParts[i]] = false;
@@ -726,7 +726,7 @@ public final class PairFinder {
         desk.share = new long[candidates.length];
       }
     }
-    crew.each(ranges, sorting);
+    parallel.each(ranges, sorting);
     for (Desk desk : desks) {
       append(desk.share, desk.shareCount);
     }
@@ -759,8 +759,9 @@ public final class PairFinder {
     boolean[] marked = searchAll ? null : each ? parts.together : parts.moved;
     int searched = searchAll ? moving.size() : each ? togetherCount : movedCount;
     try {
-      int pieces = search.begin(marked, crew.shares(searched, SEARCH_GRAIN) ? crew.count() : 1);
-      crew.run(0, pieces, 1, searching);
+      int pieces =
+          search.begin(marked, parallel.shares(searched, SEARCH_GRAIN) ? parallel.count() : 1);
+      parallel.run(0, pieces, 1, searching);
     } finally {
       search.end();
     }

@@ -12,8 +12,8 @@ import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.contact.ContactKey;
 import carom.physics.dynamics.contact.ContactTable;
-import carom.physics.dynamics.parallel.Crew;
-import carom.physics.dynamics.parallel.Lockstep;
+import carom.physics.dynamics.parallel.DomainPhases;
+import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.simd.VectorModule;
 import java.util.Arrays;
 
@@ -38,7 +38,7 @@ import java.util.Arrays;
  * <p><b>Domains.</b> A contact belongs to the domain of its first body that can be moved, those
  * without a colour among moving bodies to the first domain. It is at the border if one of its
  * bodies is touched from another domain. Contacts at the border lie behind the others of their
- * group: blocks without any are the inner part of a phase (see {@link Lockstep}).
+ * group: blocks without any are the inner part of a phase (see {@link DomainPhases}).
  */
 public final class ContactBlocks {
   /** Contacts in a block. */
@@ -405,24 +405,24 @@ public final class ContactBlocks {
    * Adds a stage in which no block has anything to do with another; whatever other domains did
    * before in their border parts is done then.
    */
-  void addAll(Lockstep lockstep, Lockstep.Phase stage) {
-    lockstep.add(stage, ALL);
+  void addAll(DomainPhases phases, DomainPhases.Phase stage) {
+    phases.add(stage, ALL);
   }
 
   /** Adds a stage colour by colour. */
-  void addColours(Lockstep lockstep, Lockstep.Phase stage) {
+  void addColours(DomainPhases phases, DomainPhases.Phase stage) {
     if (groups == GROUPS) {
-      lockstep.add(stage, ALL);
+      phases.add(stage, ALL);
       return;
     }
     for (int i = 0; i < colours; i++) {
-      lockstep.add(stage, colour[i]);
+      phases.add(stage, colour[i]);
     }
   }
 
   /** Makes a phase of a stage that takes blocks from one to another. */
-  Lockstep.Phase phase(Crew.Range stage) {
-    return new Lockstep.Phase() {
+  DomainPhases.Phase phase(ParallelFor.Range stage) {
+    return new DomainPhases.Phase() {
       @Override
       public void run(int number, int domain, boolean border, int worker) {
         visit(number, domain, border, worker, stage);
@@ -440,7 +440,7 @@ public final class ContactBlocks {
     return startOfBorder[group] < start[group + 1] || startOfBorder[group + 1] < start[group + 2];
   }
 
-  private void visit(int number, int domain, boolean border, int worker, Crew.Range stage) {
+  private void visit(int number, int domain, boolean border, int worker, ParallelFor.Range stage) {
     if (number == ALL) {
       if (border) {
         stage.run(start[domain * GROUPS], start[(domain + 1) * GROUPS], worker);
@@ -457,7 +457,7 @@ public final class ContactBlocks {
     }
   }
 
-  private static void visit(int from, int to, int worker, Crew.Range stage) {
+  private static void visit(int from, int to, int worker, ParallelFor.Range stage) {
     if (from < to) {
       stage.run(from, to, worker);
     }

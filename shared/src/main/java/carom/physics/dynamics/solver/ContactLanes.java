@@ -26,6 +26,6 @@ public abstract class ContactLanes extends RehearsedLanes {
 
   /** The kernels made with the Vector API, null without; see {@link VectorModule}. */
   public static ContactLanes find() {
-    return VectorModule.find("carom.physics.dynamics.simd.VectorLanes", ContactLanes.class);
+    return VectorModule.find("carom.physics.dynamics.simd.VectorContacts", ContactLanes.class);
   }
 }

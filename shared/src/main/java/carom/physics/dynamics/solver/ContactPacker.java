@@ -46,7 +46,7 @@ import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.contact.ContactKey;
 import carom.physics.dynamics.contact.ContactTable;
-import carom.physics.dynamics.parallel.Lockstep;
+import carom.physics.dynamics.parallel.DomainPhases;
 
 /**
  * Carries contacts between the {@link ContactTable} and the blocks of the solver: what they are
@@ -67,8 +67,8 @@ public final class ContactPacker {
   private final ContactLanes lanes;
 
   // The stages, made once so that a step allocates nothing.
-  private final Lockstep.Phase packing;
-  private final Lockstep.Phase storing;
+  private final DomainPhases.Phase packing;
+  private final DomainPhases.Phase storing;
 
   // What the step is about.
   private ContactTable table;
@@ -106,8 +106,8 @@ public final class ContactPacker {
   }
 
   /** Adds: the blocks, which are laid out, are filled. */
-  void pack(Lockstep lockstep) {
-    blocks.addAll(lockstep, packing);
+  void pack(DomainPhases phases) {
+    blocks.addAll(phases, packing);
   }
 
   /**
@@ -292,8 +292,8 @@ public final class ContactPacker {
   }
 
   /** Adds: the impulses are handed back to the table, but for those that overflowed. */
-  void store(Lockstep lockstep) {
-    blocks.addAll(lockstep, storing);
+  void store(DomainPhases phases) {
+    blocks.addAll(phases, storing);
   }
 
   private void storeBlocks(int from, int to) {

@@ -41,8 +41,8 @@ import static carom.physics.dynamics.solver.SolverBodies.W;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.contact.ContactTable;
-import carom.physics.dynamics.parallel.Crew;
-import carom.physics.dynamics.parallel.Lockstep;
+import carom.physics.dynamics.parallel.DomainPhases;
+import carom.physics.dynamics.parallel.ParallelFor;
 
 /**
  * Contacts as soft constraints, solved by sequential impulses in substeps.
@@ -160,7 +160,7 @@ public final class ContactSolver {
 
   public final ContactBlocks blocks;
   private final ContactPacker packer;
-  private final ContactBounces bounces;
+  private final ContactRestitution bounces;
 
   /** The vector kernels, null without. */
   private final ContactLanes lanes;
@@ -168,12 +168,12 @@ public final class ContactSolver {
   /** Of each worker. */
   private float[][] scratch = new float[0][];
 
-  private final Crew crew;
+  private final ParallelFor parallel;
 
   // The stages, made once so that a step allocates nothing.
-  private final Lockstep.Phase warming;
-  private final Lockstep.Phase pushing;
-  private final Lockstep.Phase relaxing;
+  private final DomainPhases.Phase warming;
+  private final DomainPhases.Phase pushing;
+  private final DomainPhases.Phase relaxing;
 
   /** {@link SolverBodies#state}. */
   private float[] v;
@@ -197,17 +197,17 @@ public final class ContactSolver {
    * Makes a solver.
    *
    * @param lanes kernels for whole blocks, null for none
-   * @param crew does colours
+   * @param parallel does colours
    */
-  public ContactSolver(ContactLanes lanes, Crew crew) {
+  public ContactSolver(ContactLanes lanes, ParallelFor parallel) {
     this.lanes = lanes;
-    this.crew = crew;
+    this.parallel = parallel;
     blocks = new ContactBlocks();
     warming = blocks.phase(this::warmBlocks);
     pushing = blocks.phase(this::pushBlocks);
     relaxing = blocks.phase(this::relaxBlocks);
     packer = new ContactPacker(blocks, lanes);
-    bounces = new ContactBounces(blocks);
+    bounces = new ContactRestitution(blocks);
   }
 
   /** The number of blocks. */
@@ -230,8 +230,8 @@ public final class ContactSolver {
     maxPush = constants.maxPushSpeed();
     slop = constants.slop();
     soften(constants);
-    if (lanes != null && scratch.length != crew.count()) {
-      scratch = new float[crew.count()][lanes.scratchSize()];
+    if (lanes != null && scratch.length != parallel.count()) {
+      scratch = new float[parallel.count()][lanes.scratchSize()];
     }
     blocks.lay(contacts, bodyStore, solverBodies, lanes);
     v = solverBodies.state;
@@ -239,8 +239,8 @@ public final class ContactSolver {
   }
 
   /** Adds: what contacts are is written into the blocks. */
-  public void pack(Lockstep lockstep) {
-    packer.pack(lockstep);
+  public void pack(DomainPhases phases) {
+    packer.pack(phases);
   }
 
   /** Contacts with what can't be moved are twice as stiff (in o). */
@@ -262,8 +262,8 @@ public final class ContactSolver {
    * Adds: the impulses remembered from the last step are applied; see {@link SolverBodies} for what
    * happens in later substeps.
    */
-  public void warmStart(Lockstep lockstep) {
-    blocks.addColours(lockstep, warming);
+  public void warmStart(DomainPhases phases) {
+    blocks.addColours(phases, warming);
   }
 
   private void warmBlocks(int from, int to, int worker) {
@@ -307,8 +307,8 @@ public final class ContactSolver {
   }
 
   /** Adds one visit of each contact, with its spring. */
-  public void push(Lockstep lockstep) {
-    blocks.addColours(lockstep, pushing);
+  public void push(DomainPhases phases) {
+    blocks.addColours(phases, pushing);
   }
 
   private void pushBlocks(int from, int to, int worker) {
@@ -324,8 +324,8 @@ public final class ContactSolver {
   }
 
   /** Adds one visit of each contact, rigid. */
-  public void relax(Lockstep lockstep) {
-    blocks.addColours(lockstep, relaxing);
+  public void relax(DomainPhases phases) {
+    blocks.addColours(phases, relaxing);
   }
 
   private void relaxBlocks(int from, int to, int worker) {
@@ -567,13 +567,13 @@ public final class ContactSolver {
     d[q + NORMAL] = sum2;
   }
 
-  /** Adds: contacts bounce that came together fast; see {@link ContactBounces}. */
-  public void restitution(Lockstep lockstep) {
-    bounces.solve(lockstep, h);
+  /** Adds: contacts bounce that came together fast; see {@link ContactRestitution}. */
+  public void restitution(DomainPhases phases) {
+    bounces.solve(phases, h);
   }
 
   /** Adds: the impulses are handed back to the table, but for those that overflowed. */
-  public void store(Lockstep lockstep) {
-    packer.store(lockstep);
+  public void store(DomainPhases phases) {
+    packer.store(phases);
   }
 }

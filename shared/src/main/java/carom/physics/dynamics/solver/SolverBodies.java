@@ -6,8 +6,8 @@ import carom.physics.dynamics.body.Checks;
 import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.pairs.PairFinder;
-import carom.physics.dynamics.parallel.Crew;
-import carom.physics.dynamics.parallel.Lockstep;
+import carom.physics.dynamics.parallel.DomainPhases;
+import carom.physics.dynamics.parallel.ParallelFor;
 import java.util.Arrays;
 
 /**
@@ -73,7 +73,7 @@ public final class SolverBodies {
   /** Bodies that make a piece of work for a worker. */
   private static final int GRAIN = 128;
 
-  private final Crew crew;
+  private final ParallelFor parallel;
   final ActiveBodies active;
   public final Domains domains;
   private final SolverSlots slots;
@@ -84,27 +84,27 @@ public final class SolverBodies {
   private float h;
 
   // The stages, made once so that a step allocates nothing.
-  private final Lockstep.Phase loading =
+  private final DomainPhases.Phase loading =
       (given, d, border, worker) -> load(from(d, border), to(d, border));
-  private final Lockstep.Phase accelerating =
+  private final DomainPhases.Phase accelerating =
       (warm, d, border, worker) -> accelerate(from(d, border), to(d, border), warm != 0);
-  private final Lockstep.Phase moving =
+  private final DomainPhases.Phase moving =
       (given, d, border, worker) -> move(from(d, border), to(d, border));
-  private final Lockstep.Phase storing =
+  private final DomainPhases.Phase storing =
       (given, d, border, worker) -> store(from(d, border), to(d, border), d % 2 != 0);
-  private final Crew.Range marking = (from, to, worker) -> mark(from, to);
-  private final Crew.Range excepting = (from, to, worker) -> except(from, to);
+  private final ParallelFor.Range marking = (from, to, worker) -> mark(from, to);
+  private final ParallelFor.Range excepting = (from, to, worker) -> except(from, to);
 
   /**
    * Makes it empty.
    *
    * @param active whom it is of
    * @param pairs tells who is near whom; null where no step is shared
-   * @param crew does the stages that joints need
+   * @param parallel does the stages that joints need
    */
-  public SolverBodies(ActiveBodies active, PairFinder pairs, Crew crew) {
+  public SolverBodies(ActiveBodies active, PairFinder pairs, ParallelFor parallel) {
     this.active = active;
-    this.crew = crew;
+    this.parallel = parallel;
     domains = new Domains(active, pairs);
     slots = new SolverSlots(active, domains);
   }
@@ -151,7 +151,7 @@ public final class SolverBodies {
     settings = s;
     h = substep;
     explicit = s.explicitEuler();
-    domains.find(crew.isSharing() ? crew.count() : 1, contacts);
+    domains.find(parallel.isSharing() ? parallel.count() : 1, contacts);
   }
 
   /** Gives active bodies their slots, when it is known who is at the border of a domain. */
@@ -184,8 +184,8 @@ public final class SolverBodies {
   }
 
   /** Adds: the moving bodies are loaded, speeds above the limits cut; their forces are used up. */
-  public void load(Lockstep lockstep) {
-    lockstep.add(loading, 0);
+  public void load(DomainPhases phases) {
+    phases.add(loading, 0);
   }
 
   private void load(int from, int to) {
@@ -230,12 +230,12 @@ public final class SolverBodies {
    *
    * @param warm whether bodies also get what contacts did to them in the last substep
    */
-  public void integrateVelocities(Lockstep lockstep, boolean warm) {
+  public void integrateVelocities(DomainPhases phases, boolean warm) {
     if (!explicit) {
-      lockstep.add(accelerating, warm ? 1 : 0);
+      phases.add(accelerating, warm ? 1 : 0);
       return;
     }
-    lockstep.run();
+    phases.run();
     if (before.length < state.length) {
       before = new float[state.length];
       free = new float[state.length];
@@ -280,7 +280,7 @@ public final class SolverBodies {
     if (marked.length < plain.length) {
       marked = new float[plain.length];
     }
-    crew.run(1, count, GRAIN, marking);
+    parallel.run(1, count, GRAIN, marking);
   }
 
   private void mark(int from, int to) {
@@ -293,7 +293,7 @@ public final class SolverBodies {
 
   /** Takes note that the changes since {@link #mark} weren't made by contacts. */
   public void except() {
-    crew.run(1, count, GRAIN, excepting);
+    parallel.run(1, count, GRAIN, excepting);
   }
 
   private void except(int from, int to) {
@@ -311,12 +311,12 @@ public final class SolverBodies {
    * constraints changed since. Constraints so act on positions at once; else what overlaps would
    * never be pushed apart.
    */
-  public void integratePositions(Lockstep lockstep) {
+  public void integratePositions(DomainPhases phases) {
     if (!explicit) {
-      lockstep.add(moving, 0);
+      phases.add(moving, 0);
       return;
     }
-    lockstep.run();
+    phases.run();
     float[] s = state;
     System.arraycopy(s, 0, solved, 0, count * STRIDE);
     for (int at = STRIDE; at < count * STRIDE; at += STRIDE) {
@@ -399,8 +399,8 @@ public final class SolverBodies {
    * Adds: velocities, speeds above the limits cut, and poses are written back. A body at the edge
    * of the world stops there.
    */
-  public void store(Lockstep lockstep) {
-    lockstep.add(storing, 0);
+  public void store(DomainPhases phases) {
+    phases.add(storing, 0);
   }
 
   /**

@@ -3,6 +3,6 @@
  * scalar class does one by one, with the same bits.
  *
  * <p>May import the packages of those classes and {@code jdk.incubator.vector}. Nothing refers to
- * these classes; they are found by name. Read first: {@code VectorLanes}.
+ * these classes; they are found by name. Read first: {@code VectorContacts}.
  */
 package carom.physics.dynamics.simd;

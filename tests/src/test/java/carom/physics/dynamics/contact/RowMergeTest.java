@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.physics.dynamics.body.ShapeTable;
-import carom.physics.dynamics.parallel.Crew;
+import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.threads.Workers;
 import java.util.Arrays;
 import java.util.SortedSet;
@@ -82,8 +82,8 @@ final class RowMergeTest {
   void rowsLeaveAndComeAsSetsSay(long seed) {
     SplittableRandom r = new SplittableRandom(seed);
     Backwards workers = new Backwards();
-    Crew shared = new Crew();
-    shared.hire(workers);
+    ParallelFor shared = new ParallelFor();
+    shared.use(workers);
     shared.stepBegins(BODIES * 100);
     for (int round = 0; round < 40; round++) {
       placeParts(r);
@@ -113,14 +113,14 @@ final class RowMergeTest {
       }
       expected.addAll(fresh);
       String when = "seed=" + seed + " round=" + round;
-      check(new Crew(), found.clone(), all, expected, fresh, when + " alone");
+      check(new ParallelFor(), found.clone(), all, expected, fresh, when + " alone");
       check(shared, found.clone(), all, expected, fresh, when + " shared");
     }
     assertTrue(workers.runs > 0, "rows must be enough to be shared");
   }
 
   private void check(
-      Crew crew,
+      ParallelFor parallel,
       long[] found,
       boolean all,
       SortedSet<Long> expected,
@@ -129,7 +129,7 @@ final class RowMergeTest {
     RowMoves moves = new RowMoves();
     moves.clear(false);
     RowMerge merge = new RowMerge(table);
-    int come = merge.find(found, found.length, shapes, all, crew, moves);
+    int come = merge.find(found, found.length, shapes, all, parallel, moves);
     assertArrayEquals(toArray(fresh), Arrays.copyOf(found, come), when);
     assertEquals(expected.size(), merge.rowCount(), when);
     long[] keys = Arrays.copyOf(table.key, Math.max(table.count(), merge.rowCount()));
