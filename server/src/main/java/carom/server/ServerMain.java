@@ -10,7 +10,7 @@ import carom.net.transport.ImpairedServerTransport;
 import carom.net.transport.ServerTransport;
 import carom.options.BadFlag;
 import carom.options.NetworkConditions;
-import carom.server.bench.BenchCommand;
+import carom.lab.bench.BenchCommand;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.recording.RotationLimit;

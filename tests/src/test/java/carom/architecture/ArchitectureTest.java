@@ -76,7 +76,7 @@ final class ArchitectureTest {
     allow("carom.sim.scene", "carom.physics..", "carom.sim");
     allow("carom.game", "carom.physics..", "carom.sim", "carom.sim.scene");
     allow("carom.net.codec");
-    allow("carom.net.trace", "carom.net.codec");
+    allow("carom.lab.trace", "carom.net.codec");
     allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol");
     allow("carom.net.protocol", "carom.net.codec");
     allow("carom.net.transport", "carom.net.protocol");

@@ -23,7 +23,7 @@ import picocli.CommandLine.Parameters;
     name = "figures",
     description = "Measures snapshots and prediction, and prints one table; see figures --help.")
 final class FiguresCommand implements Callable<Integer> {
-  private static final String PROGRAM = "carom.testkit.figures.FiguresMain";
+  private static final String PROGRAM = "carom.lab.figures.FiguresMain";
 
   @Parameters(hidden = true)
   private List<String> args = new ArrayList<>();

@@ -1,0 +1,10 @@
+/**
+ * Recorded motion of many bodies: its file, and the codec that makes the fewest bytes of it. Needs
+ * no world, so that foreign recordings can be measured, too.
+ *
+ * <p>Imports {@code net.codec} only.
+ *
+ * <p>Read first: {@link carom.lab.trace.Trace}, {@link carom.lab.trace.TraceCodec}, {@link
+ * carom.lab.trace.TraceReport}.
+ */
+package carom.lab.trace;
