@@ -10,7 +10,6 @@ import carom.net.transport.ImpairedServerTransport;
 import carom.net.transport.ServerTransport;
 import carom.options.BadFlag;
 import carom.options.NetworkConditions;
-import carom.lab.bench.BenchCommand;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.recording.RotationLimit;
@@ -66,7 +65,6 @@ import picocli.CommandLine.TypeConversionException;
     sortOptions = false,
     usageHelpAutoWidth = true,
     versionProvider = ServerMain.Version.class,
-    subcommands = BenchCommand.class,
     description = {"Runs a Carom game server: physics worlds that players join.", ""},
     footer = {
       "",
@@ -331,7 +329,8 @@ public final class ServerMain implements Callable<Integer> {
         CompletableFuture.supplyAsync(
             () -> (LoggerContext) LoggerFactory.getILoggerFactory(),
             task -> new Thread(task, "carom-logging").start());
-    CommandLine commandLine = BadFlag.explainedBy(new CommandLine(new ServerMain(loggingSoon)));
+    CommandLine commandLine =
+        BadFlag.explainedBy(CaromMain.withBench(new CommandLine(new ServerMain(loggingSoon))));
     commandLine.registerConverter(int.class, ServerMain::wholeNumber);
     commandLine.registerConverter(Long.class, ServerMain::longNumber);
     commandLine.registerConverter(LogLevel.class, LogLevel::of);

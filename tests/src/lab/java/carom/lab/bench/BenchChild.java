@@ -5,7 +5,6 @@ import carom.lab.measure.BenchRow;
 import carom.lab.measure.Entrant;
 import carom.lab.measure.Measurement;
 import carom.lab.measure.Turns;
-
 import java.io.FileDescriptor;
 import java.io.FileInputStream;
 import java.io.PrintStream;
@@ -25,7 +24,7 @@ final class BenchChild {
    */
   public static void main(String[] args) {
     Entrant entrant = new Entrant(args[0], args[1], Integer.parseInt(args[2]));
-    BenchJob job = BenchJob.of(args[3]);
+    BenchJob job = Jobs.of(args[3]);
     PrintStream out = System.out;
     Turns turns = new Turns(new FileInputStream(FileDescriptor.in), out);
     Measurement measurement =

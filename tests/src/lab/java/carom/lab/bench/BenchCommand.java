@@ -3,7 +3,6 @@ package carom.lab.bench;
 import carom.lab.measure.BenchJob;
 import carom.lab.measure.BenchRow;
 import carom.lab.measure.Entrant;
-
 import carom.options.BadFlag;
 import carom.sim.Suggestion;
 import java.io.IOException;
@@ -25,8 +24,8 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /**
- * {@code carom-server bench}: measures the engine, each row in a process of its own, the entrants
- * of a scene in turns.
+ * {@code carom bench}, {@code carom-server bench}: measures the engine, each row in a process of
+ * its own, the entrants of a scene in turns.
  *
  * <p>The tables go to standard output, progress to standard error; with {@code --json} and no file
  * the rows go to standard output and the tables to standard error. Exit codes: 0 even if rows have
@@ -72,7 +71,7 @@ public final class BenchCommand implements Callable<Integer> {
       split = ",",
       description =
           "Other engines by name, or none (all there are: those that ./gradlew bench has on the"
-              + " class path, or the jars in lib/peers of an installation).")
+              + " class path, or the jars in lib/lab/peers of an installation).")
   private List<String> peers;
 
   @Option(
@@ -145,7 +144,7 @@ public final class BenchCommand implements Callable<Integer> {
   private final List<BenchRow> rows = new ArrayList<>();
   private final List<BenchProcess> processes = new CopyOnWriteArrayList<>();
 
-  /** For picocli. */
+  /** Creates the command, for picocli. */
   public BenchCommand() {}
 
   /**
@@ -298,7 +297,7 @@ public final class BenchCommand implements Callable<Integer> {
 
   private List<BenchJob> jobs() {
     try {
-      return scenes == null ? BenchJob.all() : BenchJob.of(scenes);
+      return scenes == null ? Jobs.all() : Jobs.of(scenes);
     } catch (IllegalArgumentException e) {
       throw bad("--scenes: " + e.getMessage());
     }
@@ -307,7 +306,7 @@ public final class BenchCommand implements Callable<Integer> {
   private List<String> everyPeer() {
     List<String> all = new ArrayList<>(others());
     for (Map.Entry<String, Path> each : external.entrySet()) {
-      if (all.contains(each.getKey()) || each.getKey().equals(CaromEngine.NAME)) {
+      if (all.contains(each.getKey()) || each.getKey().equals(Entrant.CAROM)) {
         throw bad("--external: name=" + each.getKey() + " is taken; choose another one");
       }
       if (!Files.isExecutable(each.getValue())) {

@@ -1,11 +1,10 @@
 package carom.lab.bench;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
+
 import carom.lab.measure.BenchRow;
 import carom.lab.measure.Entrant;
 import carom.lab.measure.Turns;
-
-import static java.nio.charset.StandardCharsets.UTF_8;
-
 import java.io.BufferedReader;
 import java.io.File;
 import java.io.IOException;

@@ -2,7 +2,6 @@ package carom.lab.bench;
 
 import carom.lab.measure.BenchRow;
 import carom.lab.measure.Scaling;
-
 import carom.physics.dynamics.StepStage;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

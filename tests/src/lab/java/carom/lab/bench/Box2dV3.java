@@ -1,7 +1,6 @@
 package carom.lab.bench;
 
 import carom.lab.measure.BenchRow;
-
 import java.util.Locale;
 import java.util.Map;
 

@@ -1,5 +1,6 @@
 package carom.lab.bench;
 
+import carom.lab.measure.Entrant;
 import carom.physics.World;
 import carom.physics.threads.WorkerThreads;
 import carom.sim.scene.Scene;
@@ -7,8 +8,6 @@ import carom.sim.scene.SceneRun;
 
 /** The engine of this program. */
 final class CaromEngine implements BenchEngine {
-  static final String NAME = "carom";
-
   private final int threads;
 
   /** Of the world at hand alone: whether sharing pays beside others' warm-up is not to count. */
@@ -27,7 +26,7 @@ final class CaromEngine implements BenchEngine {
 
   @Override
   public String name() {
-    return NAME;
+    return Entrant.CAROM;
   }
 
   @Override

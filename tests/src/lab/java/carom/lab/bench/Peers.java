@@ -1,5 +1,6 @@
 package carom.lab.bench;
 
+import carom.options.Lab;
 import java.io.File;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -16,7 +17,7 @@ import java.util.stream.Stream;
 
 /**
  * The other engines: those on the class path, as in {@code ./gradlew bench}, and those whose jars
- * are in the folder {@code peers} next to the jar of this program, as in the distribution. Only the
+ * are in the folder {@code peers} next to the jar of this class, as in the distribution. Only the
  * processes that measure ever have them on their class path.
  */
 final class Peers {
@@ -47,7 +48,7 @@ final class Peers {
 
   /** The class path for a process that measures. */
   static String classPath() {
-    StringBuilder path = new StringBuilder(System.getProperty("java.class.path"));
+    StringBuilder path = new StringBuilder(Lab.classPath());
     jars().forEach(jar -> path.append(File.pathSeparator).append(jar));
     return path.toString();
   }

@@ -1,7 +1,6 @@
 package carom.lab.bench;
 
 import carom.lab.measure.Scaling;
-
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneRun;
 import java.util.Arrays;

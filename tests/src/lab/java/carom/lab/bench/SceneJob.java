@@ -4,7 +4,6 @@ import carom.lab.measure.BenchJob;
 import carom.lab.measure.BenchRow;
 import carom.lab.measure.Entrant;
 import carom.lab.measure.Measurement;
-
 import java.util.ArrayList;
 import java.util.List;
 
@@ -28,6 +27,6 @@ record SceneJob(BenchScene scene) implements BenchJob {
   public BenchRow run(Entrant entrant, Measurement measurement) {
     BenchEngine engine =
         entrant.isCarom() ? new CaromEngine(entrant.threads()) : Peers.engine(entrant.engine());
-    return measurement.run(scene, engine, entrant);
+    return SceneMeasurement.run(scene, engine, entrant, measurement);
   }
 }

@@ -1,13 +1,13 @@
 package carom.lab.bench;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
+
 import carom.lab.measure.BenchJob;
 import carom.lab.measure.BenchRow;
 import carom.lab.measure.Entrant;
 import carom.lab.measure.Measurement;
 import carom.lab.measure.Times;
-
-import static java.nio.charset.StandardCharsets.UTF_8;
-
+import carom.options.Lab;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
@@ -40,7 +40,7 @@ record StartupJob() implements BenchJob {
 
   @Override
   public List<Entrant> entrants(Choice wanted) {
-    return List.of(Entrant.of(CaromEngine.NAME));
+    return List.of(Entrant.of(Entrant.CAROM));
   }
 
   @Override
@@ -86,7 +86,7 @@ record StartupJob() implements BenchJob {
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(List.of("-Xms256m", "-XX:+UseSerialGC", "-Dkryo.unsafe=false"));
     command.addAll(List.of("--add-modules", "jdk.incubator.vector"));
-    command.addAll(List.of("-cp", System.getProperty("java.class.path"), SERVER));
+    command.addAll(List.of("-cp", Lab.classPath(), SERVER));
     return command;
   }
 
@@ -94,7 +94,7 @@ record StartupJob() implements BenchJob {
   private static Path installed() {
     try {
       URL mine = StartupJob.class.getProtectionDomain().getCodeSource().getLocation();
-      return Path.of(mine.toURI()).resolveSibling("../bin/carom-server").normalize();
+      return Path.of(mine.toURI()).resolveSibling("../../bin/carom-server").normalize();
     } catch (URISyntaxException e) {
       throw new IllegalStateException(e); // the JVM made it
     }

@@ -5,7 +5,6 @@ import carom.lab.measure.BenchRow;
 import carom.lab.measure.Entrant;
 import carom.lab.measure.Measurement;
 import carom.lab.measure.Stopwatch;
-
 import carom.net.snapshot.FrameRing;
 import carom.net.snapshot.FrameState;
 import carom.physics.World;
@@ -119,7 +118,7 @@ record StateJob(String name, Supplier<Work> work) implements BenchJob {
 
   @Override
   public List<Entrant> entrants(Choice wanted) {
-    return wanted.kernels().stream().map(k -> new Entrant(CaromEngine.NAME, k, 1)).toList();
+    return wanted.kernels().stream().map(k -> new Entrant(Entrant.CAROM, k, 1)).toList();
   }
 
   /** How many steps warm-up has depends on the clock, so each ends with another state. */

@@ -1,7 +1,6 @@
 package carom.lab.broadphase;
 
 import carom.lab.measure.Stopwatch;
-
 import carom.physics.broadphase.BruteForce;
 import carom.physics.broadphase.KdTree;
 import carom.physics.broadphase.PairCache;

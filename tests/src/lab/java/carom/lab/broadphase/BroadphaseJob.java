@@ -1,13 +1,11 @@
 package carom.lab.broadphase;
 
-import carom.lab.bench.CaromEngine;
+import carom.lab.broadphase.BroadphaseBench.Method;
 import carom.lab.measure.BenchJob;
 import carom.lab.measure.BenchRow;
 import carom.lab.measure.Entrant;
 import carom.lab.measure.Measurement;
 import carom.lab.measure.Times;
-
-import carom.lab.broadphase.BroadphaseBench.Method;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -18,13 +16,14 @@ import java.util.List;
  * @param boxes how many
  * @param clustered whether nine in ten of them are in a hundredth of the area
  */
-record BroadphaseJob(String name, int boxes, boolean clustered) implements BenchJob {
+public record BroadphaseJob(String name, int boxes, boolean clustered) implements BenchJob {
   private static final int[] THOUSANDS = {1, 10, 100, 1000};
 
   /** Testing all against all takes a second for 100,000 boxes. */
   private static final int MOST_BRUTE = 10_000;
 
-  static List<BenchJob> all() {
+  /** Returns all of them, in the order of the table. */
+  public static List<BenchJob> all() {
     List<BenchJob> jobs = new ArrayList<>();
     for (boolean clustered : new boolean[] {false, true}) {
       for (int k : THOUSANDS) {
@@ -40,7 +39,7 @@ record BroadphaseJob(String name, int boxes, boolean clustered) implements Bench
   @Override
   public List<Entrant> entrants(Choice wanted) {
     List<Entrant> all = new ArrayList<>();
-    all.add(Entrant.of(CaromEngine.NAME));
+    all.add(Entrant.of(Entrant.CAROM));
     for (Method method : Method.values()) {
       if (method != Method.KD_REFIT && (method != Method.BRUTE_FORCE || boxes <= MOST_BRUTE)) {
         all.add(Entrant.of(method.toString()));

@@ -5,7 +5,6 @@ import carom.lab.measure.BenchRow;
 import carom.lab.measure.Entrant;
 import carom.lab.measure.Measurement;
 import carom.lab.measure.Stopwatch;
-
 import carom.physics.broadphase.KdTree;
 import java.util.ArrayList;
 import java.util.List;
@@ -18,7 +17,7 @@ import java.util.Locale;
  * @param name like {@code rebuild_10k}
  * @param boxes how many, in uniform distribution
  */
-record RebuildJob(String name, int boxes) implements BenchJob {
+public record RebuildJob(String name, int boxes) implements BenchJob {
   private static final int TIMED = 100;
 
   /** Ways to build it. */
@@ -36,7 +35,8 @@ record RebuildJob(String name, int boxes) implements BenchJob {
     }
   }
 
-  static List<BenchJob> all() {
+  /** Returns all of them, in the order of the table. */
+  public static List<BenchJob> all() {
     return List.of(new RebuildJob("rebuild_10k", 10_000), new RebuildJob("rebuild_100k", 100_000));
   }
 

@@ -1,5 +1,6 @@
 package carom.lab.figures;
 
+import carom.options.Lab;
 import java.io.File;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
@@ -7,7 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Processes with the JVM, the flags and the class path of this one. */
+/** Processes with the JVM, the flags and the class path of this one, the laboratory's included. */
 final class Children {
   private Children() {}
 
@@ -28,7 +29,7 @@ final class Children {
     command.addAll(ManagementFactory.getRuntimeMXBean().getInputArguments());
     command.addAll(flags);
     command.add("-cp");
-    command.add(System.getProperty("java.class.path"));
+    command.add(Lab.classPath());
     command.add(program.getName());
     command.addAll(List.of(args));
     ProcessBuilder builder = new ProcessBuilder(command);

@@ -65,7 +65,8 @@ public final class FiguresMain implements Callable<Integer> {
 
   @Spec private CommandSpec spec;
 
-  private FiguresMain() {}
+  /** Creates the command, for picocli. */
+  public FiguresMain() {}
 
   /** Entry point. */
   public static void main(String[] args) {

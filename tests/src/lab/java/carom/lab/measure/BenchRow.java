@@ -24,7 +24,7 @@ import java.util.Map;
  *     Only Carom's rows have them
  * @param fault why the run doesn't count, or empty
  */
-record BenchRow(
+public record BenchRow(
     String scene,
     Entrant entrant,
     int bodies,
@@ -41,7 +41,7 @@ record BenchRow(
     Map<String, Double> ratios,
     String fault) {
   /** A row about so many bodies without a world to look at. */
-  static BenchRow of(String scene, Entrant entrant, int bodies, Times times) {
+  public static BenchRow of(String scene, Entrant entrant, int bodies, Times times) {
     return new BenchRow(
         scene,
         entrant,
@@ -61,12 +61,12 @@ record BenchRow(
   }
 
   /** A run that gave no figures. */
-  static BenchRow failed(String scene, Entrant entrant, String fault) {
+  public static BenchRow failed(String scene, Entrant entrant, String fault) {
     return of(scene, entrant, 0, Times.NONE).withFault(fault);
   }
 
   /** The same with what the end state looks like. */
-  BenchRow withEnd(int jointCount, int awakeCount, SceneReport end) {
+  public BenchRow withEnd(int jointCount, int awakeCount, SceneReport end) {
     return new BenchRow(
         scene,
         entrant,
@@ -85,23 +85,28 @@ record BenchRow(
         fault);
   }
 
-  BenchRow withHash(long newHash) {
+  /** Returns the same with the hash of the last state. */
+  public BenchRow withHash(long newHash) {
     return with("%016x".formatted(newHash), stages, scaling, ratios, fault);
   }
 
-  BenchRow withStages(Map<String, Double> newStages) {
+  /** Returns the same with ms per step by name of the stage. */
+  public BenchRow withStages(Map<String, Double> newStages) {
     return with(hash, newStages, scaling, ratios, fault);
   }
 
-  BenchRow withScaling(Scaling newScaling) {
+  /** Returns the same with what several threads gain. */
+  public BenchRow withScaling(Scaling newScaling) {
     return with(hash, stages, newScaling, ratios, fault);
   }
 
-  BenchRow withRatios(Map<String, Double> newRatios) {
+  /** Returns the same with what others take, as multiples of this row's time. */
+  public BenchRow withRatios(Map<String, Double> newRatios) {
     return with(hash, stages, scaling, newRatios, fault);
   }
 
-  BenchRow withFault(String newFault) {
+  /** Returns the same with why it doesn't count. */
+  public BenchRow withFault(String newFault) {
     return with(hash, stages, scaling, ratios, newFault);
   }
 
@@ -130,21 +135,22 @@ record BenchRow(
   }
 
   /** Whether there are figures at all, good or bad. */
-  boolean isMeasured() {
+  public boolean isMeasured() {
     return times.steps() > 0;
   }
 
   /** Whether its figures are results. */
-  boolean counts() {
+  public boolean counts() {
     return isMeasured() && fault.isEmpty();
   }
 
-  double medianMs() {
+  /** Returns what half of the steps took no longer than, ms. */
+  public double medianMs() {
     return times.medianMs();
   }
 
   /** One object in one line; what wasn't measured is null. */
-  String toJson() {
+  public String toJson() {
     return new JsonLine.Writer()
         .text("scene", scene)
         .text("engine", entrant.engine())
@@ -178,7 +184,7 @@ record BenchRow(
    *
    * @throws IOException if it is something else
    */
-  static BenchRow ofJson(String json) throws IOException {
+  public static BenchRow ofJson(String json) throws IOException {
     JsonLine line = JsonLine.read(json);
     return new BenchRow(
         line.text("scene"),

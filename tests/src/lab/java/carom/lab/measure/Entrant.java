@@ -1,7 +1,5 @@
 package carom.lab.measure;
 
-import carom.lab.bench.CaromEngine;
-
 /**
  * Who is measured: an engine or a method, and how it was set up.
  *
@@ -9,14 +7,18 @@ import carom.lab.bench.CaromEngine;
  * @param kernels {@code vector} or {@code scalar} for the solver of Carom, else empty
  * @param threads how many threads step the world
  */
-record Entrant(String engine, String kernels, int threads) {
-  /** An engine or a method that knows neither kernels nor threads. */
-  static Entrant of(String engine) {
+public record Entrant(String engine, String kernels, int threads) {
+  /** The engine of this project, as {@link #engine}. */
+  public static final String CAROM = "carom";
+
+  /** Returns an engine or a method that knows neither kernels nor threads. */
+  public static Entrant of(String engine) {
     return new Entrant(engine, "", 1);
   }
 
-  boolean isCarom() {
-    return engine.equals(CaromEngine.NAME);
+  /** Whether it is Carom, however set up. */
+  public boolean isCarom() {
+    return engine.equals(CAROM);
   }
 
   /** As tables have it: {@code carom vector x2}. */

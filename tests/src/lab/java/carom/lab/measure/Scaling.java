@@ -9,11 +9,12 @@ package carom.lab.measure;
  * @param ceiling how many times as much several threads do when each steps a world of its own
  * @param share part of the ceiling that is reached
  */
-record Scaling(double speedUp, double ceiling, double share) {
-  static final Scaling NONE = new Scaling(Double.NaN, Double.NaN, Double.NaN);
+public record Scaling(double speedUp, double ceiling, double share) {
+  /** Not measured. */
+  public static final Scaling NONE = new Scaling(Double.NaN, Double.NaN, Double.NaN);
 
   /** Whether it was measured. */
-  boolean isMeasured() {
+  public boolean isMeasured() {
     return !Double.isNaN(share);
   }
 }

@@ -8,7 +8,7 @@ import java.util.Arrays;
  * Times pieces of work one by one: CPU time of the calling thread, the clock, and what is
  * allocated.
  */
-final class Stopwatch {
+public final class Stopwatch {
   private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
   private final boolean byClock;
@@ -29,7 +29,7 @@ final class Stopwatch {
    * @param byClock whether several threads work: the clock counts instead of the CPU time of the
    *     calling one, and what the others allocate, also between the pieces
    */
-  Stopwatch(int most, boolean byClock) {
+  public Stopwatch(int most, boolean byClock) {
     this.byClock = byClock;
     cpu = new double[most];
     wall = new double[most];
@@ -37,19 +37,19 @@ final class Stopwatch {
   }
 
   /** CPU time of the calling thread since it began, s. */
-  static double cpuSeconds() {
+  public static double cpuSeconds() {
     return THREADS.getCurrentThreadCpuTime() * 1e-9;
   }
 
   /** Begins a piece of work. */
-  void begin() {
+  public void begin() {
     bytesBegin = THREADS.getCurrentThreadAllocatedBytes();
     wallBegin = System.nanoTime();
     cpuBegin = THREADS.getCurrentThreadCpuTime();
   }
 
   /** Ends it. */
-  void end() {
+  public void end() {
     cpu[count] = (THREADS.getCurrentThreadCpuTime() - cpuBegin) * 1e-9;
     wall[count] = (System.nanoTime() - wallBegin) * 1e-9;
     bytes += THREADS.getCurrentThreadAllocatedBytes() - bytesBegin;
@@ -57,7 +57,7 @@ final class Stopwatch {
   }
 
   /** Does something between two pieces that isn't part of what is measured. */
-  void leaveOut(Runnable work) {
+  public void leaveOut(Runnable work) {
     long before = byOthers();
     work.run();
     othersBegin += byOthers() - before;
@@ -68,31 +68,32 @@ final class Stopwatch {
   }
 
   /** How many pieces were timed. */
-  int count() {
+  public int count() {
     return count;
   }
 
   /** How long they took together, s. */
-  double spent() {
+  public double spent() {
     return spent;
   }
 
   /** How many it can time. */
-  int most() {
+  public int most() {
     return cpu.length;
   }
 
   /** What the pieces from one on took by the clock, ms. */
-  double[] wallMs(int from) {
+  public double[] wallMs(int from) {
     return Arrays.stream(wall, from, count).map(seconds -> seconds * 1e3).toArray();
   }
 
-  boolean isFull() {
+  /** Whether it can time no more. */
+  public boolean isFull() {
     return count == cpu.length;
   }
 
   /** The result; times are sorted by it, so ask once, and before threads end that were left out. */
-  Times times() {
+  public Times times() {
     long allocated = byClock ? bytes + byOthers() - othersBegin : bytes;
     return Times.of(seconds().clone(), wall, count, allocated);
   }

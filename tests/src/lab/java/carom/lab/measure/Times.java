@@ -12,8 +12,10 @@ import java.util.Arrays;
  * @param wallMs median by the clock, ms
  * @param allocatedBytes per step
  */
-record Times(int steps, double medianMs, double p99Ms, double wallMs, double allocatedBytes) {
-  static final Times NONE = new Times(0, Double.NaN, Double.NaN, Double.NaN, Double.NaN);
+public record Times(
+    int steps, double medianMs, double p99Ms, double wallMs, double allocatedBytes) {
+  /** Nothing was measured. */
+  public static final Times NONE = new Times(0, Double.NaN, Double.NaN, Double.NaN, Double.NaN);
 
   /**
    * Sums up.
@@ -23,7 +25,7 @@ record Times(int steps, double medianMs, double p99Ms, double wallMs, double all
    * @param steps how many of both count
    * @param allocated bytes by all of them
    */
-  static Times of(double[] seconds, double[] wallSeconds, int steps, double allocated) {
+  public static Times of(double[] seconds, double[] wallSeconds, int steps, double allocated) {
     Arrays.sort(seconds, 0, steps);
     Arrays.sort(wallSeconds, 0, steps);
     return new Times(

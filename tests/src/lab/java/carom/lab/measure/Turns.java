@@ -13,9 +13,9 @@ import java.io.UncheckedIOException;
  * then slows all of them alike, and their ratios hold. A byte on standard input gives the turn, the
  * line {@value #PASSED} on standard output gives it back, and so does ending. Not thread-safe.
  */
-final class Turns {
+public final class Turns {
   /** The line that gives the turn back. */
-  static final String PASSED = "turn";
+  public static final String PASSED = "turn";
 
   private final InputStream in;
   private final PrintStream out;
@@ -26,7 +26,7 @@ final class Turns {
    * @param in where a byte gives the turn
    * @param out where a line gives it back
    */
-  Turns(InputStream in, PrintStream out) {
+  public Turns(InputStream in, PrintStream out) {
     this.in = in;
     this.out = out;
   }
@@ -36,7 +36,7 @@ final class Turns {
    *
    * @throws UncheckedIOException if it will never come as the one who gives it has ended
    */
-  void take() {
+  public void take() {
     try {
       if (in.read() < 0) {
         throw new IOException("no more turns");
@@ -51,7 +51,7 @@ final class Turns {
    *
    * @throws UncheckedIOException as {@link #take}
    */
-  void pass() {
+  public void pass() {
     out.println(PASSED);
     out.flush();
     take();

@@ -24,7 +24,7 @@ import picocli.CommandLine.Option;
           + " each tick and body."
     },
     footer = "Exit code 0 only if the decoder gave back exactly what was encoded.")
-final class CodecCommand implements Callable<Integer> {
+public final class CodecCommand implements Callable<Integer> {
 
   private static final int MAX_SECONDS = 600;
 
@@ -65,7 +65,8 @@ final class CodecCommand implements Callable<Integer> {
 
   @CommandLine.Spec private CommandLine.Model.CommandSpec spec;
 
-  CodecCommand() {}
+  /** Creates the command, for picocli. */
+  public CodecCommand() {}
 
   @Override
   public Integer call() {

@@ -1,13 +1,12 @@
 package carom.lab.bench;
 
-import carom.lab.measure.BenchRow;
-import carom.lab.measure.Entrant;
-import carom.lab.measure.Times;
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.lab.measure.BenchRow;
+import carom.lab.measure.Entrant;
+import carom.lab.measure.Times;
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonToken;

@@ -1,15 +1,14 @@
-package carom.lab.measure;
-
-import carom.lab.bench.BenchScene;
-import carom.lab.bench.BenchTable;
-import carom.lab.bench.Gate;
-import carom.lab.bench.ScalingMeter;
+package carom.lab.bench;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.lab.measure.BenchRow;
+import carom.lab.measure.Entrant;
+import carom.lab.measure.Scaling;
+import carom.lab.measure.Times;
 import carom.sim.scene.SceneReport;
 import java.io.IOException;
 import java.util.List;
