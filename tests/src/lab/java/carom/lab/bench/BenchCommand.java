@@ -62,7 +62,8 @@ public final class BenchCommand implements Callable<Integer> {
       split = ",",
       description =
           "What to measure, by name: a scene of the library or a row, or the groups scenes, state,"
-              + " bp (the broadphase alone) and rebuild (all of them and startup_10k).")
+              + " pairs (the engine's pair search within its steps), bp (its tree alone, beside"
+              + " other structures) and rebuild (all of them and startup_10k).")
   private List<String> scenes;
 
   @Option(

@@ -12,9 +12,9 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Results for people: the same tables on a terminal and in Markdown. The rows, the other engines'
- * times as multiples of Carom's, what threads gain, and where Carom's time goes. A figure of a run
- * that doesn't count has an exclamation mark.
+ * Results for people: the same tables on a terminal and in Markdown. The rows, those of the
+ * laboratory apart, the other engines' times as multiples of Carom's, what threads gain, and where
+ * Carom's time goes. A figure of a run that doesn't count has an exclamation mark.
  */
 final class BenchTable {
   private static final List<String> HEADERS =
@@ -34,6 +34,8 @@ final class BenchTable {
           "hash",
           "fault");
 
+  private static final String LAB_HEADER = "lab (not in the engine)";
+
   private BenchTable() {}
 
   /** Aligned by blanks. */
@@ -49,7 +51,8 @@ final class BenchTable {
   private static String tables(List<BenchRow> rows, String left, String middle, String right) {
     StringBuilder text = new StringBuilder();
     for (List<List<String>> table :
-        List.of(results(rows), ratios(rows), scaling(rows), stages(rows))) {
+        List.of(
+            results(rows, false), results(rows, true), ratios(rows), scaling(rows), stages(rows))) {
       if (table.size() > 1 || text.length() == 0) {
         text.append(text.length() == 0 ? "" : "\n").append(render(table, left, middle, right));
       }
@@ -86,13 +89,20 @@ final class BenchTable {
   }
 
   private static boolean isText(String header) {
-    return List.of("scene", "engine", "hash", "fault").contains(header);
+    return List.of("scene", "engine", LAB_HEADER, "hash", "fault").contains(header);
   }
 
-  private static List<List<String>> results(List<BenchRow> rows) {
-    List<List<String>> lines = new ArrayList<>(List.of(HEADERS));
+  /** What was measured; what no server or client uses is in a table of its own. */
+  private static List<List<String>> results(List<BenchRow> rows, boolean lab) {
+    List<String> headers = new ArrayList<>(HEADERS);
+    headers.set(1, lab ? LAB_HEADER : headers.get(1));
+    List<List<String>> lines = new ArrayList<>();
+    lines.add(headers);
     Map<String, BenchRow> firsts = firsts(rows);
     for (BenchRow row : rows) {
+      if (row.entrant().isLab() != lab) {
+        continue;
+      }
       lines.add(row.isMeasured() ? cells(row, firsts.get(row.scene())) : empty(row));
     }
     return lines;

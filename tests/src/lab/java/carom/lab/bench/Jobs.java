@@ -1,6 +1,7 @@
 package carom.lab.bench;
 
 import carom.lab.broadphase.BroadphaseJob;
+import carom.lab.broadphase.PairSearchJob;
 import carom.lab.broadphase.RebuildJob;
 import carom.lab.measure.BenchJob;
 import carom.sim.Suggestion;
@@ -18,6 +19,7 @@ final class Jobs {
     BenchScene.ALL.forEach(scene -> jobs.add(new SceneJob(scene)));
     jobs.addAll(StateJob.all());
     jobs.add(new StartupJob());
+    jobs.addAll(PairSearchJob.all());
     jobs.addAll(BroadphaseJob.all());
     jobs.addAll(RebuildJob.all());
     return jobs;
@@ -28,6 +30,7 @@ final class Jobs {
     return switch (name) {
       case "scenes" -> BenchScene.ALL.stream().<BenchJob>map(SceneJob::new).toList();
       case "state" -> StateJob.all();
+      case "pairs" -> PairSearchJob.all();
       case "bp" -> BroadphaseJob.all();
       case "rebuild" -> RebuildJob.all();
       default -> List.of();

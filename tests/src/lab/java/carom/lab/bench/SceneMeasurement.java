@@ -27,9 +27,6 @@ import java.util.Map;
  * stages told, which must end in the same bits.
  */
 final class SceneMeasurement {
-  /** What a row that was cut short by {@link Measurement#capSeconds} says. */
-  static final String CUT = "cut short";
-
   /** What the compiler needs to have seen, whatever the clock says. */
   private static final int LEAST_STEPS = 400;
 
@@ -86,7 +83,7 @@ final class SceneMeasurement {
         row = row.withStages(stages(how, scene, carom));
         fault = carom.stateHash() == hash ? fault : "two runs of the same scene end differently";
       }
-      return row.withFault(fault.isEmpty() && cut ? CUT : fault);
+      return row.withFault(fault.isEmpty() && cut ? Measurement.CUT : fault);
     } finally {
       engine.close();
     }

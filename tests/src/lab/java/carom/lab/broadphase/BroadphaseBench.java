@@ -12,7 +12,8 @@ import java.util.Arrays;
 import java.util.Locale;
 
 /**
- * A small benchmark of the broadphase alone: all boxes move, every overlapping pair is reported.
+ * A small benchmark of structures for the broadphase alone: all boxes move, every overlapping pair
+ * is reported. What the engine takes with them, {@link PairSearchJob} measures.
  *
  * <p>Times are CPU nanoseconds of the calling thread per box and tick, motion excluded. One row
  * takes about the seconds asked for.
@@ -22,14 +23,17 @@ public final class BroadphaseBench {
   public enum Method {
     /** KD-tree, built anew every tick. */
     KD_REBUILD,
-    /** KD-tree, refitted every tick, as the engine uses it. */
+    /** KD-tree, refitted every tick: the class that the engine uses, on all boxes as they are. */
     KD_REFIT,
-    /** Pairs kept while boxes stay within roomy ones, as the engine keeps its contacts. */
-    KD_CACHED,
     /** Quadtree, built anew every tick. */
     QUAD_REBUILD,
     /** Every box against every other. */
-    BRUTE_FORCE;
+    BRUTE_FORCE,
+    /**
+     * Pairs kept while boxes stay within roomy ones: {@link PairCache}, which no server or client
+     * uses yet.
+     */
+    LAB_PAIR_CACHE;
 
     @Override
     public String toString() {
@@ -45,7 +49,7 @@ public final class BroadphaseBench {
    * @param clustered whether the boxes were clustered
    * @param updateNs ns per box and tick to update the index (median)
    * @param pairsNs ns per box and tick to report all pairs (median)
-   * @param sumNs ns per box and tick, update and pairs (median; of {@code KD_CACHED} the mean)
+   * @param sumNs ns per box and tick, update and pairs (median; of {@code LAB_PAIR_CACHE} the mean)
    * @param p99Ns the same, slower than 99 of 100 ticks
    * @param worstNs ns per box of the slowest tick, update and pairs
    * @param ticks number of ticks measured
@@ -125,7 +129,7 @@ public final class BroadphaseBench {
     BruteForce brute = new BruteForce();
     PairCache cache = new PairCache();
     kd.rebuild(scene.boxes(), scene.ids(), n);
-    if (method == Method.KD_CACHED) {
+    if (method == Method.LAB_PAIR_CACHE) {
       cache.rebuild(scene.boxes(), scene.ids(), n);
     }
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
@@ -154,14 +158,14 @@ public final class BroadphaseBench {
       switch (method) {
         case KD_REBUILD -> kd.rebuild(scene.boxes(), scene.ids(), n);
         case KD_REFIT -> kd.refit();
-        case KD_CACHED -> cache.refit();
+        case LAB_PAIR_CACHE -> cache.refit();
         case QUAD_REBUILD -> quad.rebuild(scene.boxes(), scene.ids(), n);
         case BRUTE_FORCE -> brute.rebuild(scene.boxes(), scene.ids(), n);
       }
       long t1 = threads.getCurrentThreadCpuTime();
       switch (method) {
         case KD_REBUILD, KD_REFIT -> kd.pairs(tally);
-        case KD_CACHED -> cache.pairs(tally);
+        case LAB_PAIR_CACHE -> cache.pairs(tally);
         case QUAD_REBUILD -> quad.pairs(tally);
         case BRUTE_FORCE -> brute.pairs(tally);
       }
@@ -184,7 +188,7 @@ public final class BroadphaseBench {
         clustered,
         median(update, rows),
         median(pairs, rows),
-        method == Method.KD_CACHED ? mean : sum[rows / 2],
+        method == Method.LAB_PAIR_CACHE ? mean : sum[rows / 2],
         sum[(int) Math.ceil(0.99 * rows) - 1],
         sum[rows - 1],
         rows,

@@ -10,7 +10,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The broadphase alone: all boxes move, every overlapping pair is reported.
+ * Structures for the broadphase alone: all boxes move, every overlapping pair is reported. Under
+ * the engine's name goes its tree; {@link PairSearchJob} tells what the engine takes with it.
  *
  * @param name like {@code bp_uniform_10k}
  * @param boxes how many
@@ -35,7 +36,7 @@ public record BroadphaseJob(String name, int boxes, boolean clustered) implement
     return jobs;
   }
 
-  /** The engine's own way first, under the engine's name. */
+  /** The engine's tree first, under the engine's name. */
   @Override
   public List<Entrant> entrants(Choice wanted) {
     List<Entrant> all = new ArrayList<>();

@@ -15,6 +15,9 @@ interface FigureJob {
    */
   String CROWD = "crowd";
 
+  /** The job that measures a codec of the laboratory, which no server or client uses. */
+  String LAB_CODEC = "codec";
+
   /**
    * Measures.
    *
@@ -24,7 +27,7 @@ interface FigureJob {
 
   private static Map<String, FigureJob> all() {
     Map<String, FigureJob> jobs = new LinkedHashMap<>();
-    jobs.put("codec", TraceFigures::measure);
+    jobs.put("snapshots", SnapshotFigures::measure);
     jobs.put("naive", BroadcastFigures::measure);
     jobs.put("budget", BudgetFigures::measure);
     jobs.put("perfect", PredictionFigures::perfect);
@@ -36,6 +39,7 @@ interface FigureJob {
     jobs.put("rest", RestFigures::measure);
     jobs.put("entry", EntryFigures::measure);
     jobs.put("crowd", CrowdFigures::measure);
+    jobs.put(LAB_CODEC, TraceFigures::measure);
     return jobs;
   }
 }

@@ -42,8 +42,8 @@ public final class FiguresMain implements Callable<Integer> {
       paramLabel = "JOB",
       split = ",",
       description =
-          "these jobs: codec, naive, budget, perfect, alone, push, feel, rollback, encode,"
-              + " rest, entry, crowd")
+          "these jobs: snapshots, naive, budget, perfect, alone, push, feel, rollback, encode,"
+              + " rest, entry, crowd, codec")
   private List<String> only = new ArrayList<>();
 
   @Option(

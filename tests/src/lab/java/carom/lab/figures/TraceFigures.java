@@ -7,9 +7,13 @@ import carom.lab.trace.TraceReport;
 import java.util.List;
 
 /**
- * What recorded motion costs by {@code carom-bots codec}: baseline 100 ms old, poses only, payload.
+ * What recorded motion costs by the laboratory's codec, {@code carom-bots codec}, which no server
+ * or client uses: baseline 100 ms old, poses only, payload. What snapshots cost, {@link
+ * SnapshotFigures} measures.
  */
 final class TraceFigures {
+  private static final String LABEL = "lab: TraceCodec, poses alone, ";
+
   private TraceFigures() {}
 
   static List<Figure> measure(boolean quick) {
@@ -17,20 +21,20 @@ final class TraceFigures {
     Trace side = SceneTrace.of("plough", 20);
     Trace churn = SceneTrace.of("churn", 15);
     return List.of(
-        codec("901 bodies ploughed through, 60 Hz", above, 60, 6, 73).withNote("aim 40"),
-        codec("901 bodies ploughed through, 30 Hz", above, 30, 3, 37),
-        plain("the same seen from the side, piled up under gravity, 60 Hz", side, 60, 6),
-        plain("the same seen from the side, piled up under gravity, 30 Hz", side, 30, 3),
+        codec("901 bodies ploughed through on a table, 60 Hz", above, 60, 6, 73).withNote("aim 40"),
+        codec("901 bodies ploughed through on a table, 30 Hz", above, 30, 3, 37),
+        plain("901 bodies ploughed through under gravity, 60 Hz", side, 60, 6),
+        plain("901 bodies ploughed through under gravity, 30 Hz", side, 30, 3),
         codec("600 bodies in churning contact, 60 Hz", churn, 60, 6, 708)
             .withNote("naive Kryo objects: 7,750"));
   }
 
   private static Figure codec(String what, Trace trace, int rate, int lag, double reach) {
-    return Figure.atMost(reach, what, kbit(trace, rate, lag), "kbit/s");
+    return Figure.atMost(reach, LABEL + what, kbit(trace, rate, lag), "kbit/s");
   }
 
   private static Figure plain(String what, Trace trace, int rate, int lag) {
-    return Figure.shown(what, kbit(trace, rate, lag), "kbit/s");
+    return Figure.shown(LABEL + what, kbit(trace, rate, lag), "kbit/s");
   }
 
   private static double kbit(Trace trace, int rate, int lag) {

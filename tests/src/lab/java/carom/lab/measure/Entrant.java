@@ -8,12 +8,20 @@ package carom.lab.measure;
  * @param threads how many threads step the world
  */
 public record Entrant(String engine, String kernels, int threads) {
+  /** What the names of methods begin with that no server or client uses. */
+  private static final String LAB = "lab_";
+
   /** The engine of this project, as {@link #engine}. */
   public static final String CAROM = "carom";
 
   /** Returns an engine or a method that knows neither kernels nor threads. */
   public static Entrant of(String engine) {
     return new Entrant(engine, "", 1);
+  }
+
+  /** Whether it is a method that no server or client uses. */
+  public boolean isLab() {
+    return engine.startsWith(LAB);
   }
 
   /** Whether it is Carom, however set up. */

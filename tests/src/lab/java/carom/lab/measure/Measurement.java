@@ -12,6 +12,9 @@ import java.util.function.Consumer;
  * @param turns whose turn it is; this process has it
  */
 public record Measurement(double warmUpSeconds, double capSeconds, boolean quick, Turns turns) {
+  /** What a row that was cut short by {@link #capSeconds} says. */
+  public static final String CUT = "cut short";
+
   /** Enough that a slow minute of the machine is everybody's, few enough that caches are warm. */
   private static final int SLICES = 12;
 

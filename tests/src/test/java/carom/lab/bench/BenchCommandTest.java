@@ -151,7 +151,7 @@ class BenchCommandTest {
     for (int i = 1; i < 5; i++) {
       assertEquals(parse(rows.get(0)).get("hash"), parse(rows.get(i)).get("hash"), "same pairs");
     }
-    assertTrue(parse(rows.get(0)).containsKey("ratios.kd_cached"), rows.get(0));
+    assertTrue(parse(rows.get(0)).containsKey("ratios.lab_pair_cache"), rows.get(0));
     assertTrue(parse(rows.get(0)).containsKey("ratios.brute_force"), rows.get(0));
     assertTrue(err.toString().contains("kd_two_sorts"), "the tables: " + err);
   }
