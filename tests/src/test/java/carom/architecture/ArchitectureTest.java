@@ -34,6 +34,7 @@ final class ArchitectureTest {
       new ClassFileImporter()
           .withImportOption(new ImportOption.DoNotIncludeTests())
           .withImportOption(location -> !location.contains("testkit"))
+          .withImportOption(location -> !location.contains("carom/lab/"))
           .importPackages("carom");
 
   /** Everything a simulation's next state depends on. */
@@ -76,11 +77,16 @@ final class ArchitectureTest {
     allow("carom.sim.scene", "carom.physics..", "carom.sim");
     allow("carom.game", "carom.physics..", "carom.sim", "carom.sim.scene");
     allow("carom.net.codec");
-    allow("carom.lab.trace", "carom.net.codec");
     allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol");
     allow("carom.net.protocol", "carom.net.codec");
     allow("carom.net.transport", "carom.net.protocol");
-    allow("carom.net.kryo", "carom.net.protocol", "carom.net.transport", "carom.net.codec");
+    allow("carom.net.frame", "carom.net.protocol", "carom.net.transport");
+    allow(
+        "carom.net.kryo",
+        "carom.net.protocol",
+        "carom.net.transport",
+        "carom.net.frame",
+        "carom.net.codec");
     allow("carom.options", "carom.net.transport");
     allow("carom.replay", "carom.sim", "carom.physics", "carom.physics.archive", "carom.game");
     allow(
@@ -174,6 +180,16 @@ final class ArchitectureTest {
         .should()
         .dependOnClassesThat()
         .resideInAPackage("carom.server..")
+        .check(CAROM);
+  }
+
+  /** Commands that need the laboratory load it by name, from a folder of its own. */
+  @Test
+  void theLaboratoryIsNoPartOfTheProduct() {
+    noClasses()
+        .should()
+        .dependOnClassesThat()
+        .resideInAnyPackage("carom.lab..", "carom.testkit..")
         .check(CAROM);
   }
 

@@ -5,10 +5,10 @@ import carom.client.NetworkOptions;
 import carom.client.PredictionMode;
 import carom.client.ProgramVersion;
 import carom.client.StopSignal;
-import carom.net.kryo.CrowdTransport;
 import carom.net.protocol.PlayerName;
 import carom.net.transport.ClientTransport;
 import carom.options.BadFlag;
+import carom.options.Lab;
 import carom.options.LabCommand;
 import carom.physics.threads.WorkerThreads;
 import java.util.Locale;
@@ -197,10 +197,19 @@ public final class BotsMain implements Callable<Integer> {
             .withPrediction(prediction)
             .withTicksPerInputDatagram(ticksPerInputDatagram);
     try (StopSignal stop = new StopSignal();
-        ClientTransport transport = network.impair(new CrowdTransport());
+        ClientTransport transport = network.impair(sockets());
         WorkerThreads workers = new WorkerThreads(threadCount());
         BotFarm farm = new BotFarm(config, transport, count, seed, roam, churn, workers)) {
       return play(farm, stop);
+    }
+  }
+
+  /** All bots share a thread for their sockets, where other clients have one each. */
+  private ClientTransport sockets() {
+    try {
+      return Lab.create(ClientTransport.class, "carom.lab.crowd.CrowdTransport");
+    } catch (IllegalStateException e) {
+      throw new BadFlag(spec.commandLine(), e.getMessage());
     }
   }
 

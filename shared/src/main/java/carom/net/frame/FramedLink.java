@@ -1,4 +1,4 @@
-package carom.net.kryo;
+package carom.net.frame;
 
 import carom.net.protocol.Limits;
 import carom.net.transport.Broadcast;
@@ -16,7 +16,7 @@ import org.jctools.queues.atomic.SpscAtomicArrayQueue;
  * that a steady stream allocates nothing. JCTools' atomic queues are the ones that do without
  * {@code sun.misc.Unsafe}.
  */
-abstract class KryoLink implements Link {
+public abstract class FramedLink implements Link {
 
   /** A received datagram and its buffer. */
   private static final class Datagram {
@@ -41,7 +41,13 @@ abstract class KryoLink implements Link {
   private boolean closedReported;
   private long waitedNs;
 
-  KryoLink(MessageCodec codec, int maxMessages, int maxDatagrams) {
+  /**
+   * Creates a link that is being opened.
+   *
+   * @param maxMessages unread ones, at most
+   * @param maxDatagrams unread ones, at most; further ones are dropped
+   */
+  protected FramedLink(MessageCodec codec, int maxMessages, int maxDatagrams) {
     this.codec = codec;
     this.maxDatagrams = maxDatagrams;
     inbox = new MpscAtomicArrayQueue<>(maxMessages + maxDatagrams);
@@ -49,16 +55,16 @@ abstract class KryoLink implements Link {
   }
 
   /** Puts a frame on the TCP stream; false when the link can't take it, which closes the link. */
-  abstract boolean transmit(Frame.Payload frame);
+  protected abstract boolean transmit(Frame.Payload frame);
 
   /** Puts a datagram on the wire; false when it was dropped here. */
-  abstract boolean transmitDatagram(byte[] bytes, int offset, int length);
+  protected abstract boolean transmitDatagram(byte[] bytes, int offset, int length);
 
   /**
-   * The owner closed the link, which was in {@code before}: say goodbye to the peer and let go of
-   * the sockets.
+   * Says goodbye to the peer and lets go of the sockets: the owner closed the link, which was in
+   * {@code before}.
    */
-  abstract void disconnect(State before, String reason);
+  protected abstract void disconnect(State before, String reason);
 
   @Override
   public final State state() {
@@ -154,8 +160,8 @@ abstract class KryoLink implements Link {
     }
   }
 
-  /** CONNECTING becomes OPEN; false when the link is in another state. Any thread. */
-  final synchronized boolean open() {
+  /** Turns CONNECTING into OPEN; false when the link is in another state. Any thread. */
+  public final synchronized boolean open() {
     if (state != State.CONNECTING) {
       return false;
     }
@@ -164,10 +170,10 @@ abstract class KryoLink implements Link {
   }
 
   /**
-   * The link is CLOSED from now on; false when it was already, and keeps its first reason. Any
+   * Turns the link CLOSED for good; false when it was already, and keeps its first reason. Any
    * thread.
    */
-  final synchronized boolean finish(String reason) {
+  public final synchronized boolean finish(String reason) {
     if (state == State.CLOSED) {
       return false;
     }
@@ -177,10 +183,10 @@ abstract class KryoLink implements Link {
   }
 
   /**
-   * A datagram's payload for the owner; what doesn't fit is dropped. One thread, which may be
+   * Takes a datagram's payload for the owner; what doesn't fit is dropped. One thread, which may be
    * another than that of messages.
    */
-  final void receiveDatagram(ByteBuffer payload, long nowNs) {
+  public final void receiveDatagram(ByteBuffer payload, long nowNs) {
     int length = payload.remaining();
     Datagram datagram = unused != null ? unused : spare.poll();
     unused = null;
@@ -204,8 +210,8 @@ abstract class KryoLink implements Link {
     }
   }
 
-  /** A message for the owner; false when the inbox is full. One thread. */
-  final boolean receiveMessage(Object message, int bytes) {
+  /** Takes a message for the owner; false when the inbox is full. One thread. */
+  public final boolean receiveMessage(Object message, int bytes) {
     counters.messagesIn.incrementAndGet();
     counters.messageBytesIn.addAndGet(bytes);
     return inbox.offer(message);

@@ -1,5 +1,8 @@
-package carom.net.kryo;
+package carom.lab.crowd;
 
+import carom.net.frame.ClientEnd;
+import carom.net.frame.Frame;
+import carom.net.kryo.KryoMessageCodec;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.net.NoRouteToHostException;
@@ -47,7 +50,7 @@ final class CrowdLink extends ClientEnd {
   /** Opens the sockets. The transport's thread, as all that follows unless it says otherwise. */
   void begin() {
     try {
-      InetSocketAddress address = new InetSocketAddress(host, tcpPort);
+      InetSocketAddress address = new InetSocketAddress(host(), tcpPort());
       if (address.isUnresolved()) {
         lose(unknownHost());
         return;
@@ -58,7 +61,7 @@ final class CrowdLink extends ClientEnd {
       tcpKey = tcp.register(selector, SelectionKey.OP_CONNECT, this);
       udp = DatagramChannel.open();
       udp.configureBlocking(false);
-      udp.connect(new InetSocketAddress(address.getAddress(), udpPort));
+      udp.connect(new InetSocketAddress(address.getAddress(), udpPort()));
       udp.register(selector, SelectionKey.OP_READ, this);
       if (tcp.connect(address)) {
         connected();
@@ -102,7 +105,7 @@ final class CrowdLink extends ClientEnd {
     } catch (NoRouteToHostException x) {
       lose(noWay());
     } catch (IOException x) {
-      lose(tcp.isConnected() ? (tcpRegistered ? gone() : notCarom()) : noAnswer());
+      lose(tcp.isConnected() ? (isTcpRegistered() ? gone() : notCarom()) : noAnswer());
     } catch (RuntimeException x) {
       lose("the server sent what is no frame");
     }
@@ -110,14 +113,14 @@ final class CrowdLink extends ClientEnd {
 
   private void readFrames() throws IOException {
     if (tcp.read(frames) < 0) {
-      lose(tcpRegistered ? gone() : notCarom());
+      lose(isTcpRegistered() ? gone() : notCarom());
       return;
     }
     frames.flip();
     while (frames.remaining() >= Frame.LENGTH_BYTES && !isDisconnected()) {
       int length = frames.getInt(frames.position());
       if (length <= 0 || length > Frame.CLIENT_BUFFER_BYTES) {
-        lose(tcpRegistered ? "the server sent what is no frame" : notCarom());
+        lose(isTcpRegistered() ? "the server sent what is no frame" : notCarom());
         return;
       }
       if (frames.remaining() - Frame.LENGTH_BYTES < length) {
@@ -140,7 +143,7 @@ final class CrowdLink extends ClientEnd {
   /** Tells the server our UDP address; until it has heard it. */
   private void register(long now) {
     registerAt = now + REGISTER_NANOS;
-    byte[] fields = ByteBuffer.allocate(12).putInt(id).putLong(token).array();
+    byte[] fields = ByteBuffer.allocate(12).putInt(id()).putLong(token()).array();
     transmitDatagram(Frame.REGISTER_UDP, fields, 0, fields.length);
   }
 
@@ -153,7 +156,7 @@ final class CrowdLink extends ClientEnd {
       }
       return;
     }
-    if (!tcpRegistered) {
+    if (!isTcpRegistered()) {
       if (isLate(now)) {
         lose(tcp.isConnected() ? notCarom() : noAnswer());
       }
@@ -187,9 +190,9 @@ final class CrowdLink extends ClientEnd {
   }
 
   @Override
-  boolean transmit(Frame.Payload frame) {
+  protected boolean transmit(Frame.Payload frame) {
     synchronized (unsent) {
-      int bytes = Frame.tcpBytes(frame);
+      int bytes = frame.tcpBytes();
       if (unsent.remaining() < bytes) {
         lose("the server doesn't read what it is sent");
         return false;
@@ -224,7 +227,7 @@ final class CrowdLink extends ClientEnd {
   }
 
   @Override
-  boolean transmitDatagram(byte tag, byte[] bytes, int offset, int length) {
+  protected boolean transmitDatagram(byte tag, byte[] bytes, int offset, int length) {
     DatagramChannel channel = udp;
     if (channel == null || isDisconnected()) {
       return false;
@@ -241,7 +244,7 @@ final class CrowdLink extends ClientEnd {
   }
 
   @Override
-  void disconnect(State before, String reason) {
+  protected void disconnect(State before, String reason) {
     if (before != State.OPEN || !transmit(Frame.bye(reason))) {
       lose(reason);
       selector.wakeup();

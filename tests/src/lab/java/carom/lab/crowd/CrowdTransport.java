@@ -1,5 +1,8 @@
-package carom.net.kryo;
+package carom.lab.crowd;
 
+import carom.net.frame.Frame;
+import carom.net.kryo.KryoClientTransport;
+import carom.net.kryo.KryoMessageCodec;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.Link;
 import java.io.IOException;
@@ -22,7 +25,7 @@ public final class CrowdTransport implements ClientTransport, Runnable {
   private static final long SWEEP_NANOS = 50_000_000L;
   private static final long CLOSE_MILLIS = 2_000;
 
-  /** As in {@link DatagramPort}: of a crowd's datagrams, the next ones may gather for a moment. */
+  /** As at a server: of a crowd's datagrams, the next ones may gather for a moment. */
   private static final int CROWD = 4;
 
   private static final long GATHER_NANOS = 1_000_000L;
@@ -66,8 +69,6 @@ public final class CrowdTransport implements ClientTransport, Runnable {
    */
   @Override
   public Link connect(String host, int tcpPort, int udpPort) {
-    KryoClientTransport.checkPort("tcpPort", tcpPort);
-    KryoClientTransport.checkPort("udpPort", udpPort);
     if (closed) {
       throw new IllegalStateException("connect after close");
     }
