@@ -75,7 +75,7 @@ public final class SnapshotSender {
       Counters counters) {
     this.frames = capture.frames();
     this.view = new SessionView(capture.index(), player, config.viewMetres(), config.tickRateHz());
-    this.encoder = new SnapshotEncoder(frames, datagramKey, config.tickRateHz(), view);
+    this.encoder = new SnapshotEncoder(capture.deltas(), datagramKey, view);
     this.counters = counters;
     this.tickRateHz = config.tickRateHz();
     this.snapshotRateHz = Math.min(config.snapshotRateHz(), tickRateHz);

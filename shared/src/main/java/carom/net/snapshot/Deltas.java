@@ -14,7 +14,7 @@ import java.util.Arrays;
  *
  * <p>One thread, no allocation in the steady state. Memory: 280 bytes per slot and up to 8 MiB.
  */
-final class Deltas {
+public final class Deltas {
 
   private static final int MIN_SLOTS = 64;
 
@@ -43,7 +43,6 @@ final class Deltas {
   private static final int COUNT = (1 << COUNT_BITS) - 1;
 
   private final FrameRing ring;
-  private final int tickRate;
   private final Predictor predictor;
   private final DeltaCodec codec;
   private final SliceList slices = new SliceList();
@@ -83,16 +82,22 @@ final class Deltas {
   /** By block: the cheapest. */
   private byte[] profiles = {};
 
-  Deltas(FrameRing ring, int tickRate) {
+  /**
+   * Creates the deltas of a room.
+   *
+   * @param ring the room's frames; its gravity must be set before
+   * @param tickRate ticks per second, for prediction; the clients' decoders must be given the same
+   */
+  public Deltas(FrameRing ring, int tickRate) {
     this.ring = ring;
-    this.tickRate = tickRate;
     predictor = new Predictor(tickRate);
     predictor.gravity(ring.gravityX(), ring.gravityY());
     codec = new DeltaCodec(tickRate);
   }
 
-  int tickRate() {
-    return tickRate;
+  /** Returns the frames that the deltas are of. */
+  FrameRing ring() {
+    return ring;
   }
 
   /** The profile that the slot's deltas of the newest frame are coded with. */

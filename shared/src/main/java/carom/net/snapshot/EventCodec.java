@@ -2,6 +2,7 @@ package carom.net.snapshot;
 
 import carom.net.codec.BitReader;
 import carom.net.codec.BitWriter;
+import carom.net.codec.Bits;
 import carom.net.codec.Quantizer;
 
 /** One event on the wire: a pair of write and read that mirror each other. */
@@ -34,13 +35,13 @@ final class EventCodec {
     }
     writeEntity(w, e.first);
     writeEntity(w, e.second);
-    HeaderCodec.writeDifference(w, e.x);
-    HeaderCodec.writeDifference(w, e.y);
+    Bits.writeDifference(w, e.x);
+    Bits.writeDifference(w, e.y);
     w.write(e.strength != 0);
     if (e.strength != 0) {
       w.write(e.strength, 16);
     }
-    HeaderCodec.writeDifference(w, e.data);
+    Bits.writeDifference(w, e.data);
   }
 
   /** Reads an event; answers the ticks, not negative. The caller checks {@link #isSane}. */
@@ -50,10 +51,10 @@ final class EventCodec {
     e.player = r.readBit() ? PlayerId.read(r) : EventRecord.NONE;
     e.first = readEntity(r);
     e.second = readEntity(r);
-    e.x = HeaderCodec.readDifference(r);
-    e.y = HeaderCodec.readDifference(r);
+    e.x = Bits.readDifference(r);
+    e.y = Bits.readDifference(r);
     e.strength = r.readBit() ? r.read(16) : 0;
-    e.data = HeaderCodec.readDifference(r);
+    e.data = Bits.readDifference(r);
     return ticks;
   }
 

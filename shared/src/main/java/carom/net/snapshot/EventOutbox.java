@@ -37,9 +37,9 @@ final class EventOutbox {
 
   private static final int MAX_WAIT = 60;
   private static final int FIRST_ROOM = 16;
-  private static final int SENT_MASK = SentLog.SIZE - 1;
 
   private final EventRing ring;
+  private final int datagrams;
 
   // By the lowest bits of the event's number here: a ring that grows.
   private long[] numbers = {};
@@ -61,8 +61,15 @@ final class EventOutbox {
   private int waitTicks = MAX_WAIT / 2;
   private long lost;
 
-  EventOutbox(EventRing ring) {
+  /**
+   * Creates an empty outbox.
+   *
+   * @param ring the room's events
+   * @param datagrams how many are remembered until their ack comes, a power of two
+   */
+  EventOutbox(EventRing ring, int datagrams) {
     this.ring = ring;
+    this.datagrams = datagrams;
   }
 
   /** Tells the client of an event of the ring, soon. */
@@ -103,8 +110,8 @@ final class EventOutbox {
     sends = roomySends;
     acked = roomyAcked;
     if (size == 0) {
-      sentBase = new long[SentLog.SIZE];
-      sentSet = new long[SentLog.SIZE];
+      sentBase = new long[datagrams];
+      sentSet = new long[datagrams];
     }
   }
 
@@ -180,8 +187,8 @@ final class EventOutbox {
   void write(BitWriter w, int tick, int datagram, int budgetBits) {
     forgetLost();
     if (sentBase.length > 0) {
-      sentBase[datagram & SENT_MASK] = base;
-      sentSet[datagram & SENT_MASK] = 0;
+      sentBase[datagram & datagrams - 1] = base;
+      sentSet[datagram & datagrams - 1] = 0;
     }
     w.write(hasUnacked());
     if (!hasUnacked()) {
@@ -218,7 +225,7 @@ final class EventOutbox {
       sentTick[at] = tick;
     }
     w.write(false);
-    sentSet[datagram & SENT_MASK] = set;
+    sentSet[datagram & datagrams - 1] = set;
   }
 
   /** What the ring has forgotten can't be told any more. */
@@ -234,8 +241,8 @@ final class EventOutbox {
     if (sentBase.length == 0) {
       return;
     }
-    long from = sentBase[datagram & SENT_MASK];
-    for (long set = sentSet[datagram & SENT_MASK]; set != 0; set &= set - 1) {
+    long from = sentBase[datagram & datagrams - 1];
+    for (long set = sentSet[datagram & datagrams - 1]; set != 0; set &= set - 1) {
       long i = from + Long.numberOfTrailingZeros(set);
       if (i >= base && i < next) {
         acked[at(i)] = true;

@@ -13,8 +13,11 @@ package carom.net.snapshot;
  */
 public final class FrameRing {
 
+  /** Bits of a baseline's age, ticks. */
+  public static final int AGE_BITS = 6;
+
   /** Frames kept; a baseline is at most {@code SIZE - 1} ticks old. */
-  public static final int SIZE = 64;
+  public static final int SIZE = 1 << AGE_BITS;
 
   private static final int MASK = SIZE - 1;
 
@@ -29,7 +32,6 @@ public final class FrameRing {
   private final SlotTicks changedTicks = new SlotTicks();
 
   private final SlotTicks oldTicks = new SlotTicks();
-  private Deltas deltas;
   private FrameState level;
   private float gravityX;
   private float gravityY;
@@ -83,14 +85,6 @@ public final class FrameRing {
 
   float gravityY() {
     return gravityY;
-  }
-
-  /** The deltas that the sessions of a tick rate share. */
-  Deltas deltas(int tickRate) {
-    if (deltas == null || deltas.tickRate() != tickRate) {
-      deltas = new Deltas(this, tickRate);
-    }
-    return deltas;
   }
 
   /** What has changed since an older frame. */

@@ -10,6 +10,9 @@ import java.util.function.Consumer;
  */
 public final class FrameState {
 
+  /** Bits of a packed input that count. */
+  public static final long INPUT_MASK = (1L << 48) - 1;
+
   /** Bits of a number of teleports that are sent. */
   static final int TELEPORT_BITS = 4;
 
@@ -192,7 +195,7 @@ public final class FrameState {
     if (player >= inputs.length) {
       inputs = Arrays.copyOf(inputs, Math.max(16, Math.max(player + 1, 2 * inputs.length)));
     }
-    inputs[player] = packed & RelayCodec.INPUT_MASK;
+    inputs[player] = packed & INPUT_MASK;
   }
 
   /**

@@ -144,7 +144,7 @@ final class NearCodec {
   }
 
   private static void writePart(BitWriter w, NearState near) {
-    w.write(near.age, RecordCodec.AGE_BITS);
+    w.write(near.age, FrameRing.AGE_BITS);
     int told = 0;
     for (int i = 0; i < near.count; i++) {
       boolean isTold = told < near.toldCount && near.told[told] == i;
@@ -157,7 +157,7 @@ final class NearCodec {
   }
 
   private static void readPart(BitReader r, NearState near) {
-    int age = r.read(RecordCodec.AGE_BITS);
+    int age = r.read(FrameRing.AGE_BITS);
     near.beginPart(age, 0, 0);
     for (int i = 0; i < near.count; i++) {
       if (r.readBit()) {

@@ -27,7 +27,6 @@ final class RecordCodec {
   /** The end of the records, as a kind. */
   static final int END = 4;
 
-  static final int AGE_BITS = 6;
 
   /** Most records of a datagram, each slot of a run counted. */
   static final int MAX_RECORDS = 4_096;
@@ -170,7 +169,7 @@ final class RecordCodec {
       int other = ageBefore;
       ageBefore = this.age;
       boolean before = other > 0 && flag(c, AGE_BEFORE, age == other);
-      this.age = before ? other : c.plain(age, AGE_BITS);
+      this.age = before ? other : c.plain(age, FrameRing.AGE_BITS);
     }
     boolean same = !firstRun && flag(c, SAME_PROFILE, low == highProfile);
     lowProfile = same ? highProfile : c.plain(low, Profiles.BITS);

@@ -11,9 +11,6 @@ import java.util.Arrays;
  * other.
  */
 final class RelayCodec {
-  /** Bits of a packed input. */
-  static final long INPUT_MASK = (1L << 48) - 1;
-
   /** A baseline that is older tells nothing; then only the newest inputs are sent. */
   static final int MAX_WINDOW = 16;
 

@@ -162,7 +162,7 @@ public final class SnapshotDecoder {
     HeaderCodec.readFeedback(r, readFeedback, datagramTick);
     boolean withOwn = r.readBit();
     if (withOwn) {
-      int age = r.read(RecordCodec.AGE_BITS);
+      int age = r.read(FrameRing.AGE_BITS);
       OwnState baseline = age == 0 ? nothing : ownAt(datagramTick - age);
       if (baseline == null) {
         return DecodeStatus.NO_BASELINE;

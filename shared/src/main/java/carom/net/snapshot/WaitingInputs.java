@@ -38,7 +38,7 @@ public final class WaitingInputs {
       count = Arrays.copyOf(count, Math.max(2 * count.length, player + 1));
       inputs = Arrays.copyOf(inputs, count.length * MOST);
     }
-    inputs[player * MOST + count[player]++] = packed & RelayCodec.INPUT_MASK;
+    inputs[player * MOST + count[player]++] = packed & FrameState.INPUT_MASK;
     return true;
   }
 

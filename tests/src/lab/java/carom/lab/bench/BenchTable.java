@@ -2,7 +2,7 @@ package carom.lab.bench;
 
 import carom.lab.measure.BenchRow;
 import carom.lab.measure.Scaling;
-import carom.physics.dynamics.StepStage;
+import carom.physics.profile.StepStage;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;

@@ -10,7 +10,7 @@ import carom.lab.measure.Times;
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.physics.World;
-import carom.physics.dynamics.StepStage;
+import carom.physics.profile.StepStage;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneReport;
 import java.util.LinkedHashMap;

@@ -34,7 +34,7 @@ final class SnapshotFigures {
   private SnapshotFigures() {}
 
   static List<Figure> measure(boolean quick) {
-    double seconds = quick ? 3 : 20;
+    double seconds = quick ? 1 : 20;
     List<Figure> figures = new ArrayList<>();
     add(figures, "plough_above", "901 bodies ploughed through on a table", seconds);
     add(figures, "plough", "901 bodies ploughed through under gravity", seconds);

@@ -24,6 +24,8 @@ import java.util.Arrays;
  *
  * <p>One thread. Nothing is allocated after the first snapshot. Cost: grows with the bodies that
  * move; bodies at rest far from all others cost some nanoseconds and next to no bits.
+ *
+ * <p>One class of 750 lines, as encoder, decoder and what they learn are one walk over one state.
  */
 public final class TraceCodec {
 

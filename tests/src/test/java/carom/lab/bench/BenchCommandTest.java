@@ -135,17 +135,19 @@ class BenchCommandTest {
             "--quick",
             "--warm-up=0.1",
             "--cap=4",
-            "--scenes=bp_uniform_1k,rebuild_10k,hash_10k");
+            "--scenes=bp_uniform_1k,rebuild_10k,hash_10k,pairs_1k");
     assertEquals(0, status, err.toString());
     List<String> rows = out.toString().lines().toList();
-    assertEquals(5 + 3 + 2, rows.size(), out.toString());
+    assertEquals(5 + 3 + 2 + 2, rows.size(), out.toString());
     assertEquals("vector", parse(rows.get(8)).get("kernels"));
     assertEquals("scalar", parse(rows.get(9)).get("kernels"));
     for (String text : rows) {
       Map<String, String> row = parse(text);
       assertTrue(row.keySet().containsAll(PROMISED), text);
       assertEquals("", row.get("fault"), text);
-      assertEquals("null", row.get("kineticEnergy"), "no world to look at: " + text);
+      boolean hasWorld = row.get("scene").equals("pairs_1k");
+      assertEquals(hasWorld, !row.get("kineticEnergy").equals("null"), text);
+      assertEquals(hasWorld, row.containsKey("stages.pairs"), text);
     }
     assertEquals("carom", parse(rows.get(0)).get("engine"));
     for (int i = 1; i < 5; i++) {

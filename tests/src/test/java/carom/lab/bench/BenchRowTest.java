@@ -91,6 +91,16 @@ class BenchRowTest {
   }
 
   @Test
+  void whatTheEngineDoesNotUseHasATableOfItsOwn() {
+    List<String> lines =
+        BenchTable.plain(List.of(row(Entrant.of("lab_cache"), 1), row(CAROM, 2))).lines().toList();
+    assertTrue(lines.get(1).contains(CAROM.toString()), lines.toString());
+    assertEquals("", lines.get(2));
+    assertTrue(lines.get(3).contains("lab (not in the engine)"), lines.toString());
+    assertTrue(lines.get(4).contains("lab_cache"), lines.toString());
+  }
+
+  @Test
   void figuresOfRunsThatFailedAreMarked() {
     BenchRow peer = row(Entrant.of("dyn4j"), 64).withFault("kinetic energy J 9e4 above 500");
     BenchRow carom = row(CAROM, 2).withRatios(Map.of("dyn4j", 32.0, "jbox2d", 17.0));

@@ -59,12 +59,32 @@ class FiguresTest {
   }
 
   @Test
+  void whatShipsNowhereHasATableOfItsOwn() {
+    String table =
+        FigureTable.of(
+            List.of(
+                Figure.shown("lab: a codec", 1, "").of(FigureJob.LAB_CODEC),
+                Figure.shown("a snapshot", 2, "").of("snapshots")));
+    assertEquals(
+        """
+        | what | reach | measured | | note |
+        | --- | --- | --- | --- | --- |
+        | a snapshot |  | 2 |  |  |
+
+        | laboratory: in no server or client | reach | measured | | note |
+        | --- | --- | --- | --- | --- |
+        | lab: a codec |  | 1 |  |  |
+        """,
+        table);
+  }
+
+  @Test
   void anUnknownJobIsABadFlag() {
     assertEquals(2, FiguresMain.run("--only", "codex"));
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"naive", "budget", "entry"})
+  @ValueSource(strings = {"snapshots", "naive", "budget", "entry"})
   void inVirtualTimeTheLimitsAreKept(String job) throws Exception {
     for (Figure figure : FigureJob.ALL.get(job).measure(true)) {
       assertTrue(figure.reached(), figure.toString());

@@ -72,7 +72,7 @@ final class Channel {
     this.scene = scene;
     dice = new Dice(seed);
     name = "seed=" + seed;
-    encoder = new SnapshotEncoder(scene.ring, KEY, tickRate, interest);
+    encoder = new SnapshotEncoder(new Deltas(scene.ring, tickRate), KEY, interest);
     decoder = new SnapshotDecoder(scene.slots, KEY, scene.firstTick, tickRate);
   }
 

@@ -61,7 +61,7 @@ final class DeltasTest {
   @Test
   void aDeltaIsTheSameHoweverManyAskForIt() {
     frame(10);
-    Deltas shared = ring.deltas(TICK_RATE);
+    Deltas shared = new Deltas(ring, TICK_RATE);
     for (int round = 0; round < 40; round++) {
       frame(round < 20 ? 10 : 100); // more slots: its index grows
       for (int i = 0; i < 30; i++) {
@@ -82,7 +82,7 @@ final class DeltasTest {
     for (int i = 0; i <= OLDEST; i++) {
       frame(SLOTS);
     }
-    Deltas shared = ring.deltas(TICK_RATE);
+    Deltas shared = new Deltas(ring, TICK_RATE);
     for (int age = 1; age <= OLDEST; age++) {
       for (int slot = 0; slot < SLOTS; slot++) {
         shared.of(ring.newest(), ring.back(age), slot);
@@ -115,7 +115,7 @@ final class DeltasTest {
     for (int i = 0; i < 6; i++) {
       frame(200);
     }
-    Deltas shared = ring.deltas(TICK_RATE);
+    Deltas shared = new Deltas(ring, TICK_RATE);
     for (int round = 0; round < 60; round++) {
       frame(200);
       int word = random.nextInt(3);
@@ -152,7 +152,7 @@ final class DeltasTest {
 
   @Test
   void bodiesThatMoveAlikeHaveTheProfileThatSaysItShortest() {
-    Deltas shared = ring.deltas(TICK_RATE);
+    Deltas shared = new Deltas(ring, TICK_RATE);
     for (int round = 0; round < 40; round++) {
       FrameState frame = ring.begin(++tick);
       for (int slot = 0; slot < 128; slot++) {

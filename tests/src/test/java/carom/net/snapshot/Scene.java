@@ -152,7 +152,7 @@ final class Scene {
     return switch (player % 4) {
       case 0 -> held & 0x1f;
       case 1 -> held & 0xffff_0000L;
-      case 2 -> held & RelayCodec.INPUT_MASK;
+      case 2 -> held & FrameState.INPUT_MASK;
       default -> player;
     };
   }
