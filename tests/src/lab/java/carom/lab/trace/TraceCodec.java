@@ -1,8 +1,6 @@
 package carom.lab.trace;
 
 import carom.net.codec.BitCoder;
-import carom.net.codec.Mixture;
-import carom.net.codec.NumberModel;
 import carom.net.codec.Quantizer;
 import carom.net.codec.RangeDecoder;
 import carom.net.codec.RangeEncoder;

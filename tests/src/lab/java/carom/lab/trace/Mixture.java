@@ -1,5 +1,6 @@
-package carom.net.codec;
+package carom.lab.trace;
 
+import carom.net.codec.BitCoder;
 import java.util.Arrays;
 
 /**

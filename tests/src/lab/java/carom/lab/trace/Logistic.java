@@ -1,4 +1,4 @@
-package carom.net.codec;
+package carom.lab.trace;
 
 /**
  * The logistic function and its inverse on integers: probabilities in 1/65,536, log odds in 1/256.

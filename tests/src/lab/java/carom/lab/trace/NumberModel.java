@@ -1,4 +1,6 @@
-package carom.net.codec;
+package carom.lab.trace;
+
+import carom.net.codec.BitCoder;
 
 /**
  * Codes whole numbers that are mostly small as bits of an Exp-Golomb tree: zero or not, sign, how
