@@ -142,7 +142,28 @@ final class ArchitectureTest {
     allow("carom.sim.scene", "carom.physics..", "carom.sim");
     allow("carom.game", "carom.physics..", "carom.sim", "carom.sim.scene");
     allow("carom.net.codec");
-    allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol");
+    allow("carom.net.snapshot.event", "carom.net.codec", "carom.net.protocol");
+    allow(
+        "carom.net.snapshot.frame",
+        "carom.net.codec",
+        "carom.net.protocol",
+        "carom.net.snapshot.event");
+    allow(
+        "carom.net.snapshot.record",
+        "carom.net.codec",
+        "carom.net.protocol",
+        "carom.net.snapshot.frame");
+    allow(
+        "carom.net.snapshot.relay",
+        "carom.net.codec",
+        "carom.net.protocol",
+        "carom.net.snapshot.frame");
+    allow(
+        "carom.net.snapshot.exact",
+        "carom.net.codec",
+        "carom.net.snapshot.frame",
+        "carom.net.snapshot.relay");
+    allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol", "carom.net.snapshot.*");
     allow("carom.net.protocol", "carom.net.codec");
     allow("carom.net.transport", "carom.net.protocol");
     allow("carom.net.frame", "carom.net.protocol", "carom.net.transport");

@@ -2,10 +2,10 @@ package carom.server.replication;
 
 import carom.net.codec.Quantizer;
 import carom.net.protocol.Limits;
-import carom.net.snapshot.Deltas;
-import carom.net.snapshot.EventRecord;
-import carom.net.snapshot.FrameRing;
-import carom.net.snapshot.FrameState;
+import carom.net.snapshot.event.EventRecord;
+import carom.net.snapshot.frame.FrameRing;
+import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.record.Deltas;
 import carom.physics.World;
 import carom.physics.math.Trig;
 import carom.sim.Audience;

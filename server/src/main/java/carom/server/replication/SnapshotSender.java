@@ -1,10 +1,10 @@
 package carom.server.replication;
 
-import carom.net.snapshot.EventRing;
-import carom.net.snapshot.FrameRing;
 import carom.net.snapshot.InputFeedback;
-import carom.net.snapshot.OwnState;
 import carom.net.snapshot.SnapshotEncoder;
+import carom.net.snapshot.event.EventRing;
+import carom.net.snapshot.exact.OwnState;
+import carom.net.snapshot.frame.FrameRing;
 import carom.net.transport.Link;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;

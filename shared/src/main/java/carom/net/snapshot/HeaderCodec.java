@@ -3,6 +3,8 @@ package carom.net.snapshot;
 import carom.net.codec.BitReader;
 import carom.net.codec.BitWriter;
 import carom.net.codec.Bits;
+import carom.net.snapshot.exact.OwnState;
+import carom.net.snapshot.relay.RelayCodec;
 
 /**
  * Feedback and own section: what only a tick's first datagram carries. Pairs of write and read that

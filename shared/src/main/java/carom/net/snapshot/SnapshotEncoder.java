@@ -3,6 +3,17 @@ package carom.net.snapshot;
 import carom.net.codec.BitWriter;
 import carom.net.codec.Crc16;
 import carom.net.codec.RangeEncoder;
+import carom.net.snapshot.event.EventOutbox;
+import carom.net.snapshot.exact.NearCodec;
+import carom.net.snapshot.exact.NearRowCodec;
+import carom.net.snapshot.exact.OwnState;
+import carom.net.snapshot.frame.FrameRing;
+import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.frame.Motion;
+import carom.net.snapshot.frame.PlayerSet;
+import carom.net.snapshot.record.Deltas;
+import carom.net.snapshot.record.RecordCodec;
+import carom.net.snapshot.relay.RelayCodec;
 import java.util.Arrays;
 
 /**

@@ -1,6 +1,10 @@
 package carom.net.snapshot;
 
 import carom.net.codec.Quantizer;
+import carom.net.snapshot.exact.OwnState;
+import carom.net.snapshot.frame.FrameRing;
+import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.frame.WaitingInputs;
 import java.util.ArrayList;
 import java.util.List;
 
