@@ -1,12 +1,12 @@
 package carom.lab.peers;
 
+import carom.lab.bench.PeerEngine;
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.physics.Joint;
 import carom.physics.JointType;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Convex;
-import carom.lab.bench.PeerEngine;
 import org.dyn4j.collision.CategoryFilter;
 import org.dyn4j.dynamics.BodyFixture;
 import org.dyn4j.dynamics.ContinuousDetectionMode;

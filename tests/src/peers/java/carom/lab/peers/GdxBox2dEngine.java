@@ -1,10 +1,10 @@
 package carom.lab.peers;
 
+import carom.lab.bench.PeerEngine;
 import carom.physics.Joint;
 import carom.physics.JointType;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Convex;
-import carom.lab.bench.PeerEngine;
 import com.badlogic.gdx.math.Vector2;
 import com.badlogic.gdx.physics.box2d.Body;
 import com.badlogic.gdx.physics.box2d.BodyDef;

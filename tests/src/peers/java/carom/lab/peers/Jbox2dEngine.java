@@ -1,11 +1,11 @@
 package carom.lab.peers;
 
+import carom.lab.bench.PeerEngine;
 import carom.physics.Body;
 import carom.physics.Joint;
 import carom.physics.JointType;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Convex;
-import carom.lab.bench.PeerEngine;
 import org.jbox2d.collision.shapes.CircleShape;
 import org.jbox2d.collision.shapes.PolygonShape;
 import org.jbox2d.collision.shapes.Shape;
