@@ -112,12 +112,13 @@ public record PairSearchJob(String name, int boxes, int timed) implements BenchJ
     Shape[] shapes = new Shape[SIZES];
     Arrays.setAll(shapes, i -> new Box(in(random, 0.25, 0.5), in(random, 0.25, 0.5)));
     for (int i = 0; i < boxes; i++) {
+      int row = i / columns;
+      int column = i % columns;
       world.createBody(
           new BodyDef(BodyType.DYNAMIC)
               .shape(shapes[i % SIZES], IDEAL)
               .position(
-                  (float) ((i % columns + 0.5) * PITCH) - half,
-                  (float) ((i / columns + 0.5) * PITCH) - half)
+                  (float) ((column + 0.5) * PITCH) - half, (float) ((row + 0.5) * PITCH) - half)
               .angle(in(random, -Math.PI, Math.PI))
               .velocity(in(random, -SPEED, SPEED), in(random, -SPEED, SPEED)),
           null);
