@@ -4,7 +4,7 @@ import carom.lab.broadphase.BroadphaseJob;
 import carom.lab.broadphase.PairSearchJob;
 import carom.lab.broadphase.RebuildJob;
 import carom.lab.measure.BenchJob;
-import carom.sim.Suggestion;
+import carom.sim.level.Suggestion;
 import carom.sim.scene.Scenes;
 import java.util.ArrayList;
 import java.util.List;

@@ -7,7 +7,7 @@ import carom.client.PredictionMode;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.Level;
+import carom.sim.level.Level;
 import carom.sim.scene.SceneGame;
 import carom.sim.scene.Scenes;
 import carom.testkit.SimulatedClient;
