@@ -2,7 +2,6 @@ package carom.server;
 
 import carom.net.protocol.Protocol;
 import carom.options.BadFlag;
-import carom.server.bench.BenchCommand;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.scene.SceneRun;
@@ -34,7 +33,6 @@ import picocli.CommandLine.TypeConversionException;
     sortOptions = false,
     usageHelpAutoWidth = true,
     versionProvider = ServerMain.Version.class,
-    subcommands = BenchCommand.class,
     description = {"Runs a Carom game server: physics worlds that players join.", ""},
     footer = {
       "",
@@ -82,7 +80,8 @@ public final class ServerMain implements Callable<Integer> {
         CompletableFuture.supplyAsync(
             () -> (LoggerContext) LoggerFactory.getILoggerFactory(),
             task -> new Thread(task, "carom-logging").start());
-    CommandLine commandLine = BadFlag.explainedBy(new CommandLine(new ServerMain(loggingSoon)));
+    CommandLine commandLine =
+        BadFlag.explainedBy(CaromMain.withBench(new CommandLine(new ServerMain(loggingSoon))));
     commandLine.registerConverter(int.class, ServerMain::wholeNumber);
     commandLine.registerConverter(Long.class, ServerMain::longNumber);
     commandLine.registerConverter(ServerFlags.LogLevel.class, ServerFlags.LogLevel::of);
