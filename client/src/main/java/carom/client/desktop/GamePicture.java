@@ -120,7 +120,9 @@ final class GamePicture implements Disposable {
       debug.draw(view.predictedWorld().world(), camera.gdx(), pixelsPerMetre);
     }
     hud.names(view, camera, pixelsPerMetre);
-    hud.labels(flashes, camera);
+    hud.begin();
+    flashes.label(hud, camera);
+    hud.end();
     hud.scores(view, allScores);
     hud.notices(view, nowNs);
     hud.told(deltaSeconds);

@@ -10,6 +10,7 @@ import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;
 import com.badlogic.gdx.InputAdapter;
 import com.badlogic.gdx.ScreenAdapter;
+import com.badlogic.gdx.graphics.OrthographicCamera;
 
 /**
  * One visit to a server, from connecting to leaving: drives the client, draws its view, plays the
@@ -105,7 +106,8 @@ final class GameScreen extends ScreenAdapter {
     Hud hud = picture.hud();
     picture.draw(view, Gdx.input.isKeyPressed(Keys.TAB), nowNs, deltaSeconds);
     if (view.level() != null) {
-      picture.camera().tell(client);
+      OrthographicCamera shown = picture.camera().gdx();
+      client.look(shown.position.x, shown.position.y, shown.viewportWidth, shown.viewportHeight);
     }
     if (view.phase() != ConnectionPhase.PLAYING) {
       hud.phase(view);

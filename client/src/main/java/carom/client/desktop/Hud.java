@@ -119,13 +119,6 @@ final class Hud implements Disposable {
     }
   }
 
-  /** The words of events, where they happen. */
-  void labels(Flashes flashes, ViewCamera camera) {
-    batch.begin();
-    flashes.label(this, camera);
-    batch.end();
-  }
-
   /** One word around a place on the screen. */
   void floating(String text, Vector3 at, boolean large, Color textColor) {
     centred(large ? fonts.title : fonts.text, text, at.x, at.y, textColor);

@@ -1,6 +1,5 @@
 package carom.client.desktop;
 
-import carom.client.GameClient;
 import carom.sim.Level;
 import com.badlogic.gdx.graphics.OrthographicCamera;
 import com.badlogic.gdx.math.MathUtils;
@@ -35,11 +34,6 @@ final class ViewCamera {
   /** Whether there ever was somebody to follow; spectators have nobody. */
   boolean hasFollowed() {
     return placed;
-  }
-
-  /** Tells the client what is shown. */
-  void tell(GameClient client) {
-    client.look(camera.position.x, camera.position.y, camera.viewportWidth, camera.viewportHeight);
   }
 
   /** Pixels per metre. */
