@@ -1,5 +1,7 @@
 package carom.client.desktop;
 
+import carom.client.desktop.paint.Fonts;
+import carom.client.desktop.paint.Theme;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input;
 import com.badlogic.gdx.ScreenAdapter;

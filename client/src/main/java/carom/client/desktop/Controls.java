@@ -1,5 +1,6 @@
 package carom.client.desktop;
 
+import carom.client.desktop.paint.ViewCamera;
 import carom.sim.Input;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Buttons;

@@ -2,6 +2,7 @@ package carom.client.desktop;
 
 import carom.client.ClientOptions;
 import carom.client.Window;
+import carom.client.desktop.sound.AudioDevice;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.transport.ClientTransport;
