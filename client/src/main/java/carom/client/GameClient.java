@@ -235,7 +235,7 @@ public final class GameClient implements AutoCloseable {
    */
   private boolean isWorthTelling(int tick) {
     boolean known = heldTick >= steadyTick;
-    boolean mends = prediction != null && prediction.disagreedTick() >= 0;
+    boolean mends = prediction != null && prediction.agreement().disagreedTick() >= 0;
     boolean silent = tick - heardTick > SILENT_PAUSES * quietTicks();
     boolean late = stats.inputMargin() < 0;
     return !known || newsToAck || mends || silent || late || tick - toldTick >= quietTicks();
@@ -252,8 +252,9 @@ public final class GameClient implements AutoCloseable {
     datagram.ackSequence = decoder.hasAck() ? decoder.ackSequence() : 0;
     datagram.ackBits = decoder.hasAck() ? decoder.ackBits() : 0;
     datagram.near = prediction == null ? InputDatagram.NEAR_NONE : config.prediction().near();
-    datagram.disagrees = prediction != null && prediction.disagreedTick() >= 0;
-    datagram.disagreedTick = datagram.disagrees ? prediction.disagreedTick() & 0xffff : 0;
+    datagram.disagrees = prediction != null && prediction.agreement().disagreedTick() >= 0;
+    datagram.disagreedTick =
+        datagram.disagrees ? prediction.agreement().disagreedTick() & 0xffff : 0;
     datagram.newestTick = tick;
     datagram.viewDelay = viewDelay(tick);
     boolean holds = ackedTick >= steadyTick;
@@ -299,21 +300,27 @@ public final class GameClient implements AutoCloseable {
     }
     int compare = ownTick;
     ownTick = -1;
-    boolean alone = prediction.alone();
+    boolean alone = prediction.isAlone();
     prediction.reconcile(own, compare, decoder);
-    prove(compare, alone && prediction.alone());
+    prove(compare, alone && prediction.isAlone());
     proveNear(compare);
-    if (prediction.compared()) {
-      stats.compared(prediction.exact(), prediction.awakeBodies(), prediction.exactBodies());
+    if (prediction.result().compared()) {
+      stats.compared(
+          prediction.result().exact(),
+          prediction.result().awakeBodies(),
+          prediction.result().exactBodies());
     }
-    stats.rolledBack(prediction.rolledBack(), prediction.replayed(), prediction.replayNs());
-    stats.cutShort(prediction.cutShort());
-    stats.disagreements(prediction.disagreements());
+    stats.rolledBack(
+        prediction.result().rolledBackTicks(),
+        prediction.result().replayedTicks(),
+        prediction.result().replayNs());
+    stats.cutShort(prediction.replaysCutShort());
+    stats.disagreements(prediction.agreement().disagreements());
     stats.syncErrors(prediction.syncErrors());
-    if (prediction.corrected()) {
-      stats.corrected(prediction.correctionMetres());
+    if (prediction.result().corrected()) {
+      stats.corrected(prediction.result().correctionMetres());
     }
-    stats.correction.add(prediction.correctionMetres());
+    stats.correction.add(prediction.result().correctionMetres());
   }
 
   /**
@@ -321,13 +328,13 @@ public final class GameClient implements AutoCloseable {
    * wasn't, and knows better whether there was an ordinary reason.
    */
   private void prove(int tick, boolean alone) {
-    if (!prediction.compared() || !alone) {
+    if (!prediction.result().compared() || !alone) {
       equalTick = -1;
-    } else if (prediction.exact()) {
+    } else if (prediction.result().exact()) {
       equalTick = tick;
     } else if (equalTick >= 0) {
       if (mayReport()) {
-        OwnState wrong = prediction.predicted();
+        OwnState wrong = prediction.result().predicted();
         List<Integer> bits = new ArrayList<>();
         for (int i = 0; i < ClientMessage.Diverged.BITS; i++) {
           bits.add(wrong.bits(i));
@@ -344,17 +351,20 @@ public final class GameClient implements AutoCloseable {
    * bodies differs only the server can see: it is told all there is room for.
    */
   private void proveNear(int tick) {
-    if (!prediction.diverged() || prediction.divergedState().count() < 2 || !mayReport()) {
+    if (!prediction.agreement().hasDiverged()
+        || prediction.agreement().divergedState().count() < 2
+        || !mayReport()) {
       return;
     }
-    Neighbourhood state = prediction.divergedState();
+    Neighbourhood state = prediction.agreement().divergedState();
     List<Integer> bodies = new ArrayList<>();
     for (int i = 0; i < Math.min(state.count(), ClientMessage.DivergedNear.MAX_BODIES); i++) {
       for (int j = 0; j < ClientMessage.DivergedNear.BODY_INTS; j++) {
         bodies.add(state.entities()[i * Neighbourhood.ENTITY_INTS + j]);
       }
     }
-    connection.send(new ClientMessage.DivergedNear(tick, prediction.equalTick(), bodies));
+    connection.send(
+        new ClientMessage.DivergedNear(tick, prediction.agreement().equalTick(), bodies));
   }
 
   private boolean mayReport() {
@@ -484,7 +494,7 @@ public final class GameClient implements AutoCloseable {
       feedback(decoder.feedback(), tick, arrivedNs);
     }
     if (decoder.hasOwn() && prediction != null) {
-      prediction.hear(decoder.own().near(), tick);
+      prediction.receive(decoder.own().near(), tick);
     }
     if (decoder.hasOwn() && tick > ownTick) {
       own.set(decoder.own());

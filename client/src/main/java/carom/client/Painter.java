@@ -1,6 +1,6 @@
 package carom.client;
 
-import carom.client.interpolation.HistoryStates;
+import carom.client.interpolation.DecodedHistory;
 import carom.client.interpolation.Interpolator;
 import carom.client.interpolation.Pose;
 import carom.client.interpolation.VisualError;
@@ -64,7 +64,7 @@ final class Painter {
   private final Simulation simulation;
   private final Prediction prediction;
   private final Interpolator interpolator;
-  private final HistoryStates states = new HistoryStates();
+  private final DecodedHistory states = new DecodedHistory();
   private final Pose pose = new Pose();
   private final Pose then = new Pose();
   private Track[] tracks = {};
@@ -139,7 +139,7 @@ final class Painter {
     float share =
         prediction == null || !history.alive()
             ? 0
-            : prediction.drawn(slot, generation, fraction, drawn.pose);
+            : prediction.readPose(slot, generation, fraction, drawn.pose);
     boolean visible = index >= 0 || share > 0;
     if (track != null && !history.alive()) {
       track.ghost |= track.share > 0.5f;

@@ -61,7 +61,7 @@ public final class Interpolator {
    * @return index of the state the entity was last in at that moment, or -1 when it did not exist
    *     then
    */
-  public int sample(States states, double renderTick, Pose out) {
+  public int sample(StateHistory states, double renderTick, Pose out) {
     int size = states.size();
     int from = 0;
     while (from < size && states.tick(from) > renderTick) {
@@ -94,7 +94,7 @@ public final class Interpolator {
     return toTick;
   }
 
-  private boolean teleports(States states, int from, int to) {
+  private boolean teleports(StateHistory states, int from, int to) {
     if (states.teleports(from) != states.teleports(to)) {
       return true;
     }
@@ -105,7 +105,7 @@ public final class Interpolator {
     return way > TELEPORT_METRES + TELEPORT_FACTOR * fastest * seconds;
   }
 
-  private void extrapolate(States states, int index, double ticks, Pose out) {
+  private void extrapolate(StateHistory states, int index, double ticks, Pose out) {
     float ahead = (float) (ticks * tickSeconds);
     float faded = Math.max(0, Math.min(FADE_SECONDS, ahead - STRAIGHT_SECONDS));
     float left = 1 - faded / FADE_SECONDS;
@@ -122,7 +122,7 @@ public final class Interpolator {
         omega * left);
   }
 
-  private void hermite(States states, int from, int to, double renderTick, Pose out) {
+  private void hermite(StateHistory states, int from, int to, double renderTick, Pose out) {
     int ticks = states.tick(to) - states.tick(from);
     float seconds = ticks * tickSeconds;
     float t = (float) ((renderTick - states.tick(from)) / ticks);

@@ -3,6 +3,6 @@
  *
  * <p>May use {@code carom.net.snapshot} and {@code carom.net.codec}. One thread, no allocation.
  * Read first: {@link carom.client.interpolation.Interpolator}, {@link
- * carom.client.interpolation.States}, {@link carom.client.interpolation.Pose}.
+ * carom.client.interpolation.StateHistory}, {@link carom.client.interpolation.Pose}.
  */
 package carom.client.interpolation;

@@ -4,8 +4,8 @@ package carom.client.interpolation;
  * The known states of one entity slot, newest first: index 0 is the newest. Units: metres, radians,
  * metres and radians per second.
  */
-public interface States {
-  /** States known. */
+public interface StateHistory {
+  /** StateHistory known. */
   int size();
 
   /** Tick after which the entity was in this state. */

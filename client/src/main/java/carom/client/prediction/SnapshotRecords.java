@@ -1,8 +1,8 @@
 package carom.client.prediction;
 
-import carom.client.interpolation.HistoryStates;
+import carom.client.interpolation.DecodedHistory;
 import carom.client.interpolation.Pose;
-import carom.client.interpolation.States;
+import carom.client.interpolation.StateHistory;
 import carom.net.snapshot.EntityHistory;
 import carom.net.snapshot.RelayedInputs;
 import carom.net.snapshot.SnapshotDecoder;
@@ -10,24 +10,28 @@ import carom.sim.Archetype;
 import carom.sim.Neighbourhood;
 import carom.sim.Simulation;
 
-/** What has arrived: who is who, where everybody was, and what the other players did. */
-final class Records implements Neighbourhood.Identity {
-  /** Longest time a last known state is moved on in a straight line, ticks. */
-  private static final int LONGEST_COAST = 9;
+/**
+ * What the decoded snapshots tell a prediction: the identity of entities, their quantised states,
+ * and the relayed inputs of other players. One prediction's; allocates nothing.
+ */
+final class SnapshotRecords implements Neighbourhood.Identity {
+  /** Longest time that the newest state is extrapolated in a straight line, ticks. */
+  private static final int MAX_EXTRAPOLATION_TICKS = 9;
 
   private final Simulation simulation;
-  private final HistoryStates states = new HistoryStates();
+  private final DecodedHistory states = new DecodedHistory();
   private SnapshotDecoder decoder;
 
-  Records(Simulation simulation) {
+  SnapshotRecords(Simulation simulation) {
     this.simulation = simulation;
   }
 
-  /** Reads from this decoder from now on. */
-  void of(SnapshotDecoder newDecoder) {
+  /** Sets the decoder to read from. */
+  void readFrom(SnapshotDecoder newDecoder) {
     decoder = newDecoder;
   }
 
+  /** Returns the inputs of other players that the server relayed. */
   RelayedInputs inputs() {
     return decoder.inputs();
   }
@@ -42,8 +46,8 @@ final class Records implements Neighbourhood.Identity {
     return decoder.history(id).owner(0);
   }
 
-  /** Whether the newest record of a slot is of this entity, and its kind is known. */
-  boolean know(int key) {
+  /** Returns whether the newest record of a slot is this entity's, with a known archetype. */
+  boolean isKnown(int key) {
     EntityHistory history = decoder.history(Neighbourhood.id(key));
     return history != null
         && history.alive()
@@ -51,26 +55,31 @@ final class Records implements Neighbourhood.Identity {
         && archetype(Neighbourhood.id(key)) != null;
   }
 
-  /** How often an entity was teleported, as far as records tell; else 0. */
+  /** Returns the teleport counter of an entity, or 0 if no record tells. */
   int teleports(int id, int generation) {
     EntityHistory history = decoder.history(id);
     boolean known = history != null && history.alive() && history.generation(0) == generation;
     return known ? history.teleports(0) : 0;
   }
 
-  /** Reads an entity's state after a tick, as far as records tell; false when they don't. */
-  boolean pose(int key, int tick, Pose out) {
+  /**
+   * Reads the quantised state of an entity after a tick, extrapolated from the last record before.
+   *
+   * @param out receives the state; unchanged when the result is false
+   * @return whether a record tells
+   */
+  boolean readPose(int key, int tick, Pose out) {
     int generation = Neighbourhood.generation(key);
     EntityHistory history = decoder.history(Neighbourhood.id(key));
     int index = history.indexAt(tick);
     if (index < 0 || !history.alive(index) || history.generation(index) != generation) {
-      index = 0; // it is younger than the tick
+      index = 0; // the entity is younger than the tick
     }
     if (!history.alive(index) || history.generation(index) != generation) {
       return false;
     }
-    States s = states.of(history);
-    int age = Math.max(0, Math.min(LONGEST_COAST, tick - s.tick(index)));
+    StateHistory s = states.of(history);
+    int age = Math.max(0, Math.min(MAX_EXTRAPOLATION_TICKS, tick - s.tick(index)));
     float seconds = age * simulation.tickSeconds();
     out.set(
         s.x(index) + s.vx(index) * seconds,

@@ -12,20 +12,20 @@ import carom.sim.Simulation;
 import java.util.Arrays;
 
 /**
- * Puts the predicted simulation right: with an update of exact states, or, without one, from the
- * own section and the quantised records. One prediction's; allocates only to grow.
+ * Writes the server's state into the predicted simulation: exact states from an update or, without
+ * one, the own section and the quantised records. One prediction's; allocates only to grow.
  */
-final class Mending {
+final class Corrector {
   private static final int BODY = 1;
   private static final int REST = BODY + Excerpt.REST;
   private static final int PUSHES = REST + 1;
   private static final int MEMORY = BODY + Excerpt.BODY_INTS;
 
-  /** Where the floats of a contact begin; they go on to its end. */
+  /** Index of the first float of a contact; floats fill the rest of its row. */
   private static final int CONTACT_FLOATS = 6;
 
-  /** End of a contact that isn't taken over. */
-  private static final int NOWHERE = Integer.MAX_VALUE;
+  /** Place of an entity that is dropped; contacts with it are dropped, too. */
+  private static final int DROPPED = Integer.MAX_VALUE;
 
   private static final float POSITION_TOLERANCE = 1.0f / Quantizer.POSITION_STEPS;
   private static final float VELOCITY_TOLERANCE = 1.0f / Quantizer.VELOCITY_STEPS;
@@ -33,61 +33,68 @@ final class Mending {
   private static final float OMEGA_TOLERANCE = 1.0f / Quantizer.OMEGA_STEPS;
 
   private final Simulation simulation;
-  private final Records records;
-  private final Neighbourhood here = new Neighbourhood();
-  private final Neighbourhood right = new Neighbourhood();
+  private final SnapshotRecords records;
+
+  /** The predicted set before the correction. */
+  private final Neighbourhood current = new Neighbourhood();
+
+  /** The predicted set after it. */
+  private final Neighbourhood next = new Neighbourhood();
+
   private final int[] row = new int[Neighbourhood.ENTITY_INTS];
   private final int[] contact = new int[Neighbourhood.CONTACT_INTS];
 
-  /** By place in the update: the place in {@link #right}. */
+  /** By place in the update: the place in {@link #next}, or -1. */
   private final int[] placeOf = new int[NearState.MAX_ENTITIES];
 
-  /** By place in {@link #here}: the place in {@link #right}, or {@link #NOWHERE}. */
+  /** By place in {@link #current}: the place in {@link #next}, or {@link #DROPPED}. */
   private int[] newPlace = new int[16];
 
   private final Pose target = new Pose();
 
-  Mending(Simulation simulation, Records records) {
+  Corrector(Simulation simulation, SnapshotRecords records) {
     this.simulation = simulation;
     this.records = records;
   }
 
-  /** Takes nobody along: the simulation is left without entities. */
-  void empty() {
-    right.clear();
-    right.write(simulation, records);
+  /** Removes all entities from the simulation. */
+  void clear() {
+    next.clear();
+    next.write(simulation, records);
   }
 
   /**
-   * Takes an update over, at its base tick.
+   * Applies an update of exact states. The simulation must stand at its base tick.
    *
-   * @return whether it has an own body; if not, nothing has changed
+   * @param ownKey key of the own body
+   * @return whether the update contains the own body; if not, nothing has changed
    */
-  boolean take(NearUpdate update, int ownKey) {
+  boolean apply(NearUpdate update, int ownKey) {
     update.use();
-    here.readAll(simulation);
-    right.clear();
+    current.readAll(simulation);
+    next.clear();
     reserve();
-    Arrays.fill(newPlace, 0, here.count(), NOWHERE);
+    Arrays.fill(newPlace, 0, current.count(), DROPPED);
     int from = 0;
     for (int i = 0; i < update.count(); i++) {
       int key = update.key(i);
-      int mine = here.find(key, from);
-      from = mine < 0 ? from : mine + 1; // both follow the order of the world
+      int mine = current.find(key, from);
+      from = mine < 0 ? from : mine + 1; // both lists are in the order of the world
       placeOf[i] = -1;
-      boolean told = update.isTold(i) && isBody(update.rows(), update.entityAt(i));
-      if ((!told && mine < 0) || right.find(key, 0) >= 0) {
+      boolean hasState = update.hasState(i) && isBody(update.rows(), update.entityAt(i));
+      if ((!hasState && mine < 0) || next.find(key, 0) >= 0) {
         continue;
       }
-      placeOf[i] = right.count();
-      if (mine >= 0 && !update.isTold(i)) {
-        newPlace[mine] = placeOf[i]; // the contacts of those told are told, too
+      placeOf[i] = next.count();
+      if (mine >= 0 && !update.hasState(i)) {
+        newPlace[mine] = placeOf[i]; // an entity with a state comes with its contacts
       }
-      right.add(
-          told ? update.rows() : here.entities(), told ? update.entityAt(i) : mine * row.length);
+      next.add(
+          hasState ? update.rows() : current.entities(),
+          hasState ? update.entityAt(i) : mine * row.length);
     }
-    if (right.find(ownKey, 0) < 0) {
-      return false; // it is of another body's
+    if (next.find(ownKey, 0) < 0) {
+      return false; // the update is for another body
     }
     for (int i = 0; i < update.contacts(); i++) {
       System.arraycopy(update.rows(), update.contactAt(i), contact, 0, contact.length);
@@ -98,28 +105,28 @@ final class Mending {
       }
     }
     keepContacts();
-    right.write(simulation, records);
+    next.write(simulation, records);
     return true;
   }
 
   private void reserve() {
-    if (newPlace.length < here.count()) {
-      newPlace = new int[Math.max(2 * newPlace.length, here.count())];
+    if (newPlace.length < current.count()) {
+      newPlace = new int[Math.max(2 * newPlace.length, current.count())];
     }
   }
 
-  /** A place in the server's list, in ours. */
+  /** Translates a place in the update into one in {@link #next}. */
   private int translate(NearUpdate update, int end) {
     if (end < 0) {
       return end;
     }
-    return end < update.count() && placeOf[end] >= 0 ? placeOf[end] : NOWHERE;
+    return end < update.count() && placeOf[end] >= 0 ? placeOf[end] : DROPPED;
   }
 
-  /** Takes over the contacts that were here, between those who stay. */
+  /** Keeps the present contacts between entities that stay as they are. */
   private void keepContacts() {
-    for (int i = 0; i < here.contactCount(); i++) {
-      System.arraycopy(here.contacts(), i * contact.length, contact, 0, contact.length);
+    for (int i = 0; i < current.contactCount(); i++) {
+      System.arraycopy(current.contacts(), i * contact.length, contact, 0, contact.length);
       contact[0] = contact[0] < 0 ? contact[0] : newPlace[contact[0]];
       contact[1] = contact[1] < 0 ? contact[1] : newPlace[contact[1]];
       addContact();
@@ -127,53 +134,53 @@ final class Mending {
   }
 
   private void addContact() {
-    if (contact[0] != NOWHERE && contact[1] != NOWHERE) {
-      right.addContact(contact, 0);
+    if (contact[0] != DROPPED && contact[1] != DROPPED) {
+      next.addContact(contact, 0);
     }
   }
 
   /**
-   * Without an update: the own body becomes what the server had after a tick, and others go where
-   * their records have them, if those disagree.
+   * Corrects the simulation without an update. The own body gets the server's exact state; another
+   * body moves to its quantised record if it is farther away than quantisation explains.
    *
-   * @param own the own body as the server has it
-   * @param fresh whether nobody else is taken along
+   * @param own the own body after {@code stateTick}, as the server has it
+   * @param ownOnly whether all other entities are removed
    */
-  void putRight(OwnState own, int stateTick, boolean fresh) {
-    here.clear();
-    if (!fresh) {
-      here.readAll(simulation);
+  void correct(OwnState own, int stateTick, boolean ownOnly) {
+    current.clear();
+    if (!ownOnly) {
+      current.readAll(simulation);
     }
     int ownKey = Neighbourhood.key(own.slot(), own.generation());
-    right.clear();
+    next.clear();
     reserve();
     boolean ownListed = false;
-    for (int i = 0; i < here.count(); i++) {
+    for (int i = 0; i < current.count(); i++) {
       int at = i * row.length;
-      int key = here.entities()[at];
-      newPlace[i] = NOWHERE;
+      int key = current.entities()[at];
+      newPlace[i] = DROPPED;
       if (key == ownKey) {
         ownRow(own, ownKey);
         ownListed = true;
-      } else if (records.know(key)) {
-        System.arraycopy(here.entities(), at, row, 0, row.length);
-        if (!agrees(key, stateTick)) {
+      } else if (records.isKnown(key)) {
+        System.arraycopy(current.entities(), at, row, 0, row.length);
+        if (records.readPose(key, stateTick, target) && !isAtTarget(key)) {
           moveRow();
         }
       } else {
-        continue; // it is gone
+        continue; // the server has removed it
       }
-      newPlace[i] = right.count();
-      right.add(row, 0);
+      newPlace[i] = next.count();
+      next.add(row, 0);
     }
     if (!ownListed) {
-      right.clear();
+      next.clear();
       ownRow(own, ownKey);
-      right.add(row, 0);
+      next.add(row, 0);
     } else {
       keepContacts();
     }
-    right.write(simulation, records);
+    next.write(simulation, records);
   }
 
   private void ownRow(OwnState own, int ownKey) {
@@ -185,14 +192,14 @@ final class Mending {
     row[BODY + 4] = Float.floatToRawIntBits(own.vx());
     row[BODY + 5] = Float.floatToRawIntBits(own.vy());
     row[BODY + 6] = Float.floatToRawIntBits(own.omega());
-    row[REST] = 0; // players' bodies never rest
+    row[REST] = 0; // a player's body never sleeps
     Arrays.fill(row, PUSHES, MEMORY, 0);
     for (int i = 0; i < OwnState.MEMORY; i++) {
       row[MEMORY + i] = own.memory(i);
     }
   }
 
-  /** What comes from the network must not poison the simulation. */
+  /** Returns whether a row is a valid body: a bad number would poison the simulation. */
   private static boolean isBody(int[] rows, int at) {
     float cos = Float.intBitsToFloat(rows[at + BODY + 2]);
     float sin = Float.intBitsToFloat(rows[at + BODY + 3]);
@@ -210,11 +217,8 @@ final class Mending {
     return true;
   }
 
-  /** Whether an entity of {@link #row} is where its record has it, as far as that tells. */
-  private boolean agrees(int key, int stateTick) {
-    if (!records.pose(key, stateTick, target)) {
-      return true;
-    }
+  /** Returns whether an entity is at {@link #target}, as far as quantised records tell. */
+  private boolean isAtTarget(int key) {
     Entity e = simulation.entity(Neighbourhood.id(key));
     Body<Entity> body = e.body();
     return Math.abs(body.x() - target.x) <= POSITION_TOLERANCE
@@ -225,7 +229,7 @@ final class Mending {
         && Math.abs(Pose.wrap(body.angle() - target.angle)) <= ANGLE_TOLERANCE;
   }
 
-  /** Puts {@link #row} where {@link #target} is. */
+  /** Moves {@link #row} to {@link #target}, without sleep and forces. */
   private void moveRow() {
     float cos = (float) Math.cos(target.angle);
     float sin = (float) Math.sin(target.angle);

@@ -4,14 +4,14 @@ import carom.net.codec.Quantizer;
 import carom.net.snapshot.EntityHistory;
 
 /** Reads a decoder's history in metres and radians. Reused for one history after another. */
-public final class HistoryStates implements States {
+public final class DecodedHistory implements StateHistory {
   private EntityHistory history;
 
   /** Creates a reader; call {@link #of} before anything else. */
-  public HistoryStates() {}
+  public DecodedHistory() {}
 
   /** Reads this history from now on; returns this. */
-  public HistoryStates of(EntityHistory history) {
+  public DecodedHistory of(EntityHistory history) {
     this.history = history;
     return this;
   }
