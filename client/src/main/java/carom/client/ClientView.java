@@ -11,17 +11,22 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What a player sees: a read-only picture of the game at the moment of the last {@link
- * GameClient#update}. One object for the client's life; its content changes only in {@code update}.
- * Read it on the client's thread.
+ * What a player sees: a read-only picture of the game at the moment of the client's last update.
+ * One object for the client's life; its content changes only during an update. Read it on the
+ * client's thread.
  *
  * <p>Static geometry is not among the entities: draw it from {@link #level}.
  */
 public final class ClientView {
-  /** A line for the player's screen. */
+  /**
+   * A line for the player's screen.
+   *
+   * @param text the line
+   * @param arrivedNs when it arrived, by the clock of the client's updates
+   */
   public record Notice(String text, long arrivedNs) {}
 
-  /** One visible entity. Reused from frame to frame: read it, don't keep it. */
+  /** One visible entity. The object is reused from frame to frame: don't keep it. */
   public static final class Drawn {
     int id;
     int generation;
@@ -33,64 +38,62 @@ public final class ClientView {
 
     Drawn() {}
 
-    /** Its slot. */
+    /** Returns its slot. */
     public int id() {
       return id;
     }
 
-    /** Tells it from an earlier entity in the same slot. */
+    /** Returns its generation, which tells it from an earlier entity in the same slot. */
     public int generation() {
       return generation;
     }
 
-    /** Shapes and appearance. */
+    /** Returns its archetype: shapes and appearance. */
     public Archetype archetype() {
       return archetype;
     }
 
-    /** Player id of its owner, or -1. */
+    /** Returns the player id of its owner, or -1. */
     public int ownerId() {
       return ownerId;
     }
 
-    /** Body origin as drawn, metres. */
+    /** Returns x of the body origin as drawn, metres. */
     public float x() {
       return pose.x;
     }
 
-    /** Body origin as drawn, metres. */
+    /** Returns y of the body origin as drawn, metres. */
     public float y() {
       return pose.y;
     }
 
-    /** Angle as drawn, radians counter-clockwise. */
+    /** Returns the angle as drawn, radians counter-clockwise. */
     public float angle() {
       return pose.angle;
     }
 
-    /** Velocity, metres per second. */
+    /** Returns x of the velocity, m/s. */
     public float velocityX() {
       return pose.vx;
     }
 
-    /** Velocity, metres per second. */
+    /** Returns y of the velocity, m/s. */
     public float velocityY() {
       return pose.vy;
     }
 
-    /** Angular velocity, radians per second. */
+    /** Returns the angular velocity, rad/s. */
     public float angularVelocity() {
       return pose.omega;
     }
 
-    /** Opacity 0..1: what has just appeared fades in. */
+    /** Returns the opacity, 0..1: an entity that has just appeared fades in. */
     public float alpha() {
       return alpha;
     }
 
-    /**
-     * 1 = drawn as predicted for the present, 0 = as interpolated in the past, between: a blend.
-     */
+    /** Returns the weight of the prediction, 0..1: 1 = predicted present, 0 = interpolated past. */
     public float predicted() {
       return predicted;
     }
@@ -102,7 +105,7 @@ public final class ClientView {
   private final List<Drawn> pool = new ArrayList<>();
   private final List<RosterEntry> players = new ArrayList<>();
   private final List<Notice> notices = new ArrayList<>();
-  private Runnable painter = () -> {};
+  private Runnable composer = () -> {};
   private boolean stale;
   private int count;
   private int own = -1;
@@ -124,27 +127,23 @@ public final class ClientView {
     this.stats = stats;
   }
 
-  // ---- written by the client
+  // ---- written by a ViewWriter
 
-  /** Who fills in the entities when somebody looks at them: bots look less often than people. */
-  void painter(Runnable painter) {
-    this.painter = painter;
+  /** Sets what fills in the entities when somebody looks: bots look less often than people. */
+  void composer(Runnable newComposer) {
+    composer = newComposer;
   }
 
-  /** There is a new moment to show. */
-  void invite() {
+  /** Marks the entities as out of date. */
+  void invalidate() {
     stale = true;
   }
 
-  /** Keeps what is shown: playing has stopped. */
-  void freeze() {
-    look();
-  }
-
-  private void look() {
+  /** Composes the entities if they are out of date. */
+  void compose() {
     if (stale) {
       stale = false;
-      painter.run();
+      composer.run();
     }
   }
 
@@ -160,16 +159,13 @@ public final class ClientView {
     return pool.get(count++);
   }
 
-  void dropLast() {
+  void removeLast() {
     count--;
   }
 
-  int lastIndex() {
-    return count - 1;
-  }
-
-  void own(int index) {
-    own = index;
+  /** Makes the entity that was added last the own one. */
+  void markLastAsOwn() {
+    own = count - 1;
   }
 
   void roster(Roster changes) {
@@ -188,74 +184,74 @@ public final class ClientView {
     notices.add(new Notice(text, nowNs));
   }
 
-  // ---- read by everybody
+  // ---- read by users
 
-  /** Where the client stands on its way into the game. */
+  /** Returns where the client stands on its way into the game. */
   public ConnectionPhase phase() {
     return phase;
   }
 
   /**
-   * One or two sentences for the player about {@link #phase}: what is being done, what went wrong
-   * and what to do about it. Empty while playing.
+   * Returns one or two sentences for the player about {@link #phase}: what is being done, what went
+   * wrong and what to do about it. Empty while playing.
    */
   public String message() {
     return message;
   }
 
-  /** Share of the level that has arrived, 0..1. */
+  /** Returns the share of the level that has arrived, 0..1. */
   public double loadingProgress() {
     return progress;
   }
 
-  /** Name of the game that is played, or an empty string before it is known. */
+  /** Returns the name of the game, or an empty string before it is known. */
   public String game() {
     return game;
   }
 
-  /** The level with its statics, bounds and colours, or null before it is loaded. */
+  /** Returns the level with its statics, bounds and colours, or null before it is loaded. */
   public Level level() {
     return level;
   }
 
-  /** The player's own id, or -1 before it is known. */
+  /** Returns the player's own id, or -1 before it is known. */
   public int playerId() {
     return playerId;
   }
 
-  /** The server's ticks per second. */
+  /** Returns the server's ticks per second. */
   public int tickRate() {
     return tickRate;
   }
 
-  /** The tick the client has predicted; ahead of the server. */
+  /** Returns the tick the client has predicted; it is ahead of the server. */
   public int tick() {
     return tick;
   }
 
-  /** The moment of the server's past that interpolated entities are drawn at, in ticks. */
+  /** Returns the moment of the server's past that interpolated entities are drawn at, ticks. */
   public double renderTick() {
     return renderTick;
   }
 
-  /** Visible entities. */
+  /** Returns the number of visible entities. */
   public int entityCount() {
-    look();
+    compose();
     return count;
   }
 
-  /** A visible entity, index 0..{@link #entityCount} - 1, ascending by id. */
+  /** Returns a visible entity by index, 0..{@link #entityCount} - 1, ascending by id. */
   public Drawn entity(int index) {
-    look();
+    compose();
     if (index < 0 || index >= count) {
       throw new IndexOutOfBoundsException("index=" + index + " is outside 0.." + (count - 1));
     }
     return pool.get(index);
   }
 
-  /** The visible entity with this id, or null. */
+  /** Returns the visible entity with this id, or null. */
   public Drawn find(int id) {
-    look();
+    compose();
     int low = 0;
     int high = count - 1;
     while (low <= high) {
@@ -273,18 +269,18 @@ public final class ClientView {
     return null;
   }
 
-  /** The body the player steers, or null while there is none or it is not visible. */
+  /** Returns the body the player steers, or null while there is none or it is not visible. */
   public Drawn own() {
-    look();
+    compose();
     return own < 0 ? null : pool.get(own);
   }
 
-  /** Who plays, ascending by id, with scores; unmodifiable by the reader. */
+  /** Returns the players with their scores, ascending by id. Do not change the list. */
   public List<RosterEntry> players() {
     return players;
   }
 
-  /** A player's name, or an empty string when nobody has this id. */
+  /** Returns a player's name, or an empty string if no player has this id. */
   public String playerName(int playerId) {
     for (int i = 0; i < players.size(); i++) {
       if (players.get(i).playerId() == playerId) {
@@ -294,29 +290,29 @@ public final class ClientView {
     return "";
   }
 
-  /** The last few lines from the server, oldest first; unmodifiable by the reader. */
+  /** Returns the last few lines from the server, oldest first. Do not change the list. */
   public List<Notice> notices() {
     return notices;
   }
 
-  /** The game's four ints of the own player, as predicted: cooldowns and the like. */
+  /** Returns one of the game's four ints of the own player, as predicted: cooldowns etc. */
   public int memory(int index) {
     return memory[index];
   }
 
-  /** The input that was sampled last; do not change it. */
+  /** Returns the input that was sampled last. Do not change it. */
   public Input input() {
     return input;
   }
 
-  /** Numbers about the connection. */
+  /** Returns figures about the connection. */
   public NetStats stats() {
     return stats;
   }
 
   /**
-   * The predicted simulation, for debug drawing of contacts, AABBs and tree cells; null when
-   * nothing is predicted. Look, don't touch.
+   * Returns the predicted simulation, for debug drawing of contacts, AABBs and tree cells; null if
+   * nothing is predicted. Do not change it.
    */
   public Simulation predictedWorld() {
     return predictedWorld;

@@ -3,18 +3,17 @@ package carom.client;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.Limits;
-import carom.net.protocol.PackedLevel;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.sim.Level;
-import carom.sim.LevelException;
 
 /**
- * The way into the game and back: opens the link, says hello, fetches the level, notices when the
- * line is dead, and comes back with the session's secret. Knows nothing of ticks and worlds.
+ * Connects to a server and comes back after a loss. It opens the link, says hello, downloads the
+ * level, notices a dead line, and resumes the session with its secret. It knows nothing of ticks
+ * and worlds. One client's; one thread.
  *
  * <pre>
  * WAITING ─► CONNECTING ─► JOINING ─► LOADING ─► PLAYING
@@ -23,10 +22,10 @@ import carom.sim.LevelException;
  * </pre>
  */
 final class Connection implements LinkHandler {
-  /** What the connection tells its client. */
+  /** Receives what a connection brings. */
   interface Listener {
     /**
-     * The server let us in and the level is here: get ready to play.
+     * The server has let the client in and the level is here: playing begins.
      *
      * @return null, or why this client can't play, in words for the player
      */
@@ -39,13 +38,13 @@ final class Connection implements LinkHandler {
      */
     void datagram(byte[] bytes, int length, long arrivedNs);
 
-    /** Who plays has changed. */
+    /** The list of players has changed. */
     void roster(ServerMessage.Roster roster);
 
-    /** A line for the player. */
+    /** The server has sent a line for the player. */
     void notice(String text);
 
-    /** Playing is over for now, or for good. */
+    /** Playing is over, for now or for good. */
     void stopped();
   }
 
@@ -64,22 +63,19 @@ final class Connection implements LinkHandler {
   private static final long JOIN_TIMEOUT_NS = 10_000 * MS;
   private static final long LOAD_SILENCE_NS = 15_000 * MS;
 
-  /** Snapshots come several times a second; a gap of 5 s is survived, as on the server. */
+  /** Silence after which a link counts as lost. Client and server survive gaps of 5 s. */
   private static final long PLAY_SILENCE_NS = 6_000 * MS;
-
-  private static final long FIRST_BACKOFF_NS = 250 * MS;
-  private static final long LONGEST_BACKOFF_NS = 4_000 * MS;
-  private static final long GIVE_UP_NS = 90_000 * MS;
-
-  /** Level pieces asked for and not yet received: hides the round trip. */
-  private static final int PIECES_IN_FLIGHT = 16;
 
   private static final int MAX_POLL = 2_048;
 
-  private final ClientConfig config;
+  private final ServerAddress address;
+  private final String playerName;
+  private final boolean reconnects;
   private final ClientTransport transport;
   private final Listener listener;
-  private final NetStats stats;
+  private final NetStatsRecorder stats;
+  private final ReconnectTimer comeback = new ReconnectTimer();
+  private final LevelDownload download = new LevelDownload();
 
   private Stage stage = Stage.IDLE;
   private String message = "";
@@ -89,39 +85,44 @@ final class Connection implements LinkHandler {
   private long lastHeardNs;
   private long askedNs;
   private long roundTripNs;
-  private boolean comingBack;
-  private boolean mayPass;
-  private long lostNs;
-  private long nextAttemptNs;
-  private long backoffNs;
-  private int attempts;
+  private boolean retryUseful;
   private long countedIn;
   private long countedOut;
 
   private ServerMessage.Welcome welcome;
   private long secret;
-  private byte[] packedLevel;
-  private long packedHash;
-  private int levelReceived;
-  private int levelAsked;
-  private Level level;
-  private long levelHash;
 
-  Connection(ClientConfig config, ClientTransport transport, Listener listener, NetStats stats) {
-    this.config = config;
+  /**
+   * Creates a connection that opens its link at the first {@link #update}.
+   *
+   * @param address of the server
+   * @param playerName the player's name
+   * @param reconnects whether to come back after a link was lost
+   */
+  Connection(
+      ServerAddress address,
+      String playerName,
+      boolean reconnects,
+      ClientTransport transport,
+      Listener listener,
+      NetStatsRecorder stats) {
+    this.address = address;
+    this.playerName = playerName;
+    this.reconnects = reconnects;
     this.transport = transport;
     this.listener = listener;
     this.stats = stats;
   }
 
+  /** Takes in what has arrived and does what is due. */
   void update(long nowNs) {
     this.nowNs = nowNs;
     switch (stage) {
       case IDLE -> open();
       case WAITING -> {
-        if (nowNs - lostNs > GIVE_UP_NS) {
-          end("The server at " + address() + " did not come back. " + message);
-        } else if (nowNs >= nextAttemptNs) {
+        if (comeback.isOver(nowNs)) {
+          end("The server at " + address + " did not come back. " + message);
+        } else if (comeback.isDue(nowNs)) {
           open();
         }
       }
@@ -136,19 +137,19 @@ final class Connection implements LinkHandler {
   }
 
   private void open() {
-    mayPass = false;
-    attempts++;
+    retryUseful = false;
+    comeback.attempt();
     enter(Stage.CONNECTING);
-    if (!comingBack) {
-      message = "Connecting to " + address() + " ...";
+    if (!comeback.isRunning()) {
+      message = "Connecting to " + address + " ...";
     }
     countedIn = 0;
     countedOut = 0;
-    link = transport.connect(config.host(), config.tcpPort(), config.udpPort());
+    link = transport.connect(address.host(), address.tcpPort(), address.udpPort());
     progress();
   }
 
-  /** Moves on what moves on without a message: an open link, a deadline. */
+  /** Checks for an open link and for deadlines. */
   private void progress() {
     long waited = nowNs - stageSinceNs;
     switch (stage) {
@@ -159,26 +160,26 @@ final class Connection implements LinkHandler {
           lastHeardNs = nowNs;
           link.send(
               new ClientMessage.Hello(
-                  Protocol.VERSION, Protocol.physicsDigest(), config.name(), secret));
+                  Protocol.VERSION, Protocol.physicsDigest(), playerName, secret));
         } else if (link.state() == Link.State.CLOSED) {
           poll(); // delivers the reason
         } else if (waited > CONNECT_TIMEOUT_NS) {
-          fail("No answer from " + address() + ". Check the address; is the server running?");
+          fail("No answer from " + address + ". Check the address; is the server running?");
         }
       }
       case JOINING -> {
         if (waited > JOIN_TIMEOUT_NS) {
-          fail(address() + " accepts connections but says nothing. Is it a Carom server?");
+          fail(address + " accepts connections but says nothing. Is it a Carom server?");
         }
       }
       case LOADING -> {
         if (nowNs - lastHeardNs > LOAD_SILENCE_NS) {
-          fail("The level stopped arriving from " + address() + ".");
+          fail("The level stopped arriving from " + address + ".");
         }
       }
       case PLAYING -> {
         if (nowNs - lastHeardNs > PLAY_SILENCE_NS) {
-          fail("The connection to " + address() + " was lost.");
+          fail("The connection to " + address + " was lost.");
         }
       }
       default -> {}
@@ -195,8 +196,7 @@ final class Connection implements LinkHandler {
     var counters = counted.counters();
     long in = counters.datagramBytesIn.get() + counters.messageBytesIn.get();
     long out = counters.datagramBytesOut.get() + counters.messageBytesOut.get();
-    stats.bytesIn((int) (in - countedIn));
-    stats.bytesOut((int) (out - countedOut));
+    stats.bytes((int) (in - countedIn), (int) (out - countedOut));
     countedIn = in;
     countedOut = out;
   }
@@ -220,7 +220,7 @@ final class Connection implements LinkHandler {
     } else if (received instanceof ServerMessage.Notice notice) {
       listener.notice(notice.text());
     } else {
-      fail("The server at " + address() + " sent something unexpected: " + nameOf(received));
+      fail("The server at " + address + " sent something unexpected: " + nameOf(received));
     }
   }
 
@@ -237,11 +237,11 @@ final class Connection implements LinkHandler {
     if (from == link) {
       count(from);
       link = null;
-      mayPass = true;
+      retryUseful = true;
       if (stage == Stage.PLAYING) {
-        lost(sentence("The connection to " + address() + " was lost: " + reason));
-      } else if (comingBack) {
-        lost("No answer from " + address() + "."); // it was there, so the address is right
+        lost(sentence("The connection to " + address + " was lost: " + reason));
+      } else if (comeback.isRunning()) {
+        lost("No answer from " + address + "."); // it was there, so the address is right
       } else {
         lost(sentence("Can't reach the server: " + reason));
       }
@@ -249,7 +249,7 @@ final class Connection implements LinkHandler {
   }
 
   private void welcomed(ServerMessage.Welcome w) {
-    roundTrip();
+    measureRoundTrip();
     if (w.levelSize() < 1
         || w.levelSize() > Limits.MAX_LEVEL_BYTES
         || w.packedSize() < 1
@@ -262,109 +262,58 @@ final class Connection implements LinkHandler {
     welcome = w;
     secret = w.sessionSecret();
     enter(Stage.LOADING);
-    if (level != null && levelHash == w.levelHash()) {
+    if (download.begin(w)) {
       ready();
       return;
     }
-    level = null;
-    if (packedLevel == null
-        || packedHash != w.levelHash()
-        || packedLevel.length != w.packedSize()) {
-      packedLevel = new byte[w.packedSize()];
-      packedHash = w.levelHash();
-      levelReceived = 0;
-    } // else the last link broke while loading: go on where it was
-    levelAsked = levelReceived;
-    if (!comingBack) {
+    if (!comeback.isRunning()) {
       message = "Loading " + w.levelName() + " ...";
     }
-    ask();
+    requestLevel();
   }
 
-  private void ask() {
-    int piece = Limits.MAX_LEVEL_CHUNK_BYTES;
-    while (levelAsked < packedLevel.length
-        && levelAsked - levelReceived < PIECES_IN_FLIGHT * piece) {
-      link.send(new ClientMessage.LevelRequest(levelAsked));
-      levelAsked += piece;
+  private void requestLevel() {
+    if (download.request(link)) {
       askedNs = nowNs;
     }
   }
 
   private void chunk(ServerMessage.LevelChunk chunk) {
-    int expected = Math.min(Limits.MAX_LEVEL_CHUNK_BYTES, packedLevel.length - levelReceived);
-    if (chunk.offset() != levelReceived || chunk.bytes().length != expected) {
-      unusable(
-          "The level arrived in pieces that don't fit: offset="
-              + chunk.offset()
-              + " length="
-              + chunk.bytes().length
-              + ", expected offset="
-              + levelReceived
-              + " length="
-              + expected);
-      return;
-    }
-    System.arraycopy(chunk.bytes(), 0, packedLevel, levelReceived, expected);
-    levelReceived += expected;
-    if (levelReceived < packedLevel.length) {
-      ask();
-      return;
-    }
-    byte[] complete = PackedLevel.unpack(packedLevel, welcome.levelSize());
-    packedLevel = null;
-    if (complete == null) {
-      unusable("The level was damaged on its way. Try again.");
-      return;
-    }
-    try {
-      level = Level.parse(welcome.levelName(), complete);
-    } catch (LevelException e) {
-      end("The server's level can't be used: " + e.getMessage());
-      return;
-    }
-    levelHash = level.contentHash();
-    if (levelHash != welcome.levelHash()) {
-      level = null;
-      unusable("The level was damaged on its way. Try again.");
-      return;
-    }
-    ready();
-  }
-
-  /** What the server sent is of no use, and asking again would hardly bring something better. */
-  private void unusable(String why) {
-    packedLevel = null;
-    if (comingBack) {
-      fail(why);
-    } else {
-      end(why);
+    switch (download.add(chunk)) {
+      case LOADING -> requestLevel();
+      case DONE -> ready();
+      case DAMAGED -> {
+        if (comeback.isRunning()) {
+          fail(download.problem());
+        } else {
+          end(download.problem()); // another download would hardly bring something better
+        }
+      }
+      case UNREADABLE -> end(download.problem());
     }
   }
 
   private void ready() {
-    String problem = listener.joined(welcome, level);
+    String problem = listener.joined(welcome, download.level());
     if (problem != null) {
       end(problem);
       return;
     }
-    if (comingBack) {
-      stats.reconnects++;
+    if (comeback.isRunning()) {
+      stats.reconnected();
     }
     enter(Stage.PLAYING);
     stats.playing(true, nowNs);
     message = "";
-    comingBack = false;
-    attempts = 0;
-    backoffNs = FIRST_BACKOFF_NS;
+    comeback.stop();
     lastHeardNs = nowNs;
     link.send(new ClientMessage.Ready());
   }
 
   private void refused(ServerMessage.Refused refused) {
     String text = join(refused.reason().playerText(), refused.text());
-    mayPass = refused.reason().retryUseful();
-    if (comingBack && mayPass) {
+    retryUseful = refused.reason().retryUseful();
+    if (comeback.isRunning() && retryUseful) {
       fail(text);
     } else {
       end(text);
@@ -373,7 +322,7 @@ final class Connection implements LinkHandler {
 
   private void goodbye(ServerMessage.Goodbye goodbye) {
     String text = join(goodbye.reason().playerText(), goodbye.text());
-    mayPass = goodbye.reason().retryUseful();
+    retryUseful = goodbye.reason().retryUseful();
     if (goodbye.reason() == GoodbyeReason.LEFT || !goodbye.reason().retryUseful()) {
       end(text);
     } else {
@@ -381,30 +330,26 @@ final class Connection implements LinkHandler {
     }
   }
 
-  /** Gives this link up; whether that is the end depends on what was reached. */
+  /** Drops the link. The connection ends, or tries to come back if it was playing. */
   private void fail(String why) {
     dropLink(why);
-    mayPass = true;
+    retryUseful = true;
     lost(why);
   }
 
   private void lost(String why) {
-    boolean wasIn = stage == Stage.PLAYING || (stage == Stage.LOADING && !comingBack);
+    boolean wasIn = stage == Stage.PLAYING || (stage == Stage.LOADING && !comeback.isRunning());
     stop();
     message = why;
-    if (!config.reconnect() || !(wasIn || comingBack)) {
+    if (!reconnects || !(wasIn || comeback.isRunning())) {
       stage = Stage.ENDED;
       return;
     }
     if (wasIn) {
-      comingBack = true;
-      lostNs = nowNs;
-      attempts = 0;
-      backoffNs = FIRST_BACKOFF_NS;
+      comeback.start(nowNs);
     }
     stage = Stage.WAITING;
-    nextAttemptNs = nowNs + backoffNs;
-    backoffNs = Math.min(LONGEST_BACKOFF_NS, backoffNs * 2);
+    comeback.scheduleAttempt(nowNs);
   }
 
   private void end(String why) {
@@ -430,7 +375,7 @@ final class Connection implements LinkHandler {
     }
   }
 
-  /** Leaves for good. */
+  /** Leaves the game for good. */
   void leave() {
     if (stage == Stage.ENDED) {
       return;
@@ -441,17 +386,19 @@ final class Connection implements LinkHandler {
     end("You left the game.");
   }
 
+  /** Sends a message, if playing. */
   void send(ClientMessage message) {
     if (link != null && stage == Stage.PLAYING) {
       link.send(message);
     }
   }
 
+  /** Sends a datagram, if playing; returns whether the link took it. */
   boolean sendDatagram(byte[] bytes, int length) {
     return link != null && stage == Stage.PLAYING && link.sendDatagram(bytes, 0, length);
   }
 
-  private void roundTrip() {
+  private void measureRoundTrip() {
     long measured = Math.max(1, nowNs - askedNs);
     roundTripNs = roundTripNs == 0 ? measured : Math.min(roundTripNs, measured);
   }
@@ -461,12 +408,14 @@ final class Connection implements LinkHandler {
     stageSinceNs = nowNs;
   }
 
-  boolean playing() {
+  /** Returns whether the client is in the game. */
+  boolean isPlaying() {
     return stage == Stage.PLAYING;
   }
 
+  /** Returns where the client stands on its way into the game. */
   ConnectionPhase phase() {
-    if (comingBack && stage != Stage.ENDED) {
+    if (comeback.isRunning() && stage != Stage.ENDED) {
       return ConnectionPhase.RECONNECTING;
     }
     return switch (stage) {
@@ -480,31 +429,29 @@ final class Connection implements LinkHandler {
     };
   }
 
-  /** Whether what ended the way in may be over in a moment. */
-  boolean mayPass() {
-    return stage == Stage.ENDED && mayPass;
+  /** Returns whether the connection has ended for a reason that may be over in a moment. */
+  boolean isRetryUseful() {
+    return stage == Stage.ENDED && retryUseful;
   }
 
+  /** Returns what is going on, in words for the player; empty while playing. */
   String message() {
-    return comingBack && stage != Stage.ENDED
-        ? message + " Reconnecting" + (attempts > 1 ? " (attempt " + attempts + ")" : "") + " ..."
+    return comeback.isRunning() && stage != Stage.ENDED
+        ? message
+            + " Reconnecting"
+            + (comeback.attempts() > 1 ? " (attempt " + comeback.attempts() + ")" : "")
+            + " ..."
         : message;
   }
 
+  /** Returns the share of the level that has arrived, 0..1. */
   double levelProgress() {
-    if (stage == Stage.PLAYING) {
-      return 1;
-    }
-    return packedLevel == null ? 0 : (double) levelReceived / packedLevel.length;
+    return stage == Stage.PLAYING ? 1 : download.share();
   }
 
-  /** Quickest answer to a message so far, nanoseconds; 0 before the first. */
+  /** Returns the quickest answer to a message so far, nanoseconds; 0 before the first. */
   long roundTripNs() {
     return roundTripNs;
-  }
-
-  private String address() {
-    return config.host() + (config.tcpPort() == 0 ? "" : ":" + config.tcpPort());
   }
 
   private static String join(String sentence, String details) {

@@ -1,452 +1,274 @@
 package carom.client;
 
-import carom.client.clock.RenderClock;
-import carom.client.clock.TickClock;
-import org.HdrHistogram.IntCountsHistogram;
-
 /**
- * How the connection does, in numbers for a net graph, a status line or a test. Written by one
- * {@link GameClient}; read on its thread.
+ * Figures about a connection and its predictions, for a net graph, a status line or a test. Read it
+ * on the client's thread.
  *
- * <p>Unless it says otherwise a value describes the last few seconds.
+ * <p>A figure describes the last few seconds unless its comment says otherwise.
  */
 public final class NetStats {
-  private static final int LOSS_WINDOW = 256;
-  private static final int SETTLED = 16;
-  private static final long SECOND = 1_000_000_000L;
+  private final TrafficRecorder traffic;
+  private final PredictionRecorder prediction;
+  private final NetStatsRecorder recorder;
+  private final float[] scratch = new float[RecentValues.CAPACITY];
 
-  final Series rtt = new Series();
-  final Series snapshotBytes = new Series();
-  final Series gap = new Series();
-  final Series margin = new Series();
-  final Series correction = new Series();
-  final Series replay = new Series();
-
-  private final float[] scratch = new float[Series.CAPACITY];
-  private final IntCountsHistogram gapsUs = new IntCountsHistogram(60_000_000L, 2);
-  private final IntCountsHistogram rttUs = new IntCountsHistogram(60_000_000L, 2);
-
-  private boolean sequenced;
-  private int settled;
-  private final boolean[] received = new boolean[LOSS_WINDOW];
-  private int window;
-
-  private long playingSinceNs;
-  private long playedNs;
-  private boolean playing;
-  private long lastSnapshotNs;
-  private long snapshots;
-  private long bytesIn;
-  private long bytesOut;
-  private long playingBytesIn;
-  private long playingBytesOut;
-  private long rateSinceNs;
-  private long rateBytesIn;
-  private long rateBytesOut;
-  private long rateSnapshots;
-  private double kbitIn;
-  private double kbitOut;
-  private double snapshotRate;
-
-  private long compared;
-  private long exact;
-  private long awakeBodies;
-  private int nearBodies;
-  private long disagreements;
-  private long exactBodies;
-  private long rollbacks;
-  private long rollbackTicks;
-  private int longestRollback;
-  private long cutShort;
-  private long syncErrors;
-  private long corrections;
-  private double correctionMetres;
-  private double largestCorrection;
-  private double interpolationDelayMs;
-  private double jitterMs;
-  private double targetMargin;
-  private double clockSpeed = 1;
-  long events;
-  long eventsRetracted;
-  long eventsMissed;
-  int malformed;
-  int reconnects;
-
-  NetStats() {}
-
-  // ---- written by the client
-
-  void bytesIn(int bytes) {
-    bytesIn += bytes;
-    if (playing) {
-      playingBytesIn += bytes;
-    }
+  NetStats(NetStatsRecorder recorder) {
+    this.recorder = recorder;
+    traffic = recorder.traffic;
+    prediction = recorder.prediction;
   }
 
-  void bytesOut(int bytes) {
-    bytesOut += bytes;
-    if (playing) {
-      playingBytesOut += bytes;
-    }
-  }
+  // ---- the link
 
-  void playing(boolean now, long nowNs) {
-    if (now && !playing) {
-      playingSinceNs = nowNs;
-      lastSnapshotNs = 0;
-      sequenced = false;
-      window = 0;
-    } else if (!now && playing) {
-      playedNs += nowNs - playingSinceNs;
-    }
-    playing = now;
-  }
-
-  void datagram(int bytes) {
-    snapshotBytes.add(bytes);
-  }
-
-  /**
-   * Takes in the acks as they are sent: what is {@link #SETTLED} behind is lost or never will be.
-   */
-  void acks(int sequence, long bits) {
-    if (!sequenced) {
-      sequenced = true;
-      settled = sequence - 1;
-      return;
-    }
-    int ahead = (short) (sequence - SETTLED - settled);
-    for (int i = 0; i < ahead; i++) {
-      settled++;
-      int age = (short) (sequence - settled) - 1;
-      received[window & (LOSS_WINDOW - 1)] = age < 64 && (bits >>> age & 1) != 0;
-      window++;
-    }
-  }
-
-  /** A snapshot of a new tick arrived. */
-  void snapshot(long nowNs) {
-    snapshots++;
-    if (lastSnapshotNs != 0) {
-      long gapNs = Math.max(0, nowNs - lastSnapshotNs);
-      gap.add(gapNs / 1e6f);
-      gapsUs.recordValue(Math.min(60_000_000L, gapNs / 1_000));
-    }
-    lastSnapshotNs = nowNs;
-  }
-
-  void roundTrip(double ms) {
-    rtt.add((float) ms);
-    rttUs.recordValue((long) Math.max(0, Math.min(60_000_000.0, ms * 1_000)));
-  }
-
-  void compared(boolean same, int awake, int right) {
-    compared++;
-    nearBodies = awake;
-    if (same) {
-      exact++;
-    }
-    awakeBodies += awake;
-    exactBodies += right;
-  }
-
-  void rolledBack(int ticks, int replayed, long tookNs) {
-    if (replayed == 0) {
-      return;
-    }
-    rollbacks++;
-    rollbackTicks += ticks;
-    longestRollback = Math.max(longestRollback, ticks);
-    replay.add(tookNs / 1e6f);
-  }
-
-  void disagreements(long count) {
-    disagreements = count;
-  }
-
-  void syncErrors(long count) {
-    syncErrors = count;
-  }
-
-  void cutShort(long count) {
-    cutShort = count;
-  }
-
-  void corrected(double metres) {
-    corrections++;
-    correctionMetres += metres;
-    largestCorrection = Math.max(largestCorrection, metres);
-  }
-
-  void clocks(TickClock clock, RenderClock renderClock, int tickRate) {
-    targetMargin = clock.targetMargin();
-    clockSpeed = clock.speed();
-    jitterMs = renderClock.jitterMs();
-    interpolationDelayMs = renderClock.delayTicks() * 1_000 / tickRate;
-  }
-
-  void roll(long nowNs) {
-    if (rateSinceNs == 0) {
-      rateSinceNs = nowNs;
-    }
-    long elapsed = nowNs - rateSinceNs;
-    if (elapsed >= SECOND) {
-      double seconds = elapsed / 1e9;
-      kbitIn = (bytesIn - rateBytesIn) * 8 / 1_000.0 / seconds;
-      kbitOut = (bytesOut - rateBytesOut) * 8 / 1_000.0 / seconds;
-      snapshotRate = (snapshots - rateSnapshots) / seconds;
-      rateSinceNs = nowNs;
-      rateBytesIn = bytesIn;
-      rateBytesOut = bytesOut;
-      rateSnapshots = snapshots;
-    }
-  }
-
-  // ---- read by everybody
-
-  /** Median round trip, milliseconds; what the server held an input back is not counted. */
+  /** Returns the median round trip, milliseconds, without the time the server held inputs back. */
   public double rttMs() {
-    return rtt.percentile(0.5, scratch);
+    return traffic.roundTrips.percentile(0.5, scratch);
   }
 
-  /** Median round trip since the client was created, milliseconds. */
+  /** Returns the median round trip since the client was created, milliseconds. */
   public double rttP50Ms() {
-    return rttUs.getTotalCount() == 0 ? 0 : rttUs.getValueAtPercentile(50) / 1_000.0;
+    return traffic.roundTripsUs.getTotalCount() == 0
+        ? 0
+        : traffic.roundTripsUs.getValueAtPercentile(50) / 1_000.0;
   }
 
-  /** Lateness of snapshots that 95 % stay below, milliseconds. */
+  /** Returns the lateness that 95 % of the snapshots stay below, milliseconds. */
   public double jitterMs() {
-    return jitterMs;
+    return recorder.jitterMs;
   }
 
-  /** Snapshot datagrams lost, percent of the last {@value #LOSS_WINDOW}. */
+  /** Returns the lost snapshot datagrams, percent of the last 256. */
   public double lossPercent() {
-    int considered = Math.min(window, LOSS_WINDOW);
-    if (considered == 0) {
-      return 0;
-    }
-    int lost = 0;
-    for (int i = 0; i < considered; i++) {
-      if (!received[i]) {
-        lost++;
-      }
-    }
-    return 100.0 * lost / considered;
+    return traffic.loss.percent();
   }
 
-  /** Mean size of a snapshot datagram, bytes. */
+  /** Returns the mean size of a snapshot datagram, bytes. */
   public double snapshotBytes() {
-    return snapshotBytes.mean();
+    return traffic.snapshotBytes.mean();
   }
 
-  /** Snapshots (ticks, not datagrams) received in the last second. */
+  /** Returns how many snapshots (ticks, not datagrams) arrived in the last second. */
   public double snapshotsPerSecond() {
-    return snapshotRate;
+    return traffic.snapshotsPerSecond;
   }
 
-  /** Snapshots received since the client was created. */
+  /** Returns how many snapshots arrived since the client was created. */
   public long snapshots() {
-    return snapshots;
+    return traffic.snapshots;
   }
 
-  /** Seconds in which the client was playing. */
+  /** Returns the time in which the client was playing, seconds. */
   public double playedSeconds(long nowNs) {
-    return (playedNs + (playing ? nowNs - playingSinceNs : 0)) / 1e9;
+    return traffic.playedSeconds(nowNs);
   }
 
-  /** Payload received while playing, bytes: datagrams and reliable messages. */
+  /** Returns the payload received while playing, bytes: datagrams and reliable messages. */
   public long playingBytesIn() {
-    return playingBytesIn;
+    return traffic.playingBytesIn;
   }
 
-  /** Payload sent while playing, bytes: datagrams and reliable messages. */
+  /** Returns the payload sent while playing, bytes: datagrams and reliable messages. */
   public long playingBytesOut() {
-    return playingBytesOut;
+    return traffic.playingBytesOut;
   }
 
-  /** Time between snapshots that 99 % stay below, milliseconds, since the client was created. */
+  /** Returns the time between snapshots that 99 % stay below since the start, milliseconds. */
   public double gapP99Ms() {
-    return gapsUs.getTotalCount() == 0 ? 0 : gapsUs.getValueAtPercentile(99) / 1_000.0;
+    return traffic.gapsUs.getTotalCount() == 0
+        ? 0
+        : traffic.gapsUs.getValueAtPercentile(99) / 1_000.0;
   }
 
-  /** Inputs that waited at the server when it consumed one, in ticks; negative = too late. */
+  /** Returns the payload received in the last second, kbit/s. */
+  public double kbitInPerSecond() {
+    return traffic.kbitInPerSecond;
+  }
+
+  /** Returns the payload sent in the last second, kbit/s. */
+  public double kbitOutPerSecond() {
+    return traffic.kbitOutPerSecond;
+  }
+
+  /** Returns the payload received since the client was created, bytes. */
+  public long bytesIn() {
+    return traffic.bytesIn;
+  }
+
+  /** Returns the payload sent since the client was created, bytes. */
+  public long bytesOut() {
+    return traffic.bytesOut;
+  }
+
+  /** Returns how many datagrams could not be decoded since the client was created. */
+  public int malformed() {
+    return traffic.malformed;
+  }
+
+  /** Returns how often the link was lost and came back since the client was created. */
+  public int reconnects() {
+    return traffic.reconnects;
+  }
+
+  // ---- the clocks
+
+  /** Returns the inputs that waited when the server consumed one, ticks; negative = too late. */
   public double inputMargin() {
-    return margin.newest();
+    return recorder.margins.newest();
   }
 
-  /** Input margin the clock aims at, in ticks. */
+  /** Returns the input margin that the clock aims at, ticks. */
   public double targetMargin() {
-    return targetMargin;
+    return recorder.targetMargin;
   }
 
-  /** Speed of the client's clock; 1 = the server's. */
+  /** Returns the speed of the client's clock; 1 = the server's. */
   public double clockSpeed() {
-    return clockSpeed;
+    return recorder.clockSpeed;
   }
 
-  /** How far in the past others are drawn, milliseconds. */
+  /** Returns how far in the past interpolated entities are drawn, milliseconds. */
   public double interpolationDelayMs() {
-    return interpolationDelayMs;
+    return recorder.interpolationDelayMs;
   }
 
-  /** Predictions of the own body that were corrected, per minute of play. */
+  // ---- the prediction
+
+  /** Returns how often the own body was corrected per minute of play. */
   public double correctionsPerMinute(long nowNs) {
     double seconds = playedSeconds(nowNs);
-    return seconds <= 0 ? 0 : corrections * 60 / seconds;
+    return seconds <= 0 ? 0 : prediction.correctionCount * 60 / seconds;
   }
 
-  /** Predictions of the own body that were corrected, since the client was created. */
+  /** Returns how often the own body was corrected since the client was created. */
   public long corrections() {
-    return corrections;
+    return prediction.correctionCount;
   }
 
-  /** Mean distance by which the own body was corrected, metres. */
+  /** Returns the mean distance of all corrections of the own body, metres. */
   public double correctionMeanMetres() {
-    return corrections == 0 ? 0 : correctionMetres / corrections;
+    return prediction.correctionCount == 0
+        ? 0
+        : prediction.correctionMetres / prediction.correctionCount;
   }
 
-  /** Largest distance by which the own body was corrected, metres. */
+  /** Returns the largest distance of all corrections of the own body, metres. */
   public double correctionMaxMetres() {
-    return largestCorrection;
+    return prediction.largestCorrection;
   }
 
-  /** Share of compared predictions of the own body that were right in every bit, 0..1. */
+  /** Returns the share of compared predictions of the own body that were exact, 0..1. */
   public double exactRate() {
-    return compared == 0 ? 1 : (double) exact / compared;
+    return prediction.compared == 0 ? 1 : (double) prediction.exact / prediction.compared;
   }
 
-  /** Predictions of the own body compared with the server's state. */
+  /** Returns how many predictions of the own body were compared with the server's state. */
   public long compared() {
-    return compared;
+    return prediction.compared;
   }
 
-  /** Share of the bodies near and awake whose prediction was right in every bit, 0..1. */
+  /** Returns the share of {@link #awakeBodies} whose prediction was exact, 0..1. */
   public double perfectRate() {
-    return awakeBodies == 0 ? 1 : (double) exactBodies / awakeBodies;
+    return prediction.awakeBodies == 0
+        ? 1
+        : (double) prediction.exactBodies / prediction.awakeBodies;
   }
 
-  /** Bodies near and awake whose prediction was compared with the server's state. */
+  /** Returns how many predictions of awake bodies were compared with the server's state. */
   public long awakeBodies() {
-    return awakeBodies;
+    return prediction.awakeBodies;
   }
 
-  /** Bodies near and awake at the last comparison, the own one included. */
-  public int nearBodies() {
-    return nearBodies;
-  }
-
-  /** Times since joining that what is near turned out otherwise than predicted. */
-  public long disagreements() {
-    return disagreements;
-  }
-
-  /** Those of {@link #awakeBodies} that were right in every bit. */
+  /** Returns how many of {@link #awakeBodies} were right in every bit. */
   public long exactBodies() {
-    return exactBodies;
+    return prediction.exactBodies;
   }
 
-  /** Times the prediction went back and came again, since the client was created. */
+  /** Returns the awake bodies of the predicted set at the last comparison, own one included. */
+  public int nearBodies() {
+    return prediction.nearBodies;
+  }
+
+  /** Returns how often the predicted set differed from the server's since joining. */
+  public long disagreements() {
+    return prediction.disagreements;
+  }
+
+  /** Returns how many rollbacks there were since the client was created. */
   public long rollbacks() {
-    return rollbacks;
+    return prediction.rollbacks;
   }
 
-  /** Mean length of a rollback, ticks. */
+  /** Returns the mean length of all rollbacks, ticks. */
   public double rollbackMeanTicks() {
-    return rollbacks == 0 ? 0 : (double) rollbackTicks / rollbacks;
+    return prediction.rollbacks == 0 ? 0 : (double) prediction.rollbackTicks / prediction.rollbacks;
   }
 
-  /** Longest rollback, ticks. */
+  /** Returns the length of the longest rollback, ticks. */
   public int rollbackMaxTicks() {
-    return longestRollback;
+    return prediction.longestRollback;
   }
 
-  /** Replays that were too long or took too long, so that ticks were left out. */
+  /** Returns how many replays left out ticks because they were too long or took too long. */
   public long replaysCutShort() {
-    return cutShort;
+    return prediction.replaysCutShort;
   }
 
-  /** Events fired, since the client was created: hits, goals, jumps. */
-  public long events() {
-    return events;
-  }
-
-  /** Events that were foreseen, fired, and taken back, since the client was created. */
-  public long eventsRetracted() {
-    return eventsRetracted;
-  }
-
-  /** Events of this visit that were lost because too many waited at the server. */
-  public long eventsMissed() {
-    return eventsMissed;
-  }
-
-  /** Ticks in which the synctest found another hash; 0 unless the simulation has a fault. */
-  public long syncErrors() {
-    return syncErrors;
-  }
-
-  /** Time that replays took, milliseconds, the newest of them. */
+  /** Returns the time of a replay that 95 % stay below, milliseconds. */
   public double replayP95Ms() {
-    return replay.percentile(0.95, scratch);
+    return prediction.replays.percentile(0.95, scratch);
   }
 
-  /** Times that replays took, milliseconds. */
-  public Series replaySeries() {
-    return replay;
+  /** Returns how many sync tests failed; 0 unless the simulation has a fault. */
+  public long syncErrors() {
+    return prediction.syncErrors;
   }
 
-  /** Payload received, kbit/s in the last second. */
-  public double kbitInPerSecond() {
-    return kbitIn;
+  // ---- events
+
+  /** Returns how many events (hits, goals, jumps) fired since the client was created. */
+  public long events() {
+    return recorder.events;
   }
 
-  /** Payload sent, kbit/s in the last second. */
-  public double kbitOutPerSecond() {
-    return kbitOut;
+  /** Returns how many predicted events were retracted since the client was created. */
+  public long eventsRetracted() {
+    return recorder.eventsRetracted;
   }
 
-  /** Payload bytes received since the client was created. */
-  public long bytesIn() {
-    return bytesIn;
+  /** Returns how many events of this visit were lost because the server's queue was full. */
+  public long eventsMissed() {
+    return recorder.eventsMissed;
   }
 
-  /** Payload bytes sent since the client was created. */
-  public long bytesOut() {
-    return bytesOut;
+  // ---- graphs
+
+  /** Returns recent round trips, milliseconds. */
+  public RecentValues rttSeries() {
+    return traffic.roundTrips;
   }
 
-  /** Datagrams that could not be decoded. */
-  public int malformed() {
-    return malformed;
+  /** Returns recent sizes of snapshot datagrams, bytes. */
+  public RecentValues snapshotBytesSeries() {
+    return traffic.snapshotBytes;
   }
 
-  /** Times the link was lost and came back. */
-  public int reconnects() {
-    return reconnects;
+  /** Returns recent times between snapshots, milliseconds. */
+  public RecentValues gapSeries() {
+    return traffic.gaps;
   }
 
-  /** Round trips, milliseconds. */
-  public Series rttSeries() {
-    return rtt;
+  /** Returns recent input margins, ticks. */
+  public RecentValues marginSeries() {
+    return recorder.margins;
   }
 
-  /** Sizes of snapshot datagrams, bytes. */
-  public Series snapshotBytesSeries() {
-    return snapshotBytes;
+  /** Returns recent corrections of the own body, metres, one per snapshot; 0 = exact. */
+  public RecentValues correctionSeries() {
+    return prediction.corrections;
   }
 
-  /** Times between snapshots, milliseconds. */
-  public Series gapSeries() {
-    return gap;
-  }
-
-  /** Input margins, ticks. */
-  public Series marginSeries() {
-    return margin;
-  }
-
-  /** Distances by which the own body was corrected, metres, one value per snapshot; 0 = exact. */
-  public Series correctionSeries() {
-    return correction;
+  /** Returns recent times of replays, milliseconds. */
+  public RecentValues replaySeries() {
+    return prediction.replays;
   }
 }

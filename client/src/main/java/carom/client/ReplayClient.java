@@ -16,47 +16,41 @@ import carom.sim.scene.SceneGame;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * Plays a recording instead of a game: the same {@link ClientView}, filled by a {@link Replay}.
- * Also one that is still being written, whose end it follows. One thread; {@link #update} drives
- * it.
+ * Plays a recording: fills a {@link ClientView} from a {@link Replay} instead of a server. A
+ * recording that is still being written works, too; the client follows its end. One thread; {@link
+ * #update} drives it.
  *
- * <p>Going back restores the nearest tick remembered and computes from there; remembered are at
- * most {@value #MAX_MARKS} of the ticks that were played. Going forward computes what lies between,
- * a little in every update, so that the window stays alive.
+ * <p>Going back restores the nearest saved tick and computes from there. Going forward computes the
+ * ticks in between, a few per update, so that the window stays alive.
  */
 public final class ReplayClient implements AutoCloseable {
-  /** Ticks remembered at most; beyond, every second one is forgotten. */
-  static final int MAX_MARKS = 64;
-
-  /** Smallest and largest exponent of 2 of the speed. */
+  /** Smallest exponent of 2 of the speed. */
   private static final int SLOWEST = -4;
 
+  /** Largest exponent of 2 of the speed. */
   private static final int FASTEST = 4;
+
   private static final int FIRST_GAP_SECONDS = 5;
   private static final double NS_PER_S = 1e9;
 
-  /** Most time one update spends on computing. */
+  /** Most time that one update computes, while playing. */
   private static final long WORK_NS = 12_000_000;
 
-  /** The same while a tick far away is computed, which is worth a choppy picture. */
+  /** Most time that one update computes while seeking, which is worth a choppy picture. */
   private static final long SEEK_NS = 40_000_000;
 
-  /** Farther in a tick than this, metres, a body has jumped and is not drawn in between. */
-  private static final float JUMP = 3;
-
   private final Path file;
-  private final ClientView view = new ClientView(new NetStats());
-  private final List<Replay.Mark> marks = new ArrayList<>();
+  private final ViewWriter view = new ViewWriter(new NetStatsRecorder().stats());
+  private final ReplayMarks marks = new ReplayMarks();
+  private final PreviousPoses previous = new PreviousPoses();
   private EventListener listener = EventListener.NONE;
-  private final Consumer<Event> hears = this::hear;
+  private final Consumer<Event> fireEvent = this::fire;
   private RecordingReader reader;
   private Replay replay;
-  private int markGap;
   private int newestTick;
   private int target = -1;
   private int exponent;
@@ -64,14 +58,13 @@ public final class ReplayClient implements AutoCloseable {
   private boolean ended;
   private boolean waiting;
   private String problem = "";
-  private double due; // ticks, with their fraction
+
+  /** Ticks that are due, with their fraction. */
+  private double due;
+
   private long lastNs;
   private boolean started;
   private int followed = -1;
-
-  // Poses one tick ago, by entity id.
-  private float[] before = {};
-  private int[] beforeGeneration = {};
 
   /**
    * Opens a recording.
@@ -81,8 +74,8 @@ public final class ReplayClient implements AutoCloseable {
   public ReplayClient(Path file) throws IOException {
     this.file = file;
     open();
-    view.painter(this::paint);
-    view.phase = ConnectionPhase.PLAYING;
+    view.composer(this::compose);
+    view.connection(ConnectionPhase.PLAYING, "", 0);
   }
 
   private void open() throws IOException {
@@ -95,14 +88,10 @@ public final class ReplayClient implements AutoCloseable {
       reader.close();
       throw e;
     }
-    marks.clear();
     Simulation s = replay.simulation();
-    markGap = FIRST_GAP_SECONDS * s.tickRate();
-    view.level = s.level();
-    view.game = s.game().name();
-    view.tickRate = s.tickRate();
-    view.predictedWorld = s;
-    remember();
+    marks.reset(FIRST_GAP_SECONDS * s.tickRate());
+    view.game(s.game().name(), s.level(), -1, s.tickRate(), s);
+    mark();
     show();
   }
 
@@ -118,12 +107,12 @@ public final class ReplayClient implements AutoCloseable {
     if (target >= 0) {
       workTowards(target);
     } else if (!paused) {
-      due = Math.min(due + seconds * speed() * view.tickRate, view.tickRate * speed());
+      due = Math.min(due + seconds * speed() * view().tickRate(), view().tickRate() * speed());
       long stopNs = System.nanoTime() + WORK_NS;
-      while (due >= 1 && next(true)) {
+      while (due >= 1 && next()) {
         due--;
         if (System.nanoTime() > stopNs) {
-          due = Math.min(due, 1); // too fast for this machine: it plays as fast as it can
+          due = Math.min(due, 1); // this machine is too slow: it plays as fast as it can
         }
       }
       if (ended || waiting) {
@@ -136,7 +125,7 @@ public final class ReplayClient implements AutoCloseable {
 
   private void workTowards(int tick) {
     long stopNs = System.nanoTime() + SEEK_NS;
-    while (replay.simulation().tick() < tick && next(true)) {
+    while (replay.simulation().tick() < tick && next()) {
       if (System.nanoTime() > stopNs) {
         return;
       }
@@ -145,14 +134,12 @@ public final class ReplayClient implements AutoCloseable {
     due = 0;
   }
 
-  /** One more tick; false at the end, for now or for good. */
-  private boolean next(boolean keepsPoses) {
+  /** Computes one tick; returns false at the end, for now or for good. */
+  private boolean next() {
     if (!problem.isEmpty()) {
       return false;
     }
-    if (keepsPoses) {
-      keepPoses();
-    }
+    previous.read(replay.simulation());
     try {
       Replay.Progress progress = replay.step();
       ended = progress == Replay.Progress.END;
@@ -161,38 +148,30 @@ public final class ReplayClient implements AutoCloseable {
       problem = e.getMessage();
       return false;
     }
-    replay.simulation().drainEvents(hears);
+    replay.simulation().drainEvents(fireEvent);
     newestTick = Math.max(newestTick, replay.simulation().tick());
-    remember();
+    mark();
     return !ended && !waiting;
   }
 
-  private void hear(Event event) {
+  private void fire(Event event) {
     if (target < 0) {
       listener.happened(event, false);
     }
   }
 
-  private void remember() {
-    int tick = replay.simulation().tick();
-    int last = marks.isEmpty() ? -markGap : marks.get(marks.size() - 1).tick();
-    boolean fits = !view.game.startsWith(SceneGame.PREFIX); // a scene keeps state of its own
-    if (fits && tick - last >= markGap && replay.canMark()) {
-      marks.add(replay.mark());
-      if (marks.size() > MAX_MARKS) {
-        for (int i = marks.size() - 1; i > 0; i -= 2) {
-          marks.remove(i);
-        }
-        markGap *= 2;
-      }
+  private void mark() {
+    // A scene keeps state of its own, which a mark doesn't hold.
+    if (!view().game().startsWith(SceneGame.PREFIX)) {
+      marks.add(replay);
     }
   }
 
   private void show() {
     Simulation s = replay.simulation();
-    view.tick = s.tick();
-    view.renderTick = s.tick();
-    if (rosterChanged(s)) {
+    view.tick(s.tick());
+    view.renderTick(s.tick());
+    if (hasNewRoster(s)) {
       List<RosterEntry> entries = new ArrayList<>();
       for (int id = 0; id < s.playerCapacity(); id++) {
         Player p = s.player(id);
@@ -202,63 +181,38 @@ public final class ReplayClient implements AutoCloseable {
       }
       view.roster(entries);
     }
-    view.invite();
+    view.invalidate();
   }
 
-  private boolean rosterChanged(Simulation s) {
+  private boolean hasNewRoster(Simulation s) {
     int at = 0;
     for (int id = 0; id < s.playerCapacity(); id++) {
       Player p = s.player(id);
       if (p != null) {
-        if (at == view.players().size()
-            || view.players().get(at).playerId() != id
-            || view.players().get(at).score() != p.score()
-            || !view.players().get(at).name().equals(p.name())) {
+        if (at == view().players().size()
+            || view().players().get(at).playerId() != id
+            || view().players().get(at).score() != p.score()
+            || !view().players().get(at).name().equals(p.name())) {
           return true;
         }
         at++;
       }
     }
-    return at != view.players().size();
+    return at != view().players().size();
   }
 
-  private void keepPoses() {
-    Simulation s = replay.simulation();
-    int limit = s.entityCapacity();
-    if (beforeGeneration.length < limit) {
-      before = new float[6 * limit];
-      beforeGeneration = new int[2 * limit];
-    }
-    Arrays.fill(beforeGeneration, -1);
-    for (int id = 0; id < limit; id++) {
-      Entity e = s.entity(id);
-      if (e != null) {
-        before[3 * id] = e.body().x();
-        before[3 * id + 1] = e.body().y();
-        before[3 * id + 2] = e.body().angle();
-        beforeGeneration[id] = e.generation();
-      }
-    }
-  }
-
-  private void paint() {
+  private void compose() {
     view.clear();
     Simulation s = replay.simulation();
+    Player p = s.player(followed);
     float fraction = paused || target >= 0 ? 1 : (float) Math.max(0, Math.min(1, due));
     for (int id = 0; id < s.entityCapacity(); id++) {
       Entity e = s.entity(id);
       if (e == null) {
         continue;
       }
-      ClientView.Drawn drawn = view.add();
+      Pose pose = view.add(id, e.generation(), e.archetype(), e.ownerId(), 1, 1);
       Body<Entity> body = e.body();
-      drawn.id = id;
-      drawn.generation = e.generation();
-      drawn.archetype = e.archetype();
-      drawn.ownerId = e.ownerId();
-      drawn.alpha = 1;
-      drawn.predicted = 1;
-      Pose pose = drawn.pose;
       pose.set(
           body.x(),
           body.y(),
@@ -266,94 +220,76 @@ public final class ReplayClient implements AutoCloseable {
           body.velocityX(),
           body.velocityY(),
           body.angularVelocity());
-      if (id < beforeGeneration.length && beforeGeneration[id] == e.generation()) {
-        float dx = body.x() - before[3 * id];
-        float dy = body.y() - before[3 * id + 1];
-        if (dx * dx + dy * dy < JUMP * JUMP) {
-          float turn = Pose.wrap(body.angle() - before[3 * id + 2]);
-          pose.x -= (1 - fraction) * dx;
-          pose.y -= (1 - fraction) * dy;
-          pose.angle -= (1 - fraction) * turn;
-        }
-      }
-      Player p = s.player(followed);
+      previous.interpolate(e, fraction, pose);
       if (p != null && p.body() == e) {
-        view.own(view.lastIndex());
+        view.markLastAsOwn();
       }
     }
   }
 
-  /** Sets who hears what happens, but while a tick far away is being computed. */
+  /** Sets who receives the events, except those of ticks that a seek computes. */
   public void events(EventListener newListener) {
     listener = newListener;
   }
 
-  /** Stops or goes on. */
+  /** Pauses or goes on. */
   public void pause(boolean stopped) {
     paused = stopped;
   }
 
-  /** Whether it stands still. */
+  /** Returns whether the replay is paused. */
   public boolean paused() {
     return paused;
   }
 
-  /** Pauses, and makes one step. */
+  /** Pauses and computes one tick. */
   public void single() {
     paused = true;
     target = -1;
-    next(true);
+    next();
     show();
   }
 
-  /** Doubles the speed that often, or halves it when negative; between 1/16 and 16. */
+  /** Doubles the speed so many times, or halves it if negative; it stays within 1/16..16. */
   public void speedUp(int steps) {
     exponent = Math.max(SLOWEST, Math.min(FASTEST, exponent + steps));
   }
 
-  /** How many times as fast as it was played. */
+  /** Returns the speed; 1 = as it was played. */
   public double speed() {
     return Math.scalb(1.0, exponent);
   }
 
   /**
-   * Goes to a tick: back at once, or in a few updates, forward as fast as it can be computed.
+   * Goes to a tick: back from the nearest saved tick, forward as fast as ticks can be computed.
    *
    * @param tick below 0 means 0; beyond the end means the end
    */
   public void seek(int tick) {
     int to = Math.max(0, tick);
     int now = replay.simulation().tick();
-    int nearest = Math.max(marked(to), stored(to));
+    int nearest = Math.max(marks.before(to), stored(to));
     if (to < now || nearest > now) {
       goBack(to);
     }
-    Arrays.fill(beforeGeneration, -1);
+    previous.clear();
     target = to;
     workTowards(to);
     show();
   }
 
-  private int marked(int tick) {
-    int found = -1;
-    for (Replay.Mark mark : marks) {
-      found = mark.tick() <= tick ? mark.tick() : found;
-    }
-    return found;
-  }
-
-  /** The last whole state in the file at or before a tick; -1 when there is none. */
+  /** Returns the tick of the last whole state in the file at or before a tick, or -1. */
   private int stored(int tick) {
     try {
       return replay.stateBefore(tick);
     } catch (IOException e) {
-      return -1; // whoever plays that far is told
+      return -1; // playing that far reports it
     }
   }
 
-  /** Takes the last state remembered, or in the file, at or before a tick. */
+  /** Restores the newest state at or before a tick, from a mark or from the file. */
   private void goBack(int tick) {
-    int from = marked(tick);
+    int from = marks.before(tick);
     problem = "";
     try {
       if (stored(tick) > from) {
@@ -366,16 +302,12 @@ public final class ReplayClient implements AutoCloseable {
       problem = e.getMessage();
       return;
     }
-    for (Replay.Mark mark : marks) {
-      if (mark.tick() == from) {
-        replay.reset(mark);
-      }
-    }
+    marks.restore(replay, from);
     ended = false;
     waiting = false;
   }
 
-  /** Follows the next player who has a body with the camera, or nobody after the last. */
+  /** Makes the camera follow the next player with a body, or nobody after the last one. */
   public void followNext() {
     Simulation s = replay.simulation();
     for (int id = followed + 1; id < s.playerCapacity(); id++) {
@@ -387,54 +319,54 @@ public final class ReplayClient implements AutoCloseable {
     followed = -1;
   }
 
-  /** Name of the player who is followed, or an empty string. */
+  /** Returns the name of the player that is followed, or an empty string. */
   public String followed() {
-    return view.playerName(followed);
+    return view().playerName(followed);
   }
 
-  /** The present tick. */
+  /** Returns the present tick. */
   public int tick() {
     return replay.simulation().tick();
   }
 
-  /** The newest tick computed so far. */
+  /** Returns the newest tick computed so far. */
   public int newestTick() {
     return newestTick;
   }
 
-  /** Whether the recording's end is reached. */
+  /** Returns whether the recording's end is reached. */
   public boolean ended() {
     return ended;
   }
 
-  /** Whether the file ends here without saying so: it is torn, or still being written. */
+  /** Returns whether the file ends without an end mark: torn, or still being written. */
   public boolean waiting() {
     return waiting;
   }
 
-  /** Whether a tick far away is being computed. */
+  /** Returns whether a seek is under way. */
   public boolean seeking() {
     return target >= 0;
   }
 
-  /** Why it can't go on, or an empty string. */
+  /** Returns why the replay can't go on, or an empty string. */
   public String problem() {
     return problem;
   }
 
-  /** The first difference from the recording, or null. */
+  /** Returns the first difference from the recording, or null. */
   public Divergence divergence() {
     return replay.divergence();
   }
 
-  /** The computed game, for reading. */
+  /** Returns the computed game. Do not change it. */
   public Simulation simulation() {
     return replay.simulation();
   }
 
-  /** What there is to see. */
+  /** Returns the view of the present moment; the same object for ever. */
   public ClientView view() {
-    return view;
+    return view.view();
   }
 
   @Override

@@ -191,7 +191,7 @@ public final class BotFarm implements AutoCloseable {
     p.playing = playing;
     p.entered |= playing;
     p.joined |= playing;
-    if (!p.broken && !p.entered && p.attempts < MAX_ATTEMPTS && p.client.mayTryAgain()) {
+    if (!p.broken && !p.entered && p.attempts < MAX_ATTEMPTS && p.client.isRetryUseful()) {
       p.waiting = true;
       // Apart from each other, and from the next ones that join.
       p.nextAttemptNs = nowNs + (FIRST_WAIT_NS << p.attempts) + p.number * JOIN_GAP_NS / 4;

@@ -33,7 +33,7 @@ final class Flashes implements EventListener {
   }
 
   @Override
-  public void happened(Event event, boolean foreseen) {
+  public void happened(Event event, boolean predicted) {
     if (event.kind().radius() == 0 && event.kind().label().isEmpty()) {
       return;
     }

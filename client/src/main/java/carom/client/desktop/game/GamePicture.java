@@ -61,11 +61,11 @@ public final class GamePicture implements Disposable {
   public EventListener events(ClientView view) {
     return new EventListener() {
       @Override
-      public void happened(Event event, boolean foreseen) {
+      public void happened(Event event, boolean predicted) {
         double ago = view.renderTick() - event.tick();
         if (ago < STALE_SECONDS * view.tickRate()) {
-          flashes.happened(event, foreseen);
-          sounds.happened(event, foreseen);
+          flashes.happened(event, predicted);
+          sounds.happened(event, predicted);
         }
       }
 

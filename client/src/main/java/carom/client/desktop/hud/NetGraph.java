@@ -1,7 +1,7 @@
 package carom.client.desktop.hud;
 
 import carom.client.NetStats;
-import carom.client.Series;
+import carom.client.RecentValues;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.Theme;
@@ -110,7 +110,7 @@ public final class NetGraph {
     captions[3] = "corrections, m";
   }
 
-  private void bars(Series series, float bottom, float full, Color color) {
+  private void bars(RecentValues series, float bottom, float full, Color color) {
     canvas.rect(2 * PAD, bottom, WIDTH - 2 * PAD, 1, Theme.PANEL_LINE);
     int count = Math.min(series.size(), (int) (WIDTH - 2 * PAD));
     for (int i = 0; i < count; i++) {

@@ -94,7 +94,7 @@ public final class EventSounds implements EventListener {
   }
 
   @Override
-  public void happened(Event event, boolean foreseen) {
+  public void happened(Event event, boolean predicted) {
     Sound sound = event.kind().sound();
     if (muted || sound == Sound.NONE || !audible()) {
       return;

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.client.events.EventBook;
+import carom.client.events.EventReconciler;
 import carom.game.ArenaGame;
 import carom.sim.Event;
 import carom.sim.EventKind;
@@ -156,9 +156,9 @@ class EventSoundsTest {
 
   @Test
   void whatIsForeseenComputedAgainAndToldIsHeardOnce() {
-    EventBook book = new EventBook(1, true, 60, sounds);
+    EventReconciler reconciler = new EventReconciler(1, true, 60, sounds);
     Player me = arena.joinAs(1, "me");
-    arena.journal(book);
+    arena.journal(reconciler);
     SimState start = arena.save(null);
     EventKind zap = kind(Sound.ZAP);
     for (int again = 0; again < 3; again++) {
@@ -167,11 +167,11 @@ class EventSoundsTest {
       arena.step();
       sounds.listen(0, 0, 1);
     }
-    book.told(event(Sound.ZAP, 1, 0, 0, 0));
-    book.complete(60);
-    book.advance(60);
+    reconciler.receive(event(Sound.ZAP, 1, 0, 0, 0));
+    reconciler.complete(60);
+    reconciler.advance(60);
     assertEquals(1, played.size());
-    assertEquals(1, book.confirmed());
+    assertEquals(1, reconciler.confirmed());
     assertTrue(stopped.isEmpty());
   }
 

@@ -22,10 +22,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Goal: an event fires once, however often it is computed and told. Method: a real simulation is
- * stepped, taken back and stepped again by hand; the server's part is played by the test.
+ * Goal: an event fires once, however often it is computed and received. Method: a real simulation
+ * is stepped, taken back and stepped again by hand; the server's part is played by the test.
  */
-class EventBookTest {
+class EventReconcilerTest {
   private static final int ME = 3;
   private static final int TOLERANCE = 12;
 
@@ -33,8 +33,8 @@ class EventBookTest {
   private final EventListener ear =
       new EventListener() {
         @Override
-        public void happened(Event e, boolean foreseen) {
-          heard.add((foreseen ? "foreseen " : "told ") + e.tick());
+        public void happened(Event e, boolean predicted) {
+          heard.add((predicted ? "predicted " : "received ") + e.tick());
         }
 
         @Override
@@ -42,7 +42,7 @@ class EventBookTest {
           heard.add("retracted " + e.tick());
         }
       };
-  private final EventBook book = new EventBook(ME, true, 60, ear);
+  private final EventReconciler reconciler = new EventReconciler(ME, true, 60, ear);
   private final TreeMap<Integer, SimState> states = new TreeMap<>();
   private Simulation s;
   private Player me;
@@ -53,7 +53,7 @@ class EventBookTest {
     s = new Simulation(new ArenaGame(), Level.builtIn("arena"), 1, 60, Role.PREDICTION);
     me = s.joinAs(ME, "me");
     kind = s.eventKinds().get(0);
-    s.journal(book);
+    s.journal(reconciler);
     states.put(0, s.save(null));
   }
 
@@ -77,14 +77,14 @@ class EventBookTest {
   }
 
   private void tell(int player, int tick) {
-    book.told(new Event().set(kind, tick, player, Event.NONE, Event.NONE, 0, 0, 0, 0));
+    reconciler.receive(new Event().set(kind, tick, player, Event.NONE, Event.NONE, 0, 0, 0, 0));
   }
 
   @Test
-  void whatIsForeseenFiresAtOnceAndNeverAgain() {
+  void whatIsPredictedFiresAtOnceAndNeverAgain() {
     step(5);
     step(true);
-    assertEquals(List.of("foreseen 6"), heard);
+    assertEquals(List.of("predicted 6"), heard);
     for (int i = 0; i < 3; i++) {
       back(4);
       step(1);
@@ -92,12 +92,12 @@ class EventBookTest {
       step(3);
     }
     tell(ME, 6);
-    book.complete(6);
+    reconciler.complete(6);
     back(4);
     step(1);
     step(true);
-    book.complete(400);
-    assertEquals(List.of("foreseen 6"), heard);
+    reconciler.complete(400);
+    assertEquals(List.of("predicted 6"), heard);
   }
 
   @Test
@@ -105,12 +105,12 @@ class EventBookTest {
     step(true);
     back(0);
     step(20); // it doesn't happen after all
-    book.complete(TOLERANCE);
-    assertEquals(List.of("foreseen 1"), heard, "it may still come");
-    book.complete(TOLERANCE + 1);
-    book.complete(TOLERANCE + 2);
-    book.close();
-    assertEquals(List.of("foreseen 1", "retracted 1"), heard);
+    reconciler.complete(TOLERANCE);
+    assertEquals(List.of("predicted 1"), heard, "it may still come");
+    reconciler.complete(TOLERANCE + 1);
+    reconciler.complete(TOLERANCE + 2);
+    reconciler.close();
+    assertEquals(List.of("predicted 1", "retracted 1"), heard);
   }
 
   @Test
@@ -121,8 +121,8 @@ class EventBookTest {
     step(3);
     step(true); // now two ticks later
     tell(ME, 15); // the server has it another two later
-    book.complete(100);
-    assertEquals(List.of("foreseen 11"), heard);
+    reconciler.complete(100);
+    assertEquals(List.of("predicted 11"), heard);
   }
 
   @Test
@@ -133,27 +133,27 @@ class EventBookTest {
     step(9);
     step(true); // eight ticks later
     tell(ME, 27); // the server has it another eight later: too far from what was heard
-    assertEquals(List.of("foreseen 11", "told 27"), heard);
-    book.complete(100);
-    assertEquals(List.of("foreseen 11", "told 27", "retracted 11"), heard);
+    assertEquals(List.of("predicted 11", "received 27"), heard);
+    reconciler.complete(100);
+    assertEquals(List.of("predicted 11", "received 27", "retracted 11"), heard);
   }
 
   @Test
-  void whatTheServerToldFirstIsNotForeseenAfterwards() {
+  void whatTheServerToldFirstIsNotPredictedAfterwards() {
     step(10);
     tell(ME, 8);
     back(6);
     step(1);
     step(true);
     step(5);
-    book.complete(60);
-    assertEquals(List.of("told 8"), heard);
+    reconciler.complete(60);
+    assertEquals(List.of("received 8"), heard);
   }
 
   @Test
-  void nothingIsForeseenForTicksThatAreToldCompletely() {
+  void nothingIsPredictedForTicksThatAreToldCompletely() {
     step(10);
-    book.complete(9);
+    reconciler.complete(9);
     back(6);
     step(1);
     step(true);
@@ -171,8 +171,8 @@ class EventBookTest {
     step(true);
     tell(ME, 1);
     tell(ME, 4);
-    book.complete(100);
-    assertEquals(List.of("foreseen 1", "foreseen 4"), heard);
+    reconciler.complete(100);
+    assertEquals(List.of("predicted 1", "predicted 4"), heard);
   }
 
   @Test
@@ -180,18 +180,18 @@ class EventBookTest {
     tell(7, 10);
     tell(7, 12);
     tell(ME, 11); // the own body is drawn in the present
-    book.advance(9.5);
-    assertEquals(List.of("told 11"), heard);
-    book.advance(11);
-    assertEquals(List.of("told 11", "told 10"), heard);
-    book.close();
-    assertEquals(List.of("told 11", "told 10", "told 12"), heard);
+    reconciler.advance(9.5);
+    assertEquals(List.of("received 11"), heard);
+    reconciler.advance(11);
+    assertEquals(List.of("received 11", "received 10"), heard);
+    reconciler.close();
+    assertEquals(List.of("received 11", "received 10", "received 12"), heard);
   }
 
   @ParameterizedTest
   @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
-  void whateverIsForeseenTheSumIsTheServers(long seed) {
-    // The server's things happen at random; what is foreseen is right, late, missing or invented,
+  void whateverIsPredictedTheSumIsTheServers(long seed) {
+    // The server's things happen at random; what is predicted is right, late, missing or invented,
     // and each time a rollback computes some of it again, as wrongly.
     Random random = new Random(seed);
     TreeSet<Integer> truth = new TreeSet<>();
@@ -208,7 +208,7 @@ class EventBookTest {
         for (int tick : truth.subSet(told, false, upTo, true)) {
           tell(ME, tick);
         }
-        book.complete(upTo);
+        reconciler.complete(upTo);
         told = upTo;
         back(Math.max(0, told - random.nextInt(8)));
       }
@@ -216,12 +216,12 @@ class EventBookTest {
     for (int tick : truth.tailSet(told, false)) {
       tell(ME, tick);
     }
-    book.complete(2_000);
+    reconciler.complete(2_000);
     long fired = heard.stream().filter(line -> !line.startsWith("retracted")).count();
     long retracted = heard.size() - fired;
     assertEquals(truth.size(), fired - retracted, "seed=" + seed + " " + heard);
-    assertTrue(book.confirmed() > 10, "confirmed=" + book.confirmed());
-    assertEquals(fired, book.fired());
-    assertEquals(retracted, book.retracted());
+    assertTrue(reconciler.confirmed() > 10, "confirmed=" + reconciler.confirmed());
+    assertEquals(fired, reconciler.fired());
+    assertEquals(retracted, reconciler.retracted());
   }
 }

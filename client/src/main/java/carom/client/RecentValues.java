@@ -2,16 +2,17 @@ package carom.client;
 
 import java.util.Arrays;
 
-/** The last values of a measure, for graphs. A ring of fixed size; one thread. */
-public final class Series {
+/** The most recent values of a measure, for graphs. A ring of fixed size; one thread. */
+public final class RecentValues {
   /** Values kept. */
   public static final int CAPACITY = 256;
 
   private final float[] values = new float[CAPACITY];
   private int added;
 
-  Series() {}
+  RecentValues() {}
 
+  /** Adds a value. The oldest one goes when the ring is full. */
   void add(float value) {
     values[added & (CAPACITY - 1)] = value;
     added++;
@@ -20,12 +21,12 @@ public final class Series {
     }
   }
 
-  /** Values held, 0..{@link #CAPACITY}. */
+  /** Returns the number of values held, 0..{@link #CAPACITY}. */
   public int size() {
     return Math.min(added, CAPACITY);
   }
 
-  /** A value by age: 0 is the newest, {@link #size} - 1 the oldest. */
+  /** Returns a value by age: 0 is the newest, {@link #size} - 1 the oldest. */
   public float get(int age) {
     if (age < 0 || age >= size()) {
       throw new IndexOutOfBoundsException("age=" + age + " is outside 0.." + (size() - 1));
@@ -33,12 +34,12 @@ public final class Series {
     return values[(added - 1 - age) & (CAPACITY - 1)];
   }
 
-  /** The newest value, or 0 when there is none. */
+  /** Returns the newest value, or 0 if there is none. */
   public float newest() {
     return size() == 0 ? 0 : get(0);
   }
 
-  /** Mean of all values held, or 0 when there is none. */
+  /** Returns the mean of all values held, or 0 if there is none. */
   public float mean() {
     double sum = 0;
     for (int i = 0; i < size(); i++) {
@@ -47,7 +48,7 @@ public final class Series {
     return size() == 0 ? 0 : (float) (sum / size());
   }
 
-  /** Largest value held, or 0 when there is none. */
+  /** Returns the largest value held, or 0 if there is none above. */
   public float max() {
     float max = 0;
     for (int i = 0; i < size(); i++) {
@@ -56,7 +57,12 @@ public final class Series {
     return max;
   }
 
-  /** The value that a share of the values held is not above, or 0 when there is none. */
+  /**
+   * Returns a percentile of the values held, or 0 if there is none.
+   *
+   * @param share of the values that are not above the result, 0..1
+   * @param scratch at least {@link #CAPACITY} long; overwritten
+   */
   public float percentile(double share, float[] scratch) {
     int size = size();
     if (size == 0) {

@@ -13,31 +13,31 @@ import carom.sim.Simulation;
 import java.util.Arrays;
 
 /**
- * Fills a client's view with what is visible at a moment: each entity as interpolated in the past,
- * as predicted in the present, or between.
+ * Composes the entities of a client's view at a moment: each one as interpolated in the past, as
+ * predicted in the present, or a blend of both.
  *
- * <p>Nothing jumps but what was teleported. What comes into sight fades in where it is, what goes
- * fades out where it was. Where the picture has to change at once, because a guess turned out
- * wrong, a late state changed the way, the clock jumped or the prediction ended, the difference is
- * shown on and fades ({@link VisualError}).
+ * <p>Nothing jumps unless the server teleported it. An entity that appears fades in where it is;
+ * one that goes fades out where it was. Sometimes the picture would have to change at once: a guess
+ * was wrong, a late state changed the path, the clock jumped, or the prediction ended. Then the
+ * difference is kept as a {@link VisualError} and fades.
  *
  * <p>One client's, for one stay in a game; allocates once for each slot that is ever seen.
  */
-final class Painter {
+final class ViewComposer {
   private static final float FADE_IN_SECONDS = 0.15f;
   private static final float FADE_OUT_SECONDS = 0.12f;
 
-  /** A change of the predicted share by more than this per second is no blend, but a jump. */
-  private static final float SHARE_PER_SECOND = 12;
+  /** Fastest blend: a larger change of the prediction's weight per second is a jump. */
+  private static final float WEIGHT_PER_SECOND = 12;
 
-  /** The drawn moment runs by a tenth faster or slower than time at most; more is a jump, ticks. */
+  /** Largest error of the drawn moment beyond a tenth of the time passed; more is a jump, ticks. */
   private static final double MOMENT_SLACK = 3;
 
   /** The picture of one slot. */
   private static final class Track {
     boolean shown;
 
-    /** Gone in the present, so it isn't shown in the past, where it still is, either. */
+    /** Whether it is gone in the present and therefore hidden in the past, where it still is. */
     boolean ghost;
 
     int generation;
@@ -45,15 +45,15 @@ final class Painter {
     int ownerId;
     Archetype archetype;
     float alpha;
-    float share;
+    float weight;
     boolean sampled;
     int fromTick;
     int toTick;
 
-    /** As interpolated. */
-    final Pose way = new Pose();
+    /** Pose as interpolated. */
+    final Pose interpolated = new Pose();
 
-    /** As drawn, but for {@link #error}. */
+    /** Pose as drawn, without {@link #error}. */
     final Pose base = new Pose();
 
     final VisualError error = new VisualError();
@@ -68,9 +68,9 @@ final class Painter {
   private final Pose pose = new Pose();
   private final Pose then = new Pose();
   private Track[] tracks = {};
-  private boolean painted;
-  private long paintedNs;
-  private double paintedTick;
+  private boolean composed;
+  private long composedNs;
+  private double composedTick;
   private double renderTick;
   private float seconds;
   private float fraction;
@@ -78,15 +78,15 @@ final class Painter {
   private boolean joining;
 
   /**
-   * Starts with an empty picture.
+   * Creates a composer of an empty picture.
    *
-   * @param view is filled in
-   * @param decoder has the histories
-   * @param simulation knows the kinds of entities
-   * @param prediction knows the present, or null
+   * @param view receives the entities
+   * @param decoder provides the histories
+   * @param simulation provides the archetypes
+   * @param prediction provides the present; null if nothing is predicted
    * @param tickRate the server's ticks per second
    */
-  Painter(
+  ViewComposer(
       ClientView view,
       SnapshotDecoder decoder,
       Simulation simulation,
@@ -100,19 +100,20 @@ final class Painter {
   }
 
   /**
-   * Paints a moment.
+   * Composes a moment.
    *
    * @param nowNs the present
-   * @param newTick the server's tick that is drawn of what is interpolated
+   * @param newTick the server's tick at which interpolated entities are drawn
    * @param newFraction how much of the newest predicted tick has passed, 0..1
-   * @param isJoining whether what is new is only new to us: it doesn't fade in
+   * @param isJoining whether the client has just joined: then entities don't fade in
    * @param own the own body
    */
-  void paint(long nowNs, double newTick, float newFraction, boolean isJoining, OwnState own) {
+  void compose(long nowNs, double newTick, float newFraction, boolean isJoining, OwnState own) {
     view.clear();
-    seconds = painted ? Math.max(0, (nowNs - paintedNs) * 1e-9f) : 0;
+    seconds = composed ? Math.max(0, (nowNs - composedNs) * 1e-9f) : 0;
     double expected = seconds * view.tickRate;
-    jumped = painted && Math.abs(newTick - paintedTick - expected) > 0.1 * expected + MOMENT_SLACK;
+    jumped =
+        composed && Math.abs(newTick - composedTick - expected) > 0.1 * expected + MOMENT_SLACK;
     renderTick = newTick;
     fraction = newFraction;
     joining = isJoining;
@@ -123,42 +124,42 @@ final class Painter {
     for (int slot = 0; slot < limit; slot++) {
       EntityHistory history = decoder.history(slot);
       if (history != null && history.size() > 0) {
-        paint(slot, history, own);
+        compose(slot, history, own);
       }
     }
-    painted = true;
-    paintedNs = nowNs;
-    paintedTick = newTick;
+    composed = true;
+    composedNs = nowNs;
+    composedTick = newTick;
   }
 
-  private void paint(int slot, EntityHistory history, OwnState own) {
+  private void compose(int slot, EntityHistory history, OwnState own) {
     Track track = tracks[slot];
     int index = interpolator.sample(states.of(history), renderTick, pose);
     ClientView.Drawn drawn = view.add();
     int generation = history.generation(0);
-    float share =
+    float weight =
         prediction == null || !history.alive()
             ? 0
             : prediction.readPose(slot, generation, fraction, drawn.pose);
-    boolean visible = index >= 0 || share > 0;
+    boolean visible = index >= 0 || weight > 0;
     if (track != null && !history.alive()) {
-      track.ghost |= track.share > 0.5f;
+      track.ghost |= track.weight > 0.5f;
       visible &= !track.ghost;
     }
-    int identity = share > 0 || index < 0 ? 0 : index;
+    int identity = weight > 0 || index < 0 ? 0 : index;
     Archetype archetype = visible ? simulation.archetypes().get(history.archetype(identity)) : null;
     if (archetype == null) {
-      leave(slot, track, drawn);
+      fadeOut(slot, track, drawn);
       return;
     }
     if (track == null) {
       track = new Track();
       tracks[slot] = track;
     }
-    if (share == 0) {
+    if (weight == 0) {
       drawn.pose.set(pose);
-    } else if (share < 1 && isSameWay(history, index)) {
-      pose.blend(drawn.pose, share);
+    } else if (weight < 1 && isSamePath(history, index)) {
+      pose.blend(drawn.pose, weight);
       drawn.pose.set(pose);
       interpolator.sample(states, renderTick, pose);
     }
@@ -166,42 +167,42 @@ final class Painter {
     if (fresh || track.teleports != history.teleports(identity)) {
       track.error.clear();
     } else {
-      glide(track, history, index, share, drawn.pose);
+      smooth(track, history, index, weight, drawn.pose);
     }
     if (fresh) {
       track.alpha = joining ? 1 : 0;
     } else {
       track.alpha = Math.min(1, track.alpha + seconds / FADE_IN_SECONDS);
     }
-    remember(track, history, identity, archetype, share);
+    remember(track, history, identity, archetype, weight);
     track.sampled = index >= 0;
     track.fromTick = interpolator.fromTick();
     track.toTick = interpolator.toTick();
-    track.way.set(pose);
+    track.interpolated.set(pose);
     track.base.set(drawn.pose);
     show(slot, track, drawn);
     track.error.addTo(drawn.pose);
     if (slot == own.slot() && drawn.generation == own.generation()) {
-      view.own(view.lastIndex());
+      view.markLastAsOwn();
     }
   }
 
-  /** Whether a state of the past leads to the present one: the same entity, not put elsewhere. */
-  private static boolean isSameWay(EntityHistory history, int index) {
+  /** Returns whether a past state leads to the newest: same entity, no teleport in between. */
+  private static boolean isSamePath(EntityHistory history, int index) {
     return index >= 0
         && history.generation(index) == history.generation(0)
         && history.teleports(index) == history.teleports(0);
   }
 
   private static void remember(
-      Track track, EntityHistory history, int identity, Archetype archetype, float share) {
+      Track track, EntityHistory history, int identity, Archetype archetype, float weight) {
     track.shown = true;
     track.ghost = false;
     track.generation = history.generation(identity);
     track.teleports = history.teleports(identity);
     track.ownerId = history.owner(identity);
     track.archetype = archetype;
-    track.share = share;
+    track.weight = weight;
   }
 
   private static void show(int slot, Track track, ClientView.Drawn drawn) {
@@ -209,43 +210,43 @@ final class Painter {
     drawn.generation = track.generation;
     drawn.archetype = track.archetype;
     drawn.ownerId = track.ownerId;
-    drawn.predicted = track.share;
+    drawn.predicted = track.weight;
     drawn.alpha = track.alpha;
   }
 
-  /** Keeps on showing what the picture would lose or gain at once. */
-  private void glide(Track track, EntityHistory history, int index, float share, Pose present) {
+  /** Turns what would change at once into a visual error. */
+  private void smooth(Track track, EntityHistory history, int index, float weight, Pose present) {
     track.error.fade(seconds);
-    float blended = SHARE_PER_SECOND * seconds + 0.1f;
-    if (Math.abs(share - track.share) > blended || (jumped && share < 1)) {
+    float blended = WEIGHT_PER_SECOND * seconds + 0.1f;
+    if (Math.abs(weight - track.weight) > blended || (jumped && weight < 1)) {
       track.error.add(
           track.base.x - present.x,
           track.base.y - present.y,
           Pose.wrap(track.base.angle - present.angle));
       return;
     }
-    if (index < 0 || share == 1 || !track.sampled || !isSurprise(track)) {
+    if (index < 0 || weight == 1 || !track.sampled || !isNewPath(track)) {
       return;
     }
     int from = interpolator.fromTick();
     int to = interpolator.toTick();
-    int before = interpolator.sample(states, paintedTick, then);
+    int before = interpolator.sample(states, composedTick, then);
     if (before >= 0
         && history.generation(before) == history.generation(index)
         && history.teleports(before) == history.teleports(index)) {
-      float weight = 1 - share;
+      float past = 1 - weight;
       track.error.add(
-          weight * (track.way.x - then.x),
-          weight * (track.way.y - then.y),
-          weight * Pose.wrap(track.way.angle - then.angle));
+          past * (track.interpolated.x - then.x),
+          past * (track.interpolated.y - then.y),
+          past * Pose.wrap(track.interpolated.angle - then.angle));
     }
     if (from != interpolator.fromTick() || to != interpolator.toTick()) {
-      interpolator.sample(states, renderTick, then); // leave it as it was
+      interpolator.sample(states, renderTick, then); // restores its state
     }
   }
 
-  /** Whether the way that was drawn last isn't part of the way that is known now. */
-  private boolean isSurprise(Track track) {
+  /** Returns whether the path drawn last isn't part of the path known now. */
+  private boolean isNewPath(Track track) {
     int from = interpolator.fromTick();
     int to = interpolator.toTick();
     if (from == track.fromTick && to == track.toTick) {
@@ -254,17 +255,17 @@ final class Painter {
     return track.toTick == Interpolator.NONE || from < track.toTick;
   }
 
-  /** Shows what is gone a little longer, going on as it went. */
-  private void leave(int slot, Track track, ClientView.Drawn drawn) {
+  /** Shows an entity that is gone a little longer, on its last course. */
+  private void fadeOut(int slot, Track track, ClientView.Drawn drawn) {
     if (track != null && track.shown) {
       track.alpha -= seconds / FADE_OUT_SECONDS;
       track.shown = track.alpha > 0;
     }
     if (track == null || !track.shown) {
-      view.dropLast();
+      view.removeLast();
       return;
     }
-    track.share = 0;
+    track.weight = 0;
     track.error.fade(seconds);
     float ahead = seconds * track.alpha;
     track.base.x += track.base.vx * ahead;
