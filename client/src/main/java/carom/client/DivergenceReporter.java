@@ -1,5 +1,6 @@
 package carom.client;
 
+import carom.client.link.Connection;
 import carom.client.prediction.Agreement;
 import carom.client.prediction.Prediction;
 import carom.net.protocol.ClientMessage;

@@ -3,6 +3,7 @@ package carom.client;
 import carom.client.events.EventListener;
 import carom.client.events.EventReconciler;
 import carom.client.events.RepeatedEventFilter;
+import carom.client.stats.NetStatsRecorder;
 import carom.net.codec.Quantizer;
 import carom.net.snapshot.EventInbox;
 import carom.net.snapshot.EventRecord;

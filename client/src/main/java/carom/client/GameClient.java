@@ -2,6 +2,13 @@ package carom.client;
 
 import carom.client.events.EventListener;
 import carom.client.events.RepeatedEventFilter;
+import carom.client.link.Connection;
+import carom.client.link.ConnectionPhase;
+import carom.client.link.ServerAddress;
+import carom.client.stats.NetStats;
+import carom.client.stats.NetStatsRecorder;
+import carom.client.view.ClientView;
+import carom.client.view.ViewWriter;
 import carom.game.Games;
 import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.SnapshotDecoder;

@@ -1,7 +1,9 @@
 package carom.client;
 
 import carom.client.clock.TickClock;
+import carom.client.link.Connection;
 import carom.client.prediction.Prediction;
+import carom.client.stats.NetStatsRecorder;
 import carom.net.protocol.InputDatagram;
 import carom.net.protocol.Limits;
 import carom.net.snapshot.InputFeedback;

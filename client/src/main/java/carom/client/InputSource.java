@@ -1,5 +1,6 @@
 package carom.client;
 
+import carom.client.view.ClientView;
 import carom.sim.Input;
 
 /** Whoever plays: a person at a keyboard, a bot, a script. Called on the client's thread. */

@@ -1,5 +1,6 @@
 package carom.client;
 
+import carom.client.link.Connection;
 import carom.net.protocol.ClientMessage;
 
 /**

@@ -1,5 +1,6 @@
 package carom.client;
 
+import carom.client.stats.NetStatsRecorder;
 import carom.net.snapshot.DecodeStatus;
 import carom.net.snapshot.OwnState;
 import carom.net.snapshot.SnapshotDecoder;

@@ -1,7 +1,7 @@
 package carom.client.bots;
 
-import carom.client.ClientView;
 import carom.client.InputSource;
+import carom.client.view.ClientView;
 import carom.sim.Appearance.Look;
 import carom.sim.Input;
 import carom.sim.Level;

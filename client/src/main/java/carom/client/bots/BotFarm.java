@@ -1,9 +1,9 @@
 package carom.client.bots;
 
 import carom.client.ClientConfig;
-import carom.client.ConnectionPhase;
 import carom.client.GameClient;
-import carom.client.NetStats;
+import carom.client.link.ConnectionPhase;
+import carom.client.stats.NetStats;
 import carom.net.transport.ClientTransport;
 import carom.physics.threads.Workers;
 import carom.sim.SimRandom;

@@ -1,10 +1,10 @@
 package carom.client.bots;
 
 import carom.client.ClientConfig;
-import carom.client.NetworkOptions;
 import carom.client.PredictionMode;
-import carom.client.ProgramVersion;
-import carom.client.StopSignal;
+import carom.client.app.NetworkOptions;
+import carom.client.app.ProgramVersion;
+import carom.client.app.StopSignal;
 import carom.net.kryo.CrowdTransport;
 import carom.net.protocol.PlayerName;
 import carom.net.transport.ClientTransport;

@@ -1,6 +1,6 @@
 package carom.client.bots;
 
-import carom.client.NetStats;
+import carom.client.stats.NetStats;
 
 /**
  * What a bot measured in all its stays: each client it has been counts from zero. Used by one

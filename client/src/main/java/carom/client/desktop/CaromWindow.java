@@ -1,14 +1,14 @@
 package carom.client.desktop;
 
 import carom.client.ClientConfig;
-import carom.client.ClientOptions;
 import carom.client.GameClient;
-import carom.client.ReplayClient;
+import carom.client.app.ClientOptions;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.scene.SceneScreen;
 import carom.client.desktop.sound.AudioDevice;
 import carom.client.desktop.sound.EventSounds;
+import carom.client.replay.ReplayClient;
 import carom.net.transport.ClientTransport;
 import com.badlogic.gdx.ApplicationAdapter;
 import com.badlogic.gdx.Gdx;

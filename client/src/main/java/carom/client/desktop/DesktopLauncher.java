@@ -1,7 +1,7 @@
 package carom.client.desktop;
 
-import carom.client.ClientOptions;
-import carom.client.Window;
+import carom.client.app.ClientOptions;
+import carom.client.app.Window;
 import carom.client.desktop.sound.AudioDevice;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.kryo.KryoMessageCodec;

@@ -1,8 +1,5 @@
 package carom.client.desktop;
 
-import carom.client.ClientView;
-import carom.client.ClientView.Drawn;
-import carom.client.ConnectionPhase;
 import carom.client.GameClient;
 import carom.client.InputSource;
 import carom.client.desktop.game.GamePicture;
@@ -11,6 +8,9 @@ import carom.client.desktop.hud.NetGraph;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.sound.EventSounds;
+import carom.client.link.ConnectionPhase;
+import carom.client.view.ClientView;
+import carom.client.view.ClientView.Drawn;
 import carom.sim.Input;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;

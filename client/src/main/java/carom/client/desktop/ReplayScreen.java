@@ -1,12 +1,12 @@
 package carom.client.desktop;
 
-import carom.client.ReplayClient;
 import carom.client.desktop.game.GamePicture;
 import carom.client.desktop.hud.Hud;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.Theme;
 import carom.client.desktop.sound.EventSounds;
+import carom.client.replay.ReplayClient;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;
 import com.badlogic.gdx.InputAdapter;

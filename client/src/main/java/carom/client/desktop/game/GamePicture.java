@@ -1,7 +1,5 @@
 package carom.client.desktop.game;
 
-import carom.client.ClientView;
-import carom.client.ClientView.Drawn;
 import carom.client.desktop.hud.Hud;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.DebugPainter;
@@ -10,6 +8,8 @@ import carom.client.desktop.paint.Theme;
 import carom.client.desktop.paint.ViewCamera;
 import carom.client.desktop.sound.EventSounds;
 import carom.client.events.EventListener;
+import carom.client.view.ClientView;
+import carom.client.view.ClientView.Drawn;
 import carom.sim.Event;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;

@@ -1,9 +1,9 @@
 package carom.client.desktop.game;
 
-import carom.client.ClientView;
-import carom.client.ClientView.Drawn;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Theme;
+import carom.client.view.ClientView;
+import carom.client.view.ClientView.Drawn;
 import carom.sim.Appearance.Look;
 import carom.sim.Archetype;
 import com.badlogic.gdx.graphics.Color;

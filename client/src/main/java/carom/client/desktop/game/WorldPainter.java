@@ -1,10 +1,10 @@
 package carom.client.desktop.game;
 
-import carom.client.ClientView;
-import carom.client.ClientView.Drawn;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.ShapePainter;
 import carom.client.desktop.paint.Theme;
+import carom.client.view.ClientView;
+import carom.client.view.ClientView.Drawn;
 import carom.game.Games;
 import carom.physics.Body;
 import carom.physics.geometry.Box;

@@ -1,12 +1,12 @@
 package carom.client.desktop.hud;
 
-import carom.client.ClientView;
-import carom.client.ClientView.Drawn;
-import carom.client.ConnectionPhase;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.Theme;
 import carom.client.desktop.paint.ViewCamera;
+import carom.client.link.ConnectionPhase;
+import carom.client.view.ClientView;
+import carom.client.view.ClientView.Drawn;
 import carom.game.Games;
 import carom.net.protocol.Limits;
 import carom.net.protocol.ServerMessage.RosterEntry;

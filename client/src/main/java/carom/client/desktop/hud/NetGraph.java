@@ -1,10 +1,10 @@
 package carom.client.desktop.hud;
 
-import carom.client.NetStats;
-import carom.client.RecentValues;
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.Theme;
+import carom.client.stats.NetStats;
+import carom.client.stats.RecentValues;
 import com.badlogic.gdx.graphics.Color;
 import java.util.Locale;
 

@@ -1,4 +1,4 @@
-package carom.client;
+package carom.client.stats;
 
 import carom.client.clock.RenderClock;
 import carom.client.clock.TickClock;

@@ -1,4 +1,4 @@
-package carom.client;
+package carom.client.replay;
 
 import carom.client.interpolation.Pose;
 import carom.sim.Entity;

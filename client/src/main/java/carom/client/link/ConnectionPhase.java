@@ -1,4 +1,6 @@
-package carom.client;
+package carom.client.link;
+
+import carom.client.view.ClientView;
 
 /** Where a client stands on its way into the game. */
 public enum ConnectionPhase {

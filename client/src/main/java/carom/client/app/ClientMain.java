@@ -1,5 +1,14 @@
-package carom.client;
+package carom.client.app;
 
+import carom.client.ClientConfig;
+import carom.client.GameClient;
+import carom.client.InputSource;
+import carom.client.PredictionMode;
+import carom.client.link.ConnectionPhase;
+import carom.client.replay.ReplayClient;
+import carom.client.replay.SpectatorThread;
+import carom.client.stats.NetStats;
+import carom.client.view.ClientView;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.protocol.PlayerName;
 import carom.net.transport.ClientTransport;

@@ -1,4 +1,4 @@
-package carom.client;
+package carom.client.stats;
 
 /**
  * Share of lost snapshot datagrams among the last {@value #SIZE}. Reads the acknowledgements as the

@@ -1,5 +1,6 @@
-package carom.client;
+package carom.client.app;
 
+import carom.client.ClientConfig;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.ImpairedClientTransport;

@@ -1,4 +1,4 @@
-package carom.client;
+package carom.client.stats;
 
 /**
  * Figures about a connection and its predictions, for a net graph, a status line or a test. Read it

@@ -1,4 +1,4 @@
-package carom.client;
+package carom.client.replay;
 
 import carom.replay.Replay;
 import java.util.ArrayList;

@@ -1,4 +1,4 @@
-package carom.client;
+package carom.client.link;
 
 /**
  * Address of a server.

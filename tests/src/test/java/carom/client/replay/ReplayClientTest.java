@@ -1,4 +1,4 @@
-package carom.client;
+package carom.client.replay;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -7,7 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.client.app.ClientMain;
 import carom.client.bots.Bot;
+import carom.client.link.ConnectionPhase;
+import carom.client.view.ClientView;
 import carom.net.transport.Impairment;
 import carom.replay.RecordingException;
 import carom.testkit.Stepper;

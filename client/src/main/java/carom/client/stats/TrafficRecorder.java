@@ -1,4 +1,4 @@
-package carom.client;
+package carom.client.stats;
 
 import org.HdrHistogram.IntCountsHistogram;
 

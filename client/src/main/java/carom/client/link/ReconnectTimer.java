@@ -1,4 +1,4 @@
-package carom.client;
+package carom.client.link;
 
 /**
  * Decides when to try to come back after a link was lost: soon at first, then ever later, and for a

@@ -1,4 +1,4 @@
-package carom.client;
+package carom.client.stats;
 
 import carom.client.prediction.Prediction;
 import carom.client.prediction.Reconciliation;

@@ -1,5 +1,6 @@
-package carom.client;
+package carom.client.replay;
 
+import carom.client.ClientConfig;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.Limits;
 import carom.net.protocol.Protocol;

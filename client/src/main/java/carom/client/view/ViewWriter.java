@@ -1,6 +1,8 @@
-package carom.client;
+package carom.client.view;
 
 import carom.client.interpolation.Pose;
+import carom.client.link.ConnectionPhase;
+import carom.client.stats.NetStats;
 import carom.net.protocol.ServerMessage.Roster;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.sim.Archetype;

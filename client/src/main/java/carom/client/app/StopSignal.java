@@ -1,4 +1,4 @@
-package carom.client;
+package carom.client.app;
 
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;

@@ -1,5 +1,6 @@
-package carom.client;
+package carom.client.app;
 
+import carom.client.ClientConfig;
 import carom.net.transport.Impairment;
 import carom.sim.scene.Scene;
 import java.nio.file.Path;

@@ -1,4 +1,4 @@
-package carom.client;
+package carom.client.link;
 
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.Limits;

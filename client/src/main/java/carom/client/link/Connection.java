@@ -1,5 +1,6 @@
-package carom.client;
+package carom.client.link;
 
+import carom.client.stats.NetStatsRecorder;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.Limits;
@@ -21,9 +22,9 @@ import carom.sim.Level;
  *    └────────────┴────────────┴──────────┴─────────┘        lost: back to WAITING, if wanted
  * </pre>
  */
-final class Connection implements LinkHandler {
+public final class Connection implements LinkHandler {
   /** Receives what a connection brings. */
-  interface Listener {
+  public interface Listener {
     /**
      * The server has let the client in and the level is here: playing begins.
      *
@@ -99,7 +100,7 @@ final class Connection implements LinkHandler {
    * @param playerName the player's name
    * @param reconnects whether to come back after a link was lost
    */
-  Connection(
+  public Connection(
       ServerAddress address,
       String playerName,
       boolean reconnects,
@@ -115,7 +116,7 @@ final class Connection implements LinkHandler {
   }
 
   /** Takes in what has arrived and does what is due. */
-  void update(long nowNs) {
+  public void update(long nowNs) {
     this.nowNs = nowNs;
     switch (stage) {
       case IDLE -> open();
@@ -376,7 +377,7 @@ final class Connection implements LinkHandler {
   }
 
   /** Leaves the game for good. */
-  void leave() {
+  public void leave() {
     if (stage == Stage.ENDED) {
       return;
     }
@@ -387,14 +388,14 @@ final class Connection implements LinkHandler {
   }
 
   /** Sends a message, if playing. */
-  void send(ClientMessage message) {
+  public void send(ClientMessage message) {
     if (link != null && stage == Stage.PLAYING) {
       link.send(message);
     }
   }
 
   /** Sends a datagram, if playing; returns whether the link took it. */
-  boolean sendDatagram(byte[] bytes, int length) {
+  public boolean sendDatagram(byte[] bytes, int length) {
     return link != null && stage == Stage.PLAYING && link.sendDatagram(bytes, 0, length);
   }
 
@@ -409,12 +410,12 @@ final class Connection implements LinkHandler {
   }
 
   /** Returns whether the client is in the game. */
-  boolean isPlaying() {
+  public boolean isPlaying() {
     return stage == Stage.PLAYING;
   }
 
   /** Returns where the client stands on its way into the game. */
-  ConnectionPhase phase() {
+  public ConnectionPhase phase() {
     if (comeback.isRunning() && stage != Stage.ENDED) {
       return ConnectionPhase.RECONNECTING;
     }
@@ -430,12 +431,12 @@ final class Connection implements LinkHandler {
   }
 
   /** Returns whether the connection has ended for a reason that may be over in a moment. */
-  boolean isRetryUseful() {
+  public boolean isRetryUseful() {
     return stage == Stage.ENDED && retryUseful;
   }
 
   /** Returns what is going on, in words for the player; empty while playing. */
-  String message() {
+  public String message() {
     return comeback.isRunning() && stage != Stage.ENDED
         ? message
             + " Reconnecting"
@@ -445,12 +446,12 @@ final class Connection implements LinkHandler {
   }
 
   /** Returns the share of the level that has arrived, 0..1. */
-  double levelProgress() {
+  public double levelProgress() {
     return stage == Stage.PLAYING ? 1 : download.share();
   }
 
   /** Returns the quickest answer to a message so far, nanoseconds; 0 before the first. */
-  long roundTripNs() {
+  public long roundTripNs() {
     return roundTripNs;
   }
 

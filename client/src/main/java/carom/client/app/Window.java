@@ -1,4 +1,4 @@
-package carom.client;
+package carom.client.app;
 
 /**
  * A window a client can be played in. {@code carom.client} knows no toolkit: the implementation is

@@ -1,4 +1,4 @@
-package carom.client;
+package carom.client.view;
 
 import carom.client.interpolation.DecodedHistory;
 import carom.client.interpolation.Interpolator;
@@ -23,7 +23,7 @@ import java.util.Arrays;
  *
  * <p>One client's, for one stay in a game; allocates once for each slot that is ever seen.
  */
-final class ViewComposer {
+public final class ViewComposer {
   private static final float FADE_IN_SECONDS = 0.15f;
   private static final float FADE_OUT_SECONDS = 0.12f;
 
@@ -86,7 +86,7 @@ final class ViewComposer {
    * @param prediction provides the present; null if nothing is predicted
    * @param tickRate the server's ticks per second
    */
-  ViewComposer(
+  public ViewComposer(
       ClientView view,
       SnapshotDecoder decoder,
       Simulation simulation,
@@ -108,7 +108,8 @@ final class ViewComposer {
    * @param isJoining whether the client has just joined: then entities don't fade in
    * @param own the own body
    */
-  void compose(long nowNs, double newTick, float newFraction, boolean isJoining, OwnState own) {
+  public void compose(
+      long nowNs, double newTick, float newFraction, boolean isJoining, OwnState own) {
     view.clear();
     seconds = composed ? Math.max(0, (nowNs - composedNs) * 1e-9f) : 0;
     double expected = seconds * view.tickRate;

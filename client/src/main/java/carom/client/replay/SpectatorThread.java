@@ -1,5 +1,6 @@
-package carom.client;
+package carom.client.replay;
 
+import carom.client.ClientConfig;
 import carom.net.transport.ClientTransport;
 import carom.replay.RecordingReader;
 import java.io.IOException;
@@ -10,7 +11,7 @@ import java.nio.file.Path;
  * A {@link Spectator} on a thread of its own, so that its file grows beside whoever plays it. The
  * file is temporary and goes when this is closed.
  */
-final class SpectatorThread implements AutoCloseable {
+public final class SpectatorThread implements AutoCloseable {
   private static final long NAP_MS = 5;
   private static final long LEAVE_MS = 200;
   private static final long EXTRA_S = 10;
@@ -23,7 +24,16 @@ final class SpectatorThread implements AutoCloseable {
   private volatile String message = "";
   private volatile boolean ended;
 
-  SpectatorThread(ClientConfig config, int room, ClientTransport transport) throws IOException {
+  /**
+   * Starts the thread.
+   *
+   * @param config names the server
+   * @param room 1..255
+   * @param transport opens the link; stays the caller's
+   * @throws IOException if the temporary file can't be written
+   */
+  public SpectatorThread(ClientConfig config, int room, ClientTransport transport)
+      throws IOException {
     file = Files.createTempFile("carom-watched", ".carom");
     file.toFile().deleteOnExit();
     spectator = new Spectator(config, room, transport, file);
@@ -60,7 +70,7 @@ final class SpectatorThread implements AutoCloseable {
    *
    * @return the recording's file, or null when there is none; {@link #message} says why
    */
-  Path await() {
+  public Path await() {
     long beginNs = System.nanoTime();
     while (!ended && System.nanoTime() - beginNs < (delaySeconds + EXTRA_S) * 1_000_000_000L) {
       try (RecordingReader reader = RecordingReader.open(file)) {
@@ -79,7 +89,7 @@ final class SpectatorThread implements AutoCloseable {
   }
 
   /** Why nothing more comes, or an empty string. */
-  String message() {
+  public String message() {
     return message.isEmpty() ? "There is nothing to watch yet; try again later." : message;
   }
 

@@ -1,7 +1,11 @@
-package carom.client;
+package carom.client.replay;
 
 import carom.client.events.EventListener;
 import carom.client.interpolation.Pose;
+import carom.client.link.ConnectionPhase;
+import carom.client.stats.NetStatsRecorder;
+import carom.client.view.ClientView;
+import carom.client.view.ViewWriter;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.ServerMessage.RosterEntry;
 import carom.physics.Body;

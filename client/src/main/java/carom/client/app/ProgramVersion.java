@@ -1,4 +1,4 @@
-package carom.client;
+package carom.client.app;
 
 import picocli.CommandLine.IVersionProvider;
 
