@@ -227,7 +227,7 @@ final class JoinedGame {
 
   // ---- the picture
 
-  /** Writes what a view shows besides entities. */
+  /** Updates the view, except its entities, which are composed on demand. */
   void describe(boolean playing) {
     if (prediction != null) {
       for (int i = 0; i < OwnState.MEMORY; i++) {

@@ -25,7 +25,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** {@code carom-client}: plays on a server, in a window or without one. */
+/** The program {@code carom-client}: plays on a server, in a window or without one. */
 @Command(
     name = "carom-client",
     mixinStandardHelpOptions = true,
@@ -122,13 +122,14 @@ public final class ClientMain implements Callable<Integer> {
   private ClientMain() {}
 
   /**
-   * Entry point; exits with 0 after a normal end, 1 when playing was not possible, 2 on bad flags.
+   * Runs the program, and exits with 0 after a normal end, 1 if playing was not possible, 2 on bad
+   * flags.
    */
   public static void main(String[] args) {
     System.exit(run(args));
   }
 
-  /** As {@link #main}, but returns the exit code. */
+  /** Runs the program like {@link #main}, but returns the exit code. */
   public static int run(String... args) {
     return BadFlag.explainedBy(new CommandLine(new ClientMain()))
         .setCaseInsensitiveEnumValuesAllowed(true)
@@ -219,7 +220,7 @@ public final class ClientMain implements Callable<Integer> {
     }
   }
 
-  /** Computes what is watched and says how it goes; 1 when it came out otherwise. */
+  /** Replays what is watched, and prints a line per second; returns 1 if it diverged. */
   private int watchHeadless(Path file, StopSignal stop) throws IOException {
     try (ReplayClient client = new ReplayClient(file)) {
       client.seek(Integer.MAX_VALUE);

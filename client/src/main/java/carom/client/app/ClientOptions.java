@@ -6,21 +6,20 @@ import carom.sim.scene.Scene;
 import java.nio.file.Path;
 
 /**
- * What the command line of {@code carom-client} asked for.
+ * Options from the command line of {@code carom-client}, for a window.
  *
- * @param config the client
- * @param impairment a bad network on purpose; {@code Impairment.NONE} for none
- * @param connectAtOnce whether the server was named: false shows the connect screen first
+ * @param config server, player and settings
+ * @param impairment a simulated bad network; {@code Impairment.NONE} for none
+ * @param connectAtOnce whether the server was named; false shows the connect screen first
  * @param seconds leave after this time; 0 = when the player does
  * @param netGraph whether the window starts with the net graph shown ({@code --net-graph})
  * @param debug whether the window starts with debug drawing ({@code --debug})
  * @param screenshot PNG file for the window's last picture, written when {@code seconds} are over
  *     ({@code --screenshot FILE}); empty = none
  * @param volume of the loudest sound, 0..1 ({@code --volume}); 0 = silent
- * @param replay a recording to play instead of playing oneself ({@code --replay FILE}); null to
- *     play
- * @param live whether that recording grows: it is played from its end on ({@code --watch})
- * @param scene what to look at instead of playing ({@code --scene NAME}); null to play
+ * @param replay a recording to show instead of playing ({@code --replay FILE}); null to play
+ * @param live whether that recording grows and is shown from its end on ({@code --watch})
+ * @param scene a scene to show instead of playing ({@code --scene NAME}); null to play
  */
 public record ClientOptions(
     ClientConfig config,

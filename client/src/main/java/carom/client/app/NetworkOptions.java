@@ -16,17 +16,17 @@ import org.slf4j.LoggerFactory;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** Command line flags that all client programs share: where the server is, and a bad network. */
+/** Command line flags that all client programs share: the server, and a simulated bad network. */
 public final class NetworkOptions {
-  /** How much is logged, to standard error. */
+  /** Amount of logging to standard error. */
   public enum LogLevel {
-    /** Only what broke. */
+    /** Failures. */
     ERROR,
-    /** And what looks wrong. */
+    /** Also suspicious things. */
     WARN,
-    /** And what happens. */
+    /** Also what happens. */
     INFO,
-    /** And why. */
+    /** Also why it happens. */
     DEBUG
   }
 
@@ -60,15 +60,15 @@ public final class NetworkOptions {
 
   @Mixin NetworkConditions conditions = new NetworkConditions();
 
-  /** Creates the defaults; the command line fills them in. */
+  /** Creates the defaults; the command line changes them. */
   public NetworkOptions() {}
 
-  /** A config for this server and a player of this name. */
+  /** Returns a config for this server and a player of this name. */
   public ClientConfig config(String name) {
     return ClientConfig.of(name).withServer(host, tcpPort, udpPort);
   }
 
-  /** What is wrong with the flags, in words that name flag, value and range; null when nothing. */
+  /** Returns what is wrong with the flags (flag, value, range), or null if nothing is. */
   public String problem() {
     if (tcpPort < 1 || tcpPort > 65_535) {
       return "--tcp-port=" + tcpPort + " is outside 1..65535";
@@ -79,12 +79,14 @@ public final class NetworkOptions {
     return conditions.problem();
   }
 
-  /** The bad network asked for; {@code Impairment.NONE} with a seed when none was. */
+  /**
+   * Returns the simulated bad network; {@code Impairment.NONE} with a seed if none was asked for.
+   */
   public Impairment impairment() {
     return conditions.impairment();
   }
 
-  /** Puts the bad network asked for in front of a transport. */
+  /** Wraps a transport with the simulated bad network. */
   public ClientTransport impair(ClientTransport transport) {
     return conditions.isBad()
         ? new ImpairedClientTransport(
@@ -92,7 +94,7 @@ public final class NetworkOptions {
         : transport;
   }
 
-  /** Lets the program log to standard error, as much as was asked for. */
+  /** Starts logging to standard error. */
   public void startLogging() {
     LoggerContext context = (LoggerContext) LoggerFactory.getILoggerFactory();
     context.reset();

@@ -2,9 +2,9 @@ package carom.client.app;
 
 import picocli.CommandLine.IVersionProvider;
 
-/** What {@code --version} says: the version in the jar's manifest. */
+/** Provides the answer to {@code --version}: the version in the jar's manifest. */
 public final class ProgramVersion implements IVersionProvider {
-  /** Called by the command line. */
+  /** Creates a provider; the command line calls this. */
   public ProgramVersion() {}
 
   @Override

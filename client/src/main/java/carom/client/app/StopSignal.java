@@ -4,11 +4,11 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Lets a program that is asked to stop (Ctrl-C, SIGTERM) leave the game first, so that its players'
- * places are free at once.
+ * Delays the end of a program that is asked to stop (Ctrl-C, SIGTERM) until its players have left
+ * the game, so that their places are free at once.
  *
- * <p>The loop asks {@link #asked} once per turn; {@link #close} says that everybody has left. Any
- * thread.
+ * <p>The program's loop checks {@link #asked} once per turn, and calls {@link #close} when all
+ * players have left. Thread-safe.
  */
 public final class StopSignal implements AutoCloseable {
   private static final long LONGEST_GOODBYE_MS = 1_500;
@@ -17,12 +17,12 @@ public final class StopSignal implements AutoCloseable {
   private final Thread hook = new Thread(this::askAndWait, "carom-stop");
   private volatile boolean asked;
 
-  /** Listens from now on. */
+  /** Starts to listen for the request to stop. */
   public StopSignal() {
     Runtime.getRuntime().addShutdownHook(hook);
   }
 
-  /** Whether the program should come to its end. */
+  /** Returns whether the program was asked to stop. */
   public boolean asked() {
     return asked;
   }
@@ -38,7 +38,7 @@ public final class StopSignal implements AutoCloseable {
     }
   }
 
-  /** The players have left: the program may end. */
+  /** Lets the program end: the players have left. */
   @Override
   public void close() {
     left.countDown();
@@ -46,7 +46,7 @@ public final class StopSignal implements AutoCloseable {
       try {
         Runtime.getRuntime().removeShutdownHook(hook);
       } catch (IllegalStateException e) {
-        asked = true; // the program is ending this very moment
+        asked = true; // the program is already ending
       }
     }
   }

@@ -1,14 +1,14 @@
 package carom.client.app;
 
 /**
- * A window a client can be played in. {@code carom.client} knows no toolkit: the implementation is
- * found by {@link java.util.ServiceLoader} and named in {@code META-INF/services}.
+ * A window to play in. This package knows no toolkit: {@link java.util.ServiceLoader} finds the
+ * implementation that {@code META-INF/services} names.
  */
 public interface Window {
   /**
    * Opens the window and blocks until it is closed.
    *
-   * @param options what the player asked for on the command line
+   * @param options from the command line
    * @return exit code of the program: 0 = closed by the player
    */
   int launch(ClientOptions options);

@@ -3,14 +3,14 @@ package carom.client.interpolation;
 import carom.net.codec.Quantizer;
 import carom.net.snapshot.EntityHistory;
 
-/** Reads a decoder's history in metres and radians. Reused for one history after another. */
+/** Converts a decoder's history to metres and radians. Reused for one history after another. */
 public final class DecodedHistory implements StateHistory {
   private EntityHistory history;
 
   /** Creates a reader; call {@link #of} before anything else. */
   public DecodedHistory() {}
 
-  /** Reads this history from now on; returns this. */
+  /** Sets the history to read; returns this. */
   public DecodedHistory of(EntityHistory history) {
     this.history = history;
     return this;

@@ -5,36 +5,36 @@ package carom.client.interpolation;
  * metres and radians per second.
  */
 public interface StateHistory {
-  /** StateHistory known. */
+  /** Returns the number of known states. */
   int size();
 
-  /** Tick after which the entity was in this state. */
+  /** Returns the tick after which the entity was in this state. */
   int tick(int index);
 
-  /** Whether the slot held an entity then. */
+  /** Returns whether the slot held an entity then. */
   boolean alive(int index);
 
-  /** Tells entities apart that held the slot one after the other. */
+  /** Returns the generation, which differs between successive entities of a slot. */
   int generation(int index);
 
-  /** How often it was put elsewhere, modulo 16: between different numbers there is no way. */
+  /** Returns the teleport counter, modulo 16. States with different counters aren't connected. */
   int teleports(int index);
 
-  /** Body origin. */
+  /** Returns x of the body origin. */
   float x(int index);
 
-  /** Body origin. */
+  /** Returns y of the body origin. */
   float y(int index);
 
-  /** Angle in -pi..pi. */
+  /** Returns the angle, -pi..pi. */
   float angle(int index);
 
-  /** Velocity. */
+  /** Returns x of the velocity. */
   float vx(int index);
 
-  /** Velocity. */
+  /** Returns y of the velocity. */
   float vy(int index);
 
-  /** Angular velocity. */
+  /** Returns the angular velocity. */
   float omega(int index);
 }

@@ -1,21 +1,20 @@
 package carom.client.link;
 
-import carom.client.view.ClientView;
 
 /** Where a client stands on its way into the game. */
 public enum ConnectionPhase {
-  /** Nothing was started yet. */
+  /** The first update hasn't happened yet. */
   IDLE,
   /** The link is being opened. */
   CONNECTING,
-  /** The link is open; the server has not let us in yet. */
+  /** The link is open; the server hasn't answered yet. */
   JOINING,
-  /** The level is on its way. */
+  /** The level is being downloaded. */
   LOADING,
-  /** In the game. */
+  /** The client is in the game. */
   PLAYING,
-  /** The link was lost; the client tries to come back by itself. The last picture stays. */
+  /** The link was lost and the client tries to come back. The last picture stays. */
   RECONNECTING,
-  /** Over: refused, left, kicked, or out of reach. {@link ClientView#message} says why. */
+  /** The client was refused or kicked, has left, or can't reach the server. The view says why. */
   ENDED
 }

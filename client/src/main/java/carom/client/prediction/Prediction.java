@@ -60,7 +60,7 @@ public final class Prediction {
   private final Agreement agreement = new Agreement();
   private final Reconciliation result = new Reconciliation();
   private final OwnState server = new OwnState();
-  private final SyncTest syncTest;
+  private final SyncTester syncTester;
   private final boolean runsSyncTest;
   private boolean active;
   private int confirmedTick = -1;
@@ -75,8 +75,8 @@ public final class Prediction {
    * @param maxReplayNs longest time a replay may take, nanoseconds; {@value
    *     ReplayBudget#UPDATE_FACTOR} times that when it applies an update
    * @param stopwatch measures it
-   * @param runsSyncTest whether to roll back {@value SyncTest#TICKS} ticks in each tick and compare
-   *     the hashes; for developers, takes ten times as long
+   * @param runsSyncTest whether to roll back {@value SyncTester#TICKS} ticks in each tick and
+   *     compare the hashes; for developers, takes ten times as long
    */
   public Prediction(
       Simulation simulation,
@@ -106,7 +106,7 @@ public final class Prediction {
     reconciler =
         new Reconciler(
             simulation, inputs, poses, timeline, corrector, updates, budget, agreement, result);
-    syncTest = new SyncTest(timeline, inputs);
+    syncTester = new SyncTester(timeline, inputs);
   }
 
   /** Returns the predicted simulation, for debug drawing. Do not change it. */
@@ -147,7 +147,7 @@ public final class Prediction {
       timeline.step(input, false);
     }
     if (runsSyncTest) {
-      syncTest.run();
+      syncTester.run();
     }
   }
 
@@ -275,7 +275,7 @@ public final class Prediction {
 
   /** Returns how many sync tests failed; 0 unless the simulation has a fault. */
   public long syncErrors() {
-    return syncTest.errors();
+    return syncTester.errors();
   }
 
   /** Returns what is known of the agreement with the server; the same object for ever. */

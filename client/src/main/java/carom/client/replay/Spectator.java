@@ -16,11 +16,11 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
 /**
- * Fetches the recording of a room that is being played, as far as the server shows it, into a file
- * that grows: a {@link ReplayClient} of that file is a spectator. Asks for several pieces at once
- * while there is much to fetch, and a few times a second at the end.
+ * Downloads the recording of a room that is being played into a file that grows. A {@link
+ * ReplayClient} of that file shows the game, as late as the server wants it.
  *
- * <p>One thread, driven by {@link #update}; nothing here waits.
+ * <p>It requests several pieces at once while there is much to download, and one piece a few times
+ * a second at the end. One thread, driven by {@link #update}; nothing here waits.
  */
 public final class Spectator implements LinkHandler, AutoCloseable {
   private static final int PIECES_IN_FLIGHT = 16;
@@ -47,11 +47,11 @@ public final class Spectator implements LinkHandler, AutoCloseable {
   /**
    * Creates a spectator that connects at the first {@link #update}.
    *
-   * @param config where the server is
+   * @param config names the server
    * @param room 1..255
    * @param transport opens the link; stays the caller's
-   * @param target is overwritten
-   * @throws IOException when the file can't be written
+   * @param target the file; overwritten
+   * @throws IOException if the file can't be written
    */
   public Spectator(ClientConfig config, int room, ClientTransport transport, Path target)
       throws IOException {
@@ -67,7 +67,7 @@ public final class Spectator implements LinkHandler, AutoCloseable {
   }
 
   /**
-   * Takes in what has arrived and asks for more.
+   * Takes in what has arrived and requests more.
    *
    * @param timeNs nanoseconds of any clock that never goes back
    */
@@ -124,7 +124,7 @@ public final class Spectator implements LinkHandler, AutoCloseable {
   private void take(ServerMessage.RecordingChunk chunk) {
     pending = Math.max(0, pending - 1);
     if (chunk.offset() != received) {
-      return; // asked for behind the end
+      return; // requested beyond the end
     }
     try {
       ByteBuffer bytes = ByteBuffer.wrap(chunk.bytes());
@@ -139,7 +139,7 @@ public final class Spectator implements LinkHandler, AutoCloseable {
 
   @Override
   public void datagram(Link from, byte[] bytes, int length) {
-    // A spectator is sent none.
+    // A spectator receives none.
   }
 
   @Override
@@ -155,27 +155,27 @@ public final class Spectator implements LinkHandler, AutoCloseable {
     }
   }
 
-  /** Whether nothing more comes; {@link #message} says why. */
+  /** Returns whether the download has ended; {@link #message} says why. */
   public boolean ended() {
     return ended;
   }
 
-  /** Why it ended, for people, or an empty string. */
+  /** Returns why the download has ended, in words for the player, or an empty string. */
   public String message() {
     return message;
   }
 
-  /** How far behind the present the server keeps spectators, seconds; 0 before it said so. */
+  /** Returns how far behind the present the server keeps spectators, seconds; 0 before it tells. */
   public int delaySeconds() {
     return delaySeconds;
   }
 
-  /** Bytes of the recording that are here. */
+  /** Returns how many bytes of the recording are here. */
   public long received() {
     return received;
   }
 
-  /** Leaves, and closes the file. */
+  /** Leaves the server and closes the file. */
   @Override
   public void close() {
     if (link != null && !ended) {

@@ -8,8 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * A {@link Spectator} on a thread of its own, so that its file grows beside whoever plays it. The
- * file is temporary and goes when this is closed.
+ * Runs a {@link Spectator} on a thread of its own, so that its file grows while another thread
+ * plays it. The file is temporary; closing deletes it.
  */
 public final class SpectatorThread implements AutoCloseable {
   private static final long NAP_MS = 5;
@@ -66,15 +66,16 @@ public final class SpectatorThread implements AutoCloseable {
   }
 
   /**
-   * Waits until there is something to play: longer than the delay when the game has just begun.
+   * Waits until there is something to play. That takes longer than the delay if the game has just
+   * begun.
    *
-   * @return the recording's file, or null when there is none; {@link #message} says why
+   * @return the recording's file, or null if there is none; {@link #message} says why
    */
   public Path await() {
     long beginNs = System.nanoTime();
     while (!ended && System.nanoTime() - beginNs < (delaySeconds + EXTRA_S) * 1_000_000_000L) {
       try (RecordingReader reader = RecordingReader.open(file)) {
-        // Without the state that may follow the header, it would begin with an empty game.
+        // Without the state that may follow the header, the replay would begin with an empty game.
         if (reader.next() != RecordingReader.Event.WAIT) {
           return file;
         }
@@ -88,7 +89,7 @@ public final class SpectatorThread implements AutoCloseable {
     return null;
   }
 
-  /** Why nothing more comes, or an empty string. */
+  /** Returns why there is nothing to watch, in words for the player. */
   public String message() {
     return message.isEmpty() ? "There is nothing to watch yet; try again later." : message;
   }

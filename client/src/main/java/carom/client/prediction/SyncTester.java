@@ -4,7 +4,7 @@ package carom.client.prediction;
  * Checks that rollback is exact: rolls back a few ticks, resimulates them with the same inputs, and
  * compares hashes. For developers; makes each tick about ten times as expensive.
  */
-final class SyncTest {
+final class SyncTester {
   /** Ticks that are rolled back. */
   static final int TICKS = 8;
 
@@ -12,7 +12,7 @@ final class SyncTest {
   private final PlayerInputs inputs;
   private long errors;
 
-  SyncTest(Timeline timeline, PlayerInputs inputs) {
+  SyncTester(Timeline timeline, PlayerInputs inputs) {
     this.timeline = timeline;
     this.inputs = inputs;
   }
