@@ -4,7 +4,7 @@ import carom.client.link.Connection;
 import carom.client.prediction.Agreement;
 import carom.client.prediction.Prediction;
 import carom.net.protocol.ClientMessage;
-import carom.net.snapshot.OwnState;
+import carom.net.snapshot.exact.OwnState;
 import carom.sim.Neighbourhood;
 import java.util.ArrayList;
 import java.util.List;

@@ -2,8 +2,8 @@ package carom.client;
 
 import carom.client.stats.NetStatsRecorder;
 import carom.net.snapshot.DecodeStatus;
-import carom.net.snapshot.OwnState;
 import carom.net.snapshot.SnapshotDecoder;
+import carom.net.snapshot.exact.OwnState;
 import java.util.Arrays;
 
 /**

@@ -1,7 +1,7 @@
 package carom.sim;
 
 import carom.physics.Body;
-import carom.physics.dynamics.StateHash;
+import carom.physics.math.StateHash;
 
 /**
  * One thing in the world: a body with an identity, a kind and perhaps an owner. The static geometry

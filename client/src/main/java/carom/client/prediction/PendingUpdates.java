@@ -1,6 +1,6 @@
 package carom.client.prediction;
 
-import carom.net.snapshot.NearState;
+import carom.net.snapshot.exact.NearState;
 
 /**
  * Exact updates that wait to be applied: the one that snapshots bring at present, and a complete

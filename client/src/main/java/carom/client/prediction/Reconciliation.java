@@ -1,6 +1,6 @@
 package carom.client.prediction;
 
-import carom.net.snapshot.OwnState;
+import carom.net.snapshot.exact.OwnState;
 
 /**
  * Result of the last {@link Prediction#reconcile}: what was compared, what was corrected, and what

@@ -1,7 +1,7 @@
 package carom.client.prediction;
 
-import carom.net.snapshot.NearState;
-import carom.net.snapshot.OwnState;
+import carom.net.snapshot.exact.NearState;
+import carom.net.snapshot.exact.OwnState;
 import carom.physics.Body;
 import carom.sim.Entity;
 import carom.sim.Neighbourhood;

@@ -4,7 +4,7 @@ import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.Limits;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
-import carom.net.snapshot.FrameRing;
+import carom.net.snapshot.frame.FrameRing;
 import carom.net.transport.Broadcast;
 import carom.net.transport.Link;
 import carom.physics.Queries;

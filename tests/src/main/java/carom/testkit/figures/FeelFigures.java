@@ -3,7 +3,7 @@ package carom.testkit.figures;
 import carom.client.bots.Bot;
 import carom.client.view.ClientView;
 import carom.net.codec.Quantizer;
-import carom.net.snapshot.FrameState;
+import carom.net.snapshot.frame.FrameState;
 import carom.net.transport.Impairment;
 import carom.server.metrics.Counter;
 import carom.testkit.SimulatedClient;
