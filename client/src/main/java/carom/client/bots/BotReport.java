@@ -3,8 +3,8 @@ package carom.client.bots;
 import java.util.Locale;
 
 /**
- * What a crowd of bots measured, in all stays of those who left and came back. Times and rates are
- * means over the bots that played; of a bot's stays, the times are means by their length.
+ * Figures of a crowd of bots, over all their stays. Times and rates are means over the bots that
+ * played; the times of a bot are means over its stays, weighted by their length.
  *
  * @param joined bots that got into the game
  * @param disconnects how often a bot that played stopped playing without wanting to
@@ -39,7 +39,7 @@ public record BotReport(
     double exactPercent,
     double correctionsPerMinute,
     double lateInputPercent) {
-  /** One line of JSON, keys in the order above. */
+  /** Returns one line of JSON with the keys in the order above. */
   public String toJson() {
     return String.format(
         Locale.ROOT,

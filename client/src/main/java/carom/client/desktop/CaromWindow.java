@@ -20,7 +20,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 
-/** The application: shows the connect screen or a game, one at a time. Render thread only. */
+/** The application: shows one screen at a time. Render thread only. */
 final class CaromWindow extends ApplicationAdapter {
   private final ClientOptions options;
   private final ClientTransport transport;
@@ -68,7 +68,7 @@ final class CaromWindow extends ApplicationAdapter {
     }
   }
 
-  /** Scenes are silent. */
+  /** Returns whether there is anything to hear; scenes are silent. */
   static boolean wantsSound(ClientOptions options) {
     return options.volume() > 0 && options.scene() == null;
   }

@@ -17,7 +17,7 @@ public final class DesktopLauncher implements Window {
   private static final int HEIGHT = 720;
   private static final int MAX_FPS = 144;
 
-  /** Called by the service loader. */
+  /** Creates a launcher; the service loader calls this. */
   public DesktopLauncher() {}
 
   @Override
@@ -47,7 +47,7 @@ public final class DesktopLauncher implements Window {
     }
   }
 
-  /** Asked first, because the toolkit answers a missing display with a page of stack trace. */
+  /** Returns whether there is a display. Without one the toolkit prints a page of stack trace. */
   private static boolean hasDisplay() {
     return !System.getProperty("os.name").startsWith("Linux")
         || System.getenv("DISPLAY") != null

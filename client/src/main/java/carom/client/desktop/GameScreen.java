@@ -19,11 +19,11 @@ import com.badlogic.gdx.ScreenAdapter;
 import com.badlogic.gdx.graphics.OrthographicCamera;
 
 /**
- * One visit to a server, from connecting to leaving: drives the client, draws its view, plays the
- * devices. Render thread only.
+ * One visit to a server, from connecting to leaving: updates the client, draws its view and samples
+ * the devices. Render thread only.
  */
 final class GameScreen extends ScreenAdapter {
-  /** Told when the visit is over. */
+  /** Receives the end of the visit. */
   interface Exit {
     /**
      * The player left, or can't stay.
@@ -47,12 +47,12 @@ final class GameScreen extends ScreenAdapter {
     netGraph = new NetGraph(canvas, picture.hud(), fonts);
   }
 
-  /** The devices, as a source of input for a client that is drawn here. */
+  /** Returns the devices as a source of input. */
   InputSource devices() {
     return (view, tick, out) -> sample(view, out);
   }
 
-  /** Hands in the client to drive; it is closed with this screen. */
+  /** Sets the client to update; it is closed with this screen. */
   void client(GameClient client) {
     this.client = client;
     client.events(picture.events(client.view()));
@@ -63,7 +63,7 @@ final class GameScreen extends ScreenAdapter {
     showNetGraph = shown;
   }
 
-  /** Shows or hides what the physics sees. */
+  /** Shows or hides the debug layers. */
   void debug(boolean shown) {
     picture.debug(shown);
   }

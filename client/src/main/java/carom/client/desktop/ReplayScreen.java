@@ -14,7 +14,7 @@ import com.badlogic.gdx.ScreenAdapter;
 import java.io.IOException;
 import java.util.Locale;
 
-/** A recorded game in the window, with the keys of a video player. Render thread only. */
+/** Shows a recorded game, with the keys of a video player. Render thread only. */
 final class ReplayScreen extends ScreenAdapter {
   private static final float PAD = 12;
   private static final int JUMP_SECONDS = 5;
@@ -29,8 +29,10 @@ final class ReplayScreen extends ScreenAdapter {
   private final Runnable exit;
 
   /**
+   * Creates a screen.
+   *
    * @param client closed with this screen
-   * @param heading what is looked at, in a word
+   * @param heading names what is shown, in a word
    */
   ReplayScreen(
       Canvas canvas,
@@ -47,7 +49,7 @@ final class ReplayScreen extends ScreenAdapter {
     client.events(picture.events(client.view()));
   }
 
-  /** Shows or hides what the physics sees. */
+  /** Shows or hides the debug layers. */
   void debug(boolean shown) {
     picture.debug(shown);
   }

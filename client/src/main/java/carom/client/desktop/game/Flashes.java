@@ -10,8 +10,8 @@ import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.math.MathUtils;
 
 /**
- * What events look like: a ring that opens and a word that rises, as the kind says. A game's events
- * all show without the window knowing any of them. Only for the eye; render thread only.
+ * Visual effects of events: a ring that opens and a word that rises, as the event's kind says. So
+ * the window shows the events of any game. Render thread only.
  */
 final class Flashes implements EventListener {
   private static final int FLASHES = 64;
@@ -53,12 +53,12 @@ final class Flashes implements EventListener {
     }
   }
 
-  /** How many have been shown so far. */
+  /** Returns how many flashes have been shown so far. */
   int shown() {
     return shown;
   }
 
-  /** Lets time pass. */
+  /** Lets the flashes fade. */
   void age(float seconds) {
     for (int i = 0; i < FLASHES; i++) {
       age[i] = Math.min(LABEL_SECONDS, age[i] + seconds);

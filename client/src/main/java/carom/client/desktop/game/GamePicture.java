@@ -17,12 +17,12 @@ import com.badlogic.gdx.utils.Disposable;
 import com.badlogic.gdx.utils.ScreenUtils;
 
 /**
- * A game as its {@link ClientView} tells it, whoever plays or replays it: the level and what moves
- * in it, what its events look and sound like, names, scores and notices. Screens add what is theirs
- * with its {@link #hud}. Render thread only.
+ * The picture of a game from its {@link ClientView}, played or replayed: the level, the entities,
+ * effects and sounds of events, names, scores and notices. A screen adds its own parts with the
+ * {@link #hud}. Render thread only.
  */
 public final class GamePicture implements Disposable {
-  /** What happened while the line was down is told afterwards, but a flash of it would puzzle. */
+  /** Age beyond which an event isn't shown. Events from before a reconnect would puzzle players. */
   private static final float STALE_SECONDS = 1;
 
   private final ViewCamera camera = new ViewCamera();
@@ -42,22 +42,22 @@ public final class GamePicture implements Disposable {
     hud = new Hud(canvas, fonts);
   }
 
-  /** Where the picture is taken from; follows the own player. */
+  /** Returns the camera, which follows the own player. */
   public ViewCamera camera() {
     return camera;
   }
 
-  /** For text and panels over the picture. */
+  /** Returns the HUD, for text and panels over the picture. */
   public Hud hud() {
     return hud;
   }
 
-  /** Shows or hides what the physics sees. */
+  /** Shows or hides the debug layers. */
   public void debug(boolean shown) {
     showDebug = shown;
   }
 
-  /** Shows and plays what happens in a game; to be told by whoever fills the view. */
+  /** Returns a listener that shows and plays the events of a view's game. */
   public EventListener events(ClientView view) {
     return new EventListener() {
       @Override
@@ -77,13 +77,13 @@ public final class GamePicture implements Disposable {
     };
   }
 
-  /** Does what a key says about the picture; false when it says nothing. */
+  /** Handles a key; returns false if the key doesn't concern the picture. */
   public boolean key(int key) {
     switch (key) {
       case Keys.F4 -> showDebug = !showDebug;
       case Keys.M -> {
         sounds.mute(!sounds.muted());
-        hud.tell(
+        hud.showAnswer(
             !sounds.audible() ? "No sound here" : sounds.muted() ? "Sound is off" : "Sound is on");
       }
       default -> {
@@ -133,7 +133,7 @@ public final class GamePicture implements Disposable {
     hud.end();
     hud.scores(view, allScores);
     hud.notices(view, nowNs);
-    hud.told(deltaSeconds);
+    hud.drawAnswer(deltaSeconds);
   }
 
   @Override

@@ -12,29 +12,32 @@ import com.badlogic.gdx.math.Vector2;
 import java.util.Arrays;
 
 /**
- * What hits look like: a ring and sparks where something was struck, sized by the blow, and a glow
- * of what stands there. Blows are read off the picture: velocities that change faster than steering
- * and gravity can change them. So own hits show when they are predicted and those of others when
- * they are drawn, and nothing is sent for it. Only for the eye; render thread only; no allocation
- * per frame in steady state.
+ * Visual effects of hits: a ring and sparks where a body was struck, sized by the blow, and a glow
+ * of the scenery there.
+ *
+ * <p>A blow is a velocity that changes faster than steering and gravity can change it. Blows are
+ * detected in the picture. So own hits show when they are predicted, others when they are drawn,
+ * and nothing is sent for them. Render thread only; no allocation per frame in steady state.
  */
 final class Impacts {
-  /** Changes of velocity below this are no blow, m/s^2: more than gravity, damping and flow. */
+  /** Least acceleration of a blow, m/s^2: more than gravity, damping and flow cause. */
   private static final float PUSHED_M_S2 = 60;
 
-  /** The same for what a player steers, which turns round harder than gravity pulls. */
+  /** Least acceleration of a blow to a player's body, m/s^2: more than steering causes. */
   private static final float STEERED_M_S2 = 260;
 
-  /** Blows below this don't show, m/s. */
+  /** Least blow that shows, m/s. */
   private static final float LEAST_M_S = 3.5f;
 
-  /** Speed that a player's body loses in the least blow that shows, m/s. */
+  /** Least loss of speed of a player's body in a blow that shows, m/s. */
   private static final float LEAST_LOSS_M_S = 5;
 
-  /** A blow that is drawn in full size, m/s. */
+  /** Blow that is drawn in full size, m/s. */
   private static final float HARD_M_S = 24;
 
-  /** Ticks are no longer apart than this, however fast the screen is. */
+  /**
+   * Shortest time in which velocities are compared: a fast screen draws several frames per tick.
+   */
   private static final float SHORTEST_FRAME_SECONDS = 1 / 60f;
 
   private static final float QUIET_SECONDS = 0.12f; // between two blows to one body
@@ -75,14 +78,14 @@ final class Impacts {
     Arrays.fill(sparkAge, SPARK_SECONDS);
   }
 
-  /** Forgets everything: another level. */
+  /** Forgets everything, for another level. */
   void clear() {
     Arrays.fill(generation, -1);
     Arrays.fill(blowAge, RING_SECONDS);
     Arrays.fill(sparkAge, SPARK_SECONDS);
   }
 
-  /** Lets time pass and looks for blows. Once per frame. */
+  /** Lets time pass and detects blows; call it once per frame. */
   void update(ClientView view, float seconds) {
     age(view.level().gravityX(), view.level().gravityY(), seconds);
     for (int i = 0; i < view.entityCount(); i++) {
@@ -99,7 +102,7 @@ final class Impacts {
     }
   }
 
-  /** Lets what shows fly, fall and fade. */
+  /** Moves and fades what shows. */
   void age(float gravityX, float gravityY, float seconds) {
     now += seconds;
     for (int i = 0; i < BLOWS; i++) {
@@ -115,7 +118,7 @@ final class Impacts {
   }
 
   /**
-   * Sees where an entity is and how it moves in this frame.
+   * Compares the velocity of an entity with the last frame's.
    *
    * @param id its slot
    * @param instance tells it from an earlier entity in the same slot
@@ -152,7 +155,7 @@ final class Impacts {
     lastY[id] = vy;
   }
 
-  /** A blow is over: the velocity that it left is the last one. */
+  /** Shows a blow that is over, unless it is weak or follows another one closely. */
   private void strike(int id, Archetype kind, float x, float y, boolean steered) {
     float dx = lastX[id] - fromX[id];
     float dy = lastY[id] - fromY[id];
@@ -202,7 +205,7 @@ final class Impacts {
     }
   }
 
-  /** How much something of this extent glows from blows near it, 0..1. */
+  /** Returns how much a shape of this extent glows from blows near it, 0..1. */
   float glow(float x, float y, float extent) {
     float glow = 0;
     float reach = extent + GLOW_M;
@@ -214,7 +217,7 @@ final class Impacts {
     return glow;
   }
 
-  /** Blows that still show. */
+  /** Returns how many blows still show. */
   int showing() {
     int n = 0;
     for (float age : blowAge) {

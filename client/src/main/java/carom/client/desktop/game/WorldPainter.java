@@ -30,10 +30,10 @@ final class WorldPainter {
   private static final float SHADOW_Y_M = -0.14f;
   private static final float EDGE_M = 0.07f;
 
-  /** What only notices is seen through. */
+  /** Opacity of sensors. */
   private static final float SENSOR = 0.25f;
 
-  /** From this speed on, what moves draws a streak behind it, m/s. */
+  /** Speed from which a body draws a streak behind it, m/s. */
   private static final float STREAK_M_S = 10.5f;
 
   /** Speed of the most visible streak, m/s. */
@@ -41,7 +41,7 @@ final class WorldPainter {
 
   private static final float STREAK_SECONDS = 0.11f; // of its way
 
-  /** Something static: it stands where the level put it. */
+  /** A static body of the level. */
   private record Scenery(Archetype archetype, float x, float y, float cos, float sin) {}
 
   private final Canvas canvas;
@@ -112,7 +112,7 @@ final class WorldPainter {
     return impacts.glow(x, y, extent(archetype));
   }
 
-  /** A fading wedge over the way a fast ball or a dashing player just came. */
+  /** Draws a fading wedge behind a fast ball or a dashing player. */
   private void streak(Drawn drawn) {
     Appearance look = drawn.archetype().appearance();
     float vx = drawn.velocityX();
@@ -137,7 +137,7 @@ final class WorldPainter {
     }
   }
 
-  /** The statics are what the simulation makes of the level, whoever predicts or not. */
+  /** Reads the static bodies that a simulation makes of the level. */
   private void gather(Level level) {
     if (level == sceneryOf) {
       return;
@@ -260,7 +260,7 @@ final class WorldPainter {
     }
   }
 
-  /** Two eyes that look where the player goes or aims, and a halo around one's own body. */
+  /** Draws two eyes that look where the player goes or aims, and a halo around the own body. */
   private void face(Drawn drawn, boolean own, ClientView view, float seconds) {
     float radius = extent(drawn.archetype());
     float angle = own ? view.input().aim() : drawn.angle();
@@ -296,7 +296,7 @@ final class WorldPainter {
     }
   }
 
-  /** Half of the smaller side of what this kind of entity starts with, metres. */
+  /** Returns half of the smaller side of an archetype's first shape, metres. */
   static float extent(Archetype archetype) {
     return extent(archetype.shapes().get(0).parts().get(0));
   }

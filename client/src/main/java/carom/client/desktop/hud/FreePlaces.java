@@ -2,19 +2,19 @@ package carom.client.desktop.hud;
 
 import java.util.Arrays;
 
-/** Which parts of the screen are taken already; in pixels. Render thread only. */
+/** The rectangles of the screen that are taken, in pixels. Render thread only. */
 final class FreePlaces {
   private static final int SIDES = 4;
 
   private float[] taken = new float[16 * SIDES];
   private int count;
 
-  /** Everything is free again. */
+  /** Makes everything free again. */
   void clear() {
     count = 0;
   }
 
-  /** Whether nothing of a rectangle is taken. */
+  /** Returns whether nothing of a rectangle is taken. */
   boolean isFree(float x, float y, float width, float height) {
     for (int i = 0; i < count; i++) {
       int at = i * SIDES;

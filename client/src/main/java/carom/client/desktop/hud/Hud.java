@@ -25,8 +25,8 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * Text and panels over the picture: names, scores, what the server said, what the connection is up
- * to, key hints. In pixels, origin bottom left. Render thread only.
+ * Text and panels over the picture: names, scores, notices, the state of the connection, key hints.
+ * Units are pixels, origin bottom left. Render thread only.
  */
 public final class Hud implements Disposable {
   private static final int SHORT_LIST = 5;
@@ -35,7 +35,7 @@ public final class Hud implements Disposable {
   private static final float LINE = 22;
   private static final long NOTICE_NS = 4_000_000_000L;
   private static final float HINT_SECONDS = 12;
-  private static final float TOLD_SECONDS = 1.5f;
+  private static final float ANSWER_SECONDS = 1.5f;
   private static final String KEYS =
       "WASD, arrows or pad: move     Space or click: jump, dash     E or right click: second move"
           + "     Tab: scores     M: sound     F3: net graph     Esc: leave";
@@ -53,8 +53,8 @@ public final class Hud implements Disposable {
   private final NameRows names = new NameRows(places, Limits.MAX_PLAYERS);
   private String hintsOf = "";
   private String about = "";
-  private String told = "";
-  private float toldSeconds;
+  private String answer = "";
+  private float answerSeconds;
   private int width;
   private int height;
 
@@ -64,7 +64,7 @@ public final class Hud implements Disposable {
     this.fonts = fonts;
   }
 
-  /** The window's size, px; once per frame, before anything else. */
+  /** Sets the window's size, px; call it once per frame, before anything else. */
   public void size(int newWidth, int newHeight) {
     width = newWidth;
     height = newHeight;
@@ -72,29 +72,32 @@ public final class Hud implements Disposable {
     batch.setProjectionMatrix(pixels);
   }
 
-  /** The window's height, px. */
+  /** Returns the window's height, px. */
   public int height() {
     return height;
   }
 
-  /** Pixels, origin bottom left, to clip space. */
+  /** Returns the projection from pixels, origin bottom left, to clip space. */
   Matrix4 pixels() {
     return pixels;
   }
 
-  /** Text begins; {@link #left} and {@link #floating} stand between this and {@link #end}. */
+  /**
+   * Starts a batch of text; {@link #left} and {@link #floating} stand between this and {@link
+   * #end}.
+   */
   public void begin() {
     batch.begin();
   }
 
-  /** Text ends. */
+  /** Ends the batch of text. */
   public void end() {
     batch.end();
   }
 
   /**
-   * Names above the players' bodies, one above the other where bodies are close together; in a
-   * crowd not all of them have room, and none is written where the last frame had a panel.
+   * Draws names above the players' bodies, in rows where bodies are close together. A name without
+   * room, or where the last frame had a panel, isn't drawn.
    */
   public void names(ClientView view, ViewCamera camera, float pixelsPerMetre) {
     batch.begin();
@@ -115,7 +118,7 @@ public final class Hud implements Disposable {
     places.clear();
   }
 
-  /** A player's name around x, its upper edge at y, or a little higher if that place is taken. */
+  /** Draws a name around x with its upper edge at y, or higher if that place is taken. */
   private void name(int player, String text, float x, float y) {
     layout.setText(fonts.small, text);
     float top = names.top(player, x, y, layout.width);
@@ -124,12 +127,12 @@ public final class Hud implements Disposable {
     }
   }
 
-  /** One word around a place on the screen. */
+  /** Draws a word around a place on the screen. */
   public void floating(String text, Vector3 at, boolean large, Color textColor) {
     centred(large ? fonts.title : fonts.text, text, at.x, at.y, textColor);
   }
 
-  /** The players by score: a few of them, or on demand many; the own one is always among them. */
+  /** Draws the players by score: a few, or on demand many, always including the own one. */
   public void scores(ClientView view, boolean all) {
     ranking.clear();
     ranking.addAll(view.players());
@@ -173,7 +176,7 @@ public final class Hud implements Disposable {
     batch.end();
   }
 
-  /** The place in the ranking of a player, or -1. */
+  /** Returns the rank of a player, or -1. */
   private int rank(int playerId) {
     for (int i = 0; i < ranking.size(); i++) {
       if (ranking.get(i).playerId() == playerId) {
@@ -183,7 +186,7 @@ public final class Hud implements Disposable {
     return -1;
   }
 
-  /** What the server announced in the last seconds, newest on top, fading. */
+  /** Draws the notices of the last seconds, newest on top, fading. */
   public void notices(ClientView view, long nowNs) {
     batch.begin();
     float y = height - 70;
@@ -200,27 +203,27 @@ public final class Hud implements Disposable {
     batch.end();
   }
 
-  /** Answers a key: a few words for a moment. */
-  public void tell(String text) {
-    told = text;
-    toldSeconds = TOLD_SECONDS;
+  /** Shows a few words for a moment, as the answer to a key. */
+  public void showAnswer(String text) {
+    answer = text;
+    answerSeconds = ANSWER_SECONDS;
   }
 
-  /** The answer to the last key, as long as it shows. */
-  public void told(float seconds) {
-    if (toldSeconds > 0) {
+  /** Draws the answer to the last key while it shows. */
+  public void drawAnswer(float seconds) {
+    if (answerSeconds > 0) {
       batch.begin();
-      color.set(Theme.TEXT).a = Math.min(1, 3 * toldSeconds);
-      centred(fonts.large, told, width / 2f, height / 3f, color);
+      color.set(Theme.TEXT).a = Math.min(1, 3 * answerSeconds);
+      centred(fonts.large, answer, width / 2f, height / 3f, color);
       batch.end();
-      toldSeconds -= seconds;
+      answerSeconds -= seconds;
     }
   }
 
   /**
-   * What the game is about and the keys, for the first seconds.
+   * Draws what the game is about and the keys, in the first seconds.
    *
-   * @param from what is left of this, px, is taken
+   * @param from x from which there is room, px
    */
   public void hints(ClientView view, float secondsPlayed, float from) {
     if (secondsPlayed > HINT_SECONDS) {
@@ -237,7 +240,7 @@ public final class Hud implements Disposable {
     batch.end();
   }
 
-  /** Lines around the middle of what is right of a place, from a height upwards; tells the top. */
+  /** Draws wrapped lines right of a place, from a height upwards; returns the top. */
   private float below(String text, float from, float bottom) {
     float room = width - from - 4 * PAD;
     shadow.set(0, 0, 0, 0.6f * color.a);
@@ -250,14 +253,14 @@ public final class Hud implements Disposable {
     return top;
   }
 
-  /** Tells a player without a body that it is only for a moment. */
+  /** Draws that the player, who has no body, will be back in a moment. */
   public void bodiless() {
     batch.begin();
     centred(fonts.large, "You are back in a moment", width / 2f, height / 2f, Theme.TEXT);
     batch.end();
   }
 
-  /** What the connection is doing while there is no game to play. */
+  /** Draws what the connection is doing while there is no game to play. */
   public void phase(ClientView view) {
     ConnectionPhase phase = view.phase();
     veil();
@@ -291,14 +294,14 @@ public final class Hud implements Disposable {
     };
   }
 
-  /** Darkens everything: what is below isn't the present. */
+  /** Darkens everything, because the picture isn't the present. */
   private void veil() {
     canvas.begin(pixels, 1);
     canvas.rect(0, 0, width, height, Theme.VEIL);
     canvas.end();
   }
 
-  /** A dark panel with a thin edge, through which the game is seen. */
+  /** Draws a dark, translucent panel with a thin edge. */
   public void panel(float x, float y, float w, float h) {
     panel(x, y, w, h, Theme.PANEL);
   }
@@ -311,15 +314,15 @@ public final class Hud implements Disposable {
     canvas.end();
   }
 
-  /** How wide a text is, px. */
+  /** Returns the width of a text, px. */
   public float width(BitmapFont font, String text) {
     layout.setText(font, text);
     return layout.width;
   }
 
   /**
-   * Text that starts at x; y is the top of the capitals. Between {@code batch.begin} and {@code
-   * end}.
+   * Draws text that starts at x; y is the top of the capitals. Stands between {@link #begin} and
+   * {@link #end}.
    */
   public void left(BitmapFont font, String text, float x, float y, Color tint) {
     font.setColor(tint);
@@ -331,7 +334,7 @@ public final class Hud implements Disposable {
     batch.dispose();
   }
 
-  /** Text around x, with a shadow that keeps it legible on any ground. */
+  /** Draws text around x, with a shadow that keeps it legible on any ground. */
   private void centred(BitmapFont font, String text, float x, float y, Color tint) {
     layout.setText(font, text);
     shadow.set(0, 0, 0, 0.6f * tint.a);

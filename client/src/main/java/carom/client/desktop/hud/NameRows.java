@@ -1,9 +1,9 @@
 package carom.client.desktop.hud;
 
 /**
- * In which row above its body a name is written: the lowest that is free. A name that had to go up
- * comes down again only where there is room to spare, so that it doesn't jump to and fro while two
- * bodies walk side by side. Pixels, origin bottom left. Render thread only; no allocation.
+ * Chooses the row above a body in which its player's name is written: the lowest that is free. A
+ * name comes down again only where there is room to spare, so that it doesn't jump while two bodies
+ * move side by side. Pixels, origin bottom left. Render thread only; no allocation.
  */
 final class NameRows {
   /** Height of a row. */

@@ -9,9 +9,9 @@ import com.badlogic.gdx.graphics.Color;
 import java.util.Locale;
 
 /**
- * The connection at a glance: figures, and the last seconds of snapshot gaps, sizes, input margin
- * and corrections as bars. In pixels. Render thread only; texts are made anew four times a second
- * so that they can be read.
+ * The connection at a glance: figures, and bars of recent snapshot gaps, sizes, input margins and
+ * corrections. Units are pixels. Texts change four times a second so that they can be read. Render
+ * thread only.
  */
 public final class NetGraph {
   private static final float WIDTH = 330;

@@ -12,14 +12,14 @@ import com.badlogic.gdx.math.Matrix4;
 import com.badlogic.gdx.utils.Disposable;
 
 /**
- * Filled and outlined figures in one batch, in whatever units the projection says. Calls stand
- * between {@link #begin} and {@link #end}; render thread only; no allocation per figure.
+ * Draws filled and outlined figures in one batch, in the units of the projection. Calls stand
+ * between {@link #begin} and {@link #end}. Render thread only; no allocation per figure.
  *
- * <p>Nearly all of them are boxes with round corners: discs and rings, lines, crates, capsules. One
- * is two triangles whose shader knows each pixel's distance to the figure's edge, so that it is
- * smooth, has an edge of another colour, and costs the same whatever its size: without a graphics
- * card it is the number of triangles that a picture costs. Fills of corners given one by one, and
- * {@link #rect}, are as sharp as the pixels; the former are smooth under their outlines.
+ * <p>Nearly all figures are boxes with round corners: discs and rings, lines, crates, capsules. A
+ * box is two triangles. Its shader computes each pixel's distance to the edge, so the box is smooth
+ * and may have an edge of another colour. Without a graphics card, a picture costs by the number of
+ * its triangles. {@link #rect} and {@link #convex} have no smooth edges; the latter is smooth under
+ * its outline.
  */
 public final class Canvas implements Disposable {
   private static final int MAX_FIGURES = 4_096;
@@ -28,10 +28,10 @@ public final class Canvas implements Disposable {
   /** Floats of a vertex: position, place in the figure, half size, radius, edge, two colours. */
   private static final int STRIDE = 10;
 
-  /** So far in a figure that its edge doesn't matter, px. */
+  /** Distance inside a figure at which its edge doesn't matter, px. */
   private static final float INSIDE = 1e6f;
 
-  /** Least of 1 + cosine between two edges' normals: a sharper corner is cut off. */
+  /** Least value of 1 + cosine between the normals of two edges; a sharper corner is cut off. */
   private static final float SHARPEST = 0.25f;
 
   private static final String VERTEX_SHADER =
@@ -58,7 +58,7 @@ public final class Canvas implements Disposable {
       }
       """;
 
-  /** What Mesa's renderer without a graphics card has a path of its own for. */
+  /** Shader of flat colours, for which Mesa's software renderer has a fast path. */
   private static final String PLAIN_SHADER =
       """
       varying vec4 v_fill;
@@ -67,7 +67,7 @@ public final class Canvas implements Disposable {
       }
       """;
 
-  /** All in pixels: the distance to a box with round corners, negative inside. */
+  /** Shader of smooth boxes. Computes the distance to a box with round corners, in pixels. */
   private static final String SMOOTH_SHADER =
       """
       varying vec2 v_place;
@@ -176,7 +176,7 @@ public final class Canvas implements Disposable {
 
   // ---- figures
 
-  /** A rectangle along the axes, from its lower left corner; sharp. */
+  /** Draws a sharp rectangle along the axes, from its lower left corner. */
   public void rect(float x, float y, float width, float height, Color color) {
     whole(color);
     room(plain);
@@ -186,7 +186,7 @@ public final class Canvas implements Disposable {
     corner(x, y + height, 0, 0);
   }
 
-  /** The edge of a rectangle along the axes, inside of it; sharp. */
+  /** Draws the sharp edge of a rectangle along the axes, inside of it. */
   public void frame(float x, float y, float width, float height, float edgeWidth, Color color) {
     rect(x, y, width, edgeWidth, color);
     rect(x, y + height - edgeWidth, width, edgeWidth, color);
@@ -194,7 +194,7 @@ public final class Canvas implements Disposable {
     rect(x + width - edgeWidth, y + edgeWidth, edgeWidth, height - 2 * edgeWidth, color);
   }
 
-  /** Lines one pixel wide along the axes, through all multiples of a step in a rectangle. */
+  /** Draws lines one pixel wide along the axes, through all multiples of a step in a rectangle. */
   public void grid(float minX, float minY, float maxX, float maxY, float step, Color color) {
     float pixel = 2 * halfPixel;
     for (float x = MathUtils.ceil(minX / step) * step; x <= maxX; x += step) {
@@ -205,7 +205,7 @@ public final class Canvas implements Disposable {
     }
   }
 
-  /** The place, of an axis of the projection, where the pixel begins that a place is in. */
+  /** Rounds a place on an axis down to the begin of its pixel. */
   private float onPixel(float place, float pixels, int axis) {
     float size = projection.val[axis == 0 ? Matrix4.M00 : Matrix4.M11];
     float shift = projection.val[axis == 0 ? Matrix4.M03 : Matrix4.M13];
@@ -213,7 +213,7 @@ public final class Canvas implements Disposable {
     return (pixel * 2 / pixels - 1 - shift) / size;
   }
 
-  /** An opaque rectangle whose colour runs from the lower to the upper edge. */
+  /** Draws an opaque rectangle whose colour runs from the lower to the upper edge. */
   public void gradient(float x, float y, float width, float height, Color lower, Color upper) {
     flush();
     Gdx.gl.glDisable(GL20.GL_BLEND); // it may be as large as the window
@@ -225,7 +225,7 @@ public final class Canvas implements Disposable {
     Gdx.gl.glEnable(GL20.GL_BLEND);
   }
 
-  /** A straight line with square ends; one thinner than a pixel is fainter instead. */
+  /** Draws a line with square ends. A line thinner than a pixel is fainter instead. */
   public void line(float x1, float y1, float x2, float y2, float width, Color color) {
     float dx = x2 - x1;
     float dy = y2 - y1;
@@ -242,19 +242,19 @@ public final class Canvas implements Disposable {
     box(x, y, 1, 0, 0, 0, r, color);
   }
 
-  /** A ring whose outer edge has the given radius. */
+  /** Draws a ring whose outer edge has the given radius. */
   public void ring(float x, float y, float r, float width, Color color) {
     thin.set(color).a = 0;
     box(x, y, 1, 0, 0, 0, r, thin, Math.min(width, r), color);
   }
 
-  /** {@link #box(float, float, float, float, float, float, float, Color, float, Color)}, plain. */
+  /** Draws a box with round corners and no edge. */
   void box(float x, float y, float cos, float sin, float halfW, float halfH, float r, Color color) {
     box(x, y, cos, sin, halfW, halfH, r, color, 0, color);
   }
 
   /**
-   * A box with round corners.
+   * Draws a box with round corners.
    *
    * @param x its middle
    * @param y its middle
@@ -299,7 +299,7 @@ public final class Canvas implements Disposable {
     corner(x - wx + hx, y - wy + hy, -px, py);
   }
 
-  /** Part of a ring, counter-clockwise from an angle, in radians. */
+  /** Draws part of a ring, counter-clockwise from an angle, radians. */
   void arc(float x, float y, float r, float width, float fromRad, float sweepRad, Color color) {
     int n = MathUtils.clamp((int) (Math.sqrt(r * scale) * Math.abs(sweepRad)), 3, 96);
     float middle = r - width / 2;
@@ -326,7 +326,7 @@ public final class Canvas implements Disposable {
     }
   }
 
-  /** A convex figure of {@code count} corners, counter-clockwise, as x, y pairs; sharp. */
+  /** Draws a sharp convex figure of {@code count} corners, counter-clockwise, as x, y pairs. */
   public void convex(float[] xy, int count, Color color) {
     whole(color);
     for (int i = 1; i + 1 < count; i += 2) {
@@ -339,7 +339,9 @@ public final class Canvas implements Disposable {
     }
   }
 
-  /** The closed line through {@code count} corners of a convex figure, with pointed joints. */
+  /**
+   * Draws the closed line through {@code count} corners of a convex figure, with pointed joints.
+   */
   void outline(float[] xy, int count, float width, Color color) {
     if (count < 3) {
       line(xy[0], xy[1], xy[2], xy[3], width, color);
@@ -377,7 +379,7 @@ public final class Canvas implements Disposable {
     mitreY = -(ax * a + bx * b) * size;
   }
 
-  /** One straight piece of a stroke, between two points and along their mitres. */
+  /** Draws one straight piece of a stroke, between two points and along their mitres. */
   private void band(
       float x1,
       float y1,
@@ -401,7 +403,7 @@ public final class Canvas implements Disposable {
     corner(x1 + reach * mx1, y1 + reach * my1, 0, py);
   }
 
-  /** The colour of a line: one thinner than a pixel is fainter. */
+  /** Returns the colour of a line; one thinner than a pixel is fainter. */
   private Color stroke(float width, Color color) {
     float pixels = width * scale;
     if (pixels >= 1) {
@@ -413,7 +415,7 @@ public final class Canvas implements Disposable {
 
   // ---- vertices
 
-  /** The next corners are those of a figure without an edge. */
+  /** Makes the next corners those of a figure without an edge. */
   private void whole(Color color) {
     halfWidth = INSIDE;
     halfHeight = INSIDE;

@@ -14,9 +14,9 @@ import com.badlogic.gdx.math.MathUtils;
 import java.util.EnumSet;
 import java.util.Set;
 
-/** What the physics sees, over the picture, in layers. Render thread only. */
+/** Draws debug layers of a physics world over the picture. Render thread only. */
 public final class DebugPainter {
-  /** What can be shown. */
+  /** A layer that can be shown. */
   public enum Layer {
     /** Edges of all shapes; sensors, bullets and the front of one-sided lines are marked. */
     SHAPES("shapes"),
@@ -33,7 +33,7 @@ public final class DebugPainter {
     /** Centres of mass, with the body's axes and its velocity. */
     CENTRES("centres");
 
-    /** For people. */
+    /** Name for people. */
     public final String label;
 
     Layer(String label) {
@@ -59,7 +59,7 @@ public final class DebugPainter {
   private static final float NORMAL_PX = 18;
   private static final float CELL_HUES = 47;
 
-  /** Everything but the fat boxes, which hide the tight ones. */
+  /** All layers except the fat boxes, which hide the tight ones. */
   private static final Set<Layer> USUAL = EnumSet.complementOf(EnumSet.of(Layer.FAT_BOXES));
 
   private final Canvas canvas;
@@ -145,7 +145,7 @@ public final class DebugPainter {
     return body.isBullet() ? BULLET : body.type() == BodyType.DYNAMIC ? SHAPE : STATIC;
   }
 
-  /** A tick on the side where the line is solid. */
+  /** Draws a mark on the side where a line is solid. */
   private void front(Segment s) {
     float x = (s.vertexX(0) + s.vertexX(1)) / 2;
     float y = (s.vertexY(0) + s.vertexY(1)) / 2;
@@ -171,7 +171,7 @@ public final class DebugPainter {
     canvas.line(x, y, x + 0.1f * body.velocityX(), y + 0.1f * body.velocityY(), lineM, VELOCITY);
   }
 
-  /** From body to anchor to anchor to body, with what limits it. */
+  /** Draws a joint from body to anchor to anchor to body, with its limits. */
   private <T> void joint(Joint<T> joint) {
     float ax = joint.anchorAX();
     float ay = joint.anchorAY();
@@ -228,7 +228,7 @@ public final class DebugPainter {
     }
   }
 
-  /** A bar across an axis. */
+  /** Draws a bar across an axis. */
   private void stop(float x, float y, float axisX, float axisY, float at) {
     float px = x + at * axisX;
     float py = y + at * axisY;

@@ -8,23 +8,23 @@ import com.badlogic.gdx.graphics.g2d.freetype.FreeTypeFontGenerator.FreeTypeFont
 import com.badlogic.gdx.utils.Disposable;
 
 /**
- * The typeface in the sizes the screens use. Glyphs are rasterised on first use, so that a player
- * may be called anything the typeface has. Render thread only.
+ * The typeface in the sizes that the screens use. Glyphs are rasterised on first use, so that names
+ * may use all glyphs of the typeface. Render thread only.
  */
 public final class Fonts implements Disposable {
   private final FreeTypeFontGenerator medium;
   private final FreeTypeFontGenerator bold;
 
-  /** 13 px: net graph, hints. */
+  /** Font of 13 px, for the net graph and hints. */
   public final BitmapFont small;
 
-  /** 16 px: names, lists, input fields. */
+  /** Font of 16 px, for names, lists and input fields. */
   public final BitmapFont text;
 
-  /** 24 px bold: scores, notices. */
+  /** Bold font of 24 px, for scores and notices. */
   public final BitmapFont large;
 
-  /** 64 px bold: the title. */
+  /** Bold font of 64 px, for the title. */
   public final BitmapFont title;
 
   /** Loads the typeface. Needs the toolkit to run. */

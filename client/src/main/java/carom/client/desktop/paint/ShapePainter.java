@@ -24,7 +24,7 @@ public final class ShapePainter {
     this.canvas = canvas;
   }
 
-  /** Where the next shapes stand: the body's origin in metres, and its rotation. */
+  /** Sets where the next shapes stand: the body's origin in metres, and its rotation. */
   public void pose(float x, float y, float cos, float sin) {
     this.x = x;
     this.y = y;
@@ -122,7 +122,7 @@ public final class ShapePainter {
         edge);
   }
 
-  /** A strip along each edge and a disc at each corner. */
+  /** Fills a strip along each edge and a disc at each corner. */
   private void fillRounding(Convex part, Color color) {
     float r = part.radius();
     for (int i = 0; r > 0 && i < part.vertexCount(); i++) {
@@ -138,7 +138,7 @@ public final class ShapePainter {
     }
   }
 
-  /** Edges moved outwards, joined by arcs. */
+  /** Draws the edges moved outwards, joined by arcs. */
   private void outlineRounded(Convex part, float width, Color color) {
     float r = part.radius();
     int count = part.vertexCount();
@@ -165,12 +165,12 @@ public final class ShapePainter {
     corners[2 * index + 1] = worldY(px, py);
   }
 
-  /** World x of a point in the body's frame. */
+  /** Returns the world x of a point in the body's frame. */
   public float worldX(float px, float py) {
     return x + cos * px - sin * py;
   }
 
-  /** World y of a point in the body's frame. */
+  /** Returns the world y of a point in the body's frame. */
   public float worldY(float px, float py) {
     return y + sin * px + cos * py;
   }

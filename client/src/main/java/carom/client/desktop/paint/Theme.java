@@ -19,7 +19,7 @@ public final class Theme {
 
   private Theme() {}
 
-  /** An opaque colour from 0xRRGGBB. */
+  /** Returns an opaque colour from 0xRRGGBB. */
   public static Color rgb(int rgb) {
     return new Color((rgb << 8) | 0xff);
   }

@@ -6,21 +6,21 @@ import com.badlogic.gdx.math.MathUtils;
 import com.badlogic.gdx.math.Vector3;
 
 /**
- * Which part of the level the window shows: all of it when it fits at a readable size, else a part
- * that follows the player and stops at the level's edges. World units are metres, y up. Render
- * thread only.
+ * The part of the level that the window shows: the whole level if it fits at a readable size, or
+ * else a part that follows the player and stops at the level's edges. World units are metres, y up.
+ * Render thread only.
  */
 public final class ViewCamera {
-  /** Smallest height shown, in metres, when following. */
+  /** Smallest height shown while following, metres. */
   private static final float FOLLOW_HEIGHT_M = 16;
 
-  /** A level up to this height is always shown whole in height. */
+  /** Height up to which a level is always shown whole in height, metres. */
   private static final float WHOLE_HEIGHT_M = 30;
 
   /** Space around a level that is shown whole, in metres. */
   private static final float MARGIN_M = 0.6f;
 
-  /** How fast the camera closes in on the player: share of the distance per second, as a rate. */
+  /** Rate at which the camera approaches the player, 1/s. */
   private static final float FOLLOW_PER_SECOND = 6;
 
   private final OrthographicCamera camera = new OrthographicCamera();
@@ -32,19 +32,19 @@ public final class ViewCamera {
     return camera;
   }
 
-  /** Whether there ever was somebody to follow; spectators have nobody. */
+  /** Returns whether there ever was somebody to follow; spectators have nobody. */
   public boolean hasFollowed() {
     return placed;
   }
 
-  /** Pixels per metre. */
+  /** Returns the scale, pixels per metre. */
   public float pixelsPerMetre(int screenHeight) {
     return screenHeight / camera.viewportHeight;
   }
 
   /**
-   * Fits the view to the window and moves it towards the player; with nobody to follow it stays,
-   * and before there ever was anybody it shows the whole level.
+   * Fits the view to the window and moves it towards the player. Without a player to follow it
+   * stays; before the first one it shows the whole level.
    */
   public void update(
       Level.Bounds bounds,
@@ -119,12 +119,12 @@ public final class ViewCamera {
     camera.update();
   }
 
-  /** World position under a pixel (origin top left, as devices report it). The result is reused. */
+  /** Returns the world position under a pixel (origin top left). The result is reused. */
   public Vector3 toWorld(float screenX, float screenY) {
     return camera.unproject(scratch.set(screenX, screenY, 0));
   }
 
-  /** Pixel (origin bottom left, as the HUD draws) of a world position. The result is reused. */
+  /** Returns the pixel (origin bottom left) of a world position. The result is reused. */
   public Vector3 toScreen(float x, float y) {
     return camera.project(scratch.set(x, y, 0));
   }

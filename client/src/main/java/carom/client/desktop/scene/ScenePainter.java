@@ -31,16 +31,16 @@ final class ScenePainter {
   private static final float EDGE_M = 0.045f;
   private static final float GROUND_M = 0.4f;
 
-  /** Diameter of a particle, of its spacing: water has no holes. */
+  /** Diameter of a particle relative to its spacing: water has no holes. */
   private static final float PARTICLE = 1.25f;
 
-  /** Share of white per m/s. */
+  /** Share of white that a particle gets per m/s. */
   private static final float FOAM = 0.05f;
 
-  /** What sleeping bodies fade to. */
+  /** Colour towards which sleeping bodies fade. */
   private static final int ASLEEP = 0x2b3646;
 
-  /** Smaller bodies have no edges and no shadows, px. */
+  /** Size below which bodies have no edges and shadows, px. */
   private static final float SMALL_PX = 7;
 
   private final Canvas canvas;
@@ -114,7 +114,7 @@ final class ScenePainter {
     }
   }
 
-  /** Fast ones are lighter, like foam. */
+  /** Draws particles; fast ones are lighter, like foam. */
   private void particles(SceneParticles some) {
     Particles all = some.particles();
     float size = PARTICLE * all.spacing();
@@ -136,7 +136,7 @@ final class ScenePainter {
     }
   }
 
-  /** Sensors and what stands behind everything first. */
+  /** Draws the shapes of a body that are behind, sensors and statics, or those in front. */
   private <T> void body(Body<T> body, boolean behind) {
     if (!visible(body)) {
       return;
@@ -184,7 +184,7 @@ final class ScenePainter {
     }
   }
 
-  /** So that rolling shows. */
+  /** Draws a spoke, so that rolling shows. */
   private void spoke(Circle circle) {
     float x = circle.centerX();
     float y = circle.centerY();
@@ -197,7 +197,7 @@ final class ScenePainter {
         edge);
   }
 
-  /** A line, and ground behind it if it is solid from one side. */
+  /** Draws a line, and ground behind it if it is solid from one side. */
   private void line(Segment s, int rgb) {
     float x0 = s.vertexX(0);
     float y0 = s.vertexY(0);
@@ -220,7 +220,7 @@ final class ScenePainter {
     Theme.shade(rgb, 1, 1, fill);
   }
 
-  /** The corner behind an end of a line, halfway towards the next line's if there is one. */
+  /** Sets the corner behind an end of a line, halfway towards the next line's if there is one. */
   private void depth(int i, Segment s, int end) {
     float nx = s.normalX(0); // the first edge's normal points to the front
     float ny = s.normalY(0);
@@ -249,7 +249,7 @@ final class ScenePainter {
     band[2 * i + 1] = shapes.worldY(x, y);
   }
 
-  /** A colour that tells neighbours apart, for scenes that don't choose. */
+  /** Returns a colour that tells neighbours apart, for bodies without one. */
   private static int untagged(Body<?> body) {
     int rgb = Palette.untagged(body.type(), body.shape(0));
     return body.type() == BodyType.DYNAMIC
@@ -257,7 +257,7 @@ final class ScenePainter {
         : rgb;
   }
 
-  /** Rods, ropes and springs; other joints don't show. */
+  /** Draws rods, ropes and springs; other joints don't show. */
   private <T> void joint(Joint<T> joint) {
     if (joint.type() == JointType.PULLEY) {
       pulley(joint);
@@ -295,7 +295,7 @@ final class ScenePainter {
     canvas.line(bx, by, joint.anchorBX(), joint.anchorBY(), width, rope);
   }
 
-  /** A zigzag of a fixed number of turns, wider when it is compressed. */
+  /** Draws a zigzag of a fixed number of turns, wider when it is compressed. */
   private void spring(
       float ax, float ay, float dx, float dy, float length, float rest, float width) {
     int turns = 12;

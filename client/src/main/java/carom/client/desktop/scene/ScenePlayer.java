@@ -15,21 +15,21 @@ import java.util.List;
 import java.util.function.LongSupplier;
 
 /**
- * Runs a scene in steps of its own length, however long frames take, and lets one body be dragged.
- * What a frame can't compute in time is dropped: a scene that is too slow runs in slow motion. One
- * thread; knows no window.
+ * Runs a scene in steps of fixed length, however long frames take, and drags one body on demand.
+ * Steps that a frame can't compute in time are dropped, so a slow scene runs in slow motion. One
+ * thread; needs no window.
  */
 final class ScenePlayer {
-  /** Steps of one frame may take this long. */
+  /** Most time that the steps of one frame may take. */
   private static final long FRAME_BUDGET_NS = 30_000_000;
 
-  /** A frame never counts for more, so that a stalled window doesn't jump. */
+  /** Longest time that a frame counts for, seconds, so that a stalled window doesn't jump. */
   private static final double LONGEST_FRAME = 0.1;
 
   private static final float[] SPEEDS = {1 / 16f, 1 / 8f, 1 / 4f, 1 / 2f, 1, 2, 4};
   private static final int NORMAL = 4;
 
-  /** A dragged body accelerates at most like this, m/s^2: it can be flung, but not torn away. */
+  /** Largest acceleration of a dragged body, m/s^2: it can be flung, but not torn away. */
   private static final float GRIP = 400;
 
   private static final double SMOOTH = 0.08;
@@ -44,7 +44,7 @@ final class ScenePlayer {
   private final Transform pose = new Transform();
   private final LongSupplier clock;
 
-  /** A player that measures its steps by a clock, ns. */
+  /** Creates a player that measures its steps by a clock, nanoseconds. */
   ScenePlayer(LongSupplier clock) {
     this.clock = clock;
   }
@@ -87,17 +87,17 @@ final class ScenePlayer {
     due = 0;
   }
 
-  /** Scene seconds per second. */
+  /** Returns the speed, scene seconds per second. */
   float speed() {
     return SPEEDS[speed];
   }
 
-  /** Slower or faster by some notches. */
+  /** Changes the speed by some notches, down if negative. */
   void speedUp(int notches) {
     speed = Math.max(0, Math.min(SPEEDS.length - 1, speed + notches));
   }
 
-  /** Mean time of a step, ms; 0 before the first. */
+  /** Returns the mean time of a step, ms; 0 before the first. */
   double stepMs() {
     return stepMs;
   }
@@ -108,7 +108,7 @@ final class ScenePlayer {
     step();
   }
 
-  /** Goes on by what a frame took, s. */
+  /** Lets time pass, seconds, and makes the steps that are due. */
   void advance(double seconds) {
     if (paused) {
       return;
@@ -145,14 +145,14 @@ final class ScenePlayer {
     return true;
   }
 
-  /** Moves what is held. */
+  /** Moves the body that is held. */
   void drag(float x, float y) {
     if (hand != null && hand.isValid()) {
       hand.setTarget(x, y);
     }
   }
 
-  /** Lets go; the body keeps its speed. */
+  /** Releases the body that is held; it keeps its speed. */
   void release() {
     if (hand != null && hand.isValid()) {
       run.world().destroyJoint(hand);
@@ -160,12 +160,12 @@ final class ScenePlayer {
     hand = null;
   }
 
-  /** What is held, or null. */
+  /** Returns the body that is held, or null. */
   Body<String> held() {
     return hand != null && hand.isValid() ? hand.bodyB() : null;
   }
 
-  /** The dynamic body with a solid shape at a point, or null. */
+  /** Returns the dynamic body with a solid shape at a point, or null. */
   private Body<String> bodyAt(float x, float y) {
     World<String> world = run.world();
     List<Body<String>> found = new ArrayList<>();

@@ -22,8 +22,8 @@ import java.util.Locale;
 import java.util.Set;
 
 /**
- * The viewer: one scene at a time, without a server. Draws the state after the last step, not
- * between steps. Render thread only.
+ * The viewer of scenes: shows one scene at a time, without a server. Draws the state after the last
+ * step, not between steps. Render thread only.
  */
 public final class SceneScreen extends ScreenAdapter {
   private static final Layer[] LAYERS = Layer.values();

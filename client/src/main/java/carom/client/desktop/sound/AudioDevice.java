@@ -18,7 +18,7 @@ public final class AudioDevice implements Speaker, Disposable {
   private final Map<Sound, com.badlogic.gdx.audio.Sound> sounds = new EnumMap<>(Sound.class);
 
   /**
-   * Loads the sounds; call it once the toolkit runs.
+   * Loads the sounds. The toolkit must run.
    *
    * @param wanted whether the toolkit was asked for sound
    */
@@ -33,7 +33,7 @@ public final class AudioDevice implements Speaker, Disposable {
     }
   }
 
-  /** A sound where the toolkit expects a file. */
+  /** A sound in memory, where the toolkit expects a file. */
   private static final class Wav extends FileHandle {
     private final byte[] bytes;
 
@@ -54,8 +54,8 @@ public final class AudioDevice implements Speaker, Disposable {
   }
 
   /**
-   * Whether it is worth to ask the toolkit for sound; asked first, because on a Linux without a
-   * device the system's library answers with a page of errors.
+   * Returns whether it is worth to ask the toolkit for sound; asked first, because on a Linux
+   * without a device the system's library answers with a page of errors.
    */
   public static boolean mayExist() {
     if (!System.getProperty("os.name").startsWith("Linux")) {

@@ -7,29 +7,29 @@ import carom.sim.Sound;
 import com.badlogic.gdx.math.MathUtils;
 
 /**
- * What events sound like: as loud as they are hard and near, from the side they come from. Each is
- * heard as often as it is told, which is once; of many at the same time the loudest. Render thread
- * only; no allocation per event.
+ * Plays the sounds of events, louder if they are hard and near, and from the side they come from.
+ * Of many events at the same time the loudest are heard. Render thread only; no allocation per
+ * event.
  */
 public final class EventSounds implements EventListener {
-  /** Sounds at a time. */
+  /** Most sounds at a time. */
   static final int VOICES = 10;
 
-  /** Two of a kind are at least this far apart, seconds: a pile-up isn't louder than a blow. */
+  /** Least time between two equal sounds, seconds: a pile-up isn't louder than a blow. */
   private static final float APART_SECONDS = 0.045f;
 
-  /** Fainter ones aren't played, of 1. */
+  /** Least loudness that is played, 0..1. */
   private static final float FAINTEST = 0.03f;
 
-  /** At this distance a sound is half as loud, metres; what flashes far is heard farther. */
+  /** Distance at which a sound is half as loud, metres; sounds of large events carry farther. */
   private static final float NEAR_M = 9;
 
-  /** From here on to the side a sound comes only from there, metres. */
+  /** Distance to the side at which a sound comes from that side only, metres. */
   private static final float ASIDE_M = 18;
 
   private static final float MOST_ASIDE = 0.8f;
 
-  /** The least of what can be harder or softer is this loud, of 1. */
+  /** Loudness of the softest event, 0..1. */
   private static final float SOFTEST = 0.08f;
 
   /** A sound that is playing. */
@@ -47,14 +47,14 @@ public final class EventSounds implements EventListener {
   private final float volume;
   private boolean muted;
 
-  /** Seconds; a float would stand still after some days. */
+  /** Time, seconds; a float would stand still after some days. */
   private double now;
 
-  private float earX;
-  private float earY;
+  private float listenerX;
+  private float listenerY;
 
   /**
-   * Creates one.
+   * Creates a player of sounds.
    *
    * @param volume of the loudest sound, 0..1
    */
@@ -66,7 +66,7 @@ public final class EventSounds implements EventListener {
     }
   }
 
-  /** Silences it, or not; what is playing stops. */
+  /** Switches the sound off or on; playing sounds stop. */
   public void mute(boolean silent) {
     muted = silent;
     for (Voice voice : voices) {
@@ -81,16 +81,16 @@ public final class EventSounds implements EventListener {
     return muted;
   }
 
-  /** Whether anything could be heard. */
+  /** Returns whether anything could be heard. */
   public boolean audible() {
     return speaker.works() && volume > 0;
   }
 
-  /** Lets time pass; sounds are heard at a place, metres. Once per frame. */
+  /** Lets time pass and sets where the listener is, metres; call it once per frame. */
   public void listen(float x, float y, float seconds) {
     now += seconds;
-    earX = x;
-    earY = y;
+    listenerX = x;
+    listenerY = y;
   }
 
   @Override
@@ -110,14 +110,14 @@ public final class EventSounds implements EventListener {
     quietUntil[sound.ordinal()] = now + APART_SECONDS;
     lastLoudness[sound.ordinal()] = loudness;
     float pitch = 1.1f - 0.2f * hardness; // what is hit harder sounds larger
-    float aside = MathUtils.clamp((event.x() - earX) / ASIDE_M, -MOST_ASIDE, MOST_ASIDE);
+    float aside = MathUtils.clamp((event.x() - listenerX) / ASIDE_M, -MOST_ASIDE, MOST_ASIDE);
     voice.event.set(event);
     voice.loudness = loudness;
     voice.until = now + Waves.seconds(sound) / pitch;
     voice.id = speaker.play(sound, volume * loudness, aside, pitch);
   }
 
-  /** What didn't happen falls silent. */
+  /** Stops the sound of an event that did not happen. */
   @Override
   public void retracted(Event event) {
     for (Voice voice : voices) {
@@ -137,12 +137,12 @@ public final class EventSounds implements EventListener {
 
   private float nearness(Event event) {
     float near = NEAR_M + 2 * event.kind().radius();
-    float dx = event.x() - earX;
-    float dy = event.y() - earY;
+    float dx = event.x() - listenerX;
+    float dy = event.y() - listenerY;
     return 1 / (1 + (dx * dx + dy * dy) / (near * near));
   }
 
-  /** A voice that is free, or else the one that is missed least. */
+  /** Returns a free voice or, without one, the quietest. */
   private Voice quietest() {
     Voice found = voices[0];
     for (Voice voice : voices) {

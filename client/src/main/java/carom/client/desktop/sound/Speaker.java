@@ -2,9 +2,9 @@ package carom.client.desktop.sound;
 
 import carom.sim.Sound;
 
-/** What makes sounds audible. Render thread only. */
+/** A device that plays sounds. Render thread only. */
 interface Speaker {
-  /** Whether anybody can hear it. */
+  /** Returns whether anybody can hear it. */
   boolean works();
 
   /**
@@ -18,6 +18,6 @@ interface Speaker {
    */
   long play(Sound sound, float volume, float pan, float pitch);
 
-  /** Ends a sound that was started; nothing when it is over. */
+  /** Stops a sound that was started; does nothing if it is over. */
   void stop(Sound sound, long id);
 }

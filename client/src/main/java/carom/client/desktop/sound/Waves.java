@@ -5,7 +5,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 
-/** The sounds, computed: one channel of 16 bits. They begin and end in silence. */
+/** Computes the sounds: one channel of 16 bits. They begin and end in silence. */
 final class Waves {
   /** Samples per second. */
   static final int RATE = 32_000;
@@ -18,7 +18,7 @@ final class Waves {
 
   private Waves() {}
 
-  /** How long a sound is, seconds. */
+  /** Returns the length of a sound, seconds. */
   static float seconds(Sound sound) {
     return switch (sound) {
       case NONE -> 0;
@@ -31,7 +31,7 @@ final class Waves {
     };
   }
 
-  /** The samples of a sound; its loudest is as loud as can be. */
+  /** Returns the samples of a sound; the loudest has full scale. */
   static short[] samples(Sound sound) {
     double[] wave = new double[Math.round(seconds(sound) * RATE)];
     Noise noise = new Noise();
@@ -55,7 +55,7 @@ final class Waves {
     return loud(wave);
   }
 
-  /** The pitch at a time. */
+  /** Returns the pitch of a sound at a time, hertz. */
   private static double hertz(Sound sound, double t) {
     return switch (sound) {
       case NONE, WHOOSH -> 0;
@@ -76,12 +76,12 @@ final class Waves {
     return Math.sin(TWO_PI * turns);
   }
 
-  /** A saw tooth of few harmonics. */
+  /** Returns a saw tooth of few harmonics. */
   private static double saw(double turns) {
     return (sine(turns) + sine(2 * turns) / 2 + sine(3 * turns) / 3 + sine(4 * turns) / 4) / 1.5;
   }
 
-  /** Always the same noise, through a low pass. */
+  /** Noise through a low pass, the same for each sound. */
   private static final class Noise {
     private int seed = 1;
     private double low;
@@ -113,7 +113,7 @@ final class Waves {
     return samples;
   }
 
-  /** A sound as a WAV file: PCM, one channel. */
+  /** Returns a sound as a WAV file: PCM, one channel. */
   static byte[] wav(Sound sound) {
     short[] samples = samples(sound);
     int bytes = 2 * samples.length;
