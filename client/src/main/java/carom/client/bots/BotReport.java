@@ -21,7 +21,7 @@ import java.util.Locale;
  * @param exactPercent of the awake bodies near the bots, those whose prediction was right in every
  *     bit; 0 when nothing was predicted
  * @param correctionsPerMinute how often a bot's own body had to be corrected
- * @param lateInputPercent of the inputs of those who played, those that were made later than their
+ * @param lateInputPercent share of the inputs of playing bots that were sampled later than their
  *     tick, because the bots' own process was too slow to look after each of them in each tick
  */
 public record BotReport(

@@ -98,7 +98,7 @@ public final class NetGraph {
             s.correctionsPerMinute(nowNs), s.correctionMeanMetres() * 100, s.exactRate() * 100);
     rows[6] =
         text(
-            "%d near, foreseen %.1f %%   surprises %d",
+            "%d near, exact %.1f %%   mispredictions %d",
             s.nearBodies(), s.perfectRate() * 100, s.disagreements());
     rows[7] =
         text(
