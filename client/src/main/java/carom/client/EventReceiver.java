@@ -8,8 +8,8 @@ import carom.net.codec.Quantizer;
 import carom.net.snapshot.event.EventInbox;
 import carom.net.snapshot.event.EventRecord;
 import carom.sim.Event;
-import carom.sim.EventKind;
 import carom.sim.Simulation;
+import carom.sim.event.EventKind;
 
 /**
  * Passes the events of snapshots to the {@link EventReconciler}: drops repeated ones, looks up

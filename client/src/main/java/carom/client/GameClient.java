@@ -14,9 +14,9 @@ import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.transport.ClientTransport;
 import carom.sim.Event;
-import carom.sim.Level;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.level.Level;
 import java.util.function.LongSupplier;
 
 /**

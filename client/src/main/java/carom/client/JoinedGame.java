@@ -15,8 +15,8 @@ import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameState;
 import carom.sim.Input;
-import carom.sim.Level;
 import carom.sim.Simulation;
+import carom.sim.level.Level;
 import java.util.List;
 import java.util.function.LongSupplier;
 

@@ -9,7 +9,7 @@ import carom.net.protocol.ServerMessage;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
-import carom.sim.Level;
+import carom.sim.level.Level;
 
 /**
  * Connects to a server and comes back after a loss. It opens the link, says hello, downloads the

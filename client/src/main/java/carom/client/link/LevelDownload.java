@@ -5,8 +5,8 @@ import carom.net.protocol.Limits;
 import carom.net.protocol.PackedLevel;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
-import carom.sim.Level;
-import carom.sim.LevelException;
+import carom.sim.level.Level;
+import carom.sim.level.LevelException;
 
 /**
  * Downloads a level in pieces, and keeps it: after a reconnect, a level that is already here isn't

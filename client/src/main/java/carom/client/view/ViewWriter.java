@@ -5,10 +5,10 @@ import carom.client.link.ConnectionPhase;
 import carom.client.stats.NetStats;
 import carom.net.protocol.ServerMessage.Roster;
 import carom.net.protocol.ServerMessage.RosterEntry;
-import carom.sim.Archetype;
 import carom.sim.Input;
-import carom.sim.Level;
 import carom.sim.Simulation;
+import carom.sim.level.Archetype;
+import carom.sim.level.Level;
 import java.util.List;
 
 /**

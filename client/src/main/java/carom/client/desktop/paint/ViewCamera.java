@@ -1,6 +1,6 @@
 package carom.client.desktop.paint;
 
-import carom.sim.Level;
+import carom.sim.level.Level;
 import com.badlogic.gdx.graphics.OrthographicCamera;
 import com.badlogic.gdx.math.MathUtils;
 import com.badlogic.gdx.math.Vector3;

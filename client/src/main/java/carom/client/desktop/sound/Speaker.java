@@ -1,6 +1,6 @@
 package carom.client.desktop.sound;
 
-import carom.sim.Sound;
+import carom.sim.event.Sound;
 
 /** A device that plays sounds. Render thread only. */
 interface Speaker {
