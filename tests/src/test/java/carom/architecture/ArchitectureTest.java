@@ -167,8 +167,14 @@ final class ArchitectureTest {
         "carom.net.snapshot.relay");
     allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol", "carom.net.snapshot.*");
     allow("carom.net.protocol", "carom.net.codec");
-    allow("carom.net.transport", "carom.net.protocol");
-    allow("carom.net.kryo", "carom.net.protocol", "carom.net.transport", "carom.net.codec");
+    allow("carom.values");
+    allow("carom.net.transport", "carom.net.protocol", "carom.values");
+    allow(
+        "carom.net.kryo",
+        "carom.net.protocol",
+        "carom.net.transport",
+        "carom.net.codec",
+        "carom.values");
     allow("carom.options", "carom.net.transport");
     allow(
         "carom.replay",
@@ -182,6 +188,7 @@ final class ArchitectureTest {
         "carom.server..",
         "carom.net..",
         "carom.options",
+        "carom.values",
         "carom.replay",
         "carom.sim..",
         "carom.game",
@@ -191,6 +198,7 @@ final class ArchitectureTest {
         "carom.client..",
         "carom.net..",
         "carom.options",
+        "carom.values",
         "carom.replay",
         "carom.sim..",
         "carom.game",

@@ -1,5 +1,6 @@
 package carom.physics.dynamics.solver;
 
+import carom.physics.WorldDef;
 import carom.physics.dynamics.Dynamics;
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
@@ -42,9 +43,14 @@ public class ContactSolverBenchmark {
   public String kernels;
 
   private final Settings settings =
-      new Settings(
-          0, -10, 4, 30, 10, 1, 3, 0.005f, 0.02f, 0.05f, 400, 100, 60, 2, false, 0.05f, 0.5f, false,
-          1, false);
+      new WorldDef()
+          .withContactHertz(30)
+          .withSlop(0.005f)
+          .withMaxSpeed(400)
+          .withMaxAngularSpeed(100)
+          .withJointDampingRatio(2)
+          .withSleeping(false)
+          .withContinuous(false);
 
   private final Dynamics world = new Dynamics(settings);
   private final ActiveBodies active = new ActiveBodies();

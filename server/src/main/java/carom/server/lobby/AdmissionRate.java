@@ -1,13 +1,13 @@
-package carom.server;
+package carom.server.lobby;
 
 import java.util.HashMap;
 import java.util.Map;
 
 /**
- * How often the clients of one address may come in: {@value #LEAST_BURST} at once, or as many as
- * the server has places, then {@value #PER_SECOND} per second. A crowd behind one address comes in
- * unhindered; a client that joins and leaves in a loop can't flood the others' screens and the log.
- * One thread; bounded.
+ * Limits how often clients of one address may join: {@value #LEAST_BURST} at once, or as many as
+ * the server has seats if more, then {@value #PER_SECOND} per second. A crowd behind one address
+ * joins unhindered. A client that joins and leaves in a loop can't flood the log and the screens of
+ * others. For one thread; bounded.
  */
 final class AdmissionRate {
   static final int LEAST_BURST = 256;
@@ -20,13 +20,15 @@ final class AdmissionRate {
   private final int burst;
 
   /**
-   * @param places of the server
+   * Creates one without any joins.
+   *
+   * @param places seats of the server
    */
   AdmissionRate(int places) {
     burst = Math.max(LEAST_BURST, places);
   }
 
-  /** What an address has left. */
+  /** The joins an address has left. */
   private final class Bucket {
     private double tokens = burst;
     private long sinceNs;
@@ -37,13 +39,13 @@ final class AdmissionRate {
     }
   }
 
-  /** The part of {@code Link.remote} that all links of one machine share. */
+  /** Returns the part of {@code Link.remote} that all links of one machine share. */
   static String address(String remote) {
     int port = remote.lastIndexOf(':');
     return port < 0 ? remote : remote.substring(0, port);
   }
 
-  /** Whether one more may come in now. */
+  /** Returns whether one more client of this address may join now. */
   boolean allows(String address, long nowNs) {
     Bucket bucket = buckets.get(address);
     if (bucket == null) {
@@ -53,7 +55,7 @@ final class AdmissionRate {
     return bucket.tokens >= 1;
   }
 
-  /** One has come in. */
+  /** Counts a client of this address that has joined. */
   void count(String address, long nowNs) {
     if (buckets.size() >= MAX_ADDRESSES && !buckets.containsKey(address)) {
       buckets.values().removeIf(b -> isFull(b, nowNs));

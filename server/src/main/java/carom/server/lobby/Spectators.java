@@ -1,4 +1,4 @@
-package carom.server;
+package carom.server.lobby;
 
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
@@ -16,18 +16,18 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Those who watch a room later: each asks for pieces of its recording and computes the game itself,
- * so that one costs the server a few file reads a second and the room nothing. Nobody is told
- * anything younger than the delay.
+ * Sends recordings to the spectators of all rooms. A spectator requests chunks of its room's
+ * recording and computes the game itself. So it costs the server a few file reads a second, and the
+ * room nothing. No spectator is told anything younger than the delay.
  *
- * <p>On the lobby's thread. Bounded: {@value #MAX} spectators, {@value #BYTES_PER_S} bytes per
- * second each; beyond that a piece is empty, and they ask again.
+ * <p>Runs on the lobby's thread. Bounded: {@value #MAX} spectators, {@value #BYTES_PER_S} bytes per
+ * second each; beyond that a chunk is empty, and the spectator asks again.
  */
 final class Spectators implements LinkHandler {
-  /** Spectators at a time, of all rooms. */
+  /** Most spectators at a time, of all rooms together. */
   static final int MAX = 256;
 
-  /** Most that one is sent: an hour of a busy match in half a minute. */
+  /** Most bytes one spectator is sent per second: an hour of a busy match in half a minute. */
   static final int BYTES_PER_S = 512 * 1_024;
 
   private static final Logger LOG = LoggerFactory.getLogger(Spectators.class);
@@ -41,7 +41,9 @@ final class Spectators implements LinkHandler {
     private final Room room;
     private final Showing showing;
 
-    /** What this one is spared, see {@link Showing#skippable}; the same for as long as it stays. */
+    /**
+     * Bytes this spectator needn't read, see {@link Showing#skippable}; constant while it stays.
+     */
     private final long skipped;
 
     private long heardNs;
@@ -78,9 +80,10 @@ final class Spectators implements LinkHandler {
   }
 
   /**
-   * Takes a link that wants to watch, whose versions are right.
+   * Adds a link whose versions are right.
    *
-   * @return null, or why not, in words for the user
+   * @param room number of the room, from 1
+   * @return null, or in words for the user why it can't watch
    */
   String add(Link link, int room, long timeNs) {
     if (showings.isEmpty()) {
@@ -98,7 +101,7 @@ final class Spectators implements LinkHandler {
     return null;
   }
 
-  /** One turn; returns how much was done. */
+  /** Answers requests and drops silent spectators; returns how much was done. */
   int doWork(long timeNs) {
     nowNs = timeNs;
     int work = partings.doWork(timeNs);
@@ -156,7 +159,7 @@ final class Spectators implements LinkHandler {
     end = reason;
   }
 
-  /** Says goodbye to all. */
+  /** Says goodbye to all spectators. */
   void close(long timeNs) {
     for (Spectator s : spectators) {
       s.link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_STOPPING, ""));
@@ -171,10 +174,5 @@ final class Spectators implements LinkHandler {
 
   void closeLinks() {
     partings.closeAll();
-  }
-
-  /** How many watch. */
-  int count() {
-    return spectators.size();
   }
 }

@@ -1,4 +1,4 @@
-package carom.server;
+package carom.server.lobby;
 
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
@@ -13,6 +13,7 @@ import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.net.transport.ServerTransport;
 import carom.server.config.ServerConfig;
+import carom.server.recording.Showing;
 import carom.server.room.Admission;
 import carom.server.room.Room;
 import carom.server.session.PartingLinks;
@@ -26,39 +27,42 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Where links wait until they play: the handshake, the choice of a room, the level, and the
- * refusals. Each phase has a deadline, so that a half-open connection or a client that stalls costs
- * a slot for seconds only.
+ * Takes links from the handshake to their room: it greets or refuses them, chooses the room, and
+ * sends the level. Each phase has a deadline, so that a half-open connection or a client that
+ * stalls costs a slot for seconds only.
  *
- * <p>Who comes back with a session's secret goes to the room that holds it. Everybody else goes to
- * the fullest room that still has a place, because players want company; among equals to the first.
- * When no room has a place, the newcomer is refused. Rooms that have failed count as full.
+ * <p>A player who returns with a session's secret goes to the room that holds the session. Everyone
+ * else goes to the fullest room that still has a seat, because players want company; among equals
+ * to the first. When no room has a seat, the newcomer is refused. Rooms that have failed count as
+ * full.
  *
  * <p>One thread calls {@link #doWork}; it may be another one than the rooms'.
  */
-final class Lobby {
+public final class Lobby {
   private static final Logger LOG = LoggerFactory.getLogger(Lobby.class);
   private static final long NS_PER_MS = 1_000_000;
   private static final long PARTING_MS = 1_000;
   private static final int MAX_POLL = 32;
 
-  /** How long a visitor of a full server waits for the place it asked for, until it asks again. */
+  /** How long a visitor of a full server waits for the seat it asked for, until it asks again. */
   private static final long ASK_AGAIN_MS = 400;
 
-  /** How long a greeted visitor waits for a place before it is refused. */
+  /** How long a greeted visitor waits for a seat before it is refused. */
   private static final long ENTRANCE_WAIT_MS = 2_500;
 
-  /** So many places one address may hold without playing yet, and up to half of the free ones. */
+  /** Seats that one address may hold without playing yet, or half of the free ones if more. */
   private static final int MIN_UNREADY = 8;
 
   private static final int MAX_ACCEPT = 32;
 
-  /** How often one link may pull the whole level; more would make the server a hose. */
+  /**
+   * How often one link may request the whole level. It bounds what a link can make a server send.
+   */
   private static final int MAX_LEVEL_PULLS = 3;
 
   private final ServerConfig config;
   private final ServerTransport transport;
-  private final List<Room> rooms;
+  private final RoomChooser chooser;
   private final Level level;
   private final String gameName;
   private final String levelName;
@@ -73,10 +77,15 @@ final class Lobby {
   private long nowNs;
 
   /**
+   * Creates a lobby in front of rooms.
+   *
+   * @param config settings of the server
+   * @param transport where links come from
    * @param rooms at least one, all with the same game and level
+   * @param level sent to players who join
    * @param secrets unpredictable numbers, for datagram keys
    */
-  Lobby(
+  public Lobby(
       ServerConfig config,
       ServerTransport transport,
       List<Room> rooms,
@@ -84,7 +93,7 @@ final class Lobby {
       LongSupplier secrets) {
     this.config = config;
     this.transport = transport;
-    this.rooms = rooms;
+    this.chooser = new RoomChooser(rooms);
     this.spectators = new Spectators(rooms);
     this.level = level;
     this.gameName = rooms.get(0).simulation().game().name();
@@ -97,8 +106,13 @@ final class Lobby {
     this.rate = new AdmissionRate(config.places());
   }
 
-  /** One turn: new links, what the visitors sent, deadlines. Returns how much was done. */
-  int doWork(long timeNs) {
+  /**
+   * Does one turn: accepts new links, reads what visitors sent, checks deadlines.
+   *
+   * @param timeNs monotonic time in nanoseconds
+   * @return how much was done; 0 when nothing was due
+   */
+  public int doWork(long timeNs) {
     nowNs = timeNs;
     int work = partings.doWork(timeNs) + spectators.doWork(timeNs);
     for (int i = 0; i < MAX_ACCEPT; i++) {
@@ -132,8 +146,12 @@ final class Lobby {
     return work;
   }
 
-  /** Refuses everybody who waits and whoever still comes. */
-  void close(long timeNs) {
+  /**
+   * Refuses all links that wait and all that still come.
+   *
+   * @param timeNs monotonic time in nanoseconds
+   */
+  public void close(long timeNs) {
     nowNs = timeNs;
     spectators.close(timeNs);
     for (Visitor visitor : visitors) {
@@ -152,24 +170,29 @@ final class Lobby {
     }
   }
 
-  /** Whether no refused link lingers. */
-  boolean isDeserted() {
+  /** Returns whether no link is left here, not even a refused one that isn't closed yet. */
+  public boolean isDeserted() {
     return visitors.isEmpty() && partings.isEmpty() && spectators.isDeserted();
   }
 
-  /** Closes the links that linger after {@link #close}. */
-  void closeLinks() {
+  /** Closes the links that are still open after {@link #close}. */
+  public void closeLinks() {
     partings.closeAll();
     spectators.closeLinks();
   }
 
-  /** Who watches games later. */
-  Spectators spectators() {
-    return spectators;
+  /**
+   * Lets spectators in from now on.
+   *
+   * @param showings one for each room, in their order
+   * @param delaySeconds how long spectators are told nothing of what happens
+   */
+  public void show(List<Showing> showings, int delaySeconds) {
+    spectators.show(showings, delaySeconds);
   }
 
-  /** Links that wait here. */
-  int visitorCount() {
+  /** Returns the number of links that wait to play. */
+  public int visitorCount() {
     return visitors.size();
   }
 
@@ -183,16 +206,7 @@ final class Lobby {
     partings.add(link, why, nowNs + PARTING_MS * NS_PER_MS);
   }
 
-  /** Places that nobody has or is promised, in all rooms that are open. */
-  private int seatsLeft() {
-    int left = 0;
-    for (Room room : rooms) {
-      left += room.hasFailed() ? 0 : room.seats().count() - room.seats().takenCount();
-    }
-    return left;
-  }
-
-  /** Visitors of an address that hold a place and don't play yet. */
+  /** Counts the visitors of an address that hold a seat and don't play yet. */
   private int unready(String address) {
     int count = 0;
     for (int i = 0; i < visitors.size(); i++) {
@@ -202,7 +216,10 @@ final class Lobby {
     return count;
   }
 
-  /** Who must go first when places are short: of another address, which holds several. */
+  /**
+   * Returns the visitor that gives up its seat first when seats are short, or null: the oldest of
+   * the address that holds the most, at least two, and isn't the newcomer's.
+   */
   private Visitor oldestOfTheBusiest(String newcomer) {
     Visitor oldest = null;
     int most = 1;
@@ -219,7 +236,7 @@ final class Lobby {
     return oldest;
   }
 
-  /** One link on its way in. */
+  /** A link from its first message to its room. */
   private final class Visitor implements LinkHandler {
     private final Link link;
     private SessionState state = SessionState.CONNECTED;
@@ -242,8 +259,8 @@ final class Lobby {
     }
 
     /**
-     * One by one: what comes behind a greeting waits with it, what comes behind Ready is the
-     * room's.
+     * Reads messages one by one: those behind a greeting wait with it, those behind Ready are for
+     * the room.
      */
     int poll() {
       int work = 0;
@@ -295,7 +312,7 @@ final class Lobby {
       done = true;
     }
 
-    /** Refuses who computes otherwise. */
+    /** Refuses a client with another protocol or physics version; returns whether it has ours. */
     private boolean isOfThisBuild(int protocolVersion, long physicsDigest) {
       if (protocolVersion != Protocol.VERSION) {
         refused(
@@ -329,9 +346,9 @@ final class Lobby {
     }
 
     /**
-     * Gives a greeted visitor a place as soon as it may have one. Whoever asks too often, or holds
-     * many places without playing, waits; so does everybody while a full room gives up the place of
-     * a player who lost the connection.
+     * Gives a greeted visitor a seat as soon as it may have one. An address that asks too often, or
+     * holds many seats without playing, waits. So do all visitors while a full room gives up the
+     * seat of a player who lost the connection.
      */
     void tryToEnter() {
       if (done || waiting == null) {
@@ -344,17 +361,19 @@ final class Lobby {
       boolean allowed = rate.allows(address, nowNs);
       boolean full = false;
       if (allowed) {
-        if (isExpected()) {
-          resume();
+        Room expecting = chooser.expecting(waiting.resumeSecret());
+        if (expecting != null) {
+          room = expecting;
+          seat = room.seats().claim(waiting.resumeSecret(), nowNs);
         } else {
-          full = !place(waiting.name().strip()) && seatsLeft() == 0 && !askForPlaces();
+          full = !place(waiting.name().strip()) && chooser.seatsLeft() == 0 && !askForPlaces();
         }
       }
       if (seat != null) {
         rate.count(address, nowNs);
         waiting = null;
         welcome();
-      } else if (full || (allowed && seatsLeft() == 0 && nowNs - waitsUntilNs >= 0)) {
+      } else if (full || (allowed && chooser.seatsLeft() == 0 && nowNs - waitsUntilNs >= 0)) {
         int places = config.places();
         String text = places == 1 ? "The only place is taken." : "All %d places are taken.";
         refused(RefusalReason.SERVER_FULL, text.formatted(places));
@@ -363,47 +382,25 @@ final class Lobby {
       }
     }
 
-    /** Whether a seat belongs to the visitor's secret; remembers in which room. */
-    private boolean isExpected() {
-      for (Room candidate : rooms) {
-        if (!candidate.hasFailed() && candidate.seats().knows(waiting.resumeSecret())) {
-          room = candidate;
-          return true;
-        }
-      }
-      return false;
-    }
-
-    /** Claims the seat that belongs to the visitor's secret. */
-    private void resume() {
-      seat = room.seats().claim(waiting.resumeSecret(), nowNs);
-    }
-
-    /** Takes a seat in the fullest room that has one. */
+    /** Takes a seat in the fullest room that has one; returns whether it could. */
     private boolean place(String name) {
-      int most = -1;
-      for (Room candidate : rooms) {
-        int taken = candidate.seats().takenCount();
-        if (taken > most && taken < config.maxPlayers() && !candidate.hasFailed()) {
-          most = taken;
-          room = candidate;
-        }
-      }
-      if (most >= 0 && unready(address) < Math.max(MIN_UNREADY, seatsLeft() / 2)) {
+      Room fullest = chooser.fullestWithSeat();
+      if (fullest != null && unready(address) < Math.max(MIN_UNREADY, chooser.seatsLeft() / 2)) {
+        room = fullest;
         seat = room.seats().take(name);
       }
       return seat != null;
     }
 
-    /** All places are taken; by players who play, we hope. False when they do. */
+    /**
+     * Asks a room, or else the busiest other address, to give up a seat that isn't played in.
+     * Returns false when all seats are.
+     */
     private boolean askForPlaces() {
       if (nowNs - askAgainNs < 0) {
-        return true; // one place is enough, and it is on its way unless somebody else was faster
+        return true; // one seat is enough, and is soon free unless another visitor is faster
       }
-      boolean asked = false;
-      for (int i = 0; i < rooms.size() && !asked; i++) {
-        asked = !rooms.get(i).hasFailed() && rooms.get(i).giveWay();
-      }
+      boolean asked = chooser.askToGiveWay();
       Visitor hog = asked ? null : oldestOfTheBusiest(address);
       if (hog != null) {
         asked = true;
