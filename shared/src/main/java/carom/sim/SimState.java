@@ -194,7 +194,7 @@ public final class SimState {
             && known.archetype() == kind
             && known.ownerId() == ownerId
             && known.bodySlot() == slots[id];
-    return same ? known : new Entity(owner.roster(), id, generation, kind, ownerId);
+    return same ? known : new Entity(owner.entities().roster(), id, generation, kind, ownerId);
   }
 
   private void listBySlot() {

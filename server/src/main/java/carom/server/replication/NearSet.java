@@ -9,6 +9,7 @@ import carom.physics.BodyContactVisitor;
 import carom.physics.BodyVisitor;
 import carom.physics.math.Aabb;
 import carom.sim.Entity;
+import carom.sim.InterferenceLog;
 import carom.sim.Neighbourhood;
 import carom.sim.Player;
 import carom.sim.Simulation;
@@ -23,10 +24,10 @@ import java.util.function.Predicate;
  * <p>A client that simulates these from the same state, with the same inputs, has the same state
  * ever after, so all it must be told is a hash, what the other players among them do, and what the
  * game does to one of them by itself. The exact state is told of whoever comes near, of whom the
- * game {@linkplain Entity#ruledTick moved or pushed}, and of all when the client finds that its
- * hash differs: the state at one tick, spread over as many snapshots as it takes. Meanwhile the
- * list stays as it is. Parts that got lost are sent again until another update begins, which tells
- * them again.
+ * game {@linkplain InterferenceLog moved or pushed}, and of all when the client finds that its hash
+ * differs: the state at one tick, spread over as many snapshots as it takes. Meanwhile the list
+ * stays as it is. Parts that got lost are sent again until another update begins, which tells them
+ * again.
  *
  * <p>Whom the game {@linkplain carom.sim.Game#audience hides} from the player isn't near, and so
  * neither its state nor its input is told; a client that is pushed by it learns that from the exact
@@ -126,6 +127,7 @@ public final class NearSet {
   }
 
   private final Simulation simulation;
+  private final InterferenceLog log;
   private final Marks marks;
   private final Predicate<Entity> mayKnow;
   private final Neighbourhood state = new Neighbourhood();
@@ -229,6 +231,7 @@ public final class NearSet {
 
   NearSet(Simulation simulation, Marks marks, Predicate<Entity> mayKnow) {
     this.simulation = simulation;
+    this.log = simulation.interference();
     this.marks = marks;
     this.mayKnow = mayKnow;
   }
@@ -277,8 +280,8 @@ public final class NearSet {
     surprising = updates + disagreements != begun;
     for (int i = 0; i < count; i++) {
       state.add(listed[i]);
-      surprising |= listed[i].ruledTick() > before;
-      simulation.watch(listed[i]);
+      surprising |= log.lastTick(listed[i]) > before;
+      log.watch(listed[i]);
       Player owner = simulation.owner(listed[i]);
       if (owner != null
           && relayed < OwnState.MAX_RELAYED
@@ -359,9 +362,9 @@ public final class NearSet {
     boolean ruled = tellsAll;
     for (int i = 0; i < count; i++) {
       Entity e = listed[i];
-      if (e.ruledTick() > capturedTick) {
+      if (log.lastTick(e) > capturedTick) {
         ruled = true;
-        tellsAll |= e.ruledEarly() || e.ruledTick() < tick;
+        tellsAll |= log.wasBeforeStep(e) || log.lastTick(e) < tick;
       }
     }
     if (!ruled || rulingCredit < RULING_TICKS) {
@@ -490,7 +493,7 @@ public final class NearSet {
     for (int i = 0, from = 0; i < count; i++) {
       int at = findKnown(memberKey[i], from);
       from = at < 0 ? from : at + 1;
-      isTold[i] = all || at < 0 || listed[i].ruledTick() == baseTick || isUnsure(memberKey[i]);
+      isTold[i] = all || at < 0 || log.lastTick(listed[i]) == baseTick || isUnsure(memberKey[i]);
       strikes[i] = at < 0 && listed[i].body().awake();
     }
     tellStruck();

@@ -29,6 +29,11 @@ public final class OwnCapture {
     return new NearSet(simulation, marks, mayKnow);
   }
 
+  /** See {@link carom.sim.InterferenceLog#lastTick(Player)}. */
+  public int interferedTick(Player player) {
+    return simulation.interference().lastTick(player);
+  }
+
   /** Reads a player's own section after the simulation's last step. */
   public void capture(Player player, OwnState out) {
     int[] memory = player.memory();

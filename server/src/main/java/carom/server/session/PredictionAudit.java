@@ -63,7 +63,7 @@ final class PredictionAudit {
    * @param inputMissing whether the player's input for it wasn't there in time; see {@link
    *     #confirmInput}
    * @param wasTouched whether anything that is not static touched the body in it
-   * @param wasRuled whether the game moved or pushed the body, see {@code Player.ruledTick}
+   * @param wasRuled whether the game moved or pushed the body, see {@code InterferenceLog}
    */
   void keep(int tick, OwnState own, boolean inputMissing, boolean wasTouched, boolean wasRuled) {
     int slot = tick & (TICKS - 1);

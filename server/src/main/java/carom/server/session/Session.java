@@ -369,7 +369,7 @@ public final class Session implements LinkHandler {
     }
     if (audit != null) {
       boolean certain = !inputs.lastWasMissing() && !inputs.lastWasHeld();
-      boolean ruled = player.ruledTick() >= consumedTick;
+      boolean ruled = capture.interferedTick(player) >= consumedTick;
       audit.keep(consumedTick, own, !certain, isTouched(), ruled);
     }
     if (nearSet == null) {
