@@ -328,12 +328,16 @@ public final class GameClient implements AutoCloseable {
     } else if (equalTick >= 0) {
       if (mayReport()) {
         OwnState wrong = prediction.predicted();
-        List<Integer> bits = new ArrayList<>();
-        for (int i = 0; i < ClientMessage.Diverged.BITS; i++) {
-          bits.add(wrong.bits(i));
+        List<Integer> body = new ArrayList<>();
+        body.add(Neighbourhood.key(wrong.slot(), wrong.generation()));
+        for (int i = 0; i < OwnState.FLOATS; i++) {
+          body.add(wrong.bits(i));
         }
-        connection.send(
-            new ClientMessage.Diverged(tick, equalTick, wrong.slot(), wrong.generation(), bits));
+        List<Integer> memory = new ArrayList<>();
+        for (int i = 0; i < OwnState.MEMORY; i++) {
+          memory.add(wrong.memory(i));
+        }
+        connection.send(new ClientMessage.Diverged(tick, equalTick, body, memory));
       }
       equalTick = -1;
     }
@@ -349,12 +353,12 @@ public final class GameClient implements AutoCloseable {
     }
     Neighbourhood state = prediction.divergedState();
     List<Integer> bodies = new ArrayList<>();
-    for (int i = 0; i < Math.min(state.count(), ClientMessage.DivergedNear.MAX_BODIES); i++) {
-      for (int j = 0; j < ClientMessage.DivergedNear.BODY_INTS; j++) {
+    for (int i = 0; i < Math.min(state.count(), ClientMessage.Diverged.MAX_BODIES); i++) {
+      for (int j = 0; j < ClientMessage.Diverged.BODY_INTS; j++) {
         bodies.add(state.entities()[i * Neighbourhood.ENTITY_INTS + j]);
       }
     }
-    connection.send(new ClientMessage.DivergedNear(tick, prediction.equalTick(), bodies));
+    connection.send(new ClientMessage.Diverged(tick, prediction.equalTick(), bodies, List.of()));
   }
 
   private boolean mayReport() {

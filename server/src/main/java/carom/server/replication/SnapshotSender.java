@@ -59,6 +59,7 @@ public final class SnapshotSender {
   private int rateAccumulator;
   private int ticksSinceSent;
   private int ticksSinceHeard;
+  private boolean due;
 
   /**
    * Creates the sender for a client that knows nothing but the level.
@@ -139,35 +140,48 @@ public final class SnapshotSender {
   }
 
   /**
-   * Whether {@link #send} may send at this tick; call once per tick, between {@link #tick} and it.
+   * Prepares a snapshot of the newest frame, and decides whether it {@linkplain #isDue is due};
+   * call once per tick, between {@link #tick} and {@link #send}.
    *
    * @param own the player's exact state
    * @param late whether the client's inputs come too late
    */
-  public boolean isDue(OwnState own, boolean late) {
+  public void prepare(OwnState own, boolean late) {
     // The bound forgets the time in which nothing was due, but not the rest of a rate that doesn't
     // divide the tick rate.
     rateAccumulator = Math.min(tickRateHz + snapshotRateHz - 1, rateAccumulator + snapshotRateHz);
     ticksSinceSent++;
     ticksSinceHeard++;
-    if (rateAccumulator < tickRateHz) {
-      return false;
+    due = rateAccumulator >= tickRateHz;
+    if (due) {
+      view.update(frames.newest(), encoder);
+      offerEvents();
+      boolean news = !encoder.nothingNew(own);
+      // Over budget, or over what the line takes: fewer snapshots, never none, each of the newest
+      // tick.
+      due =
+          ticksSinceSent >= mostTicksWithout(news, late)
+              || (news && bucket > 0 && pace.allowance() > 0);
     }
-    view.update(frames.newest(), encoder);
-    offerEvents();
-    boolean news = !encoder.nothingNew(own);
+  }
+
+  /** The most ticks between two snapshots. */
+  private int mostTicksWithout(boolean news, boolean late) {
+    if (late) {
+      return lateTicks;
+    }
     boolean silent = ticksSinceHeard > SILENT_PAUSES * keepAliveTicks;
-    if (ticksSinceSent >= (late ? lateTicks : news || silent ? newsTicks : keepAliveTicks)) {
-      return true;
-    }
-    // Over budget, or over what the line takes: fewer snapshots, never none, each of the newest
-    // tick.
-    return news && bucket > 0 && pace.allowance() > 0;
+    return news || silent ? newsTicks : keepAliveTicks;
+  }
+
+  /** Returns whether the snapshot prepared last may be sent. */
+  public boolean isDue() {
+    return due;
   }
 
   /**
-   * What exact state of what is near may take in the next snapshot, bits; not positive when it must
-   * wait. The bound for {@link NearSet#capture}.
+   * Returns how much the exact state of the predicted set may take in the next snapshot, bits; not
+   * positive if it must wait.
    */
   public int nearBits() {
     return nearCredit <= 0 ? 0 : Byte.SIZE * (budgetBytes() - overheadBytes());

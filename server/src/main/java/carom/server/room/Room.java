@@ -14,10 +14,11 @@ import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.metrics.LogInterval;
+import carom.server.prediction.OwnCapture;
 import carom.server.recording.RecordingFile;
 import carom.server.recording.RotatingRecording;
 import carom.server.replication.FrameCapture;
-import carom.server.replication.OwnCapture;
+import carom.server.replication.SessionReplication;
 import carom.server.session.PartingLinks;
 import carom.server.session.Seats;
 import carom.server.session.Session;
@@ -343,7 +344,9 @@ public final class Room {
     boolean resumed = session != null;
     if (session == null) {
       Player player = simulation.join(id, a.seat().name());
-      session = new Session(a.seat(), player, config, capture, ownCapture, counters);
+      SessionReplication replication =
+          new SessionReplication(player, config, capture, ownCapture, counters);
+      session = new Session(a.seat(), player, config, replication, counters);
       sessions.add(session);
       bySeat[id] = session;
     } else if (session.state() == SessionState.PLAYING) {
@@ -420,11 +423,11 @@ public final class Room {
       } else {
         return false;
       }
-    } else if (session.wish() == Session.Wish.LEAVE) {
+    } else if (session.departure() == Session.Departure.LEAVE) {
       counters.add(Counter.LEAVES, 1);
       session.sayGoodbye(GoodbyeReason.LEFT, "");
       remove(session, "left", " left", nowNs);
-    } else if (session.wish() == Session.Wish.EXPEL) {
+    } else if (session.departure() == Session.Departure.EXPEL) {
       counters.add(Counter.SESSIONS_EXPELLED, 1);
       session.sayGoodbye(GoodbyeReason.PROTOCOL_ERROR, "Received " + session.offence() + ".");
       remove(session, "expelled for " + session.offence(), " was removed", nowNs);
@@ -516,11 +519,12 @@ public final class Room {
       Session session = sessions.get(turns.index(i));
       try {
         if (session.state() == SessionState.GRACE) {
-          session.listen();
-        } else if (session.state() == SessionState.PLAYING
-            && session.isSnapshotDue()
-            && turns.take(i, clock.getAsLong())) {
-          session.sendSnapshot(clock.getAsLong() - beginNs + nowNs);
+          session.replication().listen();
+        } else if (session.state() == SessionState.PLAYING) {
+          session.prepareSnapshot();
+          if (session.replication().isSnapshotDue() && turns.take(i, clock.getAsLong())) {
+            session.sendSnapshot(clock.getAsLong() - beginNs + nowNs);
+          }
         }
       } catch (RuntimeException e) {
         broken.put(session, e);
@@ -750,14 +754,7 @@ public final class Room {
     if (entityId < 0 || entityId >= frames().capacity()) {
       return "entity=" + entityId + " is outside 0.." + (frames().capacity() - 1);
     }
-    return "player="
-        + playerId
-        + " "
-        + session.sender().encoder().explain(entityId)
-        + " nearRowsWaiting="
-        + session.waitingNearRows()
-        + " paceBytesPerSecond="
-        + session.sender().paceBytesPerSecond();
+    return "player=" + playerId + " " + session.replication().explain(entityId);
   }
 
   /** The room's number, from 1 on; from any thread. */

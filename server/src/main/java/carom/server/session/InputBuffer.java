@@ -23,7 +23,7 @@ import java.util.Arrays;
  */
 public final class InputBuffer {
   /** What became of an offered input. */
-  public enum Verdict {
+  public enum Arrival {
     /** Stored, will be consumed at its tick. */
     ACCEPTED,
     /** Already known; the usual fate of redundant copies. */
@@ -93,20 +93,20 @@ public final class InputBuffer {
   }
 
   /** Offers the input of a tick. Never throws, whatever the tick. */
-  public Verdict offer(int tick, long input) {
+  public Arrival offer(int tick, long input) {
     int ahead = tick - lastConsumedTick; // wraps like the ticks themselves
     if (ahead <= 0) {
       // Redundant copies of what was used are the normal case; late is only what never was here, or
       // is not what the client had said would go on.
       int slot = tick & (SIZE - 1);
       if (tickOf[slot] == tick && !isHeld[slot]) {
-        return Verdict.DUPLICATE;
+        return Arrival.DUPLICATE;
       }
       if (tickOf[slot] == tick) {
         isHeld[slot] = false; // its further copies are duplicates
         if (packed[slot] == input) {
           noteNewest(tick);
-          return Verdict.CONFIRMED;
+          return Arrival.CONFIRMED;
         }
         missing++;
       } else if (ahead > -SIZE && tickOf[slot] - tick < 0) {
@@ -115,22 +115,22 @@ public final class InputBuffer {
       }
       tooLate++;
       noteNewest(tick);
-      return Verdict.TOO_LATE;
+      return Arrival.TOO_LATE;
     }
     if (ahead > windowTicks) {
       tooEarly++;
       noteNewest(lastConsumedTick + windowTicks); // the margin must say "too early", not "too late"
-      return Verdict.TOO_EARLY;
+      return Arrival.TOO_EARLY;
     }
     int slot = tick & (SIZE - 1);
     if (tickOf[slot] == tick) {
-      return Verdict.DUPLICATE;
+      return Arrival.DUPLICATE;
     }
     tickOf[slot] = tick;
     packed[slot] = input;
     isHeld[slot] = false;
     noteNewest(tick);
-    return Verdict.ACCEPTED;
+    return Arrival.ACCEPTED;
   }
 
   /**
