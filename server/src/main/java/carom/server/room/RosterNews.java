@@ -60,7 +60,8 @@ final class RosterNews {
    */
   void send(Session[] bySeat, long nowNs, BiConsumer<Session, Broadcast> send) {
     if (changes == null) {
-      if (!isOld(bySeat) || nowNs - begunNs < intervalNs) {
+      noteScores(bySeat);
+      if (!old || nowNs - begunNs < intervalNs) {
         return;
       }
       old = false;
@@ -82,11 +83,10 @@ final class RosterNews {
     }
   }
 
-  private boolean isOld(Session[] bySeat) {
+  private void noteScores(Session[] bySeat) {
     for (int id = 0; id < bySeat.length && !old; id++) {
       old = bySeat[id] != null && scores[id] != bySeat[id].player().score();
     }
-    return old;
   }
 
   /** Who came in the midst of a round is told of the whole state that the others reach by it. */
