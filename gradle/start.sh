@@ -14,7 +14,7 @@ if [ -f "\$APP_HOME/lib/${applicationName}.jsa" ]; then
 fi
 priorities=
 <% if (applicationName in ['carom-server', 'carom-bots']) { %># Linux: Java's priorities count, as nice values, and the JIT compiler's threads leave the processors to those that play. Whoever isn't
-# root can't be preferred, only step back, and the JVM would say so at each start. Measured: docs/BENCHMARKS.md, "A crowd".
+# root can't be preferred, only step back, and the JVM would say so at each start. Measured: docs/lab/crowd.md.
 if [ "\$(uname)" = Linux ]; then
     priorities='-XX:ThreadPriorityPolicy=1 -XX:CompilerThreadPriority=10'
     [ "\$(id -u)" = 0 ] || priorities="\$priorities -XX:-PrintWarnings"

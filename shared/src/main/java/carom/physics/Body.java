@@ -1,12 +1,12 @@
 package carom.physics;
 
-import carom.physics.dynamics.BodyStore;
-import carom.physics.dynamics.Checks;
 import carom.physics.dynamics.Dynamics;
-import carom.physics.dynamics.ShapeSpec;
-import carom.physics.dynamics.StateHash;
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.body.Checks;
+import carom.physics.dynamics.body.ShapeSpec;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
+import carom.physics.math.StateHash;
 import carom.physics.math.Trig;
 import java.util.function.Consumer;
 

@@ -13,9 +13,9 @@ final class BodyArchive {
   private static final int SHAPE_BYTES = 4 * Integer.BYTES;
 
   private final Archive a;
-  private final Palette<Shape> shapes = new Palette<>(BodyArchive::same);
-  private final Palette<Material> materials = new Palette<>(Material::equals);
-  private final Palette<Filter> filters = new Palette<>(Filter::equals);
+  private final Interner<Shape> shapes = new Interner<>(BodyArchive::same);
+  private final Interner<Material> materials = new Interner<>(Material::equals);
+  private final Interner<Filter> filters = new Interner<>(Filter::equals);
 
   /** Of all shapes that were read so far. */
   private long parts;

@@ -1,8 +1,8 @@
 package carom.physics;
 
-import carom.physics.dynamics.BodyStore;
 import carom.physics.dynamics.Dynamics;
-import carom.physics.dynamics.JointStore;
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.joint.JointStore;
 import carom.physics.geometry.MassData;
 import java.util.Arrays;
 import java.util.function.UnaryOperator;
@@ -12,7 +12,7 @@ import java.util.function.UnaryOperator;
  * the end of the step, in the order in which it was asked for. Wrong arguments are refused when
  * they are given.
  */
-final class Changes<T> {
+public final class Changes<T> {
   private static final byte DESTROY_BODY = 0;
   private static final byte DESTROY_JOINT = 1;
   private static final byte ENABLE = 2;

@@ -1,6 +1,6 @@
 package carom.physics;
 
-import carom.physics.dynamics.ContactTable;
+import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.geometry.Shape;
 
 /**

@@ -1,6 +1,6 @@
 package carom.physics;
 
-import carom.physics.dynamics.ShapeTable;
+import carom.physics.dynamics.body.ShapeTable;
 
 /**
  * Who collides with whom. Two shapes meet if they are in the same group above 0; they don't if they

@@ -1,6 +1,6 @@
 package carom.physics;
 
-import carom.physics.dynamics.Stamp;
+import carom.physics.dynamics.store.Stamp;
 import carom.physics.geometry.MassData;
 import java.util.Arrays;
 

@@ -1,8 +1,8 @@
 package carom.physics;
 
-import carom.physics.dynamics.BodyStore;
-import carom.physics.dynamics.Checks;
-import carom.physics.dynamics.JointStore;
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.body.Checks;
+import carom.physics.dynamics.joint.JointStore;
 import carom.physics.math.Trig;
 
 /**

@@ -1,7 +1,7 @@
 package carom.physics;
 
-import carom.physics.dynamics.Checks;
-import carom.physics.dynamics.JointStore;
+import carom.physics.dynamics.body.Checks;
+import carom.physics.dynamics.joint.JointStore;
 import carom.physics.math.Trig;
 
 /**

@@ -1,7 +1,7 @@
 package carom.physics;
 
-import carom.physics.dynamics.BodyStore;
-import carom.physics.dynamics.JointStore;
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.joint.JointStore;
 
 /** Turns points and angles of the world, as definitions give them, into those of bodies' frames. */
 final class JointMaker {

@@ -1,6 +1,6 @@
 package carom.physics;
 
-import carom.physics.dynamics.Checks;
+import carom.physics.dynamics.body.Checks;
 
 /**
  * What a shape is made of. Two touching shapes mix: friction is {@code sqrt(f1 f2)}, restitution is

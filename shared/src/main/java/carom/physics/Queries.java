@@ -6,9 +6,9 @@ import carom.physics.collision.Cast;
 import carom.physics.collision.CastHit;
 import carom.physics.collision.ClosestPoints;
 import carom.physics.collision.Distance;
-import carom.physics.dynamics.BodyStore;
-import carom.physics.dynamics.Checks;
 import carom.physics.dynamics.Dynamics;
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.body.Checks;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
@@ -52,8 +52,8 @@ public final class Queries<T> {
   /** A way that ends just behind the nearest hit, so that equal fractions are found too. */
   private static final float BEHIND = 1.0001f;
 
-  private static final int PART_BITS = 10;
-  private static final int BODY_BITS = 21;
+  private static final int PART_BITS = BodyStore.PART_BITS;
+  private static final int BODY_BITS = BodyStore.SLOT_BITS;
   private static final long NONE = Long.MAX_VALUE;
 
   private final World<T> world;

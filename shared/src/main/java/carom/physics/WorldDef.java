@@ -1,6 +1,6 @@
 package carom.physics;
 
-import carom.physics.dynamics.Checks;
+import carom.physics.dynamics.body.Checks;
 import java.util.function.Consumer;
 
 /**

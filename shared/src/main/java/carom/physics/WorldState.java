@@ -4,11 +4,11 @@ import carom.physics.archive.Archive;
 import carom.physics.archive.ArchiveException;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
-import carom.physics.dynamics.BodyStore;
 import carom.physics.dynamics.DynamicsState;
-import carom.physics.dynamics.JointStore;
-import carom.physics.dynamics.StateHash;
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.joint.JointStore;
 import carom.physics.geometry.MassData;
+import carom.physics.math.StateHash;
 import java.util.function.IntFunction;
 
 /**

@@ -1,6 +1,6 @@
 package carom.sim;
 
-import carom.physics.dynamics.StateHash;
+import carom.physics.math.StateHash;
 import java.util.Arrays;
 
 /**

@@ -1,7 +1,7 @@
 package carom.sim;
 
 import carom.physics.dynamics.Excerpt;
-import carom.physics.dynamics.StateHash;
+import carom.physics.math.StateHash;
 import java.util.Arrays;
 
 /**

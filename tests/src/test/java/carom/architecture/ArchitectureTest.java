@@ -43,13 +43,15 @@ final class ArchitectureTest {
 
   private static final DescribedPredicate<JavaClass> NOT_THREADS =
       DescribedPredicate.describe(
-          "classes other than WorkerThreads and Lockstep",
+          "classes other than WorkerThreads and DomainPhases",
           c ->
-              !c.getName().matches("carom\\.physics\\.threads\\.(WorkerThreads|Lockstep)(\\$.*)?"));
+              !c.getName()
+                  .matches(
+                      "carom\\.physics\\.(threads\\.WorkerThreads|dynamics\\.parallel\\.DomainPhases)(\\$.*)?"));
 
   /** What needs the Vector API, in a source folder of its own. */
   private static final String VECTORS =
-      "carom\\.(physics\\.dynamics\\.Vector(Boxes|Hash|Lanes|Pins|Width)|net\\.codec\\.VectorColumns)";
+      "carom\\.(physics\\.dynamics\\.simd\\.Vector\\w+|physics\\.simd\\.VectorWidth|net\\.codec\\.VectorColumns)";
 
   /** Packages of Carom each package may use, besides itself. */
   private static final Map<String, Set<String>> ALLOWED = new TreeMap<>();
@@ -61,14 +63,77 @@ final class ArchitectureTest {
     allow("carom.physics.collision", "carom.physics.math", "carom.physics.geometry");
     allow("carom.physics.threads");
     allow("carom.physics.broadphase", "carom.physics.math", "carom.physics.threads");
-    allow(
-        "carom.physics.dynamics",
-        "carom.physics.archive",
-        "carom.physics.math",
-        "carom.physics.geometry",
-        "carom.physics.collision",
-        "carom.physics.broadphase",
-        "carom.physics.threads");
+    allow("carom.physics.simd");
+    allow("carom.physics.profile");
+    stage("store", "archive", "math", "simd");
+    stage("parallel", "threads");
+    stage("body", "archive", "math", "geometry", "broadphase", "dynamics.store");
+    stage(
+        "contact",
+        "archive",
+        "math",
+        "geometry",
+        "collision",
+        "broadphase",
+        "simd",
+        "dynamics.store",
+        "dynamics.parallel",
+        "dynamics.body");
+    stage(
+        "pairs",
+        "math",
+        "geometry",
+        "broadphase",
+        "dynamics.store",
+        "dynamics.parallel",
+        "dynamics.body",
+        "dynamics.contact");
+    stage(
+        "narrow",
+        "math",
+        "geometry",
+        "collision",
+        "broadphase",
+        "simd",
+        "dynamics.parallel",
+        "dynamics.body",
+        "dynamics.contact");
+    stage(
+        "solver",
+        "simd",
+        "dynamics.parallel",
+        "dynamics.body",
+        "dynamics.contact",
+        "dynamics.pairs");
+    stage(
+        "joint",
+        "archive",
+        "math",
+        "simd",
+        "dynamics.store",
+        "dynamics.parallel",
+        "dynamics.body",
+        "dynamics.solver");
+    stage(
+        "sleep",
+        "math",
+        "broadphase",
+        "dynamics.store",
+        "dynamics.body",
+        "dynamics.contact",
+        "dynamics.pairs",
+        "dynamics.joint");
+    stage(
+        "simd",
+        "math",
+        "collision",
+        "simd",
+        "dynamics.store",
+        "dynamics.contact",
+        "dynamics.narrow",
+        "dynamics.solver",
+        "dynamics.joint");
+    allow("carom.physics.dynamics", "carom.physics.*", "carom.physics.dynamics.*");
     allow("carom.physics", "carom.physics..");
     allow("carom.physics.effects", "carom.physics..");
     allow("carom.physics.particles", "carom.physics..");
@@ -77,7 +142,28 @@ final class ArchitectureTest {
     allow("carom.game", "carom.physics..", "carom.sim", "carom.sim.scene");
     allow("carom.net.codec");
     allow("carom.net.trace", "carom.net.codec");
-    allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol");
+    allow("carom.net.snapshot.event", "carom.net.codec", "carom.net.protocol");
+    allow(
+        "carom.net.snapshot.frame",
+        "carom.net.codec",
+        "carom.net.protocol",
+        "carom.net.snapshot.event");
+    allow(
+        "carom.net.snapshot.record",
+        "carom.net.codec",
+        "carom.net.protocol",
+        "carom.net.snapshot.frame");
+    allow(
+        "carom.net.snapshot.relay",
+        "carom.net.codec",
+        "carom.net.protocol",
+        "carom.net.snapshot.frame");
+    allow(
+        "carom.net.snapshot.exact",
+        "carom.net.codec",
+        "carom.net.snapshot.frame",
+        "carom.net.snapshot.relay");
+    allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol", "carom.net.snapshot.*");
     allow("carom.net.protocol", "carom.net.codec");
     allow("carom.net.transport", "carom.net.protocol");
     allow("carom.net.kryo", "carom.net.protocol", "carom.net.transport", "carom.net.codec");
@@ -101,6 +187,15 @@ final class ArchitectureTest {
         "carom.sim..",
         "carom.game",
         "carom.physics..");
+  }
+
+  /** Allows what a stage of the step may use; names are those below {@code carom.physics}. */
+  private static void stage(String name, String... to) {
+    String[] full = new String[to.length];
+    for (int i = 0; i < to.length; i++) {
+      full[i] = "carom.physics." + to[i];
+    }
+    allow("carom.physics.dynamics." + name, full);
   }
 
   private static void allow(String from, String... to) {
@@ -246,7 +341,7 @@ final class ArchitectureTest {
         .check(CAROM);
   }
 
-  /** Other lengths in one process make the JIT compiler box vectors, see docs/BENCHMARKS.md. */
+  /** Other lengths in one process make the JIT compiler box vectors, see docs/lab/kernels.md. */
   @Test
   void vectorsHaveOneLength() {
     noClasses()
@@ -256,7 +351,7 @@ final class ArchitectureTest {
         .check(CAROM);
     noClasses()
         .that()
-        .haveNameNotMatching("carom\\.physics\\.dynamics\\.Vector(Boxes|Lanes|Pins)")
+        .haveNameNotMatching("carom\\.physics\\.dynamics\\.simd\\.Vector(Boxes|Contacts|Revolutes)")
         .should()
         .accessFieldWhere(JavaFieldAccess.Predicates.target(nameMatching("SPECIES_(256|512)")))
         .because("only these choose, as VectorModule.LANES says: the preferred one of both")

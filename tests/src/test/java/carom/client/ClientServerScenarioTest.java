@@ -8,7 +8,7 @@ import carom.client.bots.Bot;
 import carom.game.Games;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.snapshot.EntityHistory;
-import carom.net.snapshot.FrameState;
+import carom.net.snapshot.frame.FrameState;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.ImpairedClientTransport;
 import carom.net.transport.Impairment;

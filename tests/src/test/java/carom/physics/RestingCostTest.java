@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.physics.dynamics.BodyStore;
+import carom.physics.dynamics.body.BodyStore;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import java.util.List;

@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.physics.dynamics.BodyStore;
-import carom.physics.dynamics.ContactTable;
 import carom.physics.dynamics.Dynamics;
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.math.Aabb;

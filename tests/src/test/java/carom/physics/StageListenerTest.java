@@ -3,8 +3,8 @@ package carom.physics;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.physics.dynamics.StageListener;
-import carom.physics.dynamics.StepStage;
+import carom.physics.profile.StageListener;
+import carom.physics.profile.StepStage;
 import carom.sim.scene.SceneRun;
 import carom.sim.scene.Scenes;
 import java.util.ArrayList;

@@ -8,7 +8,7 @@ import carom.game.Games;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.snapshot.DecodeStatus;
 import carom.net.snapshot.EntityHistory;
-import carom.net.snapshot.FrameState;
+import carom.net.snapshot.frame.FrameState;
 import carom.net.transport.ImpairedLink;
 import carom.net.transport.Impairment;
 import carom.net.transport.InProcessNetwork;

@@ -1,6 +1,6 @@
 package carom.server.bench;
 
-import carom.physics.dynamics.StepStage;
+import carom.physics.profile.StepStage;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;

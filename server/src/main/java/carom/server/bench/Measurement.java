@@ -3,7 +3,7 @@ package carom.server.bench;
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.physics.World;
-import carom.physics.dynamics.StepStage;
+import carom.physics.profile.StepStage;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneReport;
 import java.util.LinkedHashMap;

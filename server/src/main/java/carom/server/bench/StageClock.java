@@ -1,7 +1,7 @@
 package carom.server.bench;
 
-import carom.physics.dynamics.StageListener;
-import carom.physics.dynamics.StepStage;
+import carom.physics.profile.StageListener;
+import carom.physics.profile.StepStage;
 import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.Map;

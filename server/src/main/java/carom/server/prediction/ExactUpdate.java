@@ -1,7 +1,7 @@
 package carom.server.prediction;
 
-import carom.net.snapshot.OwnState;
 import carom.net.snapshot.SnapshotEncoder;
+import carom.net.snapshot.exact.OwnState;
 import carom.sim.InterferenceLog;
 import carom.sim.Simulation;
 

@@ -1,8 +1,8 @@
 package carom.server.prediction;
 
-import carom.net.snapshot.NearState;
-import carom.net.snapshot.OwnState;
 import carom.net.snapshot.SnapshotEncoder;
+import carom.net.snapshot.exact.NearState;
+import carom.net.snapshot.exact.OwnState;
 import carom.sim.Entity;
 import carom.sim.InterferenceLog;
 import carom.sim.Neighbourhood;

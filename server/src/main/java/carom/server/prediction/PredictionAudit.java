@@ -1,7 +1,7 @@
 package carom.server.prediction;
 
 import carom.net.protocol.ClientMessage.Diverged;
-import carom.net.snapshot.OwnState;
+import carom.net.snapshot.exact.OwnState;
 import carom.sim.Neighbourhood;
 import java.util.Arrays;
 import java.util.Locale;

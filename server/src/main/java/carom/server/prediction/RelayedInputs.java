@@ -1,7 +1,7 @@
 package carom.server.prediction;
 
-import carom.net.snapshot.OwnState;
-import carom.net.snapshot.PlayerSet;
+import carom.net.snapshot.exact.OwnState;
+import carom.net.snapshot.frame.PlayerSet;
 import carom.sim.Entity;
 import carom.sim.Player;
 import java.util.Arrays;

@@ -1,6 +1,6 @@
 package carom.server.prediction;
 
-import carom.net.snapshot.NearState;
+import carom.net.snapshot.exact.NearState;
 
 /**
  * Limits of one session's exact updates: how many entities may be near, and how often an update may

@@ -1,6 +1,6 @@
 package carom.server.prediction;
 
-import carom.net.snapshot.NearState;
+import carom.net.snapshot.exact.NearState;
 import carom.sim.Neighbourhood;
 import carom.sim.Simulation;
 import java.util.Arrays;

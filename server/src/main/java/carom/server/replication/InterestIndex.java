@@ -1,7 +1,7 @@
 package carom.server.replication;
 
 import carom.net.codec.Quantizer;
-import carom.net.snapshot.FrameState;
+import carom.net.snapshot.frame.FrameState;
 import carom.physics.broadphase.AabbArray;
 import carom.physics.broadphase.IntVisitor;
 import carom.physics.broadphase.KdTree;

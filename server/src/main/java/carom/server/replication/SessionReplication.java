@@ -4,7 +4,7 @@ import carom.net.codec.Sequence;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.InputDatagram;
 import carom.net.snapshot.InputFeedback;
-import carom.net.snapshot.OwnState;
+import carom.net.snapshot.exact.OwnState;
 import carom.net.transport.Link;
 import carom.physics.BodyContactVisitor;
 import carom.physics.BodyType;

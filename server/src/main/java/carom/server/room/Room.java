@@ -3,7 +3,7 @@ package carom.server.room;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.Limits;
 import carom.net.protocol.SessionState;
-import carom.net.snapshot.FrameRing;
+import carom.net.snapshot.frame.FrameRing;
 import carom.net.transport.Broadcast;
 import carom.physics.Queries;
 import carom.physics.threads.Workers;

@@ -7,7 +7,7 @@ import carom.net.protocol.InputDatagram;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.snapshot.InputFeedback;
-import carom.net.snapshot.WaitingInputs;
+import carom.net.snapshot.frame.WaitingInputs;
 import carom.net.transport.Broadcast;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
@@ -187,9 +187,9 @@ public final class Session implements LinkHandler {
       LOG.warn(
           report.isOfSet()
               ? "diverged: {} predicted tick {} of what is near otherwise, though equal at tick"
-                    + " {}:{}"
+                  + " {}:{}"
               : "diverged: {} predicted tick {} otherwise, though equal at tick {} and alone"
-                    + " since:{}",
+                  + " since:{}",
           this,
           report.tick(),
           report.equalTick(),

@@ -1,12 +1,19 @@
 package carom.physics.dynamics;
 
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.body.Settings;
+import carom.physics.dynamics.body.ShapeTable;
+import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.narrow.NarrowPhase;
+import carom.physics.dynamics.parallel.ParallelFor;
+import carom.physics.dynamics.sleep.Sleeping;
 import java.util.Arrays;
 
 /**
  * The stage of a step that renews the contacts: has the narrow phase look at each row, and decides
  * which rows concern a body that sleeps, what wakes it, and which bodies are pressed into others.
  *
- * <p>One thread at a time; the narrow phase itself shares its rows with the crew.
+ * <p>One thread at a time; the narrow phase itself shares its rows with other threads.
  */
 final class CollideStage {
   private final Sleeping sleeping;
@@ -32,14 +39,14 @@ final class CollideStage {
       BodyStore bodies,
       ShapeTable parts,
       ContactTable contacts,
-      Crew crew,
+      ParallelFor parallel,
       ContinuousCollision continuous) {
     this.sleeping = sleeping;
     this.settings = settings;
     this.bodies = bodies;
     this.contacts = contacts;
     this.continuous = continuous;
-    narrowPhase = new NarrowPhase(settings, bodies, parts, contacts, crew);
+    narrowPhase = new NarrowPhase(settings, bodies, parts, contacts, parallel);
   }
 
   /** How many rows had contact points in this step, or the last one. */

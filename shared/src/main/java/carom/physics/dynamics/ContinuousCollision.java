@@ -8,6 +8,16 @@ import carom.physics.collision.CastHit;
 import carom.physics.collision.Sweep;
 import carom.physics.collision.TimeOfImpact;
 import carom.physics.collision.TimeOfImpact.State;
+import carom.physics.dynamics.body.ActiveBodies;
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.body.Checks;
+import carom.physics.dynamics.body.Settings;
+import carom.physics.dynamics.body.ShapeTable;
+import carom.physics.dynamics.contact.ContactKey;
+import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.pairs.PairFinder;
+import carom.physics.dynamics.solver.SolverBodies;
+import carom.physics.dynamics.store.KeySorter;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.Segment;
 import carom.physics.math.Aabb;
@@ -92,13 +102,16 @@ public final class ContinuousCollision {
 
   private static final int FIRST_CAPACITY = 16;
 
-  private final Dynamics world;
   private final PairFinder pairs;
   private final Settings settings;
   private final BodyStore bodies;
   private final ActiveBodies active;
   private final ShapeTable parts;
   private final ContactTable contacts;
+
+  /** Length of the step that the bodies were collected in, s. */
+  private float stepS;
+
   private final TimeOfImpact impact = new TimeOfImpact();
   private final MovingBox box = new MovingBox();
 
@@ -176,14 +189,12 @@ public final class ContinuousCollision {
   private final Aabb swept = new Aabb();
 
   ContinuousCollision(
-      Dynamics world,
       PairFinder pairs,
       Settings settings,
       BodyStore bodies,
       ActiveBodies active,
       ShapeTable parts,
       ContactTable contacts) {
-    this.world = world;
     this.pairs = pairs;
     this.settings = settings;
     this.bodies = bodies;
@@ -221,10 +232,12 @@ public final class ContinuousCollision {
   /**
    * Collects the fast bodies of the step that the solver has just finished.
    *
+   * @param dt length of that step, s
    * @return whether there are any
    */
-  boolean collect(SolverBodies solved) {
+  boolean collect(SolverBodies solved, float dt) {
     solverBodies = solved;
+    stepS = dt;
     count = 0;
     moving = false;
     float[] s = solved.state;
@@ -310,7 +323,7 @@ public final class ContinuousCollision {
       // The way round that fits the speed, but at most one full turn more than the shortest: then
       // every direction has been swept.
       float shortest = Trig.atan2(ds, dc);
-      float more = (bodies.w[body] * world.lastStep() - shortest) / TWO_PI;
+      float more = (bodies.w[body] * stepS - shortest) / TWO_PI;
       out.angleRad = shortest + TWO_PI * Math.max(-1, Math.min(1, Math.round(more)));
     }
   }

@@ -3,9 +3,28 @@ package carom.physics.dynamics;
 import carom.physics.broadphase.CastVisitor;
 import carom.physics.broadphase.CellVisitor;
 import carom.physics.broadphase.IntVisitor;
+import carom.physics.dynamics.body.ActiveBodies;
+import carom.physics.dynamics.body.BodyMaker;
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.body.Settings;
+import carom.physics.dynamics.body.ShapeSpec;
+import carom.physics.dynamics.body.ShapeTable;
+import carom.physics.dynamics.contact.BodyContacts;
+import carom.physics.dynamics.contact.ContactEvents;
+import carom.physics.dynamics.contact.ContactKey;
+import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.contact.SleepingContacts;
+import carom.physics.dynamics.joint.JointEvents;
+import carom.physics.dynamics.joint.JointStore;
+import carom.physics.dynamics.pairs.PairFinder;
+import carom.physics.dynamics.parallel.ParallelFor;
+import carom.physics.dynamics.sleep.Sleeping;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.MassData;
 import carom.physics.math.Aabb;
+import carom.physics.math.StateHash;
+import carom.physics.profile.StageListener;
+import carom.physics.profile.StepStage;
 import carom.physics.threads.Workers;
 
 /**
@@ -39,7 +58,7 @@ public final class Dynamics {
   private final BodyMaker maker = new BodyMaker(bodies, parts);
   private final ContactTable contacts = new ContactTable();
   private final JointStore joints = new JointStore();
-  private final Crew crew = new Crew();
+  private final ParallelFor parallel = new ParallelFor();
   private final Substeps substeps;
   private final ContinuousCollision continuous;
   private final PairFinder pairs;
@@ -73,12 +92,13 @@ public final class Dynamics {
    */
   public Dynamics(Settings settings) {
     this.settings = settings;
-    pairs = new PairFinder(settings, bodies, parts, contacts, joints, crew);
-    continuous = new ContinuousCollision(this, pairs, settings, bodies, active, parts, contacts);
+    pairs = new PairFinder(settings, bodies, parts, contacts, joints::mayTouch, parallel);
+    continuous = new ContinuousCollision(pairs, settings, bodies, active, parts, contacts);
     sleeping = new Sleeping(settings, bodies, active, parts, contacts, sleepers, joints, pairs);
-    collideStage = new CollideStage(sleeping, settings, bodies, parts, contacts, crew, continuous);
+    collideStage =
+        new CollideStage(sleeping, settings, bodies, parts, contacts, parallel, continuous);
     eventStage = new EventStage(settings, bodies, contacts);
-    substeps = new Substeps(settings, bodies, active, contacts, joints, pairs, crew);
+    substeps = new Substeps(settings, bodies, active, contacts, joints, pairs, parallel);
   }
 
   /**
@@ -87,7 +107,7 @@ public final class Dynamics {
    * @param workers null for the caller alone
    */
   public void workers(Workers workers) {
-    crew.hire(workers);
+    parallel.use(workers);
   }
 
   /**
@@ -431,12 +451,12 @@ public final class Dynamics {
     pairs.posesChanged();
     refilter();
     begins(StepStage.BOXES);
-    crew.stepBegins(active.count);
+    parallel.stepBegins(active.count);
     try {
       findContacts(events);
       substeps.run(dt);
     } finally {
-      crew.stepEnds();
+      parallel.stepEnds();
     }
     pairs.posesChanged();
     begins(StepStage.CONTINUOUS);
@@ -510,14 +530,9 @@ public final class Dynamics {
     pairs.refresh(active, lastStep);
   }
 
-  /** The length of the last step, s. */
-  float lastStep() {
-    return lastStep;
-  }
-
   /** Stops fast bodies at what they would have passed through. */
   private void stopFast() {
-    if (!settings.continuous() || !continuous.collect(substeps.solverBodies)) {
+    if (!settings.continuous() || !continuous.collect(substeps.solverBodies, lastStep)) {
       return;
     }
     if (continuous.prepare()) {
@@ -715,7 +730,13 @@ public final class Dynamics {
     }
     pairs.posesChanged();
     excerpt.writeContacts(bodies, parts, contacts);
-    sleeping.putToSleep(excerpt);
+    sleeping.gatherNone();
+    for (int i = 0; i < excerpt.count(); i++) {
+      if (excerpt.sleeps(i)) {
+        sleeping.gatherAwake(excerpt.slot(i));
+      }
+    }
+    sleeping.putToSleep();
   }
 
   /**
@@ -746,7 +767,8 @@ public final class Dynamics {
    */
   public void restore(DynamicsState from, boolean sameStructure) {
     sleeping.reset();
-    int misplaced = sameStructure ? sleeping.gatherMisplaced(from, staticMoved) : 0;
+    int misplaced =
+        sameStructure ? sleeping.gatherMisplaced(from.bodies, from.sleep, staticMoved) : 0;
     from.bodies.copyTo(bodies);
     from.contacts.copyTo(contacts);
     from.joints.copyTo(joints);
@@ -768,7 +790,7 @@ public final class Dynamics {
         }
       }
     }
-    sleeping.take(from);
+    sleeping.take(from.sleepers, from.sleep);
     breakable |= joints.anyBreakable();
     rulesStale = true;
     pairs.searchAll();

@@ -1,6 +1,15 @@
 package carom.physics.dynamics;
 
 import carom.physics.archive.Archive;
+import carom.physics.dynamics.body.BodyMaker;
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.body.ShapeSpec;
+import carom.physics.dynamics.body.ShapeTable;
+import carom.physics.dynamics.contact.ContactArchive;
+import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.contact.SleepingContacts;
+import carom.physics.dynamics.joint.JointStore;
+import carom.physics.dynamics.store.Stamp;
 import carom.physics.geometry.MassData;
 
 /**

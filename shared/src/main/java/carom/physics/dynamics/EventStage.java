@@ -1,5 +1,10 @@
 package carom.physics.dynamics;
 
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.body.Settings;
+import carom.physics.dynamics.contact.ContactEvents;
+import carom.physics.dynamics.contact.ContactTable;
+
 /**
  * What a step tells of its contacts, before and after they are solved; skipped where nobody
  * listens. Callbacks run here, on the caller's thread.

@@ -1,5 +1,11 @@
 package carom.physics.dynamics;
 
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.body.ShapeTable;
+import carom.physics.dynamics.contact.BodyContacts;
+import carom.physics.dynamics.contact.ContactKey;
+import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.contact.SleepingContacts;
 import java.util.Arrays;
 
 /**
@@ -214,7 +220,7 @@ public final class Excerpt {
     contacts[at] = name(t.bodyA(row));
     contacts[at + 1] = name(t.bodyB(row));
     contacts[at + 2] =
-        ContactKey.partA(t.key[row]) << ContactKey.PART_BITS | ContactKey.partB(t.key[row]);
+        ContactKey.partA(t.key[row]) << BodyStore.PART_BITS | ContactKey.partB(t.key[row]);
     contacts[at + 3] = n | (t.flags[row] & KEPT_FLAGS) << 8;
     contacts[at + 4] = t.id[2 * row];
     contacts[at + 5] = n > 1 ? t.id[2 * row + 1] : 0;
@@ -293,8 +299,8 @@ public final class Excerpt {
       int at = i * CONTACT_INTS;
       int a = slotOf(store, contacts[at]);
       int b = slotOf(store, contacts[at + 1]);
-      int partA = contacts[at + 2] >>> ContactKey.PART_BITS;
-      int partB = contacts[at + 2] & (1 << ContactKey.PART_BITS) - 1;
+      int partA = contacts[at + 2] >>> BodyStore.PART_BITS;
+      int partB = contacts[at + 2] & (1 << BodyStore.PART_BITS) - 1;
       int points = contacts[at + 3] & 0xff;
       if (a < 0
           || b <= a

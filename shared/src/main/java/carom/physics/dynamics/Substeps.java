@@ -1,6 +1,20 @@
 package carom.physics.dynamics;
 
-import carom.physics.threads.Lockstep;
+import carom.physics.dynamics.body.ActiveBodies;
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.body.Settings;
+import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.joint.JointSolver;
+import carom.physics.dynamics.joint.JointStore;
+import carom.physics.dynamics.joint.RevoluteLanes;
+import carom.physics.dynamics.pairs.PairFinder;
+import carom.physics.dynamics.parallel.DomainPhases;
+import carom.physics.dynamics.parallel.ParallelFor;
+import carom.physics.dynamics.solver.ContactLanes;
+import carom.physics.dynamics.solver.ContactSolver;
+import carom.physics.dynamics.solver.SolverBodies;
+import carom.physics.profile.StageListener;
+import carom.physics.profile.StepStage;
 
 /**
  * The part of a step in which velocities and positions change: {@code substeps} times velocities
@@ -17,8 +31,8 @@ final class Substeps {
   private final JointStore joints;
   private final ContactSolver contactSolver;
   private final JointSolver jointSolver;
-  private final Crew crew;
-  private final Lockstep lockstep = new Lockstep();
+  private final ParallelFor parallel;
+  private final DomainPhases phases = new DomainPhases();
 
   /** Null, unless somebody measures. */
   private StageListener stages;
@@ -31,15 +45,15 @@ final class Substeps {
       ContactTable contacts,
       JointStore joints,
       PairFinder pairs,
-      Crew crew) {
+      ParallelFor parallel) {
     this.settings = settings;
     this.bodies = bodies;
     this.contacts = contacts;
     this.joints = joints;
-    this.crew = crew;
-    solverBodies = new SolverBodies(active, pairs, crew);
-    contactSolver = new ContactSolver(ContactLanes.find(), crew);
-    jointSolver = new JointSolver(PinLanes.find(), crew);
+    this.parallel = parallel;
+    solverBodies = new SolverBodies(active, pairs, parallel);
+    contactSolver = new ContactSolver(ContactLanes.find(), parallel);
+    jointSolver = new JointSolver(RevoluteLanes.find(), parallel);
   }
 
   /** Sets who is told of the stages, null for nobody. */
@@ -54,19 +68,19 @@ final class Substeps {
     begins(StepStage.PREPARE);
     solverBodies.begin(bodies, settings, h, contacts);
     contactSolver.prepare(contacts, bodies, solverBodies, settings, h);
-    crew.divide(lockstep, solverBodies.domains.count());
-    solverBodies.load(lockstep);
-    contactSolver.pack(lockstep);
+    parallel.divide(phases, solverBodies.domains.count());
+    solverBodies.load(phases);
+    contactSolver.pack(phases);
     begins(StepStage.JOINTS);
     if (joints.count() > 0) {
-      lockstep.run(); // joints look at loaded bodies
+      phases.run(); // joints look at loaded bodies
     }
     jointSolver.prepare(joints, bodies, settings, h, solverBodies);
     boolean jointsToo = jointSolver.count() > 0;
     for (int i = 0; i < substeps; i++) {
       boolean warm = i > 0 && !settings.explicitEuler() && contactSolver.blocks() > 0;
       begins(StepStage.INTEGRATE);
-      solverBodies.integrateVelocities(lockstep, warm);
+      solverBodies.integrateVelocities(phases, warm);
       if (jointsToo) {
         beforeJoints();
         jointSolver.warmStart();
@@ -74,7 +88,7 @@ final class Substeps {
       }
       if (!warm) {
         begins(StepStage.WARM);
-        contactSolver.warmStart(lockstep);
+        contactSolver.warmStart(phases);
       }
       if (jointsToo) {
         beforeJoints();
@@ -82,30 +96,30 @@ final class Substeps {
         afterJoints();
       }
       begins(StepStage.SOLVE);
-      contactSolver.push(lockstep);
+      contactSolver.push(phases);
       begins(StepStage.INTEGRATE);
-      solverBodies.integratePositions(lockstep);
+      solverBodies.integratePositions(phases);
       if (jointsToo) {
         beforeJoints();
         jointSolver.relax();
         afterJoints();
       }
       begins(StepStage.RELAX);
-      contactSolver.relax(lockstep);
+      contactSolver.relax(phases);
     }
     begins(StepStage.BOUNCE);
-    lockstep.run(); // only now it is known who bounces
-    contactSolver.restitution(lockstep);
+    phases.run(); // only now it is known who bounces
+    contactSolver.restitution(phases);
     begins(StepStage.FINISH);
-    contactSolver.store(lockstep);
+    contactSolver.store(phases);
     jointSolver.store(); // reads poses as they were, and nothing that contacts store
-    solverBodies.store(lockstep);
-    lockstep.run();
+    solverBodies.store(phases);
+    phases.run();
   }
 
   /** What joints do must not be repeated as the contacts' share of the next substep. */
   private void beforeJoints() {
-    lockstep.run();
+    phases.run();
     begins(StepStage.JOINTS);
     if (contactSolver.blocks() > 0) {
       solverBodies.mark();
@@ -121,7 +135,7 @@ final class Substeps {
   /** Somebody who measures stages has each of them end before the next one begins. */
   private void begins(StepStage stage) {
     if (stages != null) {
-      lockstep.run();
+      phases.run();
       stages.begins(stage);
     }
   }

@@ -1,12 +1,22 @@
 /**
- * The heart of the engine: bodies, shapes and contacts as primitive arrays, and the solver that
- * moves them. Users of the engine see {@code carom.physics} instead.
+ * The step: which stages it has, in which order they run, and the state they share. Users of the
+ * engine see {@code carom.physics} instead.
  *
- * <p>May import {@code carom.physics.math}, {@code geometry}, {@code collision} and {@code
- * broadphase}. Read first: {@code Dynamics} (the order of a step) and the stages it calls: {@code
- * PairFinder}, {@code CollideStage}, {@code EventStage}, {@code Substeps}, {@code
- * ContinuousCollision}, {@code Sleeping}; then {@code ContactSolver} and {@code JointSolver} (the
- * model and its derivation) and {@code ContactTable} (what lasts from tick to tick, and in which
- * order).
+ * <p>Each stage is a package of its own below this one, and a stage reads what the ones before it
+ * wrote. In the order of a step:
+ *
+ * <ol>
+ *   <li>{@code body}: bodies and shapes as arrays;
+ *   <li>{@code contact}: the table of contacts that lasts from step to step;
+ *   <li>{@code pairs}: which shapes come close, found with two KD-trees;
+ *   <li>{@code narrow}: the manifold of each pair;
+ *   <li>{@code solver}: velocities and impulses of contacts, position integration;
+ *   <li>{@code joint}: the same for joints;
+ *   <li>{@code sleep}: islands that come to rest.
+ * </ol>
+ *
+ * <p>{@code store} and {@code parallel} hold what all of them use, {@code simd} the vector kernels.
+ * Read first: {@code Dynamics} (the order of a step), {@code Substeps}, {@code
+ * ContinuousCollision}.
  */
 package carom.physics.dynamics;

@@ -2,7 +2,7 @@ package carom.physics.effects;
 
 import carom.physics.Body;
 import carom.physics.World;
-import carom.physics.dynamics.Checks;
+import carom.physics.dynamics.body.Checks;
 import carom.physics.math.Aabb;
 
 /**

@@ -1,7 +1,7 @@
 package carom.physics.effects;
 
 import carom.physics.World;
-import carom.physics.dynamics.Checks;
+import carom.physics.dynamics.body.Checks;
 import carom.physics.math.Aabb;
 
 /** What all areas have in common. */

@@ -6,7 +6,7 @@ import carom.physics.QueryFilter;
 import carom.physics.World;
 import carom.physics.collision.ClosestPoints;
 import carom.physics.collision.Distance;
-import carom.physics.dynamics.Checks;
+import carom.physics.dynamics.body.Checks;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;

@@ -1,6 +1,6 @@
 package carom.physics.particles;
 
-import carom.physics.dynamics.Checks;
+import carom.physics.dynamics.body.Checks;
 
 /**
  * A nozzle: adds rows of particles that fly off side by side, one spacing after the other. Holds

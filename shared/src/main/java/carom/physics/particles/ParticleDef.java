@@ -1,7 +1,7 @@
 package carom.physics.particles;
 
 import carom.physics.Filter;
-import carom.physics.dynamics.Checks;
+import carom.physics.dynamics.body.Checks;
 
 /**
  * What particles are made of; mutable, fluent, reusable. {@link Particles} copies what it needs.

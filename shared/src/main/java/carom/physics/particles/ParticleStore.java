@@ -1,8 +1,8 @@
 package carom.physics.particles;
 
 import carom.physics.archive.Archive;
-import carom.physics.dynamics.Checks;
-import carom.physics.dynamics.StateHash;
+import carom.physics.dynamics.body.Checks;
+import carom.physics.math.StateHash;
 import java.util.Arrays;
 
 /**

@@ -1,11 +1,13 @@
 package carom.physics.threads;
 
+import carom.physics.dynamics.parallel.DomainPhases;
+
 /**
  * Threads that carry out parts of a step side by side; given to a world by {@code World.workers}.
  * The engine makes no threads and decides nothing by them: every result is the same, bit for bit,
  * for any number of workers and whoever does which task when. Tasks of one run touch nothing in
- * common, or else see to it themselves who touches it first ({@link Lockstep}); none needs another
- * one to be under way.
+ * common, or else see to it themselves who touches it first ({@link DomainPhases}); none needs
+ * another one to be under way.
  *
  * <p>A step makes some ten to a hundred runs, many of a few microseconds: an implementation should
  * keep its threads spinning for a while between two runs, and from {@link #stepBegins} to {@link

@@ -3,7 +3,7 @@ package carom.server.prediction;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import carom.net.protocol.ClientMessage.Diverged;
-import carom.net.snapshot.OwnState;
+import carom.net.snapshot.exact.OwnState;
 import carom.server.prediction.PredictionAudit.Finding;
 import carom.sim.Neighbourhood;
 import java.util.ArrayList;

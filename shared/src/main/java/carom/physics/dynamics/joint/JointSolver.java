@@ -1,0 +1,266 @@
+package carom.physics.dynamics.joint;
+
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.body.Settings;
+import carom.physics.dynamics.parallel.ParallelFor;
+import carom.physics.dynamics.solver.SolverBodies;
+import java.util.Arrays;
+
+/**
+ * Joints, solved by sequential impulses in the same substeps as contacts, before them. What a visit
+ * of a joint does is in {@link JointVisit}; here is who is visited when, and by whom.
+ *
+ * <p><b>Colours.</b> As contacts, joints are given colours, greedily in the order of their slots:
+ * those of one colour share no body that can be moved, so their order changes no bit. Colours are
+ * solved one after the other, of each first the plain hinges, in lanes (see {@link
+ * RevoluteSolver}), then the others one by one; both are shared by threads. A body with more than
+ * {@value #LAST_COLOUR} joints spills into a last colour without pins, which isn't shared. The
+ * colouring depends on the awake joints alone, and is kept while these stay the same.
+ */
+public final class JointSolver {
+  private static final float TWO_PI = 6.2831855f;
+
+  /** Held coordinates correct themselves at most this fraction as fast as the substeps. */
+  private static final float MAX_HERTZ_PER_RATE = 0.25f;
+
+  /** The last colour; it takes what found no other. */
+  private static final int LAST_COLOUR = 63;
+
+  /** Every colour has a group of pins, and one of other joints. */
+  private static final int GROUPS = 2 * (LAST_COLOUR + 1);
+
+  /** Joints that make a piece of work for a worker. */
+  private static final int GRAIN = 16;
+
+  private final RevoluteSolver pins;
+
+  /** The joints that are no pins. */
+  private final JointRecords others = new JointRecords();
+
+  private final ParallelFor parallel;
+
+  /** Of each worker. */
+  private JointVisit[] visits = new JointVisit[0];
+
+  private JointFrame[] frames = new JointFrame[0];
+
+  private JointStore store;
+  private BodyStore bodies;
+  private int[] slotOf;
+  private float inverseH;
+  private int count;
+
+  /** The joints to solve, by ascending slot, their groups, and their places in these. */
+  private int[] found = new int[0];
+
+  private int[] group = new int[0];
+  private int[] place = new int[0];
+
+  /** Colours that each slot of {@link SolverBodies} has. */
+  private long[] taken = new long[0];
+
+  /** Per group: its joints; and, while they are placed, where the next one goes. */
+  private final int[] size = new int[GROUPS];
+
+  private final int[] next = new int[GROUPS];
+
+  /** Per colour: its first block of pins, and its first other joint; colours in use. */
+  private final int[] pinStart = new int[LAST_COLOUR + 2];
+
+  private final int[] start = new int[LAST_COLOUR + 2];
+  private int colours;
+
+  /** Which {@link JointStore#version} the colours are of; they are kept until it changes. */
+  private int painted = -1;
+
+  // The stages, made once so that a step allocates nothing.
+  private final ParallelFor.Range packing = this::packJoints;
+  private final ParallelFor.Range warming =
+      (from, to, worker) -> visits[worker].warmStart(from, to);
+  private final ParallelFor.Range pushing =
+      (from, to, worker) -> visits[worker].solve(from, to, true);
+  private final ParallelFor.Range relaxing =
+      (from, to, worker) -> visits[worker].solve(from, to, false);
+  private final ParallelFor.Range storing = (from, to, worker) -> visits[worker].store(from, to);
+
+  /**
+   * Makes a solver.
+   *
+   * @param lanes kernels for pins, null for none
+   * @param parallel does colours
+   */
+  public JointSolver(RevoluteLanes lanes, ParallelFor parallel) {
+    this.parallel = parallel;
+    pins = new RevoluteSolver(lanes, parallel);
+  }
+
+  /** The number of joints to solve. */
+  public int count() {
+    return count;
+  }
+
+  /** Collects, colours and packs the joints that can move something. */
+  public void prepare(
+      JointStore j, BodyStore bodyStore, Settings s, float h, SolverBodies solverBodies) {
+    store = j;
+    bodies = bodyStore;
+    slotOf = solverBodies.slotOf();
+    inverseH = 1 / h;
+    if (found.length < j.count()) {
+      int capacity = Math.max(j.count(), found.length * 2);
+      found = new int[capacity];
+      group = new int[capacity];
+      place = new int[capacity];
+      painted = -1;
+    }
+    boolean anew = painted != j.version();
+    if (anew) {
+      painted = j.version();
+      paint(solverBodies.count());
+    }
+    float omega = TWO_PI * Math.min(s.jointHertz(), MAX_HERTZ_PER_RATE / h);
+    float twiceZeta = 2 * s.jointDampingRatio();
+    float soft = h * omega * (twiceZeta + h * omega);
+    float biasRate = omega / (twiceZeta + h * omega);
+    float massScale = soft / (1 + soft);
+    float impulseScale = 1 / (1 + soft);
+    gather();
+    for (JointVisit visit : visits) {
+      visit.begin(j, bodies, solverBodies.state, h, biasRate, massScale, impulseScale);
+    }
+    pins.begin(solverBodies.state, biasRate, massScale, impulseScale);
+    layOut();
+    if (anew) {
+      for (int i = 0; i < count; i++) {
+        place[i] = next[group[i]]++;
+      }
+    }
+    parallel.run(0, count, GRAIN, packing);
+    pins.ready();
+  }
+
+  /** Sees that every worker has what it needs. */
+  private void gather() {
+    int had = visits.length;
+    if (had < parallel.count()) {
+      visits = Arrays.copyOf(visits, parallel.count());
+      frames = Arrays.copyOf(frames, parallel.count());
+      for (int i = had; i < visits.length; i++) {
+        visits[i] = new JointVisit(others);
+        frames[i] = new JointFrame();
+      }
+    }
+  }
+
+  /** Finds the joints to solve and gives each its colour. */
+  private void paint(int slots) {
+    JointStore j = store;
+    count = 0;
+    colours = 0;
+    Arrays.fill(size, 0);
+    for (int slot = j.nextAwake(0); slot >= 0; slot = j.nextAwake(slot + 1)) {
+      if (count == 0) {
+        clearTaken(slots);
+      }
+      int one = j.bodyA[slot];
+      int two = j.bodyB[slot];
+      boolean heldA = one < 0 || bodies.invMass[one] == 0;
+      boolean heldB = bodies.invMass[two] == 0;
+      boolean gone = bodies.disabled(two) || (one >= 0 && bodies.disabled(one));
+      if ((heldA && heldB) || gone) {
+        j.forget(slot);
+        continue;
+      }
+      // Slot 0 stands for what can't be moved, and takes no colour.
+      int a = heldA ? 0 : slotOf[one];
+      int b = heldB ? 0 : slotOf[two];
+      int colour = Math.min(Long.numberOfTrailingZeros(~(taken[a] | taken[b])), LAST_COLOUR);
+      long bit = 1L << colour;
+      taken[a] |= bit;
+      taken[b] |= bit;
+      taken[0] = 0;
+      colours = Math.max(colours, colour + 1);
+      group[count] = 2 * colour + (colour < LAST_COLOUR && isPin(slot) ? 0 : 1);
+      size[group[count]]++;
+      found[count++] = slot;
+    }
+  }
+
+  private void clearTaken(int slots) {
+    if (taken.length < slots) {
+      taken = new long[Math.max(slots, taken.length * 2)];
+    }
+    Arrays.fill(taken, 0, slots, 0);
+  }
+
+  private boolean isPin(int slot) {
+    int more = JointStore.LIMITED | JointStore.DRIVEN | JointStore.SPRUNG;
+    return store.type[slot] == JointStore.REVOLUTE && (store.flags[slot] & more) == 0;
+  }
+
+  /** Gives each group its places. */
+  private void layOut() {
+    int sum = 0;
+    for (int c = 0; c < colours; c++) {
+      pinStart[c] = pins.blocks();
+      next[2 * c] = pins.reserve(size[2 * c]);
+      start[c] = sum;
+      next[2 * c + 1] = sum;
+      sum += size[2 * c + 1];
+    }
+    pinStart[colours] = pins.blocks();
+    start[colours] = sum;
+    others.ensure(sum);
+  }
+
+  private void packJoints(int from, int to, int worker) {
+    JointFrame frame = frames[worker];
+    for (int i = from; i < to; i++) {
+      frame.look(found[i], store, bodies, slotOf);
+      if ((group[i] & 1) == 0) {
+        pins.pack(place[i], frame, store);
+      } else {
+        others.pack(place[i], frame, store);
+      }
+    }
+  }
+
+  /** Applies the impulses remembered from the last substep, or the last step. */
+  public void warmStart() {
+    for (int c = 0; c < colours; c++) {
+      pins.warmStart(pinStart[c], pinStart[c + 1]);
+      run(c, warming);
+    }
+  }
+
+  /** One visit of each joint before bodies move: errors are corrected and springs act. */
+  public void push() {
+    for (int c = 0; c < colours; c++) {
+      pins.push(pinStart[c], pinStart[c + 1]);
+      run(c, pushing);
+    }
+  }
+
+  /** One visit of each joint after bodies moved, rigid. */
+  public void relax() {
+    for (int c = 0; c < colours; c++) {
+      pins.relax(pinStart[c], pinStart[c + 1]);
+      run(c, relaxing);
+    }
+  }
+
+  /** Does a stage for the joints of a colour that are no pins. */
+  private void run(int colour, ParallelFor.Range stage) {
+    if (colour == LAST_COLOUR) {
+      stage.run(start[colour], start[colour + 1], 0);
+    } else {
+      parallel.run(start[colour], start[colour + 1], GRAIN, stage);
+    }
+  }
+
+  /** Writes down what the joints exerted. */
+  public void store() {
+    pins.store(store, inverseH);
+    parallel.run(0, start[colours], GRAIN, storing);
+  }
+}

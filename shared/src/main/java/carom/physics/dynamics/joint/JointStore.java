@@ -1,0 +1,819 @@
+package carom.physics.dynamics.joint;
+
+import carom.physics.archive.Archive;
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.body.Checks;
+import carom.physics.dynamics.store.ColumnHash;
+import carom.physics.dynamics.store.Slots;
+import carom.physics.dynamics.store.Stamp;
+import carom.physics.math.StateHash;
+import java.util.Arrays;
+
+/**
+ * All joints of a world as a structure of arrays; the index is the joint's slot, which is also the
+ * order in which joints are solved.
+ *
+ * <p>Slots are reused last in, first out; each reuse has another generation. Each body has a list
+ * of its joints: the ends of joint j are the entries 2 j (of body A) and 2 j + 1 (of body B). The
+ * lists and the free list are part of the state, so that a restored world does the same again.
+ *
+ * <p>What a step changes, impulses and forces, is copied whenever the state is; all else only if
+ * something of it changed, which whoever writes it must tell by {@link #coldChanged}.
+ */
+public final class JointStore {
+  /** Type of a free slot. */
+  public static final byte FREE = -1;
+
+  /** Two points coincide; motor, limits and spring act on the angle. */
+  public static final byte REVOLUTE = 0;
+
+  /** The distance of two points is held, limited, or sprung. */
+  public static final byte DISTANCE = 1;
+
+  /** B slides along an axis of A and doesn't turn. */
+  public static final byte PRISMATIC = 2;
+
+  /** Two points and the angle are held, rigidly or by springs. */
+  public static final byte WELD = 3;
+
+  /** B slides along an axis of A by a spring, and turns by a motor. */
+  public static final byte WHEEL = 4;
+
+  /** B is drawn to a pose relative to A with limited force. */
+  public static final byte MOTOR = 5;
+
+  /** A point of B is drawn to a point of the world with limited force. */
+  public static final byte MOUSE = 6;
+
+  /** The angles of two bodies are coupled by a ratio. */
+  public static final byte GEAR = 7;
+
+  /** A translation of B is coupled to the angle of A by a ratio. */
+  public static final byte RACK = 8;
+
+  /** The lengths to two points of the world are coupled by a ratio. */
+  public static final byte PULLEY = 9;
+
+  /** Flag: the bodies collide with each other. */
+  public static final byte COLLIDE = 1;
+
+  /** Flag: the coordinate is limited. */
+  public static final byte LIMITED = 2;
+
+  /** Flag: the motor runs. */
+  public static final byte DRIVEN = 4;
+
+  /** Flag: there is a spring on the coordinate. */
+  public static final byte SPRUNG = 8;
+
+  /** Flag: full turns are counted. */
+  public static final byte WINDS = 16;
+
+  private static final double TWO_PI = 2 * Math.PI;
+
+  private static final int FIRST_CAPACITY = 16;
+
+  /** Most joints in an archive. */
+  private static final int MAX_JOINTS = 1 << 22;
+
+  /** The last of the float arrays change in every step: those from this one on. */
+  private static final int HOT = 21;
+
+  /** {@link #FREE} or one of the types. */
+  public byte[] type = new byte[FIRST_CAPACITY];
+
+  /** Flags, added up. */
+  public byte[] flags = new byte[FIRST_CAPACITY];
+
+  /** Slot of body A, -1 for the world. */
+  public int[] bodyA = new int[FIRST_CAPACITY];
+
+  /** Slot of body B. */
+  public int[] bodyB = new int[FIRST_CAPACITY];
+
+  /** Anchor in A's frame (the world's without A), m. */
+  public float[] anchorAx = new float[FIRST_CAPACITY];
+
+  /** Anchor in A's frame, m. */
+  public float[] anchorAy = new float[FIRST_CAPACITY];
+
+  /** Anchor in B's frame, m. */
+  public float[] anchorBx = new float[FIRST_CAPACITY];
+
+  /** Anchor in B's frame, m. */
+  public float[] anchorBy = new float[FIRST_CAPACITY];
+
+  /** Unit axis of prismatic and wheel in A's frame. */
+  public float[] axisX = new float[FIRST_CAPACITY];
+
+  /** Unit axis in A's frame. */
+  public float[] axisY = new float[FIRST_CAPACITY];
+
+  /** Rotation of B relative to A that counts as angle 0. */
+  public float[] refCos = new float[FIRST_CAPACITY];
+
+  /** Its imaginary part. */
+  public float[] refSin = new float[FIRST_CAPACITY];
+
+  /** Coordinate where the spring is at ease: length, translation (m) or angle (rad). */
+  public float[] rest = new float[FIRST_CAPACITY];
+
+  /** Lower limit of the coordinate. */
+  public float[] lower = new float[FIRST_CAPACITY];
+
+  /** Upper limit of the coordinate. */
+  public float[] upper = new float[FIRST_CAPACITY];
+
+  /** Goal of the motor, m/s or rad/s. */
+  public float[] motorSpeed = new float[FIRST_CAPACITY];
+
+  /** Most the motor gives, N or N m. */
+  public float[] motorMax = new float[FIRST_CAPACITY];
+
+  /** Frequency of the spring, 1/s. */
+  public float[] hertz = new float[FIRST_CAPACITY];
+
+  /** Damping ratio of the spring. */
+  public float[] damping = new float[FIRST_CAPACITY];
+
+  /** Frequency of the angular spring of weld and motor joints, 1/s. */
+  public float[] angularHertz = new float[FIRST_CAPACITY];
+
+  /** Damping ratio of the angular spring. */
+  public float[] angularDamping = new float[FIRST_CAPACITY];
+
+  /** Most a motor or mouse joint pulls with, N. */
+  public float[] maxForce = new float[FIRST_CAPACITY];
+
+  /** Most a motor joint turns with, N m. */
+  public float[] maxTorque = new float[FIRST_CAPACITY];
+
+  /** Force beyond which the joint breaks, N. */
+  public float[] breakForce = new float[FIRST_CAPACITY];
+
+  /** Torque beyond which the joint breaks, N m. */
+  public float[] breakTorque = new float[FIRST_CAPACITY];
+
+  /** Impulse of the last substep: along x, or along the perpendicular, or of the rod, N s. */
+  public float[] impulseX = new float[FIRST_CAPACITY];
+
+  /** Impulse of the last substep along y, N s; of a prismatic joint the angular one, N m s. */
+  public float[] impulseY = new float[FIRST_CAPACITY];
+
+  /** Angular impulse of the last substep, N m s. */
+  public float[] impulseW = new float[FIRST_CAPACITY];
+
+  /** Impulse of the spring in the last substep. */
+  public float[] springImpulse = new float[FIRST_CAPACITY];
+
+  /** Impulse of the motor in the last substep. */
+  public float[] motorImpulse = new float[FIRST_CAPACITY];
+
+  /** Impulse of the lower limit in the last substep, not negative. */
+  public float[] lowerImpulse = new float[FIRST_CAPACITY];
+
+  /** Impulse of the upper limit in the last substep, not negative. */
+  public float[] upperImpulse = new float[FIRST_CAPACITY];
+
+  /** Force on B in the last substep, N. */
+  public float[] forceX = new float[FIRST_CAPACITY];
+
+  /** Force on B in the last substep, N. */
+  public float[] forceY = new float[FIRST_CAPACITY];
+
+  /** Torque on B in the last substep, N m. */
+  public float[] torque = new float[FIRST_CAPACITY];
+
+  /** Gear, rack and pulley: what B does by what A does. */
+  public float[] ratio = new float[FIRST_CAPACITY];
+
+  /**
+   * Where A's length or angle counts from: of a pulley a point of the world, m; of a gear the
+   * rotation that counts as angle 0.
+   */
+  public float[] baseAx = new float[FIRST_CAPACITY];
+
+  /** See {@link #baseAx}. */
+  public float[] baseAy = new float[FIRST_CAPACITY];
+
+  /** Where B's length or angle counts from; see {@link #baseAx}. */
+  public float[] baseBx = new float[FIRST_CAPACITY];
+
+  /** See {@link #baseBx}. */
+  public float[] baseBy = new float[FIRST_CAPACITY];
+
+  /** Full turns of A, if they are counted, and its angle when they last were, rad. */
+  int[] turnsA = new int[FIRST_CAPACITY];
+
+  float[] lastA = new float[FIRST_CAPACITY];
+
+  /** Full turns of B, or of B relative to A, and the angle when they last were counted, rad. */
+  int[] turnsB = new int[FIRST_CAPACITY];
+
+  float[] lastB = new float[FIRST_CAPACITY];
+
+  private float[][] floats = gather();
+
+  /** Per end: the next end of a joint of the same body, -1 for none. */
+  private int[] next = new int[2 * FIRST_CAPACITY];
+
+  /** Per body: the first end, -1 for none. */
+  private int[] first = new int[0];
+
+  /** A bit per slot: whether the solver must look at the joint; follows from the bodies. */
+  private long[] awake = new long[1];
+
+  private final Slots slots = new Slots();
+  private final Stamp cold = new Stamp();
+  private int version;
+
+  /** Of what is cold, as it was at this stamp. */
+  private long coldHash = hashCold();
+
+  private final Stamp hashed = new Stamp();
+  private final ColumnHash columns = new ColumnHash();
+
+  public JointStore() {}
+
+  /**
+   * The number of joints.
+   *
+   * @return slots in use
+   */
+  public int count() {
+    return slots.count();
+  }
+
+  /**
+   * One more than the largest slot ever used.
+   *
+   * @return the bound of loops over all slots, free ones included
+   */
+  public int slots() {
+    return slots.bound();
+  }
+
+  /**
+   * How often a slot was given back, for handles.
+   *
+   * @param slot below {@link #slots}
+   * @return what {@link #alive} expects of a handle made now
+   */
+  public int generation(int slot) {
+    return slots.generation(slot);
+  }
+
+  /**
+   * Whether this is the joint of that handle, still alive.
+   *
+   * @param slot any slot a handle holds
+   * @param expected the handle's generation
+   * @return false if the joint was destroyed
+   */
+  public boolean alive(int slot, int expected) {
+    return slot < slots.bound() && slots.generation(slot) == expected && type[slot] != FREE;
+  }
+
+  /**
+   * The first end of a joint of a body.
+   *
+   * @param body its slot
+   * @return an end: its joint is the end divided by 2; -1 for none
+   */
+  public int firstEnd(int body) {
+    return body < first.length ? first[body] : -1;
+  }
+
+  /**
+   * The next end of a joint of the same body.
+   *
+   * @param end one of them
+   * @return -1 for none
+   */
+  public int nextEnd(int end) {
+    return next[end];
+  }
+
+  /**
+   * The body at the other end of a joint.
+   *
+   * @param end one of them
+   * @return its slot, -1 for the world
+   */
+  public int other(int end) {
+    return (end & 1) == 0 ? bodyB[end >> 1] : bodyA[end >> 1];
+  }
+
+  /** Takes a slot; all numbers are zero. */
+  public int allocate(byte newType, int a, int b) {
+    int slot = slots.take();
+    if (slot == type.length) {
+      grow();
+    }
+    for (float[] field : floats) {
+      field[slot] = 0;
+    }
+    ratio[slot] = 0;
+    baseAx[slot] = 0;
+    baseAy[slot] = 0;
+    baseBx[slot] = 0;
+    baseBy[slot] = 0;
+    turnsA[slot] = 0;
+    lastA[slot] = 0;
+    turnsB[slot] = 0;
+    lastB[slot] = 0;
+    type[slot] = newType;
+    flags[slot] = 0;
+    bodyA[slot] = a;
+    bodyB[slot] = b;
+    refCos[slot] = 1;
+    axisX[slot] = 1;
+    breakForce[slot] = Float.POSITIVE_INFINITY;
+    breakTorque[slot] = Float.POSITIVE_INFINITY;
+    link(2 * slot, a);
+    link(2 * slot + 1, b);
+    coldChanged();
+    return slot;
+  }
+
+  public void release(int slot) {
+    setAwake(slot, false);
+    unlink(2 * slot, bodyA[slot]);
+    unlink(2 * slot + 1, bodyB[slot]);
+    type[slot] = FREE;
+    rest(slot);
+    slots.release(slot);
+    coldChanged();
+  }
+
+  /** Sets what is hot to what free slots hold, so that it is the same in equal states. */
+  private void rest(int slot) {
+    forget(slot);
+    flags[slot] = 0;
+  }
+
+  /** Must be called when something was written that steps don't change. */
+  public void coldChanged() {
+    cold.change();
+    version++;
+  }
+
+  /**
+   * Tells whether the solver may find other joints than before: others are awake, or their bodies
+   * or parameters changed.
+   *
+   * @return another number whenever that happened
+   */
+  int version() {
+    return version;
+  }
+
+  /** Says whether the solver must look at a joint. */
+  public void setAwake(int slot, boolean value) {
+    version++;
+    int word = slot >> 6;
+    if (word >= awake.length) {
+      awake = Arrays.copyOf(awake, Math.max(word + 1, 2 * awake.length));
+    }
+    if (value) {
+      awake[word] |= 1L << slot;
+    } else {
+      awake[word] &= ~(1L << slot);
+    }
+  }
+
+  /** The first awake joint from a slot on, -1 if there is none. */
+  public int nextAwake(int from) {
+    int word = from >> 6;
+    if (word >= awake.length) {
+      return -1;
+    }
+    long bits = awake[word] & -1L << from;
+    while (bits == 0) {
+      if (++word == awake.length) {
+        return -1;
+      }
+      bits = awake[word];
+    }
+    return (word << 6) + Long.numberOfTrailingZeros(bits);
+  }
+
+  /** Lets no joint be awake. */
+  public void clearAwake() {
+    version++;
+    Arrays.fill(awake, 0);
+  }
+
+  private void link(int end, int body) {
+    next[end] = -1;
+    if (body < 0) {
+      return;
+    }
+    if (body >= first.length) {
+      int old = first.length;
+      first = Arrays.copyOf(first, Math.max(body + 1, 2 * old));
+      Arrays.fill(first, old, first.length, -1);
+    }
+    next[end] = first[body];
+    first[body] = end;
+  }
+
+  private void unlink(int end, int body) {
+    if (body < 0) {
+      return;
+    }
+    if (first[body] == end) {
+      first[body] = next[end];
+      return;
+    }
+    int before = first[body];
+    while (next[before] != end) {
+      before = next[before];
+    }
+    next[before] = next[end];
+  }
+
+  /** Returns whether no joint keeps two bodies from colliding. */
+  public boolean mayTouch(int a, int b) {
+    if (count() == 0) {
+      return true;
+    }
+    for (int end = firstEnd(a); end >= 0; end = next[end]) {
+      int j = end >> 1;
+      int other = (end & 1) == 0 ? bodyB[j] : bodyA[j];
+      if (other == b && (flags[j] & COLLIDE) == 0) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Whether full turns are counted. */
+  boolean winds(int slot) {
+    return (flags[slot] & WINDS) != 0;
+  }
+
+  /** Counts full turns of A; answers its angle over all of them. */
+  double windA(int slot, float angle) {
+    turnsA[slot] += turn(lastA[slot], angle);
+    lastA[slot] = angle;
+    return angle + TWO_PI * turnsA[slot];
+  }
+
+  /** Counts full turns of B; answers its angle over all of them. */
+  double windB(int slot, float angle) {
+    turnsB[slot] += turn(lastB[slot], angle);
+    lastB[slot] = angle;
+    return angle + TWO_PI * turnsB[slot];
+  }
+
+  /**
+   * The angle of A over all turns, without counting.
+   *
+   * @param slot of a joint that counts turns
+   * @param angle rad, -pi to pi
+   * @return rad
+   */
+  public double woundA(int slot, float angle) {
+    return angle + TWO_PI * (turnsA[slot] + turn(lastA[slot], angle));
+  }
+
+  /**
+   * The angle of B, or of B relative to A, over all turns, without counting.
+   *
+   * @param slot of a joint that counts turns
+   * @param angle rad, -pi to pi
+   * @return rad
+   */
+  public double woundB(int slot, float angle) {
+    return angle + TWO_PI * (turnsB[slot] + turn(lastB[slot], angle));
+  }
+
+  /** Bodies turn less than half a turn between two looks; a larger jump is the seam at pi. */
+  private static int turn(float before, float now) {
+    double way = (double) now - before;
+    return way > Math.PI ? -1 : way < -Math.PI ? 1 : 0;
+  }
+
+  /** Whether any joint breaks under some force or torque. */
+  public boolean anyBreakable() {
+    for (int j = 0; j < slots(); j++) {
+      if (type[j] != FREE
+          && (breakForce[j] < Float.POSITIVE_INFINITY
+              || breakTorque[j] < Float.POSITIVE_INFINITY)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Starts cold. */
+  public void forget(int slot) {
+    impulseX[slot] = 0;
+    impulseY[slot] = 0;
+    impulseW[slot] = 0;
+    springImpulse[slot] = 0;
+    motorImpulse[slot] = 0;
+    lowerImpulse[slot] = 0;
+    upperImpulse[slot] = 0;
+    forceX[slot] = 0;
+    forceY[slot] = 0;
+    torque[slot] = 0;
+  }
+
+  /** Bits of everything that influences the future; nothing as long as there never was a joint. */
+  public long hash(long h) {
+    if (slots() == 0) {
+      return h;
+    }
+    if (!cold.same(hashed)) {
+      coldHash = hashCold();
+      cold.copyTo(hashed);
+    }
+    h = StateHash.mix(h, coldHash);
+    for (int f = HOT; f < floats.length; f++) {
+      h = columns.mix(h, floats[f], slots());
+    }
+    for (int j = 0; j < slots(); j++) {
+      if (winds(j)) {
+        h = StateHash.mix(h, (long) turnsA[j] << 32 | turnsB[j] & 0xffffffffL);
+        h = StateHash.mix(h, lastA[j], lastB[j]);
+      }
+    }
+    return h;
+  }
+
+  /** Bits of what no step changes. */
+  private long hashCold() {
+    long h = slots.hash();
+    for (int i = 0; i < slots(); i++) {
+      long kind = (long) flags[i] << 8 | type[i] & 0xff;
+      h = StateHash.mix(h, (long) slots.generation(i) << 16 | kind);
+      if (type[i] == FREE) {
+        continue;
+      }
+      h = StateHash.mix(h, (long) bodyA[i] << 32 | bodyB[i]);
+      for (int f = 0; f < HOT; f++) {
+        h = StateHash.mix(h, floats[f][i], 0);
+      }
+      if (ratio[i] != 0) {
+        h = StateHash.mix(h, ratio[i], 0);
+        h = StateHash.mix(h, baseAx[i], baseAy[i]);
+        h = StateHash.mix(h, baseBx[i], baseBy[i]);
+      }
+    }
+    for (int end : first) {
+      for (int e = end; e >= 0; e = next[e]) {
+        h = StateHash.mix(h, e);
+      }
+    }
+    return h;
+  }
+
+  /**
+   * Copies everything into another store, which grows as needed; allocates only then.
+   *
+   * @return the bytes that were copied
+   */
+  public long copyTo(JointStore to) {
+    while (to.type.length < slots()) {
+      to.grow();
+    }
+    for (int f = HOT; f < floats.length; f++) {
+      System.arraycopy(floats[f], 0, to.floats[f], 0, slots());
+    }
+    System.arraycopy(turnsA, 0, to.turnsA, 0, slots());
+    System.arraycopy(turnsB, 0, to.turnsB, 0, slots());
+    System.arraycopy(lastA, 0, to.lastA, 0, slots());
+    System.arraycopy(lastB, 0, to.lastB, 0, slots());
+    long bytes = (long) slots() * Float.BYTES * (floats.length - HOT + 4);
+    return cold.same(to.cold) ? bytes : bytes + copyColdTo(to);
+  }
+
+  private long copyColdTo(JointStore to) {
+    System.arraycopy(type, 0, to.type, 0, slots());
+    System.arraycopy(flags, 0, to.flags, 0, slots());
+    System.arraycopy(bodyA, 0, to.bodyA, 0, slots());
+    System.arraycopy(bodyB, 0, to.bodyB, 0, slots());
+    System.arraycopy(next, 0, to.next, 0, 2 * slots());
+    System.arraycopy(ratio, 0, to.ratio, 0, slots());
+    System.arraycopy(baseAx, 0, to.baseAx, 0, slots());
+    System.arraycopy(baseAy, 0, to.baseAy, 0, slots());
+    System.arraycopy(baseBx, 0, to.baseBx, 0, slots());
+    System.arraycopy(baseBy, 0, to.baseBy, 0, slots());
+    for (int f = 0; f < HOT; f++) {
+      System.arraycopy(floats[f], 0, to.floats[f], 0, slots());
+    }
+    if (to.first.length < first.length) {
+      to.first = new int[first.length];
+    }
+    System.arraycopy(first, 0, to.first, 0, first.length);
+    Arrays.fill(to.first, first.length, to.first.length, -1);
+    long bytes = slots.copyTo(to.slots);
+    cold.copyTo(to.cold);
+    to.version++;
+    int perSlot = 2 + 4 * Integer.BYTES + Float.BYTES * (HOT + 5);
+    return bytes + (long) slots() * perSlot + (long) first.length * Integer.BYTES;
+  }
+
+  /** Passes all joints through an archive; reading begins with an empty store. */
+  public void pass(Archive a, BodyStore bodies) {
+    int n = a.count("joint slots", slots(), MAX_JOINTS, 2 + Float.BYTES * floats.length);
+    while (type.length < n) {
+      grow();
+    }
+    a.bytes("type of joint", type, n, FREE, PULLEY);
+    a.bytes("flags of joint", flags, n, 0, COLLIDE | LIMITED | DRIVEN | SPRUNG | WINDS);
+    slots.passGenerations(a, "joint", n);
+    a.integers("body of joint", bodyA, n, -1, bodies.slots() - 1);
+    a.integers("body of joint", bodyB, n, -1, bodies.slots() - 1);
+    for (float[] field : floats) {
+      boolean unbounded = field == breakForce || field == breakTorque;
+      a.numbers("number of joint", field, n, unbounded ? Float.POSITIVE_INFINITY : BodyStore.MOST);
+    }
+    a.numbers("ratio of joint", ratio, n, BodyStore.MOST);
+    a.numbers("base of joint", baseAx, n, BodyStore.MOST);
+    a.numbers("base of joint", baseAy, n, BodyStore.MOST);
+    a.numbers("base of joint", baseBx, n, BodyStore.MOST);
+    a.numbers("base of joint", baseBy, n, BodyStore.MOST);
+    a.integers("turns of joint", turnsA, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
+    a.integers("turns of joint", turnsB, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
+    a.numbers("angle of joint", lastA, n, BodyStore.MOST);
+    a.numbers("angle of joint", lastB, n, BodyStore.MOST);
+    slots.passFree(a, "joint", n, type, FREE);
+    if (a.reads()) {
+      checkJoints(a, bodies);
+      coldChanged();
+    }
+    passLists(a, bodies);
+  }
+
+  /** Makes a copy that was read differ from all that were copied from this. */
+  public void distinguish(JointStore copy) {
+    cold.distinguish(copy.cold);
+  }
+
+  private void checkJoints(Archive a, BodyStore bodies) {
+    for (int j = 0; j < slots(); j++) {
+      if (type[j] == FREE) {
+        rest(j);
+        continue;
+      }
+      boolean grounded = bodyA[j] < 0 && type[j] < GEAR;
+      a.require(
+          bodyB[j] >= 0
+              && bodies.type[bodyB[j]] != BodyStore.FREE
+              && bodyA[j] != bodyB[j]
+              && (grounded || (bodyA[j] >= 0 && bodies.type[bodyA[j]] != BodyStore.FREE)),
+          "joint=" + j + " of body=" + bodyA[j] + " with body=" + bodyB[j]);
+      a.require(lower[j] <= upper[j], "joint=" + j + " has limits in the wrong order");
+      range(a, j, "hertz", hertz[j], Checks.MAX_HERTZ);
+      range(a, j, "angular hertz", angularHertz[j], Checks.MAX_HERTZ);
+      range(a, j, "damping ratio", damping[j], Checks.MAX_DAMPING_RATIO);
+      range(a, j, "angular damping ratio", angularDamping[j], Checks.MAX_DAMPING_RATIO);
+      range(a, j, "motor speed", Math.abs(motorSpeed[j]), Checks.MAX_VELOCITY);
+      range(a, j, "most of the motor", motorMax[j], Checks.MAX_FORCE);
+      range(a, j, "most force", maxForce[j], Checks.MAX_FORCE);
+      range(a, j, "most torque", maxTorque[j], Checks.MAX_FORCE);
+      range(a, j, "ratio", Math.abs(ratio[j]), Checks.MAX_RATIO);
+      range(a, j, "breaking force", breakForce[j], Float.POSITIVE_INFINITY);
+      range(a, j, "breaking torque", breakTorque[j], Float.POSITIVE_INFINITY);
+    }
+  }
+
+  private static void range(Archive a, int joint, String what, float value, float most) {
+    if (!(value >= 0 && value <= most)) {
+      a.require(false, what + "=" + value + " of joint=" + joint + " is outside 0.." + most);
+    }
+  }
+
+  /** The ends of each body's joints in the order of its list, body after body. */
+  private void passLists(Archive a, BodyStore bodies) {
+    int[] ends = new int[2 * slots()];
+    int n = 0;
+    for (int body = 0; !a.reads() && body < first.length; body++) {
+      for (int end = first[body]; end >= 0; end = next[end]) {
+        ends[n++] = end;
+      }
+    }
+    n = a.count("ends of joints", n, 2 * slots(), Integer.BYTES);
+    a.integers("end of joint", ends, n, 0, 2 * slots() - 1);
+    if (!a.reads()) {
+      return;
+    }
+    first = new int[bodies.slots()];
+    Arrays.fill(first, -1);
+    boolean[] seen = new boolean[2 * slots()];
+    int listed = 0;
+    int last = -1;
+    for (int i = 0; i < n; i++) {
+      int end = ends[i];
+      int body = end(end);
+      a.require(type[end >> 1] != FREE && body >= 0 && !seen[end], "end=" + end + " of no joint");
+      seen[end] = true;
+      next[end] = -1;
+      if (last >= 0 && end(last) == body) {
+        next[last] = end;
+      } else {
+        a.require(first[body] < 0, "the joints of body=" + body + " are in two lists");
+        first[body] = end;
+      }
+      last = end;
+    }
+    for (int end = 0; end < 2 * slots(); end++) {
+      listed += type[end >> 1] != FREE && end(end) >= 0 ? 1 : 0;
+    }
+    a.require(listed == n, "listed ends of joints=" + n + " of " + listed);
+  }
+
+  private int end(int end) {
+    return (end & 1) == 0 ? bodyA[end >> 1] : bodyB[end >> 1];
+  }
+
+  private void grow() {
+    int capacity = type.length * 2;
+    type = Arrays.copyOf(type, capacity);
+    flags = Arrays.copyOf(flags, capacity);
+    bodyA = Arrays.copyOf(bodyA, capacity);
+    bodyB = Arrays.copyOf(bodyB, capacity);
+    next = Arrays.copyOf(next, 2 * capacity);
+    anchorAx = Arrays.copyOf(anchorAx, capacity);
+    anchorAy = Arrays.copyOf(anchorAy, capacity);
+    anchorBx = Arrays.copyOf(anchorBx, capacity);
+    anchorBy = Arrays.copyOf(anchorBy, capacity);
+    axisX = Arrays.copyOf(axisX, capacity);
+    axisY = Arrays.copyOf(axisY, capacity);
+    refCos = Arrays.copyOf(refCos, capacity);
+    refSin = Arrays.copyOf(refSin, capacity);
+    rest = Arrays.copyOf(rest, capacity);
+    lower = Arrays.copyOf(lower, capacity);
+    upper = Arrays.copyOf(upper, capacity);
+    motorSpeed = Arrays.copyOf(motorSpeed, capacity);
+    motorMax = Arrays.copyOf(motorMax, capacity);
+    hertz = Arrays.copyOf(hertz, capacity);
+    damping = Arrays.copyOf(damping, capacity);
+    angularHertz = Arrays.copyOf(angularHertz, capacity);
+    angularDamping = Arrays.copyOf(angularDamping, capacity);
+    maxForce = Arrays.copyOf(maxForce, capacity);
+    maxTorque = Arrays.copyOf(maxTorque, capacity);
+    breakForce = Arrays.copyOf(breakForce, capacity);
+    breakTorque = Arrays.copyOf(breakTorque, capacity);
+    impulseX = Arrays.copyOf(impulseX, capacity);
+    impulseY = Arrays.copyOf(impulseY, capacity);
+    impulseW = Arrays.copyOf(impulseW, capacity);
+    springImpulse = Arrays.copyOf(springImpulse, capacity);
+    motorImpulse = Arrays.copyOf(motorImpulse, capacity);
+    lowerImpulse = Arrays.copyOf(lowerImpulse, capacity);
+    upperImpulse = Arrays.copyOf(upperImpulse, capacity);
+    forceX = Arrays.copyOf(forceX, capacity);
+    forceY = Arrays.copyOf(forceY, capacity);
+    torque = Arrays.copyOf(torque, capacity);
+    ratio = Arrays.copyOf(ratio, capacity);
+    baseAx = Arrays.copyOf(baseAx, capacity);
+    baseAy = Arrays.copyOf(baseAy, capacity);
+    baseBx = Arrays.copyOf(baseBx, capacity);
+    baseBy = Arrays.copyOf(baseBy, capacity);
+    turnsA = Arrays.copyOf(turnsA, capacity);
+    lastA = Arrays.copyOf(lastA, capacity);
+    turnsB = Arrays.copyOf(turnsB, capacity);
+    lastB = Arrays.copyOf(lastB, capacity);
+    floats = gather();
+  }
+
+  /** All float arrays, for copying and clearing; the cold ones first. */
+  private float[][] gather() {
+    return new float[][] {
+      anchorAx,
+      anchorAy,
+      anchorBx,
+      anchorBy,
+      axisX,
+      axisY,
+      refCos,
+      refSin,
+      rest,
+      lower,
+      upper,
+      motorSpeed,
+      motorMax,
+      hertz,
+      damping,
+      angularHertz,
+      angularDamping,
+      maxForce,
+      maxTorque,
+      breakForce,
+      breakTorque,
+      impulseX,
+      impulseY,
+      impulseW,
+      springImpulse,
+      motorImpulse,
+      lowerImpulse,
+      upperImpulse,
+      forceX,
+      forceY,
+      torque
+    };
+  }
+}

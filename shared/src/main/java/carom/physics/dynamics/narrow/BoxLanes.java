@@ -1,0 +1,103 @@
+package carom.physics.dynamics.narrow;
+
+import carom.physics.dynamics.contact.KeptManifolds;
+import carom.physics.simd.LaneTrust;
+import carom.physics.simd.RehearsedLanes;
+import carom.physics.simd.VectorModule;
+
+/**
+ * A kernel that finds the manifolds of {@link #LANES} pairs of boxes side by side, bit for bit as
+ * {@link KeptManifolds#collide} does one after the other; it keeps nothing.
+ *
+ * <p>All work is on a scratch array: quantities one after the other, of each those of all lanes.
+ */
+public abstract class BoxLanes extends RehearsedLanes {
+  public static final int LANES = VectorModule.LANES;
+
+  // In: from A's position to B's, world axes, m;
+  public static final int WAY_X = APART;
+
+  public static final int WAY_Y = WAY_X + LANES;
+
+  /** how both are turned; */
+  public static final int COS_A = WAY_Y + LANES;
+
+  public static final int SIN_A = COS_A + LANES;
+  public static final int COS_B = SIN_A + LANES;
+  public static final int SIN_B = COS_B + LANES;
+
+  /** no point of B is further from B's position, m; */
+  public static final int REACH = SIN_B + LANES;
+
+  /** half sizes and centres of the boxes in their bodies' frames, m. */
+  public static final int HALF_WIDTH_A = REACH + LANES;
+
+  public static final int HALF_HEIGHT_A = HALF_WIDTH_A + LANES;
+  public static final int CENTER_X_A = HALF_HEIGHT_A + LANES;
+  public static final int CENTER_Y_A = CENTER_X_A + LANES;
+  public static final int HALF_WIDTH_B = CENTER_Y_A + LANES;
+  public static final int HALF_HEIGHT_B = HALF_WIDTH_B + LANES;
+  public static final int CENTER_X_B = HALF_HEIGHT_B + LANES;
+  public static final int CENTER_Y_B = CENTER_X_B + LANES;
+
+  /**
+   * Out: number of points or {@link #CORNERS}, and {@link #LOOK} or not; ids and this are {@link
+   * #integer integers};
+   */
+  public static final int COUNT = CENTER_Y_B + LANES;
+
+  /** normal, world axes; */
+  public static final int NX = COUNT + LANES;
+
+  public static final int NY = NX + LANES;
+
+  /** of each point, where it is relative to A's position, world axes, m; its gap, m; its id. */
+  public static final int X0 = NY + LANES;
+
+  static final int Y0 = X0 + LANES;
+  public static final int GAP0 = Y0 + LANES;
+  public static final int ID0 = GAP0 + LANES;
+  public static final int X1 = ID0 + LANES;
+  static final int Y1 = X1 + LANES;
+  public static final int GAP1 = Y1 + LANES;
+  public static final int ID1 = GAP1 + LANES;
+
+  /** In and out: the least gap of all points so far, m. */
+  public static final int LEAST = ID1 + LANES;
+
+  /** What else a kernel notes begins here. */
+  public static final int OWN = LEAST + LANES;
+
+  /** In place of the number of points: two corners face each other, which the kernel can't do. */
+  public static final int CORNERS = 3;
+
+  /** The points are so far apart that the boxes around the boxes may not overlap. */
+  public static final int LOOK = 4;
+
+  /** A float to which an integer from 0 to 2^23 was added has it as its lower bits. */
+  public static final float INTEGER = 1 << 23;
+
+  private static final LaneTrust TRUST = new LaneTrust();
+
+  public BoxLanes() {
+    super(TRUST);
+  }
+
+  /** An integer in a scratch array. */
+  static int integer(float[] scratch, int at) {
+    return Float.floatToRawIntBits(scratch[at]) - Float.floatToRawIntBits(INTEGER);
+  }
+
+  /**
+   * Finds the manifolds.
+   *
+   * @param scratch in and out
+   * @param speculative points up to this far apart count, m
+   */
+  public abstract void collide(float[] scratch, float speculative);
+
+  /** The kernel made with the Vector API, null without; see {@link VectorModule}. */
+  static BoxLanes find() {
+    return VectorModule.find("carom.physics.dynamics.simd.VectorBoxes", BoxLanes.class);
+  }
+}

@@ -1,0 +1,7 @@
+/**
+ * The narrow phase: the manifold of every contact, anew in every step.
+ *
+ * <p>May import {@code dynamics.body}, {@code contact} and {@code parallel}, and {@code collision}.
+ * Read first: {@code NarrowPhase}, {@code BoxRows}.
+ */
+package carom.physics.dynamics.narrow;

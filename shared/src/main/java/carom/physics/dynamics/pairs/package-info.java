@@ -1,0 +1,8 @@
+/**
+ * The broadphase of a world: fat boxes, the tree of moving shapes and that of resting ones, and the
+ * search for pairs.
+ *
+ * <p>May import {@code dynamics.body}, {@code contact}, {@code store} and {@code parallel}. Read
+ * first: {@code PairFinder}, {@code PairRule}.
+ */
+package carom.physics.dynamics.pairs;

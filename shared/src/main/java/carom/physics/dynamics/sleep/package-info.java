@@ -1,0 +1,7 @@
+/**
+ * Sleep: islands of bodies that have come to rest, and what wakes them.
+ *
+ * <p>May import {@code dynamics.body}, {@code contact}, {@code pairs}, {@code joint} and {@code
+ * store}. Read first: {@code Sleeping}, {@code Islands}.
+ */
+package carom.physics.dynamics.sleep;
