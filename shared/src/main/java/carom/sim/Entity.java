@@ -20,14 +20,14 @@ public final class Entity {
   private final int generation;
   private final Archetype archetype;
   private final int ownerId;
-  private final Roster roster;
+  private final EntityTable table;
   private int tag;
   private int teleports;
   private Body<Entity> body;
   private int bodySlot;
 
-  Entity(Roster roster, int id, int generation, Archetype archetype, int ownerId) {
-    this.roster = roster;
+  Entity(EntityTable table, int id, int generation, Archetype archetype, int ownerId) {
+    this.table = table;
     this.id = id;
     this.generation = generation;
     this.archetype = archetype;
@@ -100,7 +100,7 @@ public final class Entity {
   public void teleport(float x, float y, float angle) {
     body.setPose(x, y, angle);
     teleports++;
-    roster.change();
+    table.noteChange();
   }
 
   /** How often it was {@linkplain #teleport teleported}. Saved, but decides nothing. */

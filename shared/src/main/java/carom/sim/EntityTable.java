@@ -13,7 +13,6 @@ final class EntityTable {
   private final World<Entity> world;
   private final PlayerTable players;
   private final int tickRate;
-  private final Roster roster = new Roster();
   private Entity[] entities = new Entity[64];
   private byte[] generations = new byte[64];
 
@@ -24,6 +23,8 @@ final class EntityTable {
 
   /** No id below is free. */
   private int firstFree;
+
+  private long version;
 
   EntityTable(World<Entity> world, PlayerTable players, int tickRate) {
     this.world = world;
@@ -50,14 +51,19 @@ final class EntityTable {
     return count;
   }
 
-  /** Counts the changes of who is there. */
-  Roster roster() {
-    return roster;
+  /** Returns a number that changes with each {@link #noteChange}. */
+  long version() {
+    return version;
+  }
+
+  /** Notes that an entity came, went or was teleported. */
+  void noteChange() {
+    version++;
   }
 
   /** Creates a static of the level, which is in no table. */
   Entity createStatic(Archetype archetype, Level.Placement p) {
-    Entity entity = new Entity(roster, Entity.LEVEL, 0, archetype, Entity.NO_OWNER);
+    Entity entity = new Entity(this, Entity.LEVEL, 0, archetype, Entity.NO_OWNER);
     embody(entity, p.x(), p.y(), p.angle());
     return entity;
   }
@@ -69,14 +75,13 @@ final class EntityTable {
    */
   Entity spawn(Archetype archetype, float x, float y, float angle, int ownerId, int tick) {
     int id = takeFreeId(archetype);
-    return add(
-        new Entity(roster, id, generations[id] & 0xff, archetype, ownerId), x, y, angle, tick);
+    return add(new Entity(this, id, generations[id] & 0xff, archetype, ownerId), x, y, angle, tick);
   }
 
   /** Creates an entity of no player under the smallest free id, with a body of its own. */
   Entity spawn(Archetype archetype, BodyDef def) {
     int id = takeFreeId(archetype);
-    Entity entity = new Entity(roster, id, generations[id] & 0xff, archetype, Entity.NO_OWNER);
+    Entity entity = new Entity(this, id, generations[id] & 0xff, archetype, Entity.NO_OWNER);
     entity.body(world.createBody(def, entity));
     return enlist(entity);
   }
@@ -100,7 +105,7 @@ final class EntityTable {
       throw new IllegalStateException(
           "id=" + id + " is taken by " + entities[id] + "; despawn it first");
     }
-    return add(new Entity(roster, id, generation, archetype, ownerId), x, y, angle, tick);
+    return add(new Entity(this, id, generation, archetype, ownerId), x, y, angle, tick);
   }
 
   private int takeFreeId(Archetype archetype) {
@@ -145,7 +150,7 @@ final class EntityTable {
   private Entity enlist(Entity entity) {
     int id = entity.id();
     entities[id] = entity;
-    roster.change();
+    noteChange();
     generations[id] = (byte) entity.generation();
     capacity = Math.max(capacity, id + 1);
     count++;
@@ -161,7 +166,7 @@ final class EntityTable {
     int id = entity.id();
     world.destroyBody(entity.body());
     entities[id] = null;
-    roster.change();
+    noteChange();
     generations[id] = (byte) (entity.generation() + 1);
     count--;
     firstFree = Math.min(firstFree, id);
@@ -234,7 +239,7 @@ final class EntityTable {
     count = s.entityCount;
     grow(capacity - 1);
     System.arraycopy(s.entities, 0, entities, 0, capacity);
-    roster.change();
+    noteChange();
     Arrays.fill(entities, capacity, Math.max(before, capacity), null);
     System.arraycopy(s.generations, 0, generations, 0, capacity);
     Arrays.fill(generations, capacity, Math.max(before, capacity), (byte) 0);

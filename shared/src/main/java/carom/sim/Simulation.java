@@ -21,6 +21,11 @@ import java.util.function.Consumer;
  * physics, {@link Game#afterStep}. While a step runs, {@link #tick} is the tick being computed.
  *
  * <p>Belongs to one thread. A step allocates nothing of its own once arrays have grown.
+ *
+ * <p>Longer than 500 lines because it is the one class that games call: more than half of it is
+ * documentation, and its parts are classes of their own, {@link EntityTable}, {@link PlayerTable},
+ * {@link EventLog}, {@link NoticeQueue}, {@link InterferenceLog}, {@link PoseHistory} and {@link
+ * SimState}.
  */
 public final class Simulation {
   /** Most players at a time; ids are 0..1,023. */
@@ -43,6 +48,7 @@ public final class Simulation {
   private final int tickRate;
   private final float tickSeconds;
   private final Role role;
+  private final CallRules calls;
   private final World<Entity> world;
   private final Archetypes archetypes = new Archetypes();
   private final SimRandom random;
@@ -56,7 +62,6 @@ public final class Simulation {
   private final EventLog events = new EventLog();
 
   private int tick;
-  private boolean stepping;
   private boolean inTick;
   private Journal journal;
 
@@ -89,6 +94,7 @@ public final class Simulation {
     this.tickRate = tickRate;
     tickSeconds = 1f / tickRate;
     this.role = role;
+    calls = new CallRules(role);
     random = new SimRandom(seed);
     memory = new int[memorySize];
     world = new World<>(game.world(level));
@@ -165,7 +171,7 @@ public final class Simulation {
    * @throws IllegalStateException on {@link Role#AUTHORITY}
    */
   public void tick(int value) {
-    requirePrediction("tick");
+    calls.requirePrediction("tick");
     tick = value;
   }
 
@@ -240,7 +246,7 @@ public final class Simulation {
    *     #MAX_ENTITIES}
    */
   public Entity spawn(Archetype archetype, float x, float y, float angle, Player owner) {
-    requireAuthority("spawn");
+    calls.requireAuthority("spawn");
     int ownerId = owner == null ? Entity.NO_OWNER : owner.id();
     return entities.spawn(archetype, x, y, angle, ownerId, tick);
   }
@@ -255,7 +261,7 @@ public final class Simulation {
    *     #MAX_ENTITIES}
    */
   public Entity spawn(Archetype archetype, BodyDef def) {
-    requireAuthority("spawn");
+    calls.requireAuthority("spawn");
     return entities.spawn(archetype, def);
   }
 
@@ -277,7 +283,7 @@ public final class Simulation {
    */
   public Entity spawnAs(
       int id, int generation, Archetype archetype, float x, float y, float angle, int ownerId) {
-    requirePrediction("spawnAs");
+    calls.requirePrediction("spawnAs");
     return entities.spawnAs(id, generation, archetype, x, y, angle, ownerId, tick);
   }
 
@@ -288,7 +294,7 @@ public final class Simulation {
    * @throws IllegalStateException during the physics
    */
   public void despawn(Entity entity) {
-    requireQuiet("despawn");
+    calls.requireQuiet("despawn");
     if (!entities.holds(entity)) {
       return;
     }
@@ -310,7 +316,7 @@ public final class Simulation {
    * @return meaningful only compared with an earlier one of this simulation; not part of the state
    */
   public long rosterVersion() {
-    return entities.roster().version();
+    return entities.version();
   }
 
   EntityTable entities() {
@@ -364,7 +370,7 @@ public final class Simulation {
    *     range
    */
   public Player join(int id, String name) {
-    requireAuthority("join");
+    calls.requireAuthority("join");
     requireFree(id);
     if (journal != null) {
       journal.joining(this, id, name);
@@ -382,14 +388,14 @@ public final class Simulation {
    * @throws IllegalStateException on {@link Role#AUTHORITY}, or when the id is taken
    */
   public Player joinAs(int id, String name) {
-    requirePrediction("joinAs");
+    calls.requirePrediction("joinAs");
     requireFree(id);
     return newPlayer(id, name);
   }
 
   /** Lets a player go; despawns all the player owns. Nothing happens when the player is gone. */
   public void leave(Player player) {
-    requireQuiet("leave");
+    calls.requireQuiet("leave");
     int id = player.id();
     if (players.get(id) != player) {
       return;
@@ -489,11 +495,11 @@ public final class Simulation {
         game.input(this, player, player.input());
       }
     }
-    stepping = true;
+    calls.physicsRun(true);
     try {
       world.step(tickSeconds);
     } finally {
-      stepping = false;
+      calls.physicsRun(false);
     }
     if (role == Role.AUTHORITY) {
       interference.beginRules();
@@ -531,19 +537,10 @@ public final class Simulation {
     requireOwn(s);
     s.world = world.save(s.world);
     s.tick = tick;
-    s.random = random.state();
-    if (s.memory.length != memory.length) {
-      s.memory = new int[memory.length];
-    }
-    System.arraycopy(memory, 0, s.memory, 0, memory.length);
+    s.saveNumbers(random, memory);
     players.save(s);
     entities.save(s);
-    if (history != null) {
-      if (s.history == null) {
-        s.history = new PoseHistory(this);
-      }
-      history.copyTo(s.history);
-    }
+    s.saveHistory(history);
     return s;
   }
 
@@ -555,11 +552,10 @@ public final class Simulation {
    */
   public void restore(SimState s) {
     requireOwn(s);
-    requireQuiet("restore");
+    calls.requireQuiet("restore");
     world.restore(s.world);
     tick = s.tick;
-    random.state(s.random);
-    System.arraycopy(s.memory, 0, memory, 0, memory.length);
+    s.restoreNumbers(random, memory);
     players.restore(s);
     entities.restore(s);
     if (history != null) {
@@ -586,24 +582,7 @@ public final class Simulation {
   }
 
   void requireAuthority(String what) {
-    if (role != Role.AUTHORITY) {
-      throw new IllegalStateException(what + " is for the AUTHORITY role only, this is " + role);
-    }
-    requireQuiet(what);
-  }
-
-  private void requirePrediction(String what) {
-    if (role != Role.PREDICTION) {
-      throw new IllegalStateException(what + " is for the PREDICTION role only, this is " + role);
-    }
-    requireQuiet(what);
-  }
-
-  private void requireQuiet(String what) {
-    if (stepping) {
-      throw new IllegalStateException(
-          what + " can't happen while the physics step; do it in Game.afterStep");
-    }
+    calls.requireAuthority(what);
   }
 
   private void requireFree(int playerId) {
