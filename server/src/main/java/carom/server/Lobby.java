@@ -285,7 +285,7 @@ final class Lobby {
     }
 
     private void watch(ClientMessage.Watch watch) {
-      if (!isOfThisBuild(watch.protocolVersion(), watch.physicsDigest())) {
+      if (!requireThisBuild(watch.protocolVersion(), watch.physicsDigest())) {
         return;
       }
       String problem = spectators.add(link, watch.room(), nowNs);
@@ -295,8 +295,8 @@ final class Lobby {
       done = true;
     }
 
-    /** Refuses who computes otherwise. */
-    private boolean isOfThisBuild(int protocolVersion, long physicsDigest) {
+    /** Refuses a client of another build, and returns whether the client may go on. */
+    private boolean requireThisBuild(int protocolVersion, long physicsDigest) {
       if (protocolVersion != Protocol.VERSION) {
         refused(
             RefusalReason.PROTOCOL_VERSION,
@@ -314,7 +314,7 @@ final class Lobby {
     }
 
     private void hello(ClientMessage.Hello hello) {
-      if (!isOfThisBuild(hello.protocolVersion(), hello.physicsDigest())) {
+      if (!requireThisBuild(hello.protocolVersion(), hello.physicsDigest())) {
         return;
       }
       String name = hello.name().strip();
@@ -344,7 +344,7 @@ final class Lobby {
       boolean allowed = rate.allows(address, nowNs);
       boolean full = false;
       if (allowed) {
-        if (isExpected()) {
+        if (findRoomToResume()) {
           resume();
         } else {
           full = !place(waiting.name().strip()) && seatsLeft() == 0 && !askForPlaces();
@@ -363,8 +363,11 @@ final class Lobby {
       }
     }
 
-    /** Whether a seat belongs to the visitor's secret; remembers in which room. */
-    private boolean isExpected() {
+    /**
+     * Finds the room with the seat that belongs to the visitor's secret. Returns whether there is
+     * one.
+     */
+    private boolean findRoomToResume() {
       for (Room candidate : rooms) {
         if (!candidate.hasFailed() && candidate.seats().knows(waiting.resumeSecret())) {
           room = candidate;

@@ -11,8 +11,8 @@
  *        └─────────► RelayedInputs         whose inputs are relayed
  * </pre>
  *
- * <p>Allowed imports: {@code carom.sim}, {@code carom.physics}, {@code carom.net.snapshot}, {@code
- * carom.net.protocol}, the JDK.
+ * <p>Allowed imports: {@code carom.sim}, {@code carom.physics}, {@code carom.net.snapshot..},
+ * {@code carom.net.protocol}, the JDK.
  *
  * <p>Read first: {@link carom.server.prediction.PredictedSet}, {@link
  * carom.server.prediction.PredictionAudit}.

@@ -32,18 +32,28 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * One world, its players, one writer: a simulation at a fixed rate and the sessions that steer and
- * see it.
+ * A room: one simulation at a fixed rate, and the sessions that steer and see it.
  *
- * <p>{@link #doWork} is one turn of the duty cycle: take what has arrived, and run the ticks that
- * are due. A tick is, in this order: arrivals from the lobby; what the inboxes hold (acks, inputs,
- * wishes); who leaves, is lost, or is too late to come back; one input per player; the simulation's
- * step; the frame state, once for all; each session's snapshot; roster and notices; counters.
+ * <p>{@link #doWork} is one turn of the duty cycle: it takes what has arrived and runs the ticks
+ * that are due. A tick, in order:
  *
- * <p>Everything but {@link #admit}, {@link #number}, {@link #seed}, {@link #tick}, {@link #seats},
- * {@link #counters} and {@link #hasFailed} belongs to the thread that calls {@link #doWork}. A tick
- * in the steady state allocates next to nothing. A client can hurt only its own session, a game
- * only its own room; rooms share nothing that changes.
+ * <pre>
+ *   Arrivals            players from the lobby get a session
+ *   Departures          sessions end, or begin their grace period
+ *   Session             one input per player
+ *   Simulation.step
+ *   FrameCapture        the frame state, quantised once for all sessions
+ *   SnapshotRound       each session's snapshot
+ *   Announcer           notices of the game
+ *   RosterNews          players and scores that changed
+ *   Counters, RoomRecording
+ * </pre>
+ *
+ * <p>Only {@link #admit}, {@link #giveWay}, {@link #operator}, {@link #number}, {@link #seed},
+ * {@link #tick}, {@link #seats}, {@link #counters} and {@link #hasFailed} may be called from any
+ * thread; the rest belongs to the thread that calls {@link #doWork}. A tick in the steady state
+ * allocates next to nothing. A client can hurt only its own session, and a game only its own room:
+ * rooms share nothing that changes.
  */
 public final class Room {
   /** The room closes in good order before tick numbers run out: 413 days at 60 Hz. */
@@ -51,7 +61,7 @@ public final class Room {
 
   private static final Logger LOG = LoggerFactory.getLogger(Room.class);
 
-  /** Of ticks that are made good in one burst, only so many of the last are worth a snapshot. */
+  /** Of several ticks that are made good in one turn, only so many of the last send snapshots. */
   private static final int MAX_SENDS_PER_BURST = 2;
 
   private final RoomContext context;
@@ -66,7 +76,6 @@ public final class Room {
   private final TickLoop loop;
   private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
   private final RoomSessions sessions;
-  private final Announcer announcer;
   private final RosterNews roster;
   private final Departures departures;
   private final Arrivals arrivals;
@@ -108,7 +117,7 @@ public final class Room {
     capture = new FrameCapture(simulation);
     loop = new TickLoop(config.tickRateHz(), config.catchUpTicks());
     sessions = new RoomSessions(seats.count(), label, counters);
-    announcer = new Announcer(sessions, config.tickRateHz());
+    Announcer announcer = new Announcer(sessions, config.tickRateHz());
     roster = new RosterNews(seats.count(), config.rosterIntervalMs());
     departures = new Departures(context, sessions, roster, announcer, partings);
     OwnCapture ownCapture = new OwnCapture(simulation);
@@ -133,9 +142,9 @@ public final class Room {
   }
 
   /**
-   * Has other threads help with stepping the world, before the first turn.
+   * Lets other threads help with stepping the world; call before the first turn.
    *
-   * @param helpers null for nobody; may be shared with other rooms
+   * @param helpers null for none; may be shared with other rooms
    */
   public void helpedBy(Workers helpers) {
     simulation.world().workers(helpers);
@@ -310,7 +319,7 @@ public final class Room {
   }
 
   /**
-   * Tells everybody why the game ends and runs no further tick. The links stay open for a moment,
+   * Tells all players why the game ends and runs no further tick. The links stay open for a moment,
    * while {@link #doWork} is called, so that the goodbye arrives; {@link #closeLinks} ends that.
    */
   public void close(GoodbyeReason reason, String text, long nowNs) {
@@ -323,7 +332,7 @@ public final class Room {
     arrivals.refuseAll(reason, text, nowNs);
   }
 
-  /** Whether all links have said goodbye. */
+  /** Returns whether all links have said goodbye. */
   public boolean isDeserted() {
     return sessions.count() == 0 && partings.isEmpty();
   }
@@ -360,7 +369,9 @@ public final class Room {
     return tick;
   }
 
-  /** Whether the room closed itself because of an error, see {@link #fail}; from any thread. */
+  /**
+   * Returns whether the room closed itself because of an error, see {@link #fail}; from any thread.
+   */
   public boolean hasFailed() {
     return failed;
   }

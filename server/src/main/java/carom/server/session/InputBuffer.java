@@ -7,10 +7,9 @@ import java.util.Arrays;
  * One player's inputs between arrival and use: exactly one is consumed per tick.
  *
  * <p>A client sends each input several times and runs a little ahead of the server, so inputs wait
- * here, at their tick, until the room consumes that tick. Three rules keep hostile clients out: the
- * window (nothing further ahead than {@code windowTicks}, nothing in the past) bounds memory, the
- * first arrival of a tick wins, and one tick consumes one input however many arrive (no speed
- * hack).
+ * here, at their tick, until the room consumes that tick. Three rules keep hostile clients out. The
+ * window, from the next tick to {@code windowTicks} ahead, bounds memory. The first arrival of a
+ * tick wins. One tick consumes one input however many arrive, which rules out a speed hack.
  *
  * <p>A client whose input stays the same need not repeat it: it says for how long the newest one
  * holds, see {@link #hold}, and is believed until it says something else.
@@ -28,7 +27,10 @@ public final class InputBuffer {
     ACCEPTED,
     /** Already known; the usual fate of redundant copies. */
     DUPLICATE,
-    /** Was consumed already because the one before {@linkplain #hold held}, and rightly so. */
+    /**
+     * Its tick was consumed already, with an equal input that the client had {@linkplain #hold
+     * held}.
+     */
     CONFIRMED,
     /** Its tick was consumed already. */
     TOO_LATE,
@@ -43,7 +45,7 @@ public final class InputBuffer {
   private final long[] packed = new long[SIZE];
   private final int[] tickOf = new int[SIZE];
 
-  /** Whether the slot's input wasn't said but followed from one that holds. */
+  /** Whether a slot's input did not arrive but followed from one that was held; by slot. */
   private final boolean[] isHeld = new boolean[SIZE];
 
   private int lastConsumedTick;
@@ -134,12 +136,12 @@ public final class InputBuffer {
   }
 
   /**
-   * Takes the client's word that an input goes on after its tick, until an input for a later tick
-   * arrives. Call after {@link #offer} of that input; ignored when later ones are known.
+   * Lets an input count for the ticks after its own, too, until an input for a later tick arrives.
+   * Call after {@link #offer} of that input; ignored when later ones are known.
    *
    * @param tick of the input
    * @param input that goes on
-   * @param ticks for how many ticks after it; 0 takes the word back
+   * @param ticks for how many ticks after it; 0 ends it
    */
   public void hold(int tick, long input, int ticks) {
     if (anyArrived && tick == newestTick) {
@@ -195,7 +197,7 @@ public final class InputBuffer {
     return Input.faded(last, missingInARow, holdTicks);
   }
 
-  /** Whether the input of a tick that is still to be consumed is here. */
+  /** Returns whether the input of a tick that is still to be consumed is here. */
   public boolean isWaiting(int tick) {
     return tick - lastConsumedTick > 0 && tickOf[tick & (SIZE - 1)] == tick;
   }
@@ -205,12 +207,14 @@ public final class InputBuffer {
     return packed[tick & (SIZE - 1)];
   }
 
-  /** Whether the last consumed tick's input wasn't there but followed from one that holds. */
+  /**
+   * Returns whether the last consumed input had not arrived but followed from one that was held.
+   */
   public boolean lastWasHeld() {
     return isHeld[lastConsumedTick & (SIZE - 1)];
   }
 
-  /** Whether the last consumed tick had no input of its own, nor one that holds. */
+  /** Returns whether the last consumed tick had no input of its own, nor one that was held. */
   public boolean lastWasMissing() {
     return lastMissing;
   }
@@ -242,7 +246,7 @@ public final class InputBuffer {
     return anyArrived ? newestTick - lastConsumedTick : 0;
   }
 
-  /** Whether an input arrived since the last {@link #reset}. */
+  /** Returns whether an input arrived since the last {@link #reset}. */
   public boolean anyArrived() {
     return anyArrived;
   }

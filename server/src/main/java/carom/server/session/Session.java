@@ -23,9 +23,10 @@ import org.slf4j.LoggerFactory;
 
 /**
  * The protocol's state of one player in a room: the state of the session, its link while there is
- * one, and its inputs. What the client is told is up to its {@link SessionReplication}. Lives from
- * Ready until the player leaves or the grace period ends; a resumed session keeps this object and
- * gets a new link.
+ * one, and its inputs. Its {@link SessionReplication} decides what the client is told.
+ *
+ * <p>A session lives from Ready until the player leaves or the grace period ends. A resumed session
+ * keeps this object and gets a new link.
  *
  * <p>What a client sends can change this object only: a wrong message asks the room to expel the
  * session; a wrong datagram is counted and ignored, because anybody can forge a datagram.
@@ -257,7 +258,7 @@ public final class Session implements LinkHandler {
     countInputs();
   }
 
-  /** Shows which inputs of the next ticks are here already, for the clients of those near. */
+  /** Adds the inputs that wait for the next ticks, which clients of players near are told. */
   public void showWaiting(WaitingInputs to) {
     int tick = inputs.lastConsumedTick() + 1;
     while (inputs.isWaiting(tick) && to.add(player.id(), inputs.waiting(tick))) {
@@ -317,12 +318,12 @@ public final class Session implements LinkHandler {
     }
   }
 
-  /** Whether this link was told who plays; then it needs only what changes. */
+  /** Returns whether this link got the whole roster; from then on changes are enough. */
   public boolean knowsRoster() {
     return knowsRoster;
   }
 
-  /** This link was told who plays. */
+  /** Notes that this link got the whole roster. */
   public void toldRoster() {
     knowsRoster = true;
   }
@@ -357,7 +358,7 @@ public final class Session implements LinkHandler {
     return graceEndNs;
   }
 
-  /** Whether the link has closed. */
+  /** Returns whether the link has closed. */
   public boolean linkLost() {
     return linkLost;
   }
@@ -368,14 +369,14 @@ public final class Session implements LinkHandler {
   }
 
   /**
-   * Whether nothing was heard for longer than the configured silence, counted in ticks of the room:
-   * while the server itself stood still nobody could be heard, and those ticks were dropped.
+   * Returns whether nothing was heard for longer than the configured silence. Silence is counted in
+   * ticks of the room: while the server itself stood still no client could be heard.
    */
   public boolean isSilent() {
     return silentTicks * 1_000L > (long) config.silenceTimeoutMs() * config.tickRateHz();
   }
 
-  /** Whether the grace period is over; meaningful in grace. */
+  /** Returns whether the grace period is over; meaningful in grace. */
   public boolean graceIsOver(long timeNs) {
     return timeNs - graceEndNs >= 0;
   }
@@ -385,7 +386,7 @@ public final class Session implements LinkHandler {
     return link == null ? "no link" : link.remote();
   }
 
-  /** What tells the client about the room. */
+  /** Returns what tells the client about the room. */
   public SessionReplication replication() {
     return replication;
   }
