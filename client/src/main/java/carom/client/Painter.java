@@ -8,8 +8,8 @@ import carom.client.prediction.Prediction;
 import carom.net.snapshot.EntityHistory;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.exact.OwnState;
-import carom.sim.Archetype;
 import carom.sim.Simulation;
+import carom.sim.level.Archetype;
 import java.util.Arrays;
 
 /**

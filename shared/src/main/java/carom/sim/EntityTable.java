@@ -3,6 +3,9 @@ package carom.sim;
 import carom.physics.Body;
 import carom.physics.BodyDef;
 import carom.physics.World;
+import carom.sim.level.Archetype;
+import carom.sim.level.Level;
+import carom.sim.level.ScriptedMotion;
 import java.util.Arrays;
 
 /**
@@ -131,7 +134,7 @@ final class EntityTable {
   }
 
   private Entity add(Entity entity, float x, float y, float angle, int tick) {
-    Motion path = entity.archetype().motion();
+    ScriptedMotion path = entity.archetype().motion();
     if (path == null) {
       embody(entity, x, y, angle);
     } else {
@@ -186,7 +189,7 @@ final class EntityTable {
       if (e == null || e.archetype().motion() == null) {
         continue;
       }
-      Motion path = e.archetype().motion();
+      ScriptedMotion path = e.archetype().motion();
       Body<Entity> body = e.body();
       float x = path.x(tick - 1, tickRate);
       float y = path.y(tick - 1, tickRate);

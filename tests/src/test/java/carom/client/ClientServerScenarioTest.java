@@ -17,7 +17,7 @@ import carom.net.transport.Link;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.sim.Entity;
-import carom.sim.Level;
+import carom.sim.level.Level;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;

@@ -12,7 +12,7 @@ import carom.net.snapshot.frame.FrameState;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.Level;
+import carom.sim.level.Level;
 import carom.testkit.BigWorlds;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;

@@ -14,7 +14,7 @@ import carom.net.transport.Impairment;
 import carom.net.transport.InProcessNetwork;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.Level;
+import carom.sim.level.Level;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;

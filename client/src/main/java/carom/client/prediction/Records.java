@@ -6,9 +6,9 @@ import carom.client.interpolation.States;
 import carom.net.snapshot.EntityHistory;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.relay.RelayedInputs;
-import carom.sim.Archetype;
 import carom.sim.Neighbourhood;
 import carom.sim.Simulation;
+import carom.sim.level.Archetype;
 
 /** What has arrived: who is who, where everybody was, and what the other players did. */
 final class Records implements Neighbourhood.Identity {

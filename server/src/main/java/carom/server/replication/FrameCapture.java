@@ -8,12 +8,12 @@ import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.record.Deltas;
 import carom.physics.World;
 import carom.physics.math.Trig;
-import carom.sim.Audience;
 import carom.sim.Entity;
 import carom.sim.Event;
 import carom.sim.Game;
 import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.event.Audience;
 import java.util.Arrays;
 import java.util.function.Consumer;
 

@@ -8,11 +8,11 @@ import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.physics.BodyContactVisitor;
 import carom.physics.broadphase.IntVisitor;
-import carom.sim.Audience;
 import carom.sim.Entity;
-import carom.sim.Level;
 import carom.sim.Neighbourhood;
 import carom.sim.Player;
+import carom.sim.event.Audience;
+import carom.sim.level.Level;
 
 /**
  * What one player looks at: a rectangle around the own body, or around the place that a spectator's

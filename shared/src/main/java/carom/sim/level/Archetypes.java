@@ -1,5 +1,6 @@
-package carom.sim;
+package carom.sim.level;
 
+import carom.sim.Game;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -14,7 +15,7 @@ public final class Archetypes {
   private final List<Archetype> list = new ArrayList<>();
   private boolean closed;
 
-  Archetypes() {}
+  public Archetypes() {}
 
   /**
    * Registers a kind of entity; call it in {@link Game#setUp} only.
@@ -58,7 +59,7 @@ public final class Archetypes {
     return null;
   }
 
-  void close() {
+  public void close() {
     closed = true;
   }
 }

@@ -1,4 +1,4 @@
-package carom.sim;
+package carom.sim.level;
 
 /**
  * The path of a kinematic body: there and back between two points, for ever. A pure function of the
@@ -12,7 +12,7 @@ package carom.sim;
  * @param phase where the body is at tick 0, as part of a period, 0..1
  * @param eased true: slows down towards both ends (3 t^2 - 2 t^3); false: constant speed
  */
-public record Motion(
+public record ScriptedMotion(
     float x0, float y0, float x1, float y1, float periodSeconds, float phase, boolean eased) {
 
   /** Horizontal position at a tick, metres. */

@@ -1,4 +1,4 @@
-package carom.sim;
+package carom.sim.level;
 
 /** A level file that can't be used, and where and why. */
 public final class LevelException extends Exception {

@@ -1,4 +1,4 @@
-package carom.sim;
+package carom.sim.level;
 
 import java.util.Collection;
 

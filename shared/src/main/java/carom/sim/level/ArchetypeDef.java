@@ -1,8 +1,9 @@
-package carom.sim;
+package carom.sim.level;
 
 import carom.physics.BodyType;
 import carom.physics.Material;
 import carom.physics.geometry.Shape;
+import carom.sim.OneWay;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -30,7 +31,7 @@ public final class ArchetypeDef {
   boolean sensor;
   int tag;
   float spin;
-  Motion motion;
+  ScriptedMotion motion;
   Appearance appearance = Appearance.DEFAULT;
 
   /** Starts a dynamic archetype without shapes. The name is for people and for {@code find}. */
@@ -117,7 +118,7 @@ public final class ArchetypeDef {
   }
 
   /** The path of a kinematic body; the simulation keeps every such body on it. */
-  public ArchetypeDef motion(Motion value) {
+  public ArchetypeDef motion(ScriptedMotion value) {
     motion = value;
     return this;
   }

@@ -1,4 +1,6 @@
-package carom.sim;
+package carom.sim.event;
+
+import carom.sim.Game;
 
 /** Who is told that an entity exists, see {@link Game#audience}. */
 public enum Audience {

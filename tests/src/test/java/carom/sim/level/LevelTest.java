@@ -1,4 +1,4 @@
-package carom.sim;
+package carom.sim.level;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.sim.SchemaChecker;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

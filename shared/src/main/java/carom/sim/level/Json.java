@@ -1,4 +1,4 @@
-package carom.sim;
+package carom.sim.level;
 
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonLocation;
@@ -16,9 +16,9 @@ import java.util.Map;
  * A JSON document as a tree that remembers where everything stood, so that an error can name the
  * line. Strict: no comments, no NaN, no key twice, nothing after the end.
  */
-final class Json {
+public final class Json {
   /** What a node is. */
-  enum Kind {
+  public enum Kind {
     OBJECT("an object"),
     ARRAY("a list"),
     STRING("a text"),
@@ -44,20 +44,20 @@ final class Json {
                   .build())
           .build();
 
-  final Kind kind;
-  final String path;
-  final int line;
+  public final Kind kind;
+  public final String path;
+  public final int line;
   final int column;
 
   /** The text of a string or of a number as written. */
-  final String text;
+  public final String text;
 
-  final double number;
+  public final double number;
   final boolean truth;
-  final List<Json> items = new ArrayList<>();
+  public final List<Json> items = new ArrayList<>();
 
   /** In file order. */
-  final Map<String, Json> fields = new LinkedHashMap<>();
+  public final Map<String, Json> fields = new LinkedHashMap<>();
 
   private Json(Kind kind, String path, JsonParser p) throws IOException {
     this.kind = kind;
@@ -71,7 +71,7 @@ final class Json {
   }
 
   /** Reads a whole document. */
-  static Json parse(String file, byte[] bytes) throws LevelException {
+  public static Json parse(String file, byte[] bytes) throws LevelException {
     try (JsonParser p = FACTORY.createParser(bytes)) {
       if (p.nextToken() == null) {
         throw new LevelException(file, 1, 1, "", "the file is empty; it must be a JSON object");

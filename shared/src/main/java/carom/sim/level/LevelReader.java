@@ -1,4 +1,4 @@
-package carom.sim;
+package carom.sim.level;
 
 import carom.physics.BodyType;
 import carom.physics.Material;
@@ -288,7 +288,7 @@ final class LevelReader {
       float[] to = vector(required(motion, "to"), MAX_COORDINATE);
       required(motion, "period");
       def.motion(
-          new Motion(
+          new ScriptedMotion(
               at[0],
               at[1],
               to[0],

@@ -1,5 +1,7 @@
-package carom.sim;
+package carom.sim.event;
 
+import carom.sim.Event;
+import carom.sim.Game;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -14,7 +16,7 @@ public final class EventKinds {
   private final List<EventKind> list = new ArrayList<>();
   private boolean closed;
 
-  EventKinds() {}
+  public EventKinds() {}
 
   /**
    * Registers a kind that is silent, see {@link #add(String, int, float, String, Sound, float)}.
@@ -72,7 +74,7 @@ public final class EventKinds {
     return index >= 0 && index < list.size() ? list.get(index) : null;
   }
 
-  void close() {
+  public void close() {
     closed = true;
   }
 }

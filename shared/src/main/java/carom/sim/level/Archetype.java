@@ -1,4 +1,4 @@
-package carom.sim;
+package carom.sim.level;
 
 import carom.physics.BodyDef;
 import carom.physics.BodyType;
@@ -7,6 +7,7 @@ import carom.physics.ShapeDef;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
+import carom.sim.OneWay;
 import java.util.List;
 
 /**
@@ -94,7 +95,7 @@ public final class Archetype {
   }
 
   /** The path of a kinematic body, or null. */
-  public Motion motion() {
+  public ScriptedMotion motion() {
     return def.motion;
   }
 
@@ -104,7 +105,7 @@ public final class Archetype {
   }
 
   /** A body definition of this kind at a place; angle in radians. Allocates. */
-  BodyDef body(float x, float y, float angle) {
+  public BodyDef body(float x, float y, float angle) {
     BodyDef body =
         new BodyDef()
             .type(def.type)

@@ -1,4 +1,4 @@
-package carom.sim;
+package carom.sim.event;
 
 /** What an {@link EventKind} sounds like. A client makes the sounds; a game only chooses. */
 public enum Sound {

@@ -1,4 +1,4 @@
-package carom.sim;
+package carom.sim.level;
 
 import carom.physics.BodyType;
 import java.io.IOException;
@@ -13,6 +13,9 @@ import java.util.List;
  * from a JSON file. Immutable. {@code docs/LEVELS.md} describes the format.
  */
 public final class Level {
+  /** Owner of what the level places: no player. */
+  public static final int NO_OWNER = -1;
+
   /** Largest file, bytes. */
   public static final int MAX_BYTES = 1 << 22;
 
@@ -34,7 +37,7 @@ public final class Level {
      * @param id of the entity
      * @param generation of the entity
      * @param archetype index
-     * @param owner {@link Entity#NO_OWNER}
+     * @param owner {@link Level#NO_OWNER}
      * @param x metres
      * @param y metres
      * @param angle radians
@@ -227,7 +230,7 @@ public final class Level {
   }
 
   /** What the level is built of: one definition for each item in the file, statics first. */
-  List<ArchetypeDef> archetypes() {
+  public List<ArchetypeDef> archetypes() {
     return archetypes;
   }
 
@@ -254,7 +257,7 @@ public final class Level {
       if (archetypes.get(p.archetype()).type != BodyType.DYNAMIC) {
         continue;
       }
-      visitor.body(id, 0, p.archetype(), Entity.NO_OWNER, p.x(), p.y(), p.angle(), 0, 0, 0);
+      visitor.body(id, 0, p.archetype(), NO_OWNER, p.x(), p.y(), p.angle(), 0, 0, 0);
     }
   }
 

@@ -1,4 +1,4 @@
-package carom.sim;
+package carom.sim.level;
 
 /**
  * How an entity wants to be drawn. The simulation never reads it.
