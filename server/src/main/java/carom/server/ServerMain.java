@@ -5,19 +5,19 @@ import carom.options.BadFlag;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.scene.SceneRun;
-import carom.sim.scene.Scenes;
+import carom.sim.scene.catalog.Scenes;
 import ch.qos.logback.classic.LoggerContext;
 import java.io.PrintWriter;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
-import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
+import picocli.CommandLine;
 
 /**
  * Starts the dedicated server.

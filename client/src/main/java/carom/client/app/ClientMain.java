@@ -14,16 +14,16 @@ import carom.net.protocol.PlayerName;
 import carom.net.transport.ClientTransport;
 import carom.options.BadFlag;
 import carom.sim.level.Suggestion;
-import carom.sim.scene.Scenes;
+import carom.sim.scene.catalog.Scenes;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.ServiceLoader;
 import java.util.concurrent.Callable;
-import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import picocli.CommandLine;
 
 /** The program {@code carom-client}: plays on a server, in a window or without one. */
 @Command(

@@ -164,12 +164,12 @@ public final class SceneGame implements Game {
   private ArchetypeDef kind(BodyDef def) {
     ShapeDef first = def.shapes().get(0);
     int tag = first.material().tag();
-    int rgb = tag == 0 ? Palette.untagged(def.type(), first.shape()) : tag;
+    int rgb = tag == 0 ? SceneColors.untagged(def.type(), first.shape()) : tag;
     boolean wall = def.type() == BodyType.STATIC && !first.sensor();
     Appearance appearance =
         wall
             // Lines have nothing but their edge, which must be seen.
-            ? new Appearance(rgb, Palette.mix(rgb, Palette.STEEL, 0.5f), Appearance.Look.WALL)
+            ? new Appearance(rgb, SceneColors.mix(rgb, SceneColors.STEEL, 0.5f), Appearance.Look.WALL)
             : Appearance.of(rgb);
     ArchetypeDef kind =
         new ArchetypeDef(scene.name() + "." + kinds.size())

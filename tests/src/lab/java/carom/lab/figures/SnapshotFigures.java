@@ -1,15 +1,15 @@
 package carom.lab.figures;
 
 import carom.client.ClientConfig;
-import carom.client.link.ConnectionPhase;
 import carom.client.InputSource;
 import carom.client.PredictionMode;
+import carom.client.link.ConnectionPhase;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.level.Level;
 import carom.sim.scene.SceneGame;
-import carom.sim.scene.Scenes;
+import carom.sim.scene.catalog.Scenes;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.util.ArrayList;

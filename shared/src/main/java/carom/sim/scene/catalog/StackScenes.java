@@ -1,9 +1,9 @@
-package carom.sim.scene;
+package carom.sim.scene.catalog;
 
-import static carom.sim.scene.Props.fixed;
-import static carom.sim.scene.Props.floor;
-import static carom.sim.scene.Props.free;
-import static carom.sim.scene.Props.trough;
+import static carom.sim.scene.catalog.SceneBodies.fixed;
+import static carom.sim.scene.catalog.SceneBodies.floor;
+import static carom.sim.scene.catalog.SceneBodies.free;
+import static carom.sim.scene.catalog.SceneBodies.trough;
 
 import carom.physics.Body;
 import carom.physics.BodyDef;
@@ -16,6 +16,10 @@ import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Polygon;
 import carom.physics.geometry.Shape;
+import carom.sim.scene.Scene;
+import carom.sim.scene.SceneColors;
+import carom.sim.scene.Stage;
+import carom.sim.scene.View;
 import java.util.List;
 
 /** Show scenes: what stands, leans, falls and piles up. */
@@ -71,7 +75,7 @@ final class StackScenes {
     floor(s, 60);
     Shape crate = new Box(0.5f, 0.5f);
     for (int row = 0; row < 20; row++) {
-      int rgb = Palette.mix(Palette.CORAL, Palette.AMBER, row / 19f);
+      int rgb = SceneColors.mix(SceneColors.CORAL, SceneColors.AMBER, row / 19f);
       for (int i = 0; i < 20 - row; i++) {
         free(s, crate, i - (19 - row) / 2f, row + 0.5f, rgb);
       }
@@ -81,7 +85,7 @@ final class StackScenes {
           if (tick == 240) {
             s.body(
                 new BodyDef(BodyType.DYNAMIC)
-                    .shape(new Circle(1.2f), Palette.of(Palette.STEEL).withDensity(8))
+                    .shape(new Circle(1.2f), SceneColors.of(SceneColors.STEEL).withDensity(8))
                     .position(-24, 6)
                     .velocity(26, 4));
           }
@@ -93,7 +97,7 @@ final class StackScenes {
     float x = -8;
     float half = 0.25f;
     for (int i = 0; i < 17; i++) {
-      int rgb = Palette.mix(Palette.SKY, Palette.VIOLET, i / 16f);
+      int rgb = SceneColors.mix(SceneColors.SKY, SceneColors.VIOLET, i / 16f);
       Body<?> domino = free(s, new Box(half * 0.14f, half), x, half, rgb);
       if (i == 0) {
         domino.setAngularVelocity(-3.5f);
@@ -104,8 +108,8 @@ final class StackScenes {
   }
 
   private static <T> void cradle(Stage<T> s) {
-    fixed(s, new Box(5, 0.2f), 0, 8.2f, 0, Props.STONE);
-    Material steel = new Material(4, 0, 1).withTag(Palette.STEEL);
+    fixed(s, new Box(5, 0.2f), 0, 8.2f, 0, SceneBodies.STONE);
+    Material steel = new Material(4, 0, 1).withTag(SceneColors.STEEL);
     int balls = 7;
     for (int i = 0; i < balls; i++) {
       // Far enough apart to meet one after the other, as billiard balls do.
@@ -113,7 +117,7 @@ final class StackScenes {
       boolean lifted = i < 2;
       float x = lifted ? anchorX - 3.6f : anchorX;
       float y = lifted ? 8 - 4.8f : 8 - 6;
-      Body<T> ball = free(s, new Circle(0.5f), x, y, lifted ? steel.withTag(Palette.AMBER) : steel);
+      Body<T> ball = free(s, new Circle(0.5f), x, y, lifted ? steel.withTag(SceneColors.AMBER) : steel);
       s.joint(JointDef.distance(null, ball, anchorX, 8, x, y));
     }
   }
@@ -124,7 +128,7 @@ final class StackScenes {
     float outer = 5.2f;
     float spring = 1;
     for (int side = -1; side <= 1; side += 2) {
-      fixed(s, new Box(0.8f, spring / 2), side * 4.6f, spring / 2, 0, Props.STONE);
+      fixed(s, new Box(0.8f, spring / 2), side * 4.6f, spring / 2, 0, SceneBodies.STONE);
     }
     int stones = 15;
     for (int i = 0; i < stones; i++) {
@@ -136,14 +140,14 @@ final class StackScenes {
               ring(outer, from, true), ring(outer, from, false),
               ring(outer, to, true), ring(outer, to, false),
               ring(inner, to, true), ring(inner, to, false));
-      int rgb = i == stones / 2 ? Palette.AMBER : Palette.mix(0x8d99ae, 0xb8c1d1, i % 2);
+      int rgb = i == stones / 2 ? SceneColors.AMBER : SceneColors.mix(0x8d99ae, 0xb8c1d1, i % 2);
       free(s, stone, 0, spring, new Material(2, 0.8f, 0).withTag(rgb));
     }
     s.eachTick(
         tick -> {
           if (tick >= 120 && tick % 60 == 0 && tick <= 600) {
             int k = tick / 60;
-            free(s, Props.some(k), (k % 3 - 1) * 0.5f, 9, Palette.bright(k));
+            free(s, SceneBodies.some(k), (k % 3 - 1) * 0.5f, 9, SceneColors.bright(k));
           }
         });
   }
@@ -168,7 +172,7 @@ final class StackScenes {
     for (int storey = 5; storey > 0; storey--) {
       for (int i = 0; i < storey; i++) {
         double x = (i - (storey - 1) / 2.0) * 4 * foot;
-        Material back = paper.withTag((i + storey) % 2 == 0 ? Palette.PAPER : Palette.CORAL);
+        Material back = paper.withTag((i + storey) % 2 == 0 ? SceneColors.PAPER : SceneColors.CORAL);
         for (int side = -1; side <= 1; side += 2) {
           s.body(
               new BodyDef(BodyType.DYNAMIC)
@@ -178,7 +182,7 @@ final class StackScenes {
         }
         if (i > 0) {
           float y = (float) (base + 2 * rise + thick);
-          free(s, flat, (float) (x - 2 * foot), y, paper.withTag(Palette.SKY));
+          free(s, flat, (float) (x - 2 * foot), y, paper.withTag(SceneColors.SKY));
         }
       }
       base += 2 * rise + 2 * thick;
@@ -190,7 +194,7 @@ final class StackScenes {
     for (int i = 0; i < 19; i++) {
       int height = 2 + i % 4;
       for (int j = 0; j < height; j++) {
-        free(s, new Box(0.45f, 0.45f), -16 + 2 * i, 0.45f + 0.9f * j, Palette.bright(i % 6));
+        free(s, new Box(0.45f, 0.45f), -16 + 2 * i, 0.45f + 0.9f * j, SceneColors.bright(i % 6));
       }
     }
     s.eachTick(
@@ -198,7 +202,7 @@ final class StackScenes {
           if (tick == 150) {
             s.body(
                 new BodyDef(BodyType.DYNAMIC)
-                    .shape(new Circle(1), Palette.of(Palette.STEEL).withDensity(6))
+                    .shape(new Circle(1), SceneColors.of(SceneColors.STEEL).withDensity(6))
                     .position(-20, 1)
                     .velocity(13, 0)
                     .angularVelocity(-13));
@@ -215,13 +219,13 @@ final class StackScenes {
             new Box(0.4f, 0.4f),
             (i - 4) * 0.82f,
             1.4f + 0.8f * j,
-            Palette.mix(Palette.WOOD, Palette.CORAL, j / 6f));
+            SceneColors.mix(SceneColors.WOOD, SceneColors.CORAL, j / 6f));
       }
     }
     for (int side = -1; side <= 1; side += 2) {
-      fixed(s, new Box(0.5f, 0.4f), side * 3, 0.4f, 0, Props.STONE);
+      fixed(s, new Box(0.5f, 0.4f), side * 3, 0.4f, 0, SceneBodies.STONE);
     }
-    free(s, new Box(3.8f, 0.1f), 0, 0.9f, Palette.STEEL);
+    free(s, new Box(3.8f, 0.1f), 0, 0.9f, SceneColors.STEEL);
     s.eachTick(
         tick -> {
           if (tick % 300 == 180) {
@@ -234,10 +238,10 @@ final class StackScenes {
     trough(s, 12, 12);
     for (int lane = 0; lane < 4; lane++) {
       float y = 1 + 2.5f * lane;
-      fixed(s, new Box(0.005f, 1), 4, y, 0, Palette.of(Palette.STEEL));
-      fixed(s, new Box(0.9f, 0.05f), 6, y - 0.5f, 0, Props.STONE);
+      fixed(s, new Box(0.005f, 1), 4, y, 0, SceneColors.of(SceneColors.STEEL));
+      fixed(s, new Box(0.9f, 0.05f), 6, y - 0.5f, 0, SceneBodies.STONE);
       for (int i = 0; i < 3; i++) {
-        free(s, new Box(0.2f, 0.2f), 6, y - 0.25f + 0.4f * i, Palette.bright(lane));
+        free(s, new Box(0.2f, 0.2f), 6, y - 0.25f + 0.4f * i, SceneColors.bright(lane));
       }
     }
     s.eachTick(
@@ -249,7 +253,7 @@ final class StackScenes {
                     .bullet(true)
                     .shape(
                         shot % 2 == 0 ? new Circle(0.1f) : new Box(0.16f, 0.06f),
-                        Palette.of(Palette.bright(shot)).withDensity(4))
+                        SceneColors.of(SceneColors.bright(shot)).withDensity(4))
                     .position(-11, 1 + 2.5f * (shot % 4))
                     .velocity(1000, 0)
                     .angularVelocity(shot % 3 * 20));

@@ -1,4 +1,4 @@
-package carom.game;
+package carom.game.arena;
 
 import carom.physics.Body;
 import carom.physics.BodyContactVisitor;

@@ -1,10 +1,11 @@
-package carom.sim.scene;
+package carom.sim.scene.catalog;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.physics.Body;
 import carom.physics.BodyType;
+import carom.sim.scene.SceneRun;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;

@@ -1,4 +1,4 @@
-package carom.sim.scene;
+package carom.sim.scene.catalog;
 
 import carom.physics.Body;
 import carom.physics.BodyDef;
@@ -15,6 +15,10 @@ import carom.physics.math.Transform;
 import carom.physics.particles.ParticleDef;
 import carom.physics.particles.Particles;
 import carom.sim.SimRandom;
+import carom.sim.scene.Scene;
+import carom.sim.scene.SceneColors;
+import carom.sim.scene.Stage;
+import carom.sim.scene.View;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
@@ -371,7 +375,7 @@ public final class BenchmarkScenes {
           Particles water =
               s.particles(
                   new ParticleDef(ParticleDef.Kind.WATER, spacing).maxCount(particles),
-                  Palette.WATER);
+                  SceneColors.WATER);
           water.fill(new Box(half, half), new Transform(-half, half, 0), 0, 0);
         });
   }

@@ -1,4 +1,4 @@
-package carom.sim.scene;
+package carom.sim.scene.catalog;
 
 import carom.physics.Body;
 import carom.physics.BodyDef;
@@ -9,6 +9,10 @@ import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Trig;
+import carom.sim.scene.Scene;
+import carom.sim.scene.SceneColors;
+import carom.sim.scene.Stage;
+import carom.sim.scene.View;
 import java.util.List;
 
 /**
@@ -43,17 +47,17 @@ final class TrafficScenes {
 
   /** Turns round when it should be near an end, and hops now and then. */
   private static <T> void plough(Stage<T> s) {
-    Props.trough(s, 47, 20);
+    SceneBodies.trough(s, 47, 20);
     Shape box = new Box(SMALL, SMALL);
     for (int k = 0; k < 900; k++) {
       int row = k / 150;
       float x = (k % 150 - 74.5f) * 0.6f;
-      Props.free(s, box, x, SMALL + 2 * SMALL * row, Palette.bright(row));
+      SceneBodies.free(s, box, x, SMALL + 2 * SMALL * row, SceneColors.bright(row));
     }
     Body<T> big =
         s.body(
             new BodyDef(BodyType.DYNAMIC)
-                .shape(new Box(1.5f, 1.5f), Palette.of(Palette.CORAL).withDensity(4))
+                .shape(new Box(1.5f, 1.5f), SceneColors.of(SceneColors.CORAL).withDensity(4))
                 .position(-46, 1.6f));
     s.eachTick(
         tick -> {
@@ -69,7 +73,7 @@ final class TrafficScenes {
       int row = k / 30;
       s.body(
           new BodyDef(BodyType.DYNAMIC)
-              .shape(box, Palette.of(Palette.bright(row)))
+              .shape(box, SceneColors.of(SceneColors.bright(row)))
               .linearDamping(3)
               .angularDamping(3)
               .position((k % 30 - 14.5f) * 1.2f, (row - 14.5f) * 1.2f));
@@ -77,7 +81,7 @@ final class TrafficScenes {
     Body<T> big =
         s.body(
             new BodyDef(BodyType.DYNAMIC)
-                .shape(new Circle(1.5f), Palette.of(Palette.CORAL).withDensity(6))
+                .shape(new Circle(1.5f), SceneColors.of(SceneColors.CORAL).withDensity(6))
                 .position(-20, 0));
     // Round a circle whose centre walks round another: the tip of a compass that is being turned.
     s.eachTick(
@@ -92,7 +96,7 @@ final class TrafficScenes {
   }
 
   private static void churn(Stage<?> s) {
-    Material wall = Props.STONE.withFriction(0.9f);
+    Material wall = SceneBodies.STONE.withFriction(0.9f);
     s.body(
         new BodyDef(BodyType.KINEMATIC)
             .shape(new Box(0.5f, 6, 6, 0), wall)
@@ -102,7 +106,7 @@ final class TrafficScenes {
             .angularVelocity(1.2f));
     for (int k = 0; k < 600; k++) {
       int row = k / 24;
-      Props.free(s, Props.some(k), (k % 24 - 11.5f) * 0.4f, (row - 12) * 0.4f, Palette.bright(k));
+      SceneBodies.free(s, SceneBodies.some(k), (k % 24 - 11.5f) * 0.4f, (row - 12) * 0.4f, SceneColors.bright(k));
     }
   }
 }

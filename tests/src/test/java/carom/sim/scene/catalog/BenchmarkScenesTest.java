@@ -1,4 +1,4 @@
-package carom.sim.scene;
+package carom.sim.scene.catalog;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.physics.World;
+import carom.sim.scene.SceneReport;
+import carom.sim.scene.SceneRun;
 import java.util.Map;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;

@@ -1,9 +1,9 @@
-package carom.sim.scene;
+package carom.sim.scene.catalog;
 
-import static carom.sim.scene.Props.fixed;
-import static carom.sim.scene.Props.floor;
-import static carom.sim.scene.Props.free;
-import static carom.sim.scene.Props.trough;
+import static carom.sim.scene.catalog.SceneBodies.fixed;
+import static carom.sim.scene.catalog.SceneBodies.floor;
+import static carom.sim.scene.catalog.SceneBodies.free;
+import static carom.sim.scene.catalog.SceneBodies.trough;
 
 import carom.physics.Body;
 import carom.physics.BodyDef;
@@ -18,6 +18,10 @@ import carom.physics.geometry.Chain;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Polygon;
 import carom.physics.geometry.Shape;
+import carom.sim.scene.Scene;
+import carom.sim.scene.SceneColors;
+import carom.sim.scene.Stage;
+import carom.sim.scene.View;
 import java.util.List;
 
 /** Show scenes: what is held together. */
@@ -69,14 +73,14 @@ final class JointScenes {
   }
 
   private static <T> void bridge(Stage<T> s) {
-    fixed(s, new Box(3, 3), -13, 0, 0, Props.STONE);
-    fixed(s, new Box(3, 3), 13, 0, 0, Props.STONE);
+    fixed(s, new Box(3, 3), -13, 0, 0, SceneBodies.STONE);
+    fixed(s, new Box(3, 3), 13, 0, 0, SceneBodies.STONE);
     int planks = 25;
     Body<T> left = null;
     for (int i = 0; i <= planks; i++) {
       float x = -10 + 20f * i / planks;
       Body<T> plank =
-          i == planks ? null : free(s, new Box(0.38f, 0.12f), x + 0.4f, 2.85f, Palette.WOOD);
+          i == planks ? null : free(s, new Box(0.38f, 0.12f), x + 0.4f, 2.85f, SceneColors.WOOD);
       Body<T> right = plank == null ? left : plank;
       s.joint(JointDef.revolute(plank == null ? null : left, right, x, 2.85f).breaksAt(900, 1e6f));
       left = plank;
@@ -92,7 +96,7 @@ final class JointScenes {
                 k % 2 == 0 ? new Box(size, size) : new Circle(size),
                 x,
                 11,
-                Palette.of(Palette.bright(k)).withDensity(1.5f));
+                SceneColors.of(SceneColors.bright(k)).withDensity(1.5f));
           }
         });
   }
@@ -106,17 +110,17 @@ final class JointScenes {
       Body<T> body =
           s.body(
               new BodyDef(BodyType.DYNAMIC)
-                  .shape(link, Palette.of(Palette.STEEL), Filter.DEFAULT.withGroup(-1))
+                  .shape(link, SceneColors.of(SceneColors.STEEL), Filter.DEFAULT.withGroup(-1))
                   .position(-0.3f - 0.6f * i, 12));
       s.joint(JointDef.revolute(last, body, -0.6f * i, 12));
       last = body;
     }
     Body<T> ball =
-        free(s, new Circle(1.1f), -0.6f * links - 1, 12, Palette.of(0x39424f).withDensity(6));
+        free(s, new Circle(1.1f), -0.6f * links - 1, 12, SceneColors.of(0x39424f).withDensity(6));
     s.joint(JointDef.revolute(last, ball, -0.6f * links, 12));
     for (int i = 0; i < 4; i++) {
       for (int j = 0; j < 12; j++) {
-        int rgb = Palette.mix(Palette.CORAL, Palette.WOOD, (i + j) % 3 / 2f);
+        int rgb = SceneColors.mix(SceneColors.CORAL, SceneColors.WOOD, (i + j) % 3 / 2f);
         free(s, new Box(0.4f, 0.3f), 3 + 0.81f * i, 0.3f + 0.6f * j, rgb);
       }
     }
@@ -132,17 +136,17 @@ final class JointScenes {
       ground[2 * i] = x;
       ground[2 * i + 1] = (float) (bumps + 0.12 * rim * rim);
     }
-    s.body(new BodyDef().shape(Chain.open(ground), Props.STONE.withFriction(1)));
+    s.body(new BodyDef().shape(Chain.open(ground), SceneBodies.STONE.withFriction(1)));
     Polygon chassis =
         Polygon.of(
             -1.6f, -0.3f, 1.6f, -0.3f, 1.7f, 0.1f, 0.7f, 0.25f, 0.2f, 0.75f, -1.1f, 0.75f, -1.6f,
             0.2f);
-    Body<T> car = free(s, chassis, -12, 3, Palette.CORAL);
+    Body<T> car = free(s, chassis, -12, 3, SceneColors.CORAL);
     Material rubber = new Material(1, 1.5f, 0.1f).withTag(0x39424f);
     List<Joint<T>> axles =
         List.of(axle(s, car, -13, 2.5f, rubber), axle(s, car, -10.9f, 2.5f, rubber));
     for (int i = 0; i < 8; i++) {
-      free(s, Props.some(i), -3 + 1.3f * i, 3, Palette.bright(i));
+      free(s, SceneBodies.some(i), -3 + 1.3f * i, 3, SceneColors.bright(i));
     }
     s.eachTick(
         tick -> {
@@ -161,9 +165,9 @@ final class JointScenes {
 
   private static <T> void ragdolls(Stage<T> s) {
     for (int i = 0; i < 9; i++) {
-      fixed(s, new Box(1.5f, 0.4f), -12 + 3 * i, 8.4f - i, 0, Props.STONE);
+      fixed(s, new Box(1.5f, 0.4f), -12 + 3 * i, 8.4f - i, 0, SceneBodies.STONE);
     }
-    fixed(s, new Box(0.25f, 3), 13.8f, 2.5f, 0, Props.STONE);
+    fixed(s, new Box(0.25f, 3), 13.8f, 2.5f, 0, SceneBodies.STONE);
     for (int i = 0; i < 6; i++) {
       ragdoll(s, -10 + 1.8f * i, 11 + 1.2f * (i % 3), i);
     }
@@ -172,9 +176,9 @@ final class JointScenes {
   /** A figure of ten parts, 1.9 m tall, hips at (x, y). */
   private static <T> void ragdoll(Stage<T> s, float x, float y, int number) {
     Filter own = Filter.DEFAULT.withGroup(-1 - number);
-    Material shirt = Palette.of(Palette.bright(number));
-    Material skin = Palette.of(0xf0c9a4);
-    Material trousers = Palette.of(Palette.mix(Palette.bright(number), 0x1b2330, 0.6f));
+    Material shirt = SceneColors.of(SceneColors.bright(number));
+    Material skin = SceneColors.of(0xf0c9a4);
+    Material trousers = SceneColors.of(SceneColors.mix(SceneColors.bright(number), 0x1b2330, 0.6f));
     Body<T> torso = part(s, new Capsule(0, 0.1f, 0, 0.55f, 0.17f), x, y, shirt, own);
     torso.setVelocity(3, 1);
     Body<T> head = part(s, new Circle(0.17f), x, y + 0.92f, skin, own);
@@ -200,23 +204,23 @@ final class JointScenes {
   }
 
   private static <T> void softWheels(Stage<T> s) {
-    fixed(s, new Box(9, 0.4f), -8, 3.4f, -0.28f, Props.STONE);
+    fixed(s, new Box(9, 0.4f), -8, 3.4f, -0.28f, SceneBodies.STONE);
     floor(s, 30);
     for (int i = 0; i < 6; i++) {
-      fixed(s, new Circle(0.5f), 2 + 2.4f * i, -0.2f, 0, Props.STONE);
+      fixed(s, new Circle(0.5f), 2 + 2.4f * i, -0.2f, 0, SceneBodies.STONE);
     }
-    fixed(s, new Box(0.4f, 2), 17, 2, 0, Props.STONE);
-    softWheel(s, -13, 7.6f, 1.6f, 4, Palette.TEAL);
-    softWheel(s, -9, 7, 1.3f, 8, Palette.VIOLET);
-    softWheel(s, -5.5f, 6, 1.1f, 14, Palette.AMBER);
+    fixed(s, new Box(0.4f, 2), 17, 2, 0, SceneBodies.STONE);
+    softWheel(s, -13, 7.6f, 1.6f, 4, SceneColors.TEAL);
+    softWheel(s, -9, 7, 1.3f, 8, SceneColors.VIOLET);
+    softWheel(s, -5.5f, 6, 1.1f, 14, SceneColors.AMBER);
   }
 
   private static <T> void softWheel(
       Stage<T> s, float x, float y, float radius, float hertz, int rgb) {
     int n = 20;
     Filter own = Filter.DEFAULT.withGroup(-Math.round(hertz));
-    float half = radius * Props.PI / n;
-    Body<T> hub = part(s, new Circle(0.25f * radius), x, y, Palette.of(Palette.STEEL), own);
+    float half = radius * SceneBodies.PI / n;
+    Body<T> hub = part(s, new Circle(0.25f * radius), x, y, SceneColors.of(SceneColors.STEEL), own);
     Body<T> first = null;
     Body<T> before = null;
     for (int i = 0; i < n; i++) {
@@ -226,7 +230,7 @@ final class JointScenes {
       Body<T> tread =
           s.body(
               new BodyDef(BodyType.DYNAMIC)
-                  .shape(new Capsule(0, -half, 0, half, 0.12f), Palette.of(rgb), own)
+                  .shape(new Capsule(0, -half, 0, half, 0.12f), SceneColors.of(rgb), own)
                   .position(px, py)
                   .angle((float) a));
       s.joint(JointDef.distance(hub, tread, x, y, px, py).spring(hertz, 0.3f));
@@ -248,14 +252,14 @@ final class JointScenes {
   }
 
   private static <T> void springs(Stage<T> s) {
-    fixed(s, new Box(7, 0.2f), 0, 8.2f, 0, Props.STONE);
+    fixed(s, new Box(7, 0.2f), 0, 8.2f, 0, SceneBodies.STONE);
     float[] ratios = {0, 0.03f, 0.1f, 0.3f, 0.7f, 1, 3};
     for (int i = 0; i < ratios.length; i++) {
       float x = -6 + 2 * i;
       Body<T> weight =
           s.body(
               new BodyDef(BodyType.DYNAMIC)
-                  .shape(new Box(0.5f, 0.5f), Palette.of(Palette.bright(i)))
+                  .shape(new Box(0.5f, 0.5f), SceneColors.of(SceneColors.bright(i)))
                   .fixedRotation(true)
                   .position(x, 3.5f));
       s.joint(JointDef.distance(null, weight, x, 8, x, 3.5f).rest(2.5f).spring(0.8f, ratios[i]));
@@ -263,7 +267,7 @@ final class JointScenes {
   }
 
   private static <T> void ropes(Stage<T> s) {
-    fixed(s, new Box(11, 0.2f), 0, 10.2f, 0, Props.STONE);
+    fixed(s, new Box(11, 0.2f), 0, 10.2f, 0, SceneBodies.STONE);
     floor(s, 20);
     for (int k = 0; k < 5; k++) {
       float x = -9.5f + 3.6f * k;
@@ -276,7 +280,7 @@ final class JointScenes {
                 new BodyDef(BodyType.DYNAMIC)
                     .shape(
                         new Capsule(0, 0, 0.35f, 0, 0.07f),
-                        Palette.of(Palette.bright(k)),
+                        SceneColors.of(SceneColors.bright(k)),
                         Filter.DEFAULT.withGroup(-1))
                     .position(lx, 9));
         s.joint(JointDef.revolute(last, link, lx, 9));
@@ -285,10 +289,10 @@ final class JointScenes {
       float end = x + 0.35f * links;
       float radius = 0.2f + 0.1f * k;
       Body<T> weight =
-          free(s, new Circle(radius), end, 9, Palette.of(Palette.STEEL).withDensity(1.5f));
+          free(s, new Circle(radius), end, 9, SceneColors.of(SceneColors.STEEL).withDensity(1.5f));
       s.joint(JointDef.revolute(last, weight, end, 9));
     }
-    Body<T> lamp = free(s, new Box(0.7f, 0.3f), 8, 5, Palette.AMBER);
+    Body<T> lamp = free(s, new Box(0.7f, 0.3f), 8, 5, SceneColors.AMBER);
     s.joint(JointDef.rope(null, lamp, 7, 9, 7.4f, 5.3f, 4.2f));
     s.joint(JointDef.rope(null, lamp, 9, 9, 8.6f, 5.3f, 4.2f));
     lamp.setVelocity(4, 0);
@@ -299,27 +303,27 @@ final class JointScenes {
     Body<T> mill =
         s.body(
             new BodyDef(BodyType.DYNAMIC)
-                .shape(new Box(2.2f, 0.12f), Palette.of(Palette.TEAL))
-                .shape(new Box(0.12f, 2.2f), Palette.of(Palette.TEAL))
+                .shape(new Box(2.2f, 0.12f), SceneColors.of(SceneColors.TEAL))
+                .shape(new Box(0.12f, 2.2f), SceneColors.of(SceneColors.TEAL))
                 .position(-10, 3.4f));
     s.joint(JointDef.revolute(null, mill, -10, 3.4f).motor(2, 400));
-    Body<T> plank = free(s, new Box(2.4f, 0.12f), -4, 0.9f, Palette.WOOD);
-    fixed(s, Polygon.of(-0.5f, 0, 0.5f, 0, 0, 0.75f), -4, 0, 0, Props.STONE);
+    Body<T> plank = free(s, new Box(2.4f, 0.12f), -4, 0.9f, SceneColors.WOOD);
+    fixed(s, Polygon.of(-0.5f, 0, 0.5f, 0, 0, 0.75f), -4, 0, 0, SceneBodies.STONE);
     s.joint(JointDef.revolute(null, plank, -4, 0.9f).limits(-0.3f, 0.3f));
-    Body<T> lift = free(s, new Box(1.2f, 0.15f), 1, 1, Palette.STEEL);
+    Body<T> lift = free(s, new Box(1.2f, 0.15f), 1, 1, SceneColors.STEEL);
     Joint<T> rail =
         s.joint(JointDef.prismatic(null, lift, 1, 1, 0, 1).limits(-0.5f, 5).motor(1, 500));
-    Body<T> crank = free(s, new Box(0.9f, 0.12f), 6, 2.5f, Palette.CORAL);
+    Body<T> crank = free(s, new Box(0.9f, 0.12f), 6, 2.5f, SceneColors.CORAL);
     s.joint(JointDef.revolute(null, crank, 5.2f, 2.5f).motor(3, 800));
-    Body<T> rod = free(s, new Box(1.1f, 0.1f), 7.9f, 2.5f, Palette.AMBER);
+    Body<T> rod = free(s, new Box(1.1f, 0.1f), 7.9f, 2.5f, SceneColors.AMBER);
     s.joint(JointDef.revolute(crank, rod, 6.8f, 2.5f));
-    Body<T> piston = free(s, new Box(0.4f, 0.4f), 9, 2.5f, Palette.STEEL);
+    Body<T> piston = free(s, new Box(0.4f, 0.4f), 9, 2.5f, SceneColors.STEEL);
     s.joint(JointDef.revolute(rod, piston, 9, 2.5f));
     s.joint(JointDef.prismatic(null, piston, 9, 2.5f, 1, 0));
-    Body<T> platform = free(s, new Box(1.3f, 0.15f), 8, 6, Palette.VIOLET);
+    Body<T> platform = free(s, new Box(1.3f, 0.15f), 8, 6, SceneColors.VIOLET);
     Joint<T> path = s.joint(JointDef.motor(null, platform, 3000, 3000));
     for (int i = 0; i < 14; i++) {
-      free(s, Props.some(i), -6 + 1.1f * i, 8 + i % 3, Palette.bright(i));
+      free(s, SceneBodies.some(i), -6 + 1.1f * i, 8 + i % 3, SceneColors.bright(i));
     }
     s.eachTick(
         tick -> {

@@ -1,8 +1,8 @@
-package carom.sim.scene;
+package carom.sim.scene.catalog;
 
-import static carom.sim.scene.Props.fixed;
-import static carom.sim.scene.Props.floor;
-import static carom.sim.scene.Props.free;
+import static carom.sim.scene.catalog.SceneBodies.fixed;
+import static carom.sim.scene.catalog.SceneBodies.floor;
+import static carom.sim.scene.catalog.SceneBodies.free;
 
 import carom.physics.Body;
 import carom.physics.BodyDef;
@@ -14,6 +14,10 @@ import carom.physics.Material;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Polygon;
+import carom.sim.scene.Scene;
+import carom.sim.scene.SceneColors;
+import carom.sim.scene.Stage;
+import carom.sim.scene.View;
 import java.util.List;
 
 /** Show scenes: joints that couple two motions. */
@@ -56,13 +60,13 @@ final class CoupledScenes {
 
   private static <T> void gears(Stage<T> s) {
     floor(s, 20);
-    Wheel<T> drive = wheel(s, -9, 4, 10, 0, Palette.CORAL);
-    Wheel<T> large = mesh(s, drive, 0, 24, Palette.STEEL);
-    Wheel<T> small = mesh(s, large, Math.PI / 4, 8, Palette.AMBER);
-    Wheel<T> pinion = mesh(s, small, 0, 16, Palette.TEAL);
+    Wheel<T> drive = wheel(s, -9, 4, 10, 0, SceneColors.CORAL);
+    Wheel<T> large = mesh(s, drive, 0, 24, SceneColors.STEEL);
+    Wheel<T> small = mesh(s, large, Math.PI / 4, 8, SceneColors.AMBER);
+    Wheel<T> pinion = mesh(s, small, 0, 16, SceneColors.TEAL);
     float x = (float) (pinion.x + pinion.radius());
     float y = (float) pinion.y - 1.8f;
-    Material brass = Palette.of(Palette.VIOLET);
+    Material brass = SceneColors.of(SceneColors.VIOLET);
     BodyDef def = new BodyDef(BodyType.DYNAMIC).position(x, y);
     def.shape(new Box(0.15f, 4, 0.15f + TOOTH, 0), brass, FOR_SHOW);
     double teeth = pinion.phase * pinion.teeth / (2 * Math.PI);
@@ -79,7 +83,7 @@ final class CoupledScenes {
     s.joint(JointDef.rack(pinion.body, rack, 0, 1, (float) pinion.radius()));
     for (int i = 0; i < 5; i++) {
       int row = i / 2;
-      free(s, new Box(0.4f, 0.4f), x + 1.5f + i % 2, y - 1.4f + 0.8f * row, Palette.bright(i));
+      free(s, new Box(0.4f, 0.4f), x + 1.5f + i % 2, y - 1.4f + 0.8f * row, SceneColors.bright(i));
     }
     s.eachTick(tick -> drive.hinge.setMotor(tick % 300 < 150 ? -1.2f : 1.2f, 3000));
   }
@@ -93,9 +97,9 @@ final class CoupledScenes {
       float cos = (float) StrictMath.cos(a);
       float sin = (float) StrictMath.sin(a);
       def.shape(
-          tooth(cos, sin, (float) radius * cos, (float) radius * sin), Palette.of(rgb), FOR_SHOW);
+          tooth(cos, sin, (float) radius * cos, (float) radius * sin), SceneColors.of(rgb), FOR_SHOW);
     }
-    def.shape(new Circle((float) radius - TOOTH), Palette.of(rgb), FOR_SHOW);
+    def.shape(new Circle((float) radius - TOOTH), SceneColors.of(rgb), FOR_SHOW);
     Body<T> body = s.body(def);
     Joint<T> hinge = s.joint(JointDef.revolute(null, body, (float) x, (float) y));
     return new Wheel<>(body, hinge, x, y, teeth, phase);
@@ -137,10 +141,10 @@ final class CoupledScenes {
 
   private static <T> void pulleys(Stage<T> s) {
     floor(s, 20);
-    fixed(s, new Box(11, 0.2f), 1, 10.2f, 0, Props.STONE);
+    fixed(s, new Box(11, 0.2f), 1, 10.2f, 0, SceneBodies.STONE);
     hang(s, crate(s, -8, 1.5f, 1, 0), crate(s, -5, 4, 1.5f, 1), 1);
     hang(s, crate(s, -1, 5, 1, 2), crate(s, 2, 1.5f, 1.8f, 3), 2);
-    Material wicker = Palette.of(Palette.WOOD);
+    Material wicker = SceneColors.of(SceneColors.WOOD);
     Body<T> basket =
         s.body(
             new BodyDef(BodyType.DYNAMIC)
@@ -154,7 +158,7 @@ final class CoupledScenes {
         tick -> {
           if (tick % 45 == 30 && tick < 45 * 14) {
             int k = tick / 45;
-            Material ball = Palette.of(Palette.bright(k)).withDensity(1.2f);
+            Material ball = SceneColors.of(SceneColors.bright(k)).withDensity(1.2f);
             free(s, new Circle(0.25f), 5.5f + 0.25f * (k % 5), 8, ball);
           }
         });
@@ -163,7 +167,7 @@ final class CoupledScenes {
   private static <T> Body<T> crate(Stage<T> s, float x, float y, float mass, int k) {
     return s.body(
         new BodyDef(BodyType.DYNAMIC)
-            .shape(new Box(0.5f, 0.5f), Palette.of(Palette.bright(k)).withDensity(mass))
+            .shape(new Box(0.5f, 0.5f), SceneColors.of(SceneColors.bright(k)).withDensity(mass))
             .fixedRotation(true)
             .position(x, y));
   }
@@ -174,7 +178,7 @@ final class CoupledScenes {
     for (float x : new float[] {a.x(), b.x()}) {
       s.body(
           new BodyDef()
-              .shape(new Circle(0.25f), Palette.of(Palette.STEEL), FOR_SHOW)
+              .shape(new Circle(0.25f), SceneColors.of(SceneColors.STEEL), FOR_SHOW)
               .position(x, top));
     }
     float ay = a.y() + 0.5f;

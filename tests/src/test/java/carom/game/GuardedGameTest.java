@@ -1,7 +1,8 @@
-package carom.sim;
+package carom.game;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import carom.sim.Game;
 import java.lang.reflect.Method;
 import org.junit.jupiter.api.Test;
 

@@ -1,7 +1,12 @@
-package carom.sim;
+package carom.game;
 
 import carom.physics.Collision;
 import carom.physics.WorldDef;
+import carom.sim.Entity;
+import carom.sim.Game;
+import carom.sim.Input;
+import carom.sim.Player;
+import carom.sim.Simulation;
 import carom.sim.event.Audience;
 import carom.sim.level.Level;
 import java.util.Objects;

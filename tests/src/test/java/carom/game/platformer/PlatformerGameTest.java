@@ -1,4 +1,4 @@
-package carom.game;
+package carom.game.platformer;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.game.Games;
+import carom.game.GamesTest;
 import carom.physics.Body;
 import carom.sim.Entity;
 import carom.sim.Input;

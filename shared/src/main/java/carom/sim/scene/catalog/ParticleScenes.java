@@ -1,8 +1,8 @@
-package carom.sim.scene;
+package carom.sim.scene.catalog;
 
-import static carom.sim.scene.Props.fixed;
-import static carom.sim.scene.Props.free;
-import static carom.sim.scene.Props.trough;
+import static carom.sim.scene.catalog.SceneBodies.fixed;
+import static carom.sim.scene.catalog.SceneBodies.free;
+import static carom.sim.scene.catalog.SceneBodies.trough;
 
 import carom.physics.Body;
 import carom.physics.BodyDef;
@@ -17,6 +17,10 @@ import carom.physics.math.Transform;
 import carom.physics.particles.Emitter;
 import carom.physics.particles.ParticleDef;
 import carom.physics.particles.Particles;
+import carom.sim.scene.Scene;
+import carom.sim.scene.SceneColors;
+import carom.sim.scene.Stage;
+import carom.sim.scene.View;
 import java.util.List;
 
 /** Show scenes: water and sand among bodies. */
@@ -46,17 +50,17 @@ final class ParticleScenes {
 
   private static void damBreak(Stage<?> s) {
     trough(s, 12, 8);
-    Particles water = s.particles(new ParticleDef(ParticleDef.Kind.WATER, 0.15f), Palette.WATER);
+    Particles water = s.particles(new ParticleDef(ParticleDef.Kind.WATER, 0.15f), SceneColors.WATER);
     water.fill(new Box(2.9f, 3), new Transform(-9, 3.1f, 0), 0, 0);
     Body<?> gate =
         s.body(
             new BodyDef(BodyType.KINEMATIC)
-                .shape(new Box(0.15f, 3.4f), Palette.of(Palette.STEEL))
+                .shape(new Box(0.15f, 3.4f), SceneColors.of(SceneColors.STEEL))
                 .position(-5.9f, 3.4f));
     for (int row = 0; row < 5; row++) {
       for (int i = 0; i < 5 - row; i++) {
         float x = 5 + (i - (4 - row) / 2f) * 1.02f;
-        free(s, new Box(0.5f, 0.5f), x, row + 0.5f, Palette.of(Palette.WOOD).withDensity(0.4f));
+        free(s, new Box(0.5f, 0.5f), x, row + 0.5f, SceneColors.of(SceneColors.WOOD).withDensity(0.4f));
       }
     }
     s.eachTick(tick -> gate.setVelocity(0, tick >= 60 && tick < 150 ? 5 : 0));
@@ -67,22 +71,22 @@ final class ParticleScenes {
     Particles water =
         s.particles(
             new ParticleDef(ParticleDef.Kind.WATER, 0.14f).lifetime(13).maxCount(2000),
-            Palette.WATER);
+            SceneColors.WATER);
     Emitter spout = new Emitter(-1.7f, 10, 0, -1).width(0.6f).speed(4);
     BodyDef def =
-        new BodyDef(BodyType.DYNAMIC).position(0, 5).shape(new Circle(1), Palette.of(Palette.WOOD));
+        new BodyDef(BodyType.DYNAMIC).position(0, 5).shape(new Circle(1), SceneColors.of(SceneColors.WOOD));
     int paddles = 10;
     for (int i = 0; i < paddles; i++) {
       double a = 2 * Math.PI * i / paddles;
       float cos = (float) StrictMath.cos(a);
       float sin = (float) StrictMath.sin(a);
-      def.shape(bar(cos, sin, 0.9f, 2.4f, 0.08f), Palette.of(Palette.PAPER));
+      def.shape(bar(cos, sin, 0.9f, 2.4f, 0.08f), SceneColors.of(SceneColors.PAPER));
     }
     Body<T> wheel = s.body(def);
     s.joint(JointDef.revolute(null, wheel, 0, 5));
     for (int i = 0; i < 6; i++) {
-      Material wood = Palette.of(Palette.bright(i)).withDensity(0.35f);
-      free(s, Props.some(i), -7.5f + 3 * i, 1, wood);
+      Material wood = SceneColors.of(SceneColors.bright(i)).withDensity(0.35f);
+      free(s, SceneBodies.some(i), -7.5f + 3 * i, 1, wood);
     }
     s.eachTick(tick -> spout.emit(water, tick, 1f / Scene.DEFAULT_TICK_RATE));
   }
@@ -107,11 +111,11 @@ final class ParticleScenes {
     float wide = 3;
     float neck = 0.55f;
     BodyDef glass = new BodyDef(BodyType.KINEMATIC).position(0, 6);
-    Material pane = Palette.of(Palette.SKY);
+    Material pane = SceneColors.of(SceneColors.SKY);
     for (int side = -1; side <= 1; side += 2) {
       float w = side * wide;
       float n = side * neck;
-      glass.shape(new Box(wide + 0.5f, 0.2f, 0, side * (rim + 0.2f)), Palette.of(Palette.WOOD));
+      glass.shape(new Box(wide + 0.5f, 0.2f, 0, side * (rim + 0.2f)), SceneColors.of(SceneColors.WOOD));
       glass.shape(new Capsule(n, 0.25f, n, -0.25f, 0.1f), pane);
       for (int end = -1; end <= 1; end += 2) {
         glass.shape(new Capsule(w, end * rim, w, end * shoulder, 0.1f), pane);
@@ -127,7 +131,7 @@ final class ParticleScenes {
     int turning = 2 * Scene.DEFAULT_TICK_RATE;
     int period = 30 * Scene.DEFAULT_TICK_RATE;
     s.eachTick(
-        tick -> body.setAngularVelocity(tick % period >= period - turning ? Props.PI / 2 : 0));
-    fixed(s, new Box(10, 0.3f), 0, -0.6f, 0, Props.STONE);
+        tick -> body.setAngularVelocity(tick % period >= period - turning ? SceneBodies.PI / 2 : 0));
+    fixed(s, new Box(10, 0.3f), 0, -0.6f, 0, SceneBodies.STONE);
   }
 }

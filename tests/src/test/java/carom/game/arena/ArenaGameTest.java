@@ -1,10 +1,11 @@
-package carom.game;
+package carom.game.arena;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.game.GamesTest;
 import carom.physics.Body;
 import carom.sim.Entity;
 import carom.sim.Input;

@@ -1,10 +1,14 @@
-package carom.sim.scene;
+package carom.sim.scene.catalog;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.sim.scene.Scene;
+import carom.sim.scene.SceneReport;
+import carom.sim.scene.SceneRun;
+import carom.sim.scene.SceneState;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -12,11 +16,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Every scene of the library runs, and runs the same way again. */
-final class ScenesTest {
+public final class ScenesTest {
   private static final int TICKS = 60;
 
   /** Larger ones are covered by their small variants. */
-  static Stream<Scene> scenes() {
+  public static Stream<Scene> scenes() {
     List<Scene> small =
         List.of(
             BenchmarkScenes.pyramid(12),

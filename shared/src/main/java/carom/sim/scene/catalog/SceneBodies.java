@@ -1,4 +1,4 @@
-package carom.sim.scene;
+package carom.sim.scene.catalog;
 
 import carom.physics.Body;
 import carom.physics.BodyDef;
@@ -8,15 +8,17 @@ import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Polygon;
 import carom.physics.geometry.Shape;
+import carom.sim.scene.SceneColors;
+import carom.sim.scene.Stage;
 import java.util.ArrayList;
 import java.util.List;
 
 /** What many show scenes are made of. Lengths in metres, angles in radians. */
-final class Props {
+final class SceneBodies {
   static final float PI = (float) Math.PI;
-  static final Material STONE = Palette.of(Palette.STONE);
+  static final Material STONE = SceneColors.of(SceneColors.STONE);
 
-  private Props() {}
+  private SceneBodies() {}
 
   /** A floor whose surface is y = 0. */
   static void floor(Stage<?> s, float halfWidth) {
@@ -41,7 +43,7 @@ final class Props {
   }
 
   static <T> Body<T> free(Stage<T> s, Shape shape, float x, float y, int rgb) {
-    return free(s, shape, x, y, Palette.of(rgb));
+    return free(s, shape, x, y, SceneColors.of(rgb));
   }
 
   /** One of four shapes of about half a metre. */

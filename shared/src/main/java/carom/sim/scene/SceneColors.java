@@ -9,7 +9,7 @@ import carom.physics.geometry.Shape;
  * The colours of the scenes. A material's tag is its colour, 0xRRGGBB; tag 0 leaves the choice to
  * whoever draws.
  */
-public final class Palette {
+public final class SceneColors {
   /** What doesn't move. */
   public static final int STONE = 0x46566e;
 
@@ -25,16 +25,16 @@ public final class Palette {
   /** Liquids. */
   public static final int WATER = 0x3d8bd4;
 
-  static final int AMBER = 0xffb340;
-  static final int CORAL = 0xff6f61;
-  static final int TEAL = 0x36c5b0;
-  static final int SKY = 0x5aa9ff;
-  static final int VIOLET = 0xa58bff;
-  static final int LEAF = 0x7ed67e;
+  public static final int AMBER = 0xffb340;
+  public static final int CORAL = 0xff6f61;
+  public static final int TEAL = 0x36c5b0;
+  public static final int SKY = 0x5aa9ff;
+  public static final int VIOLET = 0xa58bff;
+  public static final int LEAF = 0x7ed67e;
 
   private static final int[] BRIGHT = {AMBER, CORAL, VIOLET, SKY, TEAL, LEAF};
 
-  private Palette() {}
+  private SceneColors() {}
 
   /**
    * A bright colour.
@@ -80,7 +80,7 @@ public final class Palette {
   }
 
   /** {@link Material#DEFAULT} in a colour. */
-  static Material of(int rgb) {
+  public static Material of(int rgb) {
     return Material.DEFAULT.withTag(rgb);
   }
 }

@@ -1,9 +1,9 @@
-package carom.sim.scene;
+package carom.sim.scene.catalog;
 
-import static carom.sim.scene.Props.fixed;
-import static carom.sim.scene.Props.floor;
-import static carom.sim.scene.Props.free;
-import static carom.sim.scene.Props.trough;
+import static carom.sim.scene.catalog.SceneBodies.fixed;
+import static carom.sim.scene.catalog.SceneBodies.floor;
+import static carom.sim.scene.catalog.SceneBodies.free;
+import static carom.sim.scene.catalog.SceneBodies.trough;
 
 import carom.physics.Body;
 import carom.physics.BodyDef;
@@ -24,6 +24,10 @@ import carom.physics.geometry.Polygon;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
 import carom.sim.SimRandom;
+import carom.sim.scene.Scene;
+import carom.sim.scene.SceneColors;
+import carom.sim.scene.Stage;
+import carom.sim.scene.View;
 import java.util.List;
 
 /** Show scenes: many bodies, sensors and filters, fluids and winds. */
@@ -79,7 +83,7 @@ final class MixedScenes {
           new BodyDef(BodyType.KINEMATIC)
               .shape(
                   Polygon.rounded(0.15f, -2.6f, -0.1f, 2.6f, -0.1f, 2.6f, 0.1f, -2.6f, 0.1f),
-                  Palette.of(Palette.STEEL))
+                  SceneColors.of(SceneColors.STEEL))
               .position(side * 4.2f, 3.2f)
               .angularVelocity(side * 1.6f));
     }
@@ -89,17 +93,17 @@ final class MixedScenes {
         float x = (column - 12.5f) * 0.66f;
         int rgb =
             left
-                ? Palette.mix(Palette.AMBER, Palette.CORAL, row % 3 / 4f)
-                : Palette.mix(Palette.SKY, Palette.VIOLET, row % 3 / 4f);
+                ? SceneColors.mix(SceneColors.AMBER, SceneColors.CORAL, row % 3 / 4f)
+                : SceneColors.mix(SceneColors.SKY, SceneColors.VIOLET, row % 3 / 4f);
         if (Math.abs(x - Math.copySign(4.2f, x)) > 2.9f || row * 0.62f > 6.4f) {
-          free(s, Props.some(row + column), x, 0.5f + 0.62f * row, rgb);
+          free(s, SceneBodies.some(row + column), x, 0.5f + 0.62f * row, rgb);
         }
       }
     }
   }
 
   private static <T> void galton(Stage<T> s) {
-    Material peg = new Material(1, 0.1f, 0.4f).withTag(Palette.STEEL);
+    Material peg = new Material(1, 0.1f, 0.4f).withTag(SceneColors.STEEL);
     for (int row = 0; row < 12; row++) {
       for (int i = 0; i <= row + 2; i++) {
         fixed(s, new Circle(0.12f), i - (row + 2) / 2f, 17 - 0.85f * row, 0, peg);
@@ -107,11 +111,11 @@ final class MixedScenes {
     }
     floor(s, 10);
     for (int i = 0; i <= 16; i++) {
-      fixed(s, new Box(0.06f, 3), i - 8, 3, 0, Props.STONE);
+      fixed(s, new Box(0.06f, 3), i - 8, 3, 0, SceneBodies.STONE);
     }
     for (int side = -1; side <= 1; side += 2) {
-      fixed(s, new Box(0.1f, 1.2f), side * 1.15f, 19.2f, side * -0.75f, Props.STONE);
-      fixed(s, new Box(0.1f, 6.6f), side * 5f, 12, side * 0.52f, Props.STONE);
+      fixed(s, new Box(0.1f, 1.2f), side * 1.15f, 19.2f, side * -0.75f, SceneBodies.STONE);
+      fixed(s, new Box(0.1f, 6.6f), side * 5f, 12, side * 0.52f, SceneBodies.STONE);
     }
     Material ball = new Material(1, 0.1f, 0.4f);
     s.eachTick(
@@ -119,7 +123,7 @@ final class MixedScenes {
           if (tick % 9 == 0 && tick < 9 * 420) {
             int k = tick / 9;
             SimRandom rng = new SimRandom(k);
-            int rgb = Palette.mix(Palette.AMBER, Palette.CORAL, k % 60 / 60f);
+            int rgb = SceneColors.mix(SceneColors.AMBER, SceneColors.CORAL, k % 60 / 60f);
             free(s, new Circle(0.17f), rng.between(-0.25f, 0.25f), 19.6f, ball.withTag(rgb));
           }
         });
@@ -146,7 +150,7 @@ final class MixedScenes {
       int row = i / 9;
       s.body(
           new BodyDef(BodyType.DYNAMIC)
-              .shape(kinds[i % kinds.length], Palette.of(Palette.bright(i % kinds.length)))
+              .shape(kinds[i % kinds.length], SceneColors.of(SceneColors.bright(i % kinds.length)))
               .position((i % 9 - 4) * 2 + 0.3f * (row % 2), 2 + 1.4f * row)
               .angle(0.7f * i));
     }
@@ -154,16 +158,16 @@ final class MixedScenes {
 
   private static <T> void sensors(Stage<T> s) {
     trough(s, 9, 5);
-    fixed(s, new Box(3.6f, 0.2f), -5.2f, 1.4f, -0.35f, Props.STONE);
-    fixed(s, new Box(3.6f, 0.2f), 5.2f, 1.4f, 0.35f, Props.STONE);
-    Material air = Palette.of(Palette.TEAL);
+    fixed(s, new Box(3.6f, 0.2f), -5.2f, 1.4f, -0.35f, SceneBodies.STONE);
+    fixed(s, new Box(3.6f, 0.2f), 5.2f, 1.4f, 0.35f, SceneBodies.STONE);
+    Material air = SceneColors.of(SceneColors.TEAL);
     Body<T> shaft =
         s.body(
             new BodyDef()
                 .shape(new ShapeDef(new Box(1.6f, 5), air).withSensor(true))
                 .position(0, 5));
     for (int i = 0; i < 40; i++) {
-      free(s, Props.some(i), (i % 10 - 4.5f) * 1.6f, 4 + i / 10f, Palette.bright(i));
+      free(s, SceneBodies.some(i), (i % 10 - 4.5f) * 1.6f, 4 + i / 10f, SceneColors.bright(i));
     }
     s.eachTick(
         tick ->
@@ -178,13 +182,13 @@ final class MixedScenes {
 
   private static <T> void filters(Stage<T> s) {
     trough(s, 8, 10);
-    int[] colours = {Palette.CORAL, Palette.AMBER, Palette.SKY};
+    int[] colours = {SceneColors.CORAL, SceneColors.AMBER, SceneColors.SKY};
     for (int k = 0; k < 3; k++) {
       Filter sieve = new Filter(1, 2 << k);
       for (int i = -1; i <= 1; i += 2) {
         s.body(
             new BodyDef()
-                .shape(new Box(4.1f, 0.12f), Palette.of(colours[k]), sieve)
+                .shape(new Box(4.1f, 0.12f), SceneColors.of(colours[k]), sieve)
                 .position(4 * i, 2.6f + 2.2f * k)
                 .angle(0.08f * i));
       }
@@ -195,7 +199,7 @@ final class MixedScenes {
             int k = tick / 12;
             s.body(
                 new BodyDef(BodyType.DYNAMIC)
-                    .shape(Props.some(k), Palette.of(colours[k % 3]), new Filter(2 << k % 3, -1))
+                    .shape(SceneBodies.some(k), SceneColors.of(colours[k % 3]), new Filter(2 << k % 3, -1))
                     .position((k * 5 % 13 - 6) * 1.05f, 11));
           }
         });
@@ -204,7 +208,7 @@ final class MixedScenes {
   private static void buoyancy(Stage<?> s) {
     trough(s, 12, 8);
     Aabb pool = new Aabb(-12, 0, 12, 4.5f);
-    Material water = Palette.of(Palette.WATER);
+    Material water = SceneColors.of(SceneColors.WATER);
     s.body(
         new BodyDef()
             .shape(new ShapeDef(new Box(12, 2.25f), water).withSensor(true))
@@ -212,9 +216,9 @@ final class MixedScenes {
     for (int i = 0; i < 30; i++) {
       int row = i / 10;
       float density = 0.15f + 0.06f * i;
-      int rgb = Palette.mix(Palette.PAPER, 0x4a3b32, i / 29f);
-      Shape shape = i % 5 == 4 ? new Box(1, 0.2f) : Props.some(i);
-      free(s, shape, (i % 10 - 4.5f) * 2.2f, 6 + 1.3f * row, Palette.of(rgb).withDensity(density));
+      int rgb = SceneColors.mix(SceneColors.PAPER, 0x4a3b32, i / 29f);
+      Shape shape = i % 5 == 4 ? new Box(1, 0.2f) : SceneBodies.some(i);
+      free(s, shape, (i % 10 - 4.5f) * 2.2f, 6 + 1.3f * row, SceneColors.of(rgb).withDensity(density));
     }
     Buoyancy fluid = new Buoyancy(pool, 1).drag(1.5f).angularDrag(1).flow(0.6f, 0);
     s.eachTick(tick -> fluid.apply(s.world(), 1f / Scene.DEFAULT_TICK_RATE));
@@ -228,20 +232,20 @@ final class MixedScenes {
         3,
         0,
         0,
-        new Material(1, 0.6f, 0).withTag(Palette.STONE));
+        new Material(1, 0.6f, 0).withTag(SceneColors.STONE));
     BodyDef sails = new BodyDef(BodyType.DYNAMIC).position(3, 5).angularDamping(0.3f);
     Filter above = new Filter(2, 0);
-    sails.shape(new Box(2.6f, 0.1f), Palette.of(Palette.PAPER), above);
-    sails.shape(new Box(0.1f, 2.6f), Palette.of(Palette.PAPER), above);
+    sails.shape(new Box(2.6f, 0.1f), SceneColors.of(SceneColors.PAPER), above);
+    sails.shape(new Box(0.1f, 2.6f), SceneColors.of(SceneColors.PAPER), above);
     Body<T> mill = s.body(sails);
     s.joint(JointDef.revolute(null, mill, 3, 5));
     for (int i = 0; i < 80; i++) {
-      int rgb = Palette.mix(Palette.LEAF, Palette.AMBER, i % 8 / 7f);
+      int rgb = SceneColors.mix(SceneColors.LEAF, SceneColors.AMBER, i % 8 / 7f);
       s.body(
           new BodyDef(BodyType.DYNAMIC)
               .shape(
                   Polygon.rounded(0.04f, -0.2f, 0, 0, -0.07f, 0.2f, 0, 0, 0.07f),
-                  Palette.of(rgb).withDensity(0.3f),
+                  SceneColors.of(rgb).withDensity(0.3f),
                   new Filter(1, 1))
               .position(-11 + 0.27f * i, 1 + i % 7)
               .angle(i)
@@ -259,7 +263,7 @@ final class MixedScenes {
   }
 
   private static void orbits(Stage<?> s) {
-    fixed(s, new Circle(2.5f), 0, 0, 0, Palette.of(Palette.AMBER));
+    fixed(s, new Circle(2.5f), 0, 0, 0, SceneColors.of(SceneColors.AMBER));
     SimRandom rng = new SimRandom(3);
     for (int i = 0; i < 200; i++) {
       double radius = 4.5 + 7 * Math.sqrt(rng.nextFloat());
@@ -272,7 +276,7 @@ final class MixedScenes {
           new BodyDef(BodyType.DYNAMIC)
               .shape(
                   new Circle(0.1f + 0.12f * rng.nextFloat()),
-                  new Material(1, 0.2f, 0.5f).withTag(Palette.bright(i)))
+                  new Material(1, 0.2f, 0.5f).withTag(SceneColors.bright(i)))
               .position((float) radius * cos, (float) radius * sin)
               .velocity((float) -v * sin, (float) v * cos));
     }

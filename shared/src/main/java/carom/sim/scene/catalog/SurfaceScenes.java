@@ -1,9 +1,9 @@
-package carom.sim.scene;
+package carom.sim.scene.catalog;
 
-import static carom.sim.scene.Props.fixed;
-import static carom.sim.scene.Props.floor;
-import static carom.sim.scene.Props.free;
-import static carom.sim.scene.Props.trough;
+import static carom.sim.scene.catalog.SceneBodies.fixed;
+import static carom.sim.scene.catalog.SceneBodies.floor;
+import static carom.sim.scene.catalog.SceneBodies.free;
+import static carom.sim.scene.catalog.SceneBodies.trough;
 
 import carom.physics.Body;
 import carom.physics.BodyDef;
@@ -16,13 +16,17 @@ import carom.physics.geometry.Box;
 import carom.physics.geometry.Capsule;
 import carom.physics.geometry.Chain;
 import carom.physics.geometry.Circle;
+import carom.sim.scene.Scene;
+import carom.sim.scene.SceneColors;
+import carom.sim.scene.Stage;
+import carom.sim.scene.View;
 import java.util.ArrayList;
 import java.util.List;
 
 /** Show scenes: what surfaces do. */
 final class SurfaceScenes {
   /** Marks the surfaces that hold only what comes from above. */
-  private static final int ONE_WAY = Palette.LEAF;
+  private static final int ONE_WAY = SceneColors.LEAF;
 
   private SurfaceScenes() {}
 
@@ -71,21 +75,21 @@ final class SurfaceScenes {
           -1.8f * side,
           9.2f - 2.5f * i,
           0.06f * side,
-          belt.withTag(Palette.mix(Palette.STONE, Palette.TEAL, 0.35f)));
+          belt.withTag(SceneColors.mix(SceneColors.STONE, SceneColors.TEAL, 0.35f)));
     }
     s.eachTick(
         tick -> {
           if (tick % 40 == 0) {
             int k = tick / 40;
-            free(s, Props.some(k), -6 + 0.3f * (k % 3), 11, Palette.bright(k));
-            Props.sweep(s, -8);
+            free(s, SceneBodies.some(k), -6 + 0.3f * (k % 3), 11, SceneColors.bright(k));
+            SceneBodies.sweep(s, -8);
           }
         });
   }
 
   private static <T> void oneWayPlatforms(Stage<T> s) {
     trough(s, 10, 9);
-    Material grass = Palette.of(ONE_WAY);
+    Material grass = SceneColors.of(ONE_WAY);
     for (int row = 0; row < 3; row++) {
       for (int i = 0; i < 3; i++) {
         float x = (i - 1) * 6 + (row % 2) * 2 - 1;
@@ -95,7 +99,7 @@ final class SurfaceScenes {
     }
     List<Body<T>> jumpers = new ArrayList<>();
     for (int i = 0; i < 16; i++) {
-      Body<T> jumper = free(s, Props.some(i), -8 + 1.06f * i, 0.5f, Palette.bright(i));
+      Body<T> jumper = free(s, SceneBodies.some(i), -8 + 1.06f * i, 0.5f, SceneColors.bright(i));
       jumpers.add(jumper);
     }
     s.eachTick(
@@ -142,7 +146,7 @@ final class SurfaceScenes {
     floor(s, 12);
     for (int i = 0; i <= 10; i++) {
       float e = i / 10f;
-      Material m = new Material(1, 0.6f, e).withTag(Palette.mix(Palette.STEEL, Palette.CORAL, e));
+      Material m = new Material(1, 0.6f, e).withTag(SceneColors.mix(SceneColors.STEEL, SceneColors.CORAL, e));
       free(s, new Circle(0.5f), -7.5f + 1.5f * i, 7, m);
     }
   }
@@ -152,13 +156,13 @@ final class SurfaceScenes {
     float cos = (float) StrictMath.cos(slope);
     float sin = (float) StrictMath.sin(slope);
     floor(s, 20);
-    fixed(s, new Box(11, 0.25f), 0, 4.8f, -slope, new Material(1, 1, 0).withTag(Palette.STONE));
-    fixed(s, new Box(0.25f, 2), 12, 2, 0, Props.STONE);
+    fixed(s, new Box(11, 0.25f), 0, 4.8f, -slope, new Material(1, 1, 0).withTag(SceneColors.STONE));
+    fixed(s, new Box(0.25f, 2), 12, 2, 0, SceneBodies.STONE);
     for (int i = 0; i < 10; i++) {
       // Friction mixes as sqrt(f1 f2), and the slope has 1. The slippery ones are lowest.
       float f = 0.29f + 0.04f * i;
       float along = 9 - 1.9f * i;
-      int rgb = Palette.mix(Palette.SKY, Palette.CORAL, i / 9f);
+      int rgb = SceneColors.mix(SceneColors.SKY, SceneColors.CORAL, i / 9f);
       s.body(
           new BodyDef(BodyType.DYNAMIC)
               .shape(new Box(0.5f, 0.35f), new Material(1, f * f, 0).withTag(rgb))
@@ -170,13 +174,13 @@ final class SurfaceScenes {
   private static void rolling(Stage<?> s) {
     for (int i = 0; i < 7; i++) {
       float y = 0.3f + 1.9f * i;
-      fixed(s, new Box(13.5f, 0.1f), 0, y, 0, Props.STONE);
-      fixed(s, new Box(0.1f, 0.5f), 13.4f, y + 0.6f, 0, Props.STONE);
+      fixed(s, new Box(13.5f, 0.1f), 0, y, 0, SceneBodies.STONE);
+      fixed(s, new Box(0.1f, 0.5f), 13.4f, y + 0.6f, 0, SceneBodies.STONE);
       float c = i == 0 ? 0 : 0.1f * i / 6;
       Material m =
           new Material(1, 0.9f, 0.2f)
               .withRollingResistance(c)
-              .withTag(Palette.mix(Palette.TEAL, Palette.VIOLET, i / 6f));
+              .withTag(SceneColors.mix(SceneColors.TEAL, SceneColors.VIOLET, i / 6f));
       s.body(
           new BodyDef(BodyType.DYNAMIC)
               .shape(new Circle(0.55f), m)
@@ -194,7 +198,7 @@ final class SurfaceScenes {
       hills[2 * i] = x;
       hills[2 * i + 1] = (float) (0.8 * StrictMath.cos(0.7 * x) + 0.012 * x * x - 0.5);
     }
-    s.body(new BodyDef().shape(Chain.open(hills), Props.STONE));
+    s.body(new BodyDef().shape(Chain.open(hills), SceneBodies.STONE));
     int corners = 40;
     float[] bowl = new float[2 * corners];
     for (int i = 0; i < corners; i++) {
@@ -204,16 +208,16 @@ final class SurfaceScenes {
     }
     s.body(
         new BodyDef(BodyType.KINEMATIC)
-            .shape(Chain.loop(bowl), Palette.of(Palette.STEEL))
+            .shape(Chain.loop(bowl), SceneColors.of(SceneColors.STEEL))
             .position(0, 6.5f)
             .angularVelocity(0.8f));
     for (int i = 0; i < 24; i++) {
       int row = i / 5;
-      free(s, Props.some(i), -1.4f + 0.7f * (i % 5), 5.6f + 0.6f * row, Palette.bright(i));
+      free(s, SceneBodies.some(i), -1.4f + 0.7f * (i % 5), 5.6f + 0.6f * row, SceneColors.bright(i));
     }
     for (int i = 0; i < 10; i++) {
       int side = i % 2 == 0 ? -1 : 1;
-      free(s, new Circle(0.4f), side * (8 + 0.85f * i), 6, Palette.bright(i));
+      free(s, new Circle(0.4f), side * (8 + 0.85f * i), 6, SceneColors.bright(i));
     }
   }
 }
