@@ -28,7 +28,7 @@ public final class Games {
   private Games() {}
 
   /**
-   * A new instance, for one simulation.
+   * Returns a new instance, for one simulation.
    *
    * @throws IllegalArgumentException when there is no such game; the message lists those there are
    */
@@ -54,7 +54,7 @@ public final class Games {
             + broken);
   }
 
-  /** The names of all games, sorted. */
+  /** Returns the names of all games, sorted. */
   public static List<String> names() {
     List<String> names = new ArrayList<>();
     all(new StringBuilder()).forEach(game -> names.add(game.name()));
@@ -85,7 +85,7 @@ public final class Games {
     return games;
   }
 
-  /** What a game's own constructor threw tells more than that it threw. */
+  /** Returns what a game's own constructor threw tells more than that it threw. */
   private static String reason(Error e) {
     Throwable cause = e.getCause();
     return cause == null ? e.toString() : e.getMessage() + ": " + cause;

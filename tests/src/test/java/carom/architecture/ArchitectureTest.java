@@ -140,7 +140,9 @@ final class ArchitectureTest {
     allow("carom.physics.particles", "carom.physics..");
     allow("carom.sim.event");
     allow("carom.sim.level", "carom.physics..");
-    allow("carom.sim", "carom.physics..", "carom.sim.level", "carom.sim.event");
+    allow("carom.sim.history", "carom.physics..", "carom.sim.level");
+    allow(
+        "carom.sim", "carom.physics..", "carom.sim.level", "carom.sim.event", "carom.sim.history");
     allow("carom.sim.scene", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.event");
     allow(
         "carom.sim.scene.catalog",

@@ -196,7 +196,7 @@ public final class PlatformerGame implements Game {
     }
   }
 
-  /** A box whose lower corners are cut, so that it glides over seams and edges. */
+  /** Returns a box whose lower corners are cut, so that it glides over seams and edges. */
   private static Polygon figure() {
     float w = PLAYER_WIDTH / 2;
     float h = PLAYER_HEIGHT / 2;

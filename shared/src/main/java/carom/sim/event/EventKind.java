@@ -33,12 +33,12 @@ public final class EventKind {
     this.fullStrength = fullStrength;
   }
 
-  /** The place in {@link EventKinds}, 0..255; what the wire carries. */
+  /** Returns the place in {@link EventKinds}, 0..255; what the wire carries. */
   public int index() {
     return index;
   }
 
-  /** What the game calls it. */
+  /** Returns what the game calls it. */
   public String name() {
     return name;
   }
@@ -58,7 +58,7 @@ public final class EventKind {
     return label;
   }
 
-  /** What it sounds like. */
+  /** Returns what it sounds like. */
   public Sound sound() {
     return sound;
   }

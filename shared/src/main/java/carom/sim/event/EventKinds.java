@@ -64,12 +64,14 @@ public final class EventKinds {
     return kind;
   }
 
-  /** How many there are. */
+  /** Returns how many there are. */
   public int size() {
     return list.size();
   }
 
-  /** The kind at an index in 0..size-1, or null outside: an index may come from the wire. */
+  /**
+   * Returns the kind at an index in 0..size-1, or null outside: an index may come from the wire.
+   */
   public EventKind get(int index) {
     return index >= 0 && index < list.size() ? list.get(index) : null;
   }

@@ -59,7 +59,7 @@ public final class Archetype {
     return def.type;
   }
 
-  /** The shapes in the body's frame, unmodifiable. */
+  /** Returns the shapes in the body's frame, unmodifiable. */
   public List<Shape> shapes() {
     return shapes;
   }
@@ -69,22 +69,22 @@ public final class Archetype {
     return reach;
   }
 
-  /** The material of each shape, unmodifiable. */
+  /** Returns the material of each shape, unmodifiable. */
   public List<Material> materials() {
     return materials;
   }
 
-  /** Whether bodies hold only what comes from above; see {@link OneWay}. */
+  /** Returns whether bodies hold only what comes from above; see {@link OneWay}. */
   public boolean oneWay() {
     return def.oneWay;
   }
 
-  /** Whether bodies touch nothing and only notice; see {@link ShapeDef}. */
+  /** Returns whether bodies touch nothing and only notice; see {@link ShapeDef}. */
   public boolean sensor() {
     return def.sensor;
   }
 
-  /** A number with a meaning of the game's own, the same on server and client. */
+  /** Returns a number with a meaning of the game's own, the same on server and client. */
   public int tag() {
     return def.tag;
   }
@@ -94,17 +94,17 @@ public final class Archetype {
     return def.spin;
   }
 
-  /** The path of a kinematic body, or null. */
+  /** Returns the path of a kinematic body, or null. */
   public ScriptedMotion motion() {
     return def.motion;
   }
 
-  /** How it is drawn. */
+  /** Returns how it is drawn. */
   public Appearance appearance() {
     return def.appearance;
   }
 
-  /** A body definition of this kind at a place; angle in radians. Allocates. */
+  /** Returns a body definition of this kind at a place; angle in radians. Allocates. */
   public BodyDef body(float x, float y, float angle) {
     BodyDef body =
         new BodyDef()

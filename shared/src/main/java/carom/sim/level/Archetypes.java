@@ -39,17 +39,20 @@ public final class Archetypes {
     return archetype;
   }
 
-  /** How many there are. */
+  /** Returns how many there are. */
   public int size() {
     return list.size();
   }
 
-  /** The archetype at an index in 0..size-1, or null outside: an index may come from the wire. */
+  /**
+   * Returns the archetype at an index in 0..size-1, or null outside: an index may come from the
+   * wire.
+   */
   public Archetype get(int index) {
     return index >= 0 && index < list.size() ? list.get(index) : null;
   }
 
-  /** The first archetype of that name, or null. Linear: for set-up, not for every tick. */
+  /** Returns the first archetype of that name, or null. Linear: for set-up, not for every tick. */
   public Archetype find(String name) {
     for (Archetype archetype : list) {
       if (archetype.name().equals(name)) {

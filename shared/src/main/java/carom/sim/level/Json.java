@@ -137,7 +137,7 @@ public final class Json {
     return object;
   }
 
-  /** The value as an error message shows it, shortened. */
+  /** Returns the value as an error message shows it, shortened. */
   String shown() {
     return switch (kind) {
       case STRING -> '"' + shortened() + '"';

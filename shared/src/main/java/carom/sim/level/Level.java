@@ -81,7 +81,7 @@ public final class Level {
    */
   public record Zone(
       String name, float minX, float minY, float maxX, float maxY, int team, int rgb) {
-    /** Whether a point lies inside or on the edge. */
+    /** Returns whether a point lies inside or on the edge. */
     public boolean contains(float x, float y) {
       return x >= minX && x <= maxX && y >= minY && y <= maxY;
     }
@@ -185,22 +185,22 @@ public final class Level {
     }
   }
 
-  /** The level's name, for people. */
+  /** Returns the level's name, for people. */
   public String name() {
     return name;
   }
 
-  /** The game it is made for. */
+  /** Returns the game it is made for. */
   public String gameName() {
     return gameName;
   }
 
-  /** A copy of the file's bytes, as {@link #parse} got them. */
+  /** Returns a copy of the file's bytes, as {@link #parse} got them. */
   public byte[] source() {
     return source.clone();
   }
 
-  /** A 64-bit number of the file's bytes (FNV-1a): equal files, equal numbers. */
+  /** Returns a 64-bit number of the file's bytes (FNV-1a): equal files, equal numbers. */
   public long contentHash() {
     long hash = 0xcbf29ce484222325L;
     for (byte b : source) {
@@ -219,7 +219,7 @@ public final class Level {
     return gravityY;
   }
 
-  /** The playing field. */
+  /** Returns the playing field. */
   public Bounds bounds() {
     return bounds;
   }
@@ -229,7 +229,9 @@ public final class Level {
     return theme;
   }
 
-  /** What the level is built of: one definition for each item in the file, statics first. */
+  /**
+   * Returns what the level is built of: one definition for each item in the file, statics first.
+   */
   public List<ArchetypeDef> archetypes() {
     return archetypes;
   }
@@ -261,12 +263,12 @@ public final class Level {
     }
   }
 
-  /** All spawn points in file order, unmodifiable. */
+  /** Returns all spawn points in file order, unmodifiable. */
   public List<Spawn> spawns() {
     return spawns;
   }
 
-  /** The spawn points of one name in file order. Allocates: for set-up. */
+  /** Returns the spawn points of one name in file order. Allocates: for set-up. */
   public List<Spawn> spawns(String spawnName) {
     List<Spawn> found = new ArrayList<>();
     for (Spawn spawn : spawns) {
@@ -277,12 +279,12 @@ public final class Level {
     return found;
   }
 
-  /** All zones in file order, unmodifiable. */
+  /** Returns all zones in file order, unmodifiable. */
   public List<Zone> zones() {
     return zones;
   }
 
-  /** The zones of one name in file order. Allocates: for set-up. */
+  /** Returns the zones of one name in file order. Allocates: for set-up. */
   public List<Zone> zones(String zoneName) {
     List<Zone> found = new ArrayList<>();
     for (Zone zone : zones) {

@@ -7,8 +7,8 @@ public final class Suggestion {
   private Suggestion() {}
 
   /**
-   * The known word nearest to the given one, or null when none is near: at most a third of its
-   * letters, and two at least, may be wrong, missing, too many or swapped with their neighbour.
+   * Returns the known word nearest to the given one, or null when none is near: at most a third of
+   * its letters, and two at least, may be wrong, missing, too many or swapped with their neighbour.
    */
   public static String nearest(String word, Collection<String> known) {
     String best = null;

@@ -37,7 +37,7 @@ public final class SceneColors {
   private SceneColors() {}
 
   /**
-   * A bright colour.
+   * Returns a bright colour.
    *
    * @param i any number; neighbours differ
    * @return 0xRRGGBB
@@ -47,7 +47,7 @@ public final class SceneColors {
   }
 
   /**
-   * A colour between two others.
+   * Returns a colour between two others.
    *
    * @param from 0xRRGGBB
    * @param to 0xRRGGBB
@@ -65,7 +65,7 @@ public final class SceneColors {
   }
 
   /**
-   * The colour of what has tag 0.
+   * Returns the colour of what has tag 0.
    *
    * @param type the body's
    * @param shape the body's first

@@ -54,7 +54,7 @@ public final class SceneGame implements Game {
   }
 
   /**
-   * The level that goes with a scene: empty, and as large as what should be seen.
+   * Returns the level that goes with a scene: empty, and as large as what should be seen.
    *
    * @param scene what there is to see
    * @return made for the game of that scene
@@ -169,7 +169,8 @@ public final class SceneGame implements Game {
     Appearance appearance =
         wall
             // Lines have nothing but their edge, which must be seen.
-            ? new Appearance(rgb, SceneColors.mix(rgb, SceneColors.STEEL, 0.5f), Appearance.Look.WALL)
+            ? new Appearance(
+                rgb, SceneColors.mix(rgb, SceneColors.STEEL, 0.5f), Appearance.Look.WALL)
             : Appearance.of(rgb);
     ArchetypeDef kind =
         new ArchetypeDef(scene.name() + "." + kinds.size())

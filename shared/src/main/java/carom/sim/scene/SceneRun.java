@@ -25,7 +25,7 @@ public final class SceneRun {
   }
 
   /**
-   * What is running.
+   * Returns what is running.
    *
    * @return its recipe
    */
@@ -34,7 +34,7 @@ public final class SceneRun {
   }
 
   /**
-   * The world, to look at or to change. The users of its bodies are null.
+   * Returns the world, to look at or to change. The users of its bodies are null.
    *
    * @return always the same
    */
@@ -43,7 +43,7 @@ public final class SceneRun {
   }
 
   /**
-   * The scene's particles.
+   * Returns the scene's particles.
    *
    * @return in the order they were made, unmodifiable; none in most scenes
    */
@@ -52,7 +52,7 @@ public final class SceneRun {
   }
 
   /**
-   * The number of steps made.
+   * Returns the number of steps made.
    *
    * @return 0 at the start
    */
@@ -61,7 +61,7 @@ public final class SceneRun {
   }
 
   /**
-   * The length of a step.
+   * Returns the length of a step.
    *
    * @return s
    */

@@ -60,7 +60,7 @@ public final class Stage<T> {
   }
 
   /**
-   * Where the scene is built.
+   * Returns where the scene is built.
    *
    * @return the world
    */
@@ -111,7 +111,7 @@ public final class Stage<T> {
   }
 
   /**
-   * All systems of particles.
+   * Returns all systems of particles.
    *
    * @return in the order they were made, unmodifiable, live
    */

@@ -113,7 +113,7 @@ public final class BenchmarkScenes {
   }
 
   /**
-   * A square drum that turns slowly, with small boxes inside.
+   * Returns a square drum that turns slowly, with small boxes inside.
    *
    * @param perSide rows and columns of boxes; 45 fill the drum to a half
    * @return a scene
@@ -189,7 +189,7 @@ public final class BenchmarkScenes {
   }
 
   /**
-   * A net of discs, hinged to their neighbours, that hangs by the middle of its upper edge.
+   * Returns a net of discs, hinged to their neighbours, that hangs by the middle of its upper edge.
    *
    * @param perSide rows and columns
    * @return a scene
@@ -229,7 +229,7 @@ public final class BenchmarkScenes {
   }
 
   /**
-   * A heavy block flies into a wall of small boxes, without gravity.
+   * Returns a heavy block flies into a wall of small boxes, without gravity.
    *
    * @param columns of boxes
    * @param rows of boxes

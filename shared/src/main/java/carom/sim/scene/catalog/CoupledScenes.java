@@ -97,7 +97,9 @@ final class CoupledScenes {
       float cos = (float) StrictMath.cos(a);
       float sin = (float) StrictMath.sin(a);
       def.shape(
-          tooth(cos, sin, (float) radius * cos, (float) radius * sin), SceneColors.of(rgb), FOR_SHOW);
+          tooth(cos, sin, (float) radius * cos, (float) radius * sin),
+          SceneColors.of(rgb),
+          FOR_SHOW);
     }
     def.shape(new Circle((float) radius - TOOTH), SceneColors.of(rgb), FOR_SHOW);
     Body<T> body = s.body(def);
@@ -105,7 +107,7 @@ final class CoupledScenes {
     return new Wheel<>(body, hinge, x, y, teeth, phase);
   }
 
-  /** A wheel whose teeth mesh with those of another one, in a direction from it, rad. */
+  /** Returns a wheel whose teeth mesh with those of another one, in a direction from it, rad. */
   private static <T> Wheel<T> mesh(
       Stage<T> s, Wheel<T> from, double direction, int teeth, int rgb) {
     double apart = from.radius() + MODULE * teeth;
@@ -123,7 +125,7 @@ final class CoupledScenes {
     return next;
   }
 
-  /** A tooth that points in a direction, around a point of the pitch line. */
+  /** Returns a tooth that points in a direction, around a point of the pitch line. */
   private static Polygon tooth(float cos, float sin, float x, float y) {
     float root = 0.3f * (float) PITCH;
     float tip = 0.15f * (float) PITCH;

@@ -50,7 +50,8 @@ final class ParticleScenes {
 
   private static void damBreak(Stage<?> s) {
     trough(s, 12, 8);
-    Particles water = s.particles(new ParticleDef(ParticleDef.Kind.WATER, 0.15f), SceneColors.WATER);
+    Particles water =
+        s.particles(new ParticleDef(ParticleDef.Kind.WATER, 0.15f), SceneColors.WATER);
     water.fill(new Box(2.9f, 3), new Transform(-9, 3.1f, 0), 0, 0);
     Body<?> gate =
         s.body(
@@ -60,7 +61,12 @@ final class ParticleScenes {
     for (int row = 0; row < 5; row++) {
       for (int i = 0; i < 5 - row; i++) {
         float x = 5 + (i - (4 - row) / 2f) * 1.02f;
-        free(s, new Box(0.5f, 0.5f), x, row + 0.5f, SceneColors.of(SceneColors.WOOD).withDensity(0.4f));
+        free(
+            s,
+            new Box(0.5f, 0.5f),
+            x,
+            row + 0.5f,
+            SceneColors.of(SceneColors.WOOD).withDensity(0.4f));
       }
     }
     s.eachTick(tick -> gate.setVelocity(0, tick >= 60 && tick < 150 ? 5 : 0));
@@ -74,7 +80,9 @@ final class ParticleScenes {
             SceneColors.WATER);
     Emitter spout = new Emitter(-1.7f, 10, 0, -1).width(0.6f).speed(4);
     BodyDef def =
-        new BodyDef(BodyType.DYNAMIC).position(0, 5).shape(new Circle(1), SceneColors.of(SceneColors.WOOD));
+        new BodyDef(BodyType.DYNAMIC)
+            .position(0, 5)
+            .shape(new Circle(1), SceneColors.of(SceneColors.WOOD));
     int paddles = 10;
     for (int i = 0; i < paddles; i++) {
       double a = 2 * Math.PI * i / paddles;
@@ -91,7 +99,7 @@ final class ParticleScenes {
     s.eachTick(tick -> spout.emit(water, tick, 1f / Scene.DEFAULT_TICK_RATE));
   }
 
-  /** A bar that points away from the origin, from one distance to another. */
+  /** Returns a bar that points away from the origin, from one distance to another. */
   private static Polygon bar(float cos, float sin, float from, float to, float half) {
     return Polygon.of(
         from * cos + half * sin,
@@ -115,7 +123,8 @@ final class ParticleScenes {
     for (int side = -1; side <= 1; side += 2) {
       float w = side * wide;
       float n = side * neck;
-      glass.shape(new Box(wide + 0.5f, 0.2f, 0, side * (rim + 0.2f)), SceneColors.of(SceneColors.WOOD));
+      glass.shape(
+          new Box(wide + 0.5f, 0.2f, 0, side * (rim + 0.2f)), SceneColors.of(SceneColors.WOOD));
       glass.shape(new Capsule(n, 0.25f, n, -0.25f, 0.1f), pane);
       for (int end = -1; end <= 1; end += 2) {
         glass.shape(new Capsule(w, end * rim, w, end * shoulder, 0.1f), pane);
@@ -131,7 +140,8 @@ final class ParticleScenes {
     int turning = 2 * Scene.DEFAULT_TICK_RATE;
     int period = 30 * Scene.DEFAULT_TICK_RATE;
     s.eachTick(
-        tick -> body.setAngularVelocity(tick % period >= period - turning ? SceneBodies.PI / 2 : 0));
+        tick ->
+            body.setAngularVelocity(tick % period >= period - turning ? SceneBodies.PI / 2 : 0));
     fixed(s, new Box(10, 0.3f), 0, -0.6f, 0, SceneBodies.STONE);
   }
 }

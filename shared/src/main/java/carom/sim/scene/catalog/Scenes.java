@@ -46,7 +46,7 @@ public final class Scenes {
   }
 
   /**
-   * The scene of a name.
+   * Returns the scene of a name.
    *
    * @param name see {@link Scene#name}
    * @return its recipe
@@ -62,7 +62,7 @@ public final class Scenes {
   }
 
   /**
-   * All scenes.
+   * Returns all scenes.
    *
    * @return sorted by name
    */
@@ -71,7 +71,7 @@ public final class Scenes {
   }
 
   /**
-   * All names.
+   * Returns all names.
    *
    * @return sorted
    */
