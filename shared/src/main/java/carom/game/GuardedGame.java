@@ -12,20 +12,22 @@ import carom.sim.level.Level;
 import java.util.Objects;
 
 /**
- * A game whose exceptions stop nobody: a callback that throws is reported, and the step goes on as
- * if it had returned. What the callback changed before it threw stays, so that a run with failures
- * is as repeatable as any other.
+ * Guards a game, so that its exceptions stop nothing. A callback that throws is reported, and the
+ * step goes on as if it had returned. What the callback changed before it threw stays, so that a
+ * run with failures is as repeatable as any other.
  *
- * <p>Set-up is not guarded: a game that can't be set up must not start.
+ * <p>Set-up is not guarded: a game that cannot be set up must not start.
  */
 public final class GuardedGame implements Game {
-  /** Hears about failures. */
+  /** Receives failures. */
   @FunctionalInterface
   public interface Watch {
     /**
-     * A callback threw.
+     * Receives the failure of a callback.
      *
-     * @param callback its name, and whom it was about
+     * @param callback its name, and the player or entity it was called for
+     * @param s the simulation that called it
+     * @param failure what it threw
      */
     void failed(String callback, Simulation s, Throwable failure);
   }
@@ -36,7 +38,8 @@ public final class GuardedGame implements Game {
   /**
    * Guards a game.
    *
-   * @param watch hears about each failure, during the step
+   * @param game the game to guard
+   * @param watch receives each failure, during the step
    */
   public GuardedGame(Game game, Watch watch) {
     this.game = game;

@@ -8,9 +8,9 @@ import carom.sim.event.EventKind;
  * jump. A game makes one with {@link Simulation#emit} and fills it in. The server sends it to each
  * client that may know of it, and each client shows it exactly once.
  *
- * <p>Events are told, never asked for. They are no part of the state, are neither hashed nor saved,
- * and nothing may depend on them. The object is mutable and reused: a listener reads it and does
- * not keep it.
+ * <p>Events are output only. They are no part of the state, are neither hashed nor saved, and
+ * nothing may depend on them. The object is mutable and reused: a listener reads it and does not
+ * keep it.
  */
 public final class Event {
   /** Stands for no player or no entity. */

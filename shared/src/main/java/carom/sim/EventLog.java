@@ -4,7 +4,8 @@ import carom.sim.event.EventKind;
 import java.util.function.Consumer;
 
 /**
- * The events of a simulation that nobody has taken yet. The places and their objects are reused.
+ * The events of a simulation that have not been drained yet. The places and their objects are
+ * reused.
  */
 final class EventLog {
   private static final int MASK = Simulation.MAX_EVENTS - 1;
@@ -33,7 +34,7 @@ final class EventLog {
     while (taken < made) {
       consumer.accept(events[(int) taken++ & MASK]);
     }
-    made = 0; // the first places again: a steady tick makes no new objects
+    made = 0; // reuse the first places: a steady tick creates no objects
     taken = 0;
   }
 

@@ -87,7 +87,7 @@ class GameJarTest {
   }
 
   @Test
-  void aBrokenOneIsToldToWhoLooksForIt() throws Throwable {
+  void aBrokenGameIsReportedWhenAnUnknownOneIsAskedFor() throws Throwable {
     try (URLClassLoader program =
         program("missing.Game", Forgetful.class.getName(), TagGame.class.getName())) {
       assertEquals(ArenaGame.class.getName(), create(program, "arena"));

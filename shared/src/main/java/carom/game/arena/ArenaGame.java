@@ -27,23 +27,26 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The arena, seen from above: two teams of discs, balls, two goals. Discs glide towards the
- * velocity their player asks for, F = k (v_goal - v), dash on {@link Input#ACTION}, and on {@link
- * Input#SECOND} give a jolt along their aim: the first ball, disc or crate within {@value
- * #JOLT_RANGE} m is pushed away, judged by what the player saw when pressing. A ball in the other
- * team's goal counts for the team and for whoever touched it last; the first team with {@value
- * #GOALS_TO_WIN} goals wins, then it starts again. There is one ball for every {@value
+ * The arena, seen from above: two teams of discs, balls, two goals. A disc glides towards the
+ * velocity its player asks for, F = k (v_goal - v), and dashes on {@link Input#ACTION}. On {@link
+ * Input#SECOND} it gives a jolt along its aim: the first ball, disc or crate within {@value
+ * #JOLT_RANGE} m is pushed away, as judged by what the player saw. A ball in the other team's goal
+ * counts for the team and for the player who touched it last. The first team with {@value
+ * #GOALS_TO_WIN} goals wins, then a new match begins. There is one ball for every {@value
  * #PLAYERS_PER_BALL} players.
  *
- * <p>What a level needs: zones {@code goal} and {@code home} for the teams 1 and 2 (the goal's team
- * defends it), spawns {@code ball}. Zones {@code lamps} for both teams get a lamp for each goal
+ * <p>A level needs zones {@code goal} and {@code home} for the teams 1 and 2 (the goal's team
+ * defends it), and spawns {@code ball}. Zones {@code lamps} for both teams get a lamp for each goal
  * scored.
+ *
+ * <p>This class is longer than 500 lines because it is an example to copy: all rules of a game
+ * stand in one place, in the order in which a tick uses them.
  */
 public final class ArenaGame implements Game {
-  /** Goals that win a match. */
+  /** Number of goals that win a match. */
   public static final int GOALS_TO_WIN = 5;
 
-  /** Another ball comes into play for every so many players. */
+  /** Number of players per ball. */
   public static final int PLAYERS_PER_BALL = 12;
 
   /** Speed of a disc without a dash, m/s. */
@@ -55,19 +58,19 @@ public final class ArenaGame implements Game {
   /** Time from dash to dash, seconds. */
   public static final float DASH_COOLDOWN = 1.1f;
 
-  /** How far a jolt reaches from the disc's centre, metres. */
+  /** Reach of a jolt from the disc's centre, metres. */
   public static final float JOLT_RANGE = 12;
 
   /** Time from jolt to jolt, seconds. */
   public static final float JOLT_COOLDOWN = 1.5f;
 
-  /** Hits of balls and discs faster than this are told, m/s. */
-  private static final float TOLD_HIT_SPEED = 3;
+  /** Least speed at which balls and discs hit for an event, m/s. */
+  private static final float MIN_HIT_SPEED = 3;
 
-  /** Impulse of a hit that is as loud as can be, N s: a dash into a ball. */
+  /** Impulse of the loudest hit, a dash into a ball, N s. */
   private static final float LOUD_HIT = 12;
 
-  /** Impulse of a jolt, N s: a ball leaves with 11 m/s. */
+  /** Impulse of a jolt, N s. A ball leaves with 11 m/s. */
   public static final float JOLT_IMPULSE = 6;
 
   private static final float SPARK_SECONDS = 0.2f;
@@ -86,16 +89,16 @@ public final class ArenaGame implements Game {
   private static final String[] TEAM_NAMES = {"", "Red", "Blue"};
   private static final int[] TEAM_COLORS = {0, 0xff5d5d, 0x4da3ff};
 
-  // A player's memory: what its client needs to predict a dash or a jolt.
-  private static final int COOLDOWN = 0; // ticks until a dash, and, << 16, until a jolt
-  private static final int DASH = 1; // ticks left, and what follows
+  // Layout of a player's memory: what its client needs to predict a dash or a jolt.
+  private static final int COOLDOWN = 0; // ticks until the next dash; << 16: until the next jolt
+  private static final int DASH = 1; // ticks left of a dash, and the flags below
   private static final int DASH_X = 2; // float bits
   private static final int DASH_Y = 3;
   private static final int HELD = 1 << 16;
   private static final int JOLT_HELD = 1 << 17;
-  private static final int JOLTS = 1 << 18; // in this very tick
+  private static final int JOLTS = 1 << 18; // gives a jolt in this tick
 
-  // The simulation's memory.
+  // Layout of the simulation's memory.
   private static final int GOALS = 0; // + team
   private static final int PAUSE = 3; // ticks until the next match
   private static final int BALLS = 4; // + ball * BALL_INTS
@@ -127,9 +130,9 @@ public final class ArenaGame implements Game {
   private EventKind goalEvent;
   private List<Level.Zone> goals = List.of();
   private List<Level.Spawn> kickOffs = List.of();
-  private int toucher;
+  private int lastTouch;
 
-  /** For the service loader. */
+  /** Creates the game, for the service loader. */
   public ArenaGame() {}
 
   @Override
@@ -234,7 +237,7 @@ public final class ArenaGame implements Game {
   @Override
   public void join(Simulation s, Player p) {
     p.team(size(s, 1) <= size(s, 2) ? 1 : 2);
-    embody(s, p);
+    giveBody(s, p);
   }
 
   @Override
@@ -242,7 +245,7 @@ public final class ArenaGame implements Game {
     for (int i = 0; i < MAX_BALLS; i++) {
       for (int field = BALL_TOUCHED; field <= BALL_TOUCHED_BEFORE; field++) {
         if (ball(s, i, field) == p.id() + 1) {
-          ball(s, i, field, 0); // the id may be somebody else's soon
+          ball(s, i, field, 0); // another player may get the id
         }
       }
     }
@@ -290,7 +293,7 @@ public final class ArenaGame implements Game {
     face(body, x, y, length);
   }
 
-  /** Turns a disc towards where it wants to go; only for the eye, discs don't roll. */
+  /** Turns a disc towards its movement. This is for the eye only: discs don't roll. */
   private static void face(Body<Entity> body, float x, float y, float length) {
     if (length < 0.1f) {
       body.setAngularVelocity(0);
@@ -306,14 +309,17 @@ public final class ArenaGame implements Game {
   public void hit(Simulation s, Collision<Entity> c) {
     Entity a = c.self().user();
     Entity b = c.other().user();
-    if (c.hitSpeed() < TOLD_HIT_SPEED || !(isTold(a) || isTold(b))) {
+    if (c.hitSpeed() < MIN_HIT_SPEED || !(isHeard(a) || isHeard(b))) {
       return;
     }
     s.emit(hitEvent).at(c.hitX(), c.hitY()).of(a).with(b).strength(c.impulse());
   }
 
-  /** Balls and discs; what crates do among themselves is nobody's business. */
-  private boolean isTold(Entity e) {
+  /**
+   * Returns whether hits of an entity emit events: those of balls and discs do, those among crates
+   * don't.
+   */
+  private boolean isHeard(Entity e) {
     return e.archetype() == ball || e.ownerId() != Entity.NO_OWNER;
   }
 
@@ -359,7 +365,7 @@ public final class ArenaGame implements Game {
     bringBack(s);
   }
 
-  /** Pushes what the player saw in front of it, where it is now. */
+  /** Pushes the body that the player saw in front of it, where that body is now. */
   private void jolt(Simulation s, Player p) {
     jolter = p.body().body();
     float wayX = JOLT_RANGE * Trig.cos(p.input().aim());
@@ -374,7 +380,7 @@ public final class ArenaGame implements Game {
       target.applyImpulse(wayX * scale, wayY * scale);
     }
     s.emit(joltHitEvent).at(hit.x(), hit.y()).of(target.user()).by(p).strength(JOLT_IMPULSE);
-    light(s, p, hit.x(), hit.y());
+    showSpark(s, p, hit.x(), hit.y());
   }
 
   private boolean isInTheWay(Body<Entity> body, int shape) {
@@ -382,16 +388,16 @@ public final class ArenaGame implements Game {
   }
 
   /**
-   * Shows everybody where a jolt has hit, for a moment or until the player leaves; when there are
-   * too many, the one longest there goes.
+   * Shows all players where a jolt has hit, for a moment or until the player leaves. When there are
+   * too many sparks, the oldest one goes.
    */
-  private void light(Simulation s, Player p, float x, float y) {
+  private void showSpark(Simulation s, Player p, float x, float y) {
     int[] m = s.memory();
     int oldest = SPARKS;
     for (int i = SPARKS; i < SPARKS + 2 * MAX_SPARKS; i += 2) {
       oldest = m[i + 1] < m[oldest + 1] ? i : oldest;
     }
-    putOut(s, oldest);
+    removeSpark(s, oldest);
     m[oldest] = s.spawn(spark, x, y, 0, p).id() + 1;
     m[oldest + 1] = s.ticks(SPARK_SECONDS);
   }
@@ -400,12 +406,12 @@ public final class ArenaGame implements Game {
     int[] m = s.memory();
     for (int i = SPARKS; i < SPARKS + 2 * MAX_SPARKS; i += 2) {
       if (m[i] != 0 && --m[i + 1] == 0) {
-        putOut(s, i);
+        removeSpark(s, i);
       }
     }
   }
 
-  private static void putOut(Simulation s, int i) {
+  private static void removeSpark(Simulation s, int i) {
     Entity old = s.entity(s.memory()[i] - 1);
     if (old != null) {
       s.despawn(old);
@@ -416,11 +422,11 @@ public final class ArenaGame implements Game {
 
   private void followBall(Simulation s, int i, Entity e) {
     Body<Entity> body = e.body();
-    toucher = 0;
+    lastTouch = 0;
     body.forEachContact(touch);
-    if (toucher != 0 && toucher != ball(s, i, BALL_TOUCHED)) {
+    if (lastTouch != 0 && lastTouch != ball(s, i, BALL_TOUCHED)) {
       ball(s, i, BALL_TOUCHED_BEFORE, ball(s, i, BALL_TOUCHED));
-      ball(s, i, BALL_TOUCHED, toucher);
+      ball(s, i, BALL_TOUCHED, lastTouch);
     }
     float speed2 = body.velocityX() * body.velocityX() + body.velocityY() * body.velocityY();
     if (speed2 > BALL_MAX_SPEED * BALL_MAX_SPEED) {
@@ -440,7 +446,7 @@ public final class ArenaGame implements Game {
     }
   }
 
-  /** For how many ticks players have failed to get the ball away from one place. */
+  /** Returns for how many ticks the ball has stayed around one place since it was first played. */
   private int idle(Simulation s, int i, Body<Entity> body) {
     Level.Spawn spot = kickOffs.get(i % kickOffs.size());
     float dx = body.x() - Float.intBitsToFloat(ball(s, i, BALL_PLACE_X));
@@ -459,7 +465,7 @@ public final class ArenaGame implements Game {
 
   private void touched(Body<Entity> other, float normalX, float normalY, float impulse) {
     if (other.user().ownerId() != Entity.NO_OWNER) {
-      toucher = other.user().ownerId() + 1;
+      lastTouch = other.user().ownerId() + 1;
     }
   }
 
@@ -527,26 +533,29 @@ public final class ArenaGame implements Game {
       Player p = s.player(id);
       if (p != null) {
         p.score(0);
-        embody(s, p);
+        giveBody(s, p);
       }
     }
     s.notice("New match: first to " + GOALS_TO_WIN + " goals");
   }
 
-  /** Moves the newest players of the larger team over, until the teams differ by one at most. */
+  /**
+   * Moves the newest players of the larger team to the other one, until the sizes differ by one at
+   * most.
+   */
   private void balance(Simulation s) {
     for (int id = s.playerCapacity() - 1; id >= 0; id--) {
       int more = size(s, 1) - size(s, 2);
       Player p = s.player(id);
       if (p != null && ((more > 1 && p.team() == 1) || (more < -1 && p.team() == 2))) {
         p.team(TEAMS + 1 - p.team());
-        embody(s, p);
+        giveBody(s, p);
         s.notice(p.name() + " now plays for " + TEAM_NAMES[p.team()]);
       }
     }
   }
 
-  /** Brings players and crates back that left the field, and crates that block a goal. */
+  /** Brings back players and crates that left the field, and crates that block a goal. */
   private void bringBack(Simulation s) {
     Level.Bounds bounds = s.level().bounds();
     for (int id = 0; id < s.playerCapacity(); id++) {
@@ -554,7 +563,7 @@ public final class ArenaGame implements Game {
       if (p != null && p.body() != null) {
         Body<Entity> body = p.body().body();
         if (!bounds.contains(body.x(), body.y())) {
-          embody(s, p);
+          giveBody(s, p);
         }
       }
     }
@@ -580,8 +589,8 @@ public final class ArenaGame implements Game {
     }
   }
 
-  /** Gives a player a new body at a free place of its team's home. */
-  private void embody(Simulation s, Player p) {
+  /** Gives a player a new body at a free place of the team's home. */
+  private void giveBody(Simulation s, Player p) {
     if (p.body() != null) {
       s.despawn(p.body());
     }
@@ -620,7 +629,7 @@ public final class ArenaGame implements Game {
     return true;
   }
 
-  /** One lamp for each goal that wins, lit for those scored. */
+  /** Places one lamp for each goal that wins, and lights one for each goal scored. */
   private void setLamps(Simulation s) {
     for (Level.Zone zone : s.level().zones("lamps")) {
       int team = zone.team();

@@ -26,24 +26,23 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * A platformer, seen from the side: run, jump, collect coins, be first at the flag. The flag is
- * worth {@value #FLAG_POINTS} coins and then stands somewhere else; the first with {@value
- * #POINTS_TO_WIN} points wins, then it starts again.
+ * The platformer, seen from the side: run, jump, collect coins, be first at the flag. The flag is
+ * worth {@value #FLAG_POINTS} coins and then moves to another place. The first player with {@value
+ * #POINTS_TO_WIN} points wins, then a new round begins.
  *
- * <p>Jumping forgives: shortly after leaving an edge it still works (coyote time), shortly before
- * landing it already counts (jump buffer), and letting go of the button early makes a small jump.
- * One moves relative to what one stands on, so moving platforms carry. Down drops through one-way
- * platforms.
+ * <p>Jumping forgives. It still works shortly after leaving an edge (coyote time), it already
+ * counts shortly before landing (jump buffer), and releasing the button early makes a small jump.
+ * Players move relative to the body they stand on, so moving platforms carry them. Down drops
+ * through one-way platforms.
  *
- * <p>What a level needs: spawns {@code player}, which are the places to come back to as well,
- * spawns {@code coin} and {@code flag}. Who falls below the bounds is back at the nearest spawn a
- * second later.
+ * <p>A level needs spawns {@code player}, where players also come back, and spawns {@code coin} and
+ * {@code flag}. A player who falls below the bounds is back at the nearest spawn a second later.
  */
 public final class PlatformerGame implements Game {
-  /** Points that win a round. */
+  /** Number of points that win a round. */
   public static final int POINTS_TO_WIN = 60;
 
-  /** Points for the flag; a coin is 1. */
+  /** Number of points for the flag. A coin is 1 point. */
   public static final int FLAG_POINTS = 10;
 
   /** Running speed, m/s. */
@@ -55,14 +54,16 @@ public final class PlatformerGame implements Game {
   /** Width of a player, metres. */
   public static final float PLAYER_WIDTH = 0.8f;
 
-  /** Height of a player, metres; the body's origin is in the middle. */
+  /** Height of a player, metres. The body's origin is in the middle. */
   public static final float PLAYER_HEIGHT = 1.4f;
 
   private static final float GROUND_STEER = 16; // k / mass, 1/s
   private static final float AIR_STEER = 6;
-  private static final float AIR_DRAG = 2; // without a direction
-  private static final float CUT_GRAVITY =
-      30; // on top while rising with the button released, m/s^2
+  private static final float AIR_DRAG = 2; // 1/s, without a direction
+
+  /** Extra gravity while a player rises with the button released, m/s^2. */
+  private static final float CUT_GRAVITY = 30;
+
   private static final float MAX_FALL = 18;
   private static final float COYOTE_SECONDS = 0.1f;
   private static final float BUFFER_SECONDS = 0.12f;
@@ -76,7 +77,7 @@ public final class PlatformerGame implements Game {
     0xef476f, 0xffd166, 0x06d6a0, 0x4cc9f0, 0xb388eb, 0xf78c6b, 0x9ef01a, 0xff9ebb
   };
 
-  // A player's memory: what its client needs to predict a jump.
+  // Layout of a player's memory: what its client needs to predict a jump.
   private static final int COYOTE = 0; // ticks in which a jump is possible
   private static final int BUFFER = 1; // ticks in which a jump is wanted
   private static final int DROP = 2; // ticks in which one-way platforms don't hold
@@ -87,7 +88,7 @@ public final class PlatformerGame implements Game {
   private static final int WAIT = 0;
   private static final int PLACE = 1;
 
-  // The simulation's memory.
+  // Layout of the simulation's memory.
   private static final int FLAG = 0; // entity id + 1
   private static final int FLAG_PLACE = 1;
   private static final int FLAG_WAIT = 2;
@@ -96,12 +97,13 @@ public final class PlatformerGame implements Game {
   private final Archetype[] kinds = new Archetype[COLORS.length];
 
   /**
-   * A contact whose normal points down that much is ground: slopes up to 53 degrees. What rests on
-   * the player's bevelled edge (50 degrees) is, or whoever is wedged between crates couldn't jump.
+   * Largest upward part of the normal from the player to a contact that counts as ground: slopes up
+   * to 53 degrees. The player's bevelled edge (50 degrees) counts, or a player wedged between
+   * crates could not jump.
    */
-  private static final float STANDS = -0.6f;
+  private static final float MAX_GROUND_NORMAL = -0.6f;
 
-  private final BodyContactVisitor<Entity> ground = this::standsOn;
+  private final BodyContactVisitor<Entity> groundFinder = this::findGround;
   private EventKind jumpEvent;
   private EventKind coinEvent;
   private EventKind flagEvent;
@@ -117,7 +119,7 @@ public final class PlatformerGame implements Game {
   private float groundY;
   private boolean groundOneWay;
 
-  /** For the service loader. */
+  /** Creates the game, for the service loader. */
   public PlatformerGame() {}
 
   @Override
@@ -196,7 +198,7 @@ public final class PlatformerGame implements Game {
     }
   }
 
-  /** Returns a box whose lower corners are cut, so that it glides over seams and edges. */
+  /** Returns a box whose corners are cut, so that it glides over seams and edges. */
   private static Polygon figure() {
     float w = PLAYER_WIDTH / 2;
     float h = PLAYER_HEIGHT / 2;
@@ -221,7 +223,7 @@ public final class PlatformerGame implements Game {
 
   @Override
   public void join(Simulation s, Player p) {
-    embody(s, p, p.id() % places.size());
+    giveBody(s, p, p.id() % places.size());
   }
 
   @Override
@@ -232,7 +234,7 @@ public final class PlatformerGame implements Game {
     groundX = 0;
     groundY = 0;
     groundOneWay = false;
-    body.forEachContact(ground);
+    body.forEachContact(groundFinder);
     boolean held = in.held(Input.JUMP);
     boolean pressed = held && (m[STATE] & HELD) == 0;
     boolean jumping = (m[STATE] & JUMPING) != 0 && body.velocityY() > groundY;
@@ -264,8 +266,8 @@ public final class PlatformerGame implements Game {
     }
   }
 
-  private void standsOn(Body<Entity> other, float normalX, float normalY, float impulse) {
-    if (normalY < STANDS && impulse > groundImpulse) {
+  private void findGround(Body<Entity> other, float normalX, float normalY, float impulse) {
+    if (normalY < MAX_GROUND_NORMAL && impulse > groundImpulse) {
       groundImpulse = impulse;
       groundX = other.velocityX();
       groundY = other.velocityY();
@@ -305,7 +307,7 @@ public final class PlatformerGame implements Game {
     for (int id = 0; id < s.playerCapacity(); id++) {
       Player p = s.player(id);
       if (p != null && p.body() == null && --p.memory()[WAIT] <= 0) {
-        embody(s, p, p.memory()[PLACE]);
+        giveBody(s, p, p.memory()[PLACE]);
       }
     }
   }
@@ -339,7 +341,10 @@ public final class PlatformerGame implements Game {
     }
   }
 
-  /** Jumping out of the upper edge is fine, gravity brings one back. */
+  /**
+   * Returns whether a body is inside the bounds but for their upper edge. A player may jump out of
+   * that edge, because gravity brings it back.
+   */
   private static boolean insideSidesAndFloor(Simulation s, Body<Entity> body) {
     Level.Bounds b = s.level().bounds();
     return body.x() >= b.minX() && body.x() <= b.maxX() && body.y() >= b.minY();
@@ -391,7 +396,7 @@ public final class PlatformerGame implements Game {
     s.memory()[COINS + 2 * i] = s.spawn(coin, spot.x(), spot.y(), 0, null).id() + 1;
   }
 
-  /** Puts the flag somewhere else than last time. */
+  /** Puts the flag at another place than last time. */
   private void placeFlag(Simulation s) {
     int[] m = s.memory();
     if (flags.size() > 1) {
@@ -415,8 +420,8 @@ public final class PlatformerGame implements Game {
     return nearest;
   }
 
-  /** Gives a player a body at a spawn, above whoever stands there already. */
-  private void embody(Simulation s, Player p, int place) {
+  /** Gives a player a body at a spawn, above any player who stands there already. */
+  private void giveBody(Simulation s, Player p, int place) {
     Level.Spawn spot = places.get(place);
     Arrays.fill(p.memory(), 0);
     float y = spot.y();

@@ -44,17 +44,17 @@ public final class Archetype {
     return reach;
   }
 
-  /** Position among the simulation's {@link Archetypes}, from 0. */
+  /** Returns its position among the simulation's {@link Archetypes}, from 0. */
   public int index() {
     return index;
   }
 
-  /** Its name, for people and for {@link Archetypes#find}. */
+  /** Returns its name, for people and for {@link Archetypes#find}. */
   public String name() {
     return def.name;
   }
 
-  /** Static, kinematic or dynamic. */
+  /** Returns whether its bodies are static, kinematic or dynamic. */
   public BodyType type() {
     return def.type;
   }
@@ -74,12 +74,15 @@ public final class Archetype {
     return materials;
   }
 
-  /** Returns whether bodies hold only what comes from above; see {@link OneWay}. */
+  /** Returns whether its bodies carry only what comes from above; see {@link OneWay}. */
   public boolean oneWay() {
     return def.oneWay;
   }
 
-  /** Returns whether bodies touch nothing and only notice; see {@link ShapeDef}. */
+  /**
+   * Returns whether its bodies are sensors, which detect overlaps and collide with nothing; see
+   * {@link ShapeDef}.
+   */
   public boolean sensor() {
     return def.sensor;
   }
@@ -89,7 +92,7 @@ public final class Archetype {
     return def.tag;
   }
 
-  /** Constant turning speed of a kinematic body, rad/s, counterclockwise. */
+  /** Returns the constant angular velocity of a kinematic body, rad/s, counterclockwise. */
   public float spin() {
     return def.spin;
   }
@@ -99,12 +102,12 @@ public final class Archetype {
     return def.motion;
   }
 
-  /** Returns how it is drawn. */
+  /** Returns how its entities are drawn. */
   public Appearance appearance() {
     return def.appearance;
   }
 
-  /** Returns a body definition of this kind at a place; angle in radians. Allocates. */
+  /** Returns a new body definition for a place; the angle is in radians. Allocates. */
   public BodyDef body(float x, float y, float angle) {
     BodyDef body =
         new BodyDef()

@@ -6,30 +6,41 @@ import carom.physics.geometry.Circle;
 import carom.physics.geometry.Shape;
 
 /**
- * The colours of the scenes. A material's tag is its colour, 0xRRGGBB; tag 0 leaves the choice to
- * whoever draws.
+ * The colours of the scenes. A material's tag is its colour, 0xRRGGBB. Tag 0 leaves the choice to
+ * the renderer, see {@link #untagged}.
  */
 public final class SceneColors {
-  /** What doesn't move. */
+  /** Grey blue, for what does not move. */
   public static final int STONE = 0x46566e;
 
-  /** Metal. */
+  /** Light grey, for metal. */
   public static final int STEEL = 0x9fb0c6;
 
-  /** Planks and crates. */
+  /** Light brown, for planks and crates. */
   public static final int WOOD = 0xd9a566;
 
-  /** Paper and cards. */
+  /** Off-white, for paper and cards. */
   public static final int PAPER = 0xf1ebdd;
 
-  /** Liquids. */
+  /** Blue, for liquids. */
   public static final int WATER = 0x3d8bd4;
 
+  /** Orange yellow. */
   public static final int AMBER = 0xffb340;
+
+  /** Orange red. */
   public static final int CORAL = 0xff6f61;
+
+  /** Blue green. */
   public static final int TEAL = 0x36c5b0;
+
+  /** Light blue. */
   public static final int SKY = 0x5aa9ff;
+
+  /** Light violet. */
   public static final int VIOLET = 0xa58bff;
+
+  /** Light green. */
   public static final int LEAF = 0x7ed67e;
 
   private static final int[] BRIGHT = {AMBER, CORAL, VIOLET, SKY, TEAL, LEAF};
@@ -37,9 +48,9 @@ public final class SceneColors {
   private SceneColors() {}
 
   /**
-   * Returns a bright colour.
+   * Returns one of six bright colours.
    *
-   * @param i any number; neighbours differ
+   * @param i any number; neighbours get different colours
    * @return 0xRRGGBB
    */
   public static int bright(int i) {
@@ -51,7 +62,7 @@ public final class SceneColors {
    *
    * @param from 0xRRGGBB
    * @param to 0xRRGGBB
-   * @param share 0 = the first, 1 = the second
+   * @param share 0 for the first, 1 for the second
    * @return 0xRRGGBB
    */
   public static int mix(int from, int to, float share) {
@@ -65,7 +76,7 @@ public final class SceneColors {
   }
 
   /**
-   * Returns the colour of what has tag 0.
+   * Returns the colour of a body whose material has tag 0.
    *
    * @param type the body's
    * @param shape the body's first
@@ -79,7 +90,12 @@ public final class SceneColors {
     };
   }
 
-  /** {@link Material#DEFAULT} in a colour. */
+  /**
+   * Returns {@link Material#DEFAULT} in a colour.
+   *
+   * @param rgb 0xRRGGBB
+   * @return the material
+   */
   public static Material of(int rgb) {
     return Material.DEFAULT.withTag(rgb);
   }

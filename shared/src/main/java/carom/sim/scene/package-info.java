@@ -1,5 +1,5 @@
 /**
- * What a scene is and how it runs: a world with a name, for tests, benchmark, viewer and server.
+ * Scenes and how they run: each is a world with a name, for tests, benchmark, viewer and server.
  *
  * <p>A {@link carom.sim.scene.Scene} is a recipe. {@link carom.sim.scene.Scene#start} makes a world
  * from it that is a pure function of the recipe and the number of ticks. The scenes themselves are

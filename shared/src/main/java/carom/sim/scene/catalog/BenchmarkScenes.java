@@ -24,14 +24,14 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * The scenes that the engine is measured on, in any size. Every number is computed in double
- * precision and then rounded, so that other engines can be given the same ones.
+ * Makes the scenes on which the engine is measured, in any size. Every number is computed in double
+ * precision and then rounded, so that other engines can be given the same numbers.
  *
  * <p>Nothing sleeps in them and continuous collision is off, as in the other engines when they are
- * measured; pass {@link Scene#with} a definition of your own to have both.
+ * measured. Use {@link Scene#with} with a definition of your own to have both.
  */
 public final class BenchmarkScenes {
-  /** Boxes of a stack that sleeps. */
+  /** Number of boxes in a stack that sleeps. */
   private static final int STACK = 5;
 
   private static final Material IDEAL = new Material(1, 0, 1);
@@ -47,7 +47,7 @@ public final class BenchmarkScenes {
   }
 
   /**
-   * One pyramid of boxes of 1 m on a floor.
+   * Makes one pyramid of boxes of 1 m on a floor.
    *
    * @param base boxes in the lowest row; {@code base (base + 1) / 2} in all
    * @return a scene
@@ -63,12 +63,12 @@ public final class BenchmarkScenes {
         });
   }
 
-  /** A static box(100, 1) whose surface is y = 0. */
+  /** Makes a static box of half-extents (100, 1) whose surface is y = 0. */
   static void ground(Stage<?> s) {
     s.body(new BodyDef().shape(new Box(100, 1)).position(0, -1));
   }
 
-  /** Rows of boxes(h, h) from the bottom up, on y0, centred at cx. */
+  /** Makes rows of boxes of half-extents (h, h) from y0 upwards, centred at cx. */
   static void pyramid(Stage<?> s, int base, double h, double cx, double y0) {
     Shape box = new Box((float) h, (float) h);
     for (int i = 0; i < base; i++) {
@@ -87,9 +87,9 @@ public final class BenchmarkScenes {
   }
 
   /**
-   * Pyramids of ten rows on shelves above each other.
+   * Makes pyramids of ten rows on shelves above each other.
    *
-   * @param shelves how many shelves
+   * @param shelves number of shelves
    * @param perShelf pyramids on each; 55 boxes each
    * @return a scene
    */
@@ -113,9 +113,9 @@ public final class BenchmarkScenes {
   }
 
   /**
-   * Returns a square drum that turns slowly, with small boxes inside.
+   * Makes a square drum that turns slowly, with small boxes inside.
    *
-   * @param perSide rows and columns of boxes; 45 fill the drum to a half
+   * @param perSide rows and columns of boxes; 45 fill half of the drum
    * @return a scene
    */
   public static Scene tumbler(int perSide) {
@@ -142,10 +142,10 @@ public final class BenchmarkScenes {
   }
 
   /**
-   * Discs, squares, pentagons and planks, turned at random, fall into a bin.
+   * Makes discs, squares, pentagons and planks, turned at random, that fall into a bin.
    *
-   * @param bodies how many
-   * @param columns how many next to each other at the start
+   * @param bodies number of bodies
+   * @param columns number of bodies side by side at the start
    * @param width of the bin inside, m; at least 0.9 per column
    * @return a scene
    */
@@ -160,7 +160,7 @@ public final class BenchmarkScenes {
         });
   }
 
-  /** A floor at y = 0 with two walls. */
+  /** Makes a floor at y = 0 with two walls. */
   static void bin(Stage<?> s, double width, double height) {
     float half = (float) (width / 2);
     s.body(new BodyDef().shape(new Box((float) (width / 2 + 2), 1)).position(0, -1));
@@ -189,7 +189,7 @@ public final class BenchmarkScenes {
   }
 
   /**
-   * Returns a net of discs, hinged to their neighbours, that hangs by the middle of its upper edge.
+   * Makes a net of discs, hinged to their neighbours, that hangs by the middle of its upper edge.
    *
    * @param perSide rows and columns
    * @return a scene
@@ -205,7 +205,7 @@ public final class BenchmarkScenes {
   private static <T> void jointGrid(Stage<T> s, int n) {
     Shape disc = new Circle(0.4f);
     Filter together = Filter.DEFAULT.withGroup(-1);
-    // Of 100 columns those from 47 to 53 are held.
+    // The middle columns are held: of 100, those from 47 to 53.
     int first = n / 2 - Math.max(1, 3 * n / 100);
     int last = n / 2 + Math.max(1, 3 * n / 100);
     List<Body<T>> bodies = new ArrayList<>();
@@ -229,7 +229,7 @@ public final class BenchmarkScenes {
   }
 
   /**
-   * Returns a heavy block flies into a wall of small boxes, without gravity.
+   * Makes a heavy block that flies into a wall of small boxes, without gravity.
    *
    * @param columns of boxes
    * @param rows of boxes
@@ -258,10 +258,10 @@ public final class BenchmarkScenes {
   }
 
   /**
-   * Frictionless, perfectly elastic discs of 0.5 m in a closed square that they cover by 2 percent,
-   * without gravity.
+   * Makes frictionless, perfectly elastic discs of 0.5 m in a closed square, without gravity. They
+   * cover 2 percent of it.
    *
-   * @param discs how many
+   * @param discs number of discs
    * @return a scene
    */
   public static Scene gas(int discs) {
@@ -313,12 +313,12 @@ public final class BenchmarkScenes {
   }
 
   /**
-   * Stacks of five boxes, asleep from the start on shelves above each other, and next to them
-   * elastic discs without weight in a closed square, which are awake for good. Nothing else moves,
-   * so a step should cost what the discs cost.
+   * Makes stacks of five boxes, asleep from the start on shelves above each other. Next to them,
+   * elastic discs without weight fly in a closed square and never sleep. Nothing else moves, so a
+   * step should cost what the discs cost.
    *
-   * @param asleep boxes, a multiple of 5
-   * @param awake discs
+   * @param asleep number of boxes, a multiple of 5
+   * @param awake number of discs
    * @return a scene
    */
   public static Scene asleep(int asleep, int awake) {
@@ -358,9 +358,9 @@ public final class BenchmarkScenes {
   }
 
   /**
-   * Water that slumps in a tank.
+   * Makes water that slumps in a tank.
    *
-   * @param particles how many
+   * @param particles number of particles
    * @return a scene
    */
   public static Scene water(int particles) {

@@ -20,18 +20,18 @@ import carom.sim.scene.Stage;
 import carom.sim.scene.View;
 import java.util.List;
 
-/** Show scenes: joints that couple two motions. */
+/** Makes the scenes of joints that couple two motions. */
 final class CoupledScenes {
-  /** The pitch circle's radius per tooth, m. */
+  /** Radius of the pitch circle per tooth, m. */
   private static final double MODULE = 0.125;
 
   /** Arc from tooth to tooth, m. */
   private static final double PITCH = 2 * Math.PI * MODULE;
 
-  /** How far teeth stick out of the pitch circle, m. */
+  /** Height of a tooth above the pitch circle, m. */
   private static final float TOOTH = 0.12f;
 
-  /** Meets nothing: the joints turn the wheels, not their teeth. */
+  /** Filter that meets nothing, because the joints turn the wheels, not their teeth. */
   private static final Filter FOR_SHOW = new Filter(2, 0);
 
   private CoupledScenes() {}
@@ -50,7 +50,7 @@ final class CoupledScenes {
             CoupledScenes::pulleys));
   }
 
-  /** A toothed wheel; the phase is the angle of a tooth at the start, rad. */
+  /** A toothed wheel. The phase is the angle of a tooth at the start, rad. */
   private record Wheel<T>(
       Body<T> body, Joint<T> hinge, double x, double y, int teeth, double phase) {
     double radius() {
@@ -107,7 +107,7 @@ final class CoupledScenes {
     return new Wheel<>(body, hinge, x, y, teeth, phase);
   }
 
-  /** Returns a wheel whose teeth mesh with those of another one, in a direction from it, rad. */
+  /** Makes a wheel whose teeth mesh with those of another one, in a direction from it, rad. */
   private static <T> Wheel<T> mesh(
       Stage<T> s, Wheel<T> from, double direction, int teeth, int rgb) {
     double apart = from.radius() + MODULE * teeth;

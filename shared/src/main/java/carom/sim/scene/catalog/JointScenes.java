@@ -24,7 +24,7 @@ import carom.sim.scene.Stage;
 import carom.sim.scene.View;
 import java.util.List;
 
-/** Show scenes: what is held together. */
+/** Makes the scenes of joints. */
 final class JointScenes {
   private JointScenes() {}
 
@@ -146,7 +146,7 @@ final class JointScenes {
     List<Joint<T>> axles =
         List.of(axle(s, car, -13, 2.5f, rubber), axle(s, car, -10.9f, 2.5f, rubber));
     for (int i = 0; i < 8; i++) {
-      free(s, SceneBodies.some(i), -3 + 1.3f * i, 3, SceneColors.bright(i));
+      free(s, SceneBodies.smallShape(i), -3 + 1.3f * i, 3, SceneColors.bright(i));
     }
     s.eachTick(
         tick -> {
@@ -173,7 +173,7 @@ final class JointScenes {
     }
   }
 
-  /** A figure of ten parts, 1.9 m tall, hips at (x, y). */
+  /** Makes a figure of ten parts, 1.9 m tall, with its hips at (x, y). */
   private static <T> void ragdoll(Stage<T> s, float x, float y, int number) {
     Filter own = Filter.DEFAULT.withGroup(-1 - number);
     Material shirt = SceneColors.of(SceneColors.bright(number));
@@ -323,7 +323,7 @@ final class JointScenes {
     Body<T> platform = free(s, new Box(1.3f, 0.15f), 8, 6, SceneColors.VIOLET);
     Joint<T> path = s.joint(JointDef.motor(null, platform, 3000, 3000));
     for (int i = 0; i < 14; i++) {
-      free(s, SceneBodies.some(i), -6 + 1.1f * i, 8 + i % 3, SceneColors.bright(i));
+      free(s, SceneBodies.smallShape(i), -6 + 1.1f * i, 8 + i % 3, SceneColors.bright(i));
     }
     s.eachTick(
         tick -> {

@@ -30,7 +30,7 @@ import carom.sim.scene.Stage;
 import carom.sim.scene.View;
 import java.util.List;
 
-/** Show scenes: many bodies, sensors and filters, fluids and winds. */
+/** Makes the scenes of many bodies, sensors, filters, fluids and winds. */
 final class MixedScenes {
   private MixedScenes() {}
 
@@ -96,7 +96,7 @@ final class MixedScenes {
                 ? SceneColors.mix(SceneColors.AMBER, SceneColors.CORAL, row % 3 / 4f)
                 : SceneColors.mix(SceneColors.SKY, SceneColors.VIOLET, row % 3 / 4f);
         if (Math.abs(x - Math.copySign(4.2f, x)) > 2.9f || row * 0.62f > 6.4f) {
-          free(s, SceneBodies.some(row + column), x, 0.5f + 0.62f * row, rgb);
+          free(s, SceneBodies.smallShape(row + column), x, 0.5f + 0.62f * row, rgb);
         }
       }
     }
@@ -167,7 +167,8 @@ final class MixedScenes {
                 .shape(new ShapeDef(new Box(1.6f, 5), air).withSensor(true))
                 .position(0, 5));
     for (int i = 0; i < 40; i++) {
-      free(s, SceneBodies.some(i), (i % 10 - 4.5f) * 1.6f, 4 + i / 10f, SceneColors.bright(i));
+      free(
+          s, SceneBodies.smallShape(i), (i % 10 - 4.5f) * 1.6f, 4 + i / 10f, SceneColors.bright(i));
     }
     s.eachTick(
         tick ->
@@ -199,7 +200,10 @@ final class MixedScenes {
             int k = tick / 12;
             s.body(
                 new BodyDef(BodyType.DYNAMIC)
-                    .shape(SceneBodies.some(k), SceneColors.of(colours[k % 3]), new Filter(2 << k % 3, -1))
+                    .shape(
+                        SceneBodies.smallShape(k),
+                        SceneColors.of(colours[k % 3]),
+                        new Filter(2 << k % 3, -1))
                     .position((k * 5 % 13 - 6) * 1.05f, 11));
           }
         });
@@ -217,8 +221,13 @@ final class MixedScenes {
       int row = i / 10;
       float density = 0.15f + 0.06f * i;
       int rgb = SceneColors.mix(SceneColors.PAPER, 0x4a3b32, i / 29f);
-      Shape shape = i % 5 == 4 ? new Box(1, 0.2f) : SceneBodies.some(i);
-      free(s, shape, (i % 10 - 4.5f) * 2.2f, 6 + 1.3f * row, SceneColors.of(rgb).withDensity(density));
+      Shape shape = i % 5 == 4 ? new Box(1, 0.2f) : SceneBodies.smallShape(i);
+      free(
+          s,
+          shape,
+          (i % 10 - 4.5f) * 2.2f,
+          6 + 1.3f * row,
+          SceneColors.of(rgb).withDensity(density));
     }
     Buoyancy fluid = new Buoyancy(pool, 1).drag(1.5f).angularDrag(1).flow(0.6f, 0);
     s.eachTick(tick -> fluid.apply(s.world(), 1f / Scene.DEFAULT_TICK_RATE));

@@ -23,7 +23,7 @@ import carom.sim.scene.Stage;
 import carom.sim.scene.View;
 import java.util.List;
 
-/** Show scenes: water and sand among bodies. */
+/** Makes the scenes of water and sand among bodies. */
 final class ParticleScenes {
   private static final int SAND = 0xe0b872;
 
@@ -94,7 +94,7 @@ final class ParticleScenes {
     s.joint(JointDef.revolute(null, wheel, 0, 5));
     for (int i = 0; i < 6; i++) {
       Material wood = SceneColors.of(SceneColors.bright(i)).withDensity(0.35f);
-      free(s, SceneBodies.some(i), -7.5f + 3 * i, 1, wood);
+      free(s, SceneBodies.smallShape(i), -7.5f + 3 * i, 1, wood);
     }
     s.eachTick(tick -> spout.emit(water, tick, 1f / Scene.DEFAULT_TICK_RATE));
   }

@@ -13,19 +13,19 @@ import carom.sim.scene.Stage;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What many show scenes are made of. Lengths in metres, angles in radians. */
+/** Makes the bodies that many scenes share. Lengths are in metres, angles in radians. */
 final class SceneBodies {
   static final float PI = (float) Math.PI;
   static final Material STONE = SceneColors.of(SceneColors.STONE);
 
   private SceneBodies() {}
 
-  /** A floor whose surface is y = 0. */
+  /** Makes a floor whose surface is y = 0. */
   static void floor(Stage<?> s, float halfWidth) {
     fixed(s, new Box(halfWidth, 0.5f), 0, -0.5f, 0, STONE);
   }
 
-  /** A floor with a wall at either end. */
+  /** Makes a floor with a wall at either end. */
   static void trough(Stage<?> s, float halfWidth, float wallHeight) {
     floor(s, halfWidth + 0.5f);
     for (int side = -1; side <= 1; side += 2) {
@@ -34,20 +34,27 @@ final class SceneBodies {
     }
   }
 
+  /** Makes a static body. */
   static <T> Body<T> fixed(Stage<T> s, Shape shape, float x, float y, float angle, Material m) {
     return s.body(new BodyDef().shape(shape, m).position(x, y).angle(angle));
   }
 
+  /** Makes a dynamic body. */
   static <T> Body<T> free(Stage<T> s, Shape shape, float x, float y, Material m) {
     return s.body(new BodyDef(BodyType.DYNAMIC).shape(shape, m).position(x, y));
   }
 
+  /** Makes a dynamic body of the default material in a colour. */
   static <T> Body<T> free(Stage<T> s, Shape shape, float x, float y, int rgb) {
     return free(s, shape, x, y, SceneColors.of(rgb));
   }
 
-  /** One of four shapes of about half a metre. */
-  static Shape some(int k) {
+  /**
+   * Returns one of four shapes of about half a metre.
+   *
+   * @param k any number; neighbours get different shapes
+   */
+  static Shape smallShape(int k) {
     return switch (Math.floorMod(k, 4)) {
       case 0 -> new Circle(0.27f);
       case 1 -> new Box(0.25f, 0.25f);
@@ -57,7 +64,7 @@ final class SceneBodies {
   }
 
   /** Removes dynamic bodies that fell below a height, so that an emitter can go on for ever. */
-  static <T> void sweep(Stage<T> s, float minY) {
+  static <T> void removeBelow(Stage<T> s, float minY) {
     List<Body<T>> gone = new ArrayList<>();
     s.world()
         .forEachBody(

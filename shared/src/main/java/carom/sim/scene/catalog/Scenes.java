@@ -6,7 +6,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeMap;
 
-/** All scenes by name. Making one is cheap; nothing is built before {@link Scene#start}. */
+/**
+ * Finds all scenes by name. Making a scene is cheap: nothing is built before {@link Scene#start}.
+ */
 public final class Scenes {
   private static final TreeMap<String, Scene> ALL = new TreeMap<>();
 
@@ -71,7 +73,7 @@ public final class Scenes {
   }
 
   /**
-   * Returns all names.
+   * Returns the names of all scenes.
    *
    * @return sorted
    */

@@ -22,7 +22,7 @@ import carom.sim.scene.Stage;
 import carom.sim.scene.View;
 import java.util.List;
 
-/** Show scenes: what stands, leans, falls and piles up. */
+/** Makes the scenes of stacks, houses and falling bodies. */
 final class StackScenes {
   private StackScenes() {}
 
@@ -112,12 +112,13 @@ final class StackScenes {
     Material steel = new Material(4, 0, 1).withTag(SceneColors.STEEL);
     int balls = 7;
     for (int i = 0; i < balls; i++) {
-      // Far enough apart to meet one after the other, as billiard balls do.
+      // The gaps make the balls hit one after the other, as billiard balls do.
       float anchorX = (i - (balls - 1) / 2f) * 1.05f;
       boolean lifted = i < 2;
       float x = lifted ? anchorX - 3.6f : anchorX;
       float y = lifted ? 8 - 4.8f : 8 - 6;
-      Body<T> ball = free(s, new Circle(0.5f), x, y, lifted ? steel.withTag(SceneColors.AMBER) : steel);
+      Body<T> ball =
+          free(s, new Circle(0.5f), x, y, lifted ? steel.withTag(SceneColors.AMBER) : steel);
       s.joint(JointDef.distance(null, ball, anchorX, 8, x, y));
     }
   }
@@ -147,7 +148,7 @@ final class StackScenes {
         tick -> {
           if (tick >= 120 && tick % 60 == 0 && tick <= 600) {
             int k = tick / 60;
-            free(s, SceneBodies.some(k), (k % 3 - 1) * 0.5f, 9, SceneColors.bright(k));
+            free(s, SceneBodies.smallShape(k), (k % 3 - 1) * 0.5f, 9, SceneColors.bright(k));
           }
         });
   }
@@ -172,7 +173,8 @@ final class StackScenes {
     for (int storey = 5; storey > 0; storey--) {
       for (int i = 0; i < storey; i++) {
         double x = (i - (storey - 1) / 2.0) * 4 * foot;
-        Material back = paper.withTag((i + storey) % 2 == 0 ? SceneColors.PAPER : SceneColors.CORAL);
+        Material back =
+            paper.withTag((i + storey) % 2 == 0 ? SceneColors.PAPER : SceneColors.CORAL);
         for (int side = -1; side <= 1; side += 2) {
           s.body(
               new BodyDef(BodyType.DYNAMIC)

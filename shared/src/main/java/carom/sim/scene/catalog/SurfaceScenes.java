@@ -23,9 +23,9 @@ import carom.sim.scene.View;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Show scenes: what surfaces do. */
+/** Makes the scenes of surfaces: friction, restitution, belts, one-way platforms, terrain. */
 final class SurfaceScenes {
-  /** Marks the surfaces that hold only what comes from above. */
+  /** Colour that marks one-way surfaces, which carry only what comes from above. */
   private static final int ONE_WAY = SceneColors.LEAF;
 
   private SurfaceScenes() {}
@@ -81,8 +81,8 @@ final class SurfaceScenes {
         tick -> {
           if (tick % 40 == 0) {
             int k = tick / 40;
-            free(s, SceneBodies.some(k), -6 + 0.3f * (k % 3), 11, SceneColors.bright(k));
-            SceneBodies.sweep(s, -8);
+            free(s, SceneBodies.smallShape(k), -6 + 0.3f * (k % 3), 11, SceneColors.bright(k));
+            SceneBodies.removeBelow(s, -8);
           }
         });
   }
@@ -99,7 +99,8 @@ final class SurfaceScenes {
     }
     List<Body<T>> jumpers = new ArrayList<>();
     for (int i = 0; i < 16; i++) {
-      Body<T> jumper = free(s, SceneBodies.some(i), -8 + 1.06f * i, 0.5f, SceneColors.bright(i));
+      Body<T> jumper =
+          free(s, SceneBodies.smallShape(i), -8 + 1.06f * i, 0.5f, SceneColors.bright(i));
       jumpers.add(jumper);
     }
     s.eachTick(
@@ -116,8 +117,8 @@ final class SurfaceScenes {
   }
 
   /**
-   * Bodies pass what is marked unless they come from above: they stand on it already, or their
-   * lowest point is no deeper than it moved in a tick.
+   * Returns a listener that lets bodies pass one-way surfaces unless they come from above. Such a
+   * body stands on the surface already, or its lowest point is no deeper than it moved in a tick.
    */
   private static <T> CollisionListener<T> oneWay() {
     return new CollisionListener<>() {
@@ -146,7 +147,9 @@ final class SurfaceScenes {
     floor(s, 12);
     for (int i = 0; i <= 10; i++) {
       float e = i / 10f;
-      Material m = new Material(1, 0.6f, e).withTag(SceneColors.mix(SceneColors.STEEL, SceneColors.CORAL, e));
+      Material m =
+          new Material(1, 0.6f, e)
+              .withTag(SceneColors.mix(SceneColors.STEEL, SceneColors.CORAL, e));
       free(s, new Circle(0.5f), -7.5f + 1.5f * i, 7, m);
     }
   }
@@ -159,7 +162,7 @@ final class SurfaceScenes {
     fixed(s, new Box(11, 0.25f), 0, 4.8f, -slope, new Material(1, 1, 0).withTag(SceneColors.STONE));
     fixed(s, new Box(0.25f, 2), 12, 2, 0, SceneBodies.STONE);
     for (int i = 0; i < 10; i++) {
-      // Friction mixes as sqrt(f1 f2), and the slope has 1. The slippery ones are lowest.
+      // Friction mixes as sqrt(f1 f2), and the slope has 1. The most slippery boxes are lowest.
       float f = 0.29f + 0.04f * i;
       float along = 9 - 1.9f * i;
       int rgb = SceneColors.mix(SceneColors.SKY, SceneColors.CORAL, i / 9f);
@@ -213,7 +216,12 @@ final class SurfaceScenes {
             .angularVelocity(0.8f));
     for (int i = 0; i < 24; i++) {
       int row = i / 5;
-      free(s, SceneBodies.some(i), -1.4f + 0.7f * (i % 5), 5.6f + 0.6f * row, SceneColors.bright(i));
+      free(
+          s,
+          SceneBodies.smallShape(i),
+          -1.4f + 0.7f * (i % 5),
+          5.6f + 0.6f * row,
+          SceneColors.bright(i));
     }
     for (int i = 0; i < 10; i++) {
       int side = i % 2 == 0 ? -1 : 1;

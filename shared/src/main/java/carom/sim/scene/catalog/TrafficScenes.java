@@ -16,8 +16,8 @@ import carom.sim.scene.View;
 import java.util.List;
 
 /**
- * The scenes that the wire is measured on: many small bodies of which some move, as in the known
- * comparisons of snapshot codecs.
+ * Makes the scenes on which the wire is measured: many small bodies of which some move, as in the
+ * known comparisons of snapshot codecs.
  */
 final class TrafficScenes {
   private static final float SMALL = 0.2f;
@@ -45,7 +45,7 @@ final class TrafficScenes {
             TrafficScenes::churn));
   }
 
-  /** Turns round when it should be near an end, and hops now and then. */
+  /** Makes a big box that turns round near either end of a trough, and hops now and then. */
   private static <T> void plough(Stage<T> s) {
     SceneBodies.trough(s, 47, 20);
     Shape box = new Box(SMALL, SMALL);
@@ -83,7 +83,7 @@ final class TrafficScenes {
             new BodyDef(BodyType.DYNAMIC)
                 .shape(new Circle(1.5f), SceneColors.of(SceneColors.CORAL).withDensity(6))
                 .position(-20, 0));
-    // Round a circle whose centre walks round another: the tip of a compass that is being turned.
+    // It circles around a point that circles around the origin.
     s.eachTick(
         tick -> {
           float goalX = 11 * Trig.cos(0.006f * tick) + 6 * Trig.cos(0.014f * tick);
@@ -106,7 +106,12 @@ final class TrafficScenes {
             .angularVelocity(1.2f));
     for (int k = 0; k < 600; k++) {
       int row = k / 24;
-      SceneBodies.free(s, SceneBodies.some(k), (k % 24 - 11.5f) * 0.4f, (row - 12) * 0.4f, SceneColors.bright(k));
+      SceneBodies.free(
+          s,
+          SceneBodies.smallShape(k),
+          (k % 24 - 11.5f) * 0.4f,
+          (row - 12) * 0.4f,
+          SceneColors.bright(k));
     }
   }
 }
