@@ -65,7 +65,7 @@ final class CollideStage {
       undecided = false;
       continuous.begin();
     }
-    contacts.flagsChange();
+    contacts.beginUpdate();
     narrowPhase.begin();
     if (!all) {
       for (int row = 0; row < contacts.count(); row++) {

@@ -293,7 +293,7 @@ public final class Dynamics {
         sleeping.resume();
       }
     }
-    contacts.removeBody(body);
+    contacts.order().removeBody(body);
     pairs.searchAll();
   }
 
@@ -376,7 +376,7 @@ public final class Dynamics {
       return;
     }
     if (bodies.type[body] == BodyStore.STATIC) {
-      pairs.movedStatic(body);
+      pairs.moveStatic(body);
       staticMoved = true;
       disturb(body);
       sleeping.wakeOverlapped(body);

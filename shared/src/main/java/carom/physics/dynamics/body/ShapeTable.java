@@ -65,8 +65,8 @@ public final class ShapeTable {
    */
   public boolean[] together = new boolean[FIRST_CAPACITY];
 
-  /** Whether the part waits to be put into a tree. */
-  public boolean[] expected = new boolean[FIRST_CAPACITY];
+  /** Whether the part is queued for insertion into a tree. */
+  public boolean[] pending = new boolean[FIRST_CAPACITY];
 
   /** The boxes in the broadphase; never restored, only widened when they no longer contain. */
   public final AabbArray fat = new AabbArray(FIRST_CAPACITY);
@@ -243,7 +243,7 @@ public final class ShapeTable {
       sensor = Arrays.copyOf(sensor, grown);
       moved = Arrays.copyOf(moved, grown);
       together = Arrays.copyOf(together, grown);
-      expected = Arrays.copyOf(expected, grown);
+      pending = Arrays.copyOf(pending, grown);
       nextFree = Arrays.copyOf(nextFree, grown);
     }
     fat.ensureCapacity(body.length);

@@ -84,7 +84,7 @@ public final class SleepingContacts {
     for (int i = 0; i < n; i++) {
       taken[i] = freeCount > 0 ? freeRows[--freeCount] : rows.append();
     }
-    rows.rowsChange();
+    rows.beginRowChange();
     rows.copyRows(from, which, taken, n);
     if (2 * slots() > next.length) {
       next = Arrays.copyOf(next, Math.max(2 * slots(), 2 * next.length));
@@ -132,7 +132,7 @@ public final class SleepingContacts {
 
   /** Forgets an unlinked row. */
   public void release(int row) {
-    rows.rowsChange();
+    rows.beginRowChange();
     rows.key[row] = FREE;
     rows.flags[row] = 0;
     if (freeCount == freeRows.length) {

@@ -307,7 +307,7 @@ public final class Sleeping {
     if (asleepCount == 0 || bodies.type[body] != BodyStore.STATIC) {
       return;
     }
-    pairs.admit();
+    pairs.insertPending();
     int first = bodies.firstPart[body];
     for (int part = first; part < first + bodies.partCount[body]; part++) {
       searchPart = part;
@@ -348,7 +348,7 @@ public final class Sleeping {
       return;
     }
     if (gatheredCount == 0) {
-      pairs.admit();
+      pairs.insertPending();
     }
     int first = gatheredCount;
     rouse(body);
@@ -414,7 +414,7 @@ public final class Sleeping {
       return;
     }
     sorter.sort(wokenRows, wokenCount, sleepers.rows.key);
-    contacts.insert(sleepers.rows, wokenRows, wokenCount);
+    contacts.order().insert(sleepers.rows, wokenRows, wokenCount);
     for (int i = 0; i < wokenCount; i++) {
       sleepers.release(wokenRows[i]);
     }
@@ -524,7 +524,7 @@ public final class Sleeping {
     if (gatheredCount == 0) {
       return;
     }
-    pairs.admit();
+    pairs.insertPending();
     for (int i = 0; i < gatheredCount; i++) {
       int body = gathered[i];
       active.remove(body);
@@ -541,7 +541,7 @@ public final class Sleeping {
     for (int i = 0; i < gatheredCount; i++) {
       refreshJoints(gathered[i]);
     }
-    contacts.retire(bodies, sleepers);
+    contacts.order().retire(bodies, sleepers);
   }
 
   /** Finds out which awake bodies hold each other, and what keeps them awake. */
