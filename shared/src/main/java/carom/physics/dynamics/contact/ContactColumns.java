@@ -1,6 +1,8 @@
 package carom.physics.dynamics.contact;
 
 import carom.physics.dynamics.parallel.ParallelFor;
+import carom.physics.dynamics.store.RowArrays;
+import carom.physics.dynamics.store.RowMoves;
 import carom.physics.dynamics.store.Stamp;
 import java.util.Arrays;
 

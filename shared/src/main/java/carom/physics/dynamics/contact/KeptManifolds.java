@@ -2,6 +2,8 @@ package carom.physics.dynamics.contact;
 
 import carom.physics.collision.Collider;
 import carom.physics.collision.Manifold;
+import carom.physics.dynamics.store.RowArrays;
+import carom.physics.dynamics.store.RowMoves;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Convex;
 import carom.physics.math.Transform;

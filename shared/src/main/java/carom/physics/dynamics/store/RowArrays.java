@@ -1,4 +1,4 @@
-package carom.physics.dynamics.contact;
+package carom.physics.dynamics.store;
 
 import java.lang.reflect.Array;
 import java.util.Arrays;
@@ -15,7 +15,7 @@ import java.util.Arrays;
  *
  * <p>One thread writes, shares and releases; others may read what they share meanwhile.
  */
-final class RowArrays {
+public final class RowArrays {
   private final int[] strides;
   private final Object[] arrays;
   private final Spares spares;
@@ -34,7 +34,7 @@ final class RowArrays {
    * @param strides how many elements of each array belong to a row
    * @param empty an array of each type, of which the type alone counts
    */
-  RowArrays(int capacity, int[] strides, Object... empty) {
+  public RowArrays(int capacity, int[] strides, Object... empty) {
     this(capacity, strides, new Spares(), empty);
   }
 
@@ -53,35 +53,35 @@ final class RowArrays {
   }
 
   /** One of the arrays; written by those alone who know that it isn't {@link #shared}. */
-  Object array(int i) {
+  public Object array(int i) {
     return arrays[i];
   }
 
   /** Rows there is room for. */
-  int capacity() {
+  public int capacity() {
     return capacity;
   }
 
   /**
    * For how many rows to make room that there be some for so many: twice as many as now, if any.
    */
-  int room(int least) {
+  public int room(int least) {
     return least <= capacity ? capacity : Math.max(least, 2 * capacity);
   }
 
   /** Whether somebody else has these arrays, too, and nobody may write. */
-  boolean shared() {
+  public boolean shared() {
     return holders > 1;
   }
 
   /** Hands the arrays to a copy, which must release those it had. */
-  RowArrays share() {
+  public RowArrays share() {
     holders++;
     return this;
   }
 
   /** Must be called by who no longer needs them. */
-  void release() {
+  public void release() {
     if (--holders == 0) {
       if (spares.count == spares.list.length) {
         spares.list = Arrays.copyOf(spares.list, 2 * spares.count);
@@ -96,7 +96,7 @@ final class RowArrays {
    * @param count rows in use; the others mean nothing
    * @param least rows to have room for
    */
-  RowArrays own(int count, int least) {
+  public RowArrays own(int count, int least) {
     if (!shared()) {
       grow(least);
       return this;
@@ -115,7 +115,7 @@ final class RowArrays {
    * @param moves tells of rows that stay, too, if these are shared; is to do the rest
    * @param least rows to have room for
    */
-  RowArrays moved(RowMoves moves, int least) {
+  public RowArrays moved(RowMoves moves, int least) {
     RowArrays to = this;
     if (shared()) {
       to = another(least);

@@ -1,4 +1,4 @@
-package carom.physics.dynamics.contact;
+package carom.physics.dynamics.store;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 

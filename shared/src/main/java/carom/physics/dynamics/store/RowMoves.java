@@ -1,4 +1,4 @@
-package carom.physics.dynamics.contact;
+package carom.physics.dynamics.store;
 
 import carom.physics.dynamics.parallel.ParallelFor;
 import java.util.Arrays;
@@ -11,7 +11,7 @@ import java.util.Arrays;
  * on only those of later runs that move on; hence the former are moved in ascending order, the
  * latter in descending order, and nothing is lost.
  */
-final class RowMoves {
+public final class RowMoves {
   /** Arrays that a table may have. */
   private static final int MOST_ARRAYS = 16;
 
@@ -19,7 +19,7 @@ final class RowMoves {
   private static final int FEWEST_SHARED = 2_048;
 
   /** Where new rows go, by their number. */
-  int[] inserted = new int[64];
+  public int[] inserted = new int[64];
 
   /** Per run: first row, how many, how far. */
   private int[] from = new int[64];
@@ -43,7 +43,7 @@ final class RowMoves {
    * @param elsewhere whether rows will be moved to another array, so that those count, too, that
    *     stay in their place
    */
-  void clear(boolean elsewhere) {
+  public void clear(boolean elsewhere) {
     count = 0;
     all = elsewhere;
   }
@@ -52,7 +52,7 @@ final class RowMoves {
    * Makes room for a table of as many rows, so that the arrays grow with the table and not when
    * first so many rows move.
    */
-  void reserve(int rows) {
+  public void reserve(int rows) {
     if (rows > inserted.length) {
       inserted = Arrays.copyOf(inserted, rows);
     }
@@ -64,12 +64,12 @@ final class RowMoves {
   }
 
   /** Notes that a row stays in the table; in ascending order. */
-  void keep(int row, int to) {
+  public void keep(int row, int to) {
     keep(row, 1, to);
   }
 
   /** Notes that so many rows do, the first of which goes there. */
-  void keep(int row, int rows, int to) {
+  public void keep(int row, int rows, int to) {
     if ((row == to && !all) || rows == 0) {
       return;
     }
@@ -87,7 +87,7 @@ final class RowMoves {
   }
 
   /** Notes where a new row goes; in ascending order of both. */
-  void insert(int number, int to) {
+  public void insert(int number, int to) {
     if (number == inserted.length) {
       reserve(2 * number);
     }
@@ -102,7 +102,7 @@ final class RowMoves {
    * @param target the same, or one that has nothing yet
    * @param stride how many elements a row has
    */
-  void plan(Object source, Object target, int stride) {
+  public void plan(Object source, Object target, int stride) {
     sources[planned] = source;
     targets[planned] = target;
     strides[planned++] = stride;
@@ -113,7 +113,7 @@ final class RowMoves {
    *
    * @param parallel does it, an array each; null for the caller alone
    */
-  void carryOut(ParallelFor parallel) {
+  public void carryOut(ParallelFor parallel) {
     long rows = 0;
     for (int i = 0; i < count; i++) {
       rows += length[i];
