@@ -4,6 +4,7 @@ import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.continuous.ContinuousCollision;
 import carom.physics.dynamics.narrow.NarrowPhase;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.sleep.Sleeping;
@@ -63,7 +64,7 @@ final class CollideStage {
     if (all) {
       touching = 0;
       undecided = false;
-      continuous.begin();
+      continuous.forgetPressed();
     }
     contacts.beginUpdate();
     narrowPhase.begin();
@@ -153,7 +154,7 @@ final class CollideStage {
         int b = contacts.bodyB(row);
         boolean dynamic = bodies.type[a] == BodyStore.DYNAMIC;
         if (dynamic != (bodies.type[b] == BodyStore.DYNAMIC)) {
-          continuous.pressed(dynamic ? a : b, overlap);
+          continuous.press(dynamic ? a : b, overlap);
         }
       }
     }

@@ -14,11 +14,13 @@ import carom.physics.dynamics.contact.ContactEvents;
 import carom.physics.dynamics.contact.ContactKey;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.contact.SleepingContacts;
+import carom.physics.dynamics.continuous.ContinuousCollision;
 import carom.physics.dynamics.joint.JointEvents;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.pairs.PairFinder;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.sleep.Sleeping;
+import carom.physics.dynamics.store.IntList;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.MassData;
 import carom.physics.math.Aabb;
@@ -81,6 +83,9 @@ public final class Dynamics {
 
   private final SleepingContacts sleepers = new SleepingContacts();
   private final BodyContacts bodyContacts = new BodyContacts(contacts, sleepers);
+
+  /** Scratch: the bodies of an excerpt that sleep. */
+  private final IntList asleepThere = new IntList();
 
   /** Null, unless somebody measures. */
   private StageListener stages;
@@ -198,7 +203,7 @@ public final class Dynamics {
       enter(body);
       sleeping.wakeOverlapped(body);
     }
-    sleeping.refreshJoints(body);
+    sleeping.jointActivity().refreshBody(body);
     rulesStale = true;
   }
 
@@ -221,7 +226,7 @@ public final class Dynamics {
     } else {
       leave(body);
     }
-    sleeping.refreshJoints(body);
+    sleeping.jointActivity().refreshBody(body);
     rulesStale = true;
   }
 
@@ -334,7 +339,7 @@ public final class Dynamics {
     rulesStale = true;
     int joint = joints.allocate(type, bodyA, bodyB);
     sleeping.wakeEnds(joint);
-    sleeping.refreshJoint(joint);
+    sleeping.jointActivity().refresh(joint);
     return joint;
   }
 
@@ -460,7 +465,7 @@ public final class Dynamics {
     }
     pairs.posesChanged();
     begins(StepStage.CONTINUOUS);
-    stopFast();
+    continuous.run(substeps.solverBodies, dt);
     begins(StepStage.EVENTS);
     if (events != null) {
       eventStage.afterSolving(events);
@@ -528,20 +533,6 @@ public final class Dynamics {
 
   private void refreshBoxes() {
     pairs.refresh(active, lastStep);
-  }
-
-  /** Stops fast bodies at what they would have passed through. */
-  private void stopFast() {
-    if (!settings.continuous() || !continuous.collect(substeps.solverBodies, lastStep)) {
-      return;
-    }
-    if (continuous.prepare()) {
-      refreshBoxes();
-      continuous.widen();
-    }
-    pairs.refit();
-    continuous.settle(pairs.moving(), pairs.resting());
-    pairs.posesChanged();
   }
 
   /**
@@ -730,13 +721,13 @@ public final class Dynamics {
     }
     pairs.posesChanged();
     excerpt.writeContacts(bodies, parts, contacts);
-    sleeping.gatherNone();
+    asleepThere.count = 0;
     for (int i = 0; i < excerpt.count(); i++) {
       if (excerpt.sleeps(i)) {
-        sleeping.gatherAwake(excerpt.slot(i));
+        asleepThere.add(excerpt.slot(i));
       }
     }
-    sleeping.putToSleep();
+    sleeping.putToSleep(asleepThere);
   }
 
   /**
@@ -767,15 +758,15 @@ public final class Dynamics {
    */
   public void restore(DynamicsState from, boolean sameStructure) {
     sleeping.reset();
-    int misplaced =
-        sameStructure ? sleeping.gatherMisplaced(from.bodies, from.sleep, staticMoved) : 0;
+    IntList misplaced =
+        sameStructure ? sleeping.listMisplaced(from.bodies, from.sleep, staticMoved) : null;
     from.bodies.copyTo(bodies);
     from.contacts.copyTo(contacts);
     from.joints.copyTo(joints);
     if (sameStructure) {
-      for (int i = 0; i < misplaced; i++) {
-        leave(sleeping.gathered(i));
-        enter(sleeping.gathered(i));
+      for (int i = 0; i < misplaced.count; i++) {
+        leave(misplaced.values[i]);
+        enter(misplaced.values[i]);
       }
     } else {
       contacts.forgetManifolds();

@@ -2,6 +2,7 @@ package carom.physics.dynamics.body;
 
 import carom.physics.archive.Archive;
 import carom.physics.dynamics.store.ColumnHash;
+import carom.physics.dynamics.store.IntList;
 import carom.physics.dynamics.store.Slots;
 import carom.physics.dynamics.store.Stamp;
 import carom.physics.math.StateHash;
@@ -265,6 +266,18 @@ public final class BodyStore {
     cold.change();
   }
 
+  /** Replaces a list by all parts of some bodies. */
+  public void listParts(int[] which, int n, IntList to) {
+    to.count = 0;
+    for (int i = 0; i < n; i++) {
+      int first = firstPart[which[i]];
+      int end = first + partCount[which[i]];
+      for (int part = first; part < end; part++) {
+        to.add(part);
+      }
+    }
+  }
+
   /**
    * Whether this is the body of that handle, still alive.
    *
@@ -373,6 +386,14 @@ public final class BodyStore {
    */
   public float originY(int slot) {
     return y[slot] - (sin[slot] * localX[slot] + cos[slot] * localY[slot]);
+  }
+
+  /** Returns whether a body is at the same pose in another store, bit for bit. */
+  public boolean samePose(BodyStore other, int slot) {
+    return x[slot] == other.x[slot]
+        && y[slot] == other.y[slot]
+        && cos[slot] == other.cos[slot]
+        && sin[slot] == other.sin[slot];
   }
 
   private void setRotation(int slot, float c, float s) {

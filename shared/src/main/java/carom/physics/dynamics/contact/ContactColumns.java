@@ -412,15 +412,15 @@ public abstract class ContactColumns {
     touches = touches.moved(moves, touches.room(newCount));
     bind();
     moves.plan(hint, hint, 1);
-    kept.move(moves);
+    kept.rows().plan(moves);
     moves.carryOut(parallel);
     count = newCount;
   }
 
   /** Brings the kept manifolds to the rows' places, if a copy brought other rows. */
   final void realignManifolds() {
-    growCaches(Math.max(count, kept.rowsBefore()));
-    kept.realign(key, count, moves);
+    growCaches(Math.max(count, kept.rows().rowsBefore()));
+    kept.rows().realign(key, count, moves);
   }
 
   /** Removes all rows. */
@@ -465,7 +465,7 @@ public abstract class ContactColumns {
     if (least > hint.length) {
       int grown = Math.max(least, 2 * hint.length);
       hint = Arrays.copyOf(hint, grown);
-      kept.grow(grown);
+      kept.rows().grow(grown);
       moves.reserve(grown);
     }
   }
@@ -478,7 +478,7 @@ public abstract class ContactColumns {
     to.touches.release();
     to.touches = touches;
     if (!pairsStamp.same(to.pairsStamp)) {
-      to.kept.rowsReplaced(to.pairs, to.count);
+      to.kept.rows().rowsReplaced(to.pairs, to.count);
       pairsStamp.copyTo(to.pairsStamp);
     }
     pairs.share();

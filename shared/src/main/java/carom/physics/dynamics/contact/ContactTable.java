@@ -83,8 +83,8 @@ public final class ContactTable extends ContactColumns {
   }
 
   /**
-   * Marks a row as touching on, after its normal, points and gaps were written: it {@link #responds}
-   * and the same points touch as in the step before.
+   * Marks a row as touching on, after its normal, points and gaps were written: it {@link
+   * #responds} and the same points touch as in the step before.
    */
   public void touchOn(int row) {
     flags[row] = (byte) (TOUCHING | WAS_TOUCHING | (pushed(row) ? WAS_PUSHED : 0));
@@ -281,7 +281,7 @@ public final class ContactTable extends ContactColumns {
 
   /** Forgets all kept manifolds, because bodies came, went or got other shapes. */
   public void forgetManifolds() {
-    kept.clear();
+    kept.rows().clear();
   }
 
   /** Adds the rows that touch, which are all that influences the future, to a hash. */

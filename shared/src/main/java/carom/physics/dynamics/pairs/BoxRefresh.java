@@ -5,6 +5,7 @@ import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.parallel.ParallelFor;
+import carom.physics.dynamics.store.IntList;
 import java.util.Arrays;
 
 /**
@@ -41,7 +42,7 @@ final class BoxRefresh {
   private FatBoxes.Scratch[] scratch = {new FatBoxes.Scratch()};
 
   /** The parts to renew. */
-  private final PartList list = new PartList();
+  private final IntList list = new IntList();
 
   /**
    * The bodies of which a part left its fat box. Each piece of work lists those that it found from
@@ -91,10 +92,10 @@ final class BoxRefresh {
     listStrayed();
     boolean many = list.count > moving.size() / RENEW_SHARE;
     if (many) {
-      list.setPartsOf(bodies, active.list, active.count);
+      bodies.listParts(active.list, active.count, list);
     }
     for (int i = 0; i < list.count; i++) {
-      moved.mark(list.ids[i]);
+      moved.mark(list.values[i]);
     }
     parallel.run(0, list.count, GRAIN, renewing);
     boolean changed = list.count > 0;
@@ -161,7 +162,7 @@ final class BoxRefresh {
 
   private void renewParts(int from, int to, int worker) {
     for (int i = from; i < to; i++) {
-      boxes.renew(list.ids[i], dt, active.count);
+      boxes.renew(list.values[i], dt, active.count);
     }
   }
 
@@ -172,13 +173,13 @@ final class BoxRefresh {
    * @return whether any box changed
    */
   private boolean renewInTurn() {
-    list.ensureCapacity(moving.size());
+    list.ensureRoom(moving.size());
     turn = (turn + 1) % TURNS;
-    int count = moving.slice(turn, TURNS, list.ids);
+    int count = moving.slice(turn, TURNS, list.values);
     float wait = TURNS * dt;
     boolean changed = false;
     for (int i = 0; i < count; i++) {
-      int part = list.ids[i];
+      int part = list.values[i];
       if (!boxes.holdsFor(part, wait)) {
         moved.markTogether(part);
         boxes.renew(part, dt, active.count);

@@ -5,6 +5,7 @@ import carom.physics.broadphase.KdTree;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.parallel.ParallelFor;
+import carom.physics.dynamics.store.IntList;
 
 /**
  * The two KD-trees of the parts' fat boxes, and which part is in which of them.
@@ -42,10 +43,10 @@ final class PartTrees {
   private final ParallelFor.Range routing = this::routePieces;
 
   /** Parts that are in no tree yet. */
-  private final PartList pending = new PartList();
+  private final IntList pending = new IntList();
 
   /** Scratch: parts that enter or leave a tree. */
-  private final PartList batch = new PartList();
+  private final IntList batch = new IntList();
 
   /** Whether boxes in the moving tree changed since it was refitted. */
   private boolean stale;
@@ -99,7 +100,7 @@ final class PartTrees {
   /** Empties both trees and the queue. */
   void clear() {
     for (int i = 0; i < pending.count; i++) {
-      parts.pending[pending.ids[i]] = false;
+      parts.pending[pending.values[i]] = false;
     }
     pending.count = 0;
     moving.clear();
@@ -109,22 +110,22 @@ final class PartTrees {
   /** Takes bodies that have just fallen asleep to the resting tree. */
   void toResting(int[] which, int count) {
     assert pending.count == 0 : "pending parts must be inserted before bodies fall asleep";
-    batch.setPartsOf(bodies, which, count);
-    moving.removeAll(batch.ids, batch.count);
+    bodies.listParts(which, count, batch);
+    moving.removeAll(batch.values, batch.count);
     for (int i = 0; i < count; i++) {
       boxes.settle(which[i], moved);
     }
-    resting.addAll(batch.ids, batch.count);
+    resting.addAll(batch.values, batch.count);
   }
 
   /** Takes bodies that have just woken to the moving tree, and marks their parts as moved. */
   void toMoving(int[] which, int count) {
     assert pending.count == 0 : "pending parts must be inserted before bodies wake";
-    batch.setPartsOf(bodies, which, count);
-    resting.removeAll(batch.ids, batch.count);
-    moving.addAll(batch.ids, batch.count);
+    bodies.listParts(which, count, batch);
+    resting.removeAll(batch.values, batch.count);
+    moving.addAll(batch.values, batch.count);
     for (int i = 0; i < batch.count; i++) {
-      moved.mark(batch.ids[i]);
+      moved.mark(batch.values[i]);
     }
   }
 
@@ -152,19 +153,19 @@ final class PartTrees {
     int others = 0;
     batch.count = 0;
     for (int i = 0; i < pending.count; i++) {
-      int part = pending.ids[i];
+      int part = pending.values[i];
       int body = parts.body[part];
       if (body < 0 || bodies.disabled(body)) {
         parts.pending[part] = false;
       } else if (rests(body) != restingOnes) {
-        pending.ids[others++] = part;
+        pending.values[others++] = part;
       } else {
         parts.pending[part] = false;
         batch.add(part);
       }
     }
     pending.count = others;
-    tree.addAll(batch.ids, batch.count);
+    tree.addAll(batch.values, batch.count);
   }
 
   /** Notes that boxes in the moving tree changed. */
