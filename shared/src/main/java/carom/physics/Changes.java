@@ -1,5 +1,6 @@
 package carom.physics;
 
+import carom.physics.dynamics.BodyEditor;
 import carom.physics.dynamics.Dynamics;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.joint.JointStore;
@@ -36,7 +37,7 @@ final class Changes<T> {
   }
 
   private final World<T> world;
-  private final Dynamics dynamics;
+  private final BodyEditor editor;
   private final BodyStore store;
   private final JointStore joints;
   private final Handles<T> handles;
@@ -51,7 +52,7 @@ final class Changes<T> {
 
   Changes(World<T> world, Dynamics dynamics, Handles<T> handles) {
     this.world = world;
-    this.dynamics = dynamics;
+    editor = dynamics.editor();
     this.handles = handles;
     store = dynamics.bodies();
     joints = dynamics.joints();
@@ -73,7 +74,7 @@ final class Changes<T> {
   void changeType(Body<T> body, BodyType type) {
     world.refuseDuringQuery("setType");
     if (type == BodyType.DYNAMIC) {
-      Dynamics.checkMass(body.specs(), handles.ownMass(body.index()));
+      BodyEditor.checkMass(body.specs(), handles.ownMass(body.index()));
     }
     request((byte) (CHANGE_TYPE + World.code(type)), body.index(), body.generation(), null);
   }
@@ -87,7 +88,7 @@ final class Changes<T> {
     ShapeChange change = new ShapeChange(shape, how);
     ShapeDef[] changed = change.of(handles.shapes(body.index()));
     if (body.type() == BodyType.DYNAMIC) {
-      Dynamics.checkMass(World.specs(changed), handles.ownMass(body.index()));
+      BodyEditor.checkMass(World.specs(changed), handles.ownMass(body.index()));
     }
     request(CHANGE_SHAPE, body.index(), body.generation(), change);
   }
@@ -95,7 +96,7 @@ final class Changes<T> {
   void changeMass(Body<T> body, MassData ownOrNull) {
     world.refuseDuringQuery("setMass");
     if (body.type() == BodyType.DYNAMIC) {
-      Dynamics.checkMass(body.specs(), ownOrNull);
+      BodyEditor.checkMass(body.specs(), ownOrNull);
     }
     request(CHANGE_MASS, body.index(), body.generation(), ownOrNull);
   }
@@ -149,18 +150,18 @@ final class Changes<T> {
   private void carryOut(byte what, int slot, Object value) {
     switch (what) {
       case DESTROY_BODY -> world.removeBody(slot);
-      case ENABLE, DISABLE -> dynamics.setEnabled(slot, what == ENABLE);
+      case ENABLE, DISABLE -> editor.setEnabled(slot, what == ENABLE);
       case CHANGE_SHAPE -> changeShape(slot, (ShapeChange) value);
       case CHANGE_MASS -> {
-        dynamics.change(slot, World.specs(handles.shapes(slot)), (MassData) value);
+        editor.change(slot, World.specs(handles.shapes(slot)), (MassData) value);
         handles.ownMass(slot, (MassData) value);
       }
       case FIX_ROTATION, FREE_ROTATION -> {
-        dynamics.setFixedRotation(slot, what == FIX_ROTATION);
-        dynamics.change(slot, World.specs(handles.shapes(slot)), handles.ownMass(slot));
+        editor.setFixedRotation(
+            slot, what == FIX_ROTATION, World.specs(handles.shapes(slot)), handles.ownMass(slot));
       }
       default ->
-          dynamics.setType(
+          editor.setType(
               slot,
               (byte) (what - CHANGE_TYPE),
               World.specs(handles.shapes(slot)),
@@ -172,9 +173,9 @@ final class Changes<T> {
   private void changeShape(int slot, ShapeChange change) {
     ShapeDef[] changed = change.of(handles.shapes(slot));
     if (changed[change.shape].sensor() != handles.shapes(slot)[change.shape].sensor()) {
-      dynamics.endContacts(slot, world.contactEvents());
+      editor.endContacts(slot, world.contactEvents());
     }
-    dynamics.change(slot, World.specs(changed), handles.ownMass(slot));
+    editor.change(slot, World.specs(changed), handles.ownMass(slot));
     handles.shapes(slot, changed);
   }
 

@@ -6,7 +6,7 @@ import carom.physics.collision.Cast;
 import carom.physics.collision.CastHit;
 import carom.physics.collision.ClosestPoints;
 import carom.physics.collision.Distance;
-import carom.physics.dynamics.Dynamics;
+import carom.physics.dynamics.PartQueries;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.Checks;
 import carom.physics.geometry.Convex;
@@ -58,7 +58,7 @@ public final class Queries<T> {
 
   private final World<T> world;
   private final Poses poses;
-  private final Dynamics dynamics;
+  private final PartQueries parts;
   private final BodyStore store;
   private final Cast cast = new Cast();
   private final Distance distances = new Distance();
@@ -100,8 +100,8 @@ public final class Queries<T> {
   Queries(World<T> world, Poses poses) {
     this.world = world;
     this.poses = poses;
-    dynamics = world.dynamics();
-    store = dynamics.bodies();
+    parts = world.dynamics().queries();
+    store = world.dynamics().bodies();
   }
 
   // ---------------------------------------------------------------- rays
@@ -346,7 +346,7 @@ public final class Queries<T> {
     begin(what, how, whom);
     try {
       widen();
-      dynamics.cast(search.minX, search.minY, search.maxX, search.maxY, dx, dy, onCast);
+      parts.cast(search.minX, search.minY, search.maxX, search.maxY, dx, dy, onCast);
     } finally {
       world.endQuery();
     }
@@ -363,7 +363,7 @@ public final class Queries<T> {
   private void searchBox() {
     try {
       widen();
-      dynamics.query(search.minX, search.minY, search.maxX, search.maxY, onBox);
+      parts.query(search.minX, search.minY, search.maxX, search.maxY, onBox);
     } finally {
       world.endQuery();
     }
@@ -371,8 +371,8 @@ public final class Queries<T> {
 
   /** Looks at a part the trees found; answers where the search ends now. */
   private float candidate(int part, float unused) {
-    int slot = dynamics.bodyOf(part);
-    int number = dynamics.shapeOf(part);
+    int slot = parts.bodyOf(part);
+    int number = parts.shapeOf(part);
     Body<T> body = world.body(slot);
     boolean seen = filter == null ? !body.sensor(number) : filter.accepts(body, number);
     if (seen && measure(part, slot)) {
@@ -396,7 +396,7 @@ public final class Queries<T> {
 
   /** Where the question meets one part: fills {@link #hit}, the fraction being what sorts. */
   private boolean measure(int part, int slot) {
-    Convex convex = dynamics.convexOf(part);
+    Convex convex = parts.convexOf(part);
     if (poses == null) {
       pose.set(store.x[slot], store.y[slot], store.cos[slot], store.sin[slot]);
     } else if (!poses.place(slot, pose)) {
@@ -452,7 +452,7 @@ public final class Queries<T> {
   /** Two slabs; the one entered last tells the side. */
   private boolean measureBox(int part, Convex convex) {
     if (poses == null) {
-      dynamics.boxOf(part, false, box);
+      parts.boxOf(part, false, box);
     } else {
       convex.aabb(pose, box);
     }
@@ -509,7 +509,7 @@ public final class Queries<T> {
     float way = (float) Math.sqrt((double) dx * dx + (double) dy * dy);
     out.set(
         world.body(slot),
-        dynamics.shapeOf(part),
+        parts.shapeOf(part),
         moves ? from.fraction : 0,
         moves ? from.fraction * way : from.fraction,
         from);

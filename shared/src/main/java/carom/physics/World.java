@@ -6,6 +6,7 @@ import carom.physics.broadphase.CellVisitor;
 import carom.physics.broadphase.IntVisitor;
 import carom.physics.dynamics.Dynamics;
 import carom.physics.dynamics.Excerpt;
+import carom.physics.dynamics.PartQueries;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.Checks;
 import carom.physics.dynamics.body.Settings;
@@ -45,6 +46,7 @@ public final class World<T> {
 
   private final WorldDef def;
   private final Dynamics dynamics;
+  private final PartQueries parts;
   private final BodyStore store;
   private final Collision<T> collision;
   private final JointStore joints;
@@ -98,6 +100,7 @@ public final class World<T> {
                 def.continuous(),
                 def.hitSpeed(),
                 def.integrator() == Integrator.EXPLICIT_EULER));
+    parts = dynamics.queries();
     store = dynamics.bodies();
     joints = dynamics.joints();
     collision = new Collision<>(this, dynamics.contacts());
@@ -145,7 +148,9 @@ public final class World<T> {
     refuseDuringQuery("createBody");
     ShapeDef[] given = bodyDef.shapes.toArray(new ShapeDef[0]);
     int slot =
-        dynamics.create(code(bodyDef.type), specs(given), bodyDef.mass, bodyDef.fixedRotation);
+        dynamics
+            .editor()
+            .create(code(bodyDef.type), specs(given), bodyDef.mass, bodyDef.fixedRotation);
     store.setOriginPose(
         slot, bodyDef.x, bodyDef.y, Trig.cos(bodyDef.angle), Trig.sin(bodyDef.angle));
     if (bodyDef.type != BodyType.STATIC) {
@@ -160,7 +165,7 @@ public final class World<T> {
     if (!bodyDef.sleepAllowed) {
       store.flags[slot] |= BodyStore.SLEEPLESS;
     }
-    dynamics.enter(slot, bodyDef.awake);
+    dynamics.editor().enter(slot, bodyDef.awake);
     Body<T> body = new Body<>(this, store, slot, store.generation(slot), bodyDef.type, given, user);
     handles.put(body, given, bodyDef.mass);
     return body;
@@ -220,7 +225,7 @@ public final class World<T> {
     while (joints.firstEnd(slot) >= 0) {
       removeJoint(joints.firstEnd(slot) >> 1);
     }
-    dynamics.destroy(slot, contactEvents());
+    dynamics.editor().destroy(slot, contactEvents());
     handles.removeBody(slot);
   }
 
@@ -615,7 +620,7 @@ public final class World<T> {
     try {
       int last = -1;
       for (int i = 0; i < n; i++) {
-        int slot = dynamics.bodyOf(found[i]);
+        int slot = parts.bodyOf(found[i]);
         if (slot != last && !visitor.visit(body(slot))) {
           return;
         }
@@ -636,9 +641,9 @@ public final class World<T> {
   public Body<T> bodyAt(float x, float y) {
     int n = find(x, y, x, y);
     for (int i = 0; i < n; i++) {
-      int slot = dynamics.bodyOf(found[i]);
+      int slot = parts.bodyOf(found[i]);
       pose.set(store.x[slot], store.y[slot], store.cos[slot], store.sin[slot]);
-      if (dynamics.convexOf(found[i]).containsPoint(pose, x, y)) {
+      if (parts.convexOf(found[i]).containsPoint(pose, x, y)) {
         return body(slot);
       }
     }
@@ -654,10 +659,10 @@ public final class World<T> {
         Checks.coordinate("maxX", maxX),
         Checks.coordinate("maxY", maxY));
     foundCount = 0;
-    dynamics.query(minX, minY, maxX, maxY, collect);
+    parts.query(minX, minY, maxX, maxY, collect);
     for (int i = 1; i < foundCount; i++) {
       int part = found[i];
-      int slot = dynamics.bodyOf(part);
+      int slot = parts.bodyOf(part);
       int j = i - 1;
       while (j >= 0 && later(found[j], part, slot)) {
         found[j + 1] = found[j];
@@ -669,12 +674,12 @@ public final class World<T> {
   }
 
   private boolean later(int part, int than, int slot) {
-    int own = dynamics.bodyOf(part);
+    int own = parts.bodyOf(part);
     return own > slot || (own == slot && part > than);
   }
 
   private boolean collect(int part) {
-    dynamics.boxOf(part, false, box);
+    parts.boxOf(part, false, box);
     if (box.overlaps(queryBox)) {
       if (foundCount == found.length) {
         found = Arrays.copyOf(found, foundCount * 2);
@@ -719,7 +724,7 @@ public final class World<T> {
    * @param visitor receives boxes and depths
    */
   public void forEachTreeCell(CellVisitor visitor) {
-    dynamics.cells(visitor);
+    parts.cells(visitor);
   }
 
   /**
@@ -735,7 +740,7 @@ public final class World<T> {
       }
       int first = store.firstPart[slot];
       for (int part = first; part < first + store.partCount[slot]; part++) {
-        dynamics.boxOf(part, fat, box);
+        parts.boxOf(part, fat, box);
         visitor.aabb(box.minX, box.minY, box.maxX, box.maxY);
       }
     }
@@ -796,7 +801,7 @@ public final class World<T> {
     out.setEmpty();
     int first = store.firstPart[slot];
     for (int part = first; part < first + store.partCount[slot]; part++) {
-      dynamics.boxOf(part, false, box);
+      parts.boxOf(part, false, box);
       out.add(box);
     }
   }
@@ -804,7 +809,7 @@ public final class World<T> {
   void moved(int slot) {
     refuseDuringQuery("setPose");
     moves++;
-    dynamics.moved(slot);
+    dynamics.editor().moved(slot);
   }
 
   void sleep(int slot) {

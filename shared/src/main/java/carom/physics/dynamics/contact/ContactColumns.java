@@ -317,6 +317,11 @@ public abstract class ContactColumns {
     return contact[row * CONTACT + TOTAL0] > 0 || contact[row * CONTACT + TOTAL1] > 0;
   }
 
+  /** Returns whether the parts touch; a sensor touches without points. */
+  public final boolean touches(int row) {
+    return (flags[row] & TOUCHING) != 0;
+  }
+
   /** Returns whether the parts push each other if they touch. */
   public final boolean acts(int row) {
     return (flags[row] & (SENSOR | IGNORED)) == 0;

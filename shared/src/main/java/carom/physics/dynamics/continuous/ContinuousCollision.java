@@ -79,7 +79,6 @@ public final class ContinuousCollision {
   private final PairFinder pairs;
   private final Settings settings;
   private final BodyStore bodies;
-  private final ActiveBodies active;
   private final ShapeTable parts;
   private final FastBodies fast;
   private final TargetMotion target;
@@ -104,7 +103,6 @@ public final class ContinuousCollision {
     this.pairs = pairs;
     this.settings = settings;
     this.bodies = bodies;
-    this.active = active;
     this.parts = parts;
     swept = new SweptBox(parts);
     fast = new FastBodies(bodies, active, parts);
@@ -139,7 +137,7 @@ public final class ContinuousCollision {
     }
     fast.sort();
     if (fast.movingTargets()) {
-      pairs.refresh(active, dt);
+      pairs.refresh();
       widen();
     }
     pairs.refit();

@@ -35,6 +35,7 @@ import carom.physics.math.Aabb;
  */
 public final class PairFinder {
   private final BodyStore bodies;
+  private final ActiveBodies active;
   private final ShapeTable parts;
   private final RowOrder rows;
   private final MovedParts moved;
@@ -46,6 +47,9 @@ public final class PairFinder {
   private final CandidateSorter sorter;
   private final ParallelFor parallel;
 
+  /** The length of the last step, s; before the first one that of most games. */
+  private float lastStep = 1 / 60f;
+
   /** Whether poses changed since fat boxes were refreshed. */
   private boolean boxesStale;
 
@@ -56,11 +60,13 @@ public final class PairFinder {
   public PairFinder(
       Settings settings,
       BodyStore bodies,
+      ActiveBodies active,
       ShapeTable parts,
       ContactTable contacts,
       PairRule rule,
       ParallelFor parallel) {
     this.bodies = bodies;
+    this.active = active;
     this.parts = parts;
     this.parallel = parallel;
     rows = contacts.order();
@@ -117,6 +123,11 @@ public final class PairFinder {
 
   // ---------------------------------------------------------------- boxes
 
+  /** Sets the length of the steps, s, for which fat boxes make room. */
+  public void setTimeStep(float dt) {
+    lastStep = dt;
+  }
+
   /** Marks all boxes as stale, because poses changed; the next {@link #refresh} measures them. */
   public void posesChanged() {
     boxesStale = true;
@@ -125,13 +136,11 @@ public final class PairFinder {
   /**
    * Gives every part of an active body whose fat box no longer contains it a new one. Does nothing
    * if no pose changed.
-   *
-   * @param dt length of the last step, s
    */
-  public void refresh(ActiveBodies active, float dt) {
+  public void refresh() {
     if (boxesStale) {
       boxesStale = false;
-      if (refresh.run(active, dt)) {
+      if (refresh.run(active, lastStep)) {
         trees.markStale();
       }
     }
@@ -162,7 +171,9 @@ public final class PairFinder {
     return filter.mayStay(table, row);
   }
 
-  /** Makes the next search look at all pairs, because some may be missing of which no part moved. */
+  /**
+   * Makes the next search look at all pairs, because some may be missing of which no part moved.
+   */
   public void searchAll() {
     searchAll = true;
   }
