@@ -2,8 +2,8 @@ package carom.physics;
 
 import carom.physics.archive.ArchiveException;
 import carom.physics.archive.ArchiveReader;
-import carom.physics.broadphase.CellVisitor;
-import carom.physics.broadphase.IntVisitor;
+import carom.physics.broadphase.index.CellVisitor;
+import carom.physics.broadphase.index.IntVisitor;
 import carom.physics.dynamics.Dynamics;
 import carom.physics.dynamics.Excerpt;
 import carom.physics.dynamics.PartQueries;

@@ -1,6 +1,6 @@
 package carom.server.bench;
 
-import carom.physics.broadphase.KdTree;
+import carom.physics.broadphase.kd.KdTree;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;

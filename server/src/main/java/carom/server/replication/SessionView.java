@@ -7,7 +7,7 @@ import carom.net.snapshot.FrameState;
 import carom.net.snapshot.Interest;
 import carom.net.snapshot.SnapshotEncoder;
 import carom.physics.BodyContactVisitor;
-import carom.physics.broadphase.IntVisitor;
+import carom.physics.broadphase.index.IntVisitor;
 import carom.sim.Audience;
 import carom.sim.Entity;
 import carom.sim.Level;

@@ -1,5 +1,11 @@
 package carom.physics.broadphase;
 
+import carom.physics.broadphase.index.AabbArray;
+import carom.physics.broadphase.index.IntVisitor;
+import carom.physics.broadphase.index.PairVisitor;
+import carom.physics.broadphase.index.SpatialIndex;
+import carom.physics.broadphase.kd.KdTree;
+
 /**
  * The overlapping pairs of many boxes that move a little from tick to tick, by two lists of pairs
  * that may overlap soon.

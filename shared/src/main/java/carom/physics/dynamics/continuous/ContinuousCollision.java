@@ -1,7 +1,7 @@
 package carom.physics.dynamics.continuous;
 
-import carom.physics.broadphase.KdTree;
-import carom.physics.collision.Sweep;
+import carom.physics.broadphase.kd.KdTree;
+import carom.physics.collision.distance.Sweep;
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.Settings;

@@ -1,8 +1,8 @@
 package carom.physics.dynamics.pairs;
 
-import carom.physics.broadphase.AabbArray;
-import carom.physics.broadphase.KdTree;
-import carom.physics.broadphase.PairSearch;
+import carom.physics.broadphase.index.AabbArray;
+import carom.physics.broadphase.kd.KdTree;
+import carom.physics.broadphase.kd.PairSearch;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.parallel.ParallelFor;
 import java.util.Arrays;

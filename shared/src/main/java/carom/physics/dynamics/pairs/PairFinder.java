@@ -1,6 +1,6 @@
 package carom.physics.dynamics.pairs;
 
-import carom.physics.broadphase.KdTree;
+import carom.physics.broadphase.kd.KdTree;
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.Settings;

@@ -1,7 +1,7 @@
 package carom.physics.dynamics.pairs;
 
-import carom.physics.broadphase.KdRefit;
-import carom.physics.broadphase.KdTree;
+import carom.physics.broadphase.kd.KdRefit;
+import carom.physics.broadphase.kd.KdTree;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.parallel.ParallelFor;
