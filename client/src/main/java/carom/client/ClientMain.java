@@ -4,7 +4,7 @@ import carom.net.kryo.KryoClientTransport;
 import carom.net.protocol.PlayerName;
 import carom.net.transport.ClientTransport;
 import carom.options.BadFlag;
-import carom.sim.Suggestion;
+import carom.sim.level.Suggestion;
 import carom.sim.scene.Scenes;
 import java.io.IOException;
 import java.nio.file.Path;

@@ -3,10 +3,10 @@ package carom.client;
 import carom.client.interpolation.Pose;
 import carom.net.protocol.ServerMessage.Roster;
 import carom.net.protocol.ServerMessage.RosterEntry;
-import carom.sim.Archetype;
 import carom.sim.Input;
-import carom.sim.Level;
 import carom.sim.Simulation;
+import carom.sim.level.Archetype;
+import carom.sim.level.Level;
 import java.util.ArrayList;
 import java.util.List;
 

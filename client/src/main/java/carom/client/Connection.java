@@ -9,8 +9,8 @@ import carom.net.protocol.ServerMessage;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
-import carom.sim.Level;
-import carom.sim.LevelException;
+import carom.sim.level.Level;
+import carom.sim.level.LevelException;
 
 /**
  * The way into the game and back: opens the link, says hello, fetches the level, notices when the

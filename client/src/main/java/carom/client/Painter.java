@@ -6,10 +6,10 @@ import carom.client.interpolation.Pose;
 import carom.client.interpolation.VisualError;
 import carom.client.prediction.Prediction;
 import carom.net.snapshot.EntityHistory;
-import carom.net.snapshot.OwnState;
 import carom.net.snapshot.SnapshotDecoder;
-import carom.sim.Archetype;
+import carom.net.snapshot.exact.OwnState;
 import carom.sim.Simulation;
+import carom.sim.level.Archetype;
 import java.util.Arrays;
 
 /**

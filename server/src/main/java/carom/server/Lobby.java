@@ -17,7 +17,7 @@ import carom.server.room.Admission;
 import carom.server.room.Room;
 import carom.server.session.PartingLinks;
 import carom.server.session.Seats;
-import carom.sim.Level;
+import carom.sim.level.Level;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

@@ -12,7 +12,7 @@ import carom.server.recording.Showing;
 import carom.server.room.Room;
 import carom.server.session.Seats;
 import carom.sim.Game;
-import carom.sim.Level;
+import carom.sim.level.Level;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -137,17 +137,46 @@ final class ArchitectureTest {
     allow("carom.physics", "carom.physics..");
     allow("carom.physics.effects", "carom.physics..");
     allow("carom.physics.particles", "carom.physics..");
-    allow("carom.sim", "carom.physics..");
-    allow("carom.sim.scene", "carom.physics..", "carom.sim");
-    allow("carom.game", "carom.physics..", "carom.sim", "carom.sim.scene");
+    allow("carom.sim.event");
+    allow("carom.sim.level", "carom.physics..");
+    allow("carom.sim", "carom.physics..", "carom.sim.level", "carom.sim.event");
+    allow("carom.sim.scene", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.event");
+    allow("carom.game", "carom.physics..", "carom.sim..");
     allow("carom.net.codec");
     allow("carom.net.trace", "carom.net.codec");
-    allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol");
+    allow("carom.net.snapshot.event", "carom.net.codec", "carom.net.protocol");
+    allow(
+        "carom.net.snapshot.frame",
+        "carom.net.codec",
+        "carom.net.protocol",
+        "carom.net.snapshot.event");
+    allow(
+        "carom.net.snapshot.record",
+        "carom.net.codec",
+        "carom.net.protocol",
+        "carom.net.snapshot.frame");
+    allow(
+        "carom.net.snapshot.relay",
+        "carom.net.codec",
+        "carom.net.protocol",
+        "carom.net.snapshot.frame");
+    allow(
+        "carom.net.snapshot.exact",
+        "carom.net.codec",
+        "carom.net.snapshot.frame",
+        "carom.net.snapshot.relay");
+    allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol", "carom.net.snapshot.*");
     allow("carom.net.protocol", "carom.net.codec");
     allow("carom.net.transport", "carom.net.protocol");
     allow("carom.net.kryo", "carom.net.protocol", "carom.net.transport", "carom.net.codec");
     allow("carom.options", "carom.net.transport");
-    allow("carom.replay", "carom.sim", "carom.physics", "carom.physics.archive", "carom.game");
+    allow(
+        "carom.replay",
+        "carom.sim",
+        "carom.sim.level",
+        "carom.physics",
+        "carom.physics.archive",
+        "carom.game");
     allow(
         "carom.server..",
         "carom.server..",

@@ -3,15 +3,15 @@ package carom.game;
 import carom.physics.Body;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
-import carom.sim.Appearance;
-import carom.sim.Archetype;
-import carom.sim.ArchetypeDef;
 import carom.sim.Entity;
 import carom.sim.Game;
 import carom.sim.Input;
-import carom.sim.Level;
 import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.level.Appearance;
+import carom.sim.level.Archetype;
+import carom.sim.level.ArchetypeDef;
+import carom.sim.level.Level;
 
 /** Whoever is "it" touches somebody, who is "it" then. All others gain a point a second. */
 public final class TagGame implements Game {

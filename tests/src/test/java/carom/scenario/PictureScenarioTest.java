@@ -9,7 +9,7 @@ import carom.client.InputSource;
 import carom.client.PredictionMode;
 import carom.client.bots.Bot;
 import carom.net.codec.Quantizer;
-import carom.net.snapshot.FrameState;
+import carom.net.snapshot.frame.FrameState;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.sim.Entity;

@@ -20,7 +20,7 @@ import carom.replay.RecordingReader;
 import carom.replay.Replay;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
-import carom.sim.Level;
+import carom.sim.level.Level;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

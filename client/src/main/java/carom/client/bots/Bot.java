@@ -2,10 +2,10 @@ package carom.client.bots;
 
 import carom.client.ClientView;
 import carom.client.InputSource;
-import carom.sim.Appearance.Look;
 import carom.sim.Input;
-import carom.sim.Level;
 import carom.sim.SimRandom;
+import carom.sim.level.Appearance.Look;
+import carom.sim.level.Level;
 import java.util.List;
 
 /**

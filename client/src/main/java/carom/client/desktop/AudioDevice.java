@@ -1,6 +1,6 @@
 package carom.client.desktop;
 
-import carom.sim.Sound;
+import carom.sim.event.Sound;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.files.FileHandle;
 import com.badlogic.gdx.utils.Disposable;

@@ -2,8 +2,8 @@ package carom.client.desktop;
 
 import carom.client.events.EventListener;
 import carom.sim.Event;
-import carom.sim.EventKind;
-import carom.sim.Sound;
+import carom.sim.event.EventKind;
+import carom.sim.event.Sound;
 import com.badlogic.gdx.math.MathUtils;
 
 /**

@@ -6,7 +6,7 @@ import carom.client.ConnectionPhase;
 import carom.game.Games;
 import carom.net.protocol.Limits;
 import carom.net.protocol.ServerMessage.RosterEntry;
-import carom.sim.Appearance;
+import carom.sim.level.Appearance;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.graphics.g2d.BitmapFont;
 import com.badlogic.gdx.graphics.g2d.GlyphLayout;

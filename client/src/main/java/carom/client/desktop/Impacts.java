@@ -2,8 +2,8 @@ package carom.client.desktop;
 
 import carom.client.ClientView;
 import carom.client.ClientView.Drawn;
-import carom.sim.Appearance.Look;
-import carom.sim.Archetype;
+import carom.sim.level.Appearance.Look;
+import carom.sim.level.Archetype;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.math.MathUtils;
 import com.badlogic.gdx.math.Vector2;

@@ -1,6 +1,6 @@
 package carom.client.desktop;
 
-import carom.sim.Sound;
+import carom.sim.event.Sound;
 
 /** What makes sounds audible. Render thread only. */
 interface Speaker {

@@ -1,7 +1,7 @@
 package carom.client.desktop;
 
 import carom.client.GameClient;
-import carom.sim.Level;
+import carom.sim.level.Level;
 import com.badlogic.gdx.graphics.OrthographicCamera;
 import com.badlogic.gdx.math.MathUtils;
 import com.badlogic.gdx.math.Vector3;

@@ -1,6 +1,6 @@
 package carom.client.desktop;
 
-import carom.sim.Sound;
+import carom.sim.event.Sound;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;

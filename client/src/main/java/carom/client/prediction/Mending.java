@@ -2,8 +2,8 @@ package carom.client.prediction;
 
 import carom.client.interpolation.Pose;
 import carom.net.codec.Quantizer;
-import carom.net.snapshot.NearState;
-import carom.net.snapshot.OwnState;
+import carom.net.snapshot.exact.NearState;
+import carom.net.snapshot.exact.OwnState;
 import carom.physics.Body;
 import carom.physics.dynamics.Excerpt;
 import carom.sim.Entity;

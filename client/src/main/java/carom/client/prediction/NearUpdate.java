@@ -1,6 +1,6 @@
 package carom.client.prediction;
 
-import carom.net.snapshot.NearState;
+import carom.net.snapshot.exact.NearState;
 import java.util.Arrays;
 
 /**

@@ -1,6 +1,6 @@
 package carom.client.prediction;
 
-import carom.net.snapshot.RelayedInputs;
+import carom.net.snapshot.relay.RelayedInputs;
 import carom.sim.Input;
 import carom.sim.Player;
 import carom.sim.Simulation;

@@ -2,9 +2,9 @@ package carom.client.prediction;
 
 import carom.client.interpolation.Pose;
 import carom.client.interpolation.VisualError;
-import carom.net.snapshot.NearState;
-import carom.net.snapshot.OwnState;
 import carom.net.snapshot.SnapshotDecoder;
+import carom.net.snapshot.exact.NearState;
+import carom.net.snapshot.exact.OwnState;
 import carom.physics.Body;
 import carom.sim.Entity;
 import carom.sim.Neighbourhood;

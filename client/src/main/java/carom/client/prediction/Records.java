@@ -4,11 +4,11 @@ import carom.client.interpolation.HistoryStates;
 import carom.client.interpolation.Pose;
 import carom.client.interpolation.States;
 import carom.net.snapshot.EntityHistory;
-import carom.net.snapshot.RelayedInputs;
 import carom.net.snapshot.SnapshotDecoder;
-import carom.sim.Archetype;
+import carom.net.snapshot.relay.RelayedInputs;
 import carom.sim.Neighbourhood;
 import carom.sim.Simulation;
+import carom.sim.level.Archetype;
 
 /** What has arrived: who is who, where everybody was, and what the other players did. */
 final class Records implements Neighbourhood.Identity {

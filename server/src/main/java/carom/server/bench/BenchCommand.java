@@ -1,7 +1,7 @@
 package carom.server.bench;
 
 import carom.options.BadFlag;
-import carom.sim.Suggestion;
+import carom.sim.level.Suggestion;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.lang.module.ModuleFinder;

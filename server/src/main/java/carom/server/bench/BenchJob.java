@@ -1,6 +1,6 @@
 package carom.server.bench;
 
-import carom.sim.Suggestion;
+import carom.sim.level.Suggestion;
 import carom.sim.scene.Scenes;
 import java.util.ArrayList;
 import java.util.List;

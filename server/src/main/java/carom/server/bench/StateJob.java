@@ -1,7 +1,7 @@
 package carom.server.bench;
 
-import carom.net.snapshot.FrameRing;
-import carom.net.snapshot.FrameState;
+import carom.net.snapshot.frame.FrameRing;
+import carom.net.snapshot.frame.FrameState;
 import carom.physics.World;
 import carom.physics.WorldState;
 import carom.server.replication.FrameCapture;

@@ -1,6 +1,6 @@
 package carom.testkit.figures;
 
-import carom.net.snapshot.FrameRing;
+import carom.net.snapshot.frame.FrameRing;
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.sim.scene.BenchmarkScenes;

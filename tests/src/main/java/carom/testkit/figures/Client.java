@@ -1,11 +1,11 @@
 package carom.testkit.figures;
 
 import carom.net.snapshot.DecodeStatus;
-import carom.net.snapshot.FrameRing;
 import carom.net.snapshot.InputFeedback;
-import carom.net.snapshot.OwnState;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.SnapshotEncoder;
+import carom.net.snapshot.exact.OwnState;
+import carom.net.snapshot.frame.FrameRing;
 
 /**
  * One client's snapshots without a network: each one arrives, and its ack is back after a fixed

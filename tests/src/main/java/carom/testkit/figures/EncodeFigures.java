@@ -1,7 +1,7 @@
 package carom.testkit.figures;
 
-import carom.net.snapshot.FrameRing;
-import carom.net.snapshot.FrameState;
+import carom.net.snapshot.frame.FrameRing;
+import carom.net.snapshot.frame.FrameState;
 import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.sim.scene.SceneRun;

@@ -4,7 +4,7 @@ import carom.client.InputSource;
 import carom.net.protocol.PackedLevel;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
-import carom.sim.Level;
+import carom.sim.level.Level;
 import carom.testkit.BigWorlds;
 import carom.testkit.Scripts;
 import carom.testkit.Stepper;

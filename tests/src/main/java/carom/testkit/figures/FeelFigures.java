@@ -3,7 +3,7 @@ package carom.testkit.figures;
 import carom.client.ClientView;
 import carom.client.bots.Bot;
 import carom.net.codec.Quantizer;
-import carom.net.snapshot.FrameState;
+import carom.net.snapshot.frame.FrameState;
 import carom.net.transport.Impairment;
 import carom.server.metrics.Counter;
 import carom.testkit.SimulatedClient;

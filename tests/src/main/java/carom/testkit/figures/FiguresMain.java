@@ -2,7 +2,7 @@ package carom.testkit.figures;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 
-import carom.sim.Suggestion;
+import carom.sim.level.Suggestion;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.file.Files;

@@ -20,7 +20,7 @@ import carom.physics.threads.WorkerThreads;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.Level;
+import carom.sim.level.Level;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;

@@ -4,10 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.Games;
-import carom.sim.Archetype;
-import carom.sim.Level;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.level.Archetype;
+import carom.sim.level.Level;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 

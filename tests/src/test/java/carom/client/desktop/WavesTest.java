@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.sim.Sound;
+import carom.sim.event.Sound;
 import java.io.ByteArrayInputStream;
 import java.util.HashSet;
 import java.util.Set;

@@ -5,12 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.ArenaGame;
 import carom.sim.Event;
-import carom.sim.EventKind;
-import carom.sim.Level;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.SimState;
 import carom.sim.Simulation;
+import carom.sim.event.EventKind;
+import carom.sim.level.Level;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;

@@ -6,6 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.events.Repeats;
+import carom.net.snapshot.event.EventRecord;
+import carom.net.snapshot.event.EventRing;
+import carom.net.snapshot.frame.FrameRing;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
