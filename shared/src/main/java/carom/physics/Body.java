@@ -2,10 +2,10 @@ package carom.physics;
 
 import carom.physics.dynamics.Dynamics;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Checks;
 import carom.physics.dynamics.body.ShapeSpec;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
+import carom.physics.math.Limits;
 import carom.physics.math.StateHash;
 import carom.physics.math.Trig;
 import java.util.function.Consumer;
@@ -123,7 +123,7 @@ public final class Body<T> {
    */
   public void setType(BodyType newType) {
     check();
-    world.changes().changeType(this, newType);
+    world.edits().changeType(this, newType);
   }
 
   /**
@@ -147,7 +147,7 @@ public final class Body<T> {
    */
   public void setEnabled(boolean enabled) {
     check();
-    world.changes().enable(this, enabled);
+    world.edits().enable(this, enabled);
   }
 
   /**
@@ -343,7 +343,7 @@ public final class Body<T> {
    * @param angleRad rad
    */
   public void setPose(float x, float y, float angleRad) {
-    Checks.range("angle", angleRad, -1e5f, 1e5f);
+    Limits.range("angle", angleRad, -1e5f, 1e5f);
     setPose(x, y, Trig.cos(angleRad), Trig.sin(angleRad));
   }
 
@@ -402,8 +402,8 @@ public final class Body<T> {
    */
   public void setVelocity(float vx, float vy) {
     check();
-    Checks.velocity("velocityX", vx);
-    Checks.velocity("velocityY", vy);
+    Limits.velocity("velocityX", vx);
+    Limits.velocity("velocityY", vy);
     if (store.type[index] != BodyStore.STATIC) {
       if (vx != 0 || vy != 0) {
         rouse();
@@ -420,7 +420,7 @@ public final class Body<T> {
    */
   public void setAngularVelocity(float radPerSecond) {
     check();
-    Checks.velocity("angularVelocity", radPerSecond);
+    Limits.velocity("angularVelocity", radPerSecond);
     if (store.type[index] != BodyStore.STATIC) {
       if (radPerSecond != 0) {
         rouse();
@@ -437,8 +437,8 @@ public final class Body<T> {
    */
   public void applyForce(float fx, float fy) {
     check();
-    Checks.force("forceX", fx);
-    Checks.force("forceY", fy);
+    Limits.force("forceX", fx);
+    Limits.force("forceY", fy);
     if (acts() && (fx != 0 || fy != 0)) {
       dynamics().wake(index);
       store.forceX[index] += fx;
@@ -455,8 +455,8 @@ public final class Body<T> {
    * @param py point of application, m, world
    */
   public void applyForce(float fx, float fy, float px, float py) {
-    Checks.coordinate("px", px);
-    Checks.coordinate("py", py);
+    Limits.coordinate("px", px);
+    Limits.coordinate("py", py);
     applyForce(fx, fy);
     if (acts()) {
       store.torque[index] += (px - store.x[index]) * fy - (py - store.y[index]) * fx;
@@ -474,9 +474,9 @@ public final class Body<T> {
    */
   public void applyAmbientForce(float fx, float fy, float torque) {
     check();
-    Checks.force("forceX", fx);
-    Checks.force("forceY", fy);
-    Checks.force("torque", torque);
+    Limits.force("forceX", fx);
+    Limits.force("forceY", fy);
+    Limits.force("torque", torque);
     if (acts() && !store.asleep(index)) {
       store.forceX[index] += fx;
       store.forceY[index] += fy;
@@ -507,8 +507,8 @@ public final class Body<T> {
    */
   public void applyImpulse(float jx, float jy) {
     check();
-    Checks.force("impulseX", jx);
-    Checks.force("impulseY", jy);
+    Limits.force("impulseX", jx);
+    Limits.force("impulseY", jy);
     if (acts() && (jx != 0 || jy != 0)) {
       dynamics().wake(index);
       store.impulseX[index] += jx;
@@ -525,8 +525,8 @@ public final class Body<T> {
    * @param py point of application, m, world
    */
   public void applyImpulse(float jx, float jy, float px, float py) {
-    Checks.coordinate("px", px);
-    Checks.coordinate("py", py);
+    Limits.coordinate("px", px);
+    Limits.coordinate("py", py);
     applyImpulse(jx, jy);
     if (acts()) {
       store.impulseW[index] += (px - store.x[index]) * jy - (py - store.y[index]) * jx;
@@ -540,7 +540,7 @@ public final class Body<T> {
    */
   public void applyTorque(float torque) {
     check();
-    Checks.force("torque", torque);
+    Limits.force("torque", torque);
     if (acts() && torque != 0) {
       dynamics().wake(index);
       store.torque[index] += torque;
@@ -554,7 +554,7 @@ public final class Body<T> {
    */
   public void applyAngularImpulse(float j) {
     check();
-    Checks.force("angularImpulse", j);
+    Limits.force("angularImpulse", j);
     if (acts() && j != 0) {
       dynamics().wake(index);
       store.impulseW[index] += j;
@@ -573,7 +573,7 @@ public final class Body<T> {
    * @param dtSeconds the length of the next step, s
    */
   public void seekVelocity(float goalX, float goalY, float k, float dtSeconds) {
-    Checks.timeStep(dtSeconds);
+    Limits.timeStep(dtSeconds);
     seekVelocity(goalX, goalY, Math.min(k, mass() / dtSeconds));
   }
 
@@ -587,9 +587,9 @@ public final class Body<T> {
    */
   public void seekVelocity(float goalX, float goalY, float k) {
     check();
-    Checks.velocity("goalX", goalX);
-    Checks.velocity("goalY", goalY);
-    Checks.range("k", k, 0, 1e12f);
+    Limits.velocity("goalX", goalX);
+    Limits.velocity("goalY", goalY);
+    Limits.range("k", k, 0, 1e12f);
     applyForce(k * (goalX - store.vx[index]), k * (goalY - store.vy[index]));
   }
 
@@ -667,7 +667,7 @@ public final class Body<T> {
    */
   public void setMass(float kilograms, float inertia, float centerX, float centerY) {
     check();
-    world.changes().changeMass(this, BodyDef.checkedMass(kilograms, inertia, centerX, centerY));
+    world.edits().changeMass(this, BodyDef.checkedMass(kilograms, inertia, centerX, centerY));
   }
 
   /**
@@ -678,7 +678,7 @@ public final class Body<T> {
    */
   public void computeMass() {
     check();
-    world.changes().changeMass(this, null);
+    world.edits().changeMass(this, null);
   }
 
   /**
@@ -710,7 +710,7 @@ public final class Body<T> {
    */
   public void setFixedRotation(boolean fixed) {
     check();
-    world.changes().fixRotation(this, fixed);
+    world.edits().fixRotation(this, fixed);
   }
 
   /**
@@ -753,7 +753,7 @@ public final class Body<T> {
    */
   public void setMaterial(int i, Material newMaterial) {
     check();
-    world.changes().changeShape(this, i, shape -> shape.withMaterial(newMaterial));
+    world.edits().changeShape(this, i, shape -> shape.withMaterial(newMaterial));
   }
 
   /**
@@ -777,7 +777,7 @@ public final class Body<T> {
    */
   public void setFilter(int i, Filter newFilter) {
     check();
-    world.changes().changeShape(this, i, shape -> shape.withFilter(newFilter));
+    world.edits().changeShape(this, i, shape -> shape.withFilter(newFilter));
   }
 
   /**
@@ -801,7 +801,7 @@ public final class Body<T> {
    */
   public void setSensor(int i, boolean sensor) {
     check();
-    world.changes().changeShape(this, i, shape -> shape.withSensor(sensor));
+    world.edits().changeShape(this, i, shape -> shape.withSensor(sensor));
   }
 
   /**
@@ -831,7 +831,7 @@ public final class Body<T> {
    */
   public void setGravityScale(float factor) {
     check();
-    Checks.range("gravityScale", factor, -Checks.MAX_GRAVITY_SCALE, Checks.MAX_GRAVITY_SCALE);
+    Limits.range("gravityScale", factor, -Limits.MAX_GRAVITY_SCALE, Limits.MAX_GRAVITY_SCALE);
     if (store.gravityScale[index] != factor) {
       rouse();
       store.gravityScale[index] = factor;
@@ -856,7 +856,7 @@ public final class Body<T> {
    */
   public void setLinearDamping(float perSecond) {
     check();
-    store.linearDamping[index] = Checks.range("linearDamping", perSecond, 0, Checks.MAX_DAMPING);
+    store.linearDamping[index] = Limits.range("linearDamping", perSecond, 0, Limits.MAX_DAMPING);
     store.coldChanged();
   }
 
@@ -877,7 +877,7 @@ public final class Body<T> {
    */
   public void setAngularDamping(float perSecond) {
     check();
-    store.angularDamping[index] = Checks.range("angularDamping", perSecond, 0, Checks.MAX_DAMPING);
+    store.angularDamping[index] = Limits.range("angularDamping", perSecond, 0, Limits.MAX_DAMPING);
     store.coldChanged();
   }
 

@@ -8,10 +8,10 @@ import carom.physics.collision.distance.ClosestPoints;
 import carom.physics.collision.distance.Distance;
 import carom.physics.dynamics.PartQueries;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Checks;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
+import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 import java.util.Arrays;
 
@@ -147,7 +147,7 @@ public final class Queries<T> {
   }
 
   private void askRay(Mode how, float x, float y, float wayX, float wayY, QueryFilter<T> whom) {
-    startBox.set(Checks.coordinate("x", x), Checks.coordinate("y", y), x, y);
+    startBox.set(Limits.coordinate("x", x), Limits.coordinate("y", y), x, y);
     castBox(Kind.RAY, how, wayX, wayY, whom);
   }
 
@@ -252,10 +252,10 @@ public final class Queries<T> {
       throw new IllegalArgumentException("area=" + area + " is empty, needs min <= max");
     }
     startBox.set(
-        Checks.coordinate("minX", area.minX),
-        Checks.coordinate("minY", area.minY),
-        Checks.coordinate("maxX", area.maxX),
-        Checks.coordinate("maxY", area.maxY));
+        Limits.coordinate("minX", area.minX),
+        Limits.coordinate("minY", area.minY),
+        Limits.coordinate("maxX", area.maxX),
+        Limits.coordinate("maxY", area.maxY));
     castBox(Kind.BOX, how, wayX, wayY, whom);
   }
 
@@ -301,13 +301,13 @@ public final class Queries<T> {
    * @return whether anything is within the radius
    */
   public boolean nearest(float x, float y, float radius, QueryFilter<T> whom, QueryHit<T> out) {
-    askPoint(x, y, Checks.range("radius", radius, 0, Checks.MAX_COORDINATE), Mode.CLOSEST, whom);
+    askPoint(x, y, Limits.range("radius", radius, 0, Limits.MAX_COORDINATE), Mode.CLOSEST, whom);
     return takeClosest(out);
   }
 
   private void askPoint(float x, float y, float radius, Mode how, QueryFilter<T> whom) {
-    Checks.coordinate("x", x);
-    Checks.coordinate("y", y);
+    Limits.coordinate("x", x);
+    Limits.coordinate("y", y);
     start.set(x, y, 1, 0);
     startBox.set(x, y, x, y).grow(radius);
     begin(Kind.NEAREST, how, whom);
@@ -318,8 +318,8 @@ public final class Queries<T> {
   // ---------------------------------------------------------------- how it works
 
   private void place(Shape moving, Transform from) {
-    Checks.coordinate("x", from.x);
-    Checks.coordinate("y", from.y);
+    Limits.coordinate("x", from.x);
+    Limits.coordinate("y", from.y);
     float square = from.cos * from.cos + from.sin * from.sin;
     if (!(Math.abs(square - 1) <= 0.01f)) {
       throw new IllegalArgumentException(
@@ -341,8 +341,8 @@ public final class Queries<T> {
   }
 
   private void castBox(Kind what, Mode how, float wayX, float wayY, QueryFilter<T> whom) {
-    dx = Checks.coordinate("wayX", wayX);
-    dy = Checks.coordinate("wayY", wayY);
+    dx = Limits.coordinate("wayX", wayX);
+    dy = Limits.coordinate("wayY", wayY);
     begin(what, how, whom);
     try {
       widen();

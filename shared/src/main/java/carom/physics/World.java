@@ -8,7 +8,6 @@ import carom.physics.dynamics.Dynamics;
 import carom.physics.dynamics.Excerpt;
 import carom.physics.dynamics.PartQueries;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Checks;
 import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.body.ShapeSpec;
 import carom.physics.dynamics.contact.BodyContacts;
@@ -18,6 +17,7 @@ import carom.physics.dynamics.joint.JointEvents;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.geometry.MassData;
 import carom.physics.math.Aabb;
+import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 import carom.physics.math.Trig;
 import carom.physics.profile.StageListener;
@@ -53,7 +53,7 @@ public final class World<T> {
   private final Events events = new Events();
   private final Queries<T> queries;
   private final Handles<T> handles = new Handles<>();
-  private final Changes<T> changes;
+  private final EditQueue<T> edits;
   private long moves;
   private final JointEvents onBroke = this::broke;
 
@@ -105,7 +105,7 @@ public final class World<T> {
     joints = dynamics.joints();
     collision = new Collision<>(this, dynamics.contacts());
     queries = new Queries<>(this, null);
-    changes = new Changes<>(this, dynamics, handles);
+    edits = new EditQueue<>(this, dynamics, handles);
   }
 
   /**
@@ -210,7 +210,7 @@ public final class World<T> {
   public void destroyBody(Body<T> body) {
     refuseDuringQuery("destroyBody");
     own(body);
-    changes.destroy(body);
+    edits.destroy(body);
   }
 
   ShapeDef[] shapes(int slot) {
@@ -279,7 +279,7 @@ public final class World<T> {
     if (joint.world() != this) {
       throw new IllegalArgumentException("joint=" + joint + " belongs to another world");
     }
-    changes.destroy(joint);
+    edits.destroy(joint);
   }
 
   /**
@@ -339,7 +339,7 @@ public final class World<T> {
     if (jointListener != null) {
       jointListener.broke(joint);
     }
-    changes.destroy(joint);
+    edits.destroy(joint);
   }
 
   /**
@@ -351,17 +351,17 @@ public final class World<T> {
    * @param dtSeconds s, more than 0, at most 0.1; use the same in every step
    */
   public void step(float dtSeconds) {
-    Checks.timeStep(dtSeconds);
+    Limits.timeStep(dtSeconds);
     refuseDuringStep("step");
     refuseDuringQuery("step");
     stepping = true;
     try {
       moves++;
       dynamics.step(dtSeconds, contactEvents(), onBroke);
-      changes.carryOut();
+      edits.carryOut();
     } finally {
       stepping = false;
-      changes.forget();
+      edits.forget();
     }
   }
 
@@ -654,10 +654,10 @@ public final class World<T> {
   private int find(float minX, float minY, float maxX, float maxY) {
     refuseDuringQuery("query");
     queryBox.set(
-        Checks.coordinate("minX", minX),
-        Checks.coordinate("minY", minY),
-        Checks.coordinate("maxX", maxX),
-        Checks.coordinate("maxY", maxY));
+        Limits.coordinate("minX", minX),
+        Limits.coordinate("minY", minY),
+        Limits.coordinate("maxX", maxX),
+        Limits.coordinate("maxY", maxY));
     foundCount = 0;
     parts.query(minX, minY, maxX, maxY, collect);
     for (int i = 1; i < foundCount; i++) {
@@ -855,8 +855,8 @@ public final class World<T> {
     return new Queries<>(this, poses);
   }
 
-  Changes<T> changes() {
-    return changes;
+  EditQueue<T> edits() {
+    return edits;
   }
 
   /** Who hears of contacts that end because a body goes or changes, null for nobody. */
@@ -865,13 +865,13 @@ public final class World<T> {
   }
 
   /** Begins what callbacks may not disturb; answers false if it has begun already. */
-  boolean beginChanges() {
+  boolean beginEdits() {
     boolean begins = !stepping;
     stepping = true;
     return begins;
   }
 
-  void endChanges() {
+  void endEdits() {
     stepping = false;
   }
 

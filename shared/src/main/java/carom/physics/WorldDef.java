@@ -1,6 +1,6 @@
 package carom.physics;
 
-import carom.physics.dynamics.body.Checks;
+import carom.physics.math.Limits;
 import java.util.function.Consumer;
 
 /**
@@ -104,23 +104,23 @@ public record WorldDef(
    * @throws IllegalArgumentException naming the value that is not finite or out of range
    */
   public WorldDef {
-    Checks.range("gravityX", gravityX, -1e4f, 1e4f);
-    Checks.range("gravityY", gravityY, -1e4f, 1e4f);
-    Checks.range("substeps", substeps, 1, 32);
-    Checks.range("contactHertz", contactHertz, 1, 1000);
-    Checks.range("contactDampingRatio", contactDampingRatio, 0.1f, 100);
-    Checks.range("restitutionThreshold", restitutionThreshold, 0, 1e5f);
-    Checks.range("maxPushSpeed", maxPushSpeed, 0, 1e3f);
-    Checks.range("slop", slop, 0, 1);
-    Checks.range("speculativeDistance", speculativeDistance, 0, 1);
-    Checks.range("aabbMargin", aabbMargin, 0, 10);
-    Checks.range("maxSpeed", maxSpeed, 1, 1e5f);
-    Checks.range("maxAngularSpeed", maxAngularSpeed, 1, 1e5f);
-    Checks.range("jointHertz", jointHertz, 1, 1000);
-    Checks.range("jointDampingRatio", jointDampingRatio, 0.1f, 100);
-    Checks.range("sleepSpeed", sleepSpeed, 0, 1e3f);
-    Checks.range("sleepDelay", sleepDelay, 1e-3f, 1e3f);
-    Checks.range("hitSpeed", hitSpeed, 0, 1e5f);
+    Limits.range("gravityX", gravityX, -1e4f, 1e4f);
+    Limits.range("gravityY", gravityY, -1e4f, 1e4f);
+    Limits.range("substeps", substeps, 1, 32);
+    Limits.range("contactHertz", contactHertz, 1, 1000);
+    Limits.range("contactDampingRatio", contactDampingRatio, 0.1f, 100);
+    Limits.range("restitutionThreshold", restitutionThreshold, 0, 1e5f);
+    Limits.range("maxPushSpeed", maxPushSpeed, 0, 1e3f);
+    Limits.range("slop", slop, 0, 1);
+    Limits.range("speculativeDistance", speculativeDistance, 0, 1);
+    Limits.range("aabbMargin", aabbMargin, 0, 10);
+    Limits.range("maxSpeed", maxSpeed, 1, 1e5f);
+    Limits.range("maxAngularSpeed", maxAngularSpeed, 1, 1e5f);
+    Limits.range("jointHertz", jointHertz, 1, 1000);
+    Limits.range("jointDampingRatio", jointDampingRatio, 0.1f, 100);
+    Limits.range("sleepSpeed", sleepSpeed, 0, 1e3f);
+    Limits.range("sleepDelay", sleepDelay, 1e-3f, 1e3f);
+    Limits.range("hitSpeed", hitSpeed, 0, 1e5f);
     if (integrator == null) {
       throw new IllegalArgumentException("integrator=null; choose one of Integrator's");
     }

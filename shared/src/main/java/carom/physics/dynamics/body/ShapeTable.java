@@ -17,7 +17,7 @@ import java.util.Arrays;
  * ticks and the broadphase has nothing to do for quiet bodies.
  */
 public final class ShapeTable {
-  /** How many values {@link #kind} has. */
+  /** Number of values of {@link #kind}. */
   public static final int KINDS = 4;
 
   private static final int FIRST_CAPACITY = 64;
@@ -45,7 +45,7 @@ public final class ShapeTable {
   public float[] rolling = new float[FIRST_CAPACITY];
   public float[] tangentSpeed = new float[FIRST_CAPACITY];
 
-  /** Whom the part meets; see {@code carom.physics.Filter}. */
+  /** The part's category; see {@code carom.physics.Filter}. */
   int[] category = new int[FIRST_CAPACITY];
 
   int[] mask = new int[FIRST_CAPACITY];
@@ -84,6 +84,7 @@ public final class ShapeTable {
   private int[] nextFree = new int[FIRST_CAPACITY];
   private int used;
 
+  /** Makes an empty table. */
   public ShapeTable() {
     Arrays.fill(freeBlocks, -1);
   }
@@ -184,6 +185,7 @@ public final class ShapeTable {
     return first;
   }
 
+  /** Gives a block of parts back. */
   public void release(int first, int parts) {
     if (parts == 0) {
       return;
@@ -198,6 +200,7 @@ public final class ShapeTable {
     freeBlocks[parts] = first;
   }
 
+  /** Copies everything but boxes into another table, which grows as needed. */
   public void copyTo(ShapeTable to) {
     to.ensure(used);
     System.arraycopy(convex, 0, to.convex, 0, used);

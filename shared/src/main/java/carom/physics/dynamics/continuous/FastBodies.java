@@ -3,11 +3,11 @@ package carom.physics.dynamics.continuous;
 import carom.physics.collision.distance.Sweep;
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Checks;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.solver.SolverBodies;
 import carom.physics.dynamics.store.KeySorter;
 import carom.physics.geometry.Convex;
+import carom.physics.math.Limits;
 import carom.physics.math.Trig;
 import java.util.Arrays;
 
@@ -161,8 +161,8 @@ final class FastBodies {
   private void add(int body, boolean pressedIn) {
     float limit = ContinuousCollision.GATE * bodies.innerRadius[body];
     boolean atEdge =
-        Math.abs(bodies.x[body]) >= Checks.MAX_COORDINATE
-            || Math.abs(bodies.y[body]) >= Checks.MAX_COORDINATE;
+        Math.abs(bodies.x[body]) >= Limits.MAX_COORDINATE
+            || Math.abs(bodies.y[body]) >= Limits.MAX_COORDINATE;
     if (atEdge || limit == Float.POSITIVE_INFINITY) {
       return;
     }

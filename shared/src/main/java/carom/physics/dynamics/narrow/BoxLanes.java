@@ -79,6 +79,7 @@ public abstract class BoxLanes extends RehearsedLanes {
 
   private static final LaneTrust TRUST = new LaneTrust();
 
+  /** Makes a kernel. */
   public BoxLanes() {
     super(TRUST);
   }

@@ -107,6 +107,7 @@ public final class NarrowPhase {
     }
   }
 
+  /** Makes the narrow phase of a world without bodies. */
   public NarrowPhase(
       Settings settings,
       BodyStore bodies,

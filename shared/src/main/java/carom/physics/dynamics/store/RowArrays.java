@@ -4,10 +4,10 @@ import java.lang.reflect.Array;
 import java.util.Arrays;
 
 /**
- * Arrays of a table that its copies share: a copy is made by {@link #share} and costs nothing; who
- * is about to write takes arrays of its own first, if somebody else still has these. So a world
- * that is saved in every step copies its rows once a step at most, and where rows move anyway, not
- * at all.
+ * Arrays of a table that its copies share. A copy is made by {@link #share} and costs nothing. A
+ * table that is about to write takes arrays of its own first, if another one still has these. So a
+ * world that is saved in every step copies its rows once a step at most, and not at all where rows
+ * move anyway.
  *
  * <p>Arrays that nobody needs any longer are used again, so that saving and stepping in turns
  * allocates nothing. What is garbage without having been {@linkplain #release released}, as the
@@ -80,7 +80,7 @@ public final class RowArrays {
     return this;
   }
 
-  /** Must be called by who no longer needs them. */
+  /** Gives the arrays back; a table that no longer needs them calls it once. */
   public void release() {
     if (--holders == 0) {
       if (spares.count == spares.list.length) {

@@ -17,7 +17,7 @@ import java.util.Arrays;
  * substep, so nothing is missed. Within a substep those that go further than half their radius are
  * also cast as a ray, and all at lines, which have no inside to come out of.
  */
-final class BodyContacts {
+final class ParticleContacts {
   private static final int BLOCK = 32;
   private static final Transform HERE = new Transform();
 

@@ -9,11 +9,11 @@ import java.util.Arrays;
 import java.util.function.UnaryOperator;
 
 /**
- * What is done to bodies and joints beyond moving them: at once, or if a callback asks for it, at
- * the end of the step, in the order in which it was asked for. Wrong arguments are refused when
- * they are given.
+ * Carries out edits of bodies and joints beyond moving them: at once, or, if a callback asks for
+ * one, at the end of the step in the order of the requests. Wrong arguments are refused when they
+ * are given.
  */
-public final class Changes<T> {
+public final class EditQueue<T> {
   private static final byte DESTROY_BODY = 0;
   private static final byte DESTROY_JOINT = 1;
   private static final byte ENABLE = 2;
@@ -42,7 +42,7 @@ public final class Changes<T> {
   private final JointStore joints;
   private final Handles<T> handles;
 
-  /** What was asked for in a callback: what, to which slot of which generation. */
+  /** The requested edits; the arrays after it have their slots, generations and values. */
   private byte[] pending = new byte[8];
 
   private int[] pendingSlot = new int[8];
@@ -50,7 +50,7 @@ public final class Changes<T> {
   private Object[] pendingValue = new Object[8];
   private int pendingCount;
 
-  Changes(World<T> world, Dynamics dynamics, Handles<T> handles) {
+  EditQueue(World<T> world, Dynamics dynamics, Handles<T> handles) {
     this.world = world;
     editor = dynamics.editor();
     this.handles = handles;
@@ -106,7 +106,7 @@ public final class Changes<T> {
     request(fixed ? FIX_ROTATION : FREE_ROTATION, body.index(), body.generation(), null);
   }
 
-  /** Has something done now, or at the end of the step. */
+  /** Carries an edit out now, or queues it until the end of the step. */
   private void request(byte what, int slot, int generation, Object value) {
     if (pendingCount == pending.length) {
       pending = Arrays.copyOf(pending, pendingCount * 2);
@@ -118,16 +118,16 @@ public final class Changes<T> {
     pendingSlot[pendingCount] = slot;
     pendingValue[pendingCount] = value;
     pendingGeneration[pendingCount++] = generation;
-    if (world.beginChanges()) {
+    if (world.beginEdits()) {
       try {
         carryOut();
       } finally {
-        world.endChanges();
+        world.endEdits();
       }
     }
   }
 
-  /** Does what was asked for; end callbacks may ask for more. */
+  /** Carries out all queued edits; callbacks that hear of ends may queue more. */
   void carryOut() {
     try {
       for (int i = 0; i < pendingCount; i++) {
@@ -179,7 +179,7 @@ public final class Changes<T> {
     handles.shapes(slot, changed);
   }
 
-  /** Forgets what was asked for in a step that failed. */
+  /** Forgets the edits that were requested in a step that failed. */
   void forget() {
     pendingCount = 0;
   }

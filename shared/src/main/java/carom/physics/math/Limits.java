@@ -1,16 +1,13 @@
-package carom.physics.dynamics.body;
-
-import carom.physics.geometry.Convex;
-import carom.physics.geometry.Segment;
-import carom.physics.geometry.Shape;
+package carom.physics.math;
 
 /**
- * Refuses numbers the simulation can't work with, in the words of the caller.
+ * The ranges of the numbers that a world accepts, and the checks that refuse others in the words of
+ * the caller.
  *
- * <p>Every number that enters a world passes one of these, so that inside there are no NaNs and no
- * values whose products overflow.
+ * <p>Every number that enters a world passes one of these checks, so that inside there are no NaNs
+ * and no values whose products overflow. Programs may use the same limits for their own input.
  */
-public final class Checks {
+public final class Limits {
   /** Largest distance from the origin, m: floats are 1 m apart there. */
   public static final float MAX_COORDINATE = 1e7f;
 
@@ -38,7 +35,7 @@ public final class Checks {
   /** Longest time step, s. */
   public static final float MAX_TIME_STEP = 0.1f;
 
-  private Checks() {}
+  private Limits() {}
 
   /**
    * Checks a closed range.
@@ -106,19 +103,6 @@ public final class Checks {
               + "; step more often instead of further");
     }
     return seconds;
-  }
-
-  /** Refuses segments and chains, for bodies that move by forces. */
-  static void refuseLines(Shape shape) {
-    for (Convex part : shape.parts()) {
-      if (part instanceof Segment) {
-        throw new IllegalArgumentException(
-            "shape="
-                + part
-                + " has no mass, which a dynamic body needs; make the body static or kinematic, or"
-                + " the line a thin capsule");
-      }
-    }
   }
 
   private static float magnitude(String name, float value, float limit) {
