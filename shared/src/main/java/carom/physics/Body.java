@@ -26,6 +26,9 @@ import java.util.function.Consumer;
  * <p>Forces and impulses add up, act in the next step, and are then forgotten; on static and
  * kinematic bodies, and on disabled ones, they do nothing.
  *
+ * <p><b>Length.</b> The class has one getter or setter per property of a body, each with its unit
+ * and range; none of them is longer than a few lines.
+ *
  * @param <T> the user's type
  */
 public final class Body<T> {

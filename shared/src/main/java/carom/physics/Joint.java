@@ -17,6 +17,9 @@ import carom.physics.math.Trig;
  * <p>What is set acts from the next step on, and wakes the bodies if it is another value than
  * before. Joints are solved in the order of their indices.
  *
+ * <p><b>Length.</b> The class has one getter or setter per property of a joint, each with its unit
+ * and range; none of them is longer than a few lines.
+ *
  * @param <T> the user's type of {@link Body#user()}
  */
 public final class Joint<T> {

@@ -32,6 +32,9 @@ import java.util.Arrays;
  * <p>Also in collision callbacks. One thread at a time, and not within another query's filter or
  * visitor. Allocates nothing once it has seen its largest answer. Coordinates are m, world axes.
  *
+ * <p><b>Length.</b> All questions share one search and its scratch memory, which is why they are in
+ * one class; a third of it is doc comments.
+ *
  * @param <T> the world's user type
  */
 public final class Queries<T> {

@@ -34,6 +34,10 @@ import java.util.function.IntFunction;
  * equal bits on every JVM, and {@link #stateHash} proves it. One thread at a time. A steady {@link
  * #step} allocates nothing.
  *
+ * <p><b>Length.</b> The class has one method per thing a program may ask of a world; half of it is
+ * doc comments. The work is elsewhere: {@code dynamics} steps, {@link Queries} answers, {@code
+ * EditQueue} changes bodies, {@code Handles} keeps their objects.
+ *
  * @param <T> what bodies stand for in the user's program, see {@link Body#user()}
  */
 public final class World<T> {

@@ -24,6 +24,9 @@ import carom.physics.broadphase.kd.KdTree;
  * rooms one by one, until a list is twice as long as when it was made: then its rooms are made
  * anew. What moves its own size in a tick is better off with the tree alone.
  *
+ * <p><b>Length.</b> Both lists of pairs and both kinds of rooms are one invariant, kept by one
+ * class.
+ *
  * <p><b>Order, ownership, threads, errors</b> as for every {@link SpatialIndex}. <b>Cost.</b> O(n +
  * pairs) in most ticks. Boxes are kept in the order of the tree, so that all streams are local.
  */

@@ -1,6 +1,5 @@
 package carom.physics.broadphase.index;
 
-import carom.physics.broadphase.kd.KdTree;
 import java.util.Arrays;
 
 /**
@@ -8,7 +7,7 @@ import java.util.Arrays;
  *
  * <p>Cells are cut in half in both directions until they hold at most {@value #LEAF} boxes or are
  * {@value #MAX_DEPTH} levels deep. Where boxes cluster, that takes many levels for few boxes, which
- * is what a {@link KdTree} avoids. Built anew each time, without node objects: the four children of
+ * is what a {@code KdTree} avoids. Built anew each time, without node objects: the four children of
  * a node are neighbours in the arrays, and each node owns a range of the sorted boxes.
  *
  * <p>Identical centres all end in one leaf and are compared with each other, which costs no more

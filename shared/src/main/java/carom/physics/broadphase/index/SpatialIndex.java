@@ -1,12 +1,10 @@
 package carom.physics.broadphase.index;
 
-import carom.physics.broadphase.kd.KdTree;
-
 /**
  * Finds overlapping boxes among many.
  *
- * <p>An index remembers the boxes as they were at the last {@link #rebuild} (a {@link KdTree} also
- * at the last {@link KdTree#refit()}); changing the {@link AabbArray} afterwards doesn't change an
+ * <p>An index remembers the boxes as they were at the last {@link #rebuild} (a {@code KdTree} also
+ * at the last {@code KdTree.refit()}); changing the {@link AabbArray} afterwards doesn't change an
  * answer until then. Intervals are closed: boxes that merely touch overlap, as do boxes of zero
  * size. No world bounds, no cell size.
  *

@@ -30,6 +30,19 @@ import java.util.Arrays;
  * extra. The partition decides about speed alone: bounds are always those of the boxes, hence
  * answers are right however stale the partition is.
  *
+ * <pre>
+ *   node          1                 children of n: 2n and 2n + 1
+ *             /       \
+ *           2           3           inner nodes: split coordinate, bounds
+ *         /   \       /   \
+ *        4     5     6     7        leaf l is node leaves + l: cell, bounds
+ *       [ ]   [ ]   [ ]   [ ]       up to {@value #SLOTS} boxes side by side, ids beside them
+ * </pre>
+ *
+ * <p><b>Length.</b> This class is longer than others because the arrays above are one structure
+ * that each of its methods keeps whole. Work that only reads or replaces them is in classes of its
+ * own: {@link KdBuilder}, {@link KdRefit}, {@link KdJoin}, {@link KdCast}, {@link KdBounds}.
+ *
  * <p><b>Threads.</b> As for every {@link SpatialIndex}; in addition, {@link #query} only reads, so
  * between updates any number of threads may query.
  *

@@ -1,7 +1,5 @@
 package carom.physics.collision.distance;
 
-import carom.physics.collision.Sat;
-
 /**
  * The shortest connection of two convex shapes A and B. Points are in world axes, <b>relative to
  * A's transform position</b>, so they stay exact far from the world's origin. Mutable and reused.
@@ -12,7 +10,7 @@ public final class ClosestPoints {
 
   /**
    * X of the unit normal from A to B; 0 when even the shapes without their rounding overlap, since
-   * then no direction is closest (see {@link Sat} for the way out).
+   * then no direction is closest (see {@code Sat} for the way out).
    */
   public float normalX;
 
