@@ -85,6 +85,7 @@ final class ArchitectureTest {
         "math",
         "geometry",
         "collision",
+        "broadphase.index",
         "simd",
         "dynamics.store",
         "dynamics.parallel",

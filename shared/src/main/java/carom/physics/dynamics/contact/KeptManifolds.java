@@ -304,7 +304,7 @@ public final class KeptManifolds {
     }
   }
 
-  /** One point midway between two corners, if they are close enough. */
+  /** Makes one point midway between two corners, if they are close enough. */
   private void corners(
       int at,
       Transform ta,

@@ -22,7 +22,7 @@ public final class RowArrays {
   private int capacity;
   private int holders = 1;
 
-  /** What one world and its states no longer need. */
+  /** The arrays that one world and its states no longer need. */
   private static final class Spares {
     private RowArrays[] list = new RowArrays[2];
     private int count;
@@ -52,24 +52,22 @@ public final class RowArrays {
     return Array.newInstance(like.getClass().getComponentType(), length);
   }
 
-  /** One of the arrays; written by those alone who know that it isn't {@link #shared}. */
+  /** Returns one of the arrays, which may be written only while it isn't {@link #shared}. */
   public Object array(int i) {
     return arrays[i];
   }
 
-  /** Rows there is room for. */
+  /** Returns the number of rows that there is room for. */
   public int capacity() {
     return capacity;
   }
 
-  /**
-   * For how many rows to make room that there be some for so many: twice as many as now, if any.
-   */
+  /** Returns the capacity that holds a number of rows: the present one, or at least its double. */
   public int room(int least) {
     return least <= capacity ? capacity : Math.max(least, 2 * capacity);
   }
 
-  /** Whether somebody else has these arrays, too, and nobody may write. */
+  /** Returns whether a copy has these arrays, too, so that nobody may write. */
   public boolean shared() {
     return holders > 1;
   }
@@ -91,7 +89,7 @@ public final class RowArrays {
   }
 
   /**
-   * Arrays to write to, with the same rows: these, unless they are shared.
+   * Returns arrays to write to, with the same rows: these, unless they are shared.
    *
    * @param count rows in use; the others mean nothing
    * @param least rows to have room for
@@ -110,7 +108,7 @@ public final class RowArrays {
   }
 
   /**
-   * Arrays to write to, with the same rows in other places once the moves are carried out.
+   * Returns arrays to write to, with the same rows in other places once the moves are carried out.
    *
    * @param moves tells of rows that stay, too, if these are shared; is to do the rest
    * @param least rows to have room for

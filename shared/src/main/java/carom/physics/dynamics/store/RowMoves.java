@@ -4,21 +4,27 @@ import carom.physics.dynamics.parallel.ParallelFor;
 import java.util.Arrays;
 
 /**
- * How the rows of a sorted table move when some are dropped and others come in between: runs of
- * rows that move equally far, so that each array of the table is moved run by run, in place.
+ * A plan of how the rows of a sorted table move when some are removed and others come in between:
+ * runs of rows that move equally far. Each array of the table is moved run by run, in place.
+ *
+ * <pre>
+ *   before   0  1  2  3  4  5         run 1: rows 2..3 move by -1
+ *                /  /  |  \           run 2: row 4 stays
+ *   after    0  2  3  4  .  5         run 3: row 5 moves by +1, behind a new row
+ * </pre>
  *
  * <p>A run that moves back only ever overwrites rows of earlier runs that move back, one that moves
  * on only those of later runs that move on; hence the former are moved in ascending order, the
  * latter in descending order, and nothing is lost.
  */
 public final class RowMoves {
-  /** Arrays that a table may have. */
+  /** Largest number of arrays of a table. */
   private static final int MOST_ARRAYS = 16;
 
-  /** Moving fewer rows takes less time than to share it is worth. */
+  /** Number of rows below which one thread moves them all. */
   private static final int FEWEST_SHARED = 2_048;
 
-  /** Where new rows go, by their number. */
+  /** The places of new rows, by their number. */
   public int[] inserted = new int[64];
 
   /** Per run: first row, how many, how far. */
@@ -29,7 +35,7 @@ public final class RowMoves {
   private int count;
   private boolean all;
 
-  /** What is planned: from which arrays, to which, and elements per row. */
+  /** The planned arrays to move from; the two after it hold the targets and elements per row. */
   private final Object[] sources = new Object[MOST_ARRAYS];
 
   private final Object[] targets = new Object[MOST_ARRAYS];
@@ -49,8 +55,8 @@ public final class RowMoves {
   }
 
   /**
-   * Makes room for a table of as many rows, so that the arrays grow with the table and not when
-   * first so many rows move.
+   * Makes room for a table of as many rows, so that the arrays grow with the table and not at the
+   * first step in which so many rows move.
    */
   public void reserve(int rows) {
     if (rows > inserted.length) {
@@ -68,7 +74,7 @@ public final class RowMoves {
     keep(row, 1, to);
   }
 
-  /** Notes that so many rows do, the first of which goes there. */
+  /** Notes that neighbouring rows stay in the table, and where the first of them goes. */
   public void keep(int row, int rows, int to) {
     if ((row == to && !all) || rows == 0) {
       return;
@@ -109,7 +115,7 @@ public final class RowMoves {
   }
 
   /**
-   * Does what was planned.
+   * Carries out all plans.
    *
    * @param parallel does it, an array each; null for the caller alone
    */

@@ -20,7 +20,7 @@ public final class Stamp {
   }
 
   /**
-   * Whether nothing changed since.
+   * Returns whether nothing changed between the two.
    *
    * @param other the stamp of a copy, or of the original
    * @return true if the contents are equal
