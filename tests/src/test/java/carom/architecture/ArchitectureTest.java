@@ -34,6 +34,7 @@ final class ArchitectureTest {
       new ClassFileImporter()
           .withImportOption(new ImportOption.DoNotIncludeTests())
           .withImportOption(location -> !location.contains("testkit"))
+          .withImportOption(location -> !location.contains("carom/lab/"))
           .importPackages("carom");
 
   /** Everything a simulation's next state depends on. */
@@ -171,7 +172,6 @@ final class ArchitectureTest {
     allow("carom.sim.scene", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.event");
     allow("carom.game", "carom.physics..", "carom.sim..");
     allow("carom.net.codec");
-    allow("carom.net.trace", "carom.net.codec");
     allow("carom.net.snapshot.event", "carom.net.codec", "carom.net.protocol");
     allow(
         "carom.net.snapshot.frame",
@@ -195,8 +195,16 @@ final class ArchitectureTest {
         "carom.net.snapshot.relay");
     allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol", "carom.net.snapshot.*");
     allow("carom.net.protocol", "carom.net.codec");
-    allow("carom.net.transport", "carom.net.protocol");
-    allow("carom.net.kryo", "carom.net.protocol", "carom.net.transport", "carom.net.codec");
+    allow("carom.values");
+    allow("carom.net.transport", "carom.net.protocol", "carom.values");
+    allow("carom.net.frame", "carom.net.protocol", "carom.net.transport");
+    allow(
+        "carom.net.kryo",
+        "carom.net.protocol",
+        "carom.net.transport",
+        "carom.net.frame",
+        "carom.net.codec",
+        "carom.values");
     allow("carom.options", "carom.net.transport");
     allow(
         "carom.replay",
@@ -210,6 +218,7 @@ final class ArchitectureTest {
         "carom.server..",
         "carom.net..",
         "carom.options",
+        "carom.values",
         "carom.replay",
         "carom.sim..",
         "carom.game",
@@ -219,6 +228,7 @@ final class ArchitectureTest {
         "carom.client..",
         "carom.net..",
         "carom.options",
+        "carom.values",
         "carom.replay",
         "carom.sim..",
         "carom.game",
@@ -305,6 +315,16 @@ final class ArchitectureTest {
         .should()
         .dependOnClassesThat()
         .resideInAPackage("carom.server..")
+        .check(CAROM);
+  }
+
+  /** Commands that need the laboratory load it by name, from a folder of its own. */
+  @Test
+  void theLaboratoryIsNoPartOfTheProduct() {
+    noClasses()
+        .should()
+        .dependOnClassesThat()
+        .resideInAnyPackage("carom.lab..", "carom.testkit..")
         .check(CAROM);
   }
 

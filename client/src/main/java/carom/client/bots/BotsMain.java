@@ -5,10 +5,11 @@ import carom.client.NetworkOptions;
 import carom.client.PredictionMode;
 import carom.client.ProgramVersion;
 import carom.client.StopSignal;
-import carom.net.kryo.CrowdTransport;
 import carom.net.protocol.PlayerName;
 import carom.net.transport.ClientTransport;
 import carom.options.BadFlag;
+import carom.options.Lab;
+import carom.options.LabCommand;
 import carom.physics.threads.WorkerThreads;
 import java.util.Locale;
 import java.util.concurrent.Callable;
@@ -27,7 +28,6 @@ import picocli.CommandLine.Option;
     versionProvider = ProgramVersion.class,
     sortOptions = false,
     description = "Connects headless clients that play.",
-    subcommands = {CodecCommand.class, FiguresCommand.class},
     footer = "Exit code 0 only if all bots joined and stayed.")
 public final class BotsMain implements Callable<Integer> {
   private static final long SECOND = 1_000_000_000L;
@@ -153,12 +153,18 @@ public final class BotsMain implements Callable<Integer> {
   }
 
   static int run(Pace pace, String... args) {
-    CommandLine line =
-        BadFlag.explainedBy(new CommandLine(new BotsMain(pace)))
-            .setCaseInsensitiveEnumValuesAllowed(true);
-    // Its flags are another program's.
-    line.getSubcommands().get("figures").setUnmatchedOptionsArePositionalParams(true);
-    return line.execute(args);
+    CommandLine line = new CommandLine(new BotsMain(pace));
+    LabCommand.add(
+        line,
+        "codec",
+        "Measures the laboratory's codec on a recording of moving bodies; see codec --help.",
+        "carom.lab.trace.CodecCommand");
+    LabCommand.add(
+        line,
+        "figures",
+        "Measures snapshots and prediction, and prints one table; see figures --help.",
+        "carom.lab.figures.FiguresMain");
+    return BadFlag.explainedBy(line).setCaseInsensitiveEnumValuesAllowed(true).execute(args);
   }
 
   @Override
@@ -191,10 +197,19 @@ public final class BotsMain implements Callable<Integer> {
             .withPrediction(prediction)
             .withTicksPerInputDatagram(ticksPerInputDatagram);
     try (StopSignal stop = new StopSignal();
-        ClientTransport transport = network.impair(new CrowdTransport());
+        ClientTransport transport = network.impair(sockets());
         WorkerThreads workers = new WorkerThreads(threadCount());
         BotFarm farm = new BotFarm(config, transport, count, seed, roam, churn, workers)) {
       return play(farm, stop);
+    }
+  }
+
+  /** All bots share a thread for their sockets, where other clients have one each. */
+  private ClientTransport sockets() {
+    try {
+      return Lab.create(ClientTransport.class, "carom.lab.crowd.CrowdTransport");
+    } catch (IllegalStateException e) {
+      throw new BadFlag(spec.commandLine(), e.getMessage());
     }
   }
 

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.client.ClientConfig;
 import carom.client.PredictionMode;
 import carom.game.Games;
-import carom.net.kryo.CrowdTransport;
+import carom.lab.crowd.CrowdTransport;
 import carom.net.kryo.KryoLimits;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.kryo.KryoServerTransport;

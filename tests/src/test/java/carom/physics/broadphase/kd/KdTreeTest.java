@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.lab.broadphase.BroadphaseScene;
 import carom.physics.broadphase.Boxes;
 import carom.physics.broadphase.Boxes.Layout;
 import carom.physics.broadphase.Pairs;
@@ -14,7 +15,6 @@ import carom.physics.broadphase.index.BruteForce;
 import carom.physics.broadphase.index.IntVisitor;
 import carom.physics.broadphase.index.PairVisitor;
 import carom.physics.broadphase.index.QuadTree;
-import carom.server.bench.BroadphaseScene;
 import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
