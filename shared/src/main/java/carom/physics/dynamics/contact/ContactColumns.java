@@ -436,13 +436,13 @@ public abstract class ContactColumns {
 
   /** Adds a row at the end, which the caller fills; returns its number. */
   public final int append() {
-    ensure(count + 1);
+    reserve(count + 1);
     return count++;
   }
 
   /** Sets the number of rows; the caller fills them. */
   final void resize(int rowCount) {
-    ensure(rowCount);
+    reserve(rowCount);
     count = rowCount;
   }
 
@@ -452,11 +452,7 @@ public abstract class ContactColumns {
   }
 
   /** Makes room for rows before they come. */
-  public final void reserve(int rowCount) {
-    ensure(rowCount);
-  }
-
-  private void ensure(int least) {
+  public final void reserve(int least) {
     if (least > pairs.capacity() || least > touches.capacity()) {
       pairs = pairs.own(count, pairs.room(least));
       touches = touches.own(count, touches.room(least));

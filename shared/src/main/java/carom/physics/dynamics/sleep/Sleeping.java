@@ -15,15 +15,13 @@ import carom.physics.dynamics.store.Stamp;
 /**
  * Decides which bodies fall asleep and wakes them, with all that belongs to them.
  *
- * <p>A step looks at the {@linkplain ActiveBodies active bodies} alone: the parts of all others are
+ * <p>A step looks at the {@linkplain ActiveBodies active bodies} alone. The parts of all others are
  * in a tree of their own, contacts between them in {@link SleepingContacts}, their joints are
- * passed over. An island (dynamic bodies that hold each other by touching contacts or joints) falls
- * asleep when all its bodies have been slow for long enough and nothing keeps it awake: a pending
- * force, a moving kinematic body, a running belt or motor, a body that may not sleep. Kinematic
- * bodies at rest fall asleep alone. A body wakes with its whole island: when something awake begins
- * to touch it or no longer does, when its velocity, forces, pose or joints change, and when what it
- * touches, static bodies too, is moved, changed or taken away. Islands are found anew each time,
- * from contacts and joints; nothing is kept.
+ * passed over. An island falls asleep when all its bodies have been slow for long enough and
+ * nothing keeps it awake: a pending force, a moving kinematic body, a running belt or motor, a body
+ * that may not sleep. Kinematic bodies at rest fall asleep alone. A body wakes with its whole
+ * island: when something awake begins to touch it or no longer does, when its velocity, forces,
+ * pose or joints change, and when what it touches, static bodies too, is moved, changed or removed.
  *
  * <p>The contacts of a body that wakes are in no table until {@link #mergeWoken}.
  */
@@ -237,10 +235,9 @@ public final class Sleeping {
 
   /** Queues a body to be woken by {@link #wakeTouched}; it may be awake already. */
   public void touch(int body) {
-    if (!bodies.asleep(body)) {
-      return;
+    if (bodies.asleep(body)) {
+      touched.add(body);
     }
-    touched.add(body);
   }
 
   /** Wakes the queued bodies; returns whether there were any. */
