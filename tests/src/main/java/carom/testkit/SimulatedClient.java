@@ -1,10 +1,10 @@
 package carom.testkit;
 
 import carom.client.ClientConfig;
-import carom.client.ClientView;
 import carom.client.GameClient;
 import carom.client.InputSource;
-import carom.client.NetStats;
+import carom.client.stats.NetStats;
+import carom.client.view.ClientView;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.snapshot.EntityHistory;
 import carom.net.snapshot.SnapshotDecoder;

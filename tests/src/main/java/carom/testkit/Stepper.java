@@ -1,8 +1,8 @@
 package carom.testkit;
 
 import carom.client.ClientConfig;
-import carom.client.ConnectionPhase;
 import carom.client.InputSource;
+import carom.client.link.ConnectionPhase;
 import carom.game.Games;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;

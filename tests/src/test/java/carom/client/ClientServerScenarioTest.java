@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.bots.Bot;
+import carom.client.link.ConnectionPhase;
+import carom.client.view.ClientView;
 import carom.game.Games;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.snapshot.EntityHistory;

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.client.link.ConnectionPhase;
+import carom.client.view.ClientView;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.ImpairedClientTransport;

@@ -4,10 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.ClientConfig;
-import carom.client.ClientView;
 import carom.client.InputSource;
 import carom.client.PredictionMode;
 import carom.client.bots.Bot;
+import carom.client.view.ClientView;
 import carom.net.codec.Quantizer;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.transport.Impairment;

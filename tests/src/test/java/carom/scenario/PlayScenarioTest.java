@@ -3,8 +3,8 @@ package carom.scenario;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.client.ClientView;
 import carom.client.InputSource;
+import carom.client.view.ClientView;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
 import carom.server.config.ServerConfig;

@@ -6,9 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.ClientConfig;
 import carom.client.GameClient;
-import carom.client.ReplayClient;
-import carom.client.Spectator;
 import carom.client.bots.Bot;
+import carom.client.replay.ReplayClient;
+import carom.client.replay.Spectator;
 import carom.game.ArenaGame;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.kryo.KryoMessageCodec;

@@ -4,9 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.ClientConfig;
-import carom.client.ClientView.Drawn;
 import carom.client.InputSource;
 import carom.client.PredictionMode;
+import carom.client.view.ClientView.Drawn;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
 import carom.sim.Entity;

@@ -3,8 +3,8 @@ package carom.scenario;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.client.ConnectionPhase;
 import carom.client.InputSource;
+import carom.client.link.ConnectionPhase;
 import carom.net.protocol.PackedLevel;
 import carom.net.snapshot.EntityHistory;
 import carom.net.snapshot.frame.FrameRing;

@@ -1,10 +1,10 @@
 package carom.client.bots;
 
 import carom.client.ClientConfig;
-import carom.client.NetworkOptions;
 import carom.client.PredictionMode;
-import carom.client.ProgramVersion;
-import carom.client.StopSignal;
+import carom.client.app.NetworkOptions;
+import carom.client.app.ProgramVersion;
+import carom.client.app.StopSignal;
 import carom.net.protocol.PlayerName;
 import carom.net.transport.ClientTransport;
 import carom.options.BadFlag;
@@ -19,8 +19,8 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /**
- * {@code carom-bots}: connects headless clients that play. Progress goes to standard error; the
- * last line of standard output is one JSON object, see {@link BotReport}.
+ * The program {@code carom-bots}: connects headless clients that play. Progress goes to standard
+ * error; the last line of standard output is one JSON object, see {@link BotReport}.
  */
 @Command(
     name = "carom-bots",
@@ -32,10 +32,12 @@ import picocli.CommandLine.Option;
 public final class BotsMain implements Callable<Integer> {
   private static final long SECOND = 1_000_000_000L;
 
-  /** Four looks per tick: what is measured should be the network and not our own slowness. */
+  /**
+   * Time of a frame, four per tick: the bots should measure the network, not their own slowness.
+   */
   private static final long FRAME_NS = SECOND / 240;
 
-  /** A crowd is looked after twice per tick: looking costs, too. */
+  /** Bots above which a frame takes half a tick, because updates cost time, too. */
   private static final int CROWD = 100;
 
   private static final long CROWD_FRAME_NS = SECOND / 120;
@@ -119,9 +121,9 @@ public final class BotsMain implements Callable<Integer> {
     this.pace = pace;
   }
 
-  /** The time by which bots play. */
+  /** The clock by which bots play. */
   interface Pace {
-    /** The real time. */
+    /** The machine's clock. */
     Pace REAL =
         new Pace() {
           @Override
@@ -135,19 +137,19 @@ public final class BotsMain implements Callable<Integer> {
           }
         };
 
-    /** Like {@link System#nanoTime}. */
+    /** Returns the time, nanoseconds, like {@link System#nanoTime}. */
     long nanoTime();
 
-    /** Waits, at least 0 ns. */
+    /** Waits for a time, nanoseconds, at least 0. */
     void sleep(long ns) throws InterruptedException;
   }
 
-  /** Entry point; exits with 0 if all joined and stayed, 1 if not, 2 on bad flags. */
+  /** Runs the program, and exits with 0 if all joined and stayed, 1 if not, 2 on bad flags. */
   public static void main(String[] args) {
     System.exit(run(args));
   }
 
-  /** As {@link #main}, but returns the exit code. */
+  /** Runs the program like {@link #main}, but returns the exit code. */
   public static int run(String... args) {
     return run(Pace.REAL, args);
   }
@@ -218,8 +220,9 @@ public final class BotsMain implements Callable<Integer> {
   }
 
   /**
-   * As many as help. A processor is left to the server, which mostly runs beside the bots: 500 of
-   * them on both of two took 16 ms of its tick's p99 to 23.
+   * Returns the number of threads that helps. One processor is left to the server, which mostly
+   * runs on the same machine: 500 bots on both of two processors raise the p99 of its tick from 16
+   * to 23 ms.
    */
   static int threadsFor(int bots, int processors) {
     int wanted = (bots + CROWD - 1) / CROWD;

@@ -1,7 +1,7 @@
 package carom.lab.figures;
 
-import carom.client.ClientView;
 import carom.client.bots.Bot;
+import carom.client.view.ClientView;
 import carom.net.codec.Quantizer;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.transport.Impairment;

@@ -1,7 +1,7 @@
 package carom.lab.figures;
 
 import carom.client.ClientConfig;
-import carom.client.ConnectionPhase;
+import carom.client.link.ConnectionPhase;
 import carom.client.InputSource;
 import carom.client.PredictionMode;
 import carom.net.transport.Impairment;

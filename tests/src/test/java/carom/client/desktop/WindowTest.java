@@ -4,7 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import carom.client.ClientMain;
+import carom.client.app.ClientMain;
+import carom.client.desktop.paint.ViewCamera;
 import carom.game.Games;
 import carom.net.kryo.KryoServerTransport;
 import carom.server.Server;
