@@ -3,7 +3,6 @@ package carom.physics.dynamics.pairs;
 import carom.physics.broadphase.kd.KdTree;
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.store.IntList;
 import java.util.Arrays;
@@ -30,7 +29,6 @@ final class BoxRefresh {
   private static final int GRAIN = 64;
 
   private final BodyStore bodies;
-  private final ShapeTable parts;
   private final FatBoxes boxes;
   private final KdTree moving;
   private final MovedParts moved;
@@ -63,14 +61,8 @@ final class BoxRefresh {
   private float dt;
 
   BoxRefresh(
-      BodyStore bodies,
-      ShapeTable parts,
-      FatBoxes boxes,
-      KdTree moving,
-      MovedParts moved,
-      ParallelFor parallel) {
+      BodyStore bodies, FatBoxes boxes, KdTree moving, MovedParts moved, ParallelFor parallel) {
     this.bodies = bodies;
-    this.parts = parts;
     this.boxes = boxes;
     this.moving = moving;
     this.moved = moved;

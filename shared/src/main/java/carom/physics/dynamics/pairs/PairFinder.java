@@ -73,7 +73,7 @@ public final class PairFinder {
     moved = new MovedParts(parts);
     boxes = new FatBoxes(settings, bodies, parts, contacts);
     trees = new PartTrees(bodies, parts, boxes, moved, parallel);
-    refresh = new BoxRefresh(bodies, parts, boxes, trees.moving, moved, parallel);
+    refresh = new BoxRefresh(bodies, boxes, trees.moving, moved, parallel);
     filter = new PairFilter(bodies, parts, rule);
     search = new CandidateSearch(parts, trees, moved, filter, parallel);
     sorter = new CandidateSorter(contacts, parallel);
