@@ -5,7 +5,7 @@
  * questions are answered for cores by {@code Gjk} and then corrected by the radii.
  *
  * <p>May import {@link carom.physics.math} and {@link carom.physics.geometry}. Read first: {@link
- * carom.physics.collision.distance.Distance}, {@link carom.physics.collision.distance.Cast},
- * {@link carom.physics.collision.distance.TimeOfImpact}.
+ * carom.physics.collision.distance.Distance}, {@link carom.physics.collision.distance.Cast}, {@link
+ * carom.physics.collision.distance.TimeOfImpact}.
  */
 package carom.physics.collision.distance;
