@@ -94,6 +94,7 @@ final class ArchitectureTest {
     stage(
         "pairs",
         "math",
+        "geometry",
         "broadphase.index",
         "broadphase.kd",
         "dynamics.store",
