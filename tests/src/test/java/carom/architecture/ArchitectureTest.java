@@ -76,12 +76,14 @@ final class ArchitectureTest {
         "carom.physics.broadphase.index",
         "carom.physics.broadphase.kd");
     allow("carom.physics.simd");
+    allow("carom.physics.settings");
     allow("carom.physics.profile");
     stage("store", "archive", "math", "simd", "dynamics.parallel");
     stage("parallel", "threads");
-    stage("body", "archive", "math", "geometry", "broadphase.index", "dynamics.store");
+    stage("body", "settings", "archive", "math", "geometry", "broadphase.index", "dynamics.store");
     stage(
         "contact",
+        "settings",
         "archive",
         "math",
         "geometry",
@@ -93,6 +95,7 @@ final class ArchitectureTest {
         "dynamics.body");
     stage(
         "pairs",
+        "settings",
         "math",
         "geometry",
         "broadphase.index",
@@ -103,6 +106,7 @@ final class ArchitectureTest {
         "dynamics.contact");
     stage(
         "narrow",
+        "settings",
         "math",
         "geometry",
         "collision",
@@ -113,6 +117,7 @@ final class ArchitectureTest {
         "dynamics.contact");
     stage(
         "solver",
+        "settings",
         "simd",
         "dynamics.parallel",
         "dynamics.body",
@@ -120,6 +125,7 @@ final class ArchitectureTest {
         "dynamics.pairs");
     stage(
         "joint",
+        "settings",
         "archive",
         "math",
         "simd",
@@ -129,6 +135,7 @@ final class ArchitectureTest {
         "dynamics.solver");
     stage(
         "sleep",
+        "settings",
         "math",
         "broadphase.index",
         "broadphase.kd",
@@ -139,6 +146,7 @@ final class ArchitectureTest {
         "dynamics.joint");
     stage(
         "continuous",
+        "settings",
         "math",
         "geometry",
         "collision.distance",

@@ -2,7 +2,6 @@ package carom.physics.dynamics;
 
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.joint.JointSolver;
 import carom.physics.dynamics.joint.JointStore;
@@ -15,6 +14,7 @@ import carom.physics.dynamics.solver.ContactSolver;
 import carom.physics.dynamics.solver.SolverBodies;
 import carom.physics.profile.StageListener;
 import carom.physics.profile.StepStage;
+import carom.physics.settings.Settings;
 
 /**
  * The part of a step in which velocities and positions change: {@code substeps} times velocities

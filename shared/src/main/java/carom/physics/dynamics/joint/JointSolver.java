@@ -1,9 +1,9 @@
 package carom.physics.dynamics.joint;
 
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.solver.SolverBodies;
+import carom.physics.settings.Settings;
 import java.util.Arrays;
 
 /**

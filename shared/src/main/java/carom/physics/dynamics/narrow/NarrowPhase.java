@@ -3,12 +3,12 @@ package carom.physics.dynamics.narrow;
 import carom.physics.collision.Collider;
 import carom.physics.collision.Manifold;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.contact.KeptManifolds;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.math.Transform;
+import carom.physics.settings.Settings;
 import java.util.Arrays;
 
 /**

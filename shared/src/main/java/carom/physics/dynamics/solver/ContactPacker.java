@@ -43,10 +43,10 @@ import static carom.physics.dynamics.solver.ContactBlocks.YIELD;
 import static carom.physics.dynamics.solver.SolverBodies.STRIDE;
 
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.contact.ContactKey;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.parallel.DomainPhases;
+import carom.physics.settings.Settings;
 
 /**
  * Carries contacts between the {@link ContactTable} and the blocks of the solver: what they are

@@ -39,10 +39,10 @@ import static carom.physics.dynamics.solver.SolverBodies.VY;
 import static carom.physics.dynamics.solver.SolverBodies.W;
 
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.parallel.DomainPhases;
 import carom.physics.dynamics.parallel.ParallelFor;
+import carom.physics.settings.Settings;
 
 /**
  * Contacts as soft constraints, solved by sequential impulses in substeps.

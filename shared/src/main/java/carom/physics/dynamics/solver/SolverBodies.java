@@ -2,12 +2,12 @@ package carom.physics.dynamics.solver;
 
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.pairs.PairFinder;
 import carom.physics.dynamics.parallel.DomainPhases;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.math.Limits;
+import carom.physics.settings.Settings;
 import java.util.Arrays;
 
 /**
