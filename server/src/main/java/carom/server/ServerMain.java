@@ -87,8 +87,11 @@ public final class ServerMain implements Callable<Integer> {
   private static final int MAX_GRACE_S = 600;
   private static final int MAX_KEPT = 10_000;
 
-  /** Bodies of a level that is rehearsed itself; for a larger one the game's own level is. */
-  private static final int MOST_REHEARSED = 1000;
+  /**
+   * Most bodies of a level that the server warms up with. For a larger one it takes the game's own
+   * level.
+   */
+  private static final int MOST_WARM_UP_BODIES = 1000;
 
   private static final int FAILED = 1;
 
@@ -397,7 +400,7 @@ public final class ServerMain implements Callable<Integer> {
     ch.qos.logback.classic.Logger root = logging.getLogger(Logger.ROOT_LOGGER_NAME);
     root.setLevel(ch.qos.logback.classic.Level.ERROR);
     try {
-      Rehearsal.play(config, games, rehearsed(chosenLevel), new KryoMessageCodec());
+      GameWarmup.play(config, games, warmUpLevel(chosenLevel), new KryoMessageCodec());
     } catch (IllegalArgumentException e) {
       logging.stop();
       throw bad("--level: " + e.getMessage());
@@ -604,9 +607,12 @@ public final class ServerMain implements Callable<Integer> {
         .toList();
   }
 
-  /** A large level would take longer to build and step than its rehearsal may last. */
-  private Level rehearsed(Level chosen) {
-    if (chosen.bodies().size() <= MOST_REHEARSED || scene != null) {
+  /**
+   * Returns the level to warm up with: a large one would take longer to build and step than the
+   * warm-up may last.
+   */
+  private Level warmUpLevel(Level chosen) {
+    if (chosen.bodies().size() <= MOST_WARM_UP_BODIES || scene != null) {
       return chosen;
     }
     try {

@@ -140,7 +140,7 @@ final class ArchitectureTest {
     allow("carom.sim", "carom.physics..");
     allow("carom.sim.scene", "carom.physics..", "carom.sim");
     allow("carom.game", "carom.physics..", "carom.sim", "carom.sim.scene");
-    allow("carom.net.codec");
+    allow("carom.net.codec", "carom.physics.simd");
     allow("carom.net.trace", "carom.net.codec");
     allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol");
     allow("carom.net.protocol", "carom.net.codec");

@@ -52,8 +52,8 @@ final class Substeps {
     this.joints = joints;
     this.parallel = parallel;
     solverBodies = new SolverBodies(active, pairs, parallel);
-    contactSolver = new ContactSolver(ContactLanes.find(), parallel);
-    jointSolver = new JointSolver(RevoluteLanes.find(), parallel);
+    contactSolver = new ContactSolver(ContactLanes.FOUND, parallel);
+    jointSolver = new JointSolver(RevoluteLanes.FOUND, parallel);
   }
 
   /** Sets who is told of the stages, null for nobody. */

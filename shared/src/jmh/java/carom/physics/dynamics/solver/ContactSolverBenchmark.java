@@ -56,7 +56,7 @@ public class ContactSolverBenchmark {
   @Setup
   public void build() {
     solver =
-        new ContactSolver(kernels.equals("vector") ? ContactLanes.find() : null, new ParallelFor());
+        new ContactSolver(kernels.equals("vector") ? ContactLanes.FOUND : null, new ParallelFor());
     add(BodyStore.STATIC, new Box(100, 1), 0, -1);
     Box box = new Box(0.5f, 0.5f);
     for (int row = 0; row < ROWS; row++) {

@@ -182,8 +182,7 @@ public final class RevoluteSolver {
   void ready() {
     int most = 0;
     if (lanes != null && blocks >= FEWEST_BLOCKS) {
-      most = lanes.trusted(blocks, blocks * LANES);
-      lanes.used(most);
+      most = lanes.grant(blocks, blocks * LANES);
     }
     for (int block = 0; block < blocks; block++) {
       wide[block] = block < most && used[block] >= FEWEST;

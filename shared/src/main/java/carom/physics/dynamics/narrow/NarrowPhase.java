@@ -41,7 +41,7 @@ public final class NarrowPhase {
   private final ShapeTable parts;
   private final ContactTable contacts;
   private final ParallelFor parallel;
-  private final BoxLanes lanes = BoxLanes.find();
+  private final BoxLanes lanes = BoxLanes.FOUND;
   private final ParallelFor.Range updating = this::update;
 
   /** Per row: whether it stays as it is. */
@@ -74,7 +74,7 @@ public final class NarrowPhase {
     private BoxRows boxes;
 
     /** How many times the kernel may be used in this step, and was. */
-    private int trusted;
+    private int granted;
 
     private int used;
 
@@ -84,7 +84,7 @@ public final class NarrowPhase {
     public void begin(int kernelRuns) {
       touching = 0;
       pressed = false;
-      trusted = boxes == null ? 0 : kernelRuns;
+      granted = boxes == null ? 0 : kernelRuns;
       used = 0;
       if (boxes != null) {
         boxes.begin();
@@ -146,20 +146,15 @@ public final class NarrowPhase {
     furnish();
     int rows = contacts.count();
     int blocks = rows / BoxLanes.LANES;
-    int trusted = lanes == null || !isRestless() ? 0 : lanes.trusted(blocks, rows);
+    int granted = lanes == null || !isRestless() ? 0 : lanes.grant(blocks, rows);
     for (Desk desk : desks) {
-      desk.begin(trusted < blocks ? trusted / desks.length : Integer.MAX_VALUE);
+      desk.begin(granted < blocks ? granted / desks.length : Integer.MAX_VALUE);
     }
     parallel.run(0, contacts.count(), GRAIN, updating);
     int touching = 0;
-    int used = 0;
     for (Desk desk : desks) {
       desk.end(settings.slop());
       touching += desk.touching;
-      used += desk.used;
-    }
-    if (used > 0) {
-      lanes.used(used);
     }
     return touching;
   }
@@ -206,7 +201,7 @@ public final class NarrowPhase {
       int before = desk.keeping.boxMakes();
       int group = start / GROUP;
       boolean sample = start % GROUP < BLOCK;
-      boolean kernel = !sample && restless[group] && desk.trusted > 0;
+      boolean kernel = !sample && restless[group] && desk.granted > 0;
       int n = kernel ? handBoxes(start, end, desk) : follow(start, end, desk);
       sort(n, desk);
       for (int i = 0; i < n; i++) {
@@ -232,7 +227,7 @@ public final class NarrowPhase {
       if (left[row]) {
         continue;
       }
-      if (desk.used >= desk.trusted || !isOfBoxes(row)) {
+      if (desk.used >= desk.granted || !isOfBoxes(row)) {
         desk.rest[rest++] = row;
       } else if (desk.boxes.add(row)) {
         updateBoxes(desk);
@@ -257,7 +252,7 @@ public final class NarrowPhase {
 
   /** Updates the rows of boxes that are left of a worker's piece. */
   private void finishBoxes(Desk desk) {
-    if (desk.used < desk.trusted && desk.boxes.count() >= FEW_BOXES) {
+    if (desk.used < desk.granted && desk.boxes.count() >= FEW_BOXES) {
       updateBoxes(desk);
     }
     for (int i = 0; i < desk.boxes.count(); i++) {

@@ -384,8 +384,7 @@ public final class ContactBlocks {
   private void layOut(ContactLanes lanes, int rows, SolverBodies solverBodies) {
     int widest = 0;
     if (lanes != null && count >= FEWEST_BLOCKS) {
-      widest = lanes.trusted(count, rows);
-      lanes.used(widest);
+      widest = lanes.grant(count, rows);
     }
     for (int g = 0; g < groups; g++) {
       int kind = ((g & 1) != 0 ? TWO : 0) | ((g >> 1) % COLOURS > LAST_COLOUR ? FIXED : 0);

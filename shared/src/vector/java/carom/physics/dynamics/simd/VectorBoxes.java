@@ -120,7 +120,7 @@ public final class VectorBoxes extends BoxLanes {
 
   private static final int SCRATCH = TURN_SIN + LANES + APART;
 
-  /** Loaded by name, see {@link BoxLanes#find}. */
+  /** Loaded by name, see {@link BoxLanes#FOUND}. */
   public VectorBoxes() {
     if (FloatVector.SPECIES_PREFERRED.length() < LANES) {
       throw new UnsupportedOperationException("vectors have fewer than " + LANES + " lanes");
@@ -133,7 +133,7 @@ public final class VectorBoxes extends BoxLanes {
   }
 
   @Override
-  public int rehearsalSize() {
+  protected int warmUpSize() {
     return SCRATCH;
   }
 
@@ -144,7 +144,7 @@ public final class VectorBoxes extends BoxLanes {
    * them in that the compiler gave up within, and boxed vectors for good.
    */
   @Override
-  public void rehearse(float[] s) {
+  protected void warmUp(float[] s) {
     place(s);
     gaps(s);
     choose(s);

@@ -37,6 +37,12 @@ public final class VectorContactHash extends ContactHashLanes {
   /** All but the impulses of friction of the whole step. */
   private static final LongVector COUNTED = counted();
 
+  private final long[] warmUpKeys = new long[BLOCK];
+  private final byte[] warmUpBytes = new byte[BLOCK];
+  private final int[] warmUpIds = new int[2 * BLOCK];
+  private final long[] warmUpFactors = new long[BLOCK];
+  private final long[] warmUpSums = new long[3 * SUMS];
+
   /** Loaded by name, see {@link ContactHashLanes#FOUND}. */
   public VectorContactHash() {
     if (WIDTH < IMPULSES || WIDTH > SUMS) {
@@ -50,6 +56,19 @@ public final class VectorContactHash extends ContactHashLanes {
       mask[i] = i % 2 == 0 ? -1 : 0xffffffffL;
     }
     return LongVector.fromArray(LONGS, mask, 0);
+  }
+
+  @Override
+  protected int warmUpSize() {
+    return BLOCK * ContactTable.CONTACT;
+  }
+
+  @Override
+  protected void warmUp(float[] numbers) {
+    findFactors(warmUpKeys, warmUpBytes, 0, BLOCK, warmUpFactors);
+    states(warmUpBytes, warmUpBytes, 0, BLOCK, warmUpFactors, warmUpSums);
+    ids(warmUpIds, 0, BLOCK, warmUpFactors, warmUpSums);
+    impulses(numbers, 0, BLOCK, warmUpFactors, warmUpSums);
   }
 
   @Override

@@ -92,7 +92,7 @@ public final class VectorContacts extends ContactLanes {
 
   private static final int SCRATCH = TANGENT_SUM + LANES + APART;
 
-  /** Loaded by name, see {@link ContactLanes#find}. */
+  /** Loaded by name, see {@link ContactLanes#FOUND}. */
   public VectorContacts() {
     if (FloatVector.SPECIES_PREFERRED.length() < LANES) {
       throw new UnsupportedOperationException("vectors have fewer than " + LANES + " lanes");
@@ -105,12 +105,12 @@ public final class VectorContacts extends ContactLanes {
   }
 
   @Override
-  public int rehearsalSize() {
+  protected int warmUpSize() {
     return SCRATCH + RECORD + EXTRA;
   }
 
   @Override
-  public void rehearse(float[] n) {
+  protected void warmUp(float[] n) {
     int at = SCRATCH;
     int first = at + FIRST;
     int more = at + RECORD;

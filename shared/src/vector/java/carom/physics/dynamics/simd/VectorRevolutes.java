@@ -66,7 +66,7 @@ public final class VectorRevolutes extends RevoluteLanes {
 
   private static final int SCRATCH = DPY + LANES + APART;
 
-  /** Loaded by name, see {@code RevoluteLanes.find}. */
+  /** Loaded by name, see {@link RevoluteLanes#FOUND}. */
   public VectorRevolutes() {
     if (FloatVector.SPECIES_PREFERRED.length() < LANES) {
       throw new UnsupportedOperationException("vectors have fewer than " + LANES + " lanes");
@@ -79,12 +79,12 @@ public final class VectorRevolutes extends RevoluteLanes {
   }
 
   @Override
-  public int rehearsalSize() {
+  protected int warmUpSize() {
     return SCRATCH + RECORD;
   }
 
   @Override
-  public void rehearse(float[] n) {
+  protected void warmUp(float[] n) {
     turn(n, n, SCRATCH);
     meet(n, n, SCRATCH, 1);
     weigh(n, SCRATCH);
