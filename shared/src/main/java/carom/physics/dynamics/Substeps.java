@@ -4,11 +4,11 @@ import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.domain.DomainPhases;
 import carom.physics.dynamics.joint.JointSolver;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.joint.RevoluteLanes;
 import carom.physics.dynamics.pairs.PairFinder;
-import carom.physics.dynamics.parallel.DomainPhases;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.solver.ContactLanes;
 import carom.physics.dynamics.solver.ContactSolver;
@@ -68,7 +68,7 @@ final class Substeps {
     begins(StepStage.PREPARE);
     solverBodies.begin(bodies, settings, h, contacts);
     contactSolver.prepare(contacts, bodies, solverBodies, settings, h);
-    parallel.divide(phases, solverBodies.domains.count());
+    phases.divide(solverBodies.domains.count(), parallel.workers());
     solverBodies.load(phases);
     contactSolver.pack(phases);
     begins(StepStage.JOINTS);
@@ -122,13 +122,13 @@ final class Substeps {
     phases.run();
     begins(StepStage.JOINTS);
     if (contactSolver.blocks() > 0) {
-      solverBodies.mark();
+      solverBodies.beforeJoints();
     }
   }
 
   private void afterJoints() {
     if (contactSolver.blocks() > 0) {
-      solverBodies.except();
+      solverBodies.afterJoints();
     }
   }
 

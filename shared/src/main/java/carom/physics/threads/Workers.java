@@ -1,6 +1,6 @@
 package carom.physics.threads;
 
-import carom.physics.dynamics.parallel.DomainPhases;
+import carom.physics.dynamics.domain.DomainPhases;
 
 /**
  * Threads that carry out parts of a step side by side; given to a world by {@code World.workers}.

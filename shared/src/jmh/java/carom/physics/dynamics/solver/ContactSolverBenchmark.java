@@ -5,7 +5,7 @@ import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.body.ShapeSpec;
-import carom.physics.dynamics.parallel.DomainPhases;
+import carom.physics.dynamics.domain.DomainPhases;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Shape;

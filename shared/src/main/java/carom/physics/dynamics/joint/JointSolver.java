@@ -32,7 +32,7 @@ public final class JointSolver {
   /** Joints that make a piece of work for a worker. */
   private static final int GRAIN = 16;
 
-  private final RevoluteSolver pins;
+  private final RevoluteSolver revolutes;
 
   /** The joints that are no pins. */
   private final JointRecords others = new JointRecords();
@@ -65,13 +65,13 @@ public final class JointSolver {
   private final int[] next = new int[GROUPS];
 
   /** Per colour: its first block of pins, and its first other joint; colours in use. */
-  private final int[] pinStart = new int[LAST_COLOUR + 2];
+  private final int[] revoluteStart = new int[LAST_COLOUR + 2];
 
   private final int[] start = new int[LAST_COLOUR + 2];
   private int colours;
 
   /** Which {@link JointStore#version} the colours are of; they are kept until it changes. */
-  private int painted = -1;
+  private int colouredVersion = -1;
 
   // The stages, made once so that a step allocates nothing.
   private final ParallelFor.Range packing = this::packJoints;
@@ -91,7 +91,7 @@ public final class JointSolver {
    */
   public JointSolver(RevoluteLanes lanes, ParallelFor parallel) {
     this.parallel = parallel;
-    pins = new RevoluteSolver(lanes, parallel);
+    revolutes = new RevoluteSolver(lanes, parallel);
   }
 
   /** The number of joints to solve. */
@@ -111,12 +111,12 @@ public final class JointSolver {
       found = new int[capacity];
       group = new int[capacity];
       place = new int[capacity];
-      painted = -1;
+      colouredVersion = -1;
     }
-    boolean anew = painted != j.version();
+    boolean anew = colouredVersion != j.version();
     if (anew) {
-      painted = j.version();
-      paint(solverBodies.count());
+      colouredVersion = j.version();
+      assignColours(solverBodies.count());
     }
     float omega = TWO_PI * Math.min(s.jointHertz(), MAX_HERTZ_PER_RATE / h);
     float twiceZeta = 2 * s.jointDampingRatio();
@@ -124,11 +124,11 @@ public final class JointSolver {
     float biasRate = omega / (twiceZeta + h * omega);
     float massScale = soft / (1 + soft);
     float impulseScale = 1 / (1 + soft);
-    gather();
+    ensureWorkers();
     for (JointVisit visit : visits) {
       visit.begin(j, bodies, solverBodies.state, h, biasRate, massScale, impulseScale);
     }
-    pins.begin(solverBodies.state, biasRate, massScale, impulseScale);
+    revolutes.begin(solverBodies.state, biasRate, massScale, impulseScale);
     layOut();
     if (anew) {
       for (int i = 0; i < count; i++) {
@@ -136,11 +136,11 @@ public final class JointSolver {
       }
     }
     parallel.run(0, count, GRAIN, packing);
-    pins.ready();
+    revolutes.ready();
   }
 
   /** Sees that every worker has what it needs. */
-  private void gather() {
+  private void ensureWorkers() {
     int had = visits.length;
     if (had < parallel.count()) {
       visits = Arrays.copyOf(visits, parallel.count());
@@ -153,7 +153,7 @@ public final class JointSolver {
   }
 
   /** Finds the joints to solve and gives each its colour. */
-  private void paint(int slots) {
+  private void assignColours(int slots) {
     JointStore j = store;
     count = 0;
     colours = 0;
@@ -180,7 +180,7 @@ public final class JointSolver {
       taken[b] |= bit;
       taken[0] = 0;
       colours = Math.max(colours, colour + 1);
-      group[count] = 2 * colour + (colour < LAST_COLOUR && isPin(slot) ? 0 : 1);
+      group[count] = 2 * colour + (colour < LAST_COLOUR && isPlainRevolute(slot) ? 0 : 1);
       size[group[count]]++;
       found[count++] = slot;
     }
@@ -193,7 +193,7 @@ public final class JointSolver {
     Arrays.fill(taken, 0, slots, 0);
   }
 
-  private boolean isPin(int slot) {
+  private boolean isPlainRevolute(int slot) {
     int more = JointStore.LIMITED | JointStore.DRIVEN | JointStore.SPRUNG;
     return store.type[slot] == JointStore.REVOLUTE && (store.flags[slot] & more) == 0;
   }
@@ -202,13 +202,13 @@ public final class JointSolver {
   private void layOut() {
     int sum = 0;
     for (int c = 0; c < colours; c++) {
-      pinStart[c] = pins.blocks();
-      next[2 * c] = pins.reserve(size[2 * c]);
+      revoluteStart[c] = revolutes.blocks();
+      next[2 * c] = revolutes.reserve(size[2 * c]);
       start[c] = sum;
       next[2 * c + 1] = sum;
       sum += size[2 * c + 1];
     }
-    pinStart[colours] = pins.blocks();
+    revoluteStart[colours] = revolutes.blocks();
     start[colours] = sum;
     others.ensure(sum);
   }
@@ -218,7 +218,7 @@ public final class JointSolver {
     for (int i = from; i < to; i++) {
       frame.look(found[i], store, bodies, slotOf);
       if ((group[i] & 1) == 0) {
-        pins.pack(place[i], frame, store);
+        revolutes.pack(place[i], frame, store);
       } else {
         others.pack(place[i], frame, store);
       }
@@ -228,7 +228,7 @@ public final class JointSolver {
   /** Applies the impulses remembered from the last substep, or the last step. */
   public void warmStart() {
     for (int c = 0; c < colours; c++) {
-      pins.warmStart(pinStart[c], pinStart[c + 1]);
+      revolutes.warmStart(revoluteStart[c], revoluteStart[c + 1]);
       run(c, warming);
     }
   }
@@ -236,7 +236,7 @@ public final class JointSolver {
   /** One visit of each joint before bodies move: errors are corrected and springs act. */
   public void push() {
     for (int c = 0; c < colours; c++) {
-      pins.push(pinStart[c], pinStart[c + 1]);
+      revolutes.push(revoluteStart[c], revoluteStart[c + 1]);
       run(c, pushing);
     }
   }
@@ -244,7 +244,7 @@ public final class JointSolver {
   /** One visit of each joint after bodies moved, rigid. */
   public void relax() {
     for (int c = 0; c < colours; c++) {
-      pins.relax(pinStart[c], pinStart[c + 1]);
+      revolutes.relax(revoluteStart[c], revoluteStart[c + 1]);
       run(c, relaxing);
     }
   }
@@ -260,7 +260,7 @@ public final class JointSolver {
 
   /** Writes down what the joints exerted. */
   public void store() {
-    pins.store(store, inverseH);
+    revolutes.store(store, inverseH);
     parallel.run(0, start[colours], GRAIN, storing);
   }
 }

@@ -1,20 +1,5 @@
 package carom.physics.dynamics.joint;
 
-import static carom.physics.dynamics.joint.JointRecords.ANGLE_COS;
-import static carom.physics.dynamics.joint.JointRecords.ANGLE_SIN;
-import static carom.physics.dynamics.joint.JointRecords.ARM_AX;
-import static carom.physics.dynamics.joint.JointRecords.ARM_AY;
-import static carom.physics.dynamics.joint.JointRecords.ARM_BX;
-import static carom.physics.dynamics.joint.JointRecords.ARM_BY;
-import static carom.physics.dynamics.joint.JointRecords.AXIS_X;
-import static carom.physics.dynamics.joint.JointRecords.AXIS_Y;
-import static carom.physics.dynamics.joint.JointRecords.GAP_X;
-import static carom.physics.dynamics.joint.JointRecords.GAP_Y;
-import static carom.physics.dynamics.joint.JointRecords.INERTIA_A;
-import static carom.physics.dynamics.joint.JointRecords.INERTIA_B;
-import static carom.physics.dynamics.joint.JointRecords.MASS_A;
-import static carom.physics.dynamics.joint.JointRecords.MASS_B;
-import static carom.physics.dynamics.joint.JointRecords.RECORD;
 import static carom.physics.dynamics.solver.SolverBodies.COS;
 import static carom.physics.dynamics.solver.SolverBodies.DX;
 import static carom.physics.dynamics.solver.SolverBodies.DY;
@@ -24,47 +9,25 @@ import static carom.physics.dynamics.solver.SolverBodies.VY;
 import static carom.physics.dynamics.solver.SolverBodies.W;
 
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.solver.ContactSolver;
 import carom.physics.math.Trig;
 
 /**
- * What one worker needs to visit joints: the joint at hand, and the rows it consists of.
+ * Visits joints one by one, for one worker: loads a joint, makes the {@linkplain JointRow rows} it
+ * consists of, and solves them.
  *
- * <p><b>Rows.</b> Everything a joint does to one coordinate q (a length, a translation along an
- * axis u, an angle) is a row: with the speed {@code q' = u . (vB - vA) + sB wB - sA wA} an impulse
- * p changes velocities by {@code -p u / mA, -p sA / IA, p u / mB, p sB / IB}, hence q' by p / m
- * with {@code 1 / m = 1/mA + 1/mB + sA^2 / IA + sB^2 / IB}. For an angle u = 0 and sA = sB = 1; for
- * a direction u with the anchors' lever arms rA, rB and the gap d between them, {@code sA = (rA +
- * d) x u, sB = rB x u}. Two coordinates that share a lever arm (a point, or the perpendicular and
- * the angle of a slider) are one block with a 2x2 mass.
- *
- * <p><b>Held</b> coordinates (q = 0) are a rigid row. Before positions move, the error is fed back
- * into the velocity as in contacts (see {@link ContactSolver}), {@code p = -m M (q' + b q) - I P},
- * with the joint's own hertz; after that the row is solved again without (relax), so that no energy
- * enters.
- *
- * <p><b>Limits</b> are contacts: {@code P >= 0}; a gap may just be closed in a substep.
- *
- * <p><b>Motors</b> drive q' to a speed, {@code |P| <= h max}.
- *
- * <p><b>Springs</b> are forces, so they act once per substep and are left alone by relaxing. With k
- * = m o^2, c = 2 m z o (o = 2 pi hertz, z the damping ratio) and the velocity v' at the end of the
- * substep, the impulse of the substep is
+ * <p>Each type of joint is a list of rows:
  *
  * <pre>
- *   P = -h (k (q + t h v') + c v')
+ *   revolute    angle: motor, spring, limits        then the point (2 x 2)
+ *   distance    length: motor, spring, limits       or rigid
+ *   prismatic   axis: motor, spring, limits         then across the axis and angle (2 x 2)
+ *   weld        angle: rigid or spring              then the point: rigid or spring
+ *   wheel       angle: motor; axis: spring, limits  then across the axis
+ *   motor       angle: spring                       then the point: spring, both of limited force
+ *   mouse                                           the point: spring of limited force
+ *   gear, rack  the coupled coordinate, rigid
+ *   pulley      the coupled length: limits, spring  or rigid
  * </pre>
- *
- * and with v' = v + p / m one visit, which knows v and the sum so far, is
- *
- * <pre>
- *   p = -(m (h o^2 q + a v) + P) / (1 + a)     a = h o (t h o + 2 z)
- * </pre>
- *
- * With t = 0 the spring is symplectic: an undamped one keeps its amplitude for ever, its frequency
- * is exact up to (o h)^2 / 24. That is stable while o h is well below 2; springs with o h beyond
- * {@value #SYMPLECTIC_LIMIT} (19 hertz at 60 ticks and 4 substeps) use t = 1, implicit Euler, which
- * is stable always and damps by itself.
  *
  * <p><b>Coupled</b> coordinates are rows, too: of a gear {@code q = angleB - r angleA}, so u = 0,
  * sA = r, sB = 1; of a rack {@code q = u . (pB - pA) - r (angleA - angleB)} with an axis u of B,
@@ -76,66 +39,14 @@ import carom.physics.math.Trig;
  * turns much between two ticks. The row for the spring follows Erin Catto's GDC 2011 talk; written
  * from the algebra above.
  */
-final class JointVisit {
-  private static final float TWO_PI = 6.2831855f;
-
-  /**
-   * What is further apart than this, m, was torn: by a teleport or by absurd forces. It is drawn
-   * together as if it were that far apart, at some 100 m/s, and each impulse acts at its own
-   * anchor; at full speed and with arms that long, a chain of which one link is teleported by 80 m
-   * blew up instead of closing.
-   */
-  private static final float TORN = 4;
-
-  /** Beyond this angle per substep a spring is integrated implicitly. */
-  private static final float SYMPLECTIC_LIMIT = 0.5f;
-
-  private final JointRecords joints;
-
+final class JointVisit extends JointRow {
   // What the step is about.
   private JointStore store;
   private BodyStore bodies;
-  private float[] v = new float[0];
-  private float h;
-  private float inverseH;
-  private float biasRate;
-  private float massScale;
-  private float impulseScale;
-
-  // The joint at hand: filled by bring, used by the rows.
-  private int a;
-  private int b;
-  private float mA;
-  private float mB;
-  private float iA;
-  private float iB;
-  private float rAx;
-  private float rAy;
-  private float rBx;
-  private float rBy;
-
-  /** From A's anchor to B's. */
-  private float dx;
-
-  private float dy;
-
-  /** The row at hand: direction, lever arms, mass. */
-  private float ux;
-
-  private float uy;
-  private float sA;
-  private float sB;
-  private float mass;
-
-  /** Of a pulley's row: direction for A, in which it is pushed back; u is that for B. */
-  private float wx;
-
-  private float wy;
-  private boolean split;
 
   /** Visits these joints. */
   JointVisit(JointRecords joints) {
-    this.joints = joints;
+    super(joints);
   }
 
   /** Begins a step; the softness is that of held coordinates. */
@@ -144,17 +55,12 @@ final class JointVisit {
       BodyStore bodyStore,
       float[] state,
       float substep,
-      float rate,
-      float scale,
-      float leak) {
+      float biasRate,
+      float massScale,
+      float impulseScale) {
     store = jointStore;
     bodies = bodyStore;
-    v = state;
-    h = substep;
-    inverseH = 1 / substep;
-    biasRate = rate;
-    massScale = scale;
-    impulseScale = leak;
+    beginRows(state, substep, biasRate, massScale, impulseScale);
   }
 
   /** Applies the impulses remembered from the last substep, or the last step. */
@@ -162,38 +68,38 @@ final class JointVisit {
     JointStore j = store;
     for (int k = from; k < to; k++) {
       int slot = joints.joint[k];
-      bring(k);
+      load(k);
       float axial = axialImpulse(j, slot);
       switch (j.type[slot]) {
         case JointStore.DISTANCE -> {
           lengthRow();
-          apply(axial + j.impulseX[slot]);
+          applyRowImpulse(axial + j.impulseX[slot]);
         }
         case JointStore.GEAR, JointStore.RACK, JointStore.PULLEY -> {
           coupledRow(k, slot);
-          apply(axial + j.impulseX[slot]);
+          applyRowImpulse(axial + j.impulseX[slot]);
         }
         case JointStore.PRISMATIC -> {
           axisRow(k);
-          apply(axial);
+          applyRowImpulse(axial);
           acrossRow(k);
-          apply(j.impulseX[slot]);
-          turn(j.impulseY[slot]);
+          applyRowImpulse(j.impulseX[slot]);
+          applyAngularImpulse(j.impulseY[slot]);
         }
         case JointStore.WHEEL -> {
           axisRow(k);
-          apply(axial - j.motorImpulse[slot]);
+          applyRowImpulse(axial - j.motorImpulse[slot]);
           acrossRow(k);
-          apply(j.impulseX[slot]);
-          turn(j.motorImpulse[slot]);
+          applyRowImpulse(j.impulseX[slot]);
+          applyAngularImpulse(j.motorImpulse[slot]);
         }
         default -> {
           boolean hinge = j.type[slot] == JointStore.REVOLUTE;
           if (hinge || (j.type[slot] == JointStore.WELD && j.hertz[slot] == 0)) {
-            meet();
+            actAtOnePoint();
           }
-          push(j.impulseX[slot], j.impulseY[slot]);
-          turn(j.impulseW[slot] + axial);
+          applyImpulse(j.impulseX[slot], j.impulseY[slot]);
+          applyAngularImpulse(j.impulseW[slot] + axial);
         }
       }
     }
@@ -210,65 +116,66 @@ final class JointVisit {
     JointStore j = store;
     for (int k = from; k < to; k++) {
       int slot = joints.joint[k];
-      bring(k);
+      load(k);
       switch (j.type[slot]) {
         case JointStore.REVOLUTE -> {
           int flags = j.flags[slot];
           if ((flags & (JointStore.LIMITED | JointStore.DRIVEN | JointStore.SPRUNG)) != 0) {
             angleRow();
             float angle = angle(k);
-            coordinate(slot, j.winds(slot) ? (float) j.windB(slot, angle) : angle, bias);
+            solveCoordinate(slot, j.winds(slot) ? (float) j.windB(slot, angle) : angle, bias);
           }
-          point(slot, bias);
+          solvePoint(slot, bias);
         }
         case JointStore.DISTANCE -> {
           float length = lengthRow();
-          coordinate(slot, length, bias);
+          solveCoordinate(slot, length, bias);
           if ((j.flags[slot] & (JointStore.LIMITED | JointStore.SPRUNG)) == 0) {
-            j.impulseX[slot] += held(length - j.rest[slot], j.impulseX[slot], bias);
+            j.impulseX[slot] += solveRigid(length - j.rest[slot], j.impulseX[slot], bias);
           }
         }
         case JointStore.GEAR, JointStore.RACK -> {
           float error = coupledRow(k, slot);
-          j.impulseX[slot] += held(error, j.impulseX[slot], bias);
+          j.impulseX[slot] += solveRigid(error, j.impulseX[slot], bias);
         }
         case JointStore.PULLEY -> {
           float length = coupledRow(k, slot);
-          coordinate(slot, length, bias);
+          solveCoordinate(slot, length, bias);
           if ((j.flags[slot] & (JointStore.LIMITED | JointStore.SPRUNG)) == 0) {
-            j.impulseX[slot] += held(length - j.rest[slot], j.impulseX[slot], bias);
+            j.impulseX[slot] += solveRigid(length - j.rest[slot], j.impulseX[slot], bias);
           }
         }
         case JointStore.PRISMATIC -> {
           float along = axisRow(k);
-          coordinate(slot, along, bias);
-          slider(k, slot, bias);
+          solveCoordinate(slot, along, bias);
+          solveSlider(k, slot, bias);
         }
         case JointStore.WELD -> {
           angleRow();
           float angular = j.angularHertz[slot];
           if (angular == 0) {
-            j.impulseW[slot] += held(bias ? angle(k) : 0, j.impulseW[slot], bias);
+            j.impulseW[slot] += solveRigid(bias ? angle(k) : 0, j.impulseW[slot], bias);
           } else if (bias) {
             float old = j.impulseW[slot];
             j.impulseW[slot] +=
-                spring(angle(k), angular, j.angularDamping[slot], old, Float.POSITIVE_INFINITY);
+                solveSpring(
+                    angle(k), angular, j.angularDamping[slot], old, Float.POSITIVE_INFINITY);
           }
           if (j.hertz[slot] == 0) {
-            point(slot, bias);
+            solvePoint(slot, bias);
           } else if (bias) {
-            softPoint(slot, Float.POSITIVE_INFINITY);
+            solveSoftPoint(slot, Float.POSITIVE_INFINITY);
           }
         }
         case JointStore.WHEEL -> {
           if ((j.flags[slot] & JointStore.DRIVEN) != 0) {
             angleRow();
-            motor(slot);
+            solveMotor(slot);
           }
           float along = axisRow(k);
-          springAndLimits(slot, along, bias);
+          solveSpringAndLimits(slot, along, bias);
           float across = acrossRow(k);
-          j.impulseX[slot] += held(across, j.impulseX[slot], bias);
+          j.impulseX[slot] += solveRigid(across, j.impulseX[slot], bias);
         }
         case JointStore.MOTOR -> {
           if (bias) {
@@ -276,13 +183,13 @@ final class JointVisit {
             float old = j.impulseW[slot];
             float most = j.maxTorque[slot];
             j.impulseW[slot] +=
-                spring(angle(k), j.angularHertz[slot], j.angularDamping[slot], old, most);
-            softPoint(slot, j.maxForce[slot]);
+                solveSpring(angle(k), j.angularHertz[slot], j.angularDamping[slot], old, most);
+            solveSoftPoint(slot, j.maxForce[slot]);
           }
         }
         default -> {
           if (bias) {
-            softPoint(slot, j.maxForce[slot]);
+            solveSoftPoint(slot, j.maxForce[slot]);
           }
         }
       }
@@ -302,7 +209,7 @@ final class JointVisit {
     JointStore j = store;
     for (int k = from; k < to; k++) {
       int slot = joints.joint[k];
-      bring(k);
+      load(k);
       float axial = axialImpulse(j, slot);
       float x = j.impulseX[slot];
       float y = j.impulseY[slot];
@@ -345,39 +252,6 @@ final class JointVisit {
       j.forceY[slot] = y * inverseH;
       j.torque[slot] = torque * inverseH;
     }
-  }
-
-  /** Loads a joint: masses, lever arms and the gap of the anchors as they are now. */
-  private void bring(int k) {
-    float[] d = joints.data;
-    int at = k * RECORD;
-    a = joints.bodyA[k];
-    b = joints.bodyB[k];
-    mA = d[at + MASS_A];
-    mB = d[at + MASS_B];
-    iA = d[at + INERTIA_A];
-    iB = d[at + INERTIA_B];
-    float cA = v[a + COS];
-    float nA = v[a + SIN];
-    float cB = v[b + COS];
-    float nB = v[b + SIN];
-    rAx = cA * d[at + ARM_AX] - nA * d[at + ARM_AY];
-    rAy = nA * d[at + ARM_AX] + cA * d[at + ARM_AY];
-    rBx = cB * d[at + ARM_BX] - nB * d[at + ARM_BY];
-    rBy = nB * d[at + ARM_BX] + cB * d[at + ARM_BY];
-    dx = d[at + GAP_X] + (v[b + DX] - v[a + DX]) + (rBx - rAx);
-    dy = d[at + GAP_Y] + (v[b + DY] - v[a + DY]) + (rBy - rAy);
-  }
-
-  /** The joint's angle now, -pi to pi. */
-  private float angle(int k) {
-    float[] d = joints.data;
-    int at = k * RECORD;
-    float c = v[b + COS] * v[a + COS] + v[b + SIN] * v[a + SIN];
-    float s = v[b + SIN] * v[a + COS] - v[b + COS] * v[a + SIN];
-    return Trig.atan2(
-        d[at + ANGLE_SIN] * c + d[at + ANGLE_COS] * s,
-        d[at + ANGLE_COS] * c - d[at + ANGLE_SIN] * s);
   }
 
   /** The row of a gear, a rack or a pulley; answers error, error, or length. */
@@ -442,218 +316,54 @@ final class JointVisit {
     float armB = rBx * y - rBy * x;
     float inverse = mA * (backX * backX + backY * backY) + mB * (x * x + y * y);
     row(x, y, armA, armB, inverse + iA * armA * armA + iB * armB * armB);
-    wx = backX;
-    wy = backY;
-    split = true;
+    splitRow(backX, backY);
     return lengthA + r * lengthB;
   }
 
-  private void row(float x, float y, float armA, float armB, float inverseMass) {
-    ux = x;
-    uy = y;
-    sA = armA;
-    sB = armB;
-    mass = inverseMass > 0 ? 1 / inverseMass : 0;
-    split = false;
-  }
-
-  private void angleRow() {
-    split = false;
-    ux = 0;
-    uy = 0;
-    sA = 1;
-    sB = 1;
-    float turning = iA + iB;
-    mass = turning > 0 ? 1 / turning : 0;
-  }
-
-  /** The row along the line of the anchors; answers their distance. */
-  private float lengthRow() {
-    float length = (float) Math.sqrt(dx * dx + dy * dy);
-    if (length > 1e-9f) {
-      direction(dx / length, dy / length);
-    } else {
-      direction(1, 0);
-    }
-    return length;
-  }
-
-  /** The row along the axis; answers the translation. */
-  private float axisRow(int k) {
-    float[] d = joints.data;
-    int at = k * RECORD;
-    float c = v[a + COS];
-    float s = v[a + SIN];
-    direction(c * d[at + AXIS_X] - s * d[at + AXIS_Y], s * d[at + AXIS_X] + c * d[at + AXIS_Y]);
-    return ux * dx + uy * dy;
-  }
-
-  /** The row across the axis, turned left from it; answers the error. */
-  private float acrossRow(int k) {
-    float[] d = joints.data;
-    int at = k * RECORD;
-    float c = v[a + COS];
-    float s = v[a + SIN];
-    direction(-(s * d[at + AXIS_X] + c * d[at + AXIS_Y]), c * d[at + AXIS_X] - s * d[at + AXIS_Y]);
-    return ux * dx + uy * dy;
-  }
-
-  private void direction(float x, float y) {
-    split = false;
-    ux = x;
-    uy = y;
-    sA = (rAx + dx) * y - (rAy + dy) * x;
-    sB = rBx * y - rBy * x;
-    float inverse = mA + mB + iA * sA * sA + iB * sB * sB;
-    mass = inverse > 0 ? 1 / inverse : 0;
-  }
-
-  private float speed() {
-    if (split) {
-      return (ux * v[b + VX] + uy * v[b + VY])
-          - (wx * v[a + VX] + wy * v[a + VY])
-          + (sB * v[b + W] - sA * v[a + W]);
-    }
-    return ux * (v[b + VX] - v[a + VX])
-        + uy * (v[b + VY] - v[a + VY])
-        + (sB * v[b + W] - sA * v[a + W]);
-  }
-
-  /** An impulse along the row. Writes nothing to what can't be moved: others may be reading it. */
-  private void apply(float p) {
-    if (mA != 0) {
-      v[a + VX] -= mA * p * (split ? wx : ux);
-      v[a + VY] -= mA * p * (split ? wy : uy);
-      v[a + W] -= iA * p * sA;
-    }
-    if (mB != 0) {
-      v[b + VX] += mB * p * ux;
-      v[b + VY] += mB * p * uy;
-      v[b + W] += iB * p * sB;
-    }
-  }
-
-  /** An angular impulse. */
-  private void turn(float p) {
-    if (mA != 0) {
-      v[a + W] -= iA * p;
-    }
-    if (mB != 0) {
-      v[b + W] += iB * p;
-    }
-  }
-
-  /**
-   * Lets both impulses act at one point, B's anchor. At both ends of a gap they would be a torque
-   * out of nothing, which made overloaded nets tremble: the net of 10,000 opened by up to 1.07 m
-   * while it fell, and by 0.53 m like this (midway 0.62 m).
-   */
-  private void meet() {
-    if (Math.abs(dx) + Math.abs(dy) <= TORN) {
-      rAx += dx;
-      rAy += dy;
-    }
-  }
-
-  /** An impulse at the anchors. */
-  private void push(float px, float py) {
-    if (mA != 0) {
-      v[a + VX] -= mA * px;
-      v[a + VY] -= mA * py;
-      v[a + W] -= iA * (rAx * py - rAy * px);
-    }
-    if (mB != 0) {
-      v[b + VX] += mB * px;
-      v[b + VY] += mB * py;
-      v[b + W] += iB * (rBx * py - rBy * px);
-    }
-  }
-
   /** Spring, motor and limits of the row's coordinate. */
-  private void coordinate(int slot, float q, boolean bias) {
+  private void solveCoordinate(int slot, float q, boolean bias) {
     if ((store.flags[slot] & JointStore.DRIVEN) != 0) {
-      motor(slot);
+      solveMotor(slot);
     }
-    springAndLimits(slot, q, bias);
+    solveSpringAndLimits(slot, q, bias);
   }
 
-  private void springAndLimits(int slot, float q, boolean bias) {
+  private void solveSpringAndLimits(int slot, float q, boolean bias) {
     JointStore j = store;
     int flags = j.flags[slot];
     if (bias && (flags & JointStore.SPRUNG) != 0) {
       float old = j.springImpulse[slot];
       j.springImpulse[slot] +=
-          spring(q - j.rest[slot], j.hertz[slot], j.damping[slot], old, Float.POSITIVE_INFINITY);
+          solveSpring(
+              q - j.rest[slot], j.hertz[slot], j.damping[slot], old, Float.POSITIVE_INFINITY);
     }
     if ((flags & JointStore.LIMITED) != 0) {
-      j.lowerImpulse[slot] += limit(q - j.lower[slot], 1, j.lowerImpulse[slot], bias);
-      j.upperImpulse[slot] += limit(j.upper[slot] - q, -1, j.upperImpulse[slot], bias);
+      j.lowerImpulse[slot] += solveLimit(q - j.lower[slot], 1, j.lowerImpulse[slot], bias);
+      j.upperImpulse[slot] += solveLimit(j.upper[slot] - q, -1, j.upperImpulse[slot], bias);
     }
   }
 
-  private void motor(int slot) {
+  private void solveMotor(int slot) {
     JointStore j = store;
     float old = j.motorImpulse[slot];
     float most = h * j.motorMax[slot];
-    float sum = old + mass * (j.motorSpeed[slot] - speed());
+    float sum = old + mass * (j.motorSpeed[slot] - rowSpeed());
     sum = Math.max(-most, Math.min(sum, most));
     j.motorImpulse[slot] = sum;
-    apply(sum - old);
-  }
-
-  /** Holds the row's coordinate; answers the impulse of this visit. */
-  private float held(float error, float sum, boolean bias) {
-    float p;
-    if (bias) {
-      float near = Math.max(-TORN, Math.min(error, TORN));
-      p = -mass * massScale * (speed() + biasRate * near) - impulseScale * sum;
-    } else {
-      p = -mass * speed();
-    }
-    apply(p);
-    return p;
-  }
-
-  /** Keeps a gap open, seen in the direction of the sign; answers the impulse of this visit. */
-  private float limit(float gap, float sign, float sum, boolean bias) {
-    float push = 0;
-    float scale = 1;
-    float leak = 0;
-    if (gap > 0) {
-      push = gap * inverseH;
-    } else if (bias) {
-      push = biasRate * gap;
-      scale = massScale;
-      leak = impulseScale;
-    }
-    float p = -mass * scale * (sign * speed() + push) - leak * sum;
-    p = Math.max(sum + p, 0) - sum;
-    apply(sign * p);
-    return p;
-  }
-
-  /** One visit of a spring on the row; answers the impulse of this visit. */
-  private float spring(float stretch, float hertz, float zeta, float sum, float maxForce) {
-    float oh = TWO_PI * hertz * h;
-    float soft = oh * ((oh > SYMPLECTIC_LIMIT ? oh : 0) + 2 * zeta);
-    float p = -(mass * (oh * oh * inverseH * stretch + soft * speed()) + sum) / (1 + soft);
-    float most = h * maxForce;
-    p = Math.max(-most, Math.min(sum + p, most)) - sum;
-    apply(p);
-    return p;
+    applyRowImpulse(sum - old);
   }
 
   /** Holds the anchors together. */
-  private void point(int slot, boolean bias) {
+  private void solvePoint(int slot, boolean bias) {
     JointStore j = store;
-    meet();
+    actAtOnePoint();
     float vx = v[b + VX] - v[b + W] * rBy - v[a + VX] + v[a + W] * rAy;
     float vy = v[b + VY] + v[b + W] * rBx - v[a + VY] - v[a + W] * rAx;
     float scale = 1;
     float leak = 0;
     if (bias) {
       float far = Math.abs(dx) + Math.abs(dy);
-      float rate = far > TORN ? biasRate * TORN / far : biasRate;
+      float rate = far > MAX_ERROR ? biasRate * MAX_ERROR / far : biasRate;
       vx += rate * dx;
       vy += rate * dy;
       scale = massScale;
@@ -669,11 +379,11 @@ final class JointVisit {
     float py = -inverse * (xx * vy - xy * vx) - leak * j.impulseY[slot];
     j.impulseX[slot] += px;
     j.impulseY[slot] += py;
-    push(px, py);
+    applyImpulse(px, py);
   }
 
   /** Draws the anchors together by a spring of limited force. */
-  private void softPoint(int slot, float maxForce) {
+  private void solveSoftPoint(int slot, float maxForce) {
     JointStore j = store;
     float vx = v[b + VX] - v[b + W] * rBy - v[a + VX] + v[a + W] * rAy;
     float vy = v[b + VY] + v[b + W] * rBx - v[a + VY] - v[a + W] * rAx;
@@ -701,14 +411,14 @@ final class JointVisit {
     }
     j.impulseX[slot] = x;
     j.impulseY[slot] = y;
-    push(x - oldX, y - oldY);
+    applyImpulse(x - oldX, y - oldY);
   }
 
   /** Holds a slider on its axis and from turning, both at once. */
-  private void slider(int k, int slot, boolean bias) {
+  private void solveSlider(int k, int slot, boolean bias) {
     JointStore j = store;
     float across = acrossRow(k);
-    float first = speed();
+    float first = rowSpeed();
     float second = v[b + W] - v[a + W];
     float scale = 1;
     float leak = 0;
@@ -730,7 +440,7 @@ final class JointVisit {
     float torque = -inverse * (xx * second - xy * first) - leak * j.impulseY[slot];
     j.impulseX[slot] += p;
     j.impulseY[slot] += torque;
-    apply(p);
-    turn(torque);
+    applyRowImpulse(p);
+    applyAngularImpulse(torque);
   }
 }

@@ -22,7 +22,7 @@ public abstract class RevoluteLanes extends VectorKernels {
   public abstract void measure(RevoluteSolver solver, float[] v, float[] scratch, int block);
 
   /** Applies the impulses of the last substep, or the last step. */
-  public abstract void warm(RevoluteSolver solver, float[] v, float[] scratch, int block);
+  public abstract void warmStart(RevoluteSolver solver, float[] v, float[] scratch, int block);
 
   /** Visits a block's joints once, with bias. */
   public abstract void push(RevoluteSolver solver, float[] v, float[] scratch, int block);

@@ -31,7 +31,7 @@ public final class RevoluteSolver {
   public static final int LANES = VectorModule.LANES;
 
   /** As in {@link JointVisit}: what is further apart than this, m, was torn. */
-  public static final float TORN = 4;
+  public static final float MAX_ERROR = 4;
 
   // Offsets of the quantities of a block: of the bodies,
   public static final int MASS_A = 0;
@@ -149,14 +149,14 @@ public final class RevoluteSolver {
   }
 
   /** Adds blocks for some pins, all of one colour; answers the first lane. */
-  int reserve(int pins) {
+  int reserve(int joints) {
     int first = blocks;
-    blocks += (pins + LANES - 1) / LANES;
+    blocks += (joints + LANES - 1) / LANES;
     if (used.length < blocks) {
       grow(Math.max(blocks, 2 * used.length));
     }
     for (int block = first; block < blocks; block++) {
-      int n = Math.min(pins - (block - first) * LANES, LANES);
+      int n = Math.min(joints - (block - first) * LANES, LANES);
       used[block] = (byte) n;
       loose[block] = n == LANES;
       if (n < LANES) {
@@ -245,12 +245,12 @@ public final class RevoluteSolver {
   private void warmBlocks(int from, int to, int worker) {
     for (int block = from; block < to; block++) {
       if (wide[block]) {
-        lanes.warm(this, v, scratch[worker], block);
+        lanes.warmStart(this, v, scratch[worker], block);
         continue;
       }
       for (int i = 0; i < used[block]; i++) {
         int at = block * RECORD + i;
-        give(block * LANES + i, at, data[at + PX], data[at + PY]);
+        applyImpulse(block * LANES + i, at, data[at + PX], data[at + PY]);
       }
     }
   }
@@ -301,9 +301,9 @@ public final class RevoluteSolver {
     float dx = d[at + GAP_X] + (v[b + DX] - v[a + DX]) + (bx - ax);
     float dy = d[at + GAP_Y] + (v[b + DY] - v[a + DY]) + (by - ay);
     float far = Math.abs(dx) + Math.abs(dy);
-    float rate = far > TORN ? biasRate * TORN / far : biasRate;
-    ax = far <= TORN ? ax + dx : ax;
-    ay = far <= TORN ? ay + dy : ay;
+    float rate = far > MAX_ERROR ? biasRate * MAX_ERROR / far : biasRate;
+    ax = far <= MAX_ERROR ? ax + dx : ax;
+    ay = far <= MAX_ERROR ? ay + dy : ay;
     d[at + RAX] = ax;
     d[at + RAY] = ay;
     d[at + RBX] = bx;
@@ -337,11 +337,11 @@ public final class RevoluteSolver {
     float py = -(d[at + XX] * partY + d[at + XY] * partX) * scale - leak * oldY;
     d[at + PX] = oldX + px;
     d[at + PY] = oldY + py;
-    give(lane, at, px, py);
+    applyImpulse(lane, at, px, py);
   }
 
   /** Gives B an impulse, and A its opposite. Writes nothing to what can't be moved. */
-  private void give(int lane, int at, float px, float py) {
+  private void applyImpulse(int lane, int at, float px, float py) {
     float[] d = data;
     float massA = d[at + MASS_A];
     float massB = d[at + MASS_B];

@@ -111,9 +111,9 @@ public final class ParallelFor implements Workers.Task {
     workers.run(number, this);
   }
 
-  /** Has phases of the step done by the workers. */
-  public void divide(DomainPhases phases, int domains) {
-    phases.divide(domains, workers);
+  /** Returns the threads that share the steps, null for none. */
+  public Workers workers() {
+    return workers;
   }
 
   @Override

@@ -2,6 +2,7 @@ package carom.physics.dynamics.solver;
 
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.domain.Domains;
 import java.util.Arrays;
 
 /**
@@ -19,7 +20,7 @@ final class ColourMemo {
   /** Where there are more bodies per row most of them sleep, and nothing of a step visits them. */
   private static final int BODIES_PER_ROW = 4;
 
-  private boolean holds;
+  private boolean valid;
   private int rows;
   private int slots;
 
@@ -30,24 +31,22 @@ final class ColourMemo {
   private byte[] points = new byte[0];
   private float[] inverseMass = new float[0];
 
-  /** Whether the colours of what was {@link #note noted} are those of this step. */
+  /** Returns whether the colours of what was {@link #note noted} are those of this step. */
   boolean holds(ContactTable t, BodyStore b, int edition) {
-    holds =
-        holds
-            && this.edition == edition
-            && rows == t.count()
-            && slots == b.slots()
-            && Arrays.equals(points, 0, rows, t.points, 0, rows)
-            && plain(t)
-            && Arrays.equals(inverseMass, 0, slots, b.invMass, 0, slots)
-            && Arrays.equals(key, 0, rows, t.key, 0, rows);
-    return holds;
+    return valid
+        && this.edition == edition
+        && rows == t.count()
+        && slots == b.slots()
+        && Arrays.equals(points, 0, rows, t.points, 0, rows)
+        && plain(t)
+        && Arrays.equals(inverseMass, 0, slots, b.invMass, 0, slots)
+        && Arrays.equals(key, 0, rows, t.key, 0, rows);
   }
 
   /** Notes what colours follow from. */
   void note(ContactTable t, BodyStore b, int edition) {
-    holds = b.slots() <= BODIES_PER_ROW * t.count() && plain(t);
-    if (!holds) {
+    valid = b.slots() <= BODIES_PER_ROW * t.count() && plain(t);
+    if (!valid) {
       return;
     }
     this.edition = edition;

@@ -19,10 +19,10 @@ public abstract class ContactLanes extends VectorKernels {
   public abstract int scratchSize();
 
   /** Makes lever arms and masses of a full block that {@link ContactPacker} has copied together. */
-  public abstract void arms(float[] data, int at, boolean two);
+  public abstract void leverArms(float[] data, int at, boolean two);
 
   /** Applies the impulses that a block's contacts start with. */
-  public abstract void warm(ContactSolver solver, float[] v, float[] scratch, int block);
+  public abstract void warmStart(ContactSolver solver, float[] v, float[] scratch, int block);
 
   /** Visits a block's contacts once, with their springs. */
   public abstract void push(ContactSolver solver, float[] v, float[] scratch, int block);

@@ -5,8 +5,10 @@ import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.Checks;
 import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.domain.DomainPhases;
+import carom.physics.dynamics.domain.Domains;
+import carom.physics.dynamics.domain.SolverSlots;
 import carom.physics.dynamics.pairs.PairFinder;
-import carom.physics.dynamics.parallel.DomainPhases;
 import carom.physics.dynamics.parallel.ParallelFor;
 import java.util.Arrays;
 
@@ -31,32 +33,32 @@ public final class SolverBodies {
   public static final int SIN = 6;
 
   /** Furthest a body gets in a substep, m; a net under overflow, far above any sane speed. */
-  private static final float FURTHEST = 1e6f;
+  private static final float MAX_TRANSLATION = 1e6f;
 
   /** Furthest a body turns in a substep, rad; the series for the rotation is good up to here. */
-  private static final float MOST_TURN = 2;
+  private static final float MAX_ROTATION = 2;
 
   public float[] state = new float[0];
 
   /**
-   * Velocities without what contacts did in this substep, {@value #PLAIN} floats per slot. What
+   * Velocities without what contacts did in this substep, {@value #VELOCITY} floats per slot. What
    * they did is what the next substep starts with: their impulses times the lever arms, which stay
    * the same for a whole step, are known in sum, so nobody has to visit the contacts again.
    */
-  private float[] plain = new float[0];
+  private float[] withoutContacts = new float[0];
 
-  private static final int PLAIN = 4;
+  private static final int VELOCITY = 4;
 
   /** Velocities before joints were solved, in the same places. */
-  private float[] marked = new float[0];
+  private float[] beforeJoints = new float[0];
 
   /** Acceleration by gravity and forces, and the factor that damping leaves, per slot. */
   private float[] ax = new float[0];
 
   private float[] ay = new float[0];
   private float[] aw = new float[0];
-  private float[] keep = new float[0];
-  private float[] keepW = new float[0];
+  private float[] linearFactor = new float[0];
+  private float[] angularFactor = new float[0];
 
   /**
    * Explicit Euler only, in the places of {@link #state}: velocity before and after a substep's
@@ -92,8 +94,9 @@ public final class SolverBodies {
       (given, d, border, worker) -> move(from(d, border), to(d, border));
   private final DomainPhases.Phase storing =
       (given, d, border, worker) -> store(from(d, border), to(d, border), d % 2 != 0);
-  private final ParallelFor.Range marking = (from, to, worker) -> mark(from, to);
-  private final ParallelFor.Range excepting = (from, to, worker) -> except(from, to);
+  private final ParallelFor.Range remembering = (from, to, worker) -> rememberVelocities(from, to);
+  private final ParallelFor.Range addingJointChanges =
+      (from, to, worker) -> addJointChanges(from, to);
 
   /**
    * Makes it empty.
@@ -161,21 +164,21 @@ public final class SolverBodies {
     if (ax.length < count) {
       int capacity = Math.max(count, ax.length * 2);
       state = new float[capacity * STRIDE];
-      plain = new float[capacity * PLAIN];
+      withoutContacts = new float[capacity * VELOCITY];
       ax = new float[capacity];
       ay = new float[capacity];
       aw = new float[capacity];
-      keep = new float[capacity];
-      keepW = new float[capacity];
+      linearFactor = new float[capacity];
+      angularFactor = new float[capacity];
     }
-    rest(0);
+    resetSlot(0);
     for (int domain = 0; domain < domains.count(); domain++) {
-      rest(slots.idle(domain));
+      resetSlot(slots.idle(domain));
     }
   }
 
   /** Has a slot stay where it is. */
-  private void rest(int slot) {
+  private void resetSlot(int slot) {
     Arrays.fill(state, slot * STRIDE, (slot + 1) * STRIDE, 0);
     state[slot * STRIDE + COS] = 1;
     ax[slot] = 0;
@@ -210,15 +213,15 @@ public final class SolverBodies {
         ax[i] = b.gravityScale[body] * s.gravityX() + b.invMass[body] * b.forceX[body];
         ay[i] = b.gravityScale[body] * s.gravityY() + b.invMass[body] * b.forceY[body];
         aw[i] = b.invInertia[body] * b.torque[body];
-        keep[i] = 1 / (1 + h * b.linearDamping[body]);
-        keepW[i] = 1 / (1 + h * b.angularDamping[body]);
+        linearFactor[i] = 1 / (1 + h * b.linearDamping[body]);
+        angularFactor[i] = 1 / (1 + h * b.angularDamping[body]);
         b.useForces(body);
       } else {
         ax[i] = 0;
         ay[i] = 0;
         aw[i] = 0;
-        keep[i] = 1;
-        keepW[i] = 1;
+        linearFactor[i] = 1;
+        angularFactor[i] = 1;
       }
     }
   }
@@ -248,59 +251,63 @@ public final class SolverBodies {
 
   private void accelerate(int from, int to, boolean warm) {
     float[] s = state;
-    float[] p = plain;
+    float[] p = withoutContacts;
     float maxSpeed = settings.maxSpeed();
-    float maxSpin = settings.maxAngularSpeed();
+    float maxAngularSpeed = settings.maxAngularSpeed();
     for (int i = from; i < to; i++) {
       int at = i * STRIDE;
-      int q = i * PLAIN;
+      int q = i * VELOCITY;
       float vx = s[at + VX];
       float vy = s[at + VY];
       float w = s[at + W];
-      float gotX = vx - p[q + VX];
-      float gotY = vy - p[q + VY];
-      float gotW = w - p[q + W];
-      s[at + VX] = (vx + h * ax[i]) * keep[i];
-      s[at + VY] = (vy + h * ay[i]) * keep[i];
-      s[at + W] = (w + h * aw[i]) * keepW[i];
-      limit(s, at, maxSpeed, maxSpin);
+      float byContactsX = vx - p[q + VX];
+      float byContactsY = vy - p[q + VY];
+      float byContactsW = w - p[q + W];
+      s[at + VX] = (vx + h * ax[i]) * linearFactor[i];
+      s[at + VY] = (vy + h * ay[i]) * linearFactor[i];
+      s[at + W] = (w + h * aw[i]) * angularFactor[i];
+      limit(s, at, maxSpeed, maxAngularSpeed);
       p[q + VX] = s[at + VX];
       p[q + VY] = s[at + VY];
       p[q + W] = s[at + W];
-      if (warm && Math.abs(gotX) + Math.abs(gotY) + Math.abs(gotW) <= Float.MAX_VALUE) {
-        s[at + VX] += gotX;
-        s[at + VY] += gotY;
-        s[at + W] += gotW;
+      if (warm
+          && Math.abs(byContactsX) + Math.abs(byContactsY) + Math.abs(byContactsW)
+              <= Float.MAX_VALUE) {
+        s[at + VX] += byContactsX;
+        s[at + VY] += byContactsY;
+        s[at + W] += byContactsW;
       }
     }
   }
 
   /** Remembers velocities, before something other than contacts changes them. */
-  public void mark() {
-    if (marked.length < plain.length) {
-      marked = new float[plain.length];
+  public void beforeJoints() {
+    if (beforeJoints.length < withoutContacts.length) {
+      beforeJoints = new float[withoutContacts.length];
     }
-    parallel.run(1, count, GRAIN, marking);
+    parallel.run(1, count, GRAIN, remembering);
   }
 
-  private void mark(int from, int to) {
+  private void rememberVelocities(int from, int to) {
     for (int i = from; i < to; i++) {
-      marked[i * PLAIN + VX] = state[i * STRIDE + VX];
-      marked[i * PLAIN + VY] = state[i * STRIDE + VY];
-      marked[i * PLAIN + W] = state[i * STRIDE + W];
+      beforeJoints[i * VELOCITY + VX] = state[i * STRIDE + VX];
+      beforeJoints[i * VELOCITY + VY] = state[i * STRIDE + VY];
+      beforeJoints[i * VELOCITY + W] = state[i * STRIDE + W];
     }
   }
 
-  /** Takes note that the changes since {@link #mark} weren't made by contacts. */
-  public void except() {
-    parallel.run(1, count, GRAIN, excepting);
+  /** Takes note that the changes since {@link #beforeJoints} weren't made by contacts. */
+  public void afterJoints() {
+    parallel.run(1, count, GRAIN, addingJointChanges);
   }
 
-  private void except(int from, int to) {
+  private void addJointChanges(int from, int to) {
     for (int i = from; i < to; i++) {
-      plain[i * PLAIN + VX] += state[i * STRIDE + VX] - marked[i * PLAIN + VX];
-      plain[i * PLAIN + VY] += state[i * STRIDE + VY] - marked[i * PLAIN + VY];
-      plain[i * PLAIN + W] += state[i * STRIDE + W] - marked[i * PLAIN + W];
+      withoutContacts[i * VELOCITY + VX] +=
+          state[i * STRIDE + VX] - beforeJoints[i * VELOCITY + VX];
+      withoutContacts[i * VELOCITY + VY] +=
+          state[i * STRIDE + VY] - beforeJoints[i * VELOCITY + VY];
+      withoutContacts[i * VELOCITY + W] += state[i * STRIDE + W] - beforeJoints[i * VELOCITY + W];
     }
   }
 
@@ -336,7 +343,7 @@ public final class SolverBodies {
     return Math.abs(value) <= Float.MAX_VALUE ? value : 0;
   }
 
-  private static void limit(float[] s, int at, float maxSpeed, float maxSpin) {
+  private static void limit(float[] s, int at, float maxSpeed, float maxAngularSpeed) {
     float vx = s[at + VX];
     float vy = s[at + VY];
     float w = s[at + W];
@@ -346,8 +353,8 @@ public final class SolverBodies {
       s[at + VX] = cut > 0 ? vx * cut : 0;
       s[at + VY] = cut > 0 ? vy * cut : 0;
     }
-    if (!(Math.abs(w) <= maxSpin)) {
-      s[at + W] = w > 0 ? maxSpin : w < 0 ? -maxSpin : 0;
+    if (!(Math.abs(w) <= maxAngularSpeed)) {
+      s[at + W] = w > 0 ? maxAngularSpeed : w < 0 ? -maxAngularSpeed : 0;
     }
   }
 
@@ -364,20 +371,20 @@ public final class SolverBodies {
       int at = i * STRIDE;
       float moveX = h * s[at + VX];
       float moveY = h * s[at + VY];
-      if (!(Math.abs(moveX) + Math.abs(moveY) <= FURTHEST)) {
+      if (!(Math.abs(moveX) + Math.abs(moveY) <= MAX_TRANSLATION)) {
         moveX = 0;
         moveY = 0;
-        plain[i * PLAIN + VX] -= s[at + VX];
-        plain[i * PLAIN + VY] -= s[at + VY];
+        withoutContacts[i * VELOCITY + VX] -= s[at + VX];
+        withoutContacts[i * VELOCITY + VY] -= s[at + VY];
         s[at + VX] = 0;
         s[at + VY] = 0;
       }
       s[at + DX] += moveX;
       s[at + DY] += moveY;
       float a = h * s[at + W];
-      if (!(Math.abs(a) <= MOST_TURN)) {
-        a = a > 0 ? MOST_TURN : a < 0 ? -MOST_TURN : 0;
-        plain[i * PLAIN + W] += a / h - s[at + W];
+      if (!(Math.abs(a) <= MAX_ROTATION)) {
+        a = a > 0 ? MAX_ROTATION : a < 0 ? -MAX_ROTATION : 0;
+        withoutContacts[i * VELOCITY + W] += a / h - s[at + W];
         s[at + W] = a / h;
       }
       if (a != 0) {

@@ -13,6 +13,7 @@ import static carom.physics.dynamics.joint.RevoluteSolver.INERTIA_B;
 import static carom.physics.dynamics.joint.RevoluteSolver.LANES;
 import static carom.physics.dynamics.joint.RevoluteSolver.MASS_A;
 import static carom.physics.dynamics.joint.RevoluteSolver.MASS_B;
+import static carom.physics.dynamics.joint.RevoluteSolver.MAX_ERROR;
 import static carom.physics.dynamics.joint.RevoluteSolver.PX;
 import static carom.physics.dynamics.joint.RevoluteSolver.PY;
 import static carom.physics.dynamics.joint.RevoluteSolver.RAX;
@@ -20,7 +21,6 @@ import static carom.physics.dynamics.joint.RevoluteSolver.RAY;
 import static carom.physics.dynamics.joint.RevoluteSolver.RBX;
 import static carom.physics.dynamics.joint.RevoluteSolver.RBY;
 import static carom.physics.dynamics.joint.RevoluteSolver.RECORD;
-import static carom.physics.dynamics.joint.RevoluteSolver.TORN;
 import static carom.physics.dynamics.joint.RevoluteSolver.XX;
 import static carom.physics.dynamics.joint.RevoluteSolver.XY;
 import static carom.physics.dynamics.joint.RevoluteSolver.YY;
@@ -85,13 +85,13 @@ public final class VectorRevolutes extends RevoluteLanes {
 
   @Override
   protected void warmUp(float[] n) {
-    turn(n, n, SCRATCH);
-    meet(n, n, SCRATCH, 1);
-    weigh(n, SCRATCH);
-    take(n, n, SCRATCH);
-    give(n, n, SCRATCH);
-    draw(n, n, SCRATCH, 1, 1);
-    hold(n, n, SCRATCH);
+    rotateArms(n, n, SCRATCH);
+    bias(n, n, SCRATCH, 1);
+    effectiveMass(n, SCRATCH);
+    loadImpulses(n, n, SCRATCH);
+    applyImpulse(n, n, SCRATCH);
+    solveWithBias(n, n, SCRATCH, 1, 1);
+    solveRigid(n, n, SCRATCH);
   }
 
   @Override
@@ -99,18 +99,18 @@ public final class VectorRevolutes extends RevoluteLanes {
     float[] d = solver.data;
     int at = block * RECORD;
     gatherMotion(s, v, solver.bodyA, solver.bodyB, block * LANES);
-    turn(s, d, at);
-    meet(s, d, at, solver.biasRate);
-    weigh(d, at);
+    rotateArms(s, d, at);
+    bias(s, d, at, solver.biasRate);
+    effectiveMass(d, at);
   }
 
   @Override
-  public void warm(RevoluteSolver solver, float[] v, float[] s, int block) {
+  public void warmStart(RevoluteSolver solver, float[] v, float[] s, int block) {
     float[] d = solver.data;
     int at = block * RECORD;
     gather(s, v, solver.bodyA, solver.bodyB, block * LANES);
-    take(s, d, at);
-    give(s, d, at);
+    loadImpulses(s, d, at);
+    applyImpulse(s, d, at);
     scatter(s, v, solver, block);
   }
 
@@ -119,8 +119,8 @@ public final class VectorRevolutes extends RevoluteLanes {
     float[] d = solver.data;
     int at = block * RECORD;
     gather(s, v, solver.bodyA, solver.bodyB, block * LANES);
-    draw(s, d, at, solver.massScale, solver.impulseScale);
-    give(s, d, at);
+    solveWithBias(s, d, at, solver.massScale, solver.impulseScale);
+    applyImpulse(s, d, at);
     scatter(s, v, solver, block);
   }
 
@@ -130,8 +130,8 @@ public final class VectorRevolutes extends RevoluteLanes {
     int at = block * RECORD;
     gather(s, v, solver.bodyA, solver.bodyB, block * LANES);
     measure(solver, v, s, block);
-    hold(s, d, at);
-    give(s, d, at);
+    solveRigid(s, d, at);
+    applyImpulse(s, d, at);
     scatter(s, v, solver, block);
   }
 
@@ -202,13 +202,13 @@ public final class VectorRevolutes extends RevoluteLanes {
   }
 
   /** The impulse of the step before. */
-  private static void take(float[] s, float[] d, int at) {
+  private static void loadImpulses(float[] s, float[] d, int at) {
     FloatVector.fromArray(LANE, d, at + PX).intoArray(s, DPX);
     FloatVector.fromArray(LANE, d, at + PY).intoArray(s, DPY);
   }
 
   /** Lever arms where the bodies are now. */
-  private static void turn(float[] s, float[] d, int at) {
+  private static void rotateArms(float[] s, float[] d, int at) {
     FloatVector x = FloatVector.fromArray(LANE, d, at + ARM_AX);
     FloatVector y = FloatVector.fromArray(LANE, d, at + ARM_AY);
     FloatVector cos = FloatVector.fromArray(LANE, s, COS_A);
@@ -224,7 +224,7 @@ public final class VectorRevolutes extends RevoluteLanes {
   }
 
   /** How far the anchors are apart; both impulses act at B's. */
-  private static void meet(float[] s, float[] d, int at, float biasRate) {
+  private static void bias(float[] s, float[] d, int at, float biasRate) {
     FloatVector ax = FloatVector.fromArray(LANE, d, at + RAX);
     FloatVector ay = FloatVector.fromArray(LANE, d, at + RAY);
     FloatVector dx =
@@ -236,18 +236,18 @@ public final class VectorRevolutes extends RevoluteLanes {
             .add(FloatVector.fromArray(LANE, s, MOVED_Y))
             .add(FloatVector.fromArray(LANE, d, at + RBY).sub(ay));
     FloatVector far = dx.abs().add(dy.abs());
-    VectorMask<Float> near = far.compare(VectorOperators.LE, TORN);
+    VectorMask<Float> near = far.compare(VectorOperators.LE, MAX_ERROR);
     ax.blend(ax.add(dx), near).intoArray(d, at + RAX);
     ay.blend(ay.add(dy), near).intoArray(d, at + RAY);
     FloatVector plain = FloatVector.broadcast(LANE, biasRate);
-    FloatVector less = FloatVector.broadcast(LANE, biasRate * TORN).div(far);
-    FloatVector rate = plain.blend(less, far.compare(VectorOperators.GT, TORN));
+    FloatVector less = FloatVector.broadcast(LANE, biasRate * MAX_ERROR).div(far);
+    FloatVector rate = plain.blend(less, far.compare(VectorOperators.GT, MAX_ERROR));
     rate.mul(dx).intoArray(d, at + BIAS_X);
     rate.mul(dy).intoArray(d, at + BIAS_Y);
   }
 
   /** The inverse of the mass matrix. */
-  private static void weigh(float[] d, int at) {
+  private static void effectiveMass(float[] d, int at) {
     FloatVector masses =
         FloatVector.fromArray(LANE, d, at + MASS_A)
             .add(FloatVector.fromArray(LANE, d, at + MASS_B));
@@ -271,8 +271,9 @@ public final class VectorRevolutes extends RevoluteLanes {
   }
 
   /** The impulse of a visit that draws the anchors together. */
-  private static void draw(float[] s, float[] d, int at, float scale, float leak) {
-    part(s, d, at);
+  private static void solveWithBias(
+      float[] s, float[] d, int at, float massScale, float impulseScale) {
+    relativeVelocity(s, d, at);
     FloatVector x =
         FloatVector.fromArray(LANE, s, DPX).add(FloatVector.fromArray(LANE, d, at + BIAS_X));
     FloatVector y =
@@ -285,15 +286,15 @@ public final class VectorRevolutes extends RevoluteLanes {
             .mul(x)
             .add(xy.mul(y))
             .neg()
-            .mul(scale)
-            .sub(oldX.mul(leak));
+            .mul(massScale)
+            .sub(oldX.mul(impulseScale));
     FloatVector py =
         FloatVector.fromArray(LANE, d, at + XX)
             .mul(y)
             .add(xy.mul(x))
             .neg()
-            .mul(scale)
-            .sub(oldY.mul(leak));
+            .mul(massScale)
+            .sub(oldY.mul(impulseScale));
     oldX.add(px).intoArray(d, at + PX);
     oldY.add(py).intoArray(d, at + PY);
     px.intoArray(s, DPX);
@@ -301,8 +302,8 @@ public final class VectorRevolutes extends RevoluteLanes {
   }
 
   /** The impulse of a rigid visit. */
-  private static void hold(float[] s, float[] d, int at) {
-    part(s, d, at);
+  private static void solveRigid(float[] s, float[] d, int at) {
+    relativeVelocity(s, d, at);
     FloatVector x = FloatVector.fromArray(LANE, s, DPX);
     FloatVector y = FloatVector.fromArray(LANE, s, DPY);
     FloatVector xy = FloatVector.fromArray(LANE, d, at + XY);
@@ -315,7 +316,7 @@ public final class VectorRevolutes extends RevoluteLanes {
   }
 
   /** How fast the anchors part, in the place of the impulse. */
-  private static void part(float[] s, float[] d, int at) {
+  private static void relativeVelocity(float[] s, float[] d, int at) {
     FloatVector wa = FloatVector.fromArray(LANE, s, WA);
     FloatVector wb = FloatVector.fromArray(LANE, s, WB);
     FloatVector.fromArray(LANE, s, BVX)
@@ -333,7 +334,7 @@ public final class VectorRevolutes extends RevoluteLanes {
   }
 
   /** The new velocities. */
-  private static void give(float[] s, float[] d, int at) {
+  private static void applyImpulse(float[] s, float[] d, int at) {
     FloatVector px = FloatVector.fromArray(LANE, s, DPX);
     FloatVector py = FloatVector.fromArray(LANE, s, DPY);
     FloatVector massA = FloatVector.fromArray(LANE, d, at + MASS_A);

@@ -1,4 +1,4 @@
-package carom.physics.dynamics.parallel;
+package carom.physics.dynamics.domain;
 
 import carom.physics.threads.Workers;
 import java.util.Arrays;
