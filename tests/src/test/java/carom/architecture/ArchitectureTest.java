@@ -107,15 +107,15 @@ final class ArchitectureTest {
         "dynamics.body",
         "dynamics.contact",
         "dynamics.pairs");
+    stage("joint", "archive", "math", "dynamics.store", "dynamics.body");
     stage(
-        "joint",
-        "archive",
+        "jointsolver",
         "math",
         "simd",
-        "dynamics.store",
         "dynamics.parallel",
         "dynamics.body",
-        "dynamics.solver");
+        "dynamics.solver",
+        "dynamics.joint");
     stage(
         "sleep",
         "math",
@@ -134,7 +134,7 @@ final class ArchitectureTest {
         "dynamics.contact",
         "dynamics.narrow",
         "dynamics.solver",
-        "dynamics.joint");
+        "dynamics.jointsolver");
     allow("carom.physics.dynamics", "carom.physics.*", "carom.physics.dynamics.*");
     allow("carom.physics", "carom.physics..");
     allow("carom.physics.effects", "carom.physics..");

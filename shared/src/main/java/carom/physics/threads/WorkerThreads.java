@@ -65,16 +65,16 @@ public final class WorkerThreads implements Workers, AutoCloseable {
 
   private final LongSupplier clock;
 
-  /** Of each thread that announces steps. */
+  /** Decides about sharing, one object per thread that announces steps. */
   private final ThreadLocal<Sharing> sharings = ThreadLocal.withInitial(Sharing::new);
 
   /** The holder's, while its step is on; null if it doesn't share that. */
   private Sharing sharing;
 
-  /** Who waits for the end of the run, null if nobody sleeps over it. */
+  /** Thread that sleeps until the end of the run, null for none. */
   private volatile Thread waiting;
 
-  /** What the run does; read by those who took one of its tasks. */
+  /** Work of the run; read by threads that took one of its tasks. */
   private Task work;
 
   /**
@@ -239,7 +239,7 @@ public final class WorkerThreads implements Workers, AutoCloseable {
   }
 
   /**
-   * Takes tasks until none is free, its own first, then those of the others; answers how many. What
+   * Takes tasks until none is free, its own first, then those of the others. Returns how many. What
    * it takes is of the run that is on, even if it came to help with the one before: a run can't end
    * while one of its tasks isn't reported.
    */

@@ -327,7 +327,7 @@ public final class JointStore {
    * Returns a number that changes whenever the solver may find other joints than before: others are
    * awake, or their bodies or parameters changed.
    */
-  int version() {
+  public int version() {
     return version;
   }
 
@@ -383,19 +383,19 @@ public final class JointStore {
   }
 
   /** Returns whether full turns of a joint are counted. */
-  boolean winds(int slot) {
+  public boolean winds(int slot) {
     return (flags[slot] & WINDS) != 0;
   }
 
   /** Counts full turns of A, and returns its angle over all of them, rad. */
-  double windA(int slot, float angle) {
+  public double windA(int slot, float angle) {
     turnsA[slot] += turn(lastA[slot], angle);
     lastA[slot] = angle;
     return angle + TWO_PI * turnsA[slot];
   }
 
   /** Counts full turns of B, and returns its angle over all of them, rad. */
-  double windB(int slot, float angle) {
+  public double windB(int slot, float angle) {
     turnsB[slot] += turn(lastB[slot], angle);
     lastB[slot] = angle;
     return angle + TWO_PI * turnsB[slot];

@@ -6,18 +6,19 @@ import carom.physics.dynamics.domain.Domains;
 import java.util.Arrays;
 
 /**
- * What the colours of the last step followed from, to tell whether those of this step are the same:
- * rows, their numbers of points, which bodies are active, their domains, and their masses.
+ * Remembers what the colours of the last step followed from, to tell whether those of this step are
+ * the same: rows, their numbers of points, which bodies are active, their domains, and their
+ * masses.
  *
  * <p>A memo isn't state. It only says that colouring anew would give the same colours, since
  * everything that colouring reads is equal, number by number; so nothing of it is saved, hashed or
  * sent, and no bit depends on which steps came before. Comparing costs a tenth of colouring.
  */
 final class ColourMemo {
-  /** Flags with which a row isn't solved, or only looks as if; steps with any aren't remembered. */
+  /** Flags of rows that aren't solved, or only look so. Steps with any aren't remembered. */
   private static final int REFUSED = ContactTable.DORMANT | ContactTable.VETOED;
 
-  /** Where there are more bodies per row most of them sleep, and nothing of a step visits them. */
+  /** Most bodies per row of a step that is remembered. Where there are more, most of them sleep. */
   private static final int BODIES_PER_ROW = 4;
 
   private boolean valid;
@@ -43,7 +44,7 @@ final class ColourMemo {
         && Arrays.equals(key, 0, rows, t.key, 0, rows);
   }
 
-  /** Notes what colours follow from. */
+  /** Notes what the colours of this step follow from. */
   void note(ContactTable t, BodyStore b, int edition) {
     valid = b.slots() <= BODIES_PER_ROW * t.count() && plain(t);
     if (!valid) {

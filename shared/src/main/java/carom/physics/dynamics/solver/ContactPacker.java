@@ -53,14 +53,22 @@ import carom.physics.dynamics.domain.DomainPhases;
  * when a step begins, and the impulses when it ends.
  */
 public final class ContactPacker {
-  /** Two points yield that much more, so that points in one place share the load. */
+  /**
+   * Factor of both diagonal entries of a pair of points, so that its matrix is never singular:
+   * points in one place share the load.
+   */
   public static final float DIAGONAL_SCALE = 1 + 1 / 1024f;
 
-  /** Where a point relative to A stands until arms are made of it, and, of the first, B's place. */
+  /** Place of a point relative to A, x, until lever arms are made of it. */
   public static final int ARM_X = NORMAL_ARM_A;
 
+  /** Place of a point relative to A, y. */
   public static final int ARM_Y = NORMAL_ARM_B;
+
+  /** Position of B relative to A, x, in the record of the first point until then. */
   public static final int OFFSET_X = TANGENT_ARM_A;
+
+  /** Position of B relative to A, y. */
   public static final int OFFSET_Y = TANGENT_ARM_B;
 
   private final ContactBlocks blocks;
@@ -92,7 +100,7 @@ public final class ContactPacker {
     storing = blocks.phase((from, to, worker) -> storeBlocks(from, to));
   }
 
-  /** Says what the step is about. */
+  /** Begins a step. */
   void begin(
       ContactTable contacts,
       BodyStore bodyStore,
@@ -107,14 +115,14 @@ public final class ContactPacker {
     h = substep;
   }
 
-  /** Adds: the blocks, which are laid out, are filled. */
+  /** Adds the phase that fills the blocks. */
   void pack(DomainPhases phases) {
     blocks.addAll(phases, packing);
   }
 
   /**
-   * A block is copied together, lane by lane, before the one before it is worked out: vectors of
-   * what was just written number by number would have to wait for it.
+   * Fills blocks. Each block is copied together, lane by lane, before the one before it is
+   * finished: vectors of numbers that were just written one by one would have to wait for them.
    */
   private void packBlocks(int from, int to) {
     for (int block = from; block < to; block++) {
@@ -130,7 +138,7 @@ public final class ContactPacker {
     }
   }
 
-  /** Makes lever arms and masses of what was copied; then bounces, which need them. */
+  /** Makes lever arms and masses of what was copied, then restitution, which needs them. */
   private void finishBlock(int block) {
     int used = blocks.used[block];
     boolean two = (blocks.traits[block] & TWO) != 0;
@@ -278,11 +286,11 @@ public final class ContactPacker {
   }
 
   /**
-   * Speed with which the surfaces will meet at a point, m/s: that of now, plus what the relative
-   * acceleration a adds over the gap, v^2 = v0^2 + 2 a s; 0 below the threshold. In symplectic
-   * Euler a velocity is that of half a substep ago, hence a h / 2 is added here and again after the
-   * bounce. Without these terms a perfectly elastic ball would lose 2 % of its height with every
-   * bounce.
+   * Returns the speed with which the surfaces will meet at a point, m/s: that of now, plus what the
+   * relative acceleration a adds over the gap, v^2 = v0^2 + 2 a s; 0 below the threshold. In
+   * symplectic Euler a velocity is that of half a substep ago, hence a h / 2 is added here and
+   * again after the bounce. Without these terms a perfectly elastic ball would lose 2 % of its
+   * height with every bounce.
    */
   private float approach(int lane, int point, float acceleration) {
     int at = lane / LANES * RECORD + lane % LANES;
@@ -294,7 +302,7 @@ public final class ContactPacker {
     return square > 0 ? (float) Math.sqrt(square) : 0;
   }
 
-  /** Adds: the impulses are handed back to the table, but for those that overflowed. */
+  /** Adds the phase that hands the impulses back to the table, but for those that overflowed. */
   void store(DomainPhases phases) {
     blocks.addAll(phases, storing);
   }

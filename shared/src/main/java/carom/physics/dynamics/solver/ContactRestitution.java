@@ -38,15 +38,15 @@ import static carom.physics.dynamics.solver.SolverBodies.W;
 import carom.physics.dynamics.domain.DomainPhases;
 
 /**
- * Restitution of contacts, once per step, after its substeps.
+ * Solves the restitution of contacts, once per step, after its substeps.
  *
  * <p>Points that came together faster than the threshold, and were pushed, part with the speed
  * decided when the step began, corrected for where they are now. Where one bounce spoils another,
- * as when a body is hit from two sides, more rounds settle it; impulses never pull. Warm-start
- * impulses end here, as the points fly apart.
+ * as when a body is hit from two sides, more rounds settle it; impulses never pull. Warm starting
+ * ends here, because the points fly apart.
  */
 final class ContactRestitution {
-  /** A closed gas loses 2.5 % of its energy in 300 steps with one round, 0.2 % with four. */
+  /** Rounds: a closed gas loses 2.5 % of its energy in 300 steps with one, 0.2 % with four. */
   private static final int ROUNDS = 4;
 
   private final ContactBlocks blocks;
@@ -62,7 +62,7 @@ final class ContactRestitution {
   /** Length of a substep, s. */
   private float h;
 
-  /** Has the contacts of these blocks bounce. */
+  /** Solves the contacts of these blocks. */
   ContactRestitution(ContactBlocks blocks, ScalarContacts scalar) {
     this.blocks = blocks;
     this.scalar = scalar;
@@ -70,7 +70,12 @@ final class ContactRestitution {
     clearing = blocks.phase((from, to, worker) -> clearBlocks(from, to));
   }
 
-  /** Adds: all bounce. The blocks must be packed; the substep's length in s. */
+  /**
+   * Adds the phases. The blocks must be packed.
+   *
+   * @param state of the bodies
+   * @param h length of a substep, s
+   */
   void solve(DomainPhases phases, float[] state, float h) {
     if (!any()) {
       return;
@@ -154,7 +159,7 @@ final class ContactRestitution {
     }
   }
 
-  /** Whether impulses along the normal turn neither body. */
+  /** Returns whether impulses along the normal turn neither body. */
   private boolean isCentral(int at, int p) {
     float[] d = blocks.data;
     float turnA = d[p + NORMAL_ARM_A];
@@ -164,10 +169,10 @@ final class ContactRestitution {
   }
 
   /**
-   * Friction of the bounce: a blow of (1 + e) m v along the normal rubs with up to mu times that,
-   * of which the share of m v has been had. Only where the blow goes through both centres, as
-   * between discs: elsewhere friction changes the normal speed, and with Newton's restitution that
-   * can add energy (Kane and Levinson, "Dynamics", 1985).
+   * Solves the friction of the bounce: a blow of (1 + e) m v along the normal rubs with up to mu
+   * times that, of which the share of m v has been had. Only where the blow goes through both
+   * centres, as between discs: elsewhere friction changes the normal speed, and with Newton's
+   * restitution that can add energy (Kane and Levinson, "Dynamics", 1985).
    */
   private void solveFriction(int block, int i, int p, int more, float impulse) {
     float[] d = blocks.data;

@@ -39,16 +39,16 @@ import carom.physics.dynamics.parallel.ParallelFor;
  *
  * the bias rate b being the share of s that goes away per second.
  *
- * <p>A visit changes v by {@code (P' - P) / m}. With the yield k = 1 / m and {@code q = v + b s - k
- * P} that makes
+ * <p>A visit changes v by {@code (P' - P) / m}. With the inverse effective mass k = 1 / m and
+ * {@code q = v + b s - k P} that makes
  *
  * <pre>
  *   (k + g) P' = -q      g = k / a     a = h o (2 z + h o)
  * </pre>
  *
  * <p>For the spring's mass m the sum of the bodies' inverse masses counts, {@code g = (1/mA + 1/mB)
- * / a}, not the whole yield: a corner that can turn away would yield more under the same load, and
- * piles of tilted bodies would sink into each other.
+ * / a}, not the whole inverse effective mass: a corner that can turn away would give way more under
+ * the same load, and piles of tilted bodies would sink into each other.
  *
  * <p>Limits: for o to infinity g = 0 and b = 1 / h, a rigid contact that removes s in a substep;
  * for o to 0 no spring. The constants a and b don't contain the mass: a light and a heavy contact
@@ -69,8 +69,8 @@ import carom.physics.dynamics.parallel.ParallelFor;
  * With c = 0 these are two springs, with c = 1 a single one in the middle, and the contact is rigid
  * against tipping. Tipping is how a column buckles, while softness along the normal lets the loads
  * of wide piles even out; so most of the softness goes there. Points in one place (or a body that
- * can't turn) would make the matrix singular, hence both yields are {@value #DIAGONAL_SCALE} times
- * as large.
+ * can't turn) would make the matrix singular, hence both diagonal entries are {@value
+ * ContactPacker#DIAGONAL_SCALE} times as large.
  *
  * <p><b>Relax.</b> The spring leaves a velocity behind that is only there to remove overlap. After
  * positions moved, the same constraints are solved again rigidly and without bias, so that it is
@@ -102,27 +102,27 @@ import carom.physics.dynamics.parallel.ParallelFor;
  * its solution by cases in Cottle, Pang and Stone, "The Linear Complementarity Problem". Written
  * from the algebra above.
  *
- * <p>In which order contacts are visited, and how they lie in memory, says {@link ContactBlocks}.
+ * <p>{@link ContactBlocks} says in which order contacts are visited and how they lie in memory,
+ * {@link ScalarContacts} has the visits.
  */
 public final class ContactSolver {
   private static final float TWO_PI = 6.2831855f;
 
-  /** A contact's spring is at most this fraction as fast as the substeps. */
+  /** Most frequency of a contact's spring, as a fraction of the substeps per second. */
   private static final float MAX_HERTZ_PER_RATE = 0.25f;
 
-  /**
-   * How far the springs of two points act as one: 0 not at all, 1 as a single spring in the middle.
-   */
+  /** Coupling of the springs of two points: 0 for none, 1 for a single spring in the middle. */
   public static final float COUPLING = 0.75f;
 
   /**
-   * How much more two points give way than their bodies' masses say, and how much stiffer (in o) a
-   * single point is. Chosen together with the hertz: the pyramid of 100 rows comes to rest (18 J
-   * after 260 ticks), and the pile of 2,000 has 13 to 18 overlaps deeper than 2 cm; it had 192 when
-   * the whole yield counted.
+   * Softness of two points, as a multiple of what their bodies' masses give. Chosen together with
+   * {@link #SINGLE_STIFFNESS} and the hertz: the pyramid of 100 rows comes to rest (18 J after 260
+   * ticks), and the pile of 2,000 has 13 to 18 overlaps deeper than 2 cm. With the whole inverse
+   * effective mass it has 192.
    */
   private static final float PAIR_SOFTNESS = 1.3f;
 
+  /** Stiffness (in o) of a single point, as a multiple of that of two. */
   private static final float SINGLE_STIFFNESS = 1.3f;
 
   public final ContactBlocks blocks;
@@ -133,7 +133,7 @@ public final class ContactSolver {
   /** The vector kernels, null without. */
   private final ContactLanes lanes;
 
-  /** Of each worker. */
+  /** Scratch arrays of the kernels, one per worker. */
   private float[][] scratch = new float[0][];
 
   private final ParallelFor parallel;
@@ -146,26 +146,29 @@ public final class ContactSolver {
   /** {@link SolverBodies#state}. */
   private float[] v;
 
-  /** Constants of the step. */
+  /** Length of a substep, s. */
   private float h;
 
+  /** Substeps per second. */
   public float inverseH;
+
+  /** Most speed at which overlap is pushed apart, m/s. */
   public float maxPushSpeed;
+
+  /** Overlap that isn't pushed apart, m. */
   public float slop;
 
-  /**
-   * Softness by {@link ContactBlocks#SOFTNESS}: bias rate; what a spring adds to the yield, by
-   * inverse mass.
-   */
+  /** Bias rate b, 1/s, by the traits {@link ContactBlocks#SOFTNESS}. */
   public final float[] biasRate = new float[4];
 
+  /** Softness g, per inverse mass of the bodies, by the same traits. */
   public final float[] soft = new float[4];
 
   /**
    * Makes a solver.
    *
    * @param lanes kernels for whole blocks, null for none
-   * @param parallel does colours
+   * @param parallel tells how many workers there are
    */
   public ContactSolver(ContactLanes lanes, ParallelFor parallel) {
     this.lanes = lanes;
@@ -179,14 +182,14 @@ public final class ContactSolver {
     restitution = new ContactRestitution(blocks, scalar);
   }
 
-  /** The number of blocks. */
+  /** Returns the number of blocks. */
   public int blocks() {
     return blocks.count();
   }
 
   /**
    * Collects and colours the touching, not vetoed contacts of the table, and gives active bodies
-   * their slots. To be packed when the bodies are loaded.
+   * their slots. {@link #pack} follows when the bodies are loaded.
    */
   public void prepare(
       ContactTable contacts,
@@ -208,12 +211,12 @@ public final class ContactSolver {
     packer.begin(contacts, bodyStore, solverBodies, constants, substep);
   }
 
-  /** Adds: what contacts are is written into the blocks. */
+  /** Adds the phase that fills the blocks. */
   public void pack(DomainPhases phases) {
     packer.pack(phases);
   }
 
-  /** Contacts with what can't be moved are twice as stiff (in o). */
+  /** Sets the softness. Contacts with bodies that can't be moved are twice as stiff (in o). */
   private void chooseSoftness(Settings settings) {
     float omega = TWO_PI * Math.min(settings.contactHertz(), MAX_HERTZ_PER_RATE / h);
     float twiceZeta = 2 * settings.contactDampingRatio();
@@ -229,8 +232,8 @@ public final class ContactSolver {
   }
 
   /**
-   * Adds: the impulses remembered from the last step are applied; see {@link SolverBodies} for what
-   * happens in later substeps.
+   * Adds the phases that apply the impulses of the last step. {@link SolverBodies} does it in later
+   * substeps.
    */
   public void warmStart(DomainPhases phases) {
     blocks.addColours(phases, warming);
@@ -248,7 +251,7 @@ public final class ContactSolver {
     }
   }
 
-  /** Adds one visit of each contact, with its spring. */
+  /** Adds the phases that visit each contact once, with its spring. */
   public void push(DomainPhases phases) {
     blocks.addColours(phases, pushing);
   }
@@ -265,7 +268,7 @@ public final class ContactSolver {
     }
   }
 
-  /** Adds one visit of each contact, rigid. */
+  /** Adds the phases that visit each contact once, rigid. */
   public void relax(DomainPhases phases) {
     blocks.addColours(phases, relaxing);
   }
@@ -282,12 +285,12 @@ public final class ContactSolver {
     }
   }
 
-  /** Adds: contacts bounce that came together fast; see {@link ContactRestitution}. */
+  /** Adds the phases in which contacts bounce that came together fast. */
   public void restitution(DomainPhases phases) {
     restitution.solve(phases, v, h);
   }
 
-  /** Adds: the impulses are handed back to the table, but for those that overflowed. */
+  /** Adds the phase that hands the impulses back to the table, but for those that overflowed. */
   public void store(DomainPhases phases) {
     packer.store(phases);
   }

@@ -98,7 +98,10 @@ final class ScalarContacts {
     applyImpulse(lane, at, normal, tangent, wa, wb);
   }
 
-  /** Friction, then the normals with their springs; the gaps are those of the last relaxing. */
+  /**
+   * Visits a contact once: friction, then the normals with their springs. The gaps are those of the
+   * last {@link #relax}.
+   */
   void push(int block, int i) {
     float[] d = blocks.data;
     int lane = block * LANES + i;
@@ -162,7 +165,7 @@ final class ScalarContacts {
     applyImpulse(lane, at, normal, tangent, wa, wb);
   }
 
-  /** The normals as a rigid contact, after the bodies have moved; then friction. */
+  /** Visits a contact once after the bodies have moved: the normals, rigid, then friction. */
   void relax(int block, int i) {
     float[] d = blocks.data;
     int lane = block * LANES + i;
@@ -234,7 +237,7 @@ final class ScalarContacts {
     blocks.data[p + TOTAL_TANGENT] += blocks.data[p + TANGENT_IMPULSE];
   }
 
-  /** Friction at a point; answers the change of its impulse. */
+  /** Solves friction at a point, and returns the change of its impulse. */
   private float solveFriction(int at, int p, float tangentSpeed, float wa, float wb) {
     float[] d = blocks.data;
     float limit = d[at + FRICTION] * d[p + NORMAL_IMPULSE];
@@ -249,7 +252,7 @@ final class ScalarContacts {
     return sum - old;
   }
 
-  /** Rolling resistance; answers the change of its impulse. */
+  /** Solves rolling resistance, and returns the change of its impulse. */
   private float solveRolling(int block, int i, float w) {
     int at = block * RECORD + i;
     int more = block * EXTRA + i;
@@ -264,7 +267,7 @@ final class ScalarContacts {
     return sum - old;
   }
 
-  /** Speed by which a gap may close, or at which overlap is pushed apart (negative), m/s. */
+  /** Returns the speed at which a gap may close, or overlap is pushed apart (negative), m/s. */
   private float bias(float gap, float rate) {
     if (gap > 0) {
       return gap * solver.inverseH;
@@ -274,7 +277,7 @@ final class ScalarContacts {
     return apart > -solver.maxPushSpeed ? apart : -solver.maxPushSpeed;
   }
 
-  /** Solves the one point; answers its impulse. */
+  /** Solves the normal of a single point, and returns its impulse. */
   private float solveNormal(int p, float normalSpeed, float wa, float wb, float bias, float soft) {
     float[] d = blocks.data;
     float old = d[p + NORMAL_IMPULSE];
@@ -289,7 +292,7 @@ final class ScalarContacts {
     return sum;
   }
 
-  /** Solves both points together. */
+  /** Solves the normals of both points together. */
   private void solveNormalPair(
       int at,
       float normalSpeed,

@@ -13,61 +13,91 @@ import carom.physics.dynamics.parallel.ParallelFor;
 import java.util.Arrays;
 
 /**
- * What the solver touches of each moving body, packed to 32 bytes: velocity, and how far the body
- * has moved and turned since the step began.
+ * The moving bodies as the solver sees them: velocity, and how far a body has moved and turned
+ * since the step began, packed to 32 bytes.
+ *
+ * <pre>
+ *   state   | slot 0: static, zero  | unused | slot s                      | ...
+ *                                            | VX VY W  DX DY  COS SIN  -  |   floats
+ *                                             velocity  moved  turned
+ * </pre>
  *
  * <p>Slot 0 is the one static body of all constraints: without mass and at rest, it absorbs
  * whatever is added to it (which is zero). Moving bodies follow, see {@link SolverSlots}. Positions
  * are differences, so the solver works with small numbers wherever in the world it is.
  */
 public final class SolverBodies {
-  /** Floats per slot, and their order. */
+  /** Floats per slot. */
   public static final int STRIDE = 8;
 
+  /** Velocity, x, m/s. */
   public static final int VX = 0;
+
+  /** Velocity, y, m/s. */
   public static final int VY = 1;
+
+  /** Angular velocity, rad/s. */
   public static final int W = 2;
+
+  /** Distance moved since the step began, x, m. */
   public static final int DX = 3;
+
+  /** Distance moved since the step began, y, m. */
   public static final int DY = 4;
+
+  /** Cosine of the turn since the step began. */
   public static final int COS = 5;
+
+  /** Sine of that turn. */
   public static final int SIN = 6;
 
-  /** Furthest a body gets in a substep, m; a net under overflow, far above any sane speed. */
+  /** Most distance of a body in a substep, m: a net under overflow, far above any sane speed. */
   private static final float MAX_TRANSLATION = 1e6f;
 
-  /** Furthest a body turns in a substep, rad; the series for the rotation is good up to here. */
+  /** Most turn of a body in a substep, rad; the series for the rotation is good up to here. */
   private static final float MAX_ROTATION = 2;
 
+  /** Quantities of all slots. */
   public float[] state = new float[0];
 
   /**
-   * Velocities without what contacts did in this substep, {@value #VELOCITY} floats per slot. What
-   * they did is what the next substep starts with: their impulses times the lever arms, which stay
-   * the same for a whole step, are known in sum, so nobody has to visit the contacts again.
+   * Velocities without the changes by contacts in this substep, {@link #VELOCITY} floats per slot.
+   * The next substep starts warm with these changes: they are the sum of the contacts' impulses
+   * times their lever arms, which stay the same for a whole step. So no contact has to be visited
+   * again.
    */
   private float[] withoutContacts = new float[0];
 
+  /** Floats per slot of arrays of velocities. */
   private static final int VELOCITY = 4;
 
   /** Velocities before joints were solved, in the same places. */
   private float[] beforeJoints = new float[0];
 
-  /** Acceleration by gravity and forces, and the factor that damping leaves, per slot. */
+  /** Acceleration by gravity and forces, x, per slot, m/s^2. */
   private float[] ax = new float[0];
 
+  /** Acceleration by gravity and forces, y, per slot, m/s^2. */
   private float[] ay = new float[0];
+
+  /** Angular acceleration by torques, per slot, rad/s^2. */
   private float[] aw = new float[0];
+
+  /** Factor that damping leaves of the velocity, per slot. */
   private float[] linearFactor = new float[0];
+
+  /** Factor that damping leaves of the angular velocity, per slot. */
   private float[] angularFactor = new float[0];
 
-  /**
-   * Explicit Euler only, in the places of {@link #state}: velocity before and after a substep's
-   * acceleration, and after its constraints.
-   */
+  /** Explicit Euler only: velocities before a substep's acceleration, as in {@link #state}. */
   private float[] before = new float[0];
 
+  /** Explicit Euler only: velocities after a substep's acceleration. */
   private float[] free = new float[0];
+
+  /** Explicit Euler only: velocities after a substep's constraints. */
   private float[] solved = new float[0];
+
   private boolean explicit;
 
   private int count;
@@ -101,8 +131,8 @@ public final class SolverBodies {
   /**
    * Makes it empty.
    *
-   * @param active whom it is of
-   * @param pairs tells who is near whom; null where no step is shared
+   * @param active the bodies
+   * @param pairs tells which bodies are near each other; null where no step is shared
    * @param parallel does the stages that joints need
    */
   public SolverBodies(ActiveBodies active, PairFinder pairs, ParallelFor parallel) {
@@ -112,22 +142,22 @@ public final class SolverBodies {
     slots = new SolverSlots(active, domains);
   }
 
-  /** The slot of a body, 0 if it doesn't move. */
+  /** Returns the slot of a body, 0 if it doesn't move. */
   public int slot(int body) {
     return slots.slotOf[body];
   }
 
-  /** Per body: its slot, 0 if it doesn't move; until the next step. */
+  /** Returns the slot of each body, 0 if it doesn't move. Holds until the next step. */
   public int[] slotOf() {
     return slots.slotOf;
   }
 
-  /** Slots there are, the static one and unused ones included. */
+  /** Returns how many slots there are, the static one and unused ones included. */
   public int count() {
     return count;
   }
 
-  /** Offset in {@link #state} of what a domain may write to where there is no body: it is zero. */
+  /** Returns the offset in {@link #state} of a domain's idle slot, which is zero. */
   int idle(int domain) {
     return slots.idle(domain) * STRIDE;
   }
@@ -148,7 +178,7 @@ public final class SolverBodies {
     return ay[slot];
   }
 
-  /** A step begins: finds domains. Contacts are laid next, which {@link #assignSlots}. */
+  /** Begins a step, and finds its domains. {@link ContactBlocks#build} comes next. */
   public void begin(BodyStore b, Settings s, float substep, ContactTable contacts) {
     bodies = b;
     settings = s;
@@ -157,7 +187,7 @@ public final class SolverBodies {
     domains.find(parallel.isSharing() ? parallel.count() : 1, contacts);
   }
 
-  /** Gives active bodies their slots, when it is known who is at the border of a domain. */
+  /** Gives active bodies their slots. Those at the border of a domain must be known by now. */
   void assignSlots() {
     slots.assign();
     count = slots.count();
@@ -177,7 +207,7 @@ public final class SolverBodies {
     }
   }
 
-  /** Has a slot stay where it is. */
+  /** Sets a slot to rest. */
   private void resetSlot(int slot) {
     Arrays.fill(state, slot * STRIDE, (slot + 1) * STRIDE, 0);
     state[slot * STRIDE + COS] = 1;
@@ -186,7 +216,7 @@ public final class SolverBodies {
     aw[slot] = 0;
   }
 
-  /** Adds: the moving bodies are loaded, speeds above the limits cut; their forces are used up. */
+  /** Adds the phase that loads the moving bodies, cuts speeds to the limits and uses up forces. */
   public void load(DomainPhases phases) {
     phases.add(loading, 0);
   }
@@ -227,11 +257,11 @@ public final class SolverBodies {
   }
 
   /**
-   * Adds the first half of symplectic Euler: v += h a. Damping is implicit, v / (1 + h c), hence
-   * stable for any rate. Speeds above the limits are cut; what isn't a number becomes zero, so that
-   * one broken body stays one.
+   * Adds the phase of the first half of symplectic Euler: v += h a. Damping is implicit, v / (1 + h
+   * c), hence stable for any rate. Speeds above the limits are cut; what isn't a number becomes
+   * zero, so that one broken body stays one.
    *
-   * @param warm whether bodies also get what contacts did to them in the last substep
+   * @param warm whether the contacts' impulses of the last substep are applied, too
    */
   public void integrateVelocities(DomainPhases phases, boolean warm) {
     if (!explicit) {
@@ -280,7 +310,7 @@ public final class SolverBodies {
     }
   }
 
-  /** Remembers velocities, before something other than contacts changes them. */
+  /** Remembers velocities, because joints are going to change them. */
   public void beforeJoints() {
     if (beforeJoints.length < withoutContacts.length) {
       beforeJoints = new float[withoutContacts.length];
@@ -296,7 +326,7 @@ public final class SolverBodies {
     }
   }
 
-  /** Takes note that the changes since {@link #beforeJoints} weren't made by contacts. */
+  /** Counts the changes since {@link #beforeJoints} as not made by contacts. */
   public void afterJoints() {
     parallel.run(1, count, GRAIN, addingJointChanges);
   }
@@ -312,7 +342,7 @@ public final class SolverBodies {
   }
 
   /**
-   * Adds the second half: bodies move.
+   * Adds the phase of the second half: bodies move.
    *
    * <p>Explicit Euler: with the velocity from before they were accelerated, {@code v}, and what
    * constraints changed since. Constraints so act on positions at once; else what overlaps would
@@ -359,8 +389,9 @@ public final class SolverBodies {
   }
 
   /**
-   * Second half: x += h v, and the rotation by the angle a = h w: (cos, sin) to the fourth order,
-   * then normalised; the error of the angle is below a^5 / 120, and no trigonometry is needed.
+   * Does the second half: x += h v, and the rotation by the angle a = h w: (cos, sin) to the fourth
+   * order, then normalised; the error of the angle is below a^5 / 120, and no trigonometry is
+   * needed.
    *
    * <p>Constraints that were torn far apart may ask for any speed here; what is absurd or not a
    * number is cut, so that it never gets into a pose.
@@ -403,16 +434,16 @@ public final class SolverBodies {
   }
 
   /**
-   * Adds: velocities, speeds above the limits cut, and poses are written back. A body at the edge
-   * of the world stops there.
+   * Adds the phase that writes velocities, cut to the limits, and poses back. A body at the edge of
+   * the world stops there.
    */
   public void store(DomainPhases phases) {
     phases.add(storing, 0);
   }
 
   /**
-   * Every other domain goes backwards: where domains have mixed, all their threads write to the
-   * same lines of memory, and are to do so at different times.
+   * Writes bodies back. Every other domain goes backwards, because threads of domains that have
+   * mixed write to the same lines of memory and should do so at different times.
    */
   private void store(int from, int to, boolean backwards) {
     for (int i = from; i < to && !backwards; i++) {

@@ -37,10 +37,13 @@ public final class VectorContactHash extends ContactHashLanes {
   /** All but the impulses of friction of the whole step. */
   private static final LongVector COUNTED = counted();
 
-  private final long[] warmUpKeys = new long[BLOCK];
-  private final byte[] warmUpBytes = new byte[BLOCK];
-  private final int[] warmUpIds = new int[2 * BLOCK];
-  private final long[] warmUpFactors = new long[BLOCK];
+  /** Rows of a warm-up call: few, because calls go on when the kernels are long compiled. */
+  private static final int WARM_UP_ROWS = 2 * ROWS;
+
+  private final long[] warmUpKeys = new long[WARM_UP_ROWS];
+  private final byte[] warmUpBytes = new byte[WARM_UP_ROWS];
+  private final int[] warmUpIds = new int[2 * WARM_UP_ROWS];
+  private final long[] warmUpFactors = new long[WARM_UP_ROWS];
   private final long[] warmUpSums = new long[3 * SUMS];
 
   /** Loaded by name, see {@link ContactHashLanes#FOUND}. */
@@ -60,15 +63,15 @@ public final class VectorContactHash extends ContactHashLanes {
 
   @Override
   protected int warmUpSize() {
-    return BLOCK * ContactTable.CONTACT;
+    return WARM_UP_ROWS * ContactTable.CONTACT;
   }
 
   @Override
   protected void warmUp(float[] numbers) {
-    findFactors(warmUpKeys, warmUpBytes, 0, BLOCK, warmUpFactors);
-    states(warmUpBytes, warmUpBytes, 0, BLOCK, warmUpFactors, warmUpSums);
-    ids(warmUpIds, 0, BLOCK, warmUpFactors, warmUpSums);
-    impulses(numbers, 0, BLOCK, warmUpFactors, warmUpSums);
+    findFactors(warmUpKeys, warmUpBytes, 0, WARM_UP_ROWS, warmUpFactors);
+    states(warmUpBytes, warmUpBytes, 0, WARM_UP_ROWS, warmUpFactors, warmUpSums);
+    ids(warmUpIds, 0, WARM_UP_ROWS, warmUpFactors, warmUpSums);
+    impulses(numbers, 0, WARM_UP_ROWS, warmUpFactors, warmUpSums);
   }
 
   @Override

@@ -157,7 +157,7 @@ public final class VectorContacts extends ContactLanes {
     }
   }
 
-  /** The first point's comes last: it holds where B is. */
+  /** Makes lever arms and masses of a point. The first point comes last: it holds B's position. */
   private static void leverArms(float[] d, int at, int p) {
     FloatVector nx = FloatVector.fromArray(LANE, d, at + NX);
     FloatVector ny = FloatVector.fromArray(LANE, d, at + NY);
@@ -192,7 +192,7 @@ public final class VectorContacts extends ContactLanes {
     zero.intoArray(d, p + TOTAL_TANGENT);
   }
 
-  /** What the points do to each other. */
+  /** Finds the inverse effective mass between the points. */
   private static void cross(float[] d, int at) {
     FloatVector turnA =
         FloatVector.fromArray(LANE, d, at + FIRST + NORMAL_ARM_A)
@@ -288,7 +288,7 @@ public final class VectorContacts extends ContactLanes {
     ContactGather.scatter(s, v, solver, block);
   }
 
-  /** Speeds along normal and tangent; no impulse yet. */
+  /** Finds the speeds along normal and tangent. There is no impulse yet. */
   private static void relativeVelocity(float[] s, float[] d, int at) {
     FloatVector nx = FloatVector.fromArray(LANE, d, at + NX);
     FloatVector ny = FloatVector.fromArray(LANE, d, at + NY);
@@ -305,7 +305,7 @@ public final class VectorContacts extends ContactLanes {
         .intoArray(s, TANGENT_SPEED);
   }
 
-  /** How far the bodies moved apart along the normal; rigid from here on. */
+  /** Finds how far the bodies moved apart along the normal. Sets softness to zero: rigid. */
   private static void normalMotion(float[] s, float[] d, int at) {
     FloatVector.fromArray(LANE, s, MOVED_X)
         .mul(FloatVector.fromArray(LANE, d, at + NX))
@@ -327,7 +327,7 @@ public final class VectorContacts extends ContactLanes {
     FloatVector.fromArray(LANE, s, NORMAL_MOTION).add(a.add(b)).intoArray(s, NORMAL_MOTION);
   }
 
-  /** Friction at a point. */
+  /** Solves friction at a point. */
   private static void solveFriction(float[] s, float[] d, int at, int p) {
     FloatVector wa = FloatVector.fromArray(LANE, s, WA);
     FloatVector wb = FloatVector.fromArray(LANE, s, WB);
@@ -356,7 +356,7 @@ public final class VectorContacts extends ContactLanes {
     FloatVector.fromArray(LANE, s, TANGENT_SUM).add(change).intoArray(s, TANGENT_SUM);
   }
 
-  /** Softness of both points, and what they share; those of open gaps are taken away by urge. */
+  /** Finds the softness of both points, and what they share. {@code bias} clears it for gaps. */
   private static void softness(float[] s, float[] d, int at, float perMass) {
     FloatVector soft =
         FloatVector.fromArray(LANE, d, at + MASS_A)
@@ -367,7 +367,7 @@ public final class VectorContacts extends ContactLanes {
     soft.mul(ContactSolver.COUPLING).intoArray(s, SOFT_CROSS);
   }
 
-  /** Speed to push a point with, from the gap of the last relaxing visit. */
+  /** Finds the bias of a point from the gap of the last relaxing visit. */
   private static void bias(
       float[] s,
       float[] d,
@@ -390,7 +390,7 @@ public final class VectorContacts extends ContactLanes {
     FloatVector.fromArray(LANE, s, SOFT_CROSS).blend(0, open).intoArray(s, SOFT_CROSS);
   }
 
-  /** The gap at a point now, and the speed by which it may close. */
+  /** Finds the gap at a point now, and the speed by which it may close. */
   private static void rigidBias(float[] s, float[] d, int p, int point, float inverseH) {
     FloatVector turnedA =
         FloatVector.fromArray(LANE, s, COS_A)
@@ -412,7 +412,7 @@ public final class VectorContacts extends ContactLanes {
     zero.blend(gap.mul(inverseH), gap.compare(VectorOperators.GT, 0)).intoArray(s, BIAS + point);
   }
 
-  /** Solves the one point. */
+  /** Solves the normal of a single point. */
   private static void solveNormal(float[] s, float[] d, int p) {
     FloatVector old = FloatVector.fromArray(LANE, d, p + NORMAL_IMPULSE);
     FloatVector inverseMass = FloatVector.fromArray(LANE, d, p + INVERSE_NORMAL_MASS);
@@ -434,7 +434,7 @@ public final class VectorContacts extends ContactLanes {
     sum.sub(old).intoArray(s, CHANGE);
   }
 
-  /** Solves both points together. */
+  /** Solves the normals of both points together. */
   private static void solveNormalPair(float[] s, float[] d, int at) {
     FloatVector old1 = FloatVector.fromArray(LANE, d, at + FIRST + NORMAL_IMPULSE);
     FloatVector old2 = FloatVector.fromArray(LANE, d, at + SECOND + NORMAL_IMPULSE);
@@ -482,7 +482,7 @@ public final class VectorContacts extends ContactLanes {
     sum2.sub(old2).intoArray(s, CHANGE + LANES);
   }
 
-  /** Lets the change of the one point's impulse turn the bodies. */
+  /** Applies the change of the single point's impulse to the angular velocities. */
   private static void applyAngularImpulse(float[] s, float[] d, int at) {
     FloatVector change = FloatVector.fromArray(LANE, s, CHANGE);
     FloatVector turnA = FloatVector.fromArray(LANE, d, at + FIRST + NORMAL_ARM_A).mul(change);
@@ -496,7 +496,7 @@ public final class VectorContacts extends ContactLanes {
     change.intoArray(s, NORMAL_SUM);
   }
 
-  /** Lets the changes of both points' impulses turn the bodies. */
+  /** Applies the changes of both points' impulses to the angular velocities. */
   private static void applyAngularImpulsePair(float[] s, float[] d, int at) {
     FloatVector change1 = FloatVector.fromArray(LANE, s, CHANGE);
     FloatVector change2 = FloatVector.fromArray(LANE, s, CHANGE + LANES);
@@ -517,7 +517,7 @@ public final class VectorContacts extends ContactLanes {
     change1.add(change2).intoArray(s, NORMAL_SUM);
   }
 
-  /** Lets the impulse of the one point turn the bodies. */
+  /** Applies the impulse of the single point to the angular velocities. */
   private static void warmStartPoint(float[] s, float[] d, int at) {
     FloatVector normal = FloatVector.fromArray(LANE, d, at + FIRST + NORMAL_IMPULSE);
     FloatVector tangent = FloatVector.fromArray(LANE, d, at + FIRST + TANGENT_IMPULSE);
@@ -539,7 +539,7 @@ public final class VectorContacts extends ContactLanes {
     tangent.intoArray(s, TANGENT_SUM);
   }
 
-  /** Lets the impulses of both points turn the bodies. */
+  /** Applies the impulses of both points to the angular velocities. */
   private static void warmStartPair(float[] s, float[] d, int at) {
     FloatVector normal1 = FloatVector.fromArray(LANE, d, at + FIRST + NORMAL_IMPULSE);
     FloatVector tangent1 = FloatVector.fromArray(LANE, d, at + FIRST + TANGENT_IMPULSE);
@@ -573,7 +573,7 @@ public final class VectorContacts extends ContactLanes {
     tangent1.add(tangent2).intoArray(s, TANGENT_SUM);
   }
 
-  /** Lets the impulses change the velocities. */
+  /** Applies the impulses to the velocities. */
   private static void applyImpulse(float[] s, float[] d, int at) {
     FloatVector normal = FloatVector.fromArray(LANE, s, NORMAL_SUM);
     FloatVector tangent = FloatVector.fromArray(LANE, s, TANGENT_SUM);

@@ -1,32 +1,32 @@
 package carom.physics.dynamics.simd;
 
-import static carom.physics.dynamics.joint.RevoluteSolver.ARM_AX;
-import static carom.physics.dynamics.joint.RevoluteSolver.ARM_AY;
-import static carom.physics.dynamics.joint.RevoluteSolver.ARM_BX;
-import static carom.physics.dynamics.joint.RevoluteSolver.ARM_BY;
-import static carom.physics.dynamics.joint.RevoluteSolver.BIAS_X;
-import static carom.physics.dynamics.joint.RevoluteSolver.BIAS_Y;
-import static carom.physics.dynamics.joint.RevoluteSolver.GAP_X;
-import static carom.physics.dynamics.joint.RevoluteSolver.GAP_Y;
-import static carom.physics.dynamics.joint.RevoluteSolver.INERTIA_A;
-import static carom.physics.dynamics.joint.RevoluteSolver.INERTIA_B;
-import static carom.physics.dynamics.joint.RevoluteSolver.LANES;
-import static carom.physics.dynamics.joint.RevoluteSolver.MASS_A;
-import static carom.physics.dynamics.joint.RevoluteSolver.MASS_B;
-import static carom.physics.dynamics.joint.RevoluteSolver.MAX_ERROR;
-import static carom.physics.dynamics.joint.RevoluteSolver.PX;
-import static carom.physics.dynamics.joint.RevoluteSolver.PY;
-import static carom.physics.dynamics.joint.RevoluteSolver.RAX;
-import static carom.physics.dynamics.joint.RevoluteSolver.RAY;
-import static carom.physics.dynamics.joint.RevoluteSolver.RBX;
-import static carom.physics.dynamics.joint.RevoluteSolver.RBY;
-import static carom.physics.dynamics.joint.RevoluteSolver.RECORD;
-import static carom.physics.dynamics.joint.RevoluteSolver.XX;
-import static carom.physics.dynamics.joint.RevoluteSolver.XY;
-import static carom.physics.dynamics.joint.RevoluteSolver.YY;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.ARM_AX;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.ARM_AY;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.ARM_BX;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.ARM_BY;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.BIAS_X;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.BIAS_Y;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.GAP_X;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.GAP_Y;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.INERTIA_A;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.INERTIA_B;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.LANES;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.MASS_A;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.MASS_B;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.MAX_ERROR;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.PX;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.PY;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.RAX;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.RAY;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.RBX;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.RBY;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.RECORD;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.XX;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.XY;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.YY;
 
-import carom.physics.dynamics.joint.RevoluteLanes;
-import carom.physics.dynamics.joint.RevoluteSolver;
+import carom.physics.dynamics.jointsolver.RevoluteLanes;
+import carom.physics.dynamics.jointsolver.RevoluteSolver;
 import carom.physics.dynamics.solver.SolverBodies;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
@@ -34,23 +34,26 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * The pins of a block at once, with the Vector API: the same operations in the same order as {@code
- * RevoluteSolver}'s, hence the same bits. In small methods that pass each other arrays; see {@code
- * VectorContacts} for why.
+ * Solves the revolute joints of a block at once, with the Vector API: the operations of {@code
+ * RevoluteSolver} in the same order, hence the same bits. In small methods that pass each other
+ * arrays; see {@code VectorContacts} for why.
  */
 public final class VectorRevolutes extends RevoluteLanes {
   private static final VectorSpecies<Float> LANE =
       LANES == 16 ? FloatVector.SPECIES_512 : FloatVector.SPECIES_256;
 
-  // Quantities of the scratch array: velocities of both bodies,
+  // Quantities of the scratch array.
+
+  /** Velocities of both bodies, m/s and rad/s. */
   private static final int AVX = APART;
+
   private static final int AVY = AVX + LANES;
   private static final int WA = AVY + LANES;
   private static final int BVX = WA + LANES;
   private static final int BVY = BVX + LANES;
   private static final int WB = BVY + LANES;
 
-  /** how far they have moved apart and turned, */
+  /** Distance by which B moved away from A, and the turns of both. */
   private static final int MOVED_X = WB + LANES;
 
   private static final int MOVED_Y = MOVED_X + LANES;
@@ -59,7 +62,7 @@ public final class VectorRevolutes extends RevoluteLanes {
   private static final int COS_B = SIN_A + LANES;
   private static final int SIN_B = COS_B + LANES;
 
-  /** impulse of this visit on B. */
+  /** Impulse of this visit on B, N s. */
   private static final int DPX = SIN_B + LANES;
 
   private static final int DPY = DPX + LANES;
@@ -201,13 +204,13 @@ public final class VectorRevolutes extends RevoluteLanes {
     }
   }
 
-  /** The impulse of the step before. */
+  /** Loads the impulse of the substep before. */
   private static void loadImpulses(float[] s, float[] d, int at) {
     FloatVector.fromArray(LANE, d, at + PX).intoArray(s, DPX);
     FloatVector.fromArray(LANE, d, at + PY).intoArray(s, DPY);
   }
 
-  /** Lever arms where the bodies are now. */
+  /** Turns lever arms to where the bodies are now. */
   private static void rotateArms(float[] s, float[] d, int at) {
     FloatVector x = FloatVector.fromArray(LANE, d, at + ARM_AX);
     FloatVector y = FloatVector.fromArray(LANE, d, at + ARM_AY);
@@ -223,7 +226,7 @@ public final class VectorRevolutes extends RevoluteLanes {
     sin.mul(x).add(cos.mul(y)).intoArray(d, at + RBY);
   }
 
-  /** How far the anchors are apart; both impulses act at B's. */
+  /** Finds the bias from the gap of the anchors. Both impulses act at B's anchor. */
   private static void bias(float[] s, float[] d, int at, float biasRate) {
     FloatVector ax = FloatVector.fromArray(LANE, d, at + RAX);
     FloatVector ay = FloatVector.fromArray(LANE, d, at + RAY);
@@ -246,7 +249,7 @@ public final class VectorRevolutes extends RevoluteLanes {
     rate.mul(dy).intoArray(d, at + BIAS_Y);
   }
 
-  /** The inverse of the mass matrix. */
+  /** Finds the effective mass of the point. */
   private static void effectiveMass(float[] d, int at) {
     FloatVector masses =
         FloatVector.fromArray(LANE, d, at + MASS_A)
@@ -270,7 +273,7 @@ public final class VectorRevolutes extends RevoluteLanes {
     yy.mul(inverse).intoArray(d, at + YY);
   }
 
-  /** The impulse of a visit that draws the anchors together. */
+  /** Finds the impulse of a visit with bias, which draws the anchors together. */
   private static void solveWithBias(
       float[] s, float[] d, int at, float massScale, float impulseScale) {
     relativeVelocity(s, d, at);
@@ -301,7 +304,7 @@ public final class VectorRevolutes extends RevoluteLanes {
     py.intoArray(s, DPY);
   }
 
-  /** The impulse of a rigid visit. */
+  /** Finds the impulse of a rigid visit. */
   private static void solveRigid(float[] s, float[] d, int at) {
     relativeVelocity(s, d, at);
     FloatVector x = FloatVector.fromArray(LANE, s, DPX);
@@ -315,7 +318,7 @@ public final class VectorRevolutes extends RevoluteLanes {
     py.intoArray(s, DPY);
   }
 
-  /** How fast the anchors part, in the place of the impulse. */
+  /** Finds how fast the anchors part, in the place of the impulse. */
   private static void relativeVelocity(float[] s, float[] d, int at) {
     FloatVector wa = FloatVector.fromArray(LANE, s, WA);
     FloatVector wb = FloatVector.fromArray(LANE, s, WB);
@@ -333,7 +336,7 @@ public final class VectorRevolutes extends RevoluteLanes {
         .intoArray(s, DPY);
   }
 
-  /** The new velocities. */
+  /** Applies the impulse to the velocities. */
   private static void applyImpulse(float[] s, float[] d, int at) {
     FloatVector px = FloatVector.fromArray(LANE, s, DPX);
     FloatVector py = FloatVector.fromArray(LANE, s, DPY);

@@ -1,4 +1,4 @@
-package carom.physics.dynamics.joint;
+package carom.physics.dynamics.jointsolver;
 
 import carom.physics.simd.VectorKernels;
 import carom.physics.simd.VectorModule;

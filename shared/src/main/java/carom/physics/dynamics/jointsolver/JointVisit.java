@@ -1,4 +1,4 @@
-package carom.physics.dynamics.joint;
+package carom.physics.dynamics.jointsolver;
 
 import static carom.physics.dynamics.solver.SolverBodies.COS;
 import static carom.physics.dynamics.solver.SolverBodies.DX;
@@ -9,6 +9,7 @@ import static carom.physics.dynamics.solver.SolverBodies.VY;
 import static carom.physics.dynamics.solver.SolverBodies.W;
 
 import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.joint.JointStore;
 import carom.physics.math.Trig;
 
 /**
@@ -36,8 +37,7 @@ import carom.physics.math.Trig;
  * are counted over full turns, and the error is measured from poses, so that nothing drifts.
  *
  * <p>Lever arms turn with the bodies in each substep, other than those of contacts: a pendulum
- * turns much between two ticks. The row for the spring follows Erin Catto's GDC 2011 talk; written
- * from the algebra above.
+ * turns much between two ticks.
  */
 final class JointVisit extends JointRow {
   // What the step is about.
@@ -49,7 +49,7 @@ final class JointVisit extends JointRow {
     super(joints);
   }
 
-  /** Begins a step; the softness is that of held coordinates. */
+  /** Begins a step. The softness is that of rigid coordinates. */
   void begin(
       JointStore jointStore,
       BodyStore bodyStore,
@@ -196,7 +196,7 @@ final class JointVisit extends JointRow {
     }
   }
 
-  /** What spring, motor and limits exert together, along the axis or about it. */
+  /** Returns what spring, motor and limits exert together, along the axis or about it. */
   private static float axialImpulse(JointStore j, int slot) {
     return j.springImpulse[slot]
         + j.motorImpulse[slot]
@@ -204,7 +204,7 @@ final class JointVisit extends JointRow {
         - j.upperImpulse[slot];
   }
 
-  /** Writes down what joints exerted. */
+  /** Stores what joints exerted. */
   void store(int from, int to) {
     JointStore j = store;
     for (int k = from; k < to; k++) {
@@ -254,7 +254,7 @@ final class JointVisit extends JointRow {
     }
   }
 
-  /** The row of a gear, a rack or a pulley; answers error, error, or length. */
+  /** Makes the row of a gear, a rack or a pulley. Returns its error, or the pulley's length. */
   private float coupledRow(int k, int slot) {
     return switch (store.type[slot]) {
       case JointStore.GEAR -> gearRow(slot);
@@ -272,7 +272,7 @@ final class JointVisit extends JointRow {
     return (float) (angleB - r * angleA);
   }
 
-  /** How far a body has turned from a rotation, -pi to pi. */
+  /** Returns how far a body has turned from a rotation, -pi to pi. */
   private float turned(int body, int offset, float fromCos, float fromSin) {
     float c = bodies.cos[body] * v[offset + COS] - bodies.sin[body] * v[offset + SIN];
     float s = bodies.sin[body] * v[offset + COS] + bodies.cos[body] * v[offset + SIN];
@@ -294,7 +294,7 @@ final class JointVisit extends JointRow {
     return (float) (x * dx + y * dy - j.rest[slot] - r * angle);
   }
 
-  /** The ropes run from points of the world to the anchors. */
+  /** Makes the row of a pulley, whose ropes run from points of the world to the anchors. */
   private float pulleyRow(int slot) {
     JointStore j = store;
     float r = j.ratio[slot];
@@ -320,7 +320,7 @@ final class JointVisit extends JointRow {
     return lengthA + r * lengthB;
   }
 
-  /** Spring, motor and limits of the row's coordinate. */
+  /** Solves spring, motor and limits of the row's coordinate. */
   private void solveCoordinate(int slot, float q, boolean bias) {
     if ((store.flags[slot] & JointStore.DRIVEN) != 0) {
       solveMotor(slot);

@@ -1,20 +1,20 @@
-package carom.physics.dynamics.joint;
+package carom.physics.dynamics.jointsolver;
 
-import static carom.physics.dynamics.joint.JointRecords.ANGLE_COS;
-import static carom.physics.dynamics.joint.JointRecords.ANGLE_SIN;
-import static carom.physics.dynamics.joint.JointRecords.ARM_AX;
-import static carom.physics.dynamics.joint.JointRecords.ARM_AY;
-import static carom.physics.dynamics.joint.JointRecords.ARM_BX;
-import static carom.physics.dynamics.joint.JointRecords.ARM_BY;
-import static carom.physics.dynamics.joint.JointRecords.AXIS_X;
-import static carom.physics.dynamics.joint.JointRecords.AXIS_Y;
-import static carom.physics.dynamics.joint.JointRecords.GAP_X;
-import static carom.physics.dynamics.joint.JointRecords.GAP_Y;
-import static carom.physics.dynamics.joint.JointRecords.INERTIA_A;
-import static carom.physics.dynamics.joint.JointRecords.INERTIA_B;
-import static carom.physics.dynamics.joint.JointRecords.MASS_A;
-import static carom.physics.dynamics.joint.JointRecords.MASS_B;
-import static carom.physics.dynamics.joint.JointRecords.RECORD;
+import static carom.physics.dynamics.jointsolver.JointRecords.ANGLE_COS;
+import static carom.physics.dynamics.jointsolver.JointRecords.ANGLE_SIN;
+import static carom.physics.dynamics.jointsolver.JointRecords.ARM_AX;
+import static carom.physics.dynamics.jointsolver.JointRecords.ARM_AY;
+import static carom.physics.dynamics.jointsolver.JointRecords.ARM_BX;
+import static carom.physics.dynamics.jointsolver.JointRecords.ARM_BY;
+import static carom.physics.dynamics.jointsolver.JointRecords.AXIS_X;
+import static carom.physics.dynamics.jointsolver.JointRecords.AXIS_Y;
+import static carom.physics.dynamics.jointsolver.JointRecords.GAP_X;
+import static carom.physics.dynamics.jointsolver.JointRecords.GAP_Y;
+import static carom.physics.dynamics.jointsolver.JointRecords.INERTIA_A;
+import static carom.physics.dynamics.jointsolver.JointRecords.INERTIA_B;
+import static carom.physics.dynamics.jointsolver.JointRecords.MASS_A;
+import static carom.physics.dynamics.jointsolver.JointRecords.MASS_B;
+import static carom.physics.dynamics.jointsolver.JointRecords.RECORD;
 import static carom.physics.dynamics.solver.SolverBodies.COS;
 import static carom.physics.dynamics.solver.SolverBodies.DX;
 import static carom.physics.dynamics.solver.SolverBodies.DY;
@@ -38,7 +38,7 @@ import carom.physics.math.Trig;
  * d) x u, sB = rB x u}. Two coordinates that share a lever arm (a point, or the perpendicular and
  * the angle of a slider) are one block with a 2x2 mass.
  *
- * <p><b>Held</b> coordinates (q = 0) are a rigid row. Before positions move, the error is fed back
+ * <p><b>Rigid</b> coordinates (q = 0) are a rigid row. Before positions move, the error is fed back
  * into the velocity as in contacts (see {@link ContactSolver}), {@code p = -m M (q' + b q) - I P},
  * with the joint's own hertz; after that the row is solved again without (relax), so that no energy
  * enters.
@@ -72,14 +72,14 @@ abstract class JointRow {
   static final float TWO_PI = 6.2831855f;
 
   /**
-   * What is further apart than this, m, was torn: by a teleport or by absurd forces. It is drawn
-   * together as if it were that far apart, at some 100 m/s, and each impulse acts at its own
-   * anchor; at full speed and with arms that long, a chain of which one link is teleported by 80 m
-   * blew up instead of closing.
+   * Most error that counts, m. Anchors that are further apart were torn by a teleport or by absurd
+   * forces. They are drawn together as if they were that far apart, at some 100 m/s, and each
+   * impulse acts at its own anchor. At full speed and with arms that long, a chain of which one
+   * link is teleported by 80 m blows up instead of closing.
    */
   static final float MAX_ERROR = 4;
 
-  /** Beyond this angle per substep a spring is integrated implicitly. */
+  /** Most angle per substep of a spring, o h. Beyond it a spring is integrated implicitly. */
   static final float SYMPLECTIC_LIMIT = 0.5f;
 
   /** Joints to visit. */
@@ -197,7 +197,7 @@ abstract class JointRow {
     mass = turning > 0 ? 1 / turning : 0;
   }
 
-  /** The row along the line of the anchors; answers their distance. */
+  /** Makes the row along the line of the anchors, and returns their distance, m. */
   final float lengthRow() {
     float length = (float) Math.sqrt(dx * dx + dy * dy);
     if (length > 1e-9f) {
@@ -229,7 +229,9 @@ abstract class JointRow {
         + (sB * v[b + W] - sA * v[a + W]);
   }
 
-  /** An impulse along the row. Writes nothing to what can't be moved: others may be reading it. */
+  /**
+   * Applies an impulse along the row. Writes nothing to what can't be moved: others may read it.
+   */
   final void applyRowImpulse(float p) {
     if (mA != 0) {
       v[a + VX] -= mA * p * (split ? wx : ux);
@@ -243,7 +245,7 @@ abstract class JointRow {
     }
   }
 
-  /** An angular impulse. */
+  /** Applies an angular impulse. */
   final void applyAngularImpulse(float p) {
     if (mA != 0) {
       v[a + W] -= iA * p;
@@ -265,7 +267,7 @@ abstract class JointRow {
     }
   }
 
-  /** An impulse at the anchors. */
+  /** Applies an impulse at the anchors. */
   final void applyImpulse(float px, float py) {
     if (mA != 0) {
       v[a + VX] -= mA * px;
@@ -279,7 +281,7 @@ abstract class JointRow {
     }
   }
 
-  /** Holds the row's coordinate; answers the impulse of this visit. */
+  /** Solves the row as a rigid one, and returns the impulse of this visit. */
   final float solveRigid(float error, float sum, boolean bias) {
     float p;
     if (bias) {
@@ -292,7 +294,7 @@ abstract class JointRow {
     return p;
   }
 
-  /** Keeps a gap open, seen in the direction of the sign; answers the impulse of this visit. */
+  /** Keeps a gap open, seen in the direction of the sign. Returns the impulse of this visit. */
   final float solveLimit(float gap, float sign, float sum, boolean bias) {
     float target = 0;
     float scale = 1;
@@ -310,7 +312,7 @@ abstract class JointRow {
     return p;
   }
 
-  /** One visit of a spring on the row; answers the impulse of this visit. */
+  /** Visits a spring on the row, and returns the impulse of this visit. */
   final float solveSpring(float stretch, float hertz, float zeta, float sum, float maxForce) {
     float oh = TWO_PI * hertz * h;
     float soft = oh * ((oh > SYMPLECTIC_LIMIT ? oh : 0) + 2 * zeta);
@@ -343,7 +345,7 @@ abstract class JointRow {
     dy = d[at + GAP_Y] + (v[b + DY] - v[a + DY]) + (rBy - rAy);
   }
 
-  /** The joint's angle now, -pi to pi. */
+  /** Returns the joint's angle now, -pi to pi. */
   final float angle(int k) {
     float[] d = joints.data;
     int at = k * RECORD;
@@ -354,7 +356,7 @@ abstract class JointRow {
         d[at + ANGLE_COS] * c - d[at + ANGLE_SIN] * s);
   }
 
-  /** The row along the axis; answers the translation. */
+  /** Makes the row along the axis, and returns the translation, m. */
   final float axisRow(int k) {
     float[] d = joints.data;
     int at = k * RECORD;
@@ -364,7 +366,7 @@ abstract class JointRow {
     return ux * dx + uy * dy;
   }
 
-  /** The row across the axis, turned left from it; answers the error. */
+  /** Makes the row across the axis, turned left from it, and returns the error, m. */
   final float acrossRow(int k) {
     float[] d = joints.data;
     int at = k * RECORD;
