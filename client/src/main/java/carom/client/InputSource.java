@@ -1,19 +1,20 @@
 package carom.client;
 
+import carom.client.view.ClientView;
 import carom.sim.Input;
 
-/** Whoever plays: a person at a keyboard, a bot, a script. Called on the client's thread. */
+/** Source of a player's input: devices, a bot or a script. Called on the client's thread. */
 @FunctionalInterface
 public interface InputSource {
-  /** Presses nothing. */
+  /** Never presses anything. */
   InputSource IDLE = (view, tick, out) -> {};
 
   /**
-   * Fills in the player's commands for one tick.
+   * Samples the player's input for one tick.
    *
-   * @param view what the player sees; do not keep it
-   * @param tick the tick the input is for; each tick is asked for once, ascending
-   * @param out released and centred when handed in
+   * @param view what the player sees; don't keep it
+   * @param tick the tick the input is for; ticks ascend, each comes once
+   * @param out receives the input; everything is released and centred before
    */
   void sample(ClientView view, int tick, Input out);
 }

@@ -5,14 +5,14 @@ import java.util.Locale;
 
 /** What a client simulates ahead of the server. */
 public enum PredictionMode {
-  /** Nothing: the own body is drawn in the past like all others. For spectators and cheap bots. */
+  /** Nothing. The own body is interpolated like all others; for spectators and cheap bots. */
   NONE,
-  /** The own body, what it touches, directly or through others, and what it may touch soon. */
+  /** The own body, the bodies it touches, directly or through others, or may touch soon. */
   ISLAND,
-  /** As much around the own body as the server has room to tell exactly, the closest first. */
+  /** As many bodies around the own one as the server can send exactly, the closest first. */
   ALL;
 
-  /** How an {@link InputDatagram} says it. */
+  /** Returns the value of this mode in an {@link InputDatagram}. */
   int near() {
     return switch (this) {
       case NONE -> InputDatagram.NEAR_NONE;

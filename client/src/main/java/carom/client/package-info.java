@@ -1,9 +1,21 @@
 /**
- * A client of a Carom server: connects, loads the level, runs ahead of the server, predicts, draws
- * the past of the others, and offers a read-only picture of it all. Needs no window.
+ * A client of a Carom server that needs no window: it joins a game, samples inputs, predicts,
+ * interpolates, and offers a read-only view of the result.
  *
- * <p>May use {@code carom.physics}, {@code carom.sim}, {@code carom.game} and {@code carom.net};
- * the window is {@code carom.client.desktop}, found as a service. Read first: {@link
- * carom.client.GameClient}, {@link carom.client.ClientView}, {@link carom.client.ClientConfig}.
+ * <p>A program creates a {@link carom.client.GameClient} and calls its {@code update} once per
+ * frame. The parts live in packages of their own, and data flows one way through them:
+ *
+ * <pre>
+ * link ──► GameClient (inbox, decoder) ──► prediction ──► view ──► users
+ *               │      clock, events                        ▲
+ *               └──► stats                   interpolation ──┘
+ *
+ * above:  app (command line), bots, desktop (window), replay (recordings)
+ * </pre>
+ *
+ * <p>Imports its subpackages {@code link}, {@code stats}, {@code clock}, {@code events}, {@code
+ * prediction} and {@code view}, {@code carom.net..}, {@code carom.sim} and {@code carom.game}. One
+ * thread. Read first: {@link carom.client.GameClient}, {@link carom.client.JoinedGame}, {@link
+ * carom.client.ClientConfig}.
  */
 package carom.client;

@@ -1,13 +1,14 @@
 package carom.server;
 
 import carom.options.BadFlag;
+import carom.options.LabCommand;
 import java.io.PrintWriter;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
-/** {@code carom}: tools around games that were played. */
+/** {@code carom}: tools around games that were played, and the benchmark. */
 @Command(
     name = "carom",
     mixinStandardHelpOptions = true,
@@ -21,15 +22,26 @@ public final class CaromMain implements Runnable {
 
   /** Entry point; exits with the command's code, 2 on bad flags. */
   public static void main(String[] args) {
-    System.exit(BadFlag.explainedBy(new CommandLine(new CaromMain())).execute(args));
+    System.exit(commandLine().execute(args));
   }
 
   /** As {@link #main}, but writes elsewhere and returns the exit code. */
   public static int run(PrintWriter out, PrintWriter err, String... args) {
-    return BadFlag.explainedBy(new CommandLine(new CaromMain()))
-        .setOut(out)
-        .setErr(err)
-        .execute(args);
+    return commandLine().setOut(out).setErr(err).execute(args);
+  }
+
+  private static CommandLine commandLine() {
+    return BadFlag.explainedBy(withBench(new CommandLine(new CaromMain())));
+  }
+
+  /** Adds the command that measures the engine. */
+  static CommandLine withBench(CommandLine program) {
+    LabCommand.add(
+        program,
+        "bench",
+        "Measures the physics engine on its scenes, beside other engines; see bench --help.",
+        "carom.lab.bench.BenchCommand");
+    return program;
   }
 
   @Override

@@ -13,7 +13,7 @@ import carom.net.transport.MessageCodec;
 import carom.server.config.ServerConfig;
 import carom.sim.Game;
 import carom.sim.Input;
-import carom.sim.Level;
+import carom.sim.level.Level;
 import java.util.function.Supplier;
 
 /**

@@ -4,6 +4,7 @@ import carom.net.protocol.GoodbyeReason;
 import carom.net.transport.ServerTransport;
 import carom.physics.threads.WorkerThreads;
 import carom.server.config.ServerConfig;
+import carom.server.lobby.Lobby;
 import carom.server.metrics.Counter;
 import carom.server.recording.RecordingFile;
 import carom.server.recording.RotatingRecording;
@@ -12,7 +13,7 @@ import carom.server.recording.Showing;
 import carom.server.room.Room;
 import carom.server.session.Seats;
 import carom.sim.Game;
-import carom.sim.Level;
+import carom.sim.level.Level;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -42,7 +43,7 @@ import org.slf4j.LoggerFactory;
 public final class Server implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Server.class);
 
-  /** The longest nap of a room's thread, so that inboxes are emptied between ticks, too. */
+  /** The longest nap of a room's thread, because it empties inboxes between ticks, too. */
   private static final long ROOM_NAP_NS = TimeUnit.MILLISECONDS.toNanos(4);
 
   private static final long LOBBY_NAP_NS = TimeUnit.MILLISECONDS.toNanos(5);
@@ -53,7 +54,7 @@ public final class Server implements AutoCloseable {
   private final ServerTransport transport;
   private final LongSupplier clock;
 
-  /** Threads that help rooms to step their worlds, null without. */
+  /** Threads that help rooms to step their worlds, or null. */
   private final WorkerThreads helpers;
 
   private final List<Room> rooms;
@@ -72,7 +73,7 @@ public final class Server implements AutoCloseable {
   private boolean closed;
 
   /**
-   * Builds the level, sets up the games and is ready to be driven; accepts nobody before that.
+   * Builds the level and sets up the games. The server accepts no link before it is driven.
    *
    * @param config all settings
    * @param games gives each room a new instance; called once for each room, here
@@ -106,7 +107,8 @@ public final class Server implements AutoCloseable {
   }
 
   /**
-   * Records every room from its first tick on; before the first {@link #tick} or {@link #start}.
+   * Records every room from its first tick on. Call it before the first {@link #tick} or {@link
+   * #start}.
    *
    * @param target a file that is not there yet, or a folder, which then gets one file for each room
    * @return the files
@@ -126,8 +128,9 @@ public final class Server implements AutoCloseable {
   }
 
   /**
-   * Records every room from its first tick on into one file after the other; before the first
-   * {@link #tick} or {@link #start}. Not together with {@link #show}, which shows one file.
+   * Records every room from its first tick on into one file after the other. Call it before the
+   * first {@link #tick} or {@link #start}, and not together with {@link #show}, which shows one
+   * file.
    *
    * @param folder where the files go
    * @param limit how much of a game each holds
@@ -153,11 +156,11 @@ public final class Server implements AutoCloseable {
   }
 
   /**
-   * Lets spectators watch every room some time later; before the first {@link #tick} or {@link
-   * #start}, and after {@link #record}, if that is called. Without it, recordings go to the
-   * system's folder for temporary files.
+   * Lets spectators watch every room some time later. Call it before the first {@link #tick} or
+   * {@link #start}, and after {@link #record} if that is called. Without {@link #record},
+   * recordings go to the system's folder for temporary files.
    *
-   * @param delaySeconds how long nobody is told what happens, 1..3,600
+   * @param delaySeconds how long spectators are told nothing of what happens, 1..3,600 s
    * @throws IOException when a file can't be created
    */
   public void show(int delaySeconds) throws IOException {
@@ -174,11 +177,11 @@ public final class Server implements AutoCloseable {
       }
     }
     recordings.forEach(recording -> recording.delay(delaySeconds * config.tickRateHz()));
-    lobby.spectators().show(List.copyOf(recordings), delaySeconds);
+    lobby.show(List.copyOf(recordings), delaySeconds);
   }
 
   /**
-   * One turn of the lobby and then of each room, by hand.
+   * Does one turn of the lobby and then of each room, by hand.
    *
    * @param nowNs monotonic time in nanoseconds, not before the previous turn's
    * @return how much was done; 0 when nothing was due
@@ -212,7 +215,7 @@ public final class Server implements AutoCloseable {
     return work;
   }
 
-  /** What the network turned away, such as half-open connections: soon after, but not too often. */
+  /** Logs what the network refused, such as half-open connections, at most every ten seconds. */
   private void logTroubles(long nowNs) {
     if (troublesLogged != null && nowNs - troublesLoggedNs < TROUBLES_GAP_NS) {
       return;
@@ -245,7 +248,9 @@ public final class Server implements AutoCloseable {
     }
   }
 
-  /** On the thread of the worker that ends. Without a room, or without a lobby, nothing is left. */
+  /**
+   * Ends the server when no room, or no lobby, is left. Runs on the thread of the worker that ends.
+   */
   private void workerEnded() {
     if (hasFailed()) {
       workers.forEach(Worker::stop);
@@ -253,7 +258,7 @@ public final class Server implements AutoCloseable {
     }
   }
 
-  /** A room's work for its thread, from a moment on. */
+  /** The work of a room's thread, from a moment on. */
   private record RoomDuty(Room room, long beginNs) implements Worker.Duty {
     @Override
     public void turn(long nowNs) {
@@ -295,7 +300,7 @@ public final class Server implements AutoCloseable {
     }
   }
 
-  /** The lobby's work for its thread. */
+  /** The work of the lobby's thread. */
   private final class LobbyDuty implements Worker.Duty {
     @Override
     public void turn(long nowNs) {
@@ -372,50 +377,50 @@ public final class Server implements AutoCloseable {
   }
 
   /**
-   * Whether the server ended by itself, because of errors that are in the log: all rooms have
-   * failed, or the lobby has.
+   * Returns whether the server ended by itself because of errors, which are in the log: all rooms
+   * have failed, or the lobby has.
    */
   public boolean hasFailed() {
     return lobbyFailed || rooms.stream().allMatch(Room::hasFailed);
   }
 
-  /** Port for reliable messages, as the transport opened it. */
+  /** Returns the port for reliable messages, as the transport opened it. */
   public int tcpPort() {
     return transport.tcpPort();
   }
 
-  /** Port for datagrams, as the transport opened it. */
+  /** Returns the port for datagrams, as the transport opened it. */
   public int udpPort() {
     return transport.udpPort();
   }
 
-  /** All settings. */
+  /** Returns all settings. */
   public ServerConfig config() {
     return config;
   }
 
   /**
-   * The rooms, in the order of their numbers; the list never changes. With threads: only what the
-   * documentation of {@link Room} allows from any thread.
+   * Returns the rooms in the order of their numbers; the list never changes. While threads drive
+   * the server, use only what the documentation of {@link Room} allows from any thread.
    */
   public List<Room> rooms() {
     return rooms;
   }
 
-  /** What all rooms together count; from any thread. */
+  /** Returns what all rooms together have counted; from any thread. */
   public long count(Counter counter) {
     return rooms.stream().mapToLong(room -> room.counters().get(counter)).sum();
   }
 
   /**
-   * The time since the start in lines for people: one for each room, and one about all when there
-   * are several. From any thread.
+   * Returns a report of the time since the start in lines for people: one for each room, and one
+   * about all when there are several. From any thread.
    */
   public List<String> status() {
     return status.sinceStart(clock.getAsLong());
   }
 
-  /** Links in the lobby; by hand only. */
+  /** Returns the number of links in the lobby; by hand only. */
   int visitorCount() {
     return lobby.visitorCount();
   }

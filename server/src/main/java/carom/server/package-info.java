@@ -1,13 +1,14 @@
 /**
- * The dedicated server: one lobby where links become players, rooms where they play.
+ * The dedicated server: a lobby and rooms behind a transport, and the program that runs them.
  *
  * <p>{@link carom.server.Server} is the server as an object, for tests and for programs that embed
  * it; {@link carom.server.ServerMain} is the program an operator starts.
  *
  * <p>Allowed imports: {@code carom.sim}, {@code carom.game}, {@code carom.net} without codecs, its
- * own sub-packages, slf4j, the JDK; picocli and logback in {@code ServerMain} only, {@code
- * carom.net.kryo} in {@code ServerMain} only.
+ * own sub-packages, slf4j, the JDK; picocli, logback and {@code carom.net.kryo} only in {@code
+ * ServerMain} and its parts ({@code ServerFlags}, {@code GameChoice}, {@code ServerStart}).
  *
- * <p>Read first: {@link carom.server.Server}, {@code Lobby}, {@link carom.server.room.Room}.
+ * <p>Read first: {@link carom.server.Server}, {@link carom.server.lobby.Lobby}, {@link
+ * carom.server.room.Room}.
  */
 package carom.server;

@@ -1,7 +1,7 @@
 package carom.game;
 
 import carom.sim.Game;
-import carom.sim.Suggestion;
+import carom.sim.level.Suggestion;
 import carom.sim.scene.SceneGame;
 import carom.sim.scene.Scenes;
 import java.util.ArrayList;

@@ -8,7 +8,6 @@ import carom.physics.dynamics.Dynamics;
 import carom.physics.dynamics.Excerpt;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.Checks;
-import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.body.ShapeSpec;
 import carom.physics.dynamics.contact.BodyContacts;
 import carom.physics.dynamics.contact.ContactEvents;
@@ -75,29 +74,7 @@ public final class World<T> {
    */
   public World(WorldDef def) {
     this.def = def;
-    dynamics =
-        new Dynamics(
-            new Settings(
-                def.gravityX(),
-                def.gravityY(),
-                def.substeps(),
-                def.contactHertz(),
-                def.contactDampingRatio(),
-                def.restitutionThreshold(),
-                def.maxPushSpeed(),
-                def.slop(),
-                def.speculativeDistance(),
-                def.aabbMargin(),
-                def.maxSpeed(),
-                def.maxAngularSpeed(),
-                def.jointHertz(),
-                def.jointDampingRatio(),
-                def.sleeping(),
-                def.sleepSpeed(),
-                def.sleepDelay(),
-                def.continuous(),
-                def.hitSpeed(),
-                def.integrator() == Integrator.EXPLICIT_EULER));
+    dynamics = new Dynamics(def);
     store = dynamics.bodies();
     joints = dynamics.joints();
     collision = new Collision<>(this, dynamics.contacts());

@@ -2,10 +2,10 @@ package carom.replay;
 
 import carom.game.Games;
 import carom.sim.GuardedGame;
-import carom.sim.Level;
-import carom.sim.LevelException;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.level.Level;
+import carom.sim.level.LevelException;
 import java.util.Arrays;
 import java.util.Objects;
 

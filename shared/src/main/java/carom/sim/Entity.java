@@ -2,6 +2,8 @@ package carom.sim;
 
 import carom.physics.Body;
 import carom.physics.math.StateHash;
+import carom.sim.level.Archetype;
+import carom.sim.level.Level;
 
 /**
  * One thing in the world: a body with an identity, a kind and perhaps an owner. The static geometry
@@ -15,7 +17,7 @@ public final class Entity {
   public static final int LEVEL = -1;
 
   /** The owner id of an entity that belongs to no player. */
-  public static final int NO_OWNER = -1;
+  public static final int NO_OWNER = Level.NO_OWNER;
 
   private final int id;
   private final int generation;

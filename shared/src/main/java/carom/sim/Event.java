@@ -1,5 +1,8 @@
 package carom.sim;
 
+import carom.sim.event.Audience;
+import carom.sim.event.EventKind;
+
 /**
  * Something that happens at one moment and is worth a sound, a flash or a line: a hit, a goal, a
  * jump. A game makes one with {@link Simulation#emit} and fills it in; the server brings it to each

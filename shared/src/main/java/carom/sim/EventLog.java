@@ -1,5 +1,6 @@
 package carom.sim;
 
+import carom.sim.event.EventKind;
 import java.util.function.Consumer;
 
 /** The events of a simulation since somebody took them; one object per place, used again. */

@@ -2,6 +2,8 @@ package carom.sim;
 
 import carom.physics.Collision;
 import carom.physics.WorldDef;
+import carom.sim.event.Audience;
+import carom.sim.level.Level;
 
 /**
  * The rules of a game. Write one, name it in a level file, list it as a service, and it is a

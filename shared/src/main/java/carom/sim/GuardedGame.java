@@ -2,6 +2,8 @@ package carom.sim;
 
 import carom.physics.Collision;
 import carom.physics.WorldDef;
+import carom.sim.event.Audience;
+import carom.sim.level.Level;
 import java.util.Objects;
 
 /**

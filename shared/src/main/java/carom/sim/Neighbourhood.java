@@ -2,6 +2,7 @@ package carom.sim;
 
 import carom.physics.dynamics.Excerpt;
 import carom.physics.math.StateHash;
+import carom.sim.level.Archetype;
 import java.util.Arrays;
 
 /**

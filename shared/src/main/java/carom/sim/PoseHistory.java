@@ -5,6 +5,7 @@ import carom.physics.Poses;
 import carom.physics.archive.Archive;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Transform;
+import carom.sim.level.Archetype;
 import java.util.Arrays;
 import java.util.List;
 

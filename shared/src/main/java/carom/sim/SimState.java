@@ -5,6 +5,8 @@ import carom.physics.WorldState;
 import carom.physics.archive.Archive;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
+import carom.sim.level.Archetype;
+import carom.sim.level.Level;
 import java.util.Arrays;
 
 /**

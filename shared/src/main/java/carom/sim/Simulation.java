@@ -7,6 +7,13 @@ import carom.physics.CollisionListener;
 import carom.physics.Queries;
 import carom.physics.World;
 import carom.physics.archive.ArchiveReader;
+import carom.sim.event.EventKind;
+import carom.sim.event.EventKinds;
+import carom.sim.level.Archetype;
+import carom.sim.level.ArchetypeDef;
+import carom.sim.level.Archetypes;
+import carom.sim.level.Level;
+import carom.sim.level.ScriptedMotion;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -814,7 +821,7 @@ public final class Simulation {
   }
 
   private Entity add(Entity entity, float x, float y, float angle) {
-    Motion motion = entity.archetype().motion();
+    ScriptedMotion motion = entity.archetype().motion();
     if (motion == null) {
       embody(entity, x, y, angle);
     } else {
@@ -863,7 +870,7 @@ public final class Simulation {
       if (e == null || e.archetype().motion() == null) {
         continue;
       }
-      Motion m = e.archetype().motion();
+      ScriptedMotion m = e.archetype().motion();
       Body<Entity> body = e.body();
       float x = m.x(tick - 1, tickRate);
       float y = m.y(tick - 1, tickRate);

@@ -9,6 +9,7 @@
  * <p>Allowed imports: {@code carom.physics..}, the JDK without threads, clocks and randomness;
  * Jackson's streaming parser in the level loader only.
  *
- * <p>Read first: {@link carom.sim.Simulation}, {@link carom.sim.Game}, {@link carom.sim.Level}.
+ * <p>Read first: {@link carom.sim.Simulation}, {@link carom.sim.Game}, {@link
+ * carom.sim.level.Level}.
  */
 package carom.sim;

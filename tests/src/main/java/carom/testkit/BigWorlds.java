@@ -1,7 +1,7 @@
 package carom.testkit;
 
-import carom.sim.Level;
-import carom.sim.LevelException;
+import carom.sim.level.Level;
+import carom.sim.level.LevelException;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.SplittableRandom;

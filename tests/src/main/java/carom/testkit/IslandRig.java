@@ -3,18 +3,18 @@ package carom.testkit;
 import carom.client.prediction.Prediction;
 import carom.game.Games;
 import carom.net.protocol.Limits;
-import carom.net.snapshot.FrameState;
-import carom.net.snapshot.NearState;
-import carom.net.snapshot.OwnState;
 import carom.net.snapshot.SnapshotDecoder;
+import carom.net.snapshot.exact.NearState;
+import carom.net.snapshot.exact.OwnState;
+import carom.net.snapshot.frame.FrameState;
 import carom.physics.Body;
 import carom.sim.Entity;
-import carom.sim.Level;
-import carom.sim.LevelException;
 import carom.sim.Neighbourhood;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.level.Level;
+import carom.sim.level.LevelException;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.function.LongSupplier;
@@ -33,7 +33,7 @@ public final class IslandRig {
   private final Simulation server;
   private final Player serverPlayer;
   private final Prediction client;
-  private final Simulation foreseen;
+  private final Simulation predicted;
   private final SnapshotDecoder decoder;
   private final Neighbourhood island = new Neighbourhood();
   private final OwnState own = new OwnState();
@@ -49,8 +49,8 @@ public final class IslandRig {
     Level level = level(crates);
     server = new Simulation(Games.create(level.gameName()), level, 1, 60, Role.AUTHORITY);
     serverPlayer = server.join("p");
-    foreseen = new Simulation(Games.create(level.gameName()), level, 1, 60, Role.PREDICTION);
-    client = new Prediction(foreseen, serverPlayer.id(), "p", 120, maxReplayNs, stopwatch, false);
+    predicted = new Simulation(Games.create(level.gameName()), level, 1, 60, Role.PREDICTION);
+    client = new Prediction(predicted, serverPlayer.id(), "p", 120, maxReplayNs, stopwatch, false);
     decoder = new SnapshotDecoder(Limits.MAX_ENTITIES, 1, 0, 60);
     Entity body = serverPlayer.body();
     decoder.level(
@@ -117,8 +117,8 @@ public final class IslandRig {
   }
 
   /** What the client computes with. */
-  public Simulation foreseen() {
-    return foreseen;
+  public Simulation predicted() {
+    return predicted;
   }
 
   /** Tested or measured. */
@@ -141,10 +141,10 @@ public final class IslandRig {
     int total = island.count() + island.contactCount();
     for (int first = 0; first < total; first += NearState.MAX_PART) {
       part(first, Math.min(total, first + NearState.MAX_PART), total);
-      client.hear(own.near(), server.tick());
+      client.receive(own.near(), server.tick());
     }
     client.reconcile(own, server.tick(), decoder);
-    return client.agreedTick() == server.tick();
+    return client.agreement().agreedTick() == server.tick();
   }
 
   /** Like {@link #tellAll}, but all floats of the contacts are another number. */
@@ -164,7 +164,7 @@ public final class IslandRig {
     readOwn();
     list();
     client.reconcile(own, server.tick(), decoder);
-    return client.agreedTick() == server.tick();
+    return client.agreement().agreedTick() == server.tick();
   }
 
   private void readOwn() {

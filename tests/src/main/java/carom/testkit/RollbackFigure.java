@@ -62,12 +62,16 @@ public final class RollbackFigure {
       server.step();
       client.step(server.tick() + ticks, 0);
       exact += rig.tellAll() && i >= 0 ? 1 : 0;
-      if (client.replayed() != ticks || client.cutShort() > 0) {
+      if (client.result().replayedTicks() != ticks || client.replaysCutShort() > 0) {
         throw new IllegalStateException(
-            "replayed=" + client.replayed() + " must be ticks=" + ticks + " bounds are too tight");
+            "replayed="
+                + client.result().replayedTicks()
+                + " must be ticks="
+                + ticks
+                + " bounds are too tight");
       }
       if (i >= 0) {
-        ns[i] = client.replayNs();
+        ns[i] = client.result().replayNs();
       }
     }
     Arrays.sort(ns);

@@ -1,15 +1,15 @@
 package carom.testkit;
 
 import carom.client.ClientConfig;
-import carom.client.ClientView;
 import carom.client.GameClient;
 import carom.client.InputSource;
-import carom.client.NetStats;
+import carom.client.stats.NetStats;
+import carom.client.view.ClientView;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.snapshot.EntityHistory;
-import carom.net.snapshot.FrameRing;
-import carom.net.snapshot.FrameState;
 import carom.net.snapshot.SnapshotDecoder;
+import carom.net.snapshot.frame.FrameRing;
+import carom.net.snapshot.frame.FrameState;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.ImpairedClientTransport;
 import carom.net.transport.ImpairedLink;

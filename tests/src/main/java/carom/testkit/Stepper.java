@@ -1,11 +1,11 @@
 package carom.testkit;
 
 import carom.client.ClientConfig;
-import carom.client.ConnectionPhase;
 import carom.client.InputSource;
+import carom.client.link.ConnectionPhase;
 import carom.game.Games;
-import carom.net.snapshot.FrameRing;
-import carom.net.snapshot.FrameState;
+import carom.net.snapshot.frame.FrameRing;
+import carom.net.snapshot.frame.FrameState;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.Impairment;
 import carom.server.Server;
@@ -13,8 +13,8 @@ import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.room.Room;
 import carom.sim.Entity;
-import carom.sim.Level;
 import carom.sim.Player;
+import carom.sim.level.Level;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BooleanSupplier;

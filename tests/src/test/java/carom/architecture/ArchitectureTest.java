@@ -34,6 +34,7 @@ final class ArchitectureTest {
       new ClassFileImporter()
           .withImportOption(new ImportOption.DoNotIncludeTests())
           .withImportOption(location -> !location.contains("testkit"))
+          .withImportOption(location -> !location.contains("carom/lab/"))
           .importPackages("carom");
 
   /** Everything a simulation's next state depends on. */
@@ -139,22 +140,59 @@ final class ArchitectureTest {
     allow("carom.physics", "carom.physics..");
     allow("carom.physics.effects", "carom.physics..");
     allow("carom.physics.particles", "carom.physics..");
-    allow("carom.sim", "carom.physics..");
-    allow("carom.sim.scene", "carom.physics..", "carom.sim");
-    allow("carom.game", "carom.physics..", "carom.sim", "carom.sim.scene");
+    allow("carom.sim.event");
+    allow("carom.sim.level", "carom.physics..");
+    allow("carom.sim", "carom.physics..", "carom.sim.level", "carom.sim.event");
+    allow("carom.sim.scene", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.event");
+    allow("carom.game", "carom.physics..", "carom.sim..");
     allow("carom.net.codec", "carom.physics.simd");
-    allow("carom.net.trace", "carom.net.codec");
-    allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol");
+    allow("carom.net.snapshot.event", "carom.net.codec", "carom.net.protocol");
+    allow(
+        "carom.net.snapshot.frame",
+        "carom.net.codec",
+        "carom.net.protocol",
+        "carom.net.snapshot.event");
+    allow(
+        "carom.net.snapshot.record",
+        "carom.net.codec",
+        "carom.net.protocol",
+        "carom.net.snapshot.frame");
+    allow(
+        "carom.net.snapshot.relay",
+        "carom.net.codec",
+        "carom.net.protocol",
+        "carom.net.snapshot.frame");
+    allow(
+        "carom.net.snapshot.exact",
+        "carom.net.codec",
+        "carom.net.snapshot.frame",
+        "carom.net.snapshot.relay");
+    allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol", "carom.net.snapshot.*");
     allow("carom.net.protocol", "carom.net.codec");
-    allow("carom.net.transport", "carom.net.protocol");
-    allow("carom.net.kryo", "carom.net.protocol", "carom.net.transport", "carom.net.codec");
+    allow("carom.values");
+    allow("carom.net.transport", "carom.net.protocol", "carom.values");
+    allow("carom.net.frame", "carom.net.protocol", "carom.net.transport");
+    allow(
+        "carom.net.kryo",
+        "carom.net.protocol",
+        "carom.net.transport",
+        "carom.net.frame",
+        "carom.net.codec",
+        "carom.values");
     allow("carom.options", "carom.net.transport");
-    allow("carom.replay", "carom.sim", "carom.physics", "carom.physics.archive", "carom.game");
+    allow(
+        "carom.replay",
+        "carom.sim",
+        "carom.sim.level",
+        "carom.physics",
+        "carom.physics.archive",
+        "carom.game");
     allow(
         "carom.server..",
         "carom.server..",
         "carom.net..",
         "carom.options",
+        "carom.values",
         "carom.replay",
         "carom.sim..",
         "carom.game",
@@ -164,6 +202,7 @@ final class ArchitectureTest {
         "carom.client..",
         "carom.net..",
         "carom.options",
+        "carom.values",
         "carom.replay",
         "carom.sim..",
         "carom.game",
@@ -250,6 +289,16 @@ final class ArchitectureTest {
         .should()
         .dependOnClassesThat()
         .resideInAPackage("carom.server..")
+        .check(CAROM);
+  }
+
+  /** Commands that need the laboratory load it by name, from a folder of its own. */
+  @Test
+  void theLaboratoryIsNoPartOfTheProduct() {
+    noClasses()
+        .should()
+        .dependOnClassesThat()
+        .resideInAnyPackage("carom.lab..", "carom.testkit..")
         .check(CAROM);
   }
 

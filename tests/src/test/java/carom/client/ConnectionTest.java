@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.client.link.ConnectionPhase;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.PackedLevel;

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.client.bots.Bot;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.transport.InProcessNetwork;
-import carom.sim.Level;
+import carom.sim.level.Level;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.client.link.ConnectionPhase;
+import carom.client.view.ClientView;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.ImpairedClientTransport;
@@ -12,8 +14,8 @@ import carom.net.transport.InProcessNetwork;
 import carom.physics.Body;
 import carom.sim.Entity;
 import carom.sim.Input;
-import carom.sim.Level;
 import carom.sim.SimRandom;
+import carom.sim.level.Level;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 

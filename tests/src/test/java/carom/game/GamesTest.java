@@ -9,12 +9,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.physics.Body;
 import carom.sim.Entity;
-import carom.sim.Level;
-import carom.sim.LevelException;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.SimState;
 import carom.sim.Simulation;
+import carom.sim.level.Level;
+import carom.sim.level.LevelException;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;

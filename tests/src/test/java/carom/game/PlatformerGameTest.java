@@ -9,11 +9,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.physics.Body;
 import carom.sim.Entity;
 import carom.sim.Input;
-import carom.sim.Level;
-import carom.sim.LevelException;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.level.Level;
+import carom.sim.level.LevelException;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 

@@ -3,17 +3,17 @@ package carom.game;
 import carom.physics.Body;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
-import carom.sim.Appearance;
-import carom.sim.Archetype;
-import carom.sim.ArchetypeDef;
 import carom.sim.Entity;
 import carom.sim.Game;
 import carom.sim.Input;
-import carom.sim.Level;
 import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.level.Appearance;
+import carom.sim.level.Archetype;
+import carom.sim.level.ArchetypeDef;
+import carom.sim.level.Level;
 
-/** Whoever is "it" touches somebody, who is "it" then. All others gain a point a second. */
+/** The player who is "it" passes it on by a touch. All others gain a point a second. */
 public final class TagGame implements Game {
   private static final int IT = 0; // simulation memory: player id + 1, 0 = nobody
   private static final int GRACE = 1; // the tick from which a touch counts
@@ -89,7 +89,7 @@ public final class TagGame implements Game {
     return dx * dx + dy * dy < 1.05f * 1.05f;
   }
 
-  /** Another look is another archetype, so both players get another body where they stand. */
+  /** A look belongs to an archetype, so both players get another body where they stand. */
   private void makeIt(Simulation s, Player p) {
     Player before = s.player(s.memory()[IT] - 1);
     if (before != null) {

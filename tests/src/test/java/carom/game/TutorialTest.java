@@ -3,10 +3,10 @@ package carom.game;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.sim.Level;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.level.Level;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;

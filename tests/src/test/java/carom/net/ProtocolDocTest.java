@@ -16,12 +16,14 @@ import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.snapshot.Baseline;
 import carom.net.snapshot.DecodeStatus;
-import carom.net.snapshot.FrameRing;
-import carom.net.snapshot.FrameState;
 import carom.net.snapshot.InputFeedback;
-import carom.net.snapshot.OwnState;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.SnapshotEncoder;
+import carom.net.snapshot.event.EventRecord;
+import carom.net.snapshot.exact.NearState;
+import carom.net.snapshot.exact.OwnState;
+import carom.net.snapshot.frame.FrameRing;
+import carom.net.snapshot.frame.FrameState;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.reflect.Field;
@@ -114,6 +116,8 @@ class ProtocolDocTest {
     serverMessages(golden);
     inputs(golden);
     snapshots(golden);
+    events(golden);
+    near(golden);
     return golden;
   }
 
@@ -213,6 +217,75 @@ class ProtocolDocTest {
     own.setMemory(2, -1);
     golden.put("snapshot-own", send(encoder, decoder, feedback, own));
     assertTrue(decoder.own().sameAs(own));
+  }
+
+  /** A player jumps, one tick ago. */
+  private static void events(Map<String, byte[]> golden) {
+    FrameRing ring = new FrameRing(10);
+    SnapshotEncoder encoder = new SnapshotEncoder(ring, 7, 60);
+    SnapshotDecoder decoder = new SnapshotDecoder(10, 7, 90, 60);
+    EventRecord jump = new EventRecord();
+    jump.kind = 2;
+    jump.tick = 99;
+    jump.player = 3;
+    jump.first = 5 | 255 << 16;
+    jump.second = EventRecord.NONE;
+    jump.place(1, -2);
+    jump.strength(4);
+    jump.data = 7;
+    ring.events().add(jump, 0);
+    ring.begin(100);
+    ring.end();
+    encoder.offer(0);
+    golden.put("snapshot-event", send(encoder, decoder, new InputFeedback(), null));
+    assertEquals(7, decoder.events().poll().data);
+  }
+
+  /** Two bodies near, of which one is told, with its contact with a static; one relayed player. */
+  private static void near(Map<String, byte[]> golden) {
+    FrameRing ring = new FrameRing(10);
+    SnapshotEncoder encoder = new SnapshotEncoder(ring, 7, 60);
+    SnapshotDecoder decoder = new SnapshotDecoder(10, 7, 190, 60);
+    ring.begin(200).putInput(9, 1 | 127 << 16);
+    ring.waiting().add(9, 1 | 127 << 16);
+    ring.waiting().add(9, 127 << 16);
+    ring.end();
+    OwnState own = new OwnState();
+    own.setBody(5, 255, 1, 2, 1, 0, 0, 0, 0);
+    own.relayed().add(9);
+    NearState near = own.near();
+    near.begin(0x0123_4567_89ab_cdefL);
+    near.add(5 | 255 << 16);
+    near.add(6 | 255 << 16);
+    near.beginPart(2, 2, 0);
+    near.tell(1);
+    near.addRow(entity(6 | 255 << 16, 1.5f, 2.5f, 1, 0, -1, 0, 0), 0);
+    near.addRow(contact(1, ~7, 0, 1), 0);
+    golden.put("snapshot-near", send(encoder, decoder, new InputFeedback(), own));
+    assertEquals(2, decoder.own().near().partRows());
+  }
+
+  private static int[] entity(int key, float... body) {
+    int[] row = new int[NearState.ENTITY_INTS];
+    row[0] = key;
+    for (int i = 0; i < body.length; i++) {
+      row[1 + i] = Float.floatToRawIntBits(body[i]);
+    }
+    return row;
+  }
+
+  /** One point, pressed with 0.25 N s in the last substep and 1 N s in the step. */
+  private static int[] contact(int one, int other, float normalX, float normalY) {
+    int[] row = new int[NearState.CONTACT_INTS];
+    row[0] = one;
+    row[1] = other;
+    row[3] = 1;
+    row[4] = 0x0002;
+    row[6] = Float.floatToRawIntBits(normalX);
+    row[7] = Float.floatToRawIntBits(normalY);
+    row[8] = Float.floatToRawIntBits(0.25f);
+    row[13] = Float.floatToRawIntBits(1);
+    return row;
   }
 
   private static byte[] send(

@@ -10,7 +10,7 @@ import carom.client.bots.Bot;
 import carom.game.Games;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
-import carom.sim.Level;
+import carom.sim.level.Level;
 import carom.sim.scene.SceneGame;
 import carom.sim.scene.Scenes;
 import carom.testkit.SimulatedClient;

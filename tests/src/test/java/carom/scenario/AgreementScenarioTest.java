@@ -4,13 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.client.ConnectionPhase;
 import carom.client.InputSource;
 import carom.client.bots.Bot;
+import carom.client.link.ConnectionPhase;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.Level;
+import carom.sim.level.Level;
 import carom.testkit.Condition;
 import carom.testkit.Levels;
 import carom.testkit.Scripts;

@@ -3,11 +3,11 @@ package carom.scenario;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.client.ConnectionPhase;
+import carom.client.link.ConnectionPhase;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.Level;
+import carom.sim.level.Level;
 import carom.testkit.BigWorlds;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;

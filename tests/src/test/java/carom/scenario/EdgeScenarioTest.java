@@ -4,15 +4,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.client.ConnectionPhase;
 import carom.client.InputSource;
 import carom.client.bots.Bot;
+import carom.client.link.ConnectionPhase;
 import carom.game.Games;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.Entity;
-import carom.sim.Level;
+import carom.sim.level.Level;
 import carom.testkit.Condition;
 import carom.testkit.Levels;
 import carom.testkit.Scripts;

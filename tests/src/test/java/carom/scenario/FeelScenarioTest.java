@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.ClientConfig;
 import carom.client.InputSource;
-import carom.client.NetStats;
 import carom.client.PredictionMode;
 import carom.client.bots.Bot;
+import carom.client.stats.NetStats;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;

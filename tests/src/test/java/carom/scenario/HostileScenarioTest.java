@@ -3,7 +3,7 @@ package carom.scenario;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.client.ConnectionPhase;
+import carom.client.link.ConnectionPhase;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.InputDatagram;
 import carom.net.protocol.Limits;

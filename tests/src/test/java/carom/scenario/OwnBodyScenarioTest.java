@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.client.InputSource;
 import carom.server.config.ServerConfig;
 import carom.server.session.InputBuffer;
-import carom.sim.Level;
+import carom.sim.level.Level;
 import carom.testkit.Condition;
 import carom.testkit.Levels;
 import carom.testkit.Scripts;

@@ -4,12 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.ClientConfig;
-import carom.client.ClientView;
 import carom.client.InputSource;
 import carom.client.PredictionMode;
 import carom.client.bots.Bot;
+import carom.client.view.ClientView;
 import carom.net.codec.Quantizer;
-import carom.net.snapshot.FrameState;
+import carom.net.snapshot.frame.FrameState;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.sim.Entity;

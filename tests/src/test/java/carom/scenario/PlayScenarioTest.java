@@ -3,14 +3,14 @@ package carom.scenario;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.client.ClientView;
 import carom.client.InputSource;
+import carom.client.view.ClientView;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
 import carom.server.config.ServerConfig;
-import carom.sim.Appearance.Look;
 import carom.sim.Entity;
 import carom.sim.Input;
+import carom.sim.level.Appearance.Look;
 import carom.testkit.Condition;
 import carom.testkit.Levels;
 import carom.testkit.Scripts;

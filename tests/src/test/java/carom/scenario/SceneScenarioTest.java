@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.client.ClientView.Drawn;
 import carom.client.InputSource;
+import carom.client.view.ClientView.Drawn;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
 import carom.server.config.ServerConfig;

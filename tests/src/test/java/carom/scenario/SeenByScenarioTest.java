@@ -3,8 +3,8 @@ package carom.scenario;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.ClientConfig;
-import carom.client.ClientView;
 import carom.client.PredictionMode;
+import carom.client.view.ClientView;
 import carom.net.transport.Impairment;
 import carom.physics.QueryHit;
 import carom.server.session.Session;

@@ -9,9 +9,9 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.ClientConfig;
-import carom.client.ConnectionPhase;
 import carom.client.InputSource;
 import carom.client.bots.Bot;
+import carom.client.link.ConnectionPhase;
 import carom.net.transport.Impairment;
 import carom.net.transport.Link;
 import carom.server.config.ServerConfig;

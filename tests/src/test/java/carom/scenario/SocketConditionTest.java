@@ -3,15 +3,15 @@ package carom.scenario;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.client.ConnectionPhase;
 import carom.client.InputSource;
+import carom.client.link.ConnectionPhase;
 import carom.net.protocol.PackedLevel;
 import carom.net.snapshot.EntityHistory;
 import carom.net.transport.Impairment;
 import carom.options.NetworkConditions;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.Level;
+import carom.sim.level.Level;
 import carom.testkit.BigWorlds;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;

@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.client.ConnectionPhase;
 import carom.client.InputSource;
 import carom.client.bots.Bot;
+import carom.client.link.ConnectionPhase;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
 import carom.sim.Entity;

@@ -4,13 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.ClientConfig;
-import carom.client.ClientView.Drawn;
 import carom.client.InputSource;
 import carom.client.PredictionMode;
+import carom.client.view.ClientView.Drawn;
 import carom.net.transport.Impairment;
 import carom.physics.Body;
-import carom.sim.Appearance.Look;
 import carom.sim.Entity;
+import carom.sim.level.Appearance.Look;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.protocol.InputDatagram;
-import carom.net.snapshot.NearState;
+import carom.net.snapshot.exact.NearState;
 import carom.server.config.ServerConfig;
 import carom.sim.Entity;
 import carom.sim.Input;

@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.protocol.InputDatagram;
-import carom.net.snapshot.NearState;
 import carom.net.snapshot.SnapshotEncoder;
+import carom.net.snapshot.exact.NearState;
 import carom.server.config.ServerConfig;
 import java.util.BitSet;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -12,7 +12,7 @@ import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.snapshot.EntityHistory;
-import carom.net.snapshot.FrameState;
+import carom.net.snapshot.frame.FrameState;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.room.Room;

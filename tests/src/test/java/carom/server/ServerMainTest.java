@@ -108,6 +108,27 @@ class ServerMainTest {
   }
 
   @Test
+  void recordingFlagsThatDoNotFitTogetherAreRefused() throws Exception {
+    Path file = Files.writeString(folder.resolve("file"), "");
+    String here = folder.toString();
+    assertTrue(fails(2, "--rooms", "2", "--record", file.toString()).contains("no folder"), err());
+    assertTrue(fails(2, "--record-rotate", "5").contains("needs a folder"), err());
+    assertTrue(fails(2, "--record-keep", "5").contains("needs --record-rotate"), err());
+    String[] both = {"--record", here, "--record-rotate", "5", "--spectator-delay", "5"};
+    assertTrue(fails(2, both).contains("leave one of them out"), err());
+  }
+
+  @Test
+  void recordingThatCannotBeWrittenClosesThePortsAndEndsTheProgram() throws Exception {
+    Path file = Files.writeString(folder.resolve("file"), "");
+    String[] taken = {"--tcp-port", "0", "--udp-port", "0", "--record", file.toString()};
+    assertTrue(fails(2, taken).contains("is there already; name a new file"), err());
+    String nowhere = folder.resolve("no").resolve("file").toString();
+    String[] lost = {"--tcp-port", "0", "--udp-port", "0", "--record", nowhere};
+    assertTrue(fails(1, lost).contains("can't be written: java.nio.file.NoSuchFile"), err());
+  }
+
+  @Test
   void saysReadyOnceServesPlayersAndSigtermTellsThem() throws Exception {
     Process process = start("--tcp-port", "0", "--udp-port", "0", "--seed", "7");
     BufferedReader out = process.inputReader(StandardCharsets.UTF_8);

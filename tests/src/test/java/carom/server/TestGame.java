@@ -2,18 +2,18 @@ package carom.server;
 
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
-import carom.sim.Archetype;
-import carom.sim.ArchetypeDef;
-import carom.sim.Audience;
 import carom.sim.Entity;
-import carom.sim.EventKind;
 import carom.sim.Game;
 import carom.sim.Input;
-import carom.sim.Level;
-import carom.sim.LevelException;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.event.Audience;
+import carom.sim.event.EventKind;
+import carom.sim.level.Archetype;
+import carom.sim.level.ArchetypeDef;
+import carom.sim.level.Level;
+import carom.sim.level.LevelException;
 import java.nio.charset.StandardCharsets;
 import java.util.Random;
 

@@ -3,8 +3,8 @@ package carom.server;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.net.snapshot.FrameState;
 import carom.net.snapshot.SnapshotEncoder;
+import carom.net.snapshot.frame.FrameState;
 import carom.server.config.ServerConfig;
 import java.util.Arrays;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -1,31 +1,33 @@
 package carom.sim;
 
+import carom.sim.level.Json;
+import carom.sim.level.Level;
 import java.io.InputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 
 /** As much of JSON Schema as {@code level.schema.json} uses; an unknown keyword is an error. */
-final class SchemaChecker {
+public final class SchemaChecker {
   private final Json root;
 
   private SchemaChecker(Json root) {
     this.root = root;
   }
 
-  static SchemaChecker levels() throws Exception {
+  public static SchemaChecker levels() throws Exception {
     try (InputStream in = Level.class.getResourceAsStream("/levels/level.schema.json")) {
       return new SchemaChecker(Json.parse("level.schema.json", in.readAllBytes()));
     }
   }
 
   /** The fields of a definition in order; null for the file itself. */
-  List<String> fields(String definition) {
+  public List<String> fields(String definition) {
     Json node = definition == null ? root : root.fields.get("$defs").fields.get(definition);
     return new ArrayList<>(node.fields.get("properties").fields.keySet());
   }
 
-  List<String> words(String definition) {
+  public List<String> words(String definition) {
     List<String> words = new ArrayList<>();
     for (Json word : root.fields.get("$defs").fields.get(definition).fields.get("enum").items) {
       words.add(word.text);
@@ -34,7 +36,7 @@ final class SchemaChecker {
   }
 
   /** Empty when the value agrees, else the first disagreement. */
-  String check(Json value) {
+  public String check(Json value) {
     return check(root, value);
   }
 

@@ -11,6 +11,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
+import carom.sim.level.Archetype;
+import carom.sim.level.ArchetypeDef;
+import carom.sim.level.Level;
+import carom.sim.level.LevelException;
+import carom.sim.level.ScriptedMotion;
+import carom.sim.level.Suggestion;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -188,7 +194,7 @@ class SimulationTest {
         "{\"type\":\"kinematic\",\"at\":[-3,1],\"shape\":{\"type\":\"circle\",\"radius\":1},"
             + "\"motion\":{\"to\":[3,4],\"period\":4}}";
     Simulation s = start(Role.AUTHORITY, path);
-    Motion m = s.entity(0).archetype().motion();
+    ScriptedMotion m = s.entity(0).archetype().motion();
     for (int tick = 1; tick <= 600; tick++) {
       s.step();
       assertEquals(m.x(tick, 60), s.entity(0).body().x(), 1e-4f);

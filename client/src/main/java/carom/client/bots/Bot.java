@@ -1,26 +1,27 @@
 package carom.client.bots;
 
-import carom.client.ClientView;
 import carom.client.InputSource;
-import carom.sim.Appearance.Look;
+import carom.client.view.ClientView;
 import carom.sim.Input;
-import carom.sim.Level;
 import carom.sim.SimRandom;
+import carom.sim.level.Appearance.Look;
+import carom.sim.level.Level;
 import java.util.List;
 
 /**
- * Plays like a distracted child, from what is on the screen. Seen from above it runs behind a ball
- * that few of its side are closer to and pushes it to the other side's goal, or waits in front of
- * its own; with gravity it runs, jumps, and collects what shines. Thinks several times a second,
+ * A bot that plays from what is on the screen, like a distracted child.
+ *
+ * <p>In a level without gravity it pushes a ball towards the other side's goal, or waits in front
+ * of its own. With gravity it runs, jumps and collects coins. It decides several times a second,
  * each bot at its own ticks, and holds the same keys in between.
  */
 public final class Bot implements InputSource {
   private static final int THINK_TICKS = 7;
 
-  /** So many of a side go for the same ball; more would only stand in each other's way. */
+  /** Most bots of a side that chase the same ball; more would stand in each other's way. */
   private static final int CHASERS = 3;
 
-  /** How far from each other those who wait stand, metres. */
+  /** Distance between bots that wait, metres. */
   private static final float SPREAD_METRES = 5;
 
   private final SimRandom random;
@@ -88,7 +89,7 @@ public final class Bot implements InputSource {
     }
   }
 
-  /** A walk at random, which ends up anywhere equally often; walls turn it back. */
+  /** Walks at random, which visits all places equally often; walls turn the bot back. */
   private void roam() {
     float length = Math.max(0.01f, length(wanderX, wanderY));
     held.move(wanderX / length, wanderY / length);
@@ -128,7 +129,7 @@ public final class Bot implements InputSource {
     }
   }
 
-  /** The nearest ball that fewer than {@link #CHASERS} of the own side are closer to, or null. */
+  /** Returns the nearest ball with fewer than {@link #CHASERS} closer bots of the side, or null. */
   private static ClientView.Drawn ballToChase(ClientView view, ClientView.Drawn own) {
     ClientView.Drawn best = null;
     float bestDistance = Float.MAX_VALUE;
@@ -159,9 +160,7 @@ public final class Bot implements InputSource {
     return count;
   }
 
-  /**
-   * Somewhere between the nearest ball and the own goal, or near any rival where there are none.
-   */
+  /** Waits between the nearest ball and the own goal, or goes to a rival if there are none. */
   private void waitAtHome(ClientView view, ClientView.Drawn own) {
     ClientView.Drawn ball = nearest(view, own, Look.BALL);
     Level.Zone home = goal(view, own, true);
@@ -183,7 +182,7 @@ public final class Bot implements InputSource {
         false);
   }
 
-  /** The goal of the own side, or one that another side defends. A disc's tag is its side. */
+  /** Returns the own goal or that of another side, or null. A disc's tag is its side. */
   private static Level.Zone goal(ClientView view, ClientView.Drawn own, boolean home) {
     List<Level.Zone> zones = view.level().zones();
     for (int i = 0; i < zones.size(); i++) {

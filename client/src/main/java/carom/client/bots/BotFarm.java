@@ -1,9 +1,9 @@
 package carom.client.bots;
 
 import carom.client.ClientConfig;
-import carom.client.ConnectionPhase;
 import carom.client.GameClient;
-import carom.client.NetStats;
+import carom.client.link.ConnectionPhase;
+import carom.client.stats.NetStats;
 import carom.net.transport.ClientTransport;
 import carom.physics.threads.Workers;
 import carom.sim.SimRandom;
@@ -14,11 +14,12 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Many clients that play: call {@link #update} once per frame, from one thread. Bots join one after
- * the other, since a server's queue of new connections is short; whoever finds the server busy,
- * full or out of reach tries again. Those on their way in are looked after first and several times
- * per frame: a frame of a crowd that a machine is too slow for takes a tenth of a second, and the
- * way in takes many looks.
+ * A crowd of bots. Its owner calls {@link #update} once per frame, from one thread.
+ *
+ * <p>Bots join one after the other, because a server's queue of new connections is short. A bot
+ * that finds the server busy, full or out of reach tries again. Joining takes many updates, so
+ * joining bots are updated first and several times per frame: on a slow machine a frame of a large
+ * crowd takes a tenth of a second.
  */
 public final class BotFarm implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(BotFarm.class);
@@ -26,15 +27,15 @@ public final class BotFarm implements AutoCloseable {
   /** Time between two joins. */
   private static final long JOIN_GAP_NS = 25_000_000L;
 
-  /** Joins that a slow frame may make good at once. */
+  /** Most joins in one frame, after slow ones. */
   private static final int MAX_JOINS_PER_FRAME = 16;
 
-  /** So many who play are looked after between two looks at those who join. */
+  /** Playing bots that are updated between two updates of the joining ones. */
   private static final int SLICE = 64;
 
   private static final double NS_PER_S = 1e9;
 
-  /** A bot tries to join so often, and waits in between: longer each time. */
+  /** Attempts of a bot to join, with a longer wait after each one. */
   private static final int MAX_ATTEMPTS = 6;
 
   private static final long FIRST_WAIT_NS = 500_000_000L;
@@ -43,10 +44,10 @@ public final class BotFarm implements AutoCloseable {
     final int number;
     GameClient client;
 
-    /** What the clients before this one measured. */
+    /** Figures of the bot's earlier clients. */
     final StaySums before = new StaySums();
 
-    /** Of this stay: how often it tried to get in, and whether it did. */
+    /** Attempts to join in this stay. */
     int attempts = 1;
 
     boolean entered;
@@ -79,7 +80,7 @@ public final class BotFarm implements AutoCloseable {
   private final Workers workers;
   private final List<Player> players = new ArrayList<>();
 
-  /** Of this frame: those who are on their way in, and those who play. */
+  /** Bots that are joining in this frame. */
   private final List<Player> joining = new ArrayList<>();
 
   private final List<Player> inGame = new ArrayList<>();
@@ -94,13 +95,12 @@ public final class BotFarm implements AutoCloseable {
   /**
    * Creates bots that join from the first {@link #update} on.
    *
-   * @param config of all; bot n is called by the config's name and its number
+   * @param config of all bots; bot n is named by the config's name and its number
    * @param transport opens the links; stays the caller's
    * @param count how many, at least 1
    * @param seed of what they do
    * @param roam whether they walk about instead of playing
-   * @param staySeconds how long each plays on average until it leaves and joins again; 0 = to the
-   *     end
+   * @param staySeconds mean time that a bot plays until it leaves and joins again; 0 = to the end
    * @param workers share the bots within a frame; stay the caller's
    */
   public BotFarm(
@@ -130,14 +130,14 @@ public final class BotFarm implements AutoCloseable {
     return new GameClient(config.withName(name), transport, bot);
   }
 
-  /** Lets a bot begin anew, and keeps what it has measured. */
+  /** Gives a bot a new client, and keeps the figures of the old one. */
   private void replaceClient(Player p, long nowNs) {
     p.before.add(p.client.stats(), nowNs);
     p.client.close();
     p.client = newClient(p);
   }
 
-  /** Updates all bots, and lets the next one join when it is time. */
+  /** Updates all bots, and starts the next ones when it is time. */
   public void update(long nowNs) {
     int begin = started;
     while (started < players.size() && (started == 0 || nowNs - nextJoinNs >= 0)) {
@@ -191,7 +191,7 @@ public final class BotFarm implements AutoCloseable {
     p.playing = playing;
     p.entered |= playing;
     p.joined |= playing;
-    if (!p.broken && !p.entered && p.attempts < MAX_ATTEMPTS && p.client.mayTryAgain()) {
+    if (!p.broken && !p.entered && p.attempts < MAX_ATTEMPTS && p.client.isRetryUseful()) {
       p.waiting = true;
       // Apart from each other, and from the next ones that join.
       p.nextAttemptNs = nowNs + (FIRST_WAIT_NS << p.attempts) + p.number * JOIN_GAP_NS / 4;
@@ -199,7 +199,7 @@ public final class BotFarm implements AutoCloseable {
     }
   }
 
-  /** Has a bot leave when it has played long enough, and join again; whether it left. */
+  /** Replaces the client of a bot that has played long enough; returns whether it did. */
   private boolean comesAndGoes(Player p, long nowNs) {
     if (!p.playing) {
       double seconds = 2 * staySeconds * p.random.nextFloat();
@@ -215,7 +215,7 @@ public final class BotFarm implements AutoCloseable {
     return true;
   }
 
-  /** Of the inputs since the last look, all but the newest were made later than their tick. */
+  /** Counts inputs: all but the newest since the last update were sampled too late. */
   private static void countInputs(Player p, boolean playing, long nowNs) {
     if (p.playing && playing) {
       double ticks = (nowNs - p.updatedNs) / NS_PER_S * p.client.view().tickRate();
@@ -225,12 +225,12 @@ public final class BotFarm implements AutoCloseable {
     p.updatedNs = nowNs;
   }
 
-  /** Bots asked for. */
+  /** Returns how many bots there are. */
   public int count() {
     return players.size();
   }
 
-  /** Bots that play now. */
+  /** Returns how many bots are playing. */
   public int playing() {
     int n = 0;
     for (Player p : players) {
@@ -239,7 +239,7 @@ public final class BotFarm implements AutoCloseable {
     return n;
   }
 
-  /** Bots that got into the game at least once. */
+  /** Returns how many bots got into the game at least once. */
   public int joined() {
     int n = 0;
     for (Player p : players) {
@@ -248,7 +248,7 @@ public final class BotFarm implements AutoCloseable {
     return n;
   }
 
-  /** Snapshots seen by the bot that has seen the fewest. */
+  /** Returns the fewest snapshots that any bot has received. */
   public long fewestSnapshots() {
     long fewest = Long.MAX_VALUE;
     for (Player p : players) {
@@ -257,7 +257,7 @@ public final class BotFarm implements AutoCloseable {
     return fewest;
   }
 
-  /** Bots that have joined, or failed to for good. */
+  /** Returns how many bots have joined or given up. */
   public int settled() {
     int n = 0;
     for (Player p : players) {
@@ -266,7 +266,7 @@ public final class BotFarm implements AutoCloseable {
     return n;
   }
 
-  /** Whether no bot plays or tries to. */
+  /** Returns whether no bot plays or tries to. */
   public boolean over() {
     for (Player p : players) {
       if (!isOver(p)) {
@@ -281,8 +281,8 @@ public final class BotFarm implements AutoCloseable {
   }
 
   /**
-   * Why a bot could not play, in words for people; empty when all could. Of those that won't play
-   * any more, if there are any.
+   * Returns why a bot can't play, in words for people; empty if all can. Prefers a bot that has
+   * given up.
    */
   public String problem() {
     String problem = "";
@@ -297,7 +297,7 @@ public final class BotFarm implements AutoCloseable {
     return problem;
   }
 
-  /** A line about the last second; cheap, unlike {@link #report}. */
+  /** Returns a line about the last second; cheap, unlike {@link #report}. */
   public String progress() {
     double snapshots = 0;
     double rtt = 0;
@@ -338,8 +338,8 @@ public final class BotFarm implements AutoCloseable {
   }
 
   /**
-   * What the bots measured in all their stays; see {@link BotReport}. Takes about a millisecond for
-   * each bot, which those who play would feel.
+   * Returns the figures of all stays of the bots; see {@link BotReport}. Takes about a millisecond
+   * per bot, which disturbs bots that play.
    */
   public BotReport report(long nowNs) {
     double snapshots = 0;
@@ -398,7 +398,7 @@ public final class BotFarm implements AutoCloseable {
         inputs == 0 ? 0 : 100 * late / inputs);
   }
 
-  /** Lets all bots leave. */
+  /** Makes all bots leave. */
   @Override
   public void close() {
     for (Player p : players) {

@@ -3,8 +3,8 @@ package carom.client.bots;
 import java.util.Locale;
 
 /**
- * What a crowd of bots measured, in all stays of those who left and came back. Times and rates are
- * means over the bots that played; of a bot's stays, the times are means by their length.
+ * Figures of a crowd of bots, over all their stays. Times and rates are means over the bots that
+ * played; the times of a bot are means over its stays, weighted by their length.
  *
  * @param joined bots that got into the game
  * @param disconnects how often a bot that played stopped playing without wanting to
@@ -21,7 +21,7 @@ import java.util.Locale;
  * @param exactPercent of the awake bodies near the bots, those whose prediction was right in every
  *     bit; 0 when nothing was predicted
  * @param correctionsPerMinute how often a bot's own body had to be corrected
- * @param lateInputPercent of the inputs of those who played, those that were made later than their
+ * @param lateInputPercent share of the inputs of playing bots that were sampled later than their
  *     tick, because the bots' own process was too slow to look after each of them in each tick
  */
 public record BotReport(
@@ -39,7 +39,7 @@ public record BotReport(
     double exactPercent,
     double correctionsPerMinute,
     double lateInputPercent) {
-  /** One line of JSON, keys in the order above. */
+  /** Returns one line of JSON with the keys in the order above. */
   public String toJson() {
     return String.format(
         Locale.ROOT,

@@ -1,14 +1,15 @@
 package carom.client.bots;
 
 import carom.client.ClientConfig;
-import carom.client.NetworkOptions;
 import carom.client.PredictionMode;
-import carom.client.ProgramVersion;
-import carom.client.StopSignal;
-import carom.net.kryo.CrowdTransport;
+import carom.client.app.NetworkOptions;
+import carom.client.app.ProgramVersion;
+import carom.client.app.StopSignal;
 import carom.net.protocol.PlayerName;
 import carom.net.transport.ClientTransport;
 import carom.options.BadFlag;
+import carom.options.Lab;
+import carom.options.LabCommand;
 import carom.physics.threads.WorkerThreads;
 import java.util.Locale;
 import java.util.concurrent.Callable;
@@ -18,8 +19,8 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /**
- * {@code carom-bots}: connects headless clients that play. Progress goes to standard error; the
- * last line of standard output is one JSON object, see {@link BotReport}.
+ * The program {@code carom-bots}: connects headless clients that play. Progress goes to standard
+ * error; the last line of standard output is one JSON object, see {@link BotReport}.
  */
 @Command(
     name = "carom-bots",
@@ -27,15 +28,16 @@ import picocli.CommandLine.Option;
     versionProvider = ProgramVersion.class,
     sortOptions = false,
     description = "Connects headless clients that play.",
-    subcommands = {CodecCommand.class, FiguresCommand.class},
     footer = "Exit code 0 only if all bots joined and stayed.")
 public final class BotsMain implements Callable<Integer> {
   private static final long SECOND = 1_000_000_000L;
 
-  /** Four looks per tick: what is measured should be the network and not our own slowness. */
+  /**
+   * Time of a frame, four per tick: the bots should measure the network, not their own slowness.
+   */
   private static final long FRAME_NS = SECOND / 240;
 
-  /** A crowd is looked after twice per tick: looking costs, too. */
+  /** Bots above which a frame takes half a tick, because updates cost time, too. */
   private static final int CROWD = 100;
 
   private static final long CROWD_FRAME_NS = SECOND / 120;
@@ -119,9 +121,9 @@ public final class BotsMain implements Callable<Integer> {
     this.pace = pace;
   }
 
-  /** The time by which bots play. */
+  /** The clock by which bots play. */
   interface Pace {
-    /** The real time. */
+    /** The machine's clock. */
     Pace REAL =
         new Pace() {
           @Override
@@ -135,30 +137,36 @@ public final class BotsMain implements Callable<Integer> {
           }
         };
 
-    /** Like {@link System#nanoTime}. */
+    /** Returns the time, nanoseconds, like {@link System#nanoTime}. */
     long nanoTime();
 
-    /** Waits, at least 0 ns. */
+    /** Waits for a time, nanoseconds, at least 0. */
     void sleep(long ns) throws InterruptedException;
   }
 
-  /** Entry point; exits with 0 if all joined and stayed, 1 if not, 2 on bad flags. */
+  /** Runs the program, and exits with 0 if all joined and stayed, 1 if not, 2 on bad flags. */
   public static void main(String[] args) {
     System.exit(run(args));
   }
 
-  /** As {@link #main}, but returns the exit code. */
+  /** Runs the program like {@link #main}, but returns the exit code. */
   public static int run(String... args) {
     return run(Pace.REAL, args);
   }
 
   static int run(Pace pace, String... args) {
-    CommandLine line =
-        BadFlag.explainedBy(new CommandLine(new BotsMain(pace)))
-            .setCaseInsensitiveEnumValuesAllowed(true);
-    // Its flags are another program's.
-    line.getSubcommands().get("figures").setUnmatchedOptionsArePositionalParams(true);
-    return line.execute(args);
+    CommandLine line = new CommandLine(new BotsMain(pace));
+    LabCommand.add(
+        line,
+        "codec",
+        "Measures the laboratory's codec on a recording of moving bodies; see codec --help.",
+        "carom.lab.trace.CodecCommand");
+    LabCommand.add(
+        line,
+        "figures",
+        "Measures snapshots and prediction, and prints one table; see figures --help.",
+        "carom.lab.figures.FiguresMain");
+    return BadFlag.explainedBy(line).setCaseInsensitiveEnumValuesAllowed(true).execute(args);
   }
 
   @Override
@@ -191,10 +199,19 @@ public final class BotsMain implements Callable<Integer> {
             .withPrediction(prediction)
             .withTicksPerInputDatagram(ticksPerInputDatagram);
     try (StopSignal stop = new StopSignal();
-        ClientTransport transport = network.impair(new CrowdTransport());
+        ClientTransport transport = network.impair(sockets());
         WorkerThreads workers = new WorkerThreads(threadCount());
         BotFarm farm = new BotFarm(config, transport, count, seed, roam, churn, workers)) {
       return play(farm, stop);
+    }
+  }
+
+  /** All bots share a thread for their sockets, where other clients have one each. */
+  private ClientTransport sockets() {
+    try {
+      return Lab.create(ClientTransport.class, "carom.lab.crowd.CrowdTransport");
+    } catch (IllegalStateException e) {
+      throw new BadFlag(spec.commandLine(), e.getMessage());
     }
   }
 
@@ -203,8 +220,9 @@ public final class BotsMain implements Callable<Integer> {
   }
 
   /**
-   * As many as help. A processor is left to the server, which mostly runs beside the bots: 500 of
-   * them on both of two took 16 ms of its tick's p99 to 23.
+   * Returns the number of threads that helps. One processor is left to the server, which mostly
+   * runs on the same machine: 500 bots on both of two processors raise the p99 of its tick from 16
+   * to 23 ms.
    */
   static int threadsFor(int bots, int processors) {
     int wanted = (bots + CROWD - 1) / CROWD;

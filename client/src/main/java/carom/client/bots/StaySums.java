@@ -1,9 +1,9 @@
 package carom.client.bots;
 
-import carom.client.NetStats;
+import carom.client.stats.NetStats;
 
 /**
- * What a bot measured in all its stays: each client it has been counts from zero. Used by one
+ * Sums of the figures of all stays of a bot, because each client counts from zero. Used by one
  * thread at a time.
  */
 final class StaySums {
@@ -16,7 +16,7 @@ final class StaySums {
   long corrections;
   int malformed;
 
-  /** Milliseconds times seconds, since a long stay tells more than a short one. */
+  /** Sum of milliseconds times the seconds of the stay: a long stay weighs more. */
   private double gapP99;
 
   private double rttP50;
@@ -56,12 +56,16 @@ final class StaySums {
     rttP50 += earlier.rttP50;
   }
 
-  /** Mean of the stays' {@link NetStats#gapP99Ms}, by their length; NaN before the first. */
+  /**
+   * Returns the mean of {@link NetStats#gapP99Ms}, weighted by length; NaN before the first stay.
+   */
   double gapP99Ms() {
     return gapP99 / seconds;
   }
 
-  /** Mean of the stays' {@link NetStats#rttP50Ms}, by their length; NaN before the first. */
+  /**
+   * Returns the mean of {@link NetStats#rttP50Ms}, weighted by length; NaN before the first stay.
+   */
   double rttP50Ms() {
     return rttP50 / seconds;
   }

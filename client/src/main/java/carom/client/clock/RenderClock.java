@@ -3,22 +3,23 @@ package carom.client.clock;
 import java.util.Arrays;
 
 /**
- * The moment of the server's past that is drawn: late enough that the snapshots around it have
- * almost surely arrived, and no later.
+ * Clock of the interpolated picture: a moment of the server's past, late enough that the snapshots
+ * around it have almost surely arrived, and no later.
  *
  * <p>Each snapshot of tick {@code T} that arrives at time {@code t} is one sample of the line
- * {@code T = rate t + offset}. The clock follows the mean of that line, minus a delay made of
+ * {@code T = rate t + offset}. The clock follows the mean of that line, minus a delay with these
+ * parts:
  *
  * <ul>
- *   <li>the lateness that 95 % of the snapshots stay below (measured jitter),
- *   <li>one send interval to have two states to draw between,
- *   <li>one more for each consecutive loss worth surviving at the measured loss rate (one when the
- *       line is clean, two above 1 %, three above 8 %); above 8 % as long as the gap is in which a
- *       lost snapshot typically lies, where losses come in bursts.
+ *   <li>Jitter: the lateness that 95 % of the snapshots stay below.
+ *   <li>One send interval, to have two states to interpolate between.
+ *   <li>One send interval for each consecutive loss to survive: one on a clean line, two above 1 %
+ *       loss, three above 8 %. Above 8 %, where losses come in bursts, it is at least the typical
+ *       length of a gap.
  * </ul>
  *
- * Changes of the line or the delay bend the speed by at most a tenth, by a quarter while the
- * picture is far off because the line has become another; only a gap too large for that jumps. Not
+ * <p>Changes of the line or the delay bend the speed by at most a tenth, or by a quarter while the
+ * picture is far off because the route has changed. Only a larger gap makes the clock jump. Not
  * thread-safe; allocates nothing after construction.
  */
 public final class RenderClock {
@@ -26,13 +27,13 @@ public final class RenderClock {
   private static final int LONGEST_INTERVAL = 15;
   private static final double MAX_BEND = 0.1;
 
-  /** Being off by more than {@link #FAR_SECONDS} looks worse than moving too fast for a second. */
+  /** Largest bend while off by more than {@link #FAR_SECONDS}, which looks worse than haste. */
   private static final double MAX_FAR_BEND = 0.25;
 
   private static final double FAR_SECONDS = 0.05;
 
-  /** So many snapshots in a row that are alike, and unlike those before, came another way. */
-  private static final int ANOTHER_WAY = 16;
+  /** Snapshots in a row, alike and unlike those before, that prove another route. */
+  private static final int ANOTHER_ROUTE = 16;
 
   private static final double ALIKE_SECONDS = 0.02;
   private static final double UNLIKE_SECONDS = 0.05;
@@ -40,13 +41,13 @@ public final class RenderClock {
   private static final double JUMP_SECONDS = 0.4;
   private static final double MAX_DELAY_SECONDS = 0.5;
 
-  /** A longer gap is an outage, which no delay can hide. */
+  /** Longest gap that counts. A longer one is an outage, which no delay can hide. */
   private static final double LONGEST_GAP_SECONDS = 0.75;
 
-  /** Gaps count for about so long. */
+  /** Time constant with which gaps are forgotten. */
   private static final double GAP_MEMORY_SECONDS = 10;
 
-  /** Losses beyond are worth waiting for, 0..1. */
+  /** Share of losses above which the delay covers typical gaps, 0..1. */
   private static final double HEAVY_LOSS = 0.08;
 
   private final double ticksPerNs;
@@ -64,16 +65,20 @@ public final class RenderClock {
   private double mean;
   private double lateness;
 
-  /** Samples alike, the newest included, and what the first of them was. */
+  /** Number of newest samples that are alike. */
   private int alike;
 
+  /** The first of those samples. */
   private double alikeTo;
+
   private double loss;
 
-  /** Ticks without a snapshot, and the sum of each gap's square; fading. */
+  /** Ticks without a snapshot, fading. */
   private double missing;
 
+  /** Sum of the squared lengths of gaps, fading. */
   private double missingSquares;
+
   private int interval = 1;
   private double position;
 
@@ -90,7 +95,7 @@ public final class RenderClock {
     this.ticksPerNs = tickRate / 1e9;
   }
 
-  /** Forgets everything; the next snapshot starts it again. */
+  /** Forgets everything. The next snapshot starts the clock again. */
   public void reset() {
     started = false;
     samples = 0;
@@ -107,9 +112,9 @@ public final class RenderClock {
    * Notes the arrival of a snapshot: call once per tick, for its first datagram.
    *
    * @param tick server tick of the snapshot
-   * @param arrivalNs when it came
-   * @param quiet whether nothing moved in it: a server that has nothing to tell sends less often,
-   *     and that says nothing about how often it sends when something moves
+   * @param arrivalNs when it arrived
+   * @param quiet whether nothing moved in it: a server sends quiet snapshots less often, so they
+   *     say nothing about the send interval
    */
   public void snapshot(int tick, long arrivalNs, boolean quiet) {
     if (!started) {
@@ -128,7 +133,7 @@ public final class RenderClock {
       restart(tick, arrivalNs);
       return;
     }
-    noteWay(offset);
+    noteRoute(offset);
     offsets[samples % WINDOW] = offset;
     samples++;
     mean += Math.max(0.04, 1.0 / samples) * (offset - mean);
@@ -148,7 +153,7 @@ public final class RenderClock {
     }
   }
 
-  /** After a blackout or a stall of the server the old line is worth nothing. */
+  /** Starts a new line after an outage or a stall of the server. */
   private void restart(int tick, long arrivalNs) {
     originNs = arrivalNs;
     mean = tick;
@@ -158,14 +163,14 @@ public final class RenderClock {
     alike = 0;
   }
 
-  /** What is known of the way that snapshots took before is no jitter of the one they take now. */
-  private void noteWay(double offset) {
+  /** Detects another route: the lateness of the old one isn't jitter of the new one. */
+  private void noteRoute(double offset) {
     if (alike == 0 || Math.abs(offset - alikeTo) > ALIKE_SECONDS * tickRate) {
       alike = 0;
       alikeTo = offset;
     }
     alike++;
-    if (alike == ANOTHER_WAY && Math.abs(alikeTo - mean) > UNLIKE_SECONDS * tickRate) {
+    if (alike == ANOTHER_ROUTE && Math.abs(alikeTo - mean) > UNLIKE_SECONDS * tickRate) {
       mean = alikeTo;
       Arrays.fill(offsets, alikeTo);
       lateness = 0;
@@ -198,7 +203,7 @@ public final class RenderClock {
   }
 
   /**
-   * Tells the clock how much is lost.
+   * Sets how much is lost.
    *
    * @param fraction lost datagrams, 0..1
    */
@@ -207,7 +212,7 @@ public final class RenderClock {
   }
 
   /**
-   * Moves to the present.
+   * Moves the clock to the present.
    *
    * @param nowNs the present; earlier than before counts as no time passed
    */
@@ -229,27 +234,27 @@ public final class RenderClock {
     position += step * (1 + Math.max(-most, Math.min(most, bend)));
   }
 
-  /** True once a snapshot came. */
+  /** Returns whether a snapshot has arrived. */
   public boolean started() {
     return started;
   }
 
-  /** The tick to draw, with its fraction. */
+  /** Returns the tick to draw, with its fraction. */
   public double tick() {
     return position;
   }
 
-  /** Newest tick a snapshot was noted for. */
+  /** Returns the newest tick a snapshot was noted for. */
   public int newestTick() {
     return newest;
   }
 
-  /** Ticks between the server's snapshots, as observed most often. */
+  /** Returns the most frequent number of ticks between snapshots. */
   public int intervalTicks() {
     return interval;
   }
 
-  /** Interpolation delay aimed at, in ticks behind the mean arrival. */
+  /** Returns the interpolation delay aimed at, ticks behind the mean arrival. */
   public double delayTicks() {
     double survive = interval * (loss > HEAVY_LOSS ? 3 : loss > 0.01 ? 2 : 1);
     if (loss > HEAVY_LOSS && missing > 0) {
@@ -258,7 +263,7 @@ public final class RenderClock {
     return Math.min(MAX_DELAY_SECONDS * tickRate, interval + survive + lateness);
   }
 
-  /** Lateness that 95 % of the snapshots stay below, in milliseconds. */
+  /** Returns the lateness that 95 % of the snapshots stay below, milliseconds. */
   public double jitterMs() {
     return lateness / tickRate * 1000;
   }

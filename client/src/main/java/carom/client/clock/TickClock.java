@@ -3,46 +3,45 @@ package carom.client.clock;
 import java.util.Arrays;
 
 /**
- * Decides when the client runs which tick: far enough ahead of the server that each input arrives
- * shortly before the server needs it, and no further, since every tick of lead is lag for others.
+ * Clock of the predicted ticks. It runs far enough ahead of the server that each input arrives
+ * shortly before the server needs it, and no further: every tick of lead is lag for others.
  *
- * <p>The server tells, with each snapshot, how many inputs of this client were waiting when it
- * consumed one: the <em>input margin</em>. The clock keeps the margin at {@link #targetMargin()},
+ * <p>With each snapshot the server reports the <em>input margin</em>: how many inputs of this
+ * client were waiting when it consumed one. The clock keeps the margin at {@link #targetMargin()},
  * which is two ticks plus allowances for jitter and loss.
  *
- * <p>How it steers. Let {@code offset(t) = position(t) - rate t} be how far the clock stands from
- * one that never changes speed. The margin measured for an input equals the offset at the moment
- * that input was made, plus a constant of the path (server phase minus travel time). So {@code
- * margin - offset(when made)} estimates that constant free of feedback delay: what was corrected
- * since then is already accounted for, and the loop can't oscillate however long the round trip.
+ * <p>How it steers. Let {@code offset(t) = position(t) - rate t} be the distance to a clock that
+ * never changes its speed. The margin of an input equals the offset at the moment the input was
+ * sampled, plus a constant of the path (server phase minus travel time). So {@code margin -
+ * offset(when sampled)} estimates that constant without feedback delay. Corrections since then are
+ * accounted for, and the loop can't oscillate however long the round trip is.
  *
  * <ul>
- *   <li>Small errors bend the speed by at most {@value #MAX_BEND_PERCENT} %: nobody sees it.
- *   <li>Being far off (a first estimate gone wrong, a route change, a machine that was suspended)
- *       jumps. A jump back only pauses; a tick number is never handed out twice.
- *   <li>When the server has been silent for {@value #SILENCE_MS} ms, the clock waits: a server that
- *       stood still goes on where it stopped, and inputs for ticks far ahead are of no use to it.
- *       The first thing heard tells whether it stood still or only could not be heard; then the
- *       clock catches up.
+ *   <li>A small error bends the speed by at most {@value #MAX_BEND_PERCENT} %, which is invisible.
+ *   <li>A large error (a wrong first estimate, another route, a machine that was suspended) makes
+ *       the clock jump. A jump back only pauses; a tick is never handed out twice.
+ *   <li>After {@value #SILENCE_MS} ms without a snapshot the clock waits. A server that stood still
+ *       goes on where it stopped, and has no use for inputs far ahead. The next snapshot tells
+ *       whether it stood still or could only not be heard; then the clock catches up.
  *   <li>A slow machine gets at most {@link #MAX_CATCH_UP} ticks per frame and loses the rest, so a
- *       frame that takes long cannot make the next one longer.
+ *       long frame can't make the next one longer.
  * </ul>
  *
  * <p>Not thread-safe; allocates nothing after construction.
  */
 public final class TickClock {
-  /** Ticks handed out per {@link #advance} at most. */
+  /** Most ticks handed out per {@link #advance}. */
   public static final int MAX_CATCH_UP = 8;
 
-  /** Smallest margin aimed at, in ticks: one for the phase of both loops, one for a lost packet. */
+  /** Smallest margin aimed at, ticks: one for the phase of both loops, one for a lost packet. */
   public static final double BASE_MARGIN = 2;
 
-  /** After this the clock waits for the server, milliseconds. */
+  /** Silence after which the clock waits for the server, milliseconds. */
   static final int SILENCE_MS = 1_500;
 
   private static final long SILENCE_NS = SILENCE_MS * 1_000_000L;
 
-  /** Chance to lose an input, with all its copies, that is small enough. */
+  /** Acceptable probability of losing an input with all its copies. */
   private static final double LOST = 1e-4;
 
   private static final double MAX_LOSS_MARGIN = 5;
@@ -53,22 +52,24 @@ public final class TickClock {
   private static final double MAX_BEND = MAX_BEND_PERCENT / 100.0;
   private static final double MAX_JITTER_MARGIN = 10;
 
-  /** Seconds in which a small error shrinks to 1/e. */
+  /** Time in which a small error shrinks to 1/e. */
   private static final double SETTLE_SECONDS = 0.5;
 
-  /** Behind by more than this, inputs come too late: catch up at once. */
+  /** Lag beyond which the clock jumps forward, because inputs come too late. */
   private static final double JUMP_FORWARD_TICKS = 4;
 
-  /** Ahead by more than this, waiting is better than half a minute of slow motion. */
+  /** Lead beyond which the clock waits, which is better than half a minute of slow motion. */
   private static final double JUMP_BACK_TICKS = 12;
 
   private static final double SLOWEST_AVERAGE = 0.03;
   private static final int OUTLIERS_TO_RESTART = 8;
 
-  /** So many suffice when none is further than this from their mean: no burst of jitter is so. */
+  /** Outliers that suffice to restart if they are alike, which no burst of jitter is. */
   private static final int ALIKE_TO_RESTART = 4;
 
+  /** Largest distance of an outlier from the mean of those that are alike. */
   private static final double ALIKE_TICKS = 1.5;
+
   private static final int RING = 512;
 
   private final double ticksPerNs;
@@ -89,13 +90,13 @@ public final class TickClock {
   private int outliers;
   private double outlierSum;
 
-  /** Whether all outliers say about the same. */
+  /** Whether all outliers are alike. */
   private boolean alike;
 
   private int newestReported;
   private double lastMargin;
 
-  /** Whether anybody tells when the server is heard. */
+  /** Whether {@link #heard} is called at all. */
   private boolean listens;
 
   private long heardNs;
@@ -121,10 +122,10 @@ public final class TickClock {
   }
 
   /**
-   * Starts, or starts again from scratch.
+   * Starts the clock, or starts it again from scratch.
    *
    * @param nowNs the present
-   * @param serverTick newest tick known of the server
+   * @param serverTick newest known tick of the server
    * @param roundTripNs time a message takes there and back; 0 if unknown
    */
   public void start(long nowNs, int serverTick, long roundTripNs) {
@@ -148,14 +149,13 @@ public final class TickClock {
     Arrays.fill(offsetTick, Integer.MIN_VALUE);
   }
 
-  /** True after {@link #start}. */
+  /** Returns whether the clock was started. */
   public boolean started() {
     return started;
   }
 
   /**
-   * Moves to the present. Hand out the ticks that became due with {@link #next} while {@link #due}
-   * is positive.
+   * Moves the clock to the present. Call {@link #next} while {@link #due} is positive.
    *
    * @param nowNs the present; earlier than before counts as no time passed
    * @return ticks due, 0..{@link #MAX_CATCH_UP}
@@ -181,12 +181,12 @@ public final class TickClock {
     return due;
   }
 
-  /** Ticks due and not handed out yet. */
+  /** Returns how many ticks are due and not handed out yet. */
   public int due() {
     return started ? Math.max(0, (int) Math.floor(position) - last) : 0;
   }
 
-  /** Hands out the next tick number; larger than every one before. */
+  /** Hands out the next tick, which is larger than every one before. */
   public int next() {
     if (due() == 0) {
       throw new IllegalStateException("no tick is due: last=" + last + " position=" + position);
@@ -199,9 +199,9 @@ public final class TickClock {
   }
 
   /**
-   * Notes that the server was heard.
+   * Notes that a snapshot arrived.
    *
-   * @param serverTick newest tick known of it
+   * @param serverTick newest known tick of the server
    * @param nowNs the present, as for {@link #advance}
    */
   public void heard(int serverTick, long nowNs) {
@@ -210,7 +210,7 @@ public final class TickClock {
     }
     listens = true;
     if (heldNs > 0) {
-      // Of the time in which we waited, the server ran for so long.
+      // The server ran for this part of the time in which the clock waited.
       double ran = (serverTick - heardTick) / ticksPerNs - (nowNs - heardNs - heldNs);
       long missed = (long) Math.max(0, Math.min(heldNs, ran));
       originNs -= missed;
@@ -225,11 +225,11 @@ public final class TickClock {
   }
 
   /**
-   * Tells the clock how much is lost: each tick earlier is another copy of each input that may
-   * arrive in time. What is lost within a second or two says little where losses come in bursts, so
-   * the clock goes by the mean of about {@value #LOSS_SECONDS} seconds.
+   * Sets how much is lost. Each tick of margin is another copy of each input that may arrive in
+   * time. Losses come in bursts, so the clock uses the mean of about {@value #LOSS_SECONDS}
+   * seconds.
    *
-   * @param fraction lost datagrams lately, 0..1
+   * @param fraction recently lost datagrams, 0..1
    */
   public void loss(double fraction) {
     double seconds = (nowNs - lossNs) * 1e-9;
@@ -240,9 +240,9 @@ public final class TickClock {
   }
 
   /**
-   * Takes in what the server reported.
+   * Takes in a reported input margin.
    *
-   * @param serverTick tick the server had just run
+   * @param serverTick the tick that the server had just run
    * @param margin newest input tick it held at that moment minus {@code serverTick}; negative when
    *     inputs come too late
    */
@@ -250,7 +250,7 @@ public final class TickClock {
     lastMargin = margin;
     int newest = serverTick + margin;
     if (!started || newest <= newestReported) {
-      return; // nothing new came in: says how long the line is dead, not how early we are
+      return; // no new input had arrived: the margin tells how long the line has been dead
     }
     newestReported = newest;
     int slot = newest & (RING - 1);
@@ -267,7 +267,7 @@ public final class TickClock {
       if (outliers < (alike ? ALIKE_TO_RESTART : OUTLIERS_TO_RESTART)) {
         return;
       }
-      path += outlierSum / outliers; // the path itself has changed
+      path += outlierSum / outliers; // another route
       samples = OUTLIERS_TO_RESTART;
       outliers = 0;
       outlierSum = 0;
@@ -288,7 +288,7 @@ public final class TickClock {
       speed = 1;
       return;
     }
-    double error = targetMargin() - path - offset(); // positive: we are behind
+    double error = targetMargin() - path - offset(); // positive: the clock is behind
     if (error > JUMP_FORWARD_TICKS || error < -JUMP_BACK_TICKS) {
       position += error;
       jumps++;
@@ -306,38 +306,38 @@ public final class TickClock {
     return position - (nowNs - originNs) * ticksPerNs;
   }
 
-  /** Last tick handed out. */
+  /** Returns the last tick handed out. */
   public int tick() {
     return last;
   }
 
-  /** How much of the next tick has passed, 0..1; for drawing between two ticks. */
+  /** Returns how much of the next tick has passed, 0..1; for drawing between two ticks. */
   public float fraction() {
     return (float) Math.max(0, Math.min(1, position - last));
   }
 
-  /** Present speed: 1 = the server's nominal rate; 0.97..1.03. */
+  /** Returns the speed, 0.97..1.03; 1 = the server's nominal rate. */
   public double speed() {
     return speed;
   }
 
-  /** Margin the clock aims at, in ticks. */
+  /** Returns the margin the clock aims at, ticks. */
   public double targetMargin() {
     double jitterMargin = Math.min(MAX_JITTER_MARGIN, Math.max(0, 2.5 * (deviation - 0.5)));
     return BASE_MARGIN + lossMargin + jitterMargin;
   }
 
-  /** Margin last reported by the server, in ticks. */
+  /** Returns the margin the server reported last, ticks. */
   public double lastMargin() {
     return lastMargin;
   }
 
-  /** Ticks lost because this machine was too slow, since construction. */
+  /** Returns how many ticks were lost because this machine was too slow, since construction. */
   public long dropped() {
     return dropped;
   }
 
-  /** Jumps since construction. */
+  /** Returns how often the clock jumped since construction. */
   public long jumps() {
     return jumps;
   }

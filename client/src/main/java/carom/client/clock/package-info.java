@@ -1,8 +1,8 @@
 /**
- * Two clocks of a client, both counted in the server's ticks and steered by what arrives: one ahead
- * of the server, for inputs and prediction, and one behind it, for drawing what others do.
+ * Two clocks of a client, counted in the server's ticks and steered by what arrives. One runs ahead
+ * of the server, for inputs and prediction; one runs behind it, for interpolation.
  *
- * <p>May use nothing but the language. Time enters as a parameter; one thread. Read first: {@link
- * carom.client.clock.TickClock}, {@link carom.client.clock.RenderClock}.
+ * <p>Imports nothing but the language. Time enters as a parameter. One thread. Read first: {@link
+ * carom.client.clock.TickClock}, {@link carom.client.clock.RenderClock}; there is no third.
  */
 package carom.client.clock;

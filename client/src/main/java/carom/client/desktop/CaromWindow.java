@@ -1,9 +1,14 @@
 package carom.client.desktop;
 
 import carom.client.ClientConfig;
-import carom.client.ClientOptions;
 import carom.client.GameClient;
-import carom.client.ReplayClient;
+import carom.client.app.ClientOptions;
+import carom.client.desktop.paint.Canvas;
+import carom.client.desktop.paint.Fonts;
+import carom.client.desktop.scene.SceneScreen;
+import carom.client.desktop.sound.AudioDevice;
+import carom.client.desktop.sound.EventSounds;
+import carom.client.replay.ReplayClient;
 import carom.net.transport.ClientTransport;
 import com.badlogic.gdx.ApplicationAdapter;
 import com.badlogic.gdx.Gdx;
@@ -15,7 +20,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 
-/** The application: shows the connect screen or a game, one at a time. Render thread only. */
+/** The application: shows one screen at a time. Render thread only. */
 final class CaromWindow extends ApplicationAdapter {
   private final ClientOptions options;
   private final ClientTransport transport;
@@ -63,7 +68,7 @@ final class CaromWindow extends ApplicationAdapter {
     }
   }
 
-  /** Scenes are silent. */
+  /** Returns whether there is anything to hear; scenes are silent. */
   static boolean wantsSound(ClientOptions options) {
     return options.volume() > 0 && options.scene() == null;
   }

@@ -1,5 +1,7 @@
 package carom.client.desktop;
 
+import carom.client.desktop.paint.Fonts;
+import carom.client.desktop.paint.Theme;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input;
 import com.badlogic.gdx.ScreenAdapter;
@@ -26,7 +28,7 @@ import com.badlogic.gdx.utils.viewport.ScreenViewport;
 
 /** Asks where to play and as whom, and shows why the last attempt failed. Render thread only. */
 final class ConnectScreen extends ScreenAdapter {
-  /** Receives what the player entered, checked for form only. */
+  /** Receives what the player entered, whose form is checked. */
   interface Target {
     void connect(String host, int tcpPort, int udpPort, String name);
   }
@@ -59,7 +61,7 @@ final class ConnectScreen extends ScreenAdapter {
     lay();
   }
 
-  /** Shows why the player is here again, in words for a player; an empty text shows nothing. */
+  /** Shows why the player is here again; an empty text shows nothing. */
   void message(String text) {
     message.setText(text);
   }
@@ -141,7 +143,7 @@ final class ConnectScreen extends ScreenAdapter {
     }
   }
 
-  /** The port a text names, or 0. */
+  /** Returns the port that a text names, or 0. */
   private static int port(String text) {
     try {
       int port = Integer.parseInt(text.strip());

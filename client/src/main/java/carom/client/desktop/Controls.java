@@ -1,5 +1,6 @@
 package carom.client.desktop;
 
+import carom.client.desktop.paint.ViewCamera;
 import carom.sim.Input;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Buttons;
@@ -15,7 +16,7 @@ import com.badlogic.gdx.math.Vector3;
  * used last decides where the player aims. Render thread only.
  */
 final class Controls {
-  /** Stick travel that counts as none: cheap sticks rest up to here. */
+  /** Stick travel that counts as none, 0..1: cheap sticks rest up to here. */
   private static final float DEAD_ZONE = 0.2f;
 
   private float aimRad;

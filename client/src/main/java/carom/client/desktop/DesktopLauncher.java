@@ -1,7 +1,8 @@
 package carom.client.desktop;
 
-import carom.client.ClientOptions;
-import carom.client.Window;
+import carom.client.app.ClientOptions;
+import carom.client.app.Window;
+import carom.client.desktop.sound.AudioDevice;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.transport.ClientTransport;
@@ -16,7 +17,7 @@ public final class DesktopLauncher implements Window {
   private static final int HEIGHT = 720;
   private static final int MAX_FPS = 144;
 
-  /** Called by the service loader. */
+  /** Creates a launcher; the service loader calls this. */
   public DesktopLauncher() {}
 
   @Override
@@ -46,7 +47,7 @@ public final class DesktopLauncher implements Window {
     }
   }
 
-  /** Asked first, because the toolkit answers a missing display with a page of stack trace. */
+  /** Returns whether there is a display. Without one the toolkit prints a page of stack trace. */
   private static boolean hasDisplay() {
     return !System.getProperty("os.name").startsWith("Linux")
         || System.getenv("DISPLAY") != null

@@ -1,22 +1,29 @@
 package carom.client.desktop;
 
-import carom.client.ClientView;
-import carom.client.ClientView.Drawn;
-import carom.client.ConnectionPhase;
 import carom.client.GameClient;
 import carom.client.InputSource;
+import carom.client.desktop.game.GamePicture;
+import carom.client.desktop.hud.Hud;
+import carom.client.desktop.hud.NetGraph;
+import carom.client.desktop.paint.Canvas;
+import carom.client.desktop.paint.Fonts;
+import carom.client.desktop.sound.EventSounds;
+import carom.client.link.ConnectionPhase;
+import carom.client.view.ClientView;
+import carom.client.view.ClientView.Drawn;
 import carom.sim.Input;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;
 import com.badlogic.gdx.InputAdapter;
 import com.badlogic.gdx.ScreenAdapter;
+import com.badlogic.gdx.graphics.OrthographicCamera;
 
 /**
- * One visit to a server, from connecting to leaving: drives the client, draws its view, plays the
- * devices. Render thread only.
+ * One visit to a server, from connecting to leaving: updates the client, draws its view and samples
+ * the devices. Render thread only.
  */
 final class GameScreen extends ScreenAdapter {
-  /** Told when the visit is over. */
+  /** Receives the end of the visit. */
   interface Exit {
     /**
      * The player left, or can't stay.
@@ -40,12 +47,12 @@ final class GameScreen extends ScreenAdapter {
     netGraph = new NetGraph(canvas, picture.hud(), fonts);
   }
 
-  /** The devices, as a source of input for a client that is drawn here. */
+  /** Returns the devices as a source of input. */
   InputSource devices() {
     return (view, tick, out) -> sample(view, out);
   }
 
-  /** Hands in the client to drive; it is closed with this screen. */
+  /** Sets the client to update; it is closed with this screen. */
   void client(GameClient client) {
     this.client = client;
     client.events(picture.events(client.view()));
@@ -56,7 +63,7 @@ final class GameScreen extends ScreenAdapter {
     showNetGraph = shown;
   }
 
-  /** Shows or hides what the physics sees. */
+  /** Shows or hides the debug layers. */
   void debug(boolean shown) {
     picture.debug(shown);
   }
@@ -105,7 +112,8 @@ final class GameScreen extends ScreenAdapter {
     Hud hud = picture.hud();
     picture.draw(view, Gdx.input.isKeyPressed(Keys.TAB), nowNs, deltaSeconds);
     if (view.level() != null) {
-      picture.camera().tell(client);
+      OrthographicCamera shown = picture.camera().gdx();
+      client.look(shown.position.x, shown.position.y, shown.viewportWidth, shown.viewportHeight);
     }
     if (view.phase() != ConnectionPhase.PLAYING) {
       hud.phase(view);

@@ -1,6 +1,12 @@
 package carom.client.desktop;
 
-import carom.client.ReplayClient;
+import carom.client.desktop.game.GamePicture;
+import carom.client.desktop.hud.Hud;
+import carom.client.desktop.paint.Canvas;
+import carom.client.desktop.paint.Fonts;
+import carom.client.desktop.paint.Theme;
+import carom.client.desktop.sound.EventSounds;
+import carom.client.replay.ReplayClient;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.Input.Keys;
 import com.badlogic.gdx.InputAdapter;
@@ -8,7 +14,7 @@ import com.badlogic.gdx.ScreenAdapter;
 import java.io.IOException;
 import java.util.Locale;
 
-/** A recorded game in the window, with the keys of a video player. Render thread only. */
+/** Shows a recorded game, with the keys of a video player. Render thread only. */
 final class ReplayScreen extends ScreenAdapter {
   private static final float PAD = 12;
   private static final int JUMP_SECONDS = 5;
@@ -23,8 +29,10 @@ final class ReplayScreen extends ScreenAdapter {
   private final Runnable exit;
 
   /**
+   * Creates a screen.
+   *
    * @param client closed with this screen
-   * @param heading what is looked at, in a word
+   * @param heading names what is shown, in a word
    */
   ReplayScreen(
       Canvas canvas,
@@ -41,7 +49,7 @@ final class ReplayScreen extends ScreenAdapter {
     client.events(picture.events(client.view()));
   }
 
-  /** Shows or hides what the physics sees. */
+  /** Shows or hides the debug layers. */
   void debug(boolean shown) {
     picture.debug(shown);
   }

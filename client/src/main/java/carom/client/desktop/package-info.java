@@ -1,14 +1,18 @@
 /**
- * The window: drawing, devices, screens. The only home of the window toolkit (libGDX).
+ * The window of a client: the application, its screens and the input devices.
  *
- * <p>It reads a {@code ClientView} once per frame and hands the player's input back; it never
- * touches the simulation, the link or the decoder. May use {@code carom.client}, {@code carom.sim}
- * and {@code carom.physics} for what it draws.
+ * <p>This package and its subpackages are the only home of the window toolkit (libGDX). A screen
+ * reads a {@code ClientView} once per frame and hands the player's input back. It never touches the
+ * simulation, the link or the decoder. All classes run on the render thread.
  *
- * <p>{@code SceneScreen} is the exception: it looks at a scene of {@code carom.sim.scene}, and
- * steps it itself.
+ * <pre>
+ * desktop ──► game ──┬─► hud ──► paint
+ *         ──► scene ─┘
+ *         ──► sound ◄── game
+ * </pre>
  *
- * <p>Read first: {@link carom.client.desktop.DesktopLauncher}, {@link
- * carom.client.desktop.GameScreen}, {@link carom.client.desktop.WorldPainter}.
+ * <p>Imports {@code carom.client..}, {@code carom.net.transport}, {@code carom.net.kryo} and {@code
+ * carom.sim}. Read first: {@link carom.client.desktop.DesktopLauncher}, {@link
+ * carom.client.desktop.CaromWindow}, {@link carom.client.desktop.GameScreen}.
  */
 package carom.client.desktop;

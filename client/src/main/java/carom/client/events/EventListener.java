@@ -2,24 +2,24 @@ package carom.client.events;
 
 import carom.sim.Event;
 
-/** Hears what happens in the game, each thing once, on the client's thread. */
+/** Receives the events of a game, each one once. Called on the client's thread. */
 public interface EventListener {
-  /** Hears nothing. */
-  EventListener NONE = (event, foreseen) -> {};
+  /** Ignores all events. */
+  EventListener NONE = (event, predicted) -> {};
 
   /**
-   * Something happens now.
+   * An event happens now.
    *
    * @param event valid during the call only
-   * @param foreseen whether it is the own player's, predicted, and not confirmed by the server yet
+   * @param predicted whether the event is the own player's and the server has not confirmed it yet
    */
-  void happened(Event event, boolean foreseen);
+  void happened(Event event, boolean predicted);
 
   /**
-   * Something foreseen did not happen: the server has told everything up to then and a little
-   * beyond, and it wasn't among it.
+   * A predicted event did not happen: the server has sent all events up to its tick and a little
+   * beyond, and it was not among them.
    *
-   * @param event as it was foreseen; valid during the call only
+   * @param event as it was predicted; valid during the call only
    */
   default void retracted(Event event) {}
 }

@@ -1,6 +1,9 @@
 /**
- * What happens in the game, each thing once: {@link carom.client.events.EventBook} fires what the
- * own player's prediction foresees at once, what the server tells when the picture shows it, and
- * takes back what never came.
+ * Events of a game on the client: each one fires once, although the prediction may compute it
+ * several times and the server sends it, too.
+ *
+ * <p>Imports {@code carom.sim}. One thread. Read first: {@link
+ * carom.client.events.EventReconciler}, {@link carom.client.events.EventListener}, {@link
+ * carom.client.events.RepeatedEventFilter}.
  */
 package carom.client.events;

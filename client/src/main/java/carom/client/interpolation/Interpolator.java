@@ -1,39 +1,38 @@
 package carom.client.interpolation;
 
 /**
- * Draws a smooth way through the states that arrived.
+ * Interpolates a smooth path through the states that arrived.
  *
  * <ul>
  *   <li>Between two states: the cubic Hermite curve through both positions with both velocities. It
  *       is exact for constant velocity and constant acceleration, and has no corners at the states.
- *   <li>Where the curve would swing out, because a velocity and the way don't belong together (a
- *       bounce in between), the straight line.
- *   <li>At a teleport, which the server marks, and at a state that needs a speed far above both
- *       velocities: the old place until its tick, then the new one. Nothing slides across the
- *       screen.
- *   <li>After the newest state a guess: straight on for {@value #STRAIGHT_MS} ms, then ever slower,
- *       until after {@value #EXTRAPOLATION_MS} ms it stands still. Longer guesses run through
- *       walls.
- *   <li>Before the first state there is nothing: an entity exists on screen from the tick on at
- *       which it existed on the server, and is gone from the tick on at which it was gone there.
+ *   <li>Where velocities and positions don't fit, because of a bounce in between: the straight
+ *       line. The curve would swing out.
+ *   <li>At a teleport, which the server marks, and at a jump that the velocities don't explain: the
+ *       old place until the new state's tick. Nothing slides across the screen.
+ *   <li>After the newest state: extrapolation, straight on for {@value #STRAIGHT_MS} ms, then ever
+ *       slower. After {@value #EXTRAPOLATION_MS} ms the body stands still, because longer guesses
+ *       run through walls.
+ *   <li>Before the first state: nothing. An entity appears and disappears at the ticks at which it
+ *       did on the server.
  * </ul>
  *
  * One thread; allocates nothing.
  */
 public final class Interpolator {
-  /** Longest guess beyond the newest state, milliseconds. */
+  /** Longest extrapolation beyond the newest state, milliseconds. */
   public static final int EXTRAPOLATION_MS = 250;
 
-  /** So long a guess keeps its speed, milliseconds. */
+  /** Time for which an extrapolation keeps its speed, milliseconds. */
   public static final int STRAIGHT_MS = 100;
 
-  /** In place of a tick: there is none. */
+  /** Takes the place of a tick where there is none. */
   public static final int NONE = -1;
 
-  /** A jump is a teleport when longer than this many times what the velocities explain. */
+  /** Distance, relative to what the velocities explain, beyond which a jump is a teleport. */
   private static final float TELEPORT_FACTOR = 3;
 
-  /** Metres always allowed without being a teleport. */
+  /** Distance that never is a teleport, metres. */
   private static final float TELEPORT_METRES = 1;
 
   private static final float STRAIGHT_SECONDS = STRAIGHT_MS * 1e-3f;
@@ -53,15 +52,14 @@ public final class Interpolator {
   }
 
   /**
-   * Where the slot's entity was.
+   * Finds where the entity of a slot was at a moment.
    *
-   * @param states what is known
+   * @param states the known states
    * @param renderTick moment to draw, in ticks of the server
-   * @param out receives the pose; unchanged when the answer is negative
-   * @return index of the state the entity was last in at that moment, or -1 when it did not exist
-   *     then
+   * @param out receives the pose; unchanged if the result is negative
+   * @return index of the last state before that moment, or -1 if the entity did not exist then
    */
-  public int sample(States states, double renderTick, Pose out) {
+  public int sample(StateHistory states, double renderTick, Pose out) {
     int size = states.size();
     int from = 0;
     while (from < size && states.tick(from) > renderTick) {
@@ -84,17 +82,17 @@ public final class Interpolator {
     return from;
   }
 
-  /** Tick of the state before the last {@link #sample} that found one. */
+  /** Returns the tick of the state before the moment of the last successful {@link #sample}. */
   public int fromTick() {
     return fromTick;
   }
 
-  /** Tick of the state behind the last {@link #sample}; {@link #NONE}: it was a guess. */
+  /** Returns the tick of the state after that moment; {@link #NONE} if it was extrapolated. */
   public int toTick() {
     return toTick;
   }
 
-  private boolean teleports(States states, int from, int to) {
+  private boolean teleports(StateHistory states, int from, int to) {
     if (states.teleports(from) != states.teleports(to)) {
       return true;
     }
@@ -105,7 +103,7 @@ public final class Interpolator {
     return way > TELEPORT_METRES + TELEPORT_FACTOR * fastest * seconds;
   }
 
-  private void extrapolate(States states, int index, double ticks, Pose out) {
+  private void extrapolate(StateHistory states, int index, double ticks, Pose out) {
     float ahead = (float) (ticks * tickSeconds);
     float faded = Math.max(0, Math.min(FADE_SECONDS, ahead - STRAIGHT_SECONDS));
     float left = 1 - faded / FADE_SECONDS;
@@ -122,7 +120,7 @@ public final class Interpolator {
         omega * left);
   }
 
-  private void hermite(States states, int from, int to, double renderTick, Pose out) {
+  private void hermite(StateHistory states, int from, int to, double renderTick, Pose out) {
     int ticks = states.tick(to) - states.tick(from);
     float seconds = ticks * tickSeconds;
     float t = (float) ((renderTick - states.tick(from)) / ticks);
@@ -135,7 +133,7 @@ public final class Interpolator {
     float dx = states.x(to) - x0;
     float dy = states.y(to) - y0;
     // A velocity that differs from the mean one by more than twice its size belongs to another
-    // movement than the way; slowly moving, coarsely quantised bodies get some slack.
+    // motion. Slow, coarsely quantised bodies get some slack.
     float slack = 0.05f + 2 * length(dx, dy) / seconds;
     if (length(vx0 - dx / seconds, vy0 - dy / seconds) > slack
         || length(vx1 - dx / seconds, vy1 - dy / seconds) > slack) {
@@ -152,7 +150,7 @@ public final class Interpolator {
     float omega0 = states.omega(from);
     float omega1 = states.omega(to);
     float angle0 = states.angle(from);
-    // Angles are known modulo a turn: of all ways, the one nearest to what the spin explains.
+    // Angles are known modulo a turn. Takes the turn nearest to what the spin explains.
     float spun = (omega0 + omega1) * 0.5f * seconds;
     float turn = spun + Pose.wrap(states.angle(to) - angle0 - spun);
     if (Math.abs(omega0 * seconds - turn) > 0.1f + 2 * Math.abs(turn)
@@ -164,7 +162,10 @@ public final class Interpolator {
     out.omega = omega0 + (omega1 - omega0) * t;
   }
 
-  /** Cubic with value 0 and slope {@code m0} at 0, value {@code d} and slope {@code m1} at 1. */
+  /**
+   * Evaluates the cubic with value 0, slope {@code m0} at 0 and value {@code d}, slope {@code m1}
+   * at 1.
+   */
   private static float curve(float t, float d, float m0, float m1) {
     return t * (m0 + t * (3 * d - 2 * m0 - m1 + t * (m0 + m1 - 2 * d)));
   }

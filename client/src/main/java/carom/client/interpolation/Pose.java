@@ -1,23 +1,23 @@
 package carom.client.interpolation;
 
-/** Where something is drawn and how it moves. Mutable, reused. */
+/** A position, an angle and their velocities. Mutable, reused. */
 public final class Pose {
-  /** Body origin, metres. */
+  /** X of the body origin, metres. */
   public float x;
 
-  /** Body origin, metres. */
+  /** Y of the body origin, metres. */
   public float y;
 
   /** Angle, radians counter-clockwise, any number of turns. */
   public float angle;
 
-  /** Velocity, metres per second. */
+  /** X of the velocity, m/s. */
   public float vx;
 
-  /** Velocity, metres per second. */
+  /** Y of the velocity, m/s. */
   public float vy;
 
-  /** Angular velocity, radians per second. */
+  /** Angular velocity, rad/s. */
   public float omega;
 
   /** Creates a pose at the origin, at rest. */
@@ -48,7 +48,7 @@ public final class Pose {
     omega += (other.omega - omega) * share;
   }
 
-  /** An angle difference the short way round, -pi..pi. */
+  /** Returns an angle difference the short way round, -pi..pi. */
   public static float wrap(float radians) {
     double turns = radians / (2 * Math.PI);
     return (float) ((turns - Math.rint(turns)) * 2 * Math.PI);

@@ -1,19 +1,21 @@
 package carom.client.interpolation;
 
 /**
- * What a correction moved a body by, still shown and fading: the state jumps at once, the picture
- * glides after it. The offset shrinks by a factor of e each {@value #FADE_MS} ms; three metres, the
- * farthest that glides, are below a centimetre after 250 ms; what is farther is shown at once.
- * Mutable; one body's.
+ * The offset between the drawn pose and the corrected state of a body. A correction changes the
+ * state at once; the picture follows smoothly while this offset fades.
+ *
+ * <p>The offset shrinks by a factor of e every {@value #FADE_MS} ms: three metres are below a
+ * centimetre after 250 ms. A larger offset is dropped, so that the picture jumps. Mutable; one
+ * body's.
  */
 public final class VisualError {
   /** Time in which an offset shrinks by a factor of e, milliseconds. */
   public static final int FADE_MS = 42;
 
-  /** Farther than this a glide would look like flying. */
+  /** Largest offset, metres. A longer glide would look like flying. */
   private static final float SNAP_METRES = 3;
 
-  /** Less than that nobody sees. */
+  /** Smallest offset, metres; a player wouldn't see less. */
   private static final float LEAST_METRES = 1e-4f;
 
   private static final float LEAST_RADIANS = 1e-4f;
@@ -22,17 +24,17 @@ public final class VisualError {
   private float y;
   private float angle;
 
-  /** Creates none. */
+  /** Creates an offset of 0. */
   public VisualError() {}
 
-  /** Nothing is left of it: what follows is shown where it is. */
+  /** Sets the offset to 0. */
   public void clear() {
     x = 0;
     y = 0;
     angle = 0;
   }
 
-  /** The body jumped by the negative of this. */
+  /** Adds to the offset: the body jumped by the negative of this. */
   public void add(float dx, float dy, float dAngle) {
     x += dx;
     y += dy;
@@ -42,7 +44,7 @@ public final class VisualError {
     }
   }
 
-  /** Lets time pass. */
+  /** Lets the offset fade. */
   public void fade(float seconds) {
     if (x == 0 && y == 0 && angle == 0) {
       return;
@@ -56,14 +58,14 @@ public final class VisualError {
     }
   }
 
-  /** Moves a pose by what is left. */
+  /** Adds the offset to a pose. */
   public void addTo(Pose pose) {
     pose.x += x;
     pose.y += y;
     pose.angle += angle;
   }
 
-  /** How far it is, metres. */
+  /** Returns the length of the offset, metres. */
   public float metres() {
     return (float) Math.sqrt(x * x + y * y);
   }

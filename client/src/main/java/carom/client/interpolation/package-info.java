@@ -1,8 +1,9 @@
 /**
- * Where a body was at a moment of the server's past, from the states that arrived around it.
+ * Interpolation: where a body was at a moment of the server's past, from the states that arrived
+ * around it.
  *
- * <p>May use {@code carom.net.snapshot} and {@code carom.net.codec}. One thread, no allocation.
+ * <p>Imports {@code carom.net.snapshot} and {@code carom.net.codec}. One thread, no allocation.
  * Read first: {@link carom.client.interpolation.Interpolator}, {@link
- * carom.client.interpolation.States}, {@link carom.client.interpolation.Pose}.
+ * carom.client.interpolation.StateHistory}, {@link carom.client.interpolation.Pose}.
  */
 package carom.client.interpolation;

@@ -1,11 +1,19 @@
 package carom.client.prediction;
 
-import carom.net.snapshot.NearState;
+import carom.net.snapshot.exact.NearState;
 import java.util.Arrays;
 
 /**
- * An update of what is near, put together from the parts that snapshots bring, in any order. One
- * thread; allocates only to grow.
+ * One update of exact states, assembled from the parts that snapshots bring in any order.
+ *
+ * <p>It lists all entities near the own body at its base tick. Entities that are new or wrong come
+ * with their state; the others are only listed. One thread; allocates only to grow.
+ *
+ * <pre>
+ * EMPTY ── add (newer base tick) ──► COLLECTING ── last row ──► READY ── use ──► USED
+ *                                        ▲                                        │
+ *                                        └────────── add (newer base tick) ───────┘
+ * </pre>
  */
 final class NearUpdate {
   private static final int STRIDE = Math.max(NearState.ENTITY_INTS, NearState.CONTACT_INTS);
@@ -13,11 +21,11 @@ final class NearUpdate {
   private int baseTick = -1;
   private final int[] keys = new int[NearState.MAX_ENTITIES];
 
-  /** By place in the list: which of the told entities it is, or -1. */
-  private final int[] toldAs = new int[NearState.MAX_ENTITIES];
+  /** By place in the list: index of the entity's state, or -1 if it comes without one. */
+  private final int[] stateOf = new int[NearState.MAX_ENTITIES];
 
   private int count;
-  private int told;
+  private int states;
   private int total;
   private int missing;
   private boolean[] has = {};
@@ -31,13 +39,13 @@ final class NearUpdate {
     used = true;
   }
 
-  /** Whether a snapshot belongs to a later update than this. */
+  /** Returns whether the near section of a snapshot belongs to a later update than this. */
   boolean isFollowedBy(NearState near, int tick) {
     return near.present() && near.updating() && tick - near.age() > baseTick;
   }
 
-  /** Takes what a snapshot brings. */
-  void hear(NearState near, int tick) {
+  /** Adds the rows that a snapshot brings. A newer update replaces this one. */
+  void add(NearState near, int tick) {
     if (!near.present() || !near.updating()) {
       return;
     }
@@ -65,12 +73,12 @@ final class NearUpdate {
     for (int i = 0; i < count; i++) {
       keys[i] = near.key(i);
     }
-    told = near.toldCount();
-    Arrays.fill(toldAs, -1);
-    for (int i = 0; i < told; i++) {
-      toldAs[near.told(i)] = i;
+    states = near.toldCount();
+    Arrays.fill(stateOf, -1);
+    for (int i = 0; i < states; i++) {
+      stateOf[near.told(i)] = i;
     }
-    total = Math.max(told, near.totalRows());
+    total = Math.max(states, near.totalRows());
     missing = total;
     if (has.length < total) {
       has = new boolean[Math.max(2 * has.length, total)];
@@ -79,28 +87,28 @@ final class NearUpdate {
     Arrays.fill(has, 0, total, false);
   }
 
-  /** Whether all of an update is here that was not used yet. */
+  /** Returns whether the update is complete and was not used yet. */
   boolean isReady() {
     return !used && baseTick >= 0 && missing == 0;
   }
 
-  /** It is used now, or of no use. */
+  /** Marks the update as used, or as of no use. */
   void use() {
     used = true;
   }
 
-  /** The tick whose state it tells. */
+  /** Returns the tick after which the states are valid. */
   int baseTick() {
     return baseTick;
   }
 
-  /** Whether nothing is left of what was near before. */
-  boolean tellsAll() {
-    return told == count;
+  /** Returns whether every listed entity comes with its state. */
+  boolean isWhole() {
+    return states == count;
   }
 
-  /** Whether an entity is near. */
-  boolean lists(int key) {
+  /** Returns whether an entity is listed. */
+  boolean contains(int key) {
     for (int i = 0; i < count; i++) {
       if (keys[i] == key) {
         return true;
@@ -109,36 +117,37 @@ final class NearUpdate {
     return false;
   }
 
-  /** Entities near. */
+  /** Returns the number of listed entities. */
   int count() {
     return count;
   }
 
-  /** Key of an entity. */
+  /** Returns the key of a listed entity. */
   int key(int index) {
     return keys[index];
   }
 
-  /** Whether an entity's state is told. */
-  boolean isTold(int index) {
-    return toldAs[index] >= 0;
+  /** Returns whether a listed entity comes with its state. */
+  boolean hasState(int index) {
+    return stateOf[index] >= 0;
   }
 
-  /** Where a told entity's row begins in {@link #rows}. */
+  /** Returns where the row of a listed entity begins in {@link #rows}. */
   int entityAt(int index) {
-    return toldAs[index] * STRIDE;
+    return stateOf[index] * STRIDE;
   }
 
-  /** Contacts told. */
+  /** Returns the number of contacts. */
   int contacts() {
-    return total - told;
+    return total - states;
   }
 
-  /** Where a contact's row begins in {@link #rows}. */
+  /** Returns where the row of a contact begins in {@link #rows}. */
   int contactAt(int index) {
-    return (told + index) * STRIDE;
+    return (states + index) * STRIDE;
   }
 
+  /** Returns the rows of entities and contacts. */
   int[] rows() {
     return rows;
   }

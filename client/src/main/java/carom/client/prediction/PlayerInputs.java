@@ -1,23 +1,23 @@
 package carom.client.prediction;
 
-import carom.net.snapshot.RelayedInputs;
+import carom.net.snapshot.relay.RelayedInputs;
 import carom.sim.Input;
 import carom.sim.Player;
 import carom.sim.Simulation;
 import java.util.Arrays;
 
 /**
- * What players do in each tick: the own inputs as they were given, those of others as the server
- * relayed them, or as foreseen until it does. One prediction's; allocates once for each other
- * player.
+ * The inputs of all players by tick: the own ones as they were sampled, those of others as the
+ * server relayed them, and predicted ones until it does. One prediction's; allocates once for each
+ * other player.
  */
 final class PlayerInputs {
-  /** For how long a player's last known input is repeated, fading. */
+  /** Time for which a player's last known input is repeated, fading, ticks. */
   private static final int REPEAT_TICKS = 30;
 
   private final Simulation simulation;
   private final Player player;
-  private final Records records;
+  private final SnapshotRecords records;
   private final int mask;
   private final long[] own;
   private final int[] ownTick;
@@ -25,16 +25,16 @@ final class PlayerInputs {
   private int first = Integer.MAX_VALUE;
   private int newest = -1;
 
-  /** By player: the input each tick was computed with; null for who was never near. */
+  /** By player: the input each tick was simulated with; null for a player that was never near. */
   private final long[][] used = new long[Simulation.MAX_PLAYERS][];
 
   /**
-   * Knows nothing yet.
+   * Creates an empty history.
    *
    * @param player the own one
-   * @param ticks kept; a power of two
+   * @param ticks to keep; a power of two
    */
-  PlayerInputs(Simulation simulation, Player player, Records records, int ticks) {
+  PlayerInputs(Simulation simulation, Player player, SnapshotRecords records, int ticks) {
     this.simulation = simulation;
     this.player = player;
     this.records = records;
@@ -44,7 +44,7 @@ final class PlayerInputs {
     Arrays.fill(ownTick, -1);
   }
 
-  /** Notes the own input of a tick. */
+  /** Stores the own input of a tick. */
   void put(int tick, long input) {
     own[tick & mask] = input;
     ownTick[tick & mask] = tick;
@@ -53,28 +53,28 @@ final class PlayerInputs {
     newest = Math.max(newest, tick);
   }
 
-  /** Whether the own input of that very tick was given. */
+  /** Returns whether the own input of exactly this tick was sampled. */
   boolean has(int tick) {
     return ownTick[tick & mask] == tick;
   }
 
-  /** The own input of a tick; one that wasn't given counts as the last one. */
+  /** Returns the own input of a tick; for a tick without one, the last input. */
   long at(int tick) {
     return has(tick) ? own[tick & mask] : tick < first ? 0 : last;
   }
 
-  /** The newest tick with an own input, or -1. */
+  /** Returns the newest tick with an own input, or -1. */
   int newest() {
     return newest;
   }
 
   /**
-   * Steers all players for a tick.
+   * Sets the inputs of all players for a tick.
    *
    * @param input the own one
-   * @param again whether others do what they did when the tick was computed last
+   * @param repeat whether others get the inputs with which the tick was simulated before
    */
-  void steer(int tick, long input, boolean again) {
+  void apply(int tick, long input, boolean repeat) {
     player.input().unpack(input);
     for (int id = 0; id < simulation.playerCapacity(); id++) {
       Player other = simulation.player(id);
@@ -83,18 +83,18 @@ final class PlayerInputs {
       }
       if (used[id] == null) {
         used[id] = new long[mask + 1];
-      } else if (again) {
+      } else if (repeat) {
         other.input().unpack(used[id][tick & mask]);
         continue;
       }
-      long foreseen = foresee(id, tick);
-      other.input().unpack(foreseen);
-      used[id][tick & mask] = foreseen;
+      long best = relayedOrPredicted(id, tick);
+      other.input().unpack(best);
+      used[id][tick & mask] = best;
     }
   }
 
-  /** What a player did, or probably does: what it did last, and a little less each tick. */
-  private long foresee(int id, int tick) {
+  /** Returns a relayed input or, before it arrives, the last one known, fading tick by tick. */
+  private long relayedOrPredicted(int id, int tick) {
     RelayedInputs relayed = records.inputs();
     if (relayed.knows(id, tick)) {
       return relayed.at(id, tick);
@@ -104,10 +104,10 @@ final class PlayerInputs {
   }
 
   /**
-   * Whether a tick was computed with what all players with a body really did, as far as it is known
-   * by now: nothing was foreseen.
+   * Returns whether a tick was simulated with the real inputs of all players that have a body, as
+   * far as they are known by now: none of them was predicted.
    */
-  boolean areTrue(int tick) {
+  boolean areConfirmed(int tick) {
     RelayedInputs relayed = records.inputs();
     for (int id = 0; id < simulation.playerCapacity(); id++) {
       Player other = simulation.player(id);
@@ -123,8 +123,14 @@ final class PlayerInputs {
     return has(tick);
   }
 
-  /** The first tick in which a player did something else than was foreseen; huge when none. */
-  int firstWrong(int after, int upTo) {
+  /**
+   * Returns the first tick that was simulated with a mispredicted input.
+   *
+   * @param after tick before the first one to look at
+   * @param upTo last tick to look at
+   * @return the tick, or {@link Integer#MAX_VALUE} if there is none
+   */
+  int firstMispredicted(int after, int upTo) {
     RelayedInputs relayed = records.inputs();
     int first = Integer.MAX_VALUE;
     for (int id = 0; id < simulation.playerCapacity(); id++) {

@@ -1,10 +1,10 @@
 /**
- * The present, foreseen: a simulation of the own body and what it may touch, run ahead of the
- * server and set right when the server says otherwise.
+ * Client-side prediction: a simulation of the own body and the bodies near it, run ahead of the
+ * server and reconciled with the server's states.
  *
- * <p>May use {@code carom.sim}, {@code carom.physics}, {@code carom.net.snapshot}, {@code
+ * <p>Imports {@code carom.sim}, {@code carom.physics..}, {@code carom.net.snapshot}, {@code
  * carom.net.codec} and {@code carom.client.interpolation}. One thread. Read first: {@link
- * carom.client.prediction.Prediction}, {@link carom.client.prediction.Neighbour}, {@link
- * carom.client.prediction.Mending}.
+ * carom.client.prediction.Prediction}, {@link carom.client.prediction.Reconciler}, {@link
+ * carom.client.prediction.Timeline}.
  */
 package carom.client.prediction;

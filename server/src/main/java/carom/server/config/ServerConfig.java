@@ -2,51 +2,49 @@ package carom.server.config;
 
 import carom.net.protocol.Limits;
 import carom.physics.threads.WorkerThreads;
+import carom.values.Records;
 import java.util.Objects;
-import java.util.function.Consumer;
 
 /**
- * Every setting of a server. Immutable; a value outside its range is refused when the record is
- * built, with a message that names the setting, the value, the limits and where to set it.
+ * Every setting of a server. Immutable; start from {@link #defaults()}. A value outside its range
+ * is refused with a message that names the setting, the value, the limits and where to set it.
  *
- * <p>Start from {@link #defaults()} and change single settings with the {@code with...} methods.
- *
- * @param gameName name of the game to run; the names are those of {@code carom.game.Games}
+ * @param gameName name of the game to run, one of those of {@code carom.game.Games}
  * @param serverName what players and log lines call this server, 1..40 characters
- * @param tickRateHz simulation steps per second, 10..240. 60 fits most games; each session costs
+ * @param tickRateHz simulation steps per second, 10..240. 60 fits most games. Each session costs
  *     one datagram per tick in both directions
- * @param seed start of the first room's random numbers, each further room's is one higher; the same
+ * @param seed start of the first room's random numbers. Each further room's is one higher. The same
  *     seed and the same inputs give the same game
- * @param rooms how many rooms play at once, 1..64: each is a world, a set of players and a thread
- *     of its own, all with the same game and level
+ * @param rooms how many rooms play at once, 1..64. Each has a world, players and a thread of its
+ *     own; all have the same game and level
  * @param threads how many threads may step one world together, 1..64: the room's own, and helpers
- *     that all rooms share. 1 has no helpers. They pay for worlds of a thousand bodies and more,
+ *     that all rooms share. 1 has no helpers. Helpers pay for worlds of a thousand bodies and more,
  *     and change no result
- * @param maxPlayers seats of each room, 1..1,024 (the protocol numbers players in 10 bits); whoever
- *     finds all rooms full is refused politely. All rooms together have at most 4,096 seats
+ * @param maxPlayers seats of each room, 1..1,024 because the protocol numbers players in 10 bits;
+ *     at most 4,096 in all rooms together. A player who finds all rooms full is politely refused
  * @param handshakeTimeoutMs how long a link may take from its opening to a valid Hello, and how
- *     long a refused one may linger until its refusal is delivered, 100..60,000
- * @param loadTimeoutMs how long a player may take from Welcome to Ready, 100..600,000: a slow
- *     machine on a slow line pulls the level in this time
+ *     long a refused one may stay open until its refusal is delivered, 100..60,000
+ * @param loadTimeoutMs how long a player may take from Welcome to Ready, 100..600,000; a slow
+ *     machine on a slow line receives the level in this time
  * @param silenceTimeoutMs how long a playing session may stay silent (no datagram, no message)
- *     until its link counts as lost, 500..60,000; time for which the server itself stood still, and
- *     dropped ticks, doesn't count
+ *     until its link counts as lost, 500..60,000. Dropped ticks and time for which the server
+ *     itself stood still don't count
  * @param graceMs how long the body of a lost player waits for its owner, 0..600,000; 0 removes it
  *     at once
- * @param catchUpTicks ticks that may be made good in one burst after a pause, 1..60; a quarter of a
- *     second at 60 Hz bridges a collector's pause or a busy machine's hiccup. What lies further
- *     behind is dropped and counted, so that a long pause can't snowball
- * @param inputWindowTicks how far ahead of the newest consumed tick an input may lie, 4..64; inputs
+ * @param catchUpTicks ticks that may be caught up in one burst after a pause, 1..60. A quarter of a
+ *     second bridges a pause of the garbage collector or of a busy machine. Older ticks are dropped
+ *     and counted, so that a long pause can't snowball
+ * @param inputWindowTicks how far ahead of the newest consumed tick an input may lie, 4..64. Inputs
  *     beyond are refused and counted
- * @param inputHoldTicks how long the last input is repeated when none arrives, 0..240, until the
- *     player counts as neutral (half a second at 60 Hz)
+ * @param inputHoldTicks for how many ticks the last input is repeated when none arrives, 0..240.
+ *     Then the player counts as neutral
  * @param snapshotRateHz snapshots per second and session while something moves, 1..240, at most one
  *     per tick
- * @param keepAliveRateHz datagrams per second and session while nothing is new, 1..60: acks, clock
- *     and RTT live on them
+ * @param keepAliveRateHz datagrams per second and session while nothing is new, 1..60. Acks, the
+ *     clock and the round trip time depend on them
  * @param snapshotBitsPerSecond budget of one session's snapshots, bits of payload, 16,000 to
- *     80,000,000; what does not fit waits and collects priority
- * @param viewMetres largest half width and half height of what a player is told about, 0..4,096; in
+ *     80,000,000. Entities that don't fit wait and collect priority
+ * @param viewMetres largest half width and half height of what a player is told about, 0..4,096. In
  *     levels that are no larger everything is in sight. 0 = 64, and everything in small worlds
  * @param rosterIntervalMs shortest time between two rosters (names and scores), 0..10,000
  * @param statusIntervalS seconds between two status lines in the log, 0..86,400; 0 = none
@@ -76,7 +74,11 @@ public record ServerConfig(
   private static final int MAX_SERVER_NAME = 40;
   private static final int MAX_PLACES = 4_096;
 
-  /** Checks every setting; throws {@link IllegalArgumentException} for the first bad one. */
+  /**
+   * Checks every setting.
+   *
+   * @throws IllegalArgumentException names the first setting that is out of range
+   */
   public ServerConfig {
     Objects.requireNonNull(gameName, "gameName");
     Objects.requireNonNull(serverName, "serverName");
@@ -124,197 +126,138 @@ public record ServerConfig(
     }
   }
 
-  /** The settings of a server that is started without any flag. */
+  /** Returns the settings of a server that is started without any flag. */
   public static ServerConfig defaults() {
     return new ServerConfig(
-        "arena", "Carom", 60, 1, 1, 1, 64, 5_000, 20_000, 6_000, 30_000, 15, 32, 30, 60, 6, 512_000,
-        0, 250, 60);
+        /* gameName= */ "arena",
+        /* serverName= */ "Carom",
+        /* tickRateHz= */ 60,
+        /* seed= */ 1,
+        /* rooms= */ 1,
+        /* threads= */ 1,
+        /* maxPlayers= */ 64,
+        /* handshakeTimeoutMs= */ 5_000,
+        /* loadTimeoutMs= */ 20_000,
+        /* silenceTimeoutMs= */ 6_000,
+        /* graceMs= */ 30_000,
+        /* catchUpTicks= */ 15,
+        /* inputWindowTicks= */ 32,
+        /* inputHoldTicks= */ 30,
+        /* snapshotRateHz= */ 60,
+        /* keepAliveRateHz= */ 6,
+        /* snapshotBitsPerSecond= */ 512_000,
+        /* viewMetres= */ 0,
+        /* rosterIntervalMs= */ 250,
+        /* statusIntervalS= */ 60);
   }
 
-  /** Nanoseconds of one tick, rounded down; use a tick loop for exact deadlines. */
+  /** Returns the nanoseconds of one tick, rounded down; use a tick loop for exact deadlines. */
   public long tickNs() {
     return 1_000_000_000L / tickRateHz;
   }
 
-  /** Places of all rooms together. */
+  /** Returns the seats of all rooms together. */
   public int places() {
     return rooms * maxPlayers;
   }
 
-  /** A copy that runs the game of this name. */
+  /** Returns a copy that runs the game of this name. */
   public ServerConfig withGameName(String value) {
-    return with(draft -> draft.gameName = value);
+    return Records.with(this, "gameName", value);
   }
 
-  /** A copy with this server name. */
+  /** Returns a copy with this server name. */
   public ServerConfig withServerName(String value) {
-    return with(draft -> draft.serverName = value);
+    return Records.with(this, "serverName", value);
   }
 
-  /** A copy with this many ticks per second. */
+  /** Returns a copy with this many ticks per second. */
   public ServerConfig withTickRateHz(int value) {
-    return with(draft -> draft.tickRateHz = value);
+    return Records.with(this, "tickRateHz", value);
   }
 
-  /** A copy with this seed. */
+  /** Returns a copy with this seed. */
   public ServerConfig withSeed(long value) {
-    return with(draft -> draft.seed = value);
+    return Records.with(this, "seed", value);
   }
 
-  /** A copy with this many rooms. */
+  /** Returns a copy with this many rooms. */
   public ServerConfig withRooms(int value) {
-    return with(draft -> draft.rooms = value);
+    return Records.with(this, "rooms", value);
   }
 
-  /** A copy in which this many threads may step one world together. */
+  /** Returns a copy in which this many threads may step one world together. */
   public ServerConfig withThreads(int value) {
-    return with(draft -> draft.threads = value);
+    return Records.with(this, "threads", value);
   }
 
-  /** A copy with this many seats in each room. */
+  /** Returns a copy with this many seats in each room. */
   public ServerConfig withMaxPlayers(int value) {
-    return with(draft -> draft.maxPlayers = value);
+    return Records.with(this, "maxPlayers", value);
   }
 
-  /** A copy with this handshake deadline. */
+  /** Returns a copy with this handshake deadline. */
   public ServerConfig withHandshakeTimeoutMs(int value) {
-    return with(draft -> draft.handshakeTimeoutMs = value);
+    return Records.with(this, "handshakeTimeoutMs", value);
   }
 
-  /** A copy with this loading deadline. */
+  /** Returns a copy with this loading deadline. */
   public ServerConfig withLoadTimeoutMs(int value) {
-    return with(draft -> draft.loadTimeoutMs = value);
+    return Records.with(this, "loadTimeoutMs", value);
   }
 
-  /** A copy with this silence timeout. */
+  /** Returns a copy with this silence timeout. */
   public ServerConfig withSilenceTimeoutMs(int value) {
-    return with(draft -> draft.silenceTimeoutMs = value);
+    return Records.with(this, "silenceTimeoutMs", value);
   }
 
-  /** A copy with this grace period. */
+  /** Returns a copy with this grace period. */
   public ServerConfig withGraceMs(int value) {
-    return with(draft -> draft.graceMs = value);
+    return Records.with(this, "graceMs", value);
   }
 
-  /** A copy with this catch-up bound. */
+  /** Returns a copy with this catch-up bound. */
   public ServerConfig withCatchUpTicks(int value) {
-    return with(draft -> draft.catchUpTicks = value);
+    return Records.with(this, "catchUpTicks", value);
   }
 
-  /** A copy with this input window. */
+  /** Returns a copy with this input window. */
   public ServerConfig withInputWindowTicks(int value) {
-    return with(draft -> draft.inputWindowTicks = value);
+    return Records.with(this, "inputWindowTicks", value);
   }
 
-  /** A copy with this input hold. */
+  /** Returns a copy with this input hold. */
   public ServerConfig withInputHoldTicks(int value) {
-    return with(draft -> draft.inputHoldTicks = value);
+    return Records.with(this, "inputHoldTicks", value);
   }
 
-  /** A copy with this snapshot rate. */
+  /** Returns a copy with this snapshot rate. */
   public ServerConfig withSnapshotRateHz(int value) {
-    return with(draft -> draft.snapshotRateHz = value);
+    return Records.with(this, "snapshotRateHz", value);
   }
 
-  /** A copy with this keep-alive rate. */
+  /** Returns a copy with this keep-alive rate. */
   public ServerConfig withKeepAliveRateHz(int value) {
-    return with(draft -> draft.keepAliveRateHz = value);
+    return Records.with(this, "keepAliveRateHz", value);
   }
 
-  /** A copy with this snapshot budget. */
+  /** Returns a copy with this snapshot budget. */
   public ServerConfig withSnapshotBitsPerSecond(int value) {
-    return with(draft -> draft.snapshotBitsPerSecond = value);
+    return Records.with(this, "snapshotBitsPerSecond", value);
   }
 
-  /** A copy with this largest view. */
+  /** Returns a copy with this largest view. */
   public ServerConfig withViewMetres(int value) {
-    return with(draft -> draft.viewMetres = value);
+    return Records.with(this, "viewMetres", value);
   }
 
-  /** A copy with this roster interval. */
+  /** Returns a copy with this roster interval. */
   public ServerConfig withRosterIntervalMs(int value) {
-    return with(draft -> draft.rosterIntervalMs = value);
+    return Records.with(this, "rosterIntervalMs", value);
   }
 
-  /** A copy with this status interval. */
+  /** Returns a copy with this status interval. */
   public ServerConfig withStatusIntervalS(int value) {
-    return with(draft -> draft.statusIntervalS = value);
-  }
-
-  private ServerConfig with(Consumer<Draft> change) {
-    Draft draft = new Draft(this);
-    change.accept(draft);
-    return draft.build();
-  }
-
-  /** The settings as variables, so that each {@code with...} method names just its own. */
-  private static final class Draft {
-    private String gameName;
-    private String serverName;
-    private int tickRateHz;
-    private long seed;
-    private int rooms;
-    private int threads;
-    private int maxPlayers;
-    private int handshakeTimeoutMs;
-    private int loadTimeoutMs;
-    private int silenceTimeoutMs;
-    private int graceMs;
-    private int catchUpTicks;
-    private int inputWindowTicks;
-    private int inputHoldTicks;
-    private int snapshotRateHz;
-    private int keepAliveRateHz;
-    private int snapshotBitsPerSecond;
-    private int viewMetres;
-    private int rosterIntervalMs;
-    private int statusIntervalS;
-
-    Draft(ServerConfig from) {
-      gameName = from.gameName;
-      serverName = from.serverName;
-      tickRateHz = from.tickRateHz;
-      seed = from.seed;
-      rooms = from.rooms;
-      threads = from.threads;
-      maxPlayers = from.maxPlayers;
-      handshakeTimeoutMs = from.handshakeTimeoutMs;
-      loadTimeoutMs = from.loadTimeoutMs;
-      silenceTimeoutMs = from.silenceTimeoutMs;
-      graceMs = from.graceMs;
-      catchUpTicks = from.catchUpTicks;
-      inputWindowTicks = from.inputWindowTicks;
-      inputHoldTicks = from.inputHoldTicks;
-      snapshotRateHz = from.snapshotRateHz;
-      keepAliveRateHz = from.keepAliveRateHz;
-      snapshotBitsPerSecond = from.snapshotBitsPerSecond;
-      viewMetres = from.viewMetres;
-      rosterIntervalMs = from.rosterIntervalMs;
-      statusIntervalS = from.statusIntervalS;
-    }
-
-    ServerConfig build() {
-      return new ServerConfig(
-          gameName,
-          serverName,
-          tickRateHz,
-          seed,
-          rooms,
-          threads,
-          maxPlayers,
-          handshakeTimeoutMs,
-          loadTimeoutMs,
-          silenceTimeoutMs,
-          graceMs,
-          catchUpTicks,
-          inputWindowTicks,
-          inputHoldTicks,
-          snapshotRateHz,
-          keepAliveRateHz,
-          snapshotBitsPerSecond,
-          viewMetres,
-          rosterIntervalMs,
-          statusIntervalS);
-    }
+    return Records.with(this, "statusIntervalS", value);
   }
 }

@@ -2,17 +2,18 @@ package carom.server.replication;
 
 import carom.net.codec.Quantizer;
 import carom.net.protocol.Limits;
-import carom.net.snapshot.EventRecord;
-import carom.net.snapshot.FrameRing;
-import carom.net.snapshot.FrameState;
+import carom.net.snapshot.event.EventRecord;
+import carom.net.snapshot.frame.FrameRing;
+import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.record.Deltas;
 import carom.physics.World;
 import carom.physics.math.Trig;
-import carom.sim.Audience;
 import carom.sim.Entity;
 import carom.sim.Event;
 import carom.sim.Game;
 import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.event.Audience;
 import java.util.Arrays;
 import java.util.function.Consumer;
 
@@ -33,6 +34,7 @@ public final class FrameCapture {
 
   private final Simulation simulation;
   private final FrameRing ring;
+  private final Deltas deltas;
   private final InterestIndex index;
   private final EventRecord record = new EventRecord();
   private final Consumer<Event> takeEvent = this::take;
@@ -62,6 +64,12 @@ public final class FrameCapture {
     ring.gravity(simulation.level().gravityX(), simulation.level().gravityY());
     ring.level(
         FrameState.of(Limits.MAX_ENTITIES, frame -> simulation.level().forEachBody(frame::put)));
+    deltas = new Deltas(ring, simulation.tickRate());
+  }
+
+  /** Returns the deltas that the room's sessions share. */
+  public Deltas deltas() {
+    return deltas;
   }
 
   /** Captures the state after the simulation's last step. */

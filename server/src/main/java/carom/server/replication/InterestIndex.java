@@ -1,12 +1,12 @@
 package carom.server.replication;
 
 import carom.net.codec.Quantizer;
-import carom.net.snapshot.FrameState;
+import carom.net.snapshot.frame.FrameState;
 import carom.physics.broadphase.AabbArray;
 import carom.physics.broadphase.IntVisitor;
 import carom.physics.broadphase.KdTree;
-import carom.sim.Audience;
 import carom.sim.Simulation;
+import carom.sim.event.Audience;
 import java.util.Arrays;
 
 /**

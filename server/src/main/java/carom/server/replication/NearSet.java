@@ -1,9 +1,9 @@
 package carom.server.replication;
 
-import carom.net.snapshot.NearMeter;
-import carom.net.snapshot.NearState;
-import carom.net.snapshot.OwnState;
 import carom.net.snapshot.SnapshotEncoder;
+import carom.net.snapshot.exact.NearMeter;
+import carom.net.snapshot.exact.NearState;
+import carom.net.snapshot.exact.OwnState;
 import carom.physics.Body;
 import carom.physics.BodyContactVisitor;
 import carom.physics.BodyVisitor;

@@ -1,6 +1,6 @@
 package carom.server.replication;
 
-import carom.net.snapshot.OwnState;
+import carom.net.snapshot.exact.OwnState;
 import carom.physics.Body;
 import carom.sim.Entity;
 import carom.sim.Player;

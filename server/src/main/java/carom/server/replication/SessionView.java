@@ -1,18 +1,18 @@
 package carom.server.replication;
 
 import carom.net.codec.Quantizer;
-import carom.net.snapshot.EventRecord;
-import carom.net.snapshot.FrameRing;
-import carom.net.snapshot.FrameState;
 import carom.net.snapshot.Interest;
 import carom.net.snapshot.SnapshotEncoder;
+import carom.net.snapshot.event.EventRecord;
+import carom.net.snapshot.frame.FrameRing;
+import carom.net.snapshot.frame.FrameState;
 import carom.physics.BodyContactVisitor;
 import carom.physics.broadphase.IntVisitor;
-import carom.sim.Audience;
 import carom.sim.Entity;
-import carom.sim.Level;
 import carom.sim.Neighbourhood;
 import carom.sim.Player;
+import carom.sim.event.Audience;
+import carom.sim.level.Level;
 
 /**
  * What one player looks at: a rectangle around the own body, or around the place that a spectator's

@@ -1,10 +1,10 @@
 package carom.server.replication;
 
-import carom.net.snapshot.EventRing;
-import carom.net.snapshot.FrameRing;
 import carom.net.snapshot.InputFeedback;
-import carom.net.snapshot.OwnState;
 import carom.net.snapshot.SnapshotEncoder;
+import carom.net.snapshot.event.EventRing;
+import carom.net.snapshot.exact.OwnState;
+import carom.net.snapshot.frame.FrameRing;
 import carom.net.transport.Link;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
@@ -75,7 +75,7 @@ public final class SnapshotSender {
       Counters counters) {
     this.frames = capture.frames();
     this.view = new SessionView(capture.index(), player, config.viewMetres(), config.tickRateHz());
-    this.encoder = new SnapshotEncoder(frames, datagramKey, config.tickRateHz(), view);
+    this.encoder = new SnapshotEncoder(capture.deltas(), datagramKey, view);
     this.counters = counters;
     this.tickRateHz = config.tickRateHz();
     this.snapshotRateHz = Math.min(config.snapshotRateHz(), tickRateHz);

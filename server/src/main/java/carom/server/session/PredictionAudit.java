@@ -1,7 +1,7 @@
 package carom.server.session;
 
 import carom.net.protocol.ClientMessage;
-import carom.net.snapshot.OwnState;
+import carom.net.snapshot.exact.OwnState;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;

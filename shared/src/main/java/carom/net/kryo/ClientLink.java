@@ -1,5 +1,7 @@
 package carom.net.kryo;
 
+import carom.net.frame.ClientEnd;
+import carom.net.frame.Frame;
 import com.esotericsoftware.kryonet.Client;
 import com.esotericsoftware.kryonet.Connection;
 import com.esotericsoftware.kryonet.FrameworkMessage.RegisterTCP;
@@ -76,19 +78,19 @@ final class ClientLink extends ClientEnd {
   }
 
   @Override
-  boolean transmit(Frame.Payload frame) {
+  protected boolean transmit(Frame.Payload frame) {
     return endpoint.sendTCP(frame) > 0;
   }
 
   @Override
-  boolean transmitDatagram(byte tag, byte[] bytes, int offset, int length) {
+  protected boolean transmitDatagram(byte tag, byte[] bytes, int offset, int length) {
     synchronized (datagramLock) {
       return endpoint.sendUDP(datagram.set(tag, bytes, offset, length)) > 0;
     }
   }
 
   @Override
-  void disconnect(State before, String reason) {
+  protected void disconnect(State before, String reason) {
     if (before == State.OPEN) {
       transmit(Frame.bye(reason)); // wakes the driver, too
     } else {
@@ -151,9 +153,9 @@ final class ClientLink extends ClientEnd {
         lose(blocked());
       } // else the server's UDP port has just gone, and TCP will tell why
     } catch (IOException x) {
-      lose(tcpRegistered ? gone() : notCarom());
+      lose(isTcpRegistered() ? gone() : notCarom());
     } catch (KryoNetException x) {
-      lose(tcpRegistered ? "the server sent what is no frame: " + x.getMessage() : notCarom());
+      lose(isTcpRegistered() ? "the server sent what is no frame: " + x.getMessage() : notCarom());
     } finally {
       Thread.interrupted(); // an interrupted thread would never wait in select again
     }
@@ -175,14 +177,14 @@ final class ClientLink extends ClientEnd {
   private String tryAddresses() {
     String failure = "no server answers at " + remote();
     try {
-      InetAddress[] addresses = InetAddress.getAllByName(host);
+      InetAddress[] addresses = InetAddress.getAllByName(host());
       long start = System.nanoTime();
       for (int i = 0; i < Math.min(MAX_ADDRESSES, addresses.length) && !isDisconnected(); i++) {
         if (i > 0 && System.nanoTime() - start > connectMillis * 1_000_000L) {
           break;
         }
         try {
-          endpoint.connect(connectMillis, addresses[i], tcpPort, udpPort);
+          endpoint.connect(connectMillis, addresses[i], tcpPort(), udpPort());
           return null;
         } catch (IOException x) {
           failure = explain(x);
@@ -232,7 +234,7 @@ final class ClientLink extends ClientEnd {
       if (isDisconnected()) {
         return 0;
       }
-      if (WRITE_BUFFER_BYTES - getTcpWriteBufferSize() < Frame.tcpBytes(frame)) {
+      if (WRITE_BUFFER_BYTES - getTcpWriteBufferSize() < FrameCodec.tcpBytes(frame)) {
         lose("the server doesn't read what it is sent");
         return 0;
       }
@@ -279,12 +281,12 @@ final class ClientLink extends ClientEnd {
   }
 
   /** How KryoNet has the driver thread read. */
-  private final class ClientFrames extends Frame.Codec {
+  private final class ClientFrames extends FrameCodec {
     private ByteBuffer tcpBuffer;
 
     @Override
     long token(Connection connection) {
-      return token;
+      return ClientLink.this.token();
     }
 
     @Override
@@ -310,17 +312,17 @@ final class ClientLink extends ClientEnd {
       } finally {
         buffer.position(buffer.limit());
       }
-      return Frame.HANDLED;
+      return FrameCodec.HANDLED;
     }
 
     /** What KryoNet has to know of a frame. */
     private Object register(byte tag) {
       if (tag == Frame.REGISTER_TCP) {
         RegisterTCP registered = new RegisterTCP();
-        registered.connectionID = id;
+        registered.connectionID = id();
         return registered;
       }
-      return tag == Frame.REGISTER_UDP ? new RegisterUDP() : Frame.HANDLED;
+      return tag == Frame.REGISTER_UDP ? new RegisterUDP() : FrameCodec.HANDLED;
     }
   }
 }

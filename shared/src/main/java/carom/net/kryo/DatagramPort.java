@@ -1,5 +1,6 @@
 package carom.net.kryo;
 
+import carom.net.frame.Frame;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.net.StandardSocketOptions;

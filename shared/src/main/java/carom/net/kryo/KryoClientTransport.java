@@ -39,8 +39,6 @@ public final class KryoClientTransport implements ClientTransport {
    */
   @Override
   public Link connect(String host, int tcpPort, int udpPort) {
-    checkPort("tcpPort", tcpPort);
-    checkPort("udpPort", udpPort);
     if (closed) {
       throw new IllegalStateException("connect after close");
     }
@@ -48,12 +46,6 @@ public final class KryoClientTransport implements ClientTransport {
     links.add(link);
     link.start();
     return link;
-  }
-
-  static void checkPort(String name, int port) {
-    if (port < 1 || port > 65_535) {
-      throw new IllegalArgumentException(name + "=" + port + " must be from 1 to 65535");
-    }
   }
 
   @Override

@@ -1,24 +1,27 @@
 package carom.net.kryo;
 
 import carom.net.protocol.Limits;
+import carom.values.Records;
 
 /**
- * What a server lets strangers use. Immutable; {@link #DEFAULT} serves a full room.
+ * What a server lets strangers use. Immutable; start from {@link #DEFAULT}.
  *
- * @param maxConnections connections at once, half-open ones included; keep it well below the
- *     process's limit of open files (KryoNet spins when it can't accept)
- * @param maxPerAddress connections at once from one IPv4 address or one IPv6 /64 network
- * @param handshakeMillis time for each of the two steps to an open link: registering UDP, and
- *     answering a datagram
- * @param idleMillis a link closes when no complete frame came over TCP for this long; clients send
- *     one every 2,000 ms
- * @param messagesPerSecond frames over TCP; a link that sends more is closed, because what is
- *     reliable must not be dropped
- * @param datagramsPerSecond datagrams from one link; what is more is dropped
- * @param unreadMessages messages that wait for {@code poll}; one more closes the link
- * @param unreadDatagrams datagrams that wait for {@code poll}; one more is dropped
- * @param unsentBytes bytes that wait for a client that doesn't read; one message more closes the
- *     link
+ * @param maxConnections connections at once, 1..10,000, half-open ones included; keep it well below
+ *     the process's limit of open files (KryoNet spins when it can't accept)
+ * @param maxPerAddress connections at once from one IPv4 address or one IPv6 /64 network, 1..10,000
+ * @param handshakeMillis time for each of the two steps to an open link, 50..60,000 ms: registering
+ *     UDP, and answering a datagram
+ * @param idleMillis time without a complete frame over TCP after which a link closes, 100..600,000
+ *     ms; clients send one every 2,000 ms
+ * @param messagesPerSecond frames over TCP from one link, 1..1,000,000; a link that sends more is
+ *     closed, because reliable messages must not be dropped
+ * @param datagramsPerSecond datagrams from one link, 1..1,000,000; those above are dropped
+ * @param unreadMessages messages of one link that may wait for {@code poll}, 1..65,536; one more
+ *     closes the link
+ * @param unreadDatagrams datagrams of one link that may wait for {@code poll}, 1..65,536; one more
+ *     is dropped
+ * @param unsentBytes bytes that may wait for a client that doesn't read, at most 16,777,216; one
+ *     message more closes the link
  */
 public record KryoLimits(
     int maxConnections,
@@ -31,18 +34,18 @@ public record KryoLimits(
     int unreadDatagrams,
     int unsentBytes) {
 
-  /** For a room of {@link Limits#MAX_PLAYERS}. */
+  /** The limits of a server with one room of {@link Limits#MAX_PLAYERS}. */
   public static final KryoLimits DEFAULT =
       new KryoLimits(
-          320,
-          128,
-          2_000,
-          10_000,
-          Limits.MAX_CLIENT_MESSAGES_PER_SECOND,
-          Limits.MAX_INPUT_DATAGRAMS_PER_SECOND,
-          256,
-          128,
-          4 * Limits.MAX_SERVER_MESSAGE_BYTES);
+          /* maxConnections= */ 320,
+          /* maxPerAddress= */ 128,
+          /* handshakeMillis= */ 2_000,
+          /* idleMillis= */ 10_000,
+          /* messagesPerSecond= */ Limits.MAX_CLIENT_MESSAGES_PER_SECOND,
+          /* datagramsPerSecond= */ Limits.MAX_INPUT_DATAGRAMS_PER_SECOND,
+          /* unreadMessages= */ 256,
+          /* unreadDatagrams= */ 128,
+          /* unsentBytes= */ 4 * Limits.MAX_SERVER_MESSAGE_BYTES);
 
   /**
    * Checks the values.
@@ -68,59 +71,23 @@ public record KryoLimits(
     }
   }
 
-  /** These limits with other caps on the number of connections. */
+  /** Returns a copy with these caps on the number of connections. */
   public KryoLimits withConnections(int max, int perAddress) {
-    return new KryoLimits(
-        max,
-        perAddress,
-        handshakeMillis,
-        idleMillis,
-        messagesPerSecond,
-        datagramsPerSecond,
-        unreadMessages,
-        unreadDatagrams,
-        unsentBytes);
+    return Records.with(this, "maxConnections", max, "maxPerAddress", perAddress);
   }
 
-  /** These limits with other times. */
+  /** Returns a copy with these times, ms. */
   public KryoLimits withTimes(int handshake, int idle) {
-    return new KryoLimits(
-        maxConnections,
-        maxPerAddress,
-        handshake,
-        idle,
-        messagesPerSecond,
-        datagramsPerSecond,
-        unreadMessages,
-        unreadDatagrams,
-        unsentBytes);
+    return Records.with(this, "handshakeMillis", handshake, "idleMillis", idle);
   }
 
-  /** These limits with other rates. */
+  /** Returns a copy with these rates, per second and link. */
   public KryoLimits withRates(int messages, int datagrams) {
-    return new KryoLimits(
-        maxConnections,
-        maxPerAddress,
-        handshakeMillis,
-        idleMillis,
-        messages,
-        datagrams,
-        unreadMessages,
-        unreadDatagrams,
-        unsentBytes);
+    return Records.with(this, "messagesPerSecond", messages, "datagramsPerSecond", datagrams);
   }
 
-  /** These limits with other inbox sizes. */
+  /** Returns a copy with these inbox sizes. */
   public KryoLimits withInbox(int messages, int datagrams) {
-    return new KryoLimits(
-        maxConnections,
-        maxPerAddress,
-        handshakeMillis,
-        idleMillis,
-        messagesPerSecond,
-        datagramsPerSecond,
-        messages,
-        datagrams,
-        unsentBytes);
+    return Records.with(this, "unreadMessages", messages, "unreadDatagrams", datagrams);
   }
 }

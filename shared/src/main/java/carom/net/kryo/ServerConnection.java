@@ -1,5 +1,7 @@
 package carom.net.kryo;
 
+import carom.net.frame.Frame;
+import carom.net.frame.FramedLink;
 import carom.net.protocol.ClientMessage;
 import carom.net.transport.Link;
 import com.esotericsoftware.kryonet.Connection;
@@ -72,7 +74,7 @@ final class ServerConnection extends Connection {
   }
 
   /** The link's side of a connection. */
-  private static final class ServerLink extends KryoLink {
+  private static final class ServerLink extends FramedLink {
     private final ServerConnection connection;
     private volatile String remote = "unknown";
 
@@ -90,17 +92,17 @@ final class ServerConnection extends Connection {
     }
 
     @Override
-    boolean transmit(Frame.Payload frame) {
+    protected boolean transmit(Frame.Payload frame) {
       return connection.sendTCP(frame) > 0;
     }
 
     @Override
-    boolean transmitDatagram(byte[] bytes, int offset, int length) {
+    protected boolean transmitDatagram(byte[] bytes, int offset, int length) {
       return connection.sendDatagram(Frame.DATAGRAM, bytes, offset, length);
     }
 
     @Override
-    void disconnect(Link.State before, String reason) {
+    protected void disconnect(Link.State before, String reason) {
       connection.sendTCP(Frame.bye(reason)); // wakes the network thread, too
       connection.requestClose();
     }
@@ -126,7 +128,7 @@ final class ServerConnection extends Connection {
     if (broken) {
       return 0;
     }
-    if (network.limits.unsentBytes() - getTcpWriteBufferSize() < Frame.tcpBytes(frame)) {
+    if (network.limits.unsentBytes() - getTcpWriteBufferSize() < FrameCodec.tcpBytes(frame)) {
       fail("the client doesn't read what it is sent");
       return 0;
     }
@@ -308,28 +310,28 @@ final class ServerConnection extends Connection {
   /** Reads a TCP frame. Network thread. */
   Object readFrame(ByteBuffer buffer) {
     if (phase == Phase.CLOSED) {
-      return Frame.HANDLED;
+      return FrameCodec.HANDLED;
     }
     if (phase == Phase.PENDING) {
       closeNow("talked before the handshake");
-      return Frame.HANDLED;
+      return FrameCodec.HANDLED;
     }
     long now = System.nanoTime();
     lastFrame = now;
     if (!messageBudget.take(now)) {
       expel("more than " + network.limits.messagesPerSecond() + " messages per second");
-      return Frame.HANDLED;
+      return FrameCodec.HANDLED;
     }
     byte tag = buffer.get();
     if (tag == Frame.KEEP_ALIVE && !buffer.hasRemaining()) {
-      return Frame.HANDLED;
+      return FrameCodec.HANDLED;
     }
     if (tag == Frame.BYE) {
       closeNow("the client left");
-      return Frame.HANDLED;
+      return FrameCodec.HANDLED;
     }
     if (phase == Phase.CLOSING) {
-      return Frame.HANDLED;
+      return FrameCodec.HANDLED;
     }
     int length = buffer.remaining();
     ClientMessage message =
@@ -343,7 +345,7 @@ final class ServerConnection extends Connection {
     } else if (!link.receiveMessage(message, length)) {
       expel("more than " + network.limits.unreadMessages() + " unread messages");
     }
-    return Frame.HANDLED;
+    return FrameCodec.HANDLED;
   }
 
   /** Reads a datagram from this connection's address. The port's thread. */

@@ -1,5 +1,6 @@
 package carom.net.kryo;
 
+import carom.net.frame.Frame;
 import carom.net.transport.Link;
 import com.esotericsoftware.kryonet.Connection;
 import com.esotericsoftware.kryonet.Server;
@@ -311,7 +312,7 @@ final class ServerNetwork implements Runnable {
   }
 
   /** How the server reads TCP. */
-  private final class ServerFrames extends Frame.Codec {
+  private final class ServerFrames extends FrameCodec {
     @Override
     long token(Connection connection) {
       return ((ServerConnection) connection).token;
@@ -328,7 +329,7 @@ final class ServerNetwork implements Runnable {
         return ((ServerConnection) connection).readFrame(buffer);
       } catch (Throwable x) {
         counters.error(x);
-        return Frame.HANDLED;
+        return FrameCodec.HANDLED;
       } finally {
         buffer.position(buffer.limit());
       }

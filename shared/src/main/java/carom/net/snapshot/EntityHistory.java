@@ -1,5 +1,7 @@
 package carom.net.snapshot;
 
+import carom.net.snapshot.frame.Motion;
+
 /**
  * What a client has received of one entity slot: up to {@link #SIZE} states, each exactly the
  * server's quantised state after its tick. Index 0 is the newest. An entity that rested has an

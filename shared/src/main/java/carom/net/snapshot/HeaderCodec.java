@@ -3,6 +3,8 @@ package carom.net.snapshot;
 import carom.net.codec.BitReader;
 import carom.net.codec.BitWriter;
 import carom.net.codec.Bits;
+import carom.net.snapshot.exact.OwnState;
+import carom.net.snapshot.relay.RelayCodec;
 
 /**
  * Feedback and own section: what only a tick's first datagram carries. Pairs of write and read that
@@ -59,7 +61,7 @@ final class HeaderCodec {
       }
     }
     for (int i = 0; i < own.values.length; i++) {
-      writeDifference(w, form(i, own.values[i]) - form(i, baseline.values[i]));
+      Bits.writeDifference(w, form(i, own.values[i]) - form(i, baseline.values[i]));
     }
     boolean others = !own.relayed.sameAs(baseline.relayed);
     w.write(others);
@@ -79,7 +81,7 @@ final class HeaderCodec {
       own.generation = body ? r.read(8) : 0;
     }
     for (int i = 0; i < own.values.length; i++) {
-      own.values[i] = form(i, form(i, baseline.values[i]) + readDifference(r));
+      own.values[i] = form(i, form(i, baseline.values[i]) + Bits.readDifference(r));
     }
     if (r.readBit()) {
       RelayCodec.readPlayers(r, own.relayed);
@@ -91,20 +93,5 @@ final class HeaderCodec {
    */
   private static int form(int index, int value) {
     return index < OwnState.FLOATS ? Bits.orderedBits(value) : value;
-  }
-
-  /** 1 bit "not zero", then the width and the zigzag form. */
-  static void writeDifference(BitWriter w, int difference) {
-    int z = Bits.zigzag(difference);
-    w.write(z != 0);
-    if (z != 0) {
-      int width = Bits.width(z);
-      w.write(width - 1, 5);
-      w.write(z, width);
-    }
-  }
-
-  static int readDifference(BitReader r) {
-    return r.readBit() ? Bits.unzigzag(r.read(1 + r.read(5))) : 0;
   }
 }

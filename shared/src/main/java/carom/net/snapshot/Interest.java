@@ -1,5 +1,7 @@
 package carom.net.snapshot;
 
+import carom.net.snapshot.frame.FrameState;
+
 /**
  * What one client is told about, and what it is told first: the question a {@link SnapshotEncoder}
  * asks about each entity that it might send. Called on the room's thread, for entities that changed

@@ -1,5 +1,9 @@
 package carom.net.snapshot;
 
+import carom.net.snapshot.frame.FrameRing;
+import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.frame.SlotSet;
+import carom.net.snapshot.frame.SlotTicks;
 import java.util.Arrays;
 
 /**

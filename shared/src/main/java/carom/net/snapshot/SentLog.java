@@ -1,6 +1,7 @@
 package carom.net.snapshot;
 
 import carom.net.codec.Sequence;
+import carom.net.snapshot.frame.FrameRing;
 import java.util.Arrays;
 
 /**
@@ -8,7 +9,7 @@ import java.util.Arrays;
  * datagrams stand in one circular log, as sets of 64 neighbours; what was overwritten counts as
  * lost.
  */
-final class SentLog {
+public final class SentLog {
 
   /** Datagrams remembered. */
   static final int SIZE = 512;

@@ -7,6 +7,22 @@ import carom.net.codec.BitReader;
 import carom.net.codec.Crc16;
 import carom.net.codec.RangeDecoder;
 import carom.net.codec.Sequence;
+import carom.net.protocol.PlayerId;
+import carom.net.snapshot.event.EventInbox;
+import carom.net.snapshot.exact.NearCodec;
+import carom.net.snapshot.exact.NearRowCodec;
+import carom.net.snapshot.exact.OwnState;
+import carom.net.snapshot.frame.FrameRing;
+import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.frame.Motion;
+import carom.net.snapshot.frame.PlayerSet;
+import carom.net.snapshot.frame.Predictor;
+import carom.net.snapshot.frame.SlotSet;
+import carom.net.snapshot.record.DeltaCodec;
+import carom.net.snapshot.record.RecordCodec;
+import carom.net.snapshot.record.SlotCodec;
+import carom.net.snapshot.relay.RelayCodec;
+import carom.net.snapshot.relay.RelayedInputs;
 import java.util.Arrays;
 
 /**
@@ -162,7 +178,7 @@ public final class SnapshotDecoder {
     HeaderCodec.readFeedback(r, readFeedback, datagramTick);
     boolean withOwn = r.readBit();
     if (withOwn) {
-      int age = r.read(RecordCodec.AGE_BITS);
+      int age = r.read(FrameRing.AGE_BITS);
       OwnState baseline = age == 0 ? nothing : ownAt(datagramTick - age);
       if (baseline == null) {
         return DecodeStatus.NO_BASELINE;

@@ -3,6 +3,17 @@ package carom.net.snapshot;
 import carom.net.codec.BitWriter;
 import carom.net.codec.Crc16;
 import carom.net.codec.RangeEncoder;
+import carom.net.snapshot.event.EventOutbox;
+import carom.net.snapshot.exact.NearCodec;
+import carom.net.snapshot.exact.NearRowCodec;
+import carom.net.snapshot.exact.OwnState;
+import carom.net.snapshot.frame.FrameRing;
+import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.frame.Motion;
+import carom.net.snapshot.frame.PlayerSet;
+import carom.net.snapshot.record.Deltas;
+import carom.net.snapshot.record.RecordCodec;
+import carom.net.snapshot.relay.RelayCodec;
 import java.util.Arrays;
 
 /**
@@ -95,25 +106,30 @@ public final class SnapshotEncoder {
   private long ackedDatagrams;
   private int beganTick = -1;
 
-  /** As the other constructor, for a client that sees everything. */
+  /**
+   * Creates the encoder of a client that sees everything, and shares its deltas with nobody.
+   *
+   * @param ring the room's frames
+   * @param key as in the other constructor
+   * @param tickRate ticks per second, for prediction; the client's decoder must be given the same
+   */
   public SnapshotEncoder(FrameRing ring, int key, int tickRate) {
-    this(ring, key, tickRate, Interest.EVERYTHING);
+    this(new Deltas(ring, tickRate), key, Interest.EVERYTHING);
   }
 
   /**
    * Creates the encoder of a client that knows nothing but the ring's {@link FrameRing#level}.
    *
-   * @param ring the room's frames, shared by all sessions
+   * @param deltas those of the room, shared by all sessions, like the frames they are of
    * @param key the session's datagram key; seeds the check that each datagram carries
-   * @param tickRate ticks per second, for prediction; the client's decoder must be given the same
    * @param interest what the client is told about
    */
-  public SnapshotEncoder(FrameRing ring, int key, int tickRate, Interest interest) {
-    events = new EventOutbox(ring.events());
+  public SnapshotEncoder(Deltas deltas, int key, Interest interest) {
+    ring = deltas.ring();
+    events = new EventOutbox(ring.events(), SentLog.SIZE);
     selection = new Selection(ring, interest);
-    this.ring = ring;
     this.key = key;
-    deltas = ring.deltas(tickRate);
+    this.deltas = deltas;
     for (int i = 0; i < ownSent.length; i++) {
       ownSent[i] = new OwnState();
     }
@@ -354,7 +370,7 @@ public final class SnapshotEncoder {
     if (withOwn) {
       int age = frame.tick() - ownAckedTick;
       boolean known = ownAckedTick >= 0 && age > 0 && age < FrameRing.SIZE;
-      w.write(known ? age : 0, RecordCodec.AGE_BITS);
+      w.write(known ? age : 0, FrameRing.AGE_BITS);
       OwnState baseline = known ? ownAcked : nothing;
       OwnState own = ownNow;
       HeaderCodec.writeOwn(w, baseline, own);

@@ -1,6 +1,6 @@
 package carom.sim.scene;
 
-import carom.sim.Suggestion;
+import carom.sim.level.Suggestion;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeMap;

@@ -8,7 +8,7 @@ import carom.net.kryo.KryoServerTransport;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.Level;
+import carom.sim.level.Level;
 import java.io.File;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import carom.client.ClientMain;
+import carom.client.app.ClientMain;
 import carom.sim.scene.Scenes;
 import carom.testkit.VirtualDisplay;
 import java.awt.image.BufferedImage;

@@ -4,15 +4,16 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import carom.client.ClientMain;
+import carom.client.app.ClientMain;
+import carom.client.desktop.paint.ViewCamera;
 import carom.game.Games;
 import carom.net.kryo.KryoServerTransport;
 import carom.server.Server;
 import carom.server.config.ServerConfig;
 import carom.sim.Entity;
-import carom.sim.Level;
 import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.level.Level;
 import carom.testkit.VirtualDisplay;
 import com.badlogic.gdx.utils.GdxNativesLoader;
 import java.awt.image.BufferedImage;

@@ -200,7 +200,7 @@ final class InterpolatorTest {
   }
 
   /** A hand-written history. */
-  private static final class Known implements States {
+  private static final class Known implements StateHistory {
     private record State(
         int tick,
         boolean alive,

@@ -39,7 +39,7 @@ class PredictionAllocationTest {
         boolean agreed = rig.tellOwn();
         rig.client().advance(1 / 60f);
         for (int slot = 0; slot < 200; slot++) {
-          drawn += rig.client().drawn(slot, 0, 0.5f, pose) > 0 ? 1 : 0;
+          drawn += rig.client().readPose(slot, 0, 0.5f, pose) > 0 ? 1 : 0;
         }
         allocated += threads.getThreadAllocatedBytes(id) - before;
         assertTrue(agreed, "tick " + rig.server().tick());

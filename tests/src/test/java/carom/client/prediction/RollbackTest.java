@@ -41,7 +41,7 @@ class RollbackTest {
       rig.server().step();
       rig.client().step(rig.server().tick(), 0);
       assertTrue(rig.tellOwn(), "tick " + rig.server().tick());
-      assertEquals(0, rig.client().replayed());
+      assertEquals(0, rig.client().result().replayedTicks());
     }
   }
 
@@ -55,7 +55,7 @@ class RollbackTest {
       rig.tellContactsOf(number);
       rig.server().step();
       rig.client().step(rig.server().tick(), 0);
-      rig.foreseen()
+      rig.predicted()
           .world()
           .forEachBody(
               b -> assertTrue(Math.abs(b.velocityX()) + Math.abs(b.velocityY()) < 10, b::toString));
@@ -88,7 +88,7 @@ class RollbackTest {
       assertTrue(steps * 2 <= (update ? 24 : 8) + 4, about);
       assertEquals(rig.server().tick() + AHEAD, rig.client().tick(), about);
     }
-    assertTrue(rig.client().cutShort() > 50, "cut short " + rig.client().cutShort());
+    assertTrue(rig.client().replaysCutShort() > 50, "cut short " + rig.client().replaysCutShort());
   }
 
   @Test
@@ -100,19 +100,19 @@ class RollbackTest {
     rig.server().step();
     rig.client().step(rig.server().tick() + AHEAD, 0);
     assertFalse(rig.tellOwn());
-    assertEquals(rig.server().tick(), rig.client().firstDisagreedTick());
-    assertEquals(1, rig.client().disagreements());
-    assertEquals(AHEAD, rig.client().replayed());
+    assertEquals(rig.server().tick(), rig.client().agreement().firstDisagreedTick());
+    assertEquals(1, rig.client().agreement().disagreements());
+    assertEquals(AHEAD, rig.client().result().replayedTicks());
     rig.server().step();
     rig.client().step(rig.server().tick() + AHEAD, 0);
     assertTrue(rig.tellAll());
-    assertEquals(-1, rig.client().firstDisagreedTick());
-    assertEquals(0, rig.client().cutShort());
+    assertEquals(-1, rig.client().agreement().firstDisagreedTick());
+    assertEquals(0, rig.client().replaysCutShort());
   }
 
   private IslandRig rig(long maxReplayNs, long nsPerTick) {
     IslandRig rig = new IslandRig(200, maxReplayNs, () -> ns);
-    rig.foreseen()
+    rig.predicted()
         .journal(
             new Journal() {
               @Override

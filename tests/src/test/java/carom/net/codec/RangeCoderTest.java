@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.lab.trace.NumberModel;
 import java.math.BigInteger;
 import java.util.Arrays;
 import java.util.Random;

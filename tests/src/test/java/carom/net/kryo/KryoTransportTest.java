@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.net.frame.Frame;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.ClientTransport;
@@ -30,13 +31,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /**
- * What client and server promise each other; {@link CrowdTransportTest} asks it of a crowd, too.
+ * What client and server promise each other; {@code CrowdTransportTest} asks it of a crowd, too.
  */
 @Timeout(30)
-class KryoTransportTest {
+public class KryoTransportTest {
 
   /** The clients under test, patient for so long. */
-  ClientTransport clients(int connectMillis) {
+  protected ClientTransport clients(int connectMillis) {
     return new KryoClientTransport(connectMillis);
   }
 

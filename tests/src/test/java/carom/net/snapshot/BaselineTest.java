@@ -4,6 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.net.snapshot.exact.NearState;
+import carom.net.snapshot.exact.OwnState;
+import carom.net.snapshot.frame.FrameRing;
+import carom.net.snapshot.frame.FrameState;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 

@@ -4,6 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.net.snapshot.exact.OwnState;
+import carom.net.snapshot.frame.PlayerSet;
+import carom.net.snapshot.frame.WaitingInputs;
+import carom.net.snapshot.record.Deltas;
+import carom.net.snapshot.relay.RelayedInputs;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumMap;
@@ -72,7 +77,7 @@ final class Channel {
     this.scene = scene;
     dice = new Dice(seed);
     name = "seed=" + seed;
-    encoder = new SnapshotEncoder(scene.ring, KEY, tickRate, interest);
+    encoder = new SnapshotEncoder(new Deltas(scene.ring, tickRate), KEY, interest);
     decoder = new SnapshotDecoder(scene.slots, KEY, scene.firstTick, tickRate);
   }
 

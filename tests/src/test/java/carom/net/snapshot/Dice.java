@@ -1,15 +1,15 @@
 package carom.net.snapshot;
 
 /** Seeded numbers for tests: splitmix64. */
-final class Dice {
+public final class Dice {
 
   private long state;
 
-  Dice(long seed) {
+  public Dice(long seed) {
     state = seed;
   }
 
-  long next() {
+  public long next() {
     state += 0x9e3779b97f4a7c15L;
     long z = state;
     z = (z ^ (z >>> 30)) * 0xbf58476d1ce4e5b9L;
@@ -17,7 +17,7 @@ final class Dice {
     return z ^ (z >>> 31);
   }
 
-  int below(int bound) {
+  public int below(int bound) {
     return (int) Long.remainderUnsigned(next(), bound);
   }
 
@@ -25,7 +25,7 @@ final class Dice {
     return min + below(max - min + 1);
   }
 
-  boolean percent(double chance) {
+  public boolean percent(double chance) {
     return (next() >>> 11) * 0x1.0p-53 * 100 < chance;
   }
 }

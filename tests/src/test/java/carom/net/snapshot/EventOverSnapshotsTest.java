@@ -5,7 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.client.events.Repeats;
+import carom.client.events.RepeatedEventFilter;
+import carom.net.snapshot.event.EventRecord;
+import carom.net.snapshot.event.EventRing;
+import carom.net.snapshot.frame.FrameRing;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -157,7 +160,7 @@ class EventOverSnapshotsTest {
   /** A client that heard of two of a tick's five events comes back over a new link. */
   private final class Returning {
     final Random random = new Random(6);
-    final Repeats repeats = new Repeats();
+    final RepeatedEventFilter repeats = new RepeatedEventFilter();
     final List<String> heard = new ArrayList<>();
     final SnapshotEncoder again = new SnapshotEncoder(ring, KEY, RATE);
     final SnapshotDecoder anew = new SnapshotDecoder(4, KEY, 0, RATE);
@@ -174,7 +177,7 @@ class EventOverSnapshotsTest {
 
     private void hear(SnapshotDecoder from) {
       for (EventRecord e; (e = from.events().poll()) != null; ) {
-        if (repeats.isNew(e.tick, from.events().missed())) {
+        if (repeats.accept(e.tick, from.events().missed())) {
           heard.add(describe(e));
         }
       }
@@ -186,7 +189,7 @@ class EventOverSnapshotsTest {
         tick(1, random);
         again.offer(ring.events().limit() - 1);
       }
-      repeats.linkBegins(tick);
+      repeats.beginLink(tick);
       for (int t = 0; t < 300; t++) {
         tick(0, random);
         again.begin(feedback, null, 2_000);

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.codec.Quantizer;
+import carom.net.snapshot.frame.FrameState;
 import org.junit.jupiter.api.Test;
 
 /**

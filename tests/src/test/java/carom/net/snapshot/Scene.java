@@ -1,6 +1,10 @@
 package carom.net.snapshot;
 
 import carom.net.codec.Quantizer;
+import carom.net.snapshot.exact.OwnState;
+import carom.net.snapshot.frame.FrameRing;
+import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.frame.WaitingInputs;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -152,7 +156,7 @@ final class Scene {
     return switch (player % 4) {
       case 0 -> held & 0x1f;
       case 1 -> held & 0xffff_0000L;
-      case 2 -> held & RelayCodec.INPUT_MASK;
+      case 2 -> held & FrameState.INPUT_MASK;
       default -> player;
     };
   }

@@ -3,6 +3,9 @@ package carom.net.snapshot;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.net.snapshot.exact.OwnState;
+import carom.net.snapshot.frame.FrameRing;
+import carom.net.snapshot.frame.FrameState;
 import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
 

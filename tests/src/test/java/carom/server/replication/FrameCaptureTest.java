@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.codec.Quantizer;
-import carom.net.snapshot.FrameRing;
-import carom.net.snapshot.FrameState;
+import carom.net.snapshot.frame.FrameRing;
+import carom.net.snapshot.frame.FrameState;
 import carom.physics.Body;
 import carom.sim.Entity;
 import carom.sim.Role;

@@ -81,7 +81,7 @@ public final class NarrowPhase {
     private int touching;
     private boolean pressed;
 
-    public void begin(int kernelRuns) {
+    void begin(int kernelRuns) {
       touching = 0;
       pressed = false;
       granted = boxes == null ? 0 : kernelRuns;

@@ -1,0 +1,82 @@
+package carom.client;
+
+import carom.client.events.EventListener;
+import carom.client.events.EventReconciler;
+import carom.client.events.RepeatedEventFilter;
+import carom.client.stats.NetStatsRecorder;
+import carom.net.codec.Quantizer;
+import carom.net.snapshot.event.EventInbox;
+import carom.net.snapshot.event.EventRecord;
+import carom.sim.Event;
+import carom.sim.Simulation;
+import carom.sim.event.EventKind;
+
+/**
+ * Passes the events of snapshots to the {@link EventReconciler}: drops repeated ones, looks up
+ * their kinds, and converts their units. One stay's; one thread.
+ */
+final class EventReceiver {
+  private final Simulation simulation;
+  private final RepeatedEventFilter repeats;
+  private final NetStatsRecorder stats;
+  private final EventReconciler reconciler;
+  private final Event event = new Event();
+
+  /**
+   * Creates a receiver for a new link.
+   *
+   * @param repeats outlives the link
+   * @param predicts whether the own body is predicted
+   * @param listener receives each event once
+   */
+  EventReceiver(
+      Simulation simulation,
+      int playerId,
+      boolean predicts,
+      RepeatedEventFilter repeats,
+      NetStatsRecorder stats,
+      EventListener listener) {
+    this.simulation = simulation;
+    this.repeats = repeats;
+    this.stats = stats;
+    reconciler = new EventReconciler(playerId, predicts, simulation.tickRate(), listener);
+    simulation.journal(reconciler);
+  }
+
+  /** Takes in the events that the last snapshot completed. */
+  void receive(EventInbox inbox) {
+    for (EventRecord r; (r = inbox.poll()) != null; ) {
+      if (!repeats.accept(r.tick, inbox.missed())) {
+        continue;
+      }
+      EventKind kind = simulation.eventKinds().get(r.kind);
+      if (kind == null) {
+        stats.malformed();
+        continue;
+      }
+      reconciler.receive(
+          event.set(
+              kind,
+              r.tick,
+              r.player,
+              r.first,
+              r.second,
+              Quantizer.positionOf(r.x),
+              Quantizer.positionOf(r.y),
+              r.strengthOf(),
+              r.data));
+    }
+    reconciler.complete(inbox.completeTick());
+    stats.eventsMissed(inbox.missed());
+  }
+
+  /** Fires the events up to the tick that is drawn. */
+  void advance(double renderTick) {
+    reconciler.advance(renderTick);
+  }
+
+  /** Fires what waits, and retracts what isn't confirmed. */
+  void close() {
+    reconciler.close();
+  }
+}

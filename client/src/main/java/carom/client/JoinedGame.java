@@ -1,0 +1,265 @@
+package carom.client;
+
+import carom.client.clock.RenderClock;
+import carom.client.clock.TickClock;
+import carom.client.events.EventListener;
+import carom.client.events.RepeatedEventFilter;
+import carom.client.link.Connection;
+import carom.client.prediction.Prediction;
+import carom.client.stats.NetStatsRecorder;
+import carom.client.view.ViewComposer;
+import carom.client.view.ViewWriter;
+import carom.net.protocol.Limits;
+import carom.net.protocol.ServerMessage;
+import carom.net.snapshot.SnapshotDecoder;
+import carom.net.snapshot.exact.OwnState;
+import carom.net.snapshot.frame.FrameState;
+import carom.sim.Input;
+import carom.sim.Simulation;
+import carom.sim.level.Level;
+import java.util.List;
+import java.util.function.LongSupplier;
+
+/**
+ * One stay in a game, from joining until the link is lost. A client that comes back starts a new
+ * one. Data flows one way:
+ *
+ * <pre>
+ * datagram ──► SnapshotInbox ──┬─► RenderClock, TickClock (steered by arrivals and feedback)
+ *              (decoder)       ├─► EventReceiver ──► EventListener
+ *                              └─► own state ──► Prediction.reconcile ──► DivergenceReporter
+ *
+ * TickClock ──► InputSource ──► InputSender ──► datagram
+ *                    └────────► Prediction.step
+ *
+ * decoder, Prediction ──► ViewComposer ──► ClientView
+ * </pre>
+ *
+ * <p>One thread; allocates nothing per tick.
+ */
+final class JoinedGame {
+  /** Time after the first snapshot in which entities don't fade in, because all are new. */
+  private static final long JOIN_GRACE_NS = 1_000_000_000L;
+
+  private final ViewWriter view;
+  private final NetStatsRecorder stats;
+  private final InputSource source;
+  private final SnapshotDecoder decoder;
+  private final SnapshotInbox inbox;
+  private final EventReceiver events;
+  private final TickClock clock;
+  private final RenderClock renderClock;
+  private final Prediction prediction;
+  private final InputSender sender;
+  private final DivergenceReporter divergence;
+  private final ViewComposer composer;
+  private final Input input = new Input();
+  private final int tickRate;
+  private long firstSnapshotNs;
+
+  /**
+   * Joins a game.
+   *
+   * @param simulation of role PREDICTION, fresh
+   * @param stopwatch measures replays
+   * @param repeats outlives this stay
+   * @param listener receives each event once
+   */
+  JoinedGame(
+      ClientConfig config,
+      ServerMessage.Welcome welcome,
+      Level level,
+      Simulation simulation,
+      InputSource source,
+      LongSupplier stopwatch,
+      Connection connection,
+      NetStatsRecorder stats,
+      ViewWriter view,
+      RepeatedEventFilter repeats,
+      EventListener listener) {
+    this.view = view;
+    this.stats = stats;
+    this.source = source;
+    tickRate = welcome.tickRate();
+    decoder =
+        new SnapshotDecoder(
+            Limits.MAX_ENTITIES, welcome.datagramKey(), welcome.tick(), welcome.tickRate());
+    decoder.gravity(level.gravityX(), level.gravityY());
+    decoder.level(FrameState.of(Limits.MAX_ENTITIES, frame -> level.forEachBody(frame::put)));
+    inbox = new SnapshotInbox(decoder, stats);
+    clock = new TickClock(tickRate);
+    renderClock = new RenderClock(tickRate);
+    prediction =
+        config.prediction() == PredictionMode.NONE
+            ? null
+            : new Prediction(
+                simulation,
+                welcome.playerId(),
+                config.name(),
+                config.maxRollbackTicks(),
+                config.maxReplayMs() * 1_000_000L,
+                stopwatch,
+                config.syncTest());
+    events =
+        new EventReceiver(
+            simulation, welcome.playerId(), prediction != null, repeats, stats, listener);
+    repeats.beginLink(welcome.tick());
+    sender =
+        new InputSender(
+            config, welcome.datagramKey(), tickRate, decoder, prediction, stats, connection);
+    divergence = prediction == null ? null : new DivergenceReporter(prediction, connection);
+    view.roster(List.of());
+    view.tick(welcome.tick());
+    view.game(
+        welcome.game(),
+        level,
+        welcome.playerId(),
+        tickRate,
+        prediction == null ? null : simulation);
+    composer = new ViewComposer(view.view(), decoder, simulation, prediction, tickRate);
+  }
+
+  // ---- datagrams
+
+  /**
+   * Takes in a datagram.
+   *
+   * @param arrivedNs when it arrived
+   * @param nowNs time of the present update
+   * @param roundTripNs a message's round trip, as far as it is known
+   */
+  void receive(byte[] bytes, int length, long arrivedNs, long nowNs, long roundTripNs) {
+    if (!inbox.decode(bytes, length, arrivedNs)) {
+      return;
+    }
+    int tick = decoder.tick();
+    events.receive(decoder.events());
+    sender.heard(view.view().tick(), decoder.hasNews());
+    if (inbox.isNewest()) {
+      steerClocks(tick, arrivedNs, nowNs, roundTripNs);
+    }
+    if (decoder.feedback().present) {
+      sender.receive(decoder.feedback(), tick, arrivedNs, clock);
+    }
+    if (decoder.hasOwn() && prediction != null) {
+      prediction.receive(decoder.own().near(), tick);
+    }
+    if (inbox.keepOwn() && prediction == null) {
+      for (int i = 0; i < OwnState.MEMORY; i++) {
+        view.memory(i, inbox.own().memory(i));
+      }
+    }
+  }
+
+  private void steerClocks(int tick, long arrivedNs, long nowNs, long roundTripNs) {
+    renderClock.snapshot(tick, arrivedNs, decoder.touchedCount() == 0);
+    if (!clock.started()) {
+      clock.start(nowNs, tick, roundTripNs);
+      view.tick(clock.tick());
+      firstSnapshotNs = nowNs;
+    }
+    clock.heard(tick, nowNs);
+  }
+
+  // ---- time
+
+  /**
+   * Lets time pass: moves the clocks, runs the ticks that are due, and reconciles.
+   *
+   * @param seconds since the last call
+   * @param playing whether the link is up; without it only the picture goes on
+   */
+  void advance(long nowNs, float seconds, boolean playing) {
+    if (renderClock.started()) {
+      events.advance(renderClock.tick());
+    }
+    if (!clock.started()) {
+      return;
+    }
+    double loss = stats.stats().lossPercent() / 100;
+    renderClock.loss(loss);
+    clock.loss(loss);
+    renderClock.advance(nowNs);
+    clock.advance(nowNs);
+    if (playing) {
+      while (clock.due() > 0) {
+        runTick(clock.next(), nowNs);
+      }
+      reconcile(nowNs);
+    }
+    if (prediction != null) {
+      prediction.advance(seconds);
+    }
+    stats.clocks(clock, renderClock, tickRate);
+  }
+
+  /** Returns whether time has begun to pass: the first snapshot is here. */
+  boolean hasStarted() {
+    return clock.started();
+  }
+
+  private void runTick(int tick, long nowNs) {
+    input.clear();
+    source.sample(view.view(), tick, input);
+    view.input(input);
+    long packed = input.pack();
+    sender.add(tick, packed, view.view().tick());
+    view.tick(tick);
+    sender.sendIfDue(tick, renderClock.started() ? tick - renderClock.tick() : 0, nowNs);
+    if (prediction != null) {
+      prediction.step(tick, packed);
+    }
+  }
+
+  private void reconcile(long nowNs) {
+    if (prediction == null) {
+      return;
+    }
+    int tick = inbox.takeOwnTick();
+    if (tick < 0) {
+      return;
+    }
+    boolean wasAlone = prediction.isAlone();
+    prediction.reconcile(inbox.own(), tick, decoder);
+    divergence.check(tick, wasAlone, nowNs);
+    stats.reconciled(prediction);
+  }
+
+  // ---- the picture
+
+  /** Updates the view, except its entities, which are composed on demand. */
+  void describe(boolean playing) {
+    if (prediction != null) {
+      for (int i = 0; i < OwnState.MEMORY; i++) {
+        view.memory(i, prediction.memory(i));
+      }
+    }
+    if (playing) {
+      view.renderTick(renderClock.tick());
+      view.invalidate();
+    }
+  }
+
+  /** Composes the entities of the present moment. */
+  void compose(long nowNs) {
+    if (renderClock.started()) {
+      boolean joining = nowNs - firstSnapshotNs < JOIN_GRACE_NS;
+      composer.compose(nowNs, renderClock.tick(), clock.fraction(), joining, inbox.own());
+    }
+  }
+
+  /** Ends the stay: fires the events that wait. The picture stays. */
+  void close() {
+    events.close();
+  }
+
+  /** Returns what has arrived, exactly as the server sent it. Read-only. */
+  SnapshotDecoder decoder() {
+    return decoder;
+  }
+
+  /** Returns what is left to fade of corrections of the own body, metres. */
+  double visualErrorMetres() {
+    return prediction == null ? 0 : prediction.visualErrorMetres();
+  }
+}

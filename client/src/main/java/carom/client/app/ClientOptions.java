@@ -1,0 +1,35 @@
+package carom.client.app;
+
+import carom.client.ClientConfig;
+import carom.net.transport.Impairment;
+import carom.sim.scene.Scene;
+import java.nio.file.Path;
+
+/**
+ * Options from the command line of {@code carom-client}, for a window.
+ *
+ * @param config server, player and settings
+ * @param impairment a simulated bad network; {@code Impairment.NONE} for none
+ * @param connectAtOnce whether the server was named; false shows the connect screen first
+ * @param seconds leave after this time; 0 = when the player does
+ * @param netGraph whether the window starts with the net graph shown ({@code --net-graph})
+ * @param debug whether the window starts with debug drawing ({@code --debug})
+ * @param screenshot PNG file for the window's last picture, written when {@code seconds} are over
+ *     ({@code --screenshot FILE}); empty = none
+ * @param volume of the loudest sound, 0..1 ({@code --volume}); 0 = silent
+ * @param replay a recording to show instead of playing ({@code --replay FILE}); null to play
+ * @param live whether that recording grows and is shown from its end on ({@code --watch})
+ * @param scene a scene to show instead of playing ({@code --scene NAME}); null to play
+ */
+public record ClientOptions(
+    ClientConfig config,
+    Impairment impairment,
+    boolean connectAtOnce,
+    double seconds,
+    boolean netGraph,
+    boolean debug,
+    String screenshot,
+    float volume,
+    Path replay,
+    boolean live,
+    Scene scene) {}

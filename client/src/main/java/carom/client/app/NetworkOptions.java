@@ -1,0 +1,114 @@
+package carom.client.app;
+
+import carom.client.ClientConfig;
+import carom.net.kryo.KryoMessageCodec;
+import carom.net.transport.ClientTransport;
+import carom.net.transport.ImpairedClientTransport;
+import carom.net.transport.Impairment;
+import carom.options.NetworkConditions;
+import ch.qos.logback.classic.Level;
+import ch.qos.logback.classic.Logger;
+import ch.qos.logback.classic.LoggerContext;
+import ch.qos.logback.classic.encoder.PatternLayoutEncoder;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.ConsoleAppender;
+import org.slf4j.LoggerFactory;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** Command line flags that all client programs share: the server, and a simulated bad network. */
+public final class NetworkOptions {
+  /** Amount of logging to standard error. */
+  public enum LogLevel {
+    /** Failures. */
+    ERROR,
+    /** Also suspicious things. */
+    WARN,
+    /** Also what happens. */
+    INFO,
+    /** Also why it happens. */
+    DEBUG
+  }
+
+  @Option(
+      names = "--host",
+      paramLabel = "HOST",
+      description = "Server's name or address (${DEFAULT-VALUE}).",
+      defaultValue = "localhost")
+  String host = "localhost";
+
+  @Option(
+      names = "--tcp-port",
+      paramLabel = "N",
+      description = "Server's TCP port (${DEFAULT-VALUE}).",
+      defaultValue = "54555")
+  int tcpPort = ClientConfig.DEFAULT_TCP_PORT;
+
+  @Option(
+      names = "--udp-port",
+      paramLabel = "N",
+      description = "Server's UDP port (${DEFAULT-VALUE}).",
+      defaultValue = "54777")
+  int udpPort = ClientConfig.DEFAULT_UDP_PORT;
+
+  @Option(
+      names = "--log-level",
+      paramLabel = "LEVEL",
+      description = "How much is logged: error, warn, info or debug (${DEFAULT-VALUE}).",
+      defaultValue = "warn")
+  LogLevel logLevel = LogLevel.WARN;
+
+  @Mixin NetworkConditions conditions = new NetworkConditions();
+
+  /** Creates the defaults; the command line changes them. */
+  public NetworkOptions() {}
+
+  /** Returns a config for this server and a player of this name. */
+  public ClientConfig config(String name) {
+    return ClientConfig.of(name).withServer(host, tcpPort, udpPort);
+  }
+
+  /** Returns what is wrong with the flags (flag, value, range), or null if nothing is. */
+  public String problem() {
+    if (tcpPort < 1 || tcpPort > 65_535) {
+      return "--tcp-port=" + tcpPort + " is outside 1..65535";
+    }
+    if (udpPort < 1 || udpPort > 65_535) {
+      return "--udp-port=" + udpPort + " is outside 1..65535";
+    }
+    return conditions.problem();
+  }
+
+  /**
+   * Returns the simulated bad network; {@code Impairment.NONE} with a seed if none was asked for.
+   */
+  public Impairment impairment() {
+    return conditions.impairment();
+  }
+
+  /** Wraps a transport with the simulated bad network. */
+  public ClientTransport impair(ClientTransport transport) {
+    return conditions.isBad()
+        ? new ImpairedClientTransport(
+            transport, impairment(), new KryoMessageCodec(), System::nanoTime)
+        : transport;
+  }
+
+  /** Starts logging to standard error. */
+  public void startLogging() {
+    LoggerContext context = (LoggerContext) LoggerFactory.getILoggerFactory();
+    context.reset();
+    PatternLayoutEncoder encoder = new PatternLayoutEncoder();
+    encoder.setContext(context);
+    encoder.setPattern("%d{HH:mm:ss.SSS} %-5level %logger{0}: %msg%n");
+    encoder.start();
+    ConsoleAppender<ILoggingEvent> console = new ConsoleAppender<>();
+    console.setContext(context);
+    console.setTarget("System.err");
+    console.setEncoder(encoder);
+    console.start();
+    Logger root = context.getLogger(org.slf4j.Logger.ROOT_LOGGER_NAME);
+    root.setLevel(Level.toLevel(logLevel.name()));
+    root.addAppender(console);
+  }
+}

@@ -1,0 +1,15 @@
+package carom.client.app;
+
+/**
+ * A window to play in. This package knows no toolkit: {@link java.util.ServiceLoader} finds the
+ * implementation that {@code META-INF/services} names.
+ */
+public interface Window {
+  /**
+   * Opens the window and blocks until it is closed.
+   *
+   * @param options from the command line
+   * @return exit code of the program: 0 = closed by the player
+   */
+  int launch(ClientOptions options);
+}

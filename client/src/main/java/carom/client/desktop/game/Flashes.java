@@ -1,0 +1,95 @@
+package carom.client.desktop.game;
+
+import carom.client.desktop.hud.Hud;
+import carom.client.desktop.paint.Canvas;
+import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.ViewCamera;
+import carom.client.events.EventListener;
+import carom.sim.Event;
+import com.badlogic.gdx.graphics.Color;
+import com.badlogic.gdx.math.MathUtils;
+
+/**
+ * Visual effects of events: a ring that opens and a word that rises, as the event's kind says. So
+ * the window shows the events of any game. Render thread only.
+ */
+final class Flashes implements EventListener {
+  private static final int FLASHES = 64;
+  private static final float RING_SECONDS = 0.45f;
+  private static final float LABEL_SECONDS = 1.4f;
+  private static final float RISE_M_S = 1.2f;
+
+  private final Event[] events = new Event[FLASHES];
+  private final float[] age = new float[FLASHES];
+  private final Color color = new Color();
+  private int next;
+  private int shown;
+
+  Flashes() {
+    for (int i = 0; i < FLASHES; i++) {
+      events[i] = new Event();
+      age[i] = LABEL_SECONDS;
+    }
+  }
+
+  @Override
+  public void happened(Event event, boolean predicted) {
+    if (event.kind().radius() == 0 && event.kind().label().isEmpty()) {
+      return;
+    }
+    events[next].set(event);
+    age[next] = 0;
+    next = (next + 1) % FLASHES;
+    shown++;
+  }
+
+  @Override
+  public void retracted(Event event) {
+    for (int i = 0; i < FLASHES; i++) {
+      if (age[i] < LABEL_SECONDS && events[i].tick() == event.tick() && events[i].isLike(event)) {
+        age[i] = LABEL_SECONDS;
+        return;
+      }
+    }
+  }
+
+  /** Returns how many flashes have been shown so far. */
+  int shown() {
+    return shown;
+  }
+
+  /** Lets the flashes fade. */
+  void age(float seconds) {
+    for (int i = 0; i < FLASHES; i++) {
+      age[i] = Math.min(LABEL_SECONDS, age[i] + seconds);
+    }
+  }
+
+  /** Draws the rings. */
+  void draw(Canvas canvas) {
+    for (int i = 0; i < FLASHES; i++) {
+      float left = 1 - age[i] / RING_SECONDS;
+      if (left > 0 && events[i].kind().radius() > 0) {
+        float radius = events[i].kind().radius() * (1 - left * left);
+        canvas.ring(
+            events[i].x(),
+            events[i].y(),
+            radius,
+            0.05f + 0.2f * left * Math.min(1, radius),
+            Theme.shade(events[i].kind().rgb(), 1, left, color));
+      }
+    }
+  }
+
+  /** Writes the words; between begin and end of the hud's batch. */
+  void label(Hud hud, ViewCamera camera) {
+    for (int i = 0; i < FLASHES; i++) {
+      if (age[i] < LABEL_SECONDS && !events[i].kind().label().isEmpty()) {
+        Theme.shade(events[i].kind().rgb(), 1, 1 - age[i] / LABEL_SECONDS, color);
+        float y = events[i].y() + RISE_M_S * age[i];
+        float size = MathUtils.clamp(events[i].kind().radius(), 0.5f, 4);
+        hud.floating(events[i].kind().label(), camera.toScreen(events[i].x(), y), size >= 2, color);
+      }
+    }
+  }
+}

@@ -1,0 +1,313 @@
+package carom.client.desktop.game;
+
+import carom.client.desktop.paint.Canvas;
+import carom.client.desktop.paint.ShapePainter;
+import carom.client.desktop.paint.Theme;
+import carom.client.view.ClientView;
+import carom.client.view.ClientView.Drawn;
+import carom.game.Games;
+import carom.physics.Body;
+import carom.physics.geometry.Box;
+import carom.physics.geometry.Circle;
+import carom.physics.geometry.Convex;
+import carom.physics.geometry.Shape;
+import carom.sim.Entity;
+import carom.sim.Role;
+import carom.sim.Simulation;
+import carom.sim.level.Appearance;
+import carom.sim.level.Archetype;
+import carom.sim.level.Level;
+import com.badlogic.gdx.graphics.Color;
+import com.badlogic.gdx.graphics.OrthographicCamera;
+import com.badlogic.gdx.math.MathUtils;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Draws a level and everything that moves in it, in metres. Render thread only. */
+final class WorldPainter {
+  private static final float GRID_M = 2;
+  private static final float SHADOW_X_M = 0.10f;
+  private static final float SHADOW_Y_M = -0.14f;
+  private static final float EDGE_M = 0.07f;
+
+  /** Opacity of sensors. */
+  private static final float SENSOR = 0.25f;
+
+  /** Speed from which a body draws a streak behind it, m/s. */
+  private static final float STREAK_M_S = 10.5f;
+
+  /** Speed of the most visible streak, m/s. */
+  private static final float STREAK_FULL_M_S = 20;
+
+  private static final float STREAK_SECONDS = 0.11f; // of its way
+
+  /** A static body of the level. */
+  private record Scenery(Archetype archetype, float x, float y, float cos, float sin) {}
+
+  private final Canvas canvas;
+  private final ShapePainter shapes;
+  private final Impacts impacts = new Impacts();
+  private final float[] streak = new float[6];
+  private final Color fill = new Color();
+  private final Color edge = new Color();
+  private final Color detail = new Color();
+  private final List<Scenery> scenery = new ArrayList<>();
+  private Level sceneryOf;
+
+  WorldPainter(Canvas canvas) {
+    this.canvas = canvas;
+    shapes = new ShapePainter(canvas);
+  }
+
+  /**
+   * Draws the picture of this moment. {@code seconds} runs on steadily, for what pulses; {@code
+   * deltaSeconds} have passed since the last picture.
+   */
+  void draw(
+      ClientView view,
+      Flashes flashes,
+      OrthographicCamera camera,
+      float pixelsPerMetre,
+      float seconds,
+      float deltaSeconds) {
+    Level level = view.level();
+    gather(level);
+    impacts.update(view, deltaSeconds);
+    flashes.age(deltaSeconds);
+    canvas.begin(camera.combined, pixelsPerMetre);
+    backdrop(level, camera);
+    for (Scenery s : scenery) {
+      shapes.pose(s.x + SHADOW_X_M, s.y + SHADOW_Y_M, s.cos, s.sin);
+      shadow(s.archetype, 1);
+    }
+    for (int i = 0; i < view.entityCount(); i++) {
+      Drawn drawn = view.entity(i);
+      pose(drawn, SHADOW_X_M, SHADOW_Y_M);
+      shadow(drawn.archetype(), drawn.alpha());
+    }
+    for (Scenery s : scenery) {
+      shapes.pose(s.x, s.y, s.cos, s.sin);
+      boolean glows = s.archetype.appearance().look() == Appearance.Look.BUMPER;
+      paint(s.archetype, 1, seconds, glows ? glow(s.archetype, s.x, s.y) : 0);
+    }
+    for (int i = 0; i < view.entityCount(); i++) {
+      streak(view.entity(i));
+    }
+    Drawn own = view.own();
+    for (int i = 0; i < view.entityCount(); i++) {
+      Drawn drawn = view.entity(i);
+      pose(drawn, 0, 0);
+      paint(
+          drawn.archetype(), drawn.alpha(), seconds, glow(drawn.archetype(), drawn.x(), drawn.y()));
+      if (drawn.archetype().appearance().look() == Appearance.Look.PLAYER) {
+        face(drawn, drawn == own, view, seconds);
+      }
+    }
+    impacts.draw(canvas);
+    flashes.draw(canvas);
+    canvas.end();
+  }
+
+  private float glow(Archetype archetype, float x, float y) {
+    return impacts.glow(x, y, extent(archetype));
+  }
+
+  /** Draws a fading wedge behind a fast ball or a dashing player. */
+  private void streak(Drawn drawn) {
+    Appearance look = drawn.archetype().appearance();
+    float vx = drawn.velocityX();
+    float vy = drawn.velocityY();
+    float speed = (float) Math.sqrt(vx * vx + vy * vy);
+    boolean shows = look.look() == Appearance.Look.BALL || look.look() == Appearance.Look.PLAYER;
+    if (!shows || speed < STREAK_M_S) {
+      return;
+    }
+    float radius = 0.9f * extent(drawn.archetype());
+    float nx = -vy / speed * radius;
+    float ny = vx / speed * radius;
+    float share = Math.min(1, 0.3f + 0.7f * (speed - STREAK_M_S) / (STREAK_FULL_M_S - STREAK_M_S));
+    for (int layer = 1; layer <= 2; layer++) {
+      streak[0] = drawn.x() + nx;
+      streak[1] = drawn.y() + ny;
+      streak[2] = drawn.x() - vx * STREAK_SECONDS * layer;
+      streak[3] = drawn.y() - vy * STREAK_SECONDS * layer;
+      streak[4] = drawn.x() - nx;
+      streak[5] = drawn.y() - ny;
+      canvas.convex(streak, 3, Theme.shade(look.rgb(), 1.2f, 0.22f * share * drawn.alpha(), fill));
+    }
+  }
+
+  /** Reads the static bodies that a simulation makes of the level. */
+  private void gather(Level level) {
+    if (level == sceneryOf) {
+      return;
+    }
+    sceneryOf = level;
+    scenery.clear();
+    impacts.clear();
+    Simulation still =
+        new Simulation(Games.create(level.gameName()), level, 0, 60, Role.PREDICTION);
+    still.world().forEachBody(this::gather);
+  }
+
+  private void gather(Body<Entity> body) {
+    if (body.user().isLevel()) {
+      scenery.add(new Scenery(body.user().archetype(), body.x(), body.y(), body.cos(), body.sin()));
+    }
+  }
+
+  private void backdrop(Level level, OrthographicCamera camera) {
+    float left = camera.position.x - camera.viewportWidth / 2;
+    float bottom = camera.position.y - camera.viewportHeight / 2;
+    canvas.gradient(
+        left,
+        bottom,
+        camera.viewportWidth,
+        camera.viewportHeight,
+        Theme.shade(level.theme().background(), 1, 1, fill),
+        Theme.shade(level.theme().sky(), 1, 1, edge));
+    Level.Bounds b = level.bounds();
+    Color grid = Theme.shade(level.theme().grid(), 1, 0.4f, fill);
+    canvas.grid(b.minX(), b.minY(), b.maxX(), b.maxY(), GRID_M, grid);
+    for (Level.Zone zone : level.zones()) {
+      if (zone.rgb() >= 0) {
+        zone(zone);
+      }
+    }
+  }
+
+  private void zone(Level.Zone zone) {
+    float width = zone.maxX() - zone.minX();
+    float height = zone.maxY() - zone.minY();
+    canvas.rect(zone.minX(), zone.minY(), width, height, Theme.shade(zone.rgb(), 1, 0.22f, fill));
+    Theme.shade(zone.rgb(), 1, 0.7f, fill);
+    canvas.frame(zone.minX(), zone.minY(), width, height, EDGE_M, fill);
+  }
+
+  private void pose(Drawn drawn, float dx, float dy) {
+    shapes.pose(
+        drawn.x() + dx, drawn.y() + dy, MathUtils.cos(drawn.angle()), MathUtils.sin(drawn.angle()));
+  }
+
+  private void shadow(Archetype archetype, float alpha) {
+    fill.set(Theme.SHADOW).a *= alpha;
+    for (Shape shape : archetype.shapes()) {
+      shapes.fill(shape, fill);
+    }
+  }
+
+  private void paint(Archetype archetype, float alpha, float seconds, float glow) {
+    Appearance look = archetype.appearance();
+    if (archetype.sensor() && look.look() == Appearance.Look.PLAIN) {
+      alpha *= SENSOR;
+    }
+    Theme.shade(look.rgb(), 1 + 0.6f * glow, alpha, fill);
+    Theme.shade(look.outlineRgb(), 1, alpha, edge);
+    for (Shape shape : archetype.shapes()) {
+      shapes.paint(shape, fill, EDGE_M, edge);
+    }
+    for (Shape shape : archetype.shapes()) {
+      for (Convex part : shape.parts()) {
+        detail(look, part, alpha, seconds);
+      }
+    }
+  }
+
+  private void detail(Appearance look, Convex part, float alpha, float seconds) {
+    float radius = extent(part);
+    Theme.shade(look.rgb(), 1.35f, alpha, detail);
+    float x = shapes.worldX(0, 0);
+    float y = shapes.worldY(0, 0);
+    switch (look.look()) {
+      case BALL -> {
+        // Three spots that turn with it, so that rolling shows.
+        for (int i = 0; i < 3; i++) {
+          float angle = i * MathUtils.PI2 / 3;
+          float px = MathUtils.cos(angle) * radius * 0.55f;
+          float py = MathUtils.sin(angle) * radius * 0.55f;
+          canvas.disc(shapes.worldX(px, py), shapes.worldY(px, py), radius * 0.2f, edge);
+        }
+      }
+      case CRATE -> {
+        float h = radius * 0.62f;
+        canvas.line(
+            shapes.worldX(-h, -h),
+            shapes.worldY(-h, -h),
+            shapes.worldX(h, h),
+            shapes.worldY(h, h),
+            EDGE_M * 1.4f,
+            edge);
+        canvas.line(
+            shapes.worldX(-h, h),
+            shapes.worldY(-h, h),
+            shapes.worldX(h, -h),
+            shapes.worldY(h, -h),
+            EDGE_M * 1.4f,
+            edge);
+      }
+      case BUMPER -> {
+        float pulse = 0.55f + 0.06f * MathUtils.sin(seconds * 3 + x);
+        canvas.ring(x, y, radius * pulse, EDGE_M * 1.6f, detail);
+        canvas.disc(x, y, radius * 0.22f, detail);
+      }
+      case COIN -> canvas.ring(x, y, radius * 0.72f, EDGE_M, detail);
+      case LAMP -> canvas.disc(x, y, radius * 0.5f, detail);
+      default -> {
+        if (part instanceof Circle && look.look() == Appearance.Look.PLAIN) {
+          canvas.line(x, y, shapes.worldX(radius, 0), shapes.worldY(radius, 0), EDGE_M, edge);
+        }
+      }
+    }
+  }
+
+  /** Draws two eyes that look where the player goes or aims, and a halo around the own body. */
+  private void face(Drawn drawn, boolean own, ClientView view, float seconds) {
+    float radius = extent(drawn.archetype());
+    float angle = own ? view.input().aim() : drawn.angle();
+    if (!own
+        && drawn.velocityX() * drawn.velocityX() + drawn.velocityY() * drawn.velocityY() > 0.3f) {
+      angle = MathUtils.atan2(drawn.velocityY(), drawn.velocityX());
+    }
+    float cos = MathUtils.cos(angle);
+    float sin = MathUtils.sin(angle);
+    for (int side = -1; side <= 1; side += 2) {
+      float px = drawn.x() + radius * (0.42f * cos - 0.3f * side * sin);
+      float py = drawn.y() + radius * (0.42f * sin + 0.3f * side * cos);
+      canvas.disc(px, py, radius * 0.24f, Theme.shade(0xffffff, 1, drawn.alpha(), detail));
+      canvas.disc(
+          px + radius * 0.09f * cos,
+          py + radius * 0.09f * sin,
+          radius * 0.12f,
+          Theme.shade(0x10141c, 1, drawn.alpha(), detail));
+    }
+    if (own) {
+      halo(drawn, radius, seconds);
+    }
+  }
+
+  private void halo(Drawn drawn, float radius, float seconds) {
+    Theme.shade(0xffffff, 1, 0.7f + 0.25f * MathUtils.sin(seconds * 4), detail);
+    for (Shape shape : drawn.archetype().shapes()) {
+      if (shape instanceof Circle) {
+        canvas.ring(drawn.x(), drawn.y(), radius * 1.3f, EDGE_M, detail);
+      } else {
+        shapes.outline(shape, EDGE_M, detail);
+      }
+    }
+  }
+
+  /** Returns half of the smaller side of an archetype's first shape, metres. */
+  static float extent(Archetype archetype) {
+    return extent(archetype.shapes().get(0).parts().get(0));
+  }
+
+  private static float extent(Convex part) {
+    if (part instanceof Circle circle) {
+      return circle.radius();
+    }
+    if (part instanceof Box box) {
+      return Math.min(box.halfWidth(), box.halfHeight());
+    }
+    return 0.4f;
+  }
+}

@@ -1,0 +1,344 @@
+package carom.client.desktop.hud;
+
+import carom.client.desktop.paint.Canvas;
+import carom.client.desktop.paint.Fonts;
+import carom.client.desktop.paint.Theme;
+import carom.client.desktop.paint.ViewCamera;
+import carom.client.link.ConnectionPhase;
+import carom.client.view.ClientView;
+import carom.client.view.ClientView.Drawn;
+import carom.game.Games;
+import carom.net.protocol.Limits;
+import carom.net.protocol.ServerMessage.RosterEntry;
+import carom.sim.level.Appearance;
+import com.badlogic.gdx.graphics.Color;
+import com.badlogic.gdx.graphics.g2d.BitmapFont;
+import com.badlogic.gdx.graphics.g2d.GlyphLayout;
+import com.badlogic.gdx.graphics.g2d.SpriteBatch;
+import com.badlogic.gdx.math.MathUtils;
+import com.badlogic.gdx.math.Matrix4;
+import com.badlogic.gdx.math.Vector3;
+import com.badlogic.gdx.utils.Align;
+import com.badlogic.gdx.utils.Disposable;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
+/**
+ * Text and panels over the picture: names, scores, notices, the state of the connection, key hints.
+ * Units are pixels, origin bottom left. Render thread only.
+ */
+public final class Hud implements Disposable {
+  private static final int SHORT_LIST = 5;
+  private static final int LONG_LIST = 24;
+  private static final float PAD = 12;
+  private static final float LINE = 22;
+  private static final long NOTICE_NS = 4_000_000_000L;
+  private static final float HINT_SECONDS = 12;
+  private static final float ANSWER_SECONDS = 1.5f;
+  private static final String KEYS =
+      "WASD, arrows or pad: move     Space or click: jump, dash     E or right click: second move"
+          + "     Tab: scores     M: sound     F3: net graph     Esc: leave";
+
+  private final Canvas canvas;
+  private final SpriteBatch batch = new SpriteBatch();
+  private final Matrix4 pixels = new Matrix4();
+  private final Fonts fonts;
+  private final GlyphLayout layout = new GlyphLayout();
+  private final Color color = new Color();
+  private final Color shadow = new Color();
+  private final List<RosterEntry> ranking = new ArrayList<>();
+  private final GlyphLayout wrapped = new GlyphLayout();
+  private final FreePlaces places = new FreePlaces();
+  private final NameRows names = new NameRows(places, Limits.MAX_PLAYERS);
+  private String hintsOf = "";
+  private String about = "";
+  private String answer = "";
+  private float answerSeconds;
+  private int width;
+  private int height;
+
+  /** Creates a HUD. The canvas and the fonts stay the property of the caller. */
+  public Hud(Canvas canvas, Fonts fonts) {
+    this.canvas = canvas;
+    this.fonts = fonts;
+  }
+
+  /** Sets the window's size, px; call it once per frame, before anything else. */
+  public void size(int newWidth, int newHeight) {
+    width = newWidth;
+    height = newHeight;
+    pixels.setToOrtho2D(0, 0, width, height);
+    batch.setProjectionMatrix(pixels);
+  }
+
+  /** Returns the window's height, px. */
+  public int height() {
+    return height;
+  }
+
+  /** Returns the projection from pixels, origin bottom left, to clip space. */
+  Matrix4 pixels() {
+    return pixels;
+  }
+
+  /**
+   * Starts a batch of text; {@link #left} and {@link #floating} stand between this and {@link
+   * #end}.
+   */
+  public void begin() {
+    batch.begin();
+  }
+
+  /** Ends the batch of text. */
+  public void end() {
+    batch.end();
+  }
+
+  /**
+   * Draws names above the players' bodies, in rows where bodies are close together. A name without
+   * room, or where the last frame had a panel, isn't drawn.
+   */
+  public void names(ClientView view, ViewCamera camera, float pixelsPerMetre) {
+    batch.begin();
+    for (int i = 0; i < view.entityCount(); i++) {
+      Drawn drawn = view.entity(i);
+      if (drawn.archetype().appearance().look() != Appearance.Look.PLAYER || drawn == view.own()) {
+        continue;
+      }
+      Vector3 at = camera.toScreen(drawn.x(), drawn.y());
+      color.set(Theme.TEXT).a = 0.85f * drawn.alpha();
+      name(
+          drawn.ownerId(),
+          view.playerName(drawn.ownerId()),
+          at.x,
+          at.y + pixelsPerMetre * 0.75f + 16);
+    }
+    batch.end();
+    places.clear();
+  }
+
+  /** Draws a name around x with its upper edge at y, or higher if that place is taken. */
+  private void name(int player, String text, float x, float y) {
+    layout.setText(fonts.small, text);
+    float top = names.top(player, x, y, layout.width);
+    if (!Float.isNaN(top)) {
+      centred(fonts.small, text, x, top, color);
+    }
+  }
+
+  /** Draws a word around a place on the screen. */
+  public void floating(String text, Vector3 at, boolean large, Color textColor) {
+    centred(large ? fonts.title : fonts.text, text, at.x, at.y, textColor);
+  }
+
+  /** Draws the players by score: a few, or on demand many, always including the own one. */
+  public void scores(ClientView view, boolean all) {
+    ranking.clear();
+    ranking.addAll(view.players());
+    ranking.sort(
+        Comparator.comparingInt(RosterEntry::score)
+            .reversed()
+            .thenComparing(RosterEntry::playerId));
+    int shown = Math.min(ranking.size(), all ? LONG_LIST : SHORT_LIST);
+    if (shown == 0) {
+      return;
+    }
+    float w = 220;
+    float h = shown * LINE + 2 * PAD + LINE;
+    float x = width - w - PAD;
+    float top = height - PAD;
+    panel(x, top - h, w, h);
+    batch.begin();
+    left(
+        fonts.small,
+        ranking.size() == 1
+            ? "1 player"
+            : ranking.size()
+                + (all || ranking.size() == shown ? " players" : " players   Tab: all"),
+        x + PAD,
+        top - PAD,
+        Theme.MUTED);
+    for (int i = 0; i < shown; i++) {
+      int rank = i == shown - 1 ? Math.max(i, rank(view.playerId())) : i;
+      RosterEntry entry = ranking.get(rank);
+      boolean own = entry.playerId() == view.playerId();
+      float y = top - PAD - (i + 1) * LINE;
+      Color tint = own ? Theme.ACCENT : Theme.TEXT;
+      String score = Integer.toString(entry.score());
+      layout.setText(fonts.text, score);
+      float room = w - 3 * PAD - layout.width;
+      left(fonts.text, score, x + w - PAD - layout.width, y, tint);
+      String name = (rank + 1) + "  " + entry.name();
+      layout.setText(fonts.text, name, 0, name.length(), tint, room, Align.left, false, "...");
+      fonts.text.draw(batch, layout, MathUtils.round(x + PAD), MathUtils.round(y));
+    }
+    batch.end();
+  }
+
+  /** Returns the rank of a player, or -1. */
+  private int rank(int playerId) {
+    for (int i = 0; i < ranking.size(); i++) {
+      if (ranking.get(i).playerId() == playerId) {
+        return i;
+      }
+    }
+    return -1;
+  }
+
+  /** Draws the notices of the last seconds, newest on top, fading. */
+  public void notices(ClientView view, long nowNs) {
+    batch.begin();
+    float y = height - 70;
+    for (int i = view.notices().size() - 1; i >= 0; i--) {
+      ClientView.Notice notice = view.notices().get(i);
+      float left = 1 - (nowNs - notice.arrivedNs()) / (float) NOTICE_NS;
+      if (left <= 0) {
+        break;
+      }
+      color.set(Theme.TEXT).a = Math.min(1, left * 3);
+      centred(fonts.large, notice.text(), width / 2f, y, color);
+      y -= 32;
+    }
+    batch.end();
+  }
+
+  /** Shows a few words for a moment, as the answer to a key. */
+  public void showAnswer(String text) {
+    answer = text;
+    answerSeconds = ANSWER_SECONDS;
+  }
+
+  /** Draws the answer to the last key while it shows. */
+  public void drawAnswer(float seconds) {
+    if (answerSeconds > 0) {
+      batch.begin();
+      color.set(Theme.TEXT).a = Math.min(1, 3 * answerSeconds);
+      centred(fonts.large, answer, width / 2f, height / 3f, color);
+      batch.end();
+      answerSeconds -= seconds;
+    }
+  }
+
+  /**
+   * Draws what the game is about and the keys, in the first seconds.
+   *
+   * @param from x from which there is room, px
+   */
+  public void hints(ClientView view, float secondsPlayed, float from) {
+    if (secondsPlayed > HINT_SECONDS) {
+      return;
+    }
+    if (!view.game().equals(hintsOf)) {
+      hintsOf = view.game();
+      about = Games.create(hintsOf).description();
+    }
+    batch.begin();
+    color.set(Theme.TEXT).a = Math.min(1, HINT_SECONDS - secondsPlayed) * 0.9f;
+    float y = below(KEYS, from, PAD);
+    below(about, from, y + 6);
+    batch.end();
+  }
+
+  /** Draws wrapped lines right of a place, from a height upwards; returns the top. */
+  private float below(String text, float from, float bottom) {
+    float room = width - from - 4 * PAD;
+    shadow.set(0, 0, 0, 0.6f * color.a);
+    wrapped.setText(fonts.text, text, shadow, room, Align.center, true);
+    float x = MathUtils.round(from + 2 * PAD);
+    float top = MathUtils.round(bottom + wrapped.height);
+    fonts.text.draw(batch, wrapped, x + 1, top - 1);
+    wrapped.setText(fonts.text, text, color, room, Align.center, true);
+    fonts.text.draw(batch, wrapped, x, top);
+    return top;
+  }
+
+  /** Draws that the player, who has no body, will be back in a moment. */
+  public void bodiless() {
+    batch.begin();
+    centred(fonts.large, "You are back in a moment", width / 2f, height / 2f, Theme.TEXT);
+    batch.end();
+  }
+
+  /** Draws what the connection is doing while there is no game to play. */
+  public void phase(ClientView view) {
+    ConnectionPhase phase = view.phase();
+    veil();
+    float w = Math.min(width - 2 * PAD, 560);
+    wrapped.setText(fonts.text, view.message(), Theme.MUTED, w - 4 * PAD, Align.center, true);
+    float h = 90 + wrapped.height;
+    float x = (width - w) / 2;
+    float y = (height - h) / 2;
+    panel(x, y, w, h, Theme.DIALOG);
+    if (phase == ConnectionPhase.LOADING) {
+      float bar = (w - 2 * PAD) * (float) view.loadingProgress();
+      canvas.begin(pixels, 1);
+      canvas.rect(x + PAD, y + PAD, w - 2 * PAD, 4, Theme.PANEL_LINE);
+      canvas.rect(x + PAD, y + PAD, bar, 4, Theme.ACCENT);
+      canvas.end();
+    }
+    batch.begin();
+    fonts.text.draw(batch, wrapped, x + 2 * PAD, y + wrapped.height + 26);
+    centred(fonts.large, title(phase), width / 2f, y + h - 18, Theme.TEXT);
+    batch.end();
+  }
+
+  private static String title(ConnectionPhase phase) {
+    return switch (phase) {
+      case IDLE, CONNECTING -> "Connecting";
+      case JOINING -> "Joining";
+      case LOADING -> "Loading the level";
+      case RECONNECTING -> "Reconnecting";
+      case ENDED -> "Disconnected";
+      case PLAYING -> "";
+    };
+  }
+
+  /** Darkens everything, because the picture isn't the present. */
+  private void veil() {
+    canvas.begin(pixels, 1);
+    canvas.rect(0, 0, width, height, Theme.VEIL);
+    canvas.end();
+  }
+
+  /** Draws a dark, translucent panel with a thin edge. */
+  public void panel(float x, float y, float w, float h) {
+    panel(x, y, w, h, Theme.PANEL);
+  }
+
+  private void panel(float x, float y, float w, float h, Color ground) {
+    places.take(x, y, w, h);
+    canvas.begin(pixels, 1);
+    canvas.rect(x, y, w, h, ground);
+    canvas.frame(x, y, w, h, 1, Theme.PANEL_LINE);
+    canvas.end();
+  }
+
+  /** Returns the width of a text, px. */
+  public float width(BitmapFont font, String text) {
+    layout.setText(font, text);
+    return layout.width;
+  }
+
+  /**
+   * Draws text that starts at x; y is the top of the capitals. Stands between {@link #begin} and
+   * {@link #end}.
+   */
+  public void left(BitmapFont font, String text, float x, float y, Color tint) {
+    font.setColor(tint);
+    font.draw(batch, text, MathUtils.round(x), MathUtils.round(y));
+  }
+
+  @Override
+  public void dispose() {
+    batch.dispose();
+  }
+
+  /** Draws text around x, with a shadow that keeps it legible on any ground. */
+  private void centred(BitmapFont font, String text, float x, float y, Color tint) {
+    layout.setText(font, text);
+    shadow.set(0, 0, 0, 0.6f * tint.a);
+    left(font, text, x - layout.width / 2 + 1, y - 1, shadow);
+    left(font, text, x - layout.width / 2, y, tint);
+  }
+}

@@ -1,0 +1,131 @@
+package carom.client.desktop.paint;
+
+import carom.sim.level.Level;
+import com.badlogic.gdx.graphics.OrthographicCamera;
+import com.badlogic.gdx.math.MathUtils;
+import com.badlogic.gdx.math.Vector3;
+
+/**
+ * The part of the level that the window shows: the whole level if it fits at a readable size, or
+ * else a part that follows the player and stops at the level's edges. World units are metres, y up.
+ * Render thread only.
+ */
+public final class ViewCamera {
+  /** Smallest height shown while following, metres. */
+  private static final float FOLLOW_HEIGHT_M = 16;
+
+  /** Height up to which a level is always shown whole in height, metres. */
+  private static final float WHOLE_HEIGHT_M = 30;
+
+  /** Space around a level that is shown whole, in metres. */
+  private static final float MARGIN_M = 0.6f;
+
+  /** Rate at which the camera approaches the player, 1/s. */
+  private static final float FOLLOW_PER_SECOND = 6;
+
+  private final OrthographicCamera camera = new OrthographicCamera();
+  private final Vector3 scratch = new Vector3();
+  private boolean placed;
+
+  /** Returns the toolkit's camera; the same object for ever. Change it only through this class. */
+  public OrthographicCamera gdx() {
+    return camera;
+  }
+
+  /** Returns whether there ever was somebody to follow; spectators have nobody. */
+  public boolean hasFollowed() {
+    return placed;
+  }
+
+  /** Returns the scale, pixels per metre. */
+  public float pixelsPerMetre(int screenHeight) {
+    return screenHeight / camera.viewportHeight;
+  }
+
+  /**
+   * Fits the view to the window and moves it towards the player. Without a player to follow it
+   * stays; before the first one it shows the whole level.
+   */
+  public void update(
+      Level.Bounds bounds,
+      boolean followed,
+      float x,
+      float y,
+      int width,
+      int height,
+      float seconds) {
+    float levelWidth = bounds.maxX() - bounds.minX() + 2 * MARGIN_M;
+    float levelHeight = bounds.maxY() - bounds.minY() + 2 * MARGIN_M;
+    float aspect = width / (float) height;
+    float whole = Math.max(levelHeight, levelWidth / aspect);
+    boolean follows = placed || followed;
+    float shown =
+        whole <= WHOLE_HEIGHT_M || !follows ? whole : Math.min(levelHeight, FOLLOW_HEIGHT_M);
+    camera.viewportHeight = shown;
+    camera.viewportWidth = shown * aspect;
+
+    float centerX = (bounds.minX() + bounds.maxX()) / 2;
+    float centerY = (bounds.minY() + bounds.maxY()) / 2;
+    float slackX = Math.max(0, (levelWidth - camera.viewportWidth) / 2);
+    float slackY = Math.max(0, (levelHeight - camera.viewportHeight) / 2);
+    float lookX = followed ? x : placed ? camera.position.x : centerX;
+    float lookY = followed ? y : placed ? camera.position.y : centerY;
+    float goalX = MathUtils.clamp(lookX, centerX - slackX, centerX + slackX);
+    float goalY = MathUtils.clamp(lookY, centerY - slackY, centerY + slackY);
+    float step = placed ? 1 - (float) Math.exp(-FOLLOW_PER_SECOND * seconds) : 1;
+    camera.position.x = MathUtils.lerp(camera.position.x, goalX, step);
+    camera.position.y = MathUtils.lerp(camera.position.y, goalY, step);
+    placed |= followed;
+    camera.update();
+  }
+
+  /** Shows at least a rectangle of metres around a point, whatever the window's shape. */
+  public void fit(
+      float x, float y, float widthM, float heightM, int screenWidth, int screenHeight) {
+    float aspect = screenWidth / (float) screenHeight;
+    camera.viewportHeight = Math.max(heightM, widthM / aspect);
+    camera.viewportWidth = camera.viewportHeight * aspect;
+    camera.position.set(x, y, 0);
+    camera.update();
+  }
+
+  /** Keeps height and centre when the window changes its shape. */
+  public void resize(int screenWidth, int screenHeight) {
+    camera.viewportWidth = camera.viewportHeight * screenWidth / screenHeight;
+    camera.update();
+  }
+
+  /** Moves the picture from one pixel to another (origin top left). */
+  public void pan(float fromX, float fromY, float toX, float toY) {
+    Vector3 from = toWorld(fromX, fromY);
+    float x = from.x;
+    float y = from.y;
+    Vector3 to = toWorld(toX, toY);
+    camera.position.add(x - to.x, y - to.y, 0);
+    camera.update();
+  }
+
+  /** Shows {@code factor} times as many metres, with the same point under a pixel. */
+  public void zoom(float screenX, float screenY, float factor) {
+    Vector3 at = toWorld(screenX, screenY);
+    float x = at.x;
+    float y = at.y;
+    float height = MathUtils.clamp(camera.viewportHeight * factor, 0.05f, 1e4f);
+    factor = height / camera.viewportHeight;
+    camera.viewportHeight = height;
+    camera.viewportWidth *= factor;
+    camera.position.set(
+        x + (camera.position.x - x) * factor, y + (camera.position.y - y) * factor, 0);
+    camera.update();
+  }
+
+  /** Returns the world position under a pixel (origin top left). The result is reused. */
+  public Vector3 toWorld(float screenX, float screenY) {
+    return camera.unproject(scratch.set(screenX, screenY, 0));
+  }
+
+  /** Returns the pixel (origin bottom left) of a world position. The result is reused. */
+  public Vector3 toScreen(float x, float y) {
+    return camera.project(scratch.set(x, y, 0));
+  }
+}

@@ -1,0 +1,57 @@
+package carom.client.events;
+
+/**
+ * Drops the events that a new link repeats. The server sends again what it doesn't know to have
+ * arrived over the lost link: whole ticks, in the same order. If the new link loses events before
+ * the repetition is through, nobody can tell which; the rest of that tick is dropped. One thread;
+ * no allocation.
+ */
+public final class RepeatedEventFilter {
+  private int tick = -1;
+
+  /** Events of {@link #tick} that were accepted. */
+  private int count;
+
+  /** Events of {@link #tick} that the new link still has to repeat. */
+  private int toRepeat;
+
+  /** Creates a filter that has seen no event. */
+  public RepeatedEventFilter() {}
+
+  /**
+   * Notes that a link begins.
+   *
+   * @param serverTick the server's tick; below the last event's tick, it is another server
+   */
+  public void beginLink(int serverTick) {
+    if (serverTick < tick) {
+      tick = -1;
+      count = 0;
+    }
+    toRepeat = count;
+  }
+
+  /**
+   * Takes in the next event that the server sends.
+   *
+   * @param eventTick its tick
+   * @param missed events that this link has lost so far
+   * @return whether the event is new; false if an earlier link has brought it
+   */
+  public boolean accept(int eventTick, long missed) {
+    if (eventTick < tick) {
+      return false;
+    }
+    if (eventTick > tick) {
+      tick = eventTick;
+      count = 0;
+      toRepeat = 0;
+    }
+    if (toRepeat > 0) {
+      toRepeat = missed > 0 ? Integer.MAX_VALUE : toRepeat - 1;
+      return false;
+    }
+    count++;
+    return true;
+  }
+}

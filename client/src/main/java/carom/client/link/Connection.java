@@ -1,0 +1,469 @@
+package carom.client.link;
+
+import carom.client.stats.NetStatsRecorder;
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.GoodbyeReason;
+import carom.net.protocol.Limits;
+import carom.net.protocol.Protocol;
+import carom.net.protocol.ServerMessage;
+import carom.net.transport.ClientTransport;
+import carom.net.transport.Link;
+import carom.net.transport.LinkHandler;
+import carom.sim.level.Level;
+
+/**
+ * Connects to a server and comes back after a loss. It opens the link, says hello, downloads the
+ * level, notices a dead line, and resumes the session with its secret. It knows nothing of ticks
+ * and worlds. One client's; one thread.
+ *
+ * <pre>
+ * WAITING ─► CONNECTING ─► JOINING ─► LOADING ─► PLAYING
+ *    ▲            │            │          │         │        refused, kicked, left: ENDED
+ *    └────────────┴────────────┴──────────┴─────────┘        lost: back to WAITING, if wanted
+ * </pre>
+ */
+public final class Connection implements LinkHandler {
+  /** Receives what a connection brings. */
+  public interface Listener {
+    /**
+     * The server has let the client in and the level is here: playing begins.
+     *
+     * @return null, or why this client can't play, in words for the player
+     */
+    String joined(ServerMessage.Welcome welcome, Level level);
+
+    /**
+     * A datagram arrived while playing.
+     *
+     * @param arrivedNs when, by the clock of {@code update}; a frame may have passed since
+     */
+    void datagram(byte[] bytes, int length, long arrivedNs);
+
+    /** The list of players has changed. */
+    void roster(ServerMessage.Roster roster);
+
+    /** The server has sent a line for the player. */
+    void notice(String text);
+
+    /** Playing is over, for now or for good. */
+    void stopped();
+  }
+
+  private enum Stage {
+    IDLE,
+    WAITING,
+    CONNECTING,
+    JOINING,
+    LOADING,
+    PLAYING,
+    ENDED
+  }
+
+  private static final long MS = 1_000_000L;
+  private static final long CONNECT_TIMEOUT_NS = 10_000 * MS;
+  private static final long JOIN_TIMEOUT_NS = 10_000 * MS;
+  private static final long LOAD_SILENCE_NS = 15_000 * MS;
+
+  /** Silence after which a link counts as lost. Client and server survive gaps of 5 s. */
+  private static final long PLAY_SILENCE_NS = 6_000 * MS;
+
+  private static final int MAX_POLL = 2_048;
+
+  private final ServerAddress address;
+  private final String playerName;
+  private final boolean reconnects;
+  private final ClientTransport transport;
+  private final Listener listener;
+  private final NetStatsRecorder stats;
+  private final ReconnectTimer comeback = new ReconnectTimer();
+  private final LevelDownload download = new LevelDownload();
+
+  private Stage stage = Stage.IDLE;
+  private String message = "";
+  private Link link;
+  private long nowNs;
+  private long stageSinceNs;
+  private long lastHeardNs;
+  private long askedNs;
+  private long roundTripNs;
+  private boolean retryUseful;
+  private long countedIn;
+  private long countedOut;
+
+  private ServerMessage.Welcome welcome;
+  private long secret;
+
+  /**
+   * Creates a connection that opens its link at the first {@link #update}.
+   *
+   * @param address of the server
+   * @param playerName the player's name
+   * @param reconnects whether to come back after a link was lost
+   */
+  public Connection(
+      ServerAddress address,
+      String playerName,
+      boolean reconnects,
+      ClientTransport transport,
+      Listener listener,
+      NetStatsRecorder stats) {
+    this.address = address;
+    this.playerName = playerName;
+    this.reconnects = reconnects;
+    this.transport = transport;
+    this.listener = listener;
+    this.stats = stats;
+  }
+
+  /** Takes in what has arrived and does what is due. */
+  public void update(long nowNs) {
+    this.nowNs = nowNs;
+    switch (stage) {
+      case IDLE -> open();
+      case WAITING -> {
+        if (comeback.isOver(nowNs)) {
+          end("The server at " + address + " did not come back. " + message);
+        } else if (comeback.isDue(nowNs)) {
+          open();
+        }
+      }
+      case CONNECTING, JOINING, LOADING, PLAYING -> {
+        poll();
+        if (link != null) {
+          progress();
+        }
+      }
+      case ENDED -> {}
+    }
+  }
+
+  private void open() {
+    retryUseful = false;
+    comeback.attempt();
+    enter(Stage.CONNECTING);
+    if (!comeback.isRunning()) {
+      message = "Connecting to " + address + " ...";
+    }
+    countedIn = 0;
+    countedOut = 0;
+    link = transport.connect(address.host(), address.tcpPort(), address.udpPort());
+    progress();
+  }
+
+  /** Checks for an open link and for deadlines. */
+  private void progress() {
+    long waited = nowNs - stageSinceNs;
+    switch (stage) {
+      case CONNECTING -> {
+        if (link.state() == Link.State.OPEN) {
+          enter(Stage.JOINING);
+          askedNs = nowNs;
+          lastHeardNs = nowNs;
+          link.send(
+              new ClientMessage.Hello(
+                  Protocol.VERSION, Protocol.physicsDigest(), playerName, secret));
+        } else if (link.state() == Link.State.CLOSED) {
+          poll(); // delivers the reason
+        } else if (waited > CONNECT_TIMEOUT_NS) {
+          fail("No answer from " + address + ". Check the address; is the server running?");
+        }
+      }
+      case JOINING -> {
+        if (waited > JOIN_TIMEOUT_NS) {
+          fail(address + " accepts connections but says nothing. Is it a Carom server?");
+        }
+      }
+      case LOADING -> {
+        if (nowNs - lastHeardNs > LOAD_SILENCE_NS) {
+          fail("The level stopped arriving from " + address + ".");
+        }
+      }
+      case PLAYING -> {
+        if (nowNs - lastHeardNs > PLAY_SILENCE_NS) {
+          fail("The connection to " + address + " was lost.");
+        }
+      }
+      default -> {}
+    }
+  }
+
+  private void poll() {
+    Link polled = link;
+    polled.poll(this, MAX_POLL);
+    count(polled);
+  }
+
+  private void count(Link counted) {
+    var counters = counted.counters();
+    long in = counters.datagramBytesIn.get() + counters.messageBytesIn.get();
+    long out = counters.datagramBytesOut.get() + counters.messageBytesOut.get();
+    stats.bytes((int) (in - countedIn), (int) (out - countedOut));
+    countedIn = in;
+    countedOut = out;
+  }
+
+  @Override
+  public void message(Link from, Object received) {
+    if (from != link) {
+      return; // an old link's last words
+    }
+    lastHeardNs = nowNs;
+    if (received instanceof ServerMessage.Welcome w && stage == Stage.JOINING) {
+      welcomed(w);
+    } else if (received instanceof ServerMessage.LevelChunk chunk && stage == Stage.LOADING) {
+      chunk(chunk);
+    } else if (received instanceof ServerMessage.Refused refused && stage != Stage.PLAYING) {
+      refused(refused);
+    } else if (received instanceof ServerMessage.Goodbye goodbye) {
+      goodbye(goodbye);
+    } else if (received instanceof ServerMessage.Roster roster) {
+      listener.roster(roster);
+    } else if (received instanceof ServerMessage.Notice notice) {
+      listener.notice(notice.text());
+    } else {
+      fail("The server at " + address + " sent something unexpected: " + nameOf(received));
+    }
+  }
+
+  @Override
+  public void datagram(Link from, byte[] bytes, int length) {
+    if (from == link && stage == Stage.PLAYING) {
+      lastHeardNs = nowNs;
+      listener.datagram(bytes, length, nowNs - from.waitedNs());
+    }
+  }
+
+  @Override
+  public void closed(Link from, String reason) {
+    if (from == link) {
+      count(from);
+      link = null;
+      retryUseful = true;
+      if (stage == Stage.PLAYING) {
+        lost(sentence("The connection to " + address + " was lost: " + reason));
+      } else if (comeback.isRunning()) {
+        lost("No answer from " + address + "."); // it was there, so the address is right
+      } else {
+        lost(sentence("Can't reach the server: " + reason));
+      }
+    }
+  }
+
+  private void welcomed(ServerMessage.Welcome w) {
+    measureRoundTrip();
+    if (w.levelSize() < 1
+        || w.levelSize() > Limits.MAX_LEVEL_BYTES
+        || w.packedSize() < 1
+        || w.packedSize() > Limits.MAX_LEVEL_BYTES
+        || w.tickRate() < Limits.MIN_TICK_RATE
+        || w.tickRate() > Limits.MAX_TICK_RATE) {
+      fail("The server's welcome makes no sense: " + w);
+      return;
+    }
+    welcome = w;
+    secret = w.sessionSecret();
+    enter(Stage.LOADING);
+    if (download.begin(w)) {
+      ready();
+      return;
+    }
+    if (!comeback.isRunning()) {
+      message = "Loading " + w.levelName() + " ...";
+    }
+    requestLevel();
+  }
+
+  private void requestLevel() {
+    if (download.request(link)) {
+      askedNs = nowNs;
+    }
+  }
+
+  private void chunk(ServerMessage.LevelChunk chunk) {
+    switch (download.add(chunk)) {
+      case LOADING -> requestLevel();
+      case DONE -> ready();
+      case DAMAGED -> {
+        if (comeback.isRunning()) {
+          fail(download.problem());
+        } else {
+          end(download.problem()); // another download would hardly bring something better
+        }
+      }
+      case UNREADABLE -> end(download.problem());
+    }
+  }
+
+  private void ready() {
+    String problem = listener.joined(welcome, download.level());
+    if (problem != null) {
+      end(problem);
+      return;
+    }
+    if (comeback.isRunning()) {
+      stats.reconnected();
+    }
+    enter(Stage.PLAYING);
+    stats.playing(true, nowNs);
+    message = "";
+    comeback.stop();
+    lastHeardNs = nowNs;
+    link.send(new ClientMessage.Ready());
+  }
+
+  private void refused(ServerMessage.Refused refused) {
+    String text = join(refused.reason().playerText(), refused.text());
+    retryUseful = refused.reason().retryUseful();
+    if (comeback.isRunning() && retryUseful) {
+      fail(text);
+    } else {
+      end(text);
+    }
+  }
+
+  private void goodbye(ServerMessage.Goodbye goodbye) {
+    String text = join(goodbye.reason().playerText(), goodbye.text());
+    retryUseful = goodbye.reason().retryUseful();
+    if (goodbye.reason() == GoodbyeReason.LEFT || !goodbye.reason().retryUseful()) {
+      end(text);
+    } else {
+      fail(text);
+    }
+  }
+
+  /** Drops the link. The connection ends, or tries to come back if it was playing. */
+  private void fail(String why) {
+    dropLink(why);
+    retryUseful = true;
+    lost(why);
+  }
+
+  private void lost(String why) {
+    boolean wasIn = stage == Stage.PLAYING || (stage == Stage.LOADING && !comeback.isRunning());
+    stop();
+    message = why;
+    if (!reconnects || !(wasIn || comeback.isRunning())) {
+      stage = Stage.ENDED;
+      return;
+    }
+    if (wasIn) {
+      comeback.start(nowNs);
+    }
+    stage = Stage.WAITING;
+    comeback.scheduleAttempt(nowNs);
+  }
+
+  private void end(String why) {
+    dropLink(why);
+    stop();
+    message = why;
+    stage = Stage.ENDED;
+  }
+
+  private void stop() {
+    if (stage == Stage.PLAYING) {
+      stats.playing(false, nowNs);
+      listener.stopped();
+    }
+  }
+
+  private void dropLink(String why) {
+    if (link != null) {
+      Link dropped = link;
+      link = null;
+      dropped.close(why);
+      count(dropped);
+    }
+  }
+
+  /** Leaves the game for good. */
+  public void leave() {
+    if (stage == Stage.ENDED) {
+      return;
+    }
+    if (link != null && link.state() == Link.State.OPEN) {
+      link.send(new ClientMessage.Leave());
+    }
+    end("You left the game.");
+  }
+
+  /** Sends a message, if playing. */
+  public void send(ClientMessage message) {
+    if (link != null && stage == Stage.PLAYING) {
+      link.send(message);
+    }
+  }
+
+  /** Sends a datagram, if playing; returns whether the link took it. */
+  public boolean sendDatagram(byte[] bytes, int length) {
+    return link != null && stage == Stage.PLAYING && link.sendDatagram(bytes, 0, length);
+  }
+
+  private void measureRoundTrip() {
+    long measured = Math.max(1, nowNs - askedNs);
+    roundTripNs = roundTripNs == 0 ? measured : Math.min(roundTripNs, measured);
+  }
+
+  private void enter(Stage next) {
+    stage = next;
+    stageSinceNs = nowNs;
+  }
+
+  /** Returns whether the client is in the game. */
+  public boolean isPlaying() {
+    return stage == Stage.PLAYING;
+  }
+
+  /** Returns where the client stands on its way into the game. */
+  public ConnectionPhase phase() {
+    if (comeback.isRunning() && stage != Stage.ENDED) {
+      return ConnectionPhase.RECONNECTING;
+    }
+    return switch (stage) {
+      case IDLE -> ConnectionPhase.IDLE;
+      case WAITING -> ConnectionPhase.RECONNECTING;
+      case CONNECTING -> ConnectionPhase.CONNECTING;
+      case JOINING -> ConnectionPhase.JOINING;
+      case LOADING -> ConnectionPhase.LOADING;
+      case PLAYING -> ConnectionPhase.PLAYING;
+      case ENDED -> ConnectionPhase.ENDED;
+    };
+  }
+
+  /** Returns whether the connection has ended for a reason that may be over in a moment. */
+  public boolean isRetryUseful() {
+    return stage == Stage.ENDED && retryUseful;
+  }
+
+  /** Returns what is going on, in words for the player; empty while playing. */
+  public String message() {
+    return comeback.isRunning() && stage != Stage.ENDED
+        ? message
+            + " Reconnecting"
+            + (comeback.attempts() > 1 ? " (attempt " + comeback.attempts() + ")" : "")
+            + " ..."
+        : message;
+  }
+
+  /** Returns the share of the level that has arrived, 0..1. */
+  public double levelProgress() {
+    return stage == Stage.PLAYING ? 1 : download.share();
+  }
+
+  /** Returns the quickest answer to a message so far, nanoseconds; 0 before the first. */
+  public long roundTripNs() {
+    return roundTripNs;
+  }
+
+  private static String join(String sentence, String details) {
+    return details.isEmpty() || details.equals(sentence) ? sentence : sentence + " " + details;
+  }
+
+  private static String sentence(String text) {
+    return text.endsWith(".") || text.endsWith("?") || text.endsWith("!") ? text : text + ".";
+  }
+
+  private static String nameOf(Object received) {
+    return received == null ? "nothing" : received.getClass().getSimpleName();
+  }
+}

@@ -1,0 +1,20 @@
+package carom.client.link;
+
+
+/** Where a client stands on its way into the game. */
+public enum ConnectionPhase {
+  /** The first update hasn't happened yet. */
+  IDLE,
+  /** The link is being opened. */
+  CONNECTING,
+  /** The link is open; the server hasn't answered yet. */
+  JOINING,
+  /** The level is being downloaded. */
+  LOADING,
+  /** The client is in the game. */
+  PLAYING,
+  /** The link was lost and the client tries to come back. The last picture stays. */
+  RECONNECTING,
+  /** The client was refused or kicked, has left, or can't reach the server. The view says why. */
+  ENDED
+}

@@ -1,0 +1,139 @@
+package carom.client.link;
+
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.Limits;
+import carom.net.protocol.PackedLevel;
+import carom.net.protocol.ServerMessage;
+import carom.net.transport.Link;
+import carom.sim.level.Level;
+import carom.sim.level.LevelException;
+
+/**
+ * Downloads a level in pieces, and keeps it: after a reconnect, a level that is already here isn't
+ * loaded again, and a broken download goes on where it stopped. One connection's; one thread.
+ */
+final class LevelDownload {
+  /** Pieces that are requested and not yet received; several at once hide the round trip. */
+  private static final int PIECES_IN_FLIGHT = 16;
+
+  /** How the download stands after a piece. */
+  enum Progress {
+    /** More pieces are needed. */
+    LOADING,
+    /** The level is complete. */
+    DONE,
+    /** Pieces don't fit or were damaged; another attempt may work. */
+    DAMAGED,
+    /** This client can't read the level. */
+    UNREADABLE
+  }
+
+  private ServerMessage.Welcome welcome;
+  private byte[] packed;
+  private long packedHash;
+  private int received;
+  private int requested;
+  private Level level;
+  private long levelHash;
+  private String problem = "";
+
+  /**
+   * Starts the download of a server's level.
+   *
+   * @return whether it is here already
+   */
+  boolean begin(ServerMessage.Welcome newWelcome) {
+    welcome = newWelcome;
+    if (level != null && levelHash == welcome.levelHash()) {
+      return true;
+    }
+    level = null;
+    boolean continues =
+        packed != null
+            && packedHash == welcome.levelHash()
+            && packed.length == welcome.packedSize();
+    if (!continues) {
+      packed = new byte[welcome.packedSize()];
+      packedHash = welcome.levelHash();
+      received = 0;
+    }
+    requested = received;
+    return false;
+  }
+
+  /**
+   * Requests the next pieces.
+   *
+   * @return whether there were any to request
+   */
+  boolean request(Link link) {
+    int piece = Limits.MAX_LEVEL_CHUNK_BYTES;
+    boolean any = false;
+    while (requested < packed.length && requested - received < PIECES_IN_FLIGHT * piece) {
+      link.send(new ClientMessage.LevelRequest(requested));
+      requested += piece;
+      any = true;
+    }
+    return any;
+  }
+
+  /** Takes in a piece; {@link #problem} explains a bad result. */
+  Progress add(ServerMessage.LevelChunk chunk) {
+    int expected = Math.min(Limits.MAX_LEVEL_CHUNK_BYTES, packed.length - received);
+    if (chunk.offset() != received || chunk.bytes().length != expected) {
+      return fail(
+          Progress.DAMAGED,
+          "The level arrived in pieces that don't fit: offset="
+              + chunk.offset()
+              + " length="
+              + chunk.bytes().length
+              + ", expected offset="
+              + received
+              + " length="
+              + expected);
+    }
+    System.arraycopy(chunk.bytes(), 0, packed, received, expected);
+    received += expected;
+    return received < packed.length ? Progress.LOADING : unpack();
+  }
+
+  private Progress unpack() {
+    byte[] complete = PackedLevel.unpack(packed, welcome.levelSize());
+    packed = null;
+    if (complete == null) {
+      return fail(Progress.DAMAGED, "The level was damaged on its way. Try again.");
+    }
+    try {
+      level = Level.parse(welcome.levelName(), complete);
+    } catch (LevelException e) {
+      return fail(Progress.UNREADABLE, "The server's level can't be used: " + e.getMessage());
+    }
+    levelHash = level.contentHash();
+    if (levelHash != welcome.levelHash()) {
+      level = null;
+      return fail(Progress.DAMAGED, "The level was damaged on its way. Try again.");
+    }
+    return Progress.DONE;
+  }
+
+  private Progress fail(Progress progress, String why) {
+    packed = null;
+    problem = why;
+    return progress;
+  }
+
+  /** Returns why the last piece was bad, in words for the player. */
+  String problem() {
+    return problem;
+  }
+
+  /** Returns the level, or null before it is here. */
+  Level level() {
+    return level;
+  }
+
+  /** Returns the share of the level that has arrived, 0..1; 0 while nothing is loaded. */
+  double share() {
+    return packed == null ? 0 : (double) received / packed.length;
+  }
+}

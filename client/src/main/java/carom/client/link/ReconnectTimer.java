@@ -1,0 +1,64 @@
+package carom.client.link;
+
+/**
+ * Decides when to try to come back after a link was lost: soon at first, then ever later, and for a
+ * minute and a half at most. One connection's; one thread.
+ */
+final class ReconnectTimer {
+  private static final long MS = 1_000_000L;
+  private static final long FIRST_WAIT_NS = 250 * MS;
+  private static final long LONGEST_WAIT_NS = 4_000 * MS;
+  private static final long GIVE_UP_NS = 90_000 * MS;
+
+  private boolean running;
+  private long lostNs;
+  private long nextAttemptNs;
+  private long waitNs = FIRST_WAIT_NS;
+  private int attempts;
+
+  /** Starts the time within which the client must come back. */
+  void start(long nowNs) {
+    running = true;
+    lostNs = nowNs;
+    attempts = 0;
+    waitNs = FIRST_WAIT_NS;
+  }
+
+  /** Stops: the client is back. */
+  void stop() {
+    running = false;
+    attempts = 0;
+    waitNs = FIRST_WAIT_NS;
+  }
+
+  /** Returns whether the client was playing and tries to come back. */
+  boolean isRunning() {
+    return running;
+  }
+
+  /** Sets the time of the next attempt, and doubles the wait for the one after it. */
+  void scheduleAttempt(long nowNs) {
+    nextAttemptNs = nowNs + waitNs;
+    waitNs = Math.min(LONGEST_WAIT_NS, waitNs * 2);
+  }
+
+  /** Notes that an attempt begins. */
+  void attempt() {
+    attempts++;
+  }
+
+  /** Returns whether the next attempt is due. */
+  boolean isDue(long nowNs) {
+    return nowNs >= nextAttemptNs;
+  }
+
+  /** Returns whether the client has tried for long enough. */
+  boolean isOver(long nowNs) {
+    return nowNs - lostNs > GIVE_UP_NS;
+  }
+
+  /** Returns how many attempts there were since the start. */
+  int attempts() {
+    return attempts;
+  }
+}

@@ -1,0 +1,236 @@
+package carom.client.prediction;
+
+import carom.net.snapshot.exact.NearState;
+import carom.net.snapshot.exact.OwnState;
+import carom.sim.Neighbourhood;
+import carom.sim.Simulation;
+
+/**
+ * Reconciles the timeline with one state of the server: rolls back, applies updates, compares,
+ * corrects, and resimulates up to the present. {@link Prediction} describes the steps. One
+ * prediction's; allocates nothing unless it corrects.
+ */
+final class Reconciler {
+  private final Simulation simulation;
+  private final PlayerInputs inputs;
+  private final PredictedPoses poses;
+  private final Timeline timeline;
+  private final Corrector corrector;
+  private final PendingUpdates updates;
+  private final ReplayBudget budget;
+  private final Agreement agreement;
+  private final Reconciliation result;
+  private OwnState server;
+  private int stateTick;
+
+  Reconciler(
+      Simulation simulation,
+      PlayerInputs inputs,
+      PredictedPoses poses,
+      Timeline timeline,
+      Corrector corrector,
+      PendingUpdates updates,
+      ReplayBudget budget,
+      Agreement agreement,
+      Reconciliation result) {
+    this.simulation = simulation;
+    this.inputs = inputs;
+    this.poses = poses;
+    this.timeline = timeline;
+    this.corrector = corrector;
+    this.updates = updates;
+    this.budget = budget;
+    this.agreement = agreement;
+    this.result = result;
+  }
+
+  /**
+   * Starts the timeline at the first state of a body, and predicts from there up to the present.
+   *
+   * @param own the body's state after {@code tick}; used during the call only
+   */
+  void start(OwnState own, int tick) {
+    begin(own, tick);
+    timeline.skipTo(tick);
+    correctTick(true);
+    rewind(Integer.MAX_VALUE, inputs.newest());
+    replay(inputs.newest());
+    end();
+  }
+
+  /**
+   * Reconciles the timeline with a state.
+   *
+   * @param own the own body's state after {@code tick}; used during the call only
+   * @param lastTick tick of the last reconciliation
+   */
+  void reconcile(OwnState own, int tick, int lastTick) {
+    begin(own, tick);
+    poses.beginCorrection();
+    int present = Math.max(timeline.tick(), tick);
+    result.compared = timeline.isSaved(tick);
+    result.exact = result.compared && timeline.own(tick).sameAs(own);
+    if (result.compared) {
+      result.predicted.set(timeline.own(tick));
+      timeline.pin(tick);
+    }
+    int oldest = Math.max(lastTick, timeline.tick() - Timeline.RING + 1);
+    int mispredicted = inputs.firstMispredicted(oldest, timeline.tick());
+    int from = rewind(mispredicted, present);
+    if (from < 0 && tick > timeline.tick()) {
+      timeline.skipTo(tick); // the server is ahead: this tick was never predicted
+      correctTick(false);
+      from = tick;
+    } else {
+      from = compare(from);
+      if (from < 0 && isWorthRollback(mispredicted, present)) {
+        from = mispredicted - 1;
+        timeline.restore(from);
+      }
+    }
+    if (from >= 0) {
+      result.rolledBackTicks = present - from;
+      replay(present);
+      result.correctionMetres = poses.endCorrection();
+    }
+    result.corrected = result.compared && !result.exact;
+    end();
+  }
+
+  private void begin(OwnState own, int tick) {
+    server = own;
+    stateTick = tick;
+    updates.dropForeign(ownKey());
+    budget.begin();
+  }
+
+  private void end() {
+    result.replayNs = budget.end(result.replayedTicks);
+  }
+
+  /**
+   * Rolls back and resimulates up to the state's tick, if an input before it was mispredicted or an
+   * update can be applied.
+   *
+   * @param mispredicted the first tick that was simulated with a mispredicted input
+   * @return the tick of the rollback, or -1 if there was none
+   */
+  private int rewind(int mispredicted, int present) {
+    boolean past = mispredicted <= stateTick && isWorthRollback(mispredicted, present);
+    int from = past ? mispredicted - 1 : Integer.MAX_VALUE;
+    from = Math.min(from, updates.choose(present));
+    if (from > stateTick) {
+      updates.dropUsable();
+      return -1;
+    }
+    if (timeline.isSaved(from)) {
+      timeline.restore(from);
+    } else {
+      timeline.skipTo(from); // the update replaces everything
+    }
+    while (true) {
+      updates.apply(ownKey());
+      if (timeline.tick() == stateTick) {
+        updates.dropUsable();
+        return from;
+      }
+      resimulate();
+    }
+  }
+
+  private boolean isWorthRollback(int mispredicted, int present) {
+    return timeline.isSaved(mispredicted - 1) && present - mispredicted < budget.usualTicks();
+  }
+
+  private int ownKey() {
+    return Neighbourhood.key(poses.own().id, poses.own().generation);
+  }
+
+  /**
+   * Compares the state's tick with the server and, if they differ, corrects it.
+   *
+   * @param from the tick of a rollback that has happened, or -1
+   * @return the tick to replay from, or -1 if nothing has changed
+   */
+  private int compare(int from) {
+    NearState near = server.near();
+    boolean ownEqual = timeline.isSaved(stateTick) && timeline.own(stateTick).sameAs(server);
+    if (ownEqual && (!near.present() || timeline.hash(stateTick) == near.hash())) {
+      result.agreed = result.compared && from < 0;
+      agreement.agree(stateTick, near.present());
+      if (result.compared) {
+        result.awakeBodies = timeline.awakeBodies(stateTick);
+        result.exactBodies = timeline.exactBodies(stateTick);
+      }
+      return from;
+    }
+    boolean updateComes = near.updating() || (updates.isReady() && near.present());
+    if (ownEqual && updateComes) {
+      return from;
+    }
+    if (!updateComes
+        && agreement.disagree(stateTick)
+        && near.present()
+        && isReproducible(agreement.equalTick())) {
+      agreement.diverge();
+    }
+    result.awakeBodies = result.compared ? timeline.awakeBodies(stateTick) : 0;
+    if (timeline.tick() != stateTick && timeline.isSaved(stateTick)) {
+      timeline.restore(stateTick);
+    } else {
+      timeline.skipTo(stateTick);
+    }
+    if (agreement.hasDiverged()) {
+      agreement.divergedState().readAll(simulation);
+    }
+    correctTick(false);
+    return from < 0 ? stateTick : from;
+  }
+
+  /**
+   * Returns whether the state's tick follows from an equal one and real inputs alone: no input was
+   * predicted, no tick left out, and nothing corrected in between.
+   */
+  private boolean isReproducible(int equalTick) {
+    if (equalTick < 0
+        || timeline.correctedTick() > equalTick
+        || stateTick - equalTick >= Timeline.RING) {
+      return false;
+    }
+    for (int t = equalTick + 1; t <= stateTick; t++) {
+      if (!timeline.isSaved(t) || !inputs.areConfirmed(t)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private void correctTick(boolean ownOnly) {
+    corrector.correct(server, stateTick, ownOnly);
+    timeline.saveCorrection();
+  }
+
+  /** Resimulates up to a tick. Leaves out the oldest ticks beyond the budget. */
+  private void replay(int present) {
+    int most = budget.ticks();
+    if (present - timeline.tick() > most) {
+      budget.countCut();
+      timeline.skipTo(present - most);
+    }
+    while (timeline.tick() < present) {
+      if (budget.isSpent() && timeline.tick() < present - 1) {
+        budget.countCut();
+        timeline.skipTo(present - 1);
+      }
+      if (timeline.tick() == present - 1) {
+        poses.beginTick();
+      }
+      resimulate();
+    }
+  }
+
+  private void resimulate() {
+    timeline.step(inputs.at(timeline.tick() + 1), false);
+    result.replayedTicks++;
+  }
+}

@@ -1,0 +1,89 @@
+package carom.client.prediction;
+
+import carom.net.snapshot.exact.OwnState;
+
+/**
+ * Result of the last {@link Prediction#reconcile}: what was compared, what was corrected, and what
+ * the replay took. One object for the prediction's life. Read-only for users.
+ */
+public final class Reconciliation {
+  final OwnState predicted = new OwnState();
+  boolean compared;
+  boolean exact;
+  boolean agreed;
+  boolean corrected;
+  float correctionMetres;
+  int awakeBodies;
+  int exactBodies;
+  int replayedTicks;
+  int rolledBackTicks;
+  long replayNs;
+
+  Reconciliation() {}
+
+  /** Starts a new result; the replay's time stays until it is measured again. */
+  void begin() {
+    compared = false;
+    agreed = false;
+    corrected = false;
+    replayedTicks = 0;
+    rolledBackTicks = 0;
+    awakeBodies = 0;
+    exactBodies = 0;
+  }
+
+  /** Returns whether there was a prediction to compare with. */
+  public boolean compared() {
+    return compared;
+  }
+
+  /** Returns what was predicted for the own body. Valid while {@link #compared}. */
+  public OwnState predicted() {
+    return predicted;
+  }
+
+  /** Returns whether the own body was predicted in every bit. */
+  public boolean exact() {
+    return compared && exact;
+  }
+
+  /** Returns whether the whole predicted set was predicted in every bit. */
+  public boolean agreed() {
+    return compared && agreed;
+  }
+
+  /** Returns how many awake bodies of the predicted set were compared. */
+  public int awakeBodies() {
+    return awakeBodies;
+  }
+
+  /** Returns how many of {@link #awakeBodies} were predicted in every bit. */
+  public int exactBodies() {
+    return exactBodies;
+  }
+
+  /** Returns whether the own body was corrected. */
+  public boolean corrected() {
+    return corrected;
+  }
+
+  /** Returns how far the correction moved the own body in the present, metres. */
+  public float correctionMetres() {
+    return corrected ? correctionMetres : 0;
+  }
+
+  /** Returns how many ticks were resimulated. */
+  public int replayedTicks() {
+    return replayedTicks;
+  }
+
+  /** Returns how many ticks before the present the rollback went; 0 if there was none. */
+  public int rolledBackTicks() {
+    return rolledBackTicks;
+  }
+
+  /** Returns how long the last reconciliation took, nanoseconds. */
+  public long replayNs() {
+    return replayNs;
+  }
+}

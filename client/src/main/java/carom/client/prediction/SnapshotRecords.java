@@ -1,0 +1,93 @@
+package carom.client.prediction;
+
+import carom.client.interpolation.DecodedHistory;
+import carom.client.interpolation.Pose;
+import carom.client.interpolation.StateHistory;
+import carom.net.snapshot.EntityHistory;
+import carom.net.snapshot.SnapshotDecoder;
+import carom.net.snapshot.relay.RelayedInputs;
+import carom.sim.Neighbourhood;
+import carom.sim.Simulation;
+import carom.sim.level.Archetype;
+
+/**
+ * What the decoded snapshots tell a prediction: the identity of entities, their quantised states,
+ * and the relayed inputs of other players. One prediction's; allocates nothing.
+ */
+final class SnapshotRecords implements Neighbourhood.Identity {
+  /** Longest time that the newest state is extrapolated in a straight line, ticks. */
+  private static final int MAX_EXTRAPOLATION_TICKS = 9;
+
+  private final Simulation simulation;
+  private final DecodedHistory states = new DecodedHistory();
+  private SnapshotDecoder decoder;
+
+  SnapshotRecords(Simulation simulation) {
+    this.simulation = simulation;
+  }
+
+  /** Sets the decoder to read from. */
+  void readFrom(SnapshotDecoder newDecoder) {
+    decoder = newDecoder;
+  }
+
+  /** Returns the inputs of other players that the server relayed. */
+  RelayedInputs inputs() {
+    return decoder.inputs();
+  }
+
+  @Override
+  public Archetype archetype(int id) {
+    return simulation.archetypes().get(decoder.history(id).archetype(0));
+  }
+
+  @Override
+  public int owner(int id) {
+    return decoder.history(id).owner(0);
+  }
+
+  /** Returns whether the newest record of a slot is this entity's, with a known archetype. */
+  boolean isKnown(int key) {
+    EntityHistory history = decoder.history(Neighbourhood.id(key));
+    return history != null
+        && history.alive()
+        && history.generation(0) == Neighbourhood.generation(key)
+        && archetype(Neighbourhood.id(key)) != null;
+  }
+
+  /** Returns the teleport counter of an entity, or 0 if no record tells. */
+  int teleports(int id, int generation) {
+    EntityHistory history = decoder.history(id);
+    boolean known = history != null && history.alive() && history.generation(0) == generation;
+    return known ? history.teleports(0) : 0;
+  }
+
+  /**
+   * Reads the quantised state of an entity after a tick, extrapolated from the last record before.
+   *
+   * @param out receives the state; unchanged when the result is false
+   * @return whether a record tells
+   */
+  boolean readPose(int key, int tick, Pose out) {
+    int generation = Neighbourhood.generation(key);
+    EntityHistory history = decoder.history(Neighbourhood.id(key));
+    int index = history.indexAt(tick);
+    if (index < 0 || !history.alive(index) || history.generation(index) != generation) {
+      index = 0; // the entity is younger than the tick
+    }
+    if (!history.alive(index) || history.generation(index) != generation) {
+      return false;
+    }
+    StateHistory s = states.of(history);
+    int age = Math.max(0, Math.min(MAX_EXTRAPOLATION_TICKS, tick - s.tick(index)));
+    float seconds = age * simulation.tickSeconds();
+    out.set(
+        s.x(index) + s.vx(index) * seconds,
+        s.y(index) + s.vy(index) * seconds,
+        s.angle(index) + s.omega(index) * seconds,
+        s.vx(index),
+        s.vy(index),
+        s.omega(index));
+    return true;
+  }
+}

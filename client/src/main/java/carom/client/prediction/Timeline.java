@@ -1,0 +1,155 @@
+package carom.client.prediction;
+
+import carom.net.snapshot.exact.NearState;
+import carom.net.snapshot.exact.OwnState;
+import carom.physics.Body;
+import carom.sim.Entity;
+import carom.sim.Neighbourhood;
+import carom.sim.Player;
+import carom.sim.SimState;
+import carom.sim.Simulation;
+import java.util.Arrays;
+
+/**
+ * The predicted simulation with its saved past: steps forward, saves each tick, and rolls back. One
+ * prediction's; a tick allocates nothing once the ring is filled.
+ */
+final class Timeline {
+  /** Saved ticks; a power of two. */
+  static final int RING = 128;
+
+  private static final int MASK = RING - 1;
+
+  private final Simulation simulation;
+  private final Player player;
+  private final PlayerInputs inputs;
+  private final PredictedPoses poses;
+  private final SimState[] saved = new SimState[RING];
+  private final int[] savedTick = new int[RING];
+  private final int[] hash = new int[RING];
+  private final OwnState[] own = new OwnState[RING];
+  private final PredictedHashes hashes = new PredictedHashes(RING);
+  private final Neighbourhood scratch = new Neighbourhood();
+  private int tick = -1;
+  private int correctedTick;
+
+  Timeline(Simulation simulation, Player player, PlayerInputs inputs, PredictedPoses poses) {
+    this.simulation = simulation;
+    this.player = player;
+    this.inputs = inputs;
+    this.poses = poses;
+    for (int i = 0; i < RING; i++) {
+      own[i] = new OwnState();
+    }
+    forget();
+  }
+
+  /** Forgets all saved ticks. */
+  void forget() {
+    Arrays.fill(savedTick, -1);
+  }
+
+  /** Returns the tick that the simulation stands at. */
+  int tick() {
+    return tick;
+  }
+
+  /**
+   * Simulates the next tick and saves it.
+   *
+   * @param input the own input
+   * @param repeat whether other players repeat the inputs of the last time
+   */
+  void step(long input, boolean repeat) {
+    inputs.apply(tick + 1, input, repeat);
+    simulation.step();
+    tick++;
+    save();
+  }
+
+  /** Leaves ticks out: the present state counts as the one of another tick from now on. */
+  void skipTo(int wanted) {
+    for (int t = Math.max(tick + 1, wanted - RING); t <= wanted; t++) {
+      savedTick[t & MASK] = -1;
+    }
+    simulation.tick(wanted);
+    tick = wanted;
+  }
+
+  /** Rolls back (or forward) to a saved tick. */
+  void restore(int wanted) {
+    simulation.restore(saved[wanted & MASK]);
+    tick = wanted;
+    poses.bind();
+  }
+
+  /** Saves the present tick again after a correction. */
+  void saveCorrection() {
+    correctedTick = Math.max(correctedTick, tick);
+    poses.bind();
+    save();
+  }
+
+  private void save() {
+    int slot = tick & MASK;
+    saved[slot] = simulation.save(saved[slot]);
+    savedTick[slot] = tick;
+    scratch.readAll(simulation);
+    hash[slot] = NearState.fold(scratch.hash());
+    hashes.store(slot, scratch);
+    readOwn(own[slot]);
+  }
+
+  private void readOwn(OwnState out) {
+    PredictedBody own = poses.own();
+    Body<Entity> body = own.entity.body();
+    out.setBody(
+        own.id,
+        own.generation,
+        body.centerX(),
+        body.centerY(),
+        body.cos(),
+        body.sin(),
+        body.velocityX(),
+        body.velocityY(),
+        body.angularVelocity());
+    for (int i = 0; i < OwnState.MEMORY; i++) {
+      out.setMemory(i, player.memory()[i]);
+    }
+  }
+
+  /** Returns whether a tick is saved. */
+  boolean isSaved(int wanted) {
+    return wanted >= 0 && savedTick[wanted & MASK] == wanted;
+  }
+
+  /** Returns the hash of the predicted set after a saved tick. */
+  int hash(int savedAt) {
+    return hash[savedAt & MASK];
+  }
+
+  /** Returns the own body after a saved tick. */
+  OwnState own(int savedAt) {
+    return own[savedAt & MASK];
+  }
+
+  /** Pins the prediction of a saved tick for {@link #awakeBodies} and {@link #exactBodies}. */
+  void pin(int savedAt) {
+    hashes.pin(savedAt & MASK);
+  }
+
+  /** Returns how many bodies that are awake after a tick were in the pinned prediction. */
+  int awakeBodies(int savedAt) {
+    return hashes.awakeCount(savedAt & MASK);
+  }
+
+  /** Returns how many of {@link #awakeBodies} were predicted in every bit. */
+  int exactBodies(int savedAt) {
+    return hashes.exactCount(savedAt & MASK);
+  }
+
+  /** Returns the newest tick that was corrected by hand: no replay from before reproduces it. */
+  int correctedTick() {
+    return correctedTick;
+  }
+}

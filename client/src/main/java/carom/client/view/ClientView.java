@@ -1,0 +1,322 @@
+package carom.client.view;
+
+import carom.client.interpolation.Pose;
+import carom.client.link.ConnectionPhase;
+import carom.client.stats.NetStats;
+import carom.net.protocol.ServerMessage.Roster;
+import carom.net.protocol.ServerMessage.RosterEntry;
+import carom.sim.Input;
+import carom.sim.Simulation;
+import carom.sim.level.Archetype;
+import carom.sim.level.Level;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What a player sees: a read-only picture of the game at the moment of the client's last update.
+ * One object for the client's life; its content changes only during an update. Read it on the
+ * client's thread.
+ *
+ * <p>Static geometry is not among the entities: draw it from {@link #level}.
+ */
+public final class ClientView {
+  /**
+   * A line for the player's screen.
+   *
+   * @param text the line
+   * @param arrivedNs when it arrived, by the clock of the client's updates
+   */
+  public record Notice(String text, long arrivedNs) {}
+
+  /** One visible entity. The object is reused from frame to frame: don't keep it. */
+  public static final class Drawn {
+    int id;
+    int generation;
+    Archetype archetype;
+    int ownerId;
+    float alpha;
+    float predicted;
+    final Pose pose = new Pose();
+
+    Drawn() {}
+
+    /** Returns its slot. */
+    public int id() {
+      return id;
+    }
+
+    /** Returns its generation, which tells it from an earlier entity in the same slot. */
+    public int generation() {
+      return generation;
+    }
+
+    /** Returns its archetype: shapes and appearance. */
+    public Archetype archetype() {
+      return archetype;
+    }
+
+    /** Returns the player id of its owner, or -1. */
+    public int ownerId() {
+      return ownerId;
+    }
+
+    /** Returns x of the body origin as drawn, metres. */
+    public float x() {
+      return pose.x;
+    }
+
+    /** Returns y of the body origin as drawn, metres. */
+    public float y() {
+      return pose.y;
+    }
+
+    /** Returns the angle as drawn, radians counter-clockwise. */
+    public float angle() {
+      return pose.angle;
+    }
+
+    /** Returns x of the velocity, m/s. */
+    public float velocityX() {
+      return pose.vx;
+    }
+
+    /** Returns y of the velocity, m/s. */
+    public float velocityY() {
+      return pose.vy;
+    }
+
+    /** Returns the angular velocity, rad/s. */
+    public float angularVelocity() {
+      return pose.omega;
+    }
+
+    /** Returns the opacity, 0..1: an entity that has just appeared fades in. */
+    public float alpha() {
+      return alpha;
+    }
+
+    /** Returns the weight of the prediction, 0..1: 1 = predicted present, 0 = interpolated past. */
+    public float predicted() {
+      return predicted;
+    }
+  }
+
+  private static final int NOTICES = 8;
+
+  private final NetStats stats;
+  private final List<Drawn> pool = new ArrayList<>();
+  private final List<RosterEntry> players = new ArrayList<>();
+  private final List<Notice> notices = new ArrayList<>();
+  private Runnable composer = () -> {};
+  private boolean stale;
+  private int count;
+  private int own = -1;
+
+  ConnectionPhase phase = ConnectionPhase.IDLE;
+  String message = "";
+  double progress;
+  String game = "";
+  Level level;
+  int playerId = -1;
+  int tickRate = 60;
+  int tick;
+  double renderTick;
+  Simulation predictedWorld;
+  final int[] memory = new int[4];
+  final Input input = new Input();
+
+  ClientView(NetStats stats) {
+    this.stats = stats;
+  }
+
+  // ---- written by a ViewWriter
+
+  /** Sets what fills in the entities when somebody looks: bots look less often than people. */
+  void composer(Runnable newComposer) {
+    composer = newComposer;
+  }
+
+  /** Marks the entities as out of date. */
+  void invalidate() {
+    stale = true;
+  }
+
+  /** Composes the entities if they are out of date. */
+  void compose() {
+    if (stale) {
+      stale = false;
+      composer.run();
+    }
+  }
+
+  void clear() {
+    count = 0;
+    own = -1;
+  }
+
+  Drawn add() {
+    if (count == pool.size()) {
+      pool.add(new Drawn());
+    }
+    return pool.get(count++);
+  }
+
+  void removeLast() {
+    count--;
+  }
+
+  /** Makes the entity that was added last the own one. */
+  void markLastAsOwn() {
+    own = count - 1;
+  }
+
+  void roster(Roster changes) {
+    changes.applyTo(players);
+  }
+
+  void roster(List<RosterEntry> entries) {
+    players.clear();
+    players.addAll(entries);
+  }
+
+  void notice(String text, long nowNs) {
+    if (notices.size() == NOTICES) {
+      notices.remove(0);
+    }
+    notices.add(new Notice(text, nowNs));
+  }
+
+  // ---- read by users
+
+  /** Returns where the client stands on its way into the game. */
+  public ConnectionPhase phase() {
+    return phase;
+  }
+
+  /**
+   * Returns one or two sentences for the player about {@link #phase}: what is being done, what went
+   * wrong and what to do about it. Empty while playing.
+   */
+  public String message() {
+    return message;
+  }
+
+  /** Returns the share of the level that has arrived, 0..1. */
+  public double loadingProgress() {
+    return progress;
+  }
+
+  /** Returns the name of the game, or an empty string before it is known. */
+  public String game() {
+    return game;
+  }
+
+  /** Returns the level with its statics, bounds and colours, or null before it is loaded. */
+  public Level level() {
+    return level;
+  }
+
+  /** Returns the player's own id, or -1 before it is known. */
+  public int playerId() {
+    return playerId;
+  }
+
+  /** Returns the server's ticks per second. */
+  public int tickRate() {
+    return tickRate;
+  }
+
+  /** Returns the tick the client has predicted; it is ahead of the server. */
+  public int tick() {
+    return tick;
+  }
+
+  /** Returns the moment of the server's past that interpolated entities are drawn at, ticks. */
+  public double renderTick() {
+    return renderTick;
+  }
+
+  /** Returns the number of visible entities. */
+  public int entityCount() {
+    compose();
+    return count;
+  }
+
+  /** Returns a visible entity by index, 0..{@link #entityCount} - 1, ascending by id. */
+  public Drawn entity(int index) {
+    compose();
+    if (index < 0 || index >= count) {
+      throw new IndexOutOfBoundsException("index=" + index + " is outside 0.." + (count - 1));
+    }
+    return pool.get(index);
+  }
+
+  /** Returns the visible entity with this id, or null. */
+  public Drawn find(int id) {
+    compose();
+    int low = 0;
+    int high = count - 1;
+    while (low <= high) {
+      int middle = (low + high) >>> 1;
+      Drawn drawn = pool.get(middle);
+      if (drawn.id == id) {
+        return drawn;
+      }
+      if (drawn.id < id) {
+        low = middle + 1;
+      } else {
+        high = middle - 1;
+      }
+    }
+    return null;
+  }
+
+  /** Returns the body the player steers, or null while there is none or it is not visible. */
+  public Drawn own() {
+    compose();
+    return own < 0 ? null : pool.get(own);
+  }
+
+  /** Returns the players with their scores, ascending by id. Do not change the list. */
+  public List<RosterEntry> players() {
+    return players;
+  }
+
+  /** Returns a player's name, or an empty string if no player has this id. */
+  public String playerName(int playerId) {
+    for (int i = 0; i < players.size(); i++) {
+      if (players.get(i).playerId() == playerId) {
+        return players.get(i).name();
+      }
+    }
+    return "";
+  }
+
+  /** Returns the last few lines from the server, oldest first. Do not change the list. */
+  public List<Notice> notices() {
+    return notices;
+  }
+
+  /** Returns one of the game's four ints of the own player, as predicted: cooldowns etc. */
+  public int memory(int index) {
+    return memory[index];
+  }
+
+  /** Returns the input that was sampled last. Do not change it. */
+  public Input input() {
+    return input;
+  }
+
+  /** Returns figures about the connection. */
+  public NetStats stats() {
+    return stats;
+  }
+
+  /**
+   * Returns the predicted simulation, for debug drawing of contacts, AABBs and tree cells; null if
+   * nothing is predicted. Do not change it.
+   */
+  public Simulation predictedWorld() {
+    return predictedWorld;
+  }
+}

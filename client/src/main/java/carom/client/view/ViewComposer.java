@@ -1,0 +1,279 @@
+package carom.client.view;
+
+import carom.client.interpolation.DecodedHistory;
+import carom.client.interpolation.Interpolator;
+import carom.client.interpolation.Pose;
+import carom.client.interpolation.VisualError;
+import carom.client.prediction.Prediction;
+import carom.net.snapshot.EntityHistory;
+import carom.net.snapshot.SnapshotDecoder;
+import carom.net.snapshot.exact.OwnState;
+import carom.sim.Simulation;
+import carom.sim.level.Archetype;
+import java.util.Arrays;
+
+/**
+ * Composes the entities of a client's view at a moment: each one as interpolated in the past, as
+ * predicted in the present, or a blend of both.
+ *
+ * <p>Nothing jumps unless the server teleported it. An entity that appears fades in where it is;
+ * one that goes fades out where it was. Sometimes the picture would have to change at once: a guess
+ * was wrong, a late state changed the path, the clock jumped, or the prediction ended. Then the
+ * difference is kept as a {@link VisualError} and fades.
+ *
+ * <p>One client's, for one stay in a game; allocates once for each slot that is ever seen.
+ */
+public final class ViewComposer {
+  private static final float FADE_IN_SECONDS = 0.15f;
+  private static final float FADE_OUT_SECONDS = 0.12f;
+
+  /** Fastest blend: a larger change of the prediction's weight per second is a jump. */
+  private static final float WEIGHT_PER_SECOND = 12;
+
+  /** Largest error of the drawn moment beyond a tenth of the time passed; more is a jump, ticks. */
+  private static final double MOMENT_SLACK = 3;
+
+  /** The picture of one slot. */
+  private static final class Track {
+    boolean shown;
+
+    /** Whether it is gone in the present and therefore hidden in the past, where it still is. */
+    boolean ghost;
+
+    int generation;
+    int teleports;
+    int ownerId;
+    Archetype archetype;
+    float alpha;
+    float weight;
+    boolean sampled;
+    int fromTick;
+    int toTick;
+
+    /** Pose as interpolated. */
+    final Pose interpolated = new Pose();
+
+    /** Pose as drawn, without {@link #error}. */
+    final Pose base = new Pose();
+
+    final VisualError error = new VisualError();
+  }
+
+  private final ClientView view;
+  private final SnapshotDecoder decoder;
+  private final Simulation simulation;
+  private final Prediction prediction;
+  private final Interpolator interpolator;
+  private final DecodedHistory states = new DecodedHistory();
+  private final Pose pose = new Pose();
+  private final Pose then = new Pose();
+  private Track[] tracks = {};
+  private boolean composed;
+  private long composedNs;
+  private double composedTick;
+  private double renderTick;
+  private float seconds;
+  private float fraction;
+  private boolean jumped;
+  private boolean joining;
+
+  /**
+   * Creates a composer of an empty picture.
+   *
+   * @param view receives the entities
+   * @param decoder provides the histories
+   * @param simulation provides the archetypes
+   * @param prediction provides the present; null if nothing is predicted
+   * @param tickRate the server's ticks per second
+   */
+  public ViewComposer(
+      ClientView view,
+      SnapshotDecoder decoder,
+      Simulation simulation,
+      Prediction prediction,
+      int tickRate) {
+    this.view = view;
+    this.decoder = decoder;
+    this.simulation = simulation;
+    this.prediction = prediction;
+    interpolator = new Interpolator(tickRate);
+  }
+
+  /**
+   * Composes a moment.
+   *
+   * @param nowNs the present
+   * @param newTick the server's tick at which interpolated entities are drawn
+   * @param newFraction how much of the newest predicted tick has passed, 0..1
+   * @param isJoining whether the client has just joined: then entities don't fade in
+   * @param own the own body
+   */
+  public void compose(
+      long nowNs, double newTick, float newFraction, boolean isJoining, OwnState own) {
+    view.clear();
+    seconds = composed ? Math.max(0, (nowNs - composedNs) * 1e-9f) : 0;
+    double expected = seconds * view.tickRate;
+    jumped =
+        composed && Math.abs(newTick - composedTick - expected) > 0.1 * expected + MOMENT_SLACK;
+    renderTick = newTick;
+    fraction = newFraction;
+    joining = isJoining;
+    int limit = decoder.slotLimit();
+    if (limit > tracks.length) {
+      tracks = Arrays.copyOf(tracks, Math.max(64, Math.max(limit, 2 * tracks.length)));
+    }
+    for (int slot = 0; slot < limit; slot++) {
+      EntityHistory history = decoder.history(slot);
+      if (history != null && history.size() > 0) {
+        compose(slot, history, own);
+      }
+    }
+    composed = true;
+    composedNs = nowNs;
+    composedTick = newTick;
+  }
+
+  private void compose(int slot, EntityHistory history, OwnState own) {
+    Track track = tracks[slot];
+    int index = interpolator.sample(states.of(history), renderTick, pose);
+    ClientView.Drawn drawn = view.add();
+    int generation = history.generation(0);
+    float weight =
+        prediction == null || !history.alive()
+            ? 0
+            : prediction.readPose(slot, generation, fraction, drawn.pose);
+    boolean visible = index >= 0 || weight > 0;
+    if (track != null && !history.alive()) {
+      track.ghost |= track.weight > 0.5f;
+      visible &= !track.ghost;
+    }
+    int identity = weight > 0 || index < 0 ? 0 : index;
+    Archetype archetype = visible ? simulation.archetypes().get(history.archetype(identity)) : null;
+    if (archetype == null) {
+      fadeOut(slot, track, drawn);
+      return;
+    }
+    if (track == null) {
+      track = new Track();
+      tracks[slot] = track;
+    }
+    if (weight == 0) {
+      drawn.pose.set(pose);
+    } else if (weight < 1 && isSamePath(history, index)) {
+      pose.blend(drawn.pose, weight);
+      drawn.pose.set(pose);
+      interpolator.sample(states, renderTick, pose);
+    }
+    boolean fresh = !track.shown || track.generation != history.generation(identity);
+    if (fresh || track.teleports != history.teleports(identity)) {
+      track.error.clear();
+    } else {
+      smooth(track, history, index, weight, drawn.pose);
+    }
+    if (fresh) {
+      track.alpha = joining ? 1 : 0;
+    } else {
+      track.alpha = Math.min(1, track.alpha + seconds / FADE_IN_SECONDS);
+    }
+    remember(track, history, identity, archetype, weight);
+    track.sampled = index >= 0;
+    track.fromTick = interpolator.fromTick();
+    track.toTick = interpolator.toTick();
+    track.interpolated.set(pose);
+    track.base.set(drawn.pose);
+    show(slot, track, drawn);
+    track.error.addTo(drawn.pose);
+    if (slot == own.slot() && drawn.generation == own.generation()) {
+      view.markLastAsOwn();
+    }
+  }
+
+  /** Returns whether a past state leads to the newest: same entity, no teleport in between. */
+  private static boolean isSamePath(EntityHistory history, int index) {
+    return index >= 0
+        && history.generation(index) == history.generation(0)
+        && history.teleports(index) == history.teleports(0);
+  }
+
+  private static void remember(
+      Track track, EntityHistory history, int identity, Archetype archetype, float weight) {
+    track.shown = true;
+    track.ghost = false;
+    track.generation = history.generation(identity);
+    track.teleports = history.teleports(identity);
+    track.ownerId = history.owner(identity);
+    track.archetype = archetype;
+    track.weight = weight;
+  }
+
+  private static void show(int slot, Track track, ClientView.Drawn drawn) {
+    drawn.id = slot;
+    drawn.generation = track.generation;
+    drawn.archetype = track.archetype;
+    drawn.ownerId = track.ownerId;
+    drawn.predicted = track.weight;
+    drawn.alpha = track.alpha;
+  }
+
+  /** Turns what would change at once into a visual error. */
+  private void smooth(Track track, EntityHistory history, int index, float weight, Pose present) {
+    track.error.fade(seconds);
+    float blended = WEIGHT_PER_SECOND * seconds + 0.1f;
+    if (Math.abs(weight - track.weight) > blended || (jumped && weight < 1)) {
+      track.error.add(
+          track.base.x - present.x,
+          track.base.y - present.y,
+          Pose.wrap(track.base.angle - present.angle));
+      return;
+    }
+    if (index < 0 || weight == 1 || !track.sampled || !isNewPath(track)) {
+      return;
+    }
+    int from = interpolator.fromTick();
+    int to = interpolator.toTick();
+    int before = interpolator.sample(states, composedTick, then);
+    if (before >= 0
+        && history.generation(before) == history.generation(index)
+        && history.teleports(before) == history.teleports(index)) {
+      float past = 1 - weight;
+      track.error.add(
+          past * (track.interpolated.x - then.x),
+          past * (track.interpolated.y - then.y),
+          past * Pose.wrap(track.interpolated.angle - then.angle));
+    }
+    if (from != interpolator.fromTick() || to != interpolator.toTick()) {
+      interpolator.sample(states, renderTick, then); // restores its state
+    }
+  }
+
+  /** Returns whether the path drawn last isn't part of the path known now. */
+  private boolean isNewPath(Track track) {
+    int from = interpolator.fromTick();
+    int to = interpolator.toTick();
+    if (from == track.fromTick && to == track.toTick) {
+      return false;
+    }
+    return track.toTick == Interpolator.NONE || from < track.toTick;
+  }
+
+  /** Shows an entity that is gone a little longer, on its last course. */
+  private void fadeOut(int slot, Track track, ClientView.Drawn drawn) {
+    if (track != null && track.shown) {
+      track.alpha -= seconds / FADE_OUT_SECONDS;
+      track.shown = track.alpha > 0;
+    }
+    if (track == null || !track.shown) {
+      view.removeLast();
+      return;
+    }
+    track.weight = 0;
+    track.error.fade(seconds);
+    float ahead = seconds * track.alpha;
+    track.base.x += track.base.vx * ahead;
+    track.base.y += track.base.vy * ahead;
+    track.base.angle += track.base.omega * ahead;
+    drawn.pose.set(track.base);
+    track.error.addTo(drawn.pose);
+    show(slot, track, drawn);
+  }
+}

@@ -1,0 +1,72 @@
+package carom.server;
+
+import java.io.Console;
+import java.io.PrintStream;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+
+/**
+ * The line {@code ready tcp=54555 udp=54777} on standard output, for programs that wait for it, and
+ * a few hints below it when a person reads them.
+ */
+final class ReadyLine {
+  private static final String TERMINAL_PROPERTY = "carom.terminal";
+  private static final int DEFAULT_TCP_PORT = 54_555;
+  private static final int DEFAULT_UDP_PORT = 54_777;
+
+  private ReadyLine() {}
+
+  /** Prints that players can join at these ports. */
+  static void print(PrintStream out, int tcp, int udp) {
+    out.println("ready tcp=" + tcp + " udp=" + udp);
+    if (isOnTerminal()) {
+      printHints(out, tcp, udp);
+    }
+    out.flush();
+  }
+
+  private static void printHints(PrintStream out, int tcp, int udp) {
+    boolean defaults = tcp == DEFAULT_TCP_PORT && udp == DEFAULT_UDP_PORT;
+    String ports = defaults ? "" : " --tcp-port " + tcp + " --udp-port " + udp;
+    String playArgs = defaults ? "" : " -Pargs='--host localhost" + ports + "'";
+    String botArgs = defaults ? "" : " -Pargs='" + ports.strip() + "'";
+    out.println();
+    out.println("  join      ./gradlew play" + playArgs);
+    out.println("  add bots  ./gradlew bots -Pn=20" + botArgs);
+    out.println("  stop      Ctrl-C");
+    out.println();
+    out.println("  On another machine, with Carom installed:");
+    out.println("  join      carom-client --host " + hostName() + ports);
+    out.println();
+  }
+
+  private static String hostName() {
+    try {
+      return InetAddress.getLocalHost().getHostName();
+    } catch (UnknownHostException e) {
+      return "HOST";
+    }
+  }
+
+  /**
+   * Returns whether a person reads standard output. Behind Gradle the terminal can't be seen from
+   * here; gradlew sets a property instead. From Java 22 on there is a console object without a
+   * terminal, which says so itself.
+   */
+  private static boolean isOnTerminal() {
+    if (Boolean.getBoolean(TERMINAL_PROPERTY)) {
+      return true;
+    }
+    Console console = System.console();
+    if (console == null) {
+      return false;
+    }
+    try {
+      return (Boolean) Console.class.getMethod("isTerminal").invoke(console);
+    } catch (NoSuchMethodException e) {
+      return true;
+    } catch (ReflectiveOperationException e) {
+      return false;
+    }
+  }
+}

@@ -1,0 +1,339 @@
+package carom.server;
+
+import carom.game.Games;
+import carom.net.kryo.KryoLimits;
+import carom.net.transport.Impairment;
+import carom.options.BadFlag;
+import carom.options.NetworkConditions;
+import carom.server.config.ServerConfig;
+import carom.server.recording.RotationLimit;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.SecureRandom;
+import java.util.Arrays;
+import java.util.Iterator;
+import java.util.Locale;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import picocli.CommandLine.TypeConversionException;
+
+/**
+ * The flags of {@code carom-server}. Picocli fills them in; {@link #check} refuses what doesn't fit
+ * together, and {@link #config} turns the rest into the server's settings.
+ */
+final class ServerFlags {
+  private static final int MAX_PORT = 65_535;
+  private static final int MAX_SPECTATOR_DELAY_S = 3_600;
+  private static final int MAX_GRACE_S = 600;
+  private static final int MAX_KEPT = 10_000;
+
+  @Spec(Spec.Target.MIXEE)
+  private CommandSpec program;
+
+  @Option(
+      names = "--tcp-port",
+      paramLabel = "N",
+      defaultValue = "54555",
+      description = "Port for reliable messages, 0..65535, 0 = any free one (${DEFAULT-VALUE}).")
+  int tcpPort;
+
+  @Option(
+      names = "--udp-port",
+      paramLabel = "N",
+      defaultValue = "54777",
+      description = "Port for datagrams, 0..65535, 0 = any free one (${DEFAULT-VALUE}).")
+  int udpPort;
+
+  @Option(
+      names = "--game",
+      paramLabel = "NAME",
+      description = "Game to run: ${COMPLETION-CANDIDATES} (that of the level, or arena).",
+      completionCandidates = GameNames.class)
+  String game;
+
+  @Option(
+      names = "--level",
+      paramLabel = "FILE",
+      description = "Level file, or the name of one that comes with the program (the game's own).")
+  String level;
+
+  @Option(
+      names = "--scene",
+      paramLabel = "NAME",
+      description = "Scene of the library to watch, instead of a game; players have no bodies.")
+  String scene;
+
+  @Option(
+      names = "--tick-rate",
+      paramLabel = "HZ",
+      defaultValue = "60",
+      description = "Simulation steps per second, 10..240 (${DEFAULT-VALUE}).")
+  int tickRate;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      description = "Start of the random numbers; the same seed starts the same game (random).")
+  private Long seed;
+
+  @Option(
+      names = "--name",
+      paramLabel = "TEXT",
+      defaultValue = "Carom",
+      description = "What the log calls this server, 1..40 characters (${DEFAULT-VALUE}).")
+  private String name;
+
+  @Option(
+      names = "--rooms",
+      paramLabel = "N",
+      defaultValue = "1",
+      description =
+          "Games that are played side by side, 1..64, each with a thread of its own;"
+              + " a newcomer gets into the fullest that has a place (${DEFAULT-VALUE}).")
+  private int rooms;
+
+  @Option(
+      names = "--threads",
+      paramLabel = "N",
+      defaultValue = "1",
+      description =
+          "Threads that may step one world together, 1..64: the room's own and helpers that all"
+              + " rooms share; for worlds of thousands of bodies (${DEFAULT-VALUE}).")
+  private int threads;
+
+  @Option(
+      names = "--max-players",
+      paramLabel = "N",
+      defaultValue = "64",
+      description =
+          "Places in each room, 1..1024, at most 4096 in all rooms together (${DEFAULT-VALUE}).")
+  private int maxPlayers;
+
+  @Option(
+      names = "--snapshot-rate",
+      paramLabel = "HZ",
+      description = "Snapshots per second and player, 1..240, at most one a tick (one a tick).")
+  private Integer snapshotRate;
+
+  @Option(
+      names = "--budget",
+      paramLabel = "KBIT",
+      defaultValue = "512",
+      description = "Snapshots for one player, kbit/s of payload, 16..80000 (${DEFAULT-VALUE}).")
+  private int budget;
+
+  @Option(
+      names = "--view",
+      paramLabel = "METRES",
+      defaultValue = "0",
+      description =
+          "Largest half width and half height a player is told about, up to 4096;"
+              + " 0 = 64, and everything in small worlds (${DEFAULT-VALUE}).")
+  private int view;
+
+  @Option(
+      names = "--grace",
+      paramLabel = "S",
+      defaultValue = "30",
+      description =
+          "Seconds the body of a player who lost the connection waits, 0..600 (${DEFAULT-VALUE}).")
+  private int graceS;
+
+  @Option(
+      names = "--record",
+      paramLabel = "FILE",
+      description =
+          "Record the game to this new file, or to a new file in this folder; 'carom replay FILE'"
+              + " computes it again.")
+  Path record;
+
+  @Option(
+      names = "--record-rotate",
+      paramLabel = "LIMIT",
+      defaultValue = "0",
+      description =
+          "Begin another file in the folder of --record after so many minutes, 1..1440, or when one"
+              + " has reached a size, such as 256M or 2G; each is playable by itself; 0 = never"
+              + " (${DEFAULT-VALUE}).")
+  private String recordRotate;
+
+  @Option(
+      names = "--record-keep",
+      paramLabel = "N",
+      defaultValue = "0",
+      description =
+          "With --record-rotate: keep the last N files of this run and each room, 1..10000; 0 = all"
+              + " (${DEFAULT-VALUE}).")
+  int recordKeep;
+
+  @Option(
+      names = "--spectator-delay",
+      paramLabel = "S",
+      defaultValue = "0",
+      description =
+          "Show every game to spectators (carom-client --watch) S seconds late, 1..3600; 0 = don't"
+              + " (${DEFAULT-VALUE}).")
+  int spectatorDelayS;
+
+  @Mixin private final NetworkConditions network = new NetworkConditions();
+
+  @Option(
+      names = "--status-interval",
+      paramLabel = "S",
+      defaultValue = "60",
+      description = "Seconds between status lines in the log, 0 = none (${DEFAULT-VALUE}).")
+  private int statusIntervalS;
+
+  @Option(
+      names = "--log-level",
+      paramLabel = "L",
+      defaultValue = "info",
+      description = "How much is logged: ${COMPLETION-CANDIDATES} (${DEFAULT-VALUE}).")
+  LogLevel logLevel;
+
+  @Option(
+      names = {"-h", "--help"},
+      usageHelp = true,
+      description = "Shows this text.")
+  @SuppressWarnings("unused") // picocli shows the help
+  private boolean help;
+
+  @Option(
+      names = {"-V", "--version"},
+      versionHelp = true,
+      description = "Shows the version.")
+  @SuppressWarnings("unused") // picocli shows the version
+  private boolean version;
+
+  /** How much is logged, the values of {@code --log-level}. */
+  enum LogLevel {
+    OFF,
+    ERROR,
+    WARN,
+    INFO,
+    DEBUG,
+    TRACE;
+
+    static LogLevel of(String text) {
+      for (LogLevel level : values()) {
+        if (level.toString().equals(text.toLowerCase(Locale.ROOT))) {
+          return level;
+        }
+      }
+      throw new TypeConversionException("'" + text + "' is none of " + Arrays.toString(values()));
+    }
+
+    @Override
+    public String toString() {
+      return name().toLowerCase(Locale.ROOT);
+    }
+  }
+
+  /** Names of all games for the help text. */
+  static final class GameNames implements Iterable<String> {
+    @Override
+    public Iterator<String> iterator() {
+      return Games.names().iterator();
+    }
+  }
+
+  /**
+   * Checks the flags that no setting of {@link ServerConfig} checks.
+   *
+   * @throws BadFlag for the first flag that can't be used
+   */
+  void check() {
+    requireRange("--tcp-port", tcpPort, MAX_PORT);
+    requireRange("--udp-port", udpPort, MAX_PORT);
+    requireRange("--grace", graceS, MAX_GRACE_S);
+    if (record != null && rooms > 1 && !Files.isDirectory(record)) {
+      throw bad("--record=" + record + " is no folder; --rooms=" + rooms + " need one");
+    }
+    requireRange("--spectator-delay", spectatorDelayS, MAX_SPECTATOR_DELAY_S);
+    checkRotation();
+    if (network.problem() != null) {
+      throw bad(network.problem());
+    }
+  }
+
+  private void checkRotation() {
+    boolean rotates = rotation().rotates();
+    requireRange("--record-keep", recordKeep, MAX_KEPT);
+    if (rotates && (record == null || !Files.isDirectory(record))) {
+      throw bad("--record-rotate=" + recordRotate + " needs a folder; give one by --record");
+    }
+    if (rotates && spectatorDelayS > 0) {
+      throw bad(
+          "--record-rotate="
+              + recordRotate
+              + " can't be combined with --spectator-delay="
+              + spectatorDelayS
+              + ": spectators see one file; leave one of them out");
+    }
+    if (recordKeep > 0 && !rotates) {
+      throw bad("--record-keep=" + recordKeep + " needs --record-rotate");
+    }
+  }
+
+  private void requireRange(String flag, int value, int max) {
+    if (value < 0 || value > max) {
+      throw bad(flag + "=" + value + " is outside 0.." + max);
+    }
+  }
+
+  /**
+   * Returns the settings of a server that runs this game.
+   *
+   * @throws BadFlag when a setting is out of range
+   */
+  ServerConfig config(String gameName) {
+    try {
+      return ServerConfig.defaults()
+          .withGameName(gameName)
+          .withServerName(name)
+          .withTickRateHz(tickRate)
+          .withSeed(seed == null ? new SecureRandom().nextLong() : seed)
+          .withMaxPlayers(maxPlayers)
+          .withSnapshotBitsPerSecond(1_000 * Math.max(0, Math.min(1_000_000, budget)))
+          .withViewMetres(view)
+          .withRooms(rooms)
+          .withThreads(threads)
+          .withGraceMs(graceS * 1_000)
+          .withInputHoldTicks(tickRate / 2)
+          .withSnapshotRateHz(snapshotRate == null ? tickRate : snapshotRate)
+          .withStatusIntervalS(statusIntervalS);
+    } catch (IllegalArgumentException e) {
+      throw bad(e.getMessage());
+    }
+  }
+
+  /**
+   * Returns what the network lets strangers use. Half-open links count, too. One address may hold
+   * all seats, as behind a school's router.
+   */
+  KryoLimits limits() {
+    int places = rooms * maxPlayers;
+    return KryoLimits.DEFAULT.withConnections(2 * places + 64, places + 32);
+  }
+
+  /** Returns how much each file of {@code --record-rotate} holds. */
+  RotationLimit rotation() {
+    try {
+      return RotationLimit.parse(recordRotate);
+    } catch (IllegalArgumentException e) {
+      throw bad("--record-rotate=" + e.getMessage());
+    }
+  }
+
+  /** Returns the bad network that was asked for, or null when none was. */
+  Impairment impairment() {
+    return network.isBad() ? network.impairment() : null;
+  }
+
+  /** Returns a refusal to throw: one line on standard error, and exit code 2. */
+  BadFlag bad(String message) {
+    return new BadFlag(program.commandLine(), message);
+  }
+}

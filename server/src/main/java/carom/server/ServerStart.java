@@ -1,0 +1,123 @@
+package carom.server;
+
+import carom.net.kryo.KryoMessageCodec;
+import carom.net.kryo.KryoServerTransport;
+import carom.net.kryo.PortUnavailableException;
+import carom.net.transport.ImpairedServerTransport;
+import carom.net.transport.Impairment;
+import carom.net.transport.ServerTransport;
+import carom.options.BadFlag;
+import carom.server.config.ServerConfig;
+import carom.server.recording.RotationLimit;
+import java.io.IOException;
+import java.nio.file.FileAlreadyExistsException;
+import org.slf4j.Logger;
+
+/**
+ * Builds the server of {@code carom-server} from its flags: opens the ports, then sets up the
+ * rooms, the recording and the spectators. A step that fails closes what the steps before it
+ * opened.
+ */
+final class ServerStart {
+  private final ServerFlags flags;
+  private final GameChoice choice;
+  private final ServerConfig config;
+  private final Logger log;
+
+  ServerStart(ServerFlags flags, GameChoice choice, ServerConfig config, Logger log) {
+    this.flags = flags;
+    this.choice = choice;
+    this.config = config;
+    this.log = log;
+  }
+
+  /**
+   * Plays the game for a moment without a network, see {@link GameWarmup}.
+   *
+   * @throws BadFlag when the game can't be played in the level
+   */
+  void warmUp() {
+    try {
+      GameWarmup.play(config, choice::newGame, choice.warmUpLevel(), new KryoMessageCodec());
+    } catch (IllegalArgumentException e) {
+      throw flags.bad("--level: " + e.getMessage());
+    }
+  }
+
+  /**
+   * Returns a server that is ready to be started.
+   *
+   * @throws BadFlag when a flag can't be used
+   * @throws StartFailure when a port or a file is not available
+   */
+  Server open() throws StartFailure {
+    Server server = openRooms(openTransport());
+    try {
+      record(server);
+      show(server);
+      return server;
+    } catch (BadFlag | StartFailure e) {
+      server.close();
+      throw e;
+    }
+  }
+
+  private ServerTransport openTransport() throws StartFailure {
+    ServerTransport transport;
+    try {
+      transport = new KryoServerTransport(flags.tcpPort, flags.udpPort, flags.limits());
+    } catch (PortUnavailableException e) {
+      throw new StartFailure(e.getMessage(), e);
+    }
+    Impairment impairment = flags.impairment();
+    if (impairment == null) {
+      return transport;
+    }
+    log.warn("network: made bad on purpose, each way: {}", impairment);
+    return new ImpairedServerTransport(
+        transport, impairment, new KryoMessageCodec(), System::nanoTime);
+  }
+
+  private Server openRooms(ServerTransport transport) {
+    try {
+      return new Server(config, choice::newGame, choice.level(), transport, System::nanoTime);
+    } catch (IllegalArgumentException e) {
+      transport.close();
+      throw flags.bad("--level: " + e.getMessage());
+    }
+  }
+
+  private void record(Server server) throws StartFailure {
+    if (flags.record == null) {
+      return;
+    }
+    RotationLimit rotation = flags.rotation();
+    try {
+      if (rotation.rotates()) {
+        server.recordRotating(flags.record, rotation, flags.recordKeep);
+        log.info("recording: {}, another file every {}", flags.record, rotation);
+      } else {
+        server.record(flags.record).forEach(file -> log.info("recording: {}", file));
+      }
+    } catch (FileAlreadyExistsException e) {
+      throw flags.bad(
+          "--record=" + flags.record + " is there already; name a new file or a folder");
+    } catch (IOException e) {
+      throw new StartFailure("--record=" + flags.record + " can't be written: " + e, e);
+    } catch (IllegalArgumentException e) {
+      throw flags.bad("--record-rotate: " + e.getMessage());
+    }
+  }
+
+  private void show(Server server) throws StartFailure {
+    if (flags.spectatorDelayS == 0) {
+      return;
+    }
+    try {
+      server.show(flags.spectatorDelayS);
+      log.info("spectators: let in, {} s late", flags.spectatorDelayS);
+    } catch (IOException e) {
+      throw new StartFailure("--spectator-delay: no file for the recording: " + e, e);
+    }
+  }
+}

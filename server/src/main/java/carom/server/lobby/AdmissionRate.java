@@ -1,0 +1,75 @@
+package carom.server.lobby;
+
+import java.util.HashMap;
+import java.util.Map;
+
+/**
+ * Limits how often clients of one address may join: {@value #LEAST_BURST} at once, or as many as
+ * the server has seats if more, then {@value #PER_SECOND} per second. A crowd behind one address
+ * joins unhindered. A client that joins and leaves in a loop can't flood the log and the screens of
+ * others. For one thread; bounded.
+ */
+final class AdmissionRate {
+  static final int LEAST_BURST = 256;
+  static final int PER_SECOND = 4;
+
+  private static final int MAX_ADDRESSES = 4_096;
+  private static final double NS_PER_S = 1e9;
+
+  private final Map<String, Bucket> buckets = new HashMap<>();
+  private final int burst;
+
+  /**
+   * Creates one without any joins.
+   *
+   * @param places seats of the server
+   */
+  AdmissionRate(int places) {
+    burst = Math.max(LEAST_BURST, places);
+  }
+
+  /** The joins an address has left. */
+  private final class Bucket {
+    private double tokens = burst;
+    private long sinceNs;
+
+    private void fill(long nowNs) {
+      tokens = Math.min(burst, tokens + (nowNs - sinceNs) / NS_PER_S * PER_SECOND);
+      sinceNs = nowNs;
+    }
+  }
+
+  /** Returns the part of {@code Link.remote} that all links of one machine share. */
+  static String address(String remote) {
+    int port = remote.lastIndexOf(':');
+    return port < 0 ? remote : remote.substring(0, port);
+  }
+
+  /** Returns whether one more client of this address may join now. */
+  boolean allows(String address, long nowNs) {
+    Bucket bucket = buckets.get(address);
+    if (bucket == null) {
+      return true;
+    }
+    bucket.fill(nowNs);
+    return bucket.tokens >= 1;
+  }
+
+  /** Counts a client of this address that has joined. */
+  void count(String address, long nowNs) {
+    if (buckets.size() >= MAX_ADDRESSES && !buckets.containsKey(address)) {
+      buckets.values().removeIf(b -> isFull(b, nowNs));
+      if (buckets.size() >= MAX_ADDRESSES) {
+        buckets.clear(); // more addresses at work than any flood from one: forget, don't grow
+      }
+    }
+    Bucket bucket = buckets.computeIfAbsent(address, a -> new Bucket());
+    bucket.fill(nowNs);
+    bucket.tokens--;
+  }
+
+  private boolean isFull(Bucket bucket, long nowNs) {
+    bucket.fill(nowNs);
+    return bucket.tokens >= burst;
+  }
+}

@@ -1,0 +1,488 @@
+package carom.server.lobby;
+
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.GoodbyeReason;
+import carom.net.protocol.Limits;
+import carom.net.protocol.PackedLevel;
+import carom.net.protocol.PlayerName;
+import carom.net.protocol.Protocol;
+import carom.net.protocol.RefusalReason;
+import carom.net.protocol.ServerMessage;
+import carom.net.protocol.SessionState;
+import carom.net.transport.Link;
+import carom.net.transport.LinkHandler;
+import carom.net.transport.ServerTransport;
+import carom.server.config.ServerConfig;
+import carom.server.recording.Showing;
+import carom.server.room.Admission;
+import carom.server.room.Room;
+import carom.server.session.PartingLinks;
+import carom.server.session.Seats;
+import carom.sim.level.Level;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.LongSupplier;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Takes links from the handshake to their room: it greets or refuses them, chooses the room, and
+ * sends the level. Each phase has a deadline, so that a half-open connection or a client that
+ * stalls costs a slot for seconds only.
+ *
+ * <p>A player who returns with a session's secret goes to the room that holds the session. Everyone
+ * else goes to the fullest room that still has a seat, because players want company; among equals
+ * to the first. When no room has a seat, the newcomer is refused. Rooms that have failed count as
+ * full.
+ *
+ * <p>One thread calls {@link #doWork}; it may be another one than the rooms'.
+ */
+public final class Lobby {
+  private static final Logger LOG = LoggerFactory.getLogger(Lobby.class);
+  private static final long NS_PER_MS = 1_000_000;
+  private static final long PARTING_MS = 1_000;
+  private static final int MAX_POLL = 32;
+
+  /** How long a visitor of a full server waits for the seat it asked for, until it asks again. */
+  private static final long ASK_AGAIN_MS = 400;
+
+  /** How long a greeted visitor waits for a seat before it is refused. */
+  private static final long ENTRANCE_WAIT_MS = 2_500;
+
+  /** Seats that one address may hold without playing yet, or half of the free ones if more. */
+  private static final int MIN_UNREADY = 8;
+
+  private static final int MAX_ACCEPT = 32;
+
+  /**
+   * How often one link may request the whole level. It bounds what a link can make a server send.
+   */
+  private static final int MAX_LEVEL_PULLS = 3;
+
+  private final ServerConfig config;
+  private final ServerTransport transport;
+  private final RoomChooser chooser;
+  private final Level level;
+  private final String gameName;
+  private final String levelName;
+  private final int levelSize;
+  private final byte[] packedLevel;
+  private final LongSupplier secrets;
+  private final int maxVisitors;
+  private final List<Visitor> visitors = new ArrayList<>();
+  private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
+  private final AdmissionRate rate;
+  private final Spectators spectators;
+  private long nowNs;
+
+  /**
+   * Creates a lobby in front of rooms.
+   *
+   * @param config settings of the server
+   * @param transport where links come from
+   * @param rooms at least one, all with the same game and level
+   * @param level sent to players who join
+   * @param secrets unpredictable numbers, for datagram keys
+   */
+  public Lobby(
+      ServerConfig config,
+      ServerTransport transport,
+      List<Room> rooms,
+      Level level,
+      LongSupplier secrets) {
+    this.config = config;
+    this.transport = transport;
+    this.chooser = new RoomChooser(rooms);
+    this.spectators = new Spectators(rooms);
+    this.level = level;
+    this.gameName = rooms.get(0).simulation().game().name();
+    this.levelName = level.name();
+    byte[] source = level.source();
+    this.levelSize = source.length;
+    this.packedLevel = PackedLevel.pack(source);
+    this.secrets = secrets;
+    this.maxVisitors = 2 * config.places() + 32;
+    this.rate = new AdmissionRate(config.places());
+  }
+
+  /**
+   * Does one turn: accepts new links, reads what visitors sent, checks deadlines.
+   *
+   * @param timeNs monotonic time in nanoseconds
+   * @return how much was done; 0 when nothing was due
+   */
+  public int doWork(long timeNs) {
+    nowNs = timeNs;
+    int work = partings.doWork(timeNs) + spectators.doWork(timeNs);
+    for (int i = 0; i < MAX_ACCEPT; i++) {
+      Link link = transport.accept();
+      if (link == null) {
+        break;
+      }
+      work++;
+      if (visitors.size() >= maxVisitors) {
+        refuse(link, RefusalReason.SERVER_FULL, "Too many connections are waiting to play.");
+      } else {
+        visitors.add(new Visitor(link));
+      }
+    }
+    for (int i = visitors.size() - 1; i >= 0; i--) {
+      Visitor visitor = visitors.get(i);
+      try {
+        visitor.tryToEnter();
+        work += visitor.poll();
+        visitor.checkDeadline();
+      } catch (RuntimeException e) {
+        LOG.error("a handshake failed; only this link is closed", e);
+        visitor.giveUpSeat();
+        visitor.done = true;
+        partings.add(visitor.link, "server error", timeNs);
+      }
+      if (visitor.done) {
+        visitors.remove(i);
+      }
+    }
+    return work;
+  }
+
+  /**
+   * Refuses all links that wait and all that still come.
+   *
+   * @param timeNs monotonic time in nanoseconds
+   */
+  public void close(long timeNs) {
+    nowNs = timeNs;
+    spectators.close(timeNs);
+    for (Visitor visitor : visitors) {
+      if (visitor.state == SessionState.LOADING) {
+        // After Welcome a client expects a Goodbye; it is the same to the player.
+        visitor.link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_STOPPING, ""));
+        part(visitor.link, "server stops");
+      } else {
+        refuse(visitor.link, RefusalReason.SHUTTING_DOWN, "");
+      }
+      visitor.giveUpSeat();
+    }
+    visitors.clear();
+    for (Link link; (link = transport.accept()) != null; ) {
+      refuse(link, RefusalReason.SHUTTING_DOWN, "");
+    }
+  }
+
+  /** Returns whether no link is left here, not even a refused one that isn't closed yet. */
+  public boolean isDeserted() {
+    return visitors.isEmpty() && partings.isEmpty() && spectators.isDeserted();
+  }
+
+  /** Closes the links that are still open after {@link #close}. */
+  public void closeLinks() {
+    partings.closeAll();
+    spectators.closeLinks();
+  }
+
+  /**
+   * Lets spectators in from now on.
+   *
+   * @param showings one for each room, in their order
+   * @param delaySeconds how long spectators are told nothing of what happens
+   */
+  public void show(List<Showing> showings, int delaySeconds) {
+    spectators.show(showings, delaySeconds);
+  }
+
+  /** Returns the number of links that wait to play. */
+  public int visitorCount() {
+    return visitors.size();
+  }
+
+  private void refuse(Link link, RefusalReason reason, String text) {
+    LOG.info("refused: {}, {}{}", link.remote(), reason, text.isEmpty() ? "" : ", " + text);
+    link.send(new ServerMessage.Refused(reason, text));
+    part(link, "refused: " + reason);
+  }
+
+  private void part(Link link, String why) {
+    partings.add(link, why, nowNs + PARTING_MS * NS_PER_MS);
+  }
+
+  /** Counts the visitors of an address that hold a seat and don't play yet. */
+  private int unready(String address) {
+    int count = 0;
+    for (int i = 0; i < visitors.size(); i++) {
+      Visitor v = visitors.get(i);
+      count += !v.done && v.state == SessionState.LOADING && v.address.equals(address) ? 1 : 0;
+    }
+    return count;
+  }
+
+  /**
+   * Returns the visitor that gives up its seat first when seats are short, or null: the oldest of
+   * the address that holds the most, at least two, and isn't the newcomer's.
+   */
+  private Visitor oldestOfTheBusiest(String newcomer) {
+    Visitor oldest = null;
+    int most = 1;
+    for (int i = 0; i < visitors.size(); i++) {
+      Visitor v = visitors.get(i);
+      if (!v.done && v.state == SessionState.LOADING && !v.address.equals(newcomer)) {
+        int held = unready(v.address);
+        if (held > most) { // the list is in order of arrival
+          most = held;
+          oldest = v;
+        }
+      }
+    }
+    return oldest;
+  }
+
+  /** A link from its first message to its room. */
+  private final class Visitor implements LinkHandler {
+    private final Link link;
+    private SessionState state = SessionState.CONNECTED;
+    private long deadlineNs;
+    private Room room;
+    private Seats.Seat seat;
+    private int datagramKey;
+    private final String address;
+    private ClientMessage.Hello waiting;
+    private long waitsUntilNs;
+    private long askAgainNs;
+    private long pulledBytes;
+    private boolean done;
+
+    Visitor(Link link) {
+      this.link = link;
+      this.address = AdmissionRate.address(link.remote());
+      this.deadlineNs = nowNs + config.handshakeTimeoutMs() * NS_PER_MS;
+      this.askAgainNs = nowNs;
+    }
+
+    /**
+     * Reads messages one by one: those behind a greeting wait with it, those behind Ready are for
+     * the room.
+     */
+    int poll() {
+      int work = 0;
+      while (!done && waiting == null && work < MAX_POLL && link.poll(this, 1) > 0) {
+        work++;
+      }
+      return work;
+    }
+
+    @Override
+    public void message(Link from, Object message) {
+      if (state == SessionState.CONNECTED && message instanceof ClientMessage.Hello hello) {
+        hello(hello);
+      } else if (state == SessionState.CONNECTED && message instanceof ClientMessage.Watch watch) {
+        watch(watch);
+      } else if (state == SessionState.LOADING
+          && message instanceof ClientMessage.LevelRequest request) {
+        sendLevel(request.offset());
+      } else if (state == SessionState.LOADING && message instanceof ClientMessage.Ready) {
+        enterRoom();
+      } else if (message instanceof ClientMessage.Leave) {
+        end("left before playing");
+      } else {
+        String name = message == null ? "nothing" : message.getClass().getSimpleName();
+        refused(RefusalReason.BAD_REQUEST, name + " came while " + state + ".");
+      }
+    }
+
+    @Override
+    public void datagram(Link from, byte[] bytes, int length) {
+      // Nothing in a datagram means anything before the player has a body.
+    }
+
+    @Override
+    public void closed(Link from, String reason) {
+      if (!done) {
+        end(reason);
+      }
+    }
+
+    private void watch(ClientMessage.Watch watch) {
+      if (!isOfThisBuild(watch.protocolVersion(), watch.physicsDigest())) {
+        return;
+      }
+      String problem = spectators.add(link, watch.room(), nowNs);
+      if (problem != null) {
+        refused(RefusalReason.BAD_REQUEST, problem);
+      }
+      done = true;
+    }
+
+    /** Refuses a client with another protocol or physics version; returns whether it has ours. */
+    private boolean isOfThisBuild(int protocolVersion, long physicsDigest) {
+      if (protocolVersion != Protocol.VERSION) {
+        refused(
+            RefusalReason.PROTOCOL_VERSION,
+            "This server speaks protocol %d, your game %d."
+                .formatted(Protocol.VERSION, protocolVersion));
+        return false;
+      }
+      if (physicsDigest != Protocol.physicsDigest()) {
+        refused(
+            RefusalReason.PHYSICS_VERSION,
+            "This server computes with %s.".formatted(Protocol.PHYSICS_VERSION));
+        return false;
+      }
+      return true;
+    }
+
+    private void hello(ClientMessage.Hello hello) {
+      if (!isOfThisBuild(hello.protocolVersion(), hello.physicsDigest())) {
+        return;
+      }
+      String name = hello.name().strip();
+      String problem = PlayerName.problem(name);
+      if (problem != null) {
+        refused(RefusalReason.NAME_INVALID, "Sorry, " + problem + ".");
+        return;
+      }
+      waiting = hello;
+      waitsUntilNs = nowNs + ENTRANCE_WAIT_MS * NS_PER_MS;
+      tryToEnter();
+    }
+
+    /**
+     * Gives a greeted visitor a seat as soon as it may have one. An address that asks too often, or
+     * holds many seats without playing, waits. So do all visitors while a full room gives up the
+     * seat of a player who lost the connection.
+     */
+    void tryToEnter() {
+      if (done || waiting == null) {
+        return;
+      }
+      if (link.state() == Link.State.CLOSED) {
+        end("left while waiting");
+        return;
+      }
+      boolean allowed = rate.allows(address, nowNs);
+      boolean full = false;
+      if (allowed) {
+        Room expecting = chooser.expecting(waiting.resumeSecret());
+        if (expecting != null) {
+          room = expecting;
+          seat = room.seats().claim(waiting.resumeSecret(), nowNs);
+        } else {
+          full = !place(waiting.name().strip()) && chooser.seatsLeft() == 0 && !askForPlaces();
+        }
+      }
+      if (seat != null) {
+        rate.count(address, nowNs);
+        waiting = null;
+        welcome();
+      } else if (full || (allowed && chooser.seatsLeft() == 0 && nowNs - waitsUntilNs >= 0)) {
+        int places = config.places();
+        String text = places == 1 ? "The only place is taken." : "All %d places are taken.";
+        refused(RefusalReason.SERVER_FULL, text.formatted(places));
+      } else if (nowNs - waitsUntilNs >= 0) {
+        refused(RefusalReason.TOO_MANY_CONNECTIONS, "");
+      }
+    }
+
+    /** Takes a seat in the fullest room that has one; returns whether it could. */
+    private boolean place(String name) {
+      Room fullest = chooser.fullestWithSeat();
+      if (fullest != null && unready(address) < Math.max(MIN_UNREADY, chooser.seatsLeft() / 2)) {
+        room = fullest;
+        seat = room.seats().take(name);
+      }
+      return seat != null;
+    }
+
+    /**
+     * Asks a room, or else the busiest other address, to give up a seat that isn't played in.
+     * Returns false when all seats are.
+     */
+    private boolean askForPlaces() {
+      if (nowNs - askAgainNs < 0) {
+        return true; // one seat is enough, and is soon free unless another visitor is faster
+      }
+      boolean asked = chooser.askToGiveWay();
+      Visitor hog = asked ? null : oldestOfTheBusiest(address);
+      if (hog != null) {
+        asked = true;
+        hog.refused(RefusalReason.TOO_SLOW, "Others wait for the place.");
+      }
+      askAgainNs = asked ? nowNs + ASK_AGAIN_MS * NS_PER_MS : nowNs;
+      return asked;
+    }
+
+    private void welcome() {
+      datagramKey = (int) secrets.getAsLong();
+      deadlineNs = nowNs + config.loadTimeoutMs() * NS_PER_MS;
+      state = state.become(SessionState.LOADING);
+      link.send(
+          new ServerMessage.Welcome(
+              seat.secret(),
+              datagramKey,
+              seat.id(),
+              config.tickRateHz(),
+              room.tick(),
+              room.seed(),
+              gameName,
+              levelName,
+              level.contentHash(),
+              levelSize,
+              packedLevel.length));
+    }
+
+    private void sendLevel(int offset) {
+      if (offset < 0 || offset >= packedLevel.length) {
+        refused(
+            RefusalReason.BAD_REQUEST,
+            "LevelRequest.offset=%d is outside 0..%d.".formatted(offset, packedLevel.length - 1));
+        return;
+      }
+      int end = Math.min(packedLevel.length, offset + Limits.MAX_LEVEL_CHUNK_BYTES);
+      pulledBytes += end - offset;
+      if (pulledBytes > (long) MAX_LEVEL_PULLS * packedLevel.length) {
+        refused(RefusalReason.BAD_REQUEST, "The level was requested again and again.");
+        return;
+      }
+      link.send(new ServerMessage.LevelChunk(offset, Arrays.copyOfRange(packedLevel, offset, end)));
+    }
+
+    private void enterRoom() {
+      done = true;
+      if (!room.admit(new Admission(seat, link, datagramKey))) {
+        LOG.warn("{} could not enter: too many enter at once, or the room failed", seat.name());
+        link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_ERROR, "Try again in a moment."));
+        part(link, "room takes nobody");
+        giveUpSeat();
+      }
+    }
+
+    private void checkDeadline() {
+      if (!done && waiting == null && nowNs - deadlineNs >= 0) {
+        refused(
+            RefusalReason.TOO_SLOW,
+            state == SessionState.CONNECTED
+                ? "No greeting came within %d ms.".formatted(config.handshakeTimeoutMs())
+                : "The level was not loaded within %d ms.".formatted(config.loadTimeoutMs()));
+      }
+    }
+
+    private void refused(RefusalReason reason, String text) {
+      done = true;
+      refuse(link, reason, text);
+      giveUpSeat();
+    }
+
+    private void end(String why) {
+      done = true;
+      LOG.debug("visitor {} gone: {}", link.remote(), why);
+      link.close(why);
+      giveUpSeat();
+    }
+
+    private void giveUpSeat() {
+      if (seat != null) {
+        room.seats().unclaim(seat);
+        seat = null;
+      }
+    }
+  }
+}

@@ -1,0 +1,178 @@
+package carom.server.lobby;
+
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.GoodbyeReason;
+import carom.net.protocol.Limits;
+import carom.net.protocol.ServerMessage;
+import carom.net.transport.Link;
+import carom.net.transport.LinkHandler;
+import carom.server.recording.Showing;
+import carom.server.room.Room;
+import carom.server.session.PartingLinks;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Sends recordings to the spectators of all rooms. A spectator requests chunks of its room's
+ * recording and computes the game itself. So it costs the server a few file reads a second, and the
+ * room nothing. No spectator is told anything younger than the delay.
+ *
+ * <p>Runs on the lobby's thread. Bounded: {@value #MAX} spectators, {@value #BYTES_PER_S} bytes per
+ * second each; beyond that a chunk is empty, and the spectator asks again.
+ */
+final class Spectators implements LinkHandler {
+  /** Most spectators at a time, of all rooms together. */
+  static final int MAX = 256;
+
+  /** Most bytes one spectator is sent per second: an hour of a busy match in half a minute. */
+  static final int BYTES_PER_S = 512 * 1_024;
+
+  private static final Logger LOG = LoggerFactory.getLogger(Spectators.class);
+  private static final int MAX_POLL = 32;
+  private static final long NS_PER_MS = 1_000_000;
+  private static final long SILENCE_MS = 10_000;
+  private static final long PARTING_MS = 1_000;
+
+  private static final class Spectator {
+    private final Link link;
+    private final Room room;
+    private final Showing showing;
+
+    /**
+     * Bytes this spectator needn't read, see {@link Showing#skippable}; constant while it stays.
+     */
+    private final long skipped;
+
+    private long heardNs;
+    private long filledNs;
+    private double bytes = BYTES_PER_S;
+
+    Spectator(Link link, Room room, Showing showing, long nowNs) {
+      this.link = link;
+      this.room = room;
+      this.showing = showing;
+      skipped = showing.skippable(room.tick());
+      heardNs = nowNs;
+      filledNs = nowNs;
+    }
+  }
+
+  private final List<Room> rooms;
+  private final List<Spectator> spectators = new ArrayList<>();
+  private final PartingLinks partings = new PartingLinks(MAX);
+  private List<Showing> showings = List.of();
+  private int delaySeconds;
+  private long nowNs;
+  private Spectator speaking;
+  private String end;
+
+  Spectators(List<Room> rooms) {
+    this.rooms = rooms;
+  }
+
+  /** Lets spectators in from now on; the showings are in the order of the rooms. */
+  void show(List<Showing> newShowings, int newDelaySeconds) {
+    showings = newShowings;
+    delaySeconds = newDelaySeconds;
+  }
+
+  /**
+   * Adds a link whose versions are right.
+   *
+   * @param room number of the room, from 1
+   * @return null, or in words for the user why it can't watch
+   */
+  String add(Link link, int room, long timeNs) {
+    if (showings.isEmpty()) {
+      return "This server shows its games to nobody; it would need --spectator-delay.";
+    }
+    if (room > showings.size()) {
+      return "There is no room=" + room + ", they are 1.." + showings.size() + ".";
+    }
+    if (spectators.size() >= MAX) {
+      return MAX + " people watch already.";
+    }
+    spectators.add(new Spectator(link, rooms.get(room - 1), showings.get(room - 1), timeNs));
+    link.send(new ServerMessage.Watching(delaySeconds));
+    LOG.info("watches room {}: {}, {} spectators", room, link.remote(), spectators.size());
+    return null;
+  }
+
+  /** Answers requests and drops silent spectators; returns how much was done. */
+  int doWork(long timeNs) {
+    nowNs = timeNs;
+    int work = partings.doWork(timeNs);
+    for (int i = spectators.size() - 1; i >= 0; i--) {
+      speaking = spectators.get(i);
+      end = null;
+      work += speaking.link.poll(this, MAX_POLL);
+      if (end == null && nowNs - speaking.heardNs > SILENCE_MS * NS_PER_MS) {
+        end = "silent";
+      }
+      if (end != null) {
+        spectators.remove(i);
+        partings.add(speaking.link, end, nowNs + PARTING_MS * NS_PER_MS);
+        LOG.info("watches no more: {}, {}", speaking.link.remote(), end);
+      }
+    }
+    return work;
+  }
+
+  @Override
+  public void message(Link from, Object message) {
+    speaking.heardNs = nowNs;
+    if (message instanceof ClientMessage.RecordingRequest request) {
+      send(speaking, request.offset());
+    } else if (message instanceof ClientMessage.Leave) {
+      end = "left";
+    } else {
+      end = "said what spectators don't";
+      from.send(new ServerMessage.Goodbye(GoodbyeReason.PROTOCOL_ERROR, ""));
+    }
+  }
+
+  private void send(Spectator s, long offset) {
+    s.bytes = Math.min(BYTES_PER_S, s.bytes + (nowNs - s.filledNs) * 1e-9 * BYTES_PER_S);
+    s.filledNs = nowNs;
+    try {
+      int most = (int) Math.min(Limits.MAX_LEVEL_CHUNK_BYTES, s.bytes);
+      byte[] bytes = s.showing.read(s.skipped, offset, most, s.room.tick());
+      s.bytes -= bytes.length;
+      s.link.send(new ServerMessage.RecordingChunk(offset, bytes));
+    } catch (IOException e) {
+      LOG.error("the recording of room {} can't be read", s.room.number(), e);
+      s.link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_ERROR, ""));
+      end = "the recording can't be read";
+    }
+  }
+
+  @Override
+  public void datagram(Link from, byte[] bytes, int length) {
+    // Spectators have nothing to say by datagram.
+  }
+
+  @Override
+  public void closed(Link from, String reason) {
+    end = reason;
+  }
+
+  /** Says goodbye to all spectators. */
+  void close(long timeNs) {
+    for (Spectator s : spectators) {
+      s.link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_STOPPING, ""));
+      partings.add(s.link, "server stops", timeNs + PARTING_MS * NS_PER_MS);
+    }
+    spectators.clear();
+  }
+
+  boolean isDeserted() {
+    return spectators.isEmpty() && partings.isEmpty();
+  }
+
+  void closeLinks() {
+    partings.closeAll();
+  }
+}

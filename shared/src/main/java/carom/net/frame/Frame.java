@@ -1,0 +1,118 @@
+package carom.net.frame;
+
+import carom.net.protocol.Limits;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+
+/**
+ * The bytes around messages and datagrams. Over TCP a frame is a 4-byte big-endian length (of what
+ * follows), a tag and the tag's fields; a datagram is a tag and its fields. Numbers are big-endian.
+ *
+ * <pre>
+ * tag             over          fields
+ * 1 REGISTER_TCP  TCP s->c      id i32, token i64   first frame; the token binds UDP to this connection
+ * 2 REGISTER_UDP  UDP c->s      id i32, token i64   repeated each 100 ms until answered
+ *                 TCP s->c      none                the UDP address is known now
+ * 3 KEEP_ALIVE    both, both    none                TCP each 2 s of silence, UDP c->s each 1 s of silence
+ * 4 MESSAGE       TCP, both     codec's bytes
+ * 5 BYE           TCP, both     UTF-8 text, at most 512 bytes; the receiver closes
+ * 6 DATAGRAM      UDP, both     payload, 1..1,200 bytes
+ * 7 CHALLENGE     UDP s->c      nonce i64           repeated each 100 ms until answered
+ * 8 ANSWER        UDP c->s      nonce i64           the link is open: datagrams pass in both directions
+ * </pre>
+ *
+ * <p>The challenge is ours, not KryoNet's: it proves that the address the client registered
+ * receives what we send, so that nobody can aim a stream of snapshots at somebody else, and a
+ * client behind a one-way firewall is told so.
+ */
+public final class Frame {
+  public static final byte REGISTER_TCP = 1;
+  public static final byte REGISTER_UDP = 2;
+  public static final byte KEEP_ALIVE = 3;
+  public static final byte MESSAGE = 4;
+  public static final byte BYE = 5;
+  public static final byte DATAGRAM = 6;
+  public static final byte CHALLENGE = 7;
+  public static final byte ANSWER = 8;
+
+  /** Bytes of the length in front of a TCP frame. */
+  public static final int LENGTH_BYTES = 4;
+
+  /** Bytes of REGISTER_TCP, and of REGISTER_UDP from a client. */
+  public static final int REGISTRATION_BYTES = 1 + 4 + 8;
+
+  /** Bytes of CHALLENGE and ANSWER. */
+  public static final int NONCE_BYTES = 1 + 8;
+
+  /** Payload bytes of a DATAGRAM. */
+  public static final int MAX_PAYLOAD_BYTES = Limits.MAX_DATAGRAM_BYTES;
+
+  /** Buffer that holds any datagram, and shows that a longer one is too long. */
+  public static final int SERVER_BUFFER_BYTES = Limits.MAX_DATAGRAM_BYTES + 80;
+
+  /** Buffer that holds any frame from a server. */
+  public static final int CLIENT_BUFFER_BYTES = Limits.MAX_SERVER_MESSAGE_BYTES + 64;
+
+  /** Milliseconds without a TCP write after which a KEEP_ALIVE goes out. */
+  public static final int KEEP_ALIVE_MILLIS = 2_000;
+
+  /** Nanoseconds that a side which said BYE waits for the other side to close. */
+  public static final long LINGER_NANOS = 400_000_000L;
+
+  /** What a tag without fields has behind it. */
+  public static final byte[] NO_FIELDS = {};
+
+  private Frame() {}
+
+  /**
+   * A frame of ours on its way out. Mutable, so that a stream of datagrams needs one object only.
+   */
+  public static final class Payload {
+    private byte tag;
+    private byte[] bytes;
+    private int offset;
+    private int length;
+
+    /** Takes what is to be sent; keeps the array. */
+    public Payload set(byte tag, byte[] bytes, int offset, int length) {
+      this.tag = tag;
+      this.bytes = bytes;
+      this.offset = offset;
+      this.length = length;
+      return this;
+    }
+
+    /** Returns the bytes that the frame takes in a TCP write buffer, its length included. */
+    public int tcpBytes() {
+      return LENGTH_BYTES + 1 + length;
+    }
+
+    /** Writes tag and fields. */
+    public void write(ByteBuffer buffer) {
+      buffer.put(tag).put(bytes, offset, length);
+    }
+  }
+
+  /** Returns the frame of an encoded message. */
+  public static Payload message(byte[] bytes) {
+    return new Payload().set(MESSAGE, bytes, 0, bytes.length);
+  }
+
+  /** Returns the frame that says goodbye. */
+  public static Payload bye(String reason) {
+    byte[] bytes = reason.getBytes(StandardCharsets.UTF_8);
+    return new Payload().set(BYE, bytes, 0, Math.min(bytes.length, Limits.MAX_TEXT_BYTES));
+  }
+
+  /** Returns the fields of CHALLENGE and ANSWER. */
+  public static byte[] nonce(long nonce) {
+    return ByteBuffer.allocate(8).putLong(nonce).array();
+  }
+
+  /** Returns the text of a BYE whose tag has been read, as one line without control characters. */
+  public static String byeText(ByteBuffer buffer) {
+    byte[] bytes = new byte[Math.min(buffer.remaining(), Limits.MAX_TEXT_BYTES)];
+    buffer.get(bytes);
+    return new String(bytes, StandardCharsets.UTF_8).replaceAll("\\p{Cntrl}", " ").strip();
+  }
+}

@@ -1,0 +1,224 @@
+package carom.net.frame;
+
+import carom.net.protocol.Limits;
+import carom.net.transport.Broadcast;
+import carom.net.transport.Link;
+import carom.net.transport.LinkCounters;
+import carom.net.transport.LinkHandler;
+import carom.net.transport.MessageCodec;
+import java.nio.ByteBuffer;
+import org.jctools.queues.atomic.MpscAtomicArrayQueue;
+import org.jctools.queues.atomic.SpscAtomicArrayQueue;
+
+/**
+ * What both sides' links share: the state, and the bounded inbox between the network's threads that
+ * fill it and the owner's thread that polls. Datagrams travel in buffers that go back and forth, so
+ * that a steady stream allocates nothing. JCTools' atomic queues are the ones that do without
+ * {@code sun.misc.Unsafe}.
+ */
+public abstract class FramedLink implements Link {
+
+  /** A received datagram and its buffer. */
+  private static final class Datagram {
+    private byte[] bytes = new byte[128];
+    private int length;
+    private long arrivedNs;
+  }
+
+  private final MessageCodec codec;
+  private final LinkCounters counters = new LinkCounters();
+  private final MpscAtomicArrayQueue<Object> inbox; // messages and datagrams have a thread each
+  private final SpscAtomicArrayQueue<Datagram> spare;
+  private final int maxDatagrams;
+  private volatile State state = State.CONNECTING;
+  private volatile String closeReason = "";
+
+  // the thread that reads datagrams
+  private int datagramsMade;
+  private Datagram unused;
+
+  // owner's thread
+  private boolean closedReported;
+  private long waitedNs;
+
+  /**
+   * Creates a link that is being opened.
+   *
+   * @param maxMessages unread ones, at most
+   * @param maxDatagrams unread ones, at most; further ones are dropped
+   */
+  protected FramedLink(MessageCodec codec, int maxMessages, int maxDatagrams) {
+    this.codec = codec;
+    this.maxDatagrams = maxDatagrams;
+    inbox = new MpscAtomicArrayQueue<>(maxMessages + maxDatagrams);
+    spare = new SpscAtomicArrayQueue<>(maxDatagrams);
+  }
+
+  /** Puts a frame on the TCP stream; false when the link can't take it, which closes the link. */
+  protected abstract boolean transmit(Frame.Payload frame);
+
+  /** Puts a datagram on the wire; false when it was dropped here. */
+  protected abstract boolean transmitDatagram(byte[] bytes, int offset, int length);
+
+  /**
+   * Says goodbye to the peer and lets go of the sockets: the owner closed the link, which was in
+   * {@code before}.
+   */
+  protected abstract void disconnect(State before, String reason);
+
+  @Override
+  public final State state() {
+    return state;
+  }
+
+  @Override
+  public final String closeReason() {
+    return closeReason;
+  }
+
+  @Override
+  public final LinkCounters counters() {
+    return counters;
+  }
+
+  @Override
+  public final boolean send(Object message) {
+    if (state != State.OPEN) {
+      return false;
+    }
+    byte[] bytes = Broadcast.encode(codec, message);
+    if (!transmit(Frame.message(bytes))) {
+      return false;
+    }
+    counters.messagesOut.incrementAndGet();
+    counters.messageBytesOut.addAndGet(bytes.length);
+    return true;
+  }
+
+  @Override
+  public final boolean sendDatagram(byte[] bytes, int offset, int length) {
+    if (length < 1 || length > Limits.MAX_DATAGRAM_BYTES) {
+      throw new IllegalArgumentException(
+          "length=" + length + " must be from 1 to " + Limits.MAX_DATAGRAM_BYTES);
+    }
+    if (state != State.OPEN) {
+      return false;
+    }
+    if (!transmitDatagram(bytes, offset, length)) {
+      counters.datagramsDropped.incrementAndGet();
+      return false;
+    }
+    counters.datagramsOut.incrementAndGet();
+    counters.datagramBytesOut.addAndGet(length);
+    return true;
+  }
+
+  @Override
+  public final int poll(LinkHandler handler, int max) {
+    if (closedReported) {
+      return 0;
+    }
+    boolean complete =
+        state == State.CLOSED; // read first: whatever came before the end is in the inbox then
+    int count = 0;
+    while (count < max) {
+      Object item = inbox.poll();
+      if (item == null) {
+        break;
+      }
+      count++;
+      if (item instanceof Datagram datagram) {
+        counters.datagramsIn.incrementAndGet();
+        counters.datagramBytesIn.addAndGet(datagram.length);
+        waitedNs = System.nanoTime() - datagram.arrivedNs;
+        try {
+          handler.datagram(this, datagram.bytes, datagram.length);
+        } finally {
+          spare.offer(datagram);
+        }
+      } else {
+        handler.message(this, item);
+      }
+    }
+    if (complete && inbox.isEmpty()) {
+      closedReported = true;
+      handler.closed(this, closeReason);
+    }
+    return count;
+  }
+
+  @Override
+  public final long waitedNs() {
+    return waitedNs;
+  }
+
+  @Override
+  public final void close(String reason) {
+    State before = state;
+    if (finish(reason)) {
+      disconnect(before, reason);
+    }
+  }
+
+  /** Turns CONNECTING into OPEN; false when the link is in another state. Any thread. */
+  public final synchronized boolean open() {
+    if (state != State.CONNECTING) {
+      return false;
+    }
+    state = State.OPEN;
+    return true;
+  }
+
+  /**
+   * Turns the link CLOSED for good; false when it was already, and keeps its first reason. Any
+   * thread.
+   */
+  public final synchronized boolean finish(String reason) {
+    if (state == State.CLOSED) {
+      return false;
+    }
+    closeReason = reason;
+    state = State.CLOSED;
+    return true;
+  }
+
+  /**
+   * Takes a datagram's payload for the owner; what doesn't fit is dropped. One thread, which may be
+   * another than that of messages.
+   */
+  public final void receiveDatagram(ByteBuffer payload, long nowNs) {
+    int length = payload.remaining();
+    Datagram datagram = unused != null ? unused : spare.poll();
+    unused = null;
+    if (datagram == null) {
+      if (datagramsMade == maxDatagrams) {
+        counters.datagramsDropped.incrementAndGet();
+        return;
+      }
+      datagramsMade++;
+      datagram = new Datagram();
+    }
+    if (datagram.bytes.length < length) {
+      datagram.bytes = new byte[length <= 512 ? 512 : Limits.MAX_DATAGRAM_BYTES];
+    }
+    payload.get(datagram.bytes, 0, length);
+    datagram.length = length;
+    datagram.arrivedNs = nowNs;
+    if (!inbox.offer(datagram)) {
+      unused = datagram;
+      counters.datagramsDropped.incrementAndGet();
+    }
+  }
+
+  /** Takes a message for the owner; false when the inbox is full. One thread. */
+  public final boolean receiveMessage(Object message, int bytes) {
+    counters.messagesIn.incrementAndGet();
+    counters.messageBytesIn.addAndGet(bytes);
+    return inbox.offer(message);
+  }
+
+  @Override
+  public String toString() {
+    return getClass().getSimpleName() + "[" + remote() + ", " + state + "]";
+  }
+}

@@ -1,0 +1,34 @@
+package carom.net.protocol;
+
+import carom.net.codec.BitCoder;
+import carom.net.codec.BitReader;
+import carom.net.codec.BitWriter;
+
+/**
+ * A player's id on the wire: 1 + 7 bits, or 1 + 10 from 128 on, which only large rooms have, since
+ * the lowest free id goes to who comes. Whatever is read is an id.
+ */
+public final class PlayerId {
+  private static final int SHORT_BITS = 7;
+  private static final int LONG_BITS = 10;
+
+  /** The largest id. */
+  public static final int MAX = (1 << LONG_BITS) - 1;
+
+  private PlayerId() {}
+
+  public static void write(BitWriter w, int id) {
+    boolean wide = id >> SHORT_BITS != 0;
+    w.write(wide);
+    w.write(id, wide ? LONG_BITS : SHORT_BITS);
+  }
+
+  public static int read(BitReader r) {
+    return r.read(r.readBit() ? LONG_BITS : SHORT_BITS);
+  }
+
+  public static int code(BitCoder c, int id) {
+    int wide = c.plain(id >> SHORT_BITS != 0 ? 1 : 0, 1);
+    return c.plain(id, wide != 0 ? LONG_BITS : SHORT_BITS);
+  }
+}

@@ -1,0 +1,147 @@
+package carom.net.snapshot.event;
+
+import carom.net.codec.BitReader;
+import carom.net.codec.Sequence;
+
+/**
+ * The events that the server tells, each once and in order, whatever happens to datagrams on the
+ * way. Take them with {@link #poll} after each datagram decoded.
+ *
+ * <p>Total: any bits are read without harm. One thread; allocates nothing after construction.
+ */
+public final class EventInbox {
+  private static final int WINDOW = EventOutbox.WINDOW;
+
+  /** Twice the window: those that wait for one before them, and those that wait to be taken. */
+  private static final int SIZE = 2 * WINDOW;
+
+  private static final int MASK = SIZE - 1;
+
+  private final EventRecord[] events = new EventRecord[SIZE];
+  private final boolean[] here = new boolean[SIZE];
+  private long taken;
+  private long expected; // all before have been received, or given up
+  private int completeTick = -1;
+  private long missed;
+
+  // A datagram is read into these first and counts only when all of it was good.
+  private final EventRecord[] read = new EventRecord[WINDOW];
+  private final int[] readPlace = new int[WINDOW];
+  private int readCount;
+  private boolean readAny;
+  private int readBase;
+  private int readOutstanding;
+
+  public EventInbox() {
+    for (int i = 0; i < SIZE; i++) {
+      events[i] = new EventRecord();
+    }
+    for (int i = 0; i < WINDOW; i++) {
+      read[i] = new EventRecord();
+    }
+  }
+
+  /** Reads the event section of a datagram; false when it makes no sense. */
+  public boolean read(BitReader r, int tick) {
+    readCount = 0;
+    readAny = r.readBit();
+    if (!readAny) {
+      return true;
+    }
+    readBase = r.read(16);
+    readOutstanding = r.read(9) + 1;
+    int place = 0;
+    int eventTick = -1;
+    while (r.readBit()) {
+      place += r.readBit() ? 0 : 1 + r.read(EventCodec.WINDOW_BITS);
+      if (place >= Math.min(WINDOW, readOutstanding) || r.failed()) {
+        return false;
+      }
+      EventRecord e = read[readCount];
+      int ticks = EventCodec.read(r, e);
+      long when = readCount == 0 ? (long) tick - ticks : (long) eventTick + ticks;
+      if (when < 0 || when > tick || !EventCodec.isSane(e)) {
+        return false;
+      }
+      eventTick = (int) when;
+      e.tick = eventTick;
+      readPlace[readCount++] = place++;
+    }
+    return true;
+  }
+
+  /** What was read last counts. */
+  public void keep(int tick) {
+    if (!readAny) {
+      completeTick = Math.max(completeTick, tick);
+      return;
+    }
+    long base = expected + Sequence.difference(readBase, (int) expected & 0xffff);
+    while (expected < base) { // the server has given up what we never got
+      if (here[(int) expected & MASK]) {
+        here[(int) expected & MASK] = false;
+        expected++;
+        makeRoom();
+      } else {
+        skip();
+      }
+    }
+    for (int i = 0; i < readCount; i++) {
+      long sequence = base + readPlace[i];
+      int at = (int) sequence & MASK;
+      if (sequence >= expected && sequence < expected + WINDOW && !here[at]) {
+        events[at].set(read[i]);
+        here[at] = true;
+      }
+    }
+    while (here[(int) expected & MASK]) {
+      here[(int) expected & MASK] = false;
+      expected++;
+      makeRoom();
+    }
+    if (expected >= base + readOutstanding) {
+      completeTick = Math.max(completeTick, tick);
+    }
+  }
+
+  /** One that never comes: an empty place, which {@link #poll} passes over. */
+  private void skip() {
+    missed++;
+    events[(int) expected & MASK].tick = -1;
+    expected++;
+    makeRoom();
+  }
+
+  /** Who doesn't take them loses the oldest. */
+  private void makeRoom() {
+    while (expected - taken > SIZE - WINDOW) {
+      missed += events[(int) taken & MASK].tick >= 0 ? 1 : 0;
+      taken++;
+    }
+  }
+
+  /**
+   * Takes the next event.
+   *
+   * @return null when there is none; else valid until the next datagram is decoded
+   */
+  public EventRecord poll() {
+    while (taken < expected) {
+      EventRecord e = events[(int) taken++ & MASK];
+      if (e.tick >= 0) {
+        return e;
+      }
+    }
+    return null;
+  }
+
+  /** All events up to this tick have been received; -1 before that is known of any. */
+  public int completeTick() {
+    return completeTick;
+  }
+
+  /** Events that were lost because too many waited. */
+  public long missed() {
+    return missed;
+  }
+}

@@ -1,0 +1,277 @@
+package carom.net.snapshot.event;
+
+import carom.net.codec.BitWriter;
+import carom.net.snapshot.SentLog;
+import java.util.Arrays;
+
+/**
+ * The events that one client is told, and hasn't acked yet: reliable and in order over datagrams
+ * that get lost. Each event has the session's next sequence number and is written into one snapshot
+ * after the other until a datagram that had it is acked: twice at once, and then again whenever an
+ * ack should have come.
+ *
+ * <p>Bounded: {@value #CAPACITY} events wait at most, of which the oldest {@value #WINDOW} are
+ * sent; what is too much, or has left the {@link EventRing}, is lost, the oldest first, and
+ * counted. The client learns that from the number of the oldest that waits.
+ *
+ * <p>One thread; allocates only until as many events have waited at once as ever will.
+ */
+public final class EventOutbox {
+  /** Events that may wait for their ack. */
+  static final int CAPACITY = 512;
+
+  /** Events that may be on their way. */
+  static final int WINDOW = 1 << EventCodec.WINDOW_BITS;
+
+  /** Most bits of events in a datagram. */
+  private static final int MAX_BITS = 2_400;
+
+  private static final int SEQUENCE_BITS = 16;
+  private static final int COUNT_BITS = 9;
+  private static final int END_BITS = 1;
+
+  /** So often an event goes out before anybody waits for an ack. */
+  private static final int QUICK_SENDS = 2;
+
+  /** An ack is waited for that much longer than the quickest took, ticks. */
+  private static final int PATIENCE = 3;
+
+  private static final int MAX_WAIT = 60;
+  private static final int FIRST_ROOM = 16;
+
+  private final EventRing ring;
+  private final int datagrams;
+
+  // By the lowest bits of the event's number here: a ring that grows.
+  private long[] numbers = {};
+  private int[] ticks = {};
+  private int[] sentTick = {};
+  private int[] sends = {};
+  private boolean[] acked = {};
+
+  // By datagram: which events it had. Nothing before the first event.
+  private long[] sentBase = {};
+  private long[] sentSet = {};
+
+  private long base;
+
+  /** The first event that happened in the tick of the one before {@link #base}. */
+  private long kept;
+
+  private long next;
+  private int waitTicks = MAX_WAIT / 2;
+  private long lost;
+
+  /**
+   * Creates an empty outbox.
+   *
+   * @param ring the room's events
+   * @param datagrams how many are remembered until their ack comes, a power of two
+   */
+  public EventOutbox(EventRing ring, int datagrams) {
+    this.ring = ring;
+    this.datagrams = datagrams;
+  }
+
+  /** Tells the client of an event of the ring, soon. */
+  public void offer(long number) {
+    if (next - base == CAPACITY) {
+      forget();
+      lost++;
+    }
+    if (next - kept == numbers.length) {
+      grow();
+    }
+    int at = at(next++);
+    numbers[at] = number;
+    ticks[at] = ring.at(number).tick;
+    sends[at] = 0;
+    acked[at] = false;
+  }
+
+  private void grow() {
+    int size = numbers.length;
+    int roomy = Math.max(FIRST_ROOM, 2 * size);
+    long[] roomyNumbers = new long[roomy];
+    int[] roomyTicks = new int[roomy];
+    int[] roomySentTick = new int[roomy];
+    int[] roomySends = new int[roomy];
+    boolean[] roomyAcked = new boolean[roomy];
+    for (long i = kept; i < next; i++) {
+      int to = (int) i & roomy - 1;
+      roomyNumbers[to] = numbers[at(i)];
+      roomyTicks[to] = ticks[at(i)];
+      roomySentTick[to] = sentTick[at(i)];
+      roomySends[to] = sends[at(i)];
+      roomyAcked[to] = acked[at(i)];
+    }
+    numbers = roomyNumbers;
+    ticks = roomyTicks;
+    sentTick = roomySentTick;
+    sends = roomySends;
+    acked = roomyAcked;
+    if (size == 0) {
+      sentBase = new long[datagrams];
+      sentSet = new long[datagrams];
+    }
+  }
+
+  /**
+   * Offers what another client lacks, from the first event of the tick on of which it lacks any:
+   * that client has become this one, and passes over as many of a tick as it has. So a tick whose
+   * first events don't fit, or have left the ring, isn't begun: the rest of it is lost.
+   */
+  public void takeOver(EventOutbox before) {
+    long from = before.kept;
+    while (from < before.next
+        && (before.next - from > CAPACITY || !ring.holds(before.numbers[before.at(from)]))) {
+      from = before.nextTick(from);
+    }
+    for (long i = before.base; i < from; i++) {
+      lost += before.acked[before.at(i)] ? 0 : 1;
+    }
+    for (long i = from; i < before.next; i++) {
+      offer(before.numbers[before.at(i)]);
+    }
+  }
+
+  /** The first event that happened in a later tick than this one. */
+  private long nextTick(long event) {
+    long later = event + 1;
+    while (later < next && ticks[at(later)] == ticks[at(event)]) {
+      later++;
+    }
+    return later;
+  }
+
+  /** The oldest isn't told any more. */
+  private void forget() {
+    if (ticks[at(base)] != ticks[at(kept)]) {
+      kept = base;
+    }
+    base++;
+  }
+
+  private int at(long event) {
+    return (int) event & numbers.length - 1;
+  }
+
+  /** Whether the client hasn't acked everything it was told, or is to be told. */
+  public boolean hasUnacked() {
+    return base < next;
+  }
+
+  /** Whether something would be written now. */
+  public boolean isDue(int tick) {
+    for (long i = base; i < Math.min(next, base + WINDOW); i++) {
+      if (isDue(at(i), tick)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private boolean isDue(int at, int tick) {
+    return !acked[at]
+        && (sends[at] == 0
+            || (sends[at] < QUICK_SENDS && tick > sentTick[at])
+            || tick - sentTick[at] >= waitTicks);
+  }
+
+  /**
+   * Writes the event section of a datagram.
+   *
+   * @param tick the datagram's
+   * @param datagram its place in the {@link SentLog}
+   * @param budgetBits for the events; one is written anyway if it fits the writer
+   */
+  public void write(BitWriter w, int tick, int datagram, int budgetBits) {
+    forgetLost();
+    if (sentBase.length > 0) {
+      sentBase[datagram & datagrams - 1] = base;
+      sentSet[datagram & datagrams - 1] = 0;
+    }
+    w.write(hasUnacked());
+    if (!hasUnacked()) {
+      return;
+    }
+    w.write((int) base, SEQUENCE_BITS);
+    w.write((int) (next - base - 1), COUNT_BITS);
+    int room = Math.min(Math.min(budgetBits, MAX_BITS), w.room() - END_BITS);
+    int begin = w.bits();
+    long set = 0;
+    long expected = base;
+    int lastTick = -1;
+    for (long i = base; i < Math.min(next, base + WINDOW); i++) {
+      int at = at(i);
+      if (!isDue(at, tick)) {
+        continue;
+      }
+      boolean fits = w.bits() - begin + EventCodec.MAX_BITS <= room;
+      boolean first = set == 0 && EventCodec.MAX_BITS + END_BITS <= w.room();
+      if (!fits && !first) {
+        break;
+      }
+      EventRecord e = ring.at(numbers[at]);
+      w.write(true);
+      w.write(i == expected);
+      if (i != expected) {
+        w.write((int) (i - expected - 1), EventCodec.WINDOW_BITS);
+      }
+      EventCodec.write(w, e, lastTick < 0 ? tick - e.tick : e.tick - lastTick);
+      lastTick = e.tick;
+      expected = i + 1;
+      set |= 1L << (i - base);
+      sends[at]++;
+      sentTick[at] = tick;
+    }
+    w.write(false);
+    sentSet[datagram & datagrams - 1] = set;
+  }
+
+  /** What the ring has forgotten can't be told any more. */
+  private void forgetLost() {
+    while (base < next && (acked[at(base)] || !ring.holds(numbers[at(base)]))) {
+      lost += acked[at(base)] ? 0 : 1;
+      forget();
+    }
+  }
+
+  /** A datagram was acked. */
+  public void ack(int datagram) {
+    if (sentBase.length == 0) {
+      return;
+    }
+    long from = sentBase[datagram & datagrams - 1];
+    for (long set = sentSet[datagram & datagrams - 1]; set != 0; set &= set - 1) {
+      long i = from + Long.numberOfTrailingZeros(set);
+      if (i >= base && i < next) {
+        acked[at(i)] = true;
+      }
+    }
+    forgetLost();
+  }
+
+  /** An ack took so long, in ticks. */
+  public void ackTook(int ticks) {
+    waitTicks = Math.max(PATIENCE, Math.min(MAX_WAIT, ticks + PATIENCE));
+  }
+
+  /** Forgets everything: the client begins anew. */
+  public void clear() {
+    base = 0;
+    kept = 0;
+    next = 0;
+    Arrays.fill(sentSet, 0);
+  }
+
+  /** Events that were offered and never told. */
+  public long lost() {
+    return lost;
+  }
+
+  /** Events that wait for their ack. */
+  public int waiting() {
+    return (int) (next - base);
+  }
+}

@@ -1,0 +1,280 @@
+package carom.net.snapshot.exact;
+
+import carom.net.codec.BitCoder;
+import carom.net.codec.Bits;
+import carom.net.snapshot.exact.NearTables.Row;
+
+/**
+ * The rows of an update of what is near, described once for writing and reading. Most of a row's
+ * exact bits can't be foreseen, but many can: bodies are near the own one, an angle's cosine gives
+ * its sine but for the last digits, contacts are sorted, and what pushed last says what pushes
+ * first. Numbers are symbols of {@link NearTables} and plain digits.
+ *
+ * <p>Any bits give rows of numbers in the ranges that {@link NearState} names; of their sense
+ * nothing is promised. One object codes one part at a time.
+ */
+public class NearRowCodec {
+
+  // Places in a row, as NearState has them.
+  private static final int X = 1;
+  private static final int Y = 2;
+  private static final int COS = 3;
+  private static final int VX = 5;
+  private static final int VY = 6;
+  private static final int OMEGA = 7;
+  private static final int REST = 8;
+  private static final int PUSHES = 9;
+  private static final int PUSH_COUNT = 6;
+  private static final int MEMORY = PUSHES + PUSH_COUNT;
+  private static final int PARTS = 2;
+  private static final int POINTS = 3;
+  private static final int IDS = 4;
+  private static final int NORMAL = 6;
+  private static final int NORMAL_0 = 8;
+  private static final int TANGENT_0 = 9;
+  private static final int NORMAL_1 = 10;
+  private static final int TANGENT_1 = 11;
+  private static final int ROLLING = 12;
+  private static final int LAST_0 = 13;
+  private static final int LAST_1 = 14;
+
+  private static final int ASLEEP = -1;
+  private static final int PARTS_BITS = 20;
+  private static final int POINTS_BITS = 16;
+  private static final int PLACE_BITS = 8;
+  private static final int WIDTH_BITS = 5;
+
+  /** Steps of a solver's step: what acted in one is that part of what acted in all. */
+  private static final float SUBSTEPS = 4;
+
+  // Symbols of a float: zeros, anything, each sign and exponent of those that occur.
+  private static final int ZERO = 0;
+  private static final int MINUS_ZERO = 1;
+  private static final int ANYTHING = 2;
+  private static final int USUAL = 3;
+  private static final int LEAST_EXPONENT = 104;
+  private static final int EXPONENTS = 32;
+  private static final int MANTISSA_BITS = 23;
+
+  // Symbols of a float that is like another: zeros, anything, equal, each sign and length.
+  private static final int EQUAL = 3;
+  private static final int OFF = 4;
+  private static final int MAX_OFF = 31;
+
+  // Symbols of an end of a contact.
+  private static final int FAR_PLACE = 30;
+  private static final int STATIC_AGAIN = 31;
+  private static final int STATIC = 32;
+
+  /** Symbols of feature ids: two numbers below 8, or anything. */
+  private static final int ANY_ID = 64;
+
+  private OwnState own;
+  private int endA;
+  private int endB;
+  private int lastStatic;
+
+  /** Creates a codec; call {@link #begin}. */
+  public NearRowCodec() {}
+
+  /**
+   * Starts a part.
+   *
+   * @param own the section that it belongs to; read from until the part ends
+   */
+  final void begin(OwnState own) {
+    this.own = own;
+    endA = 0;
+    endB = 0;
+    lastStatic = 0;
+  }
+
+  /** Codes a symbol. */
+  int symbol(BitCoder c, Row row, int context, int symbol) {
+    int line = NearTables.line(row, context);
+    return c.symbol(NearTables.TABLE, line, symbol, NearTables.SYMBOLS - 1);
+  }
+
+  /** Codes all rows of a part. */
+  public final void part(BitCoder c, OwnState own) {
+    NearState near = own.near;
+    begin(own);
+    for (int row = 0; row < near.partRows; row++) {
+      row(c, near.isEntity(row), near.rows, near.rowAt(row));
+    }
+  }
+
+  /** Codes the next row of a part, all but the key of an entity. */
+  final void row(BitCoder c, boolean isEntity, int[] rows, int at) {
+    if (isEntity) {
+      entity(c, rows, at);
+    } else {
+      contact(c, rows, at);
+    }
+  }
+
+  private void entity(BitCoder c, int[] r, int at) {
+    int rest = r[at + REST];
+    int kind = symbol(c, Row.REST_KIND, 0, rest == 0 ? 0 : rest == ASLEEP ? 1 : 2);
+    r[at + REST] = kind == 0 ? 0 : kind == 1 ? ASLEEP : real(c, Row.REST, 0, rest);
+    r[at + X] = like(c, Row.PLACE, 0, r[at + X], own.values[0]);
+    r[at + Y] = like(c, Row.PLACE, 1, r[at + Y], own.values[1]);
+    unit(c, 0, r, at + COS);
+    int asleep = kind == 1 ? 1 : 0;
+    r[at + VX] = real(c, Row.VELOCITY, asleep, r[at + VX]);
+    int still = (r[at + VX] & Integer.MAX_VALUE) == 0 ? 2 : 0;
+    r[at + VY] = real(c, Row.VELOCITY, 2 + asleep + still, r[at + VY]);
+    still = (r[at + VY] & Integer.MAX_VALUE) == 0 ? still >> 1 : 0;
+    r[at + OMEGA] = real(c, Row.OMEGA, asleep + 2 * still, r[at + OMEGA]);
+    int which = symbol(c, Row.PUSHED, 0, notZero(r, at + PUSHES, PUSH_COUNT));
+    for (int i = 0; i < PUSH_COUNT; i++) {
+      int to = at + PUSHES + i;
+      r[to] = (which >>> i & 1) == 0 ? 0 : real(c, Row.PUSH, 0, r[to]);
+    }
+    which = symbol(c, Row.REMEMBERED, 0, notZero(r, at + MEMORY, OwnState.MEMORY));
+    for (int i = 0; i < OwnState.MEMORY; i++) {
+      int to = at + MEMORY + i;
+      r[to] = (which >>> i & 1) == 0 ? 0 : word(c, i, r[to]);
+    }
+  }
+
+  private static int notZero(int[] r, int at, int count) {
+    int which = 0;
+    for (int i = 0; i < count; i++) {
+      which |= r[at + i] != 0 ? 1 << i : 0;
+    }
+    return which;
+  }
+
+  private void contact(BitCoder c, int[] r, int at) {
+    ends(c, r, at);
+    int kind = r[at + PARTS] == 0 && r[at + POINTS] - 1 >>> 1 == 0 ? r[at + POINTS] - 1 : 2;
+    kind = symbol(c, Row.KIND, 0, kind);
+    r[at + PARTS] = kind < 2 ? 0 : c.plain(r[at + PARTS], PARTS_BITS);
+    r[at + POINTS] = kind < 2 ? kind + 1 : c.plain(r[at + POINTS], POINTS_BITS);
+    int two = (r[at + POINTS] & 0xff) > 1 ? 1 : 0;
+    r[at + IDS] = id(c, two, r[at + IDS]);
+    r[at + IDS + 1] = id(c, 2 + two, r[at + IDS + 1]);
+    unit(c, 1, r, at + NORMAL);
+    r[at + NORMAL_0] = real(c, Row.NORMAL, two, r[at + NORMAL_0]);
+    int first = r[at + NORMAL_0] == 0 ? 0 : 1;
+    r[at + TANGENT_0] = real(c, Row.TANGENT, first, r[at + TANGENT_0]);
+    r[at + NORMAL_1] = like(c, Row.SECOND, 2 * first + two, r[at + NORMAL_1], r[at + NORMAL_0]);
+    int second = r[at + NORMAL_1] == 0 ? 0 : 1;
+    r[at + TANGENT_1] = real(c, Row.TANGENT, 2 + 2 * second + two, r[at + TANGENT_1]);
+    r[at + ROLLING] = real(c, Row.ROLLING, 0, r[at + ROLLING]);
+    r[at + LAST_0] = like(c, Row.LAST, first, r[at + LAST_0], all(r[at + NORMAL_0]));
+    r[at + LAST_1] = like(c, Row.LAST, 2 + 2 * second + two, r[at + LAST_1], all(r[at + NORMAL_1]));
+  }
+
+  /** What all parts of a step do if each does the same; one pattern for all that is no number. */
+  private static int all(int bits) {
+    return Float.floatToIntBits(SUBSTEPS * Float.intBitsToFloat(bits));
+  }
+
+  /** Contacts follow their first end, and then their second one. */
+  private void ends(BitCoder c, int[] r, int at) {
+    int before = endA;
+    endA = end(c, 0, r[at], before);
+    boolean same = endA == before;
+    endB = end(c, same ? 2 : 1, r[at + 1], same ? endB : Math.max(0, endA));
+    r[at] = endA;
+    r[at + 1] = endB;
+  }
+
+  private int end(BitCoder c, int context, int end, int before) {
+    int symbol = end - before;
+    if (end < 0) {
+      symbol = end == lastStatic ? STATIC_AGAIN : STATIC;
+    } else if (before < 0 || symbol < 0 || symbol >= FAR_PLACE) {
+      symbol = FAR_PLACE;
+    }
+    symbol = symbol(c, Row.END, context, symbol);
+    if (symbol == STATIC_AGAIN) {
+      return lastStatic;
+    }
+    if (symbol > STATIC_AGAIN) {
+      int width = c.plain(Bits.width(~end), WIDTH_BITS);
+      lastStatic = ~c.plain(~end, width);
+      return lastStatic;
+    }
+    if (symbol == FAR_PLACE) {
+      return c.plain(end, PLACE_BITS);
+    }
+    return Math.max(0, before) + symbol & (1 << PLACE_BITS) - 1;
+  }
+
+  private int id(BitCoder c, int context, int id) {
+    boolean small = (id & ~0x707) == 0;
+    int symbol = symbol(c, Row.ID, context, small ? id >>> 5 | id & 7 : ANY_ID);
+    return symbol < ANY_ID ? symbol >>> 3 << 8 | symbol & 7 : c.plain(id, Integer.SIZE);
+  }
+
+  /** Two numbers whose squares add up to about 1: the smaller one tells the other. */
+  private void unit(BitCoder c, int context, int[] r, int at) {
+    int a = r[at] & Integer.MAX_VALUE;
+    int b = r[at + 1] & Integer.MAX_VALUE;
+    int symbol = b > a ? 2 | r[at + 1] >>> 31 : r[at] >>> 31;
+    symbol = symbol(c, Row.LARGER, context, symbol);
+    int larger = at + (symbol >>> 1 & 1);
+    int smaller = at + 1 - (symbol >>> 1 & 1);
+    r[smaller] = real(c, Row.SMALLER, context, r[smaller]);
+    double s = Float.intBitsToFloat(r[smaller]);
+    int guess = Float.floatToIntBits((float) Math.sqrt(1 - s * s));
+    int value = like(c, Row.OTHER, context, r[larger] & Integer.MAX_VALUE, guess);
+    r[larger] = value & Integer.MAX_VALUE | symbol << 31;
+  }
+
+  /** A float of which nothing is known but how large it mostly is. */
+  private int real(BitCoder c, Row row, int context, int bits) {
+    int symbol = ANYTHING;
+    int exponent = (bits >>> MANTISSA_BITS & 0xff) - LEAST_EXPONENT;
+    if ((bits & Integer.MAX_VALUE) == 0) {
+      symbol = bits == 0 ? ZERO : MINUS_ZERO;
+    } else if (exponent >= 0 && exponent < EXPONENTS) {
+      symbol = USUAL + 2 * exponent + (bits >>> 31);
+    }
+    symbol = symbol(c, row, context, symbol);
+    if (symbol < ANYTHING) {
+      return symbol << 31;
+    }
+    if (symbol == ANYTHING) {
+      return c.plain(bits, Integer.SIZE);
+    }
+    exponent = (symbol - USUAL >> 1) + LEAST_EXPONENT;
+    return (symbol - USUAL & 1) << 31 | exponent << MANTISSA_BITS | c.plain(bits, MANTISSA_BITS);
+  }
+
+  /** A float that is mostly near a guess. */
+  private int like(BitCoder c, Row row, int context, int bits, int guess) {
+    int from = Bits.orderedBits(guess);
+    int off = Bits.orderedBits(bits) - from;
+    int digits = Bits.width(Math.abs(off));
+    int symbol = ANYTHING;
+    if ((bits & Integer.MAX_VALUE) == 0) {
+      symbol = bits == 0 ? ZERO : MINUS_ZERO;
+    } else if (digits <= MAX_OFF) {
+      symbol = digits == 0 ? EQUAL : OFF + 2 * (digits - 1) + (off >>> 31);
+    }
+    symbol = symbol(c, row, context, symbol);
+    if (symbol < ANYTHING) {
+      return symbol << 31;
+    }
+    if (symbol == ANYTHING) {
+      return c.plain(bits, Integer.SIZE);
+    }
+    if (symbol == EQUAL) {
+      return guess;
+    }
+    int low = symbol - OFF >> 1;
+    int magnitude = 1 << low | c.plain(Math.abs(off), low);
+    return Bits.rawBits(from + ((symbol - OFF & 1) == 0 ? magnitude : -magnitude));
+  }
+
+  /** A number of which mostly the lowest digits are used. */
+  private int word(BitCoder c, int context, int value) {
+    int digits = symbol(c, Row.MEMORY, context, Bits.width(value));
+    digits = Math.min(digits, Integer.SIZE);
+    return digits == 0 ? 0 : 1 << digits - 1 | c.plain(value, digits - 1);
+  }
+}

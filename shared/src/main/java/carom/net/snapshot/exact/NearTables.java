@@ -1,0 +1,109 @@
+package carom.net.snapshot.exact;
+
+import carom.net.codec.SymbolTable;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+
+/**
+ * How likely the symbols of {@link NearRowCodec} are: the file {@code near.txt} has one line for
+ * each context of each row, and in it a letter for each symbol, its weight on a scale of
+ * logarithms. Counted over games that bots play, by {@code NearTraining} in the tests; other tables
+ * are another protocol.
+ */
+final class NearTables {
+
+  /** Symbols of each row; not all use all of them. */
+  static final int SYMBOLS = 67;
+
+  /** The letters '#' and on: half a bit less likely each. */
+  private static final char LIKELIEST = '#';
+
+  private static final int LETTERS = 33;
+
+  /** What the symbols are of, each in a few contexts. */
+  enum Row {
+    REST_KIND(1),
+    REST(1),
+    PLACE(2),
+    LARGER(2),
+    SMALLER(2),
+    OTHER(2),
+    VELOCITY(6),
+    OMEGA(4),
+    PUSHED(1),
+    PUSH(1),
+    REMEMBERED(1),
+    MEMORY(OwnState.MEMORY),
+    END(3),
+    KIND(1),
+    ID(4),
+    NORMAL(2),
+    TANGENT(6),
+    SECOND(4),
+    ROLLING(1),
+    LAST(6);
+
+    private final int contexts;
+
+    Row(int contexts) {
+      this.contexts = contexts;
+    }
+  }
+
+  /** By row: its first line. */
+  private static final int[] FIRST = new int[Row.values().length];
+
+  /** Lines of the file. */
+  static final int LINES;
+
+  static {
+    int lines = 0;
+    for (Row row : Row.values()) {
+      FIRST[row.ordinal()] = lines;
+      lines += row.contexts;
+    }
+    LINES = lines;
+  }
+
+  static final SymbolTable TABLE = read();
+
+  private NearTables() {}
+
+  /** The line of a row's context. */
+  static int line(Row row, int context) {
+    return FIRST[row.ordinal()] + context;
+  }
+
+  private static SymbolTable read() {
+    SymbolTable table = new SymbolTable(LINES, SYMBOLS);
+    try (InputStream in = NearTables.class.getResourceAsStream("near.txt")) {
+      byte[] text = in.readAllBytes();
+      if (text.length != LINES * (SYMBOLS + 1)) {
+        throw new IllegalStateException(
+            "near.txt has length=" + text.length + " for lines=" + LINES);
+      }
+      double[] weights = new double[SYMBOLS];
+      for (int line = 0; line < LINES; line++) {
+        for (int s = 0; s < SYMBOLS; s++) {
+          weights[s] = weight((char) text[line * (SYMBOLS + 1) + s]);
+        }
+        table.set(line, weights);
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException("near.txt can't be read", e);
+    }
+    return table;
+  }
+
+  /** What a letter stands for. */
+  static double weight(char letter) {
+    return StrictMath.pow(2, (LIKELIEST - letter) / 2.0);
+  }
+
+  /** The letter that stands for a probability. */
+  static char letter(double probability) {
+    long halves = StrictMath.round(-2 * StrictMath.log(probability) / StrictMath.log(2));
+    return (char) (LIKELIEST + Math.max(0, Math.min(LETTERS - 1, halves)));
+  }
+}

@@ -1,0 +1,488 @@
+package carom.net.snapshot.frame;
+
+import carom.net.codec.Quantizer;
+import carom.net.protocol.PlayerId;
+import java.util.Arrays;
+import java.util.function.Consumer;
+
+/**
+ * A room's whole world at one tick, quantised once for all sessions, by entity slot. Filled through
+ * {@link FrameRing}. Units: see {@link carom.net.codec.Quantizer}.
+ */
+public final class FrameState {
+
+  /** Bits of a packed input that count. */
+  public static final long INPUT_MASK = (1L << 48) - 1;
+
+  /** Bits of a number of teleports that are sent. */
+  public static final int TELEPORT_BITS = 4;
+
+  private static final int FREE = Identities.FREE;
+  private static final int TELEPORT_SHIFT = 24;
+  private static final int IDENTITY = (1 << TELEPORT_SHIFT) - 1;
+  private static final int MIN_LENGTH = 64;
+
+  private final int capacity;
+  private final Identities.Pool pool;
+  private int tick;
+  private int limit;
+  private boolean filling;
+  private boolean hashed;
+  private long hash;
+  private Identities who;
+
+  /** Whether {@link #who} is another frame's, too, so that nobody can be added. */
+  private boolean shared;
+
+  private final MotionTable motions = new MotionTable();
+  private FrameState previous;
+
+  /** Slots for which there is room. */
+  private int room;
+
+  private final PlayerSet players = new PlayerSet();
+  private long[] inputs = {};
+  private final SlotSet changed = new SlotSet();
+  private final SlotSet renamed = new SlotSet();
+
+  /** The slots with an audience other than 0, and all slots' as far as there was one. */
+  private final SlotSet special = new SlotSet();
+
+  private int[] audience = {};
+
+  FrameState(int capacity, Identities.Pool pool) {
+    this.capacity = capacity;
+    this.pool = pool;
+  }
+
+  /**
+   * A frame of its own, outside of any ring, of tick 0: the state that a level file places its
+   * bodies in, which server and client know without a word.
+   *
+   * @param capacity most entity slots, 1..65,535
+   * @param fill puts the entities
+   */
+  public static FrameState of(int capacity, Consumer<FrameState> fill) {
+    FrameState frame = new FrameState(capacity, new Identities.Pool());
+    frame.begin(0, null);
+    fill.accept(frame);
+    frame.end();
+    return frame;
+  }
+
+  /**
+   * Begins a frame.
+   *
+   * @param previous the frame before, or null for the first one
+   */
+  void begin(int tick, FrameState previous) {
+    this.tick = tick;
+    this.previous = previous;
+    be(pool.take());
+    limit = 0;
+    special.clear();
+    players.clear();
+    filling = true;
+    shared = false;
+    hashed = false;
+  }
+
+  private void be(Identities next) {
+    if (who != null) {
+      who.holders--;
+    }
+    who = next;
+    who.holders++;
+  }
+
+  /**
+   * Puts an entity into the frame, quantising its state.
+   *
+   * @param slot entity id, 0..capacity - 1, put at most once per frame
+   * @param generation 0..255, differs from that of the slot's previous entity
+   * @param archetype 0..65,535
+   * @param owner player id 0..1,023, or -1
+   * @param x metres
+   * @param y metres
+   * @param angle radians
+   * @param vx metres per second
+   * @param vy metres per second
+   * @param omega radians per second
+   */
+  public void put(
+      int slot,
+      int generation,
+      int archetype,
+      int owner,
+      float x,
+      float y,
+      float angle,
+      float vx,
+      float vy,
+      float omega) {
+    identify(slot, generation, archetype, owner);
+    motions.put(
+        slot,
+        Quantizer.position(x),
+        Quantizer.position(y),
+        Quantizer.angle(angle),
+        Quantizer.velocity(vx),
+        Quantizer.velocity(vy),
+        Quantizer.omega(omega));
+  }
+
+  /**
+   * As {@link #put}, already quantised; values outside the ranges of {@code Quantizer} are refused.
+   */
+  public void putQuantized(
+      int slot,
+      int generation,
+      int archetype,
+      int owner,
+      int x,
+      int y,
+      int angle,
+      int vx,
+      int vy,
+      int omega) {
+    check("x", x, -Quantizer.MAX_POSITION, Quantizer.MAX_POSITION);
+    check("y", y, -Quantizer.MAX_POSITION, Quantizer.MAX_POSITION);
+    check("angle", angle, 0, Quantizer.ANGLE_STEPS - 1);
+    check("vx", vx, -Quantizer.MAX_VELOCITY, Quantizer.MAX_VELOCITY);
+    check("vy", vy, -Quantizer.MAX_VELOCITY, Quantizer.MAX_VELOCITY);
+    check("omega", omega, -Quantizer.MAX_OMEGA, Quantizer.MAX_OMEGA);
+    identify(slot, generation, archetype, owner);
+    motions.put(slot, x, y, angle, vx, vy, omega);
+  }
+
+  /**
+   * Puts motions of entities that were {@linkplain #identify identified}; in steps, within the
+   * ranges of {@code Quantizer}, which isn't checked.
+   *
+   * @param n how many
+   * @param slot whose the motions are, or -1 for nobody's, from one index on
+   * @param from that index
+   * @param columns x, y, angle, vx, vy, omega, n of each
+   */
+  public void putMotions(int n, int[] slot, int from, int[][] columns) {
+    motions.putAll(n, slot, from, columns);
+  }
+
+  /**
+   * Puts the entities of another frame into this one, which has none yet; their motions must follow
+   * by {@link #putMotions}, and all that is told of them but audiences is the same. Nobody else can
+   * be put.
+   *
+   * @param other of the same ring
+   */
+  public void identifyAs(FrameState other) {
+    if (!filling || shared || who.count > 0) {
+      throw new IllegalStateException("identifyAs() after a put(), or outside begin() and end()");
+    }
+    be(other.who);
+    shared = true;
+    ensure(other.limit);
+    limit = other.limit;
+  }
+
+  /**
+   * Puts the input into the frame that a player's step to this tick consumed.
+   *
+   * @param player id, 0..1,023
+   * @param packed 48 bits, higher ones are dropped
+   */
+  public void putInput(int player, long packed) {
+    players.add(player);
+    if (player >= inputs.length) {
+      inputs = Arrays.copyOf(inputs, Math.max(16, Math.max(player + 1, 2 * inputs.length)));
+    }
+    inputs[player] = packed & INPUT_MASK;
+  }
+
+  /**
+   * Puts an entity into the frame whose motion must follow by {@link #putMotions}.
+   *
+   * @param slot as in {@link #put}, like the others
+   */
+  public void identify(int slot, int generation, int archetype, int owner) {
+    if (!filling || shared) {
+      throw new IllegalStateException(
+          "put() after identifyAs(), or outside FrameRing.begin() and end()");
+    }
+    check("slot", slot, 0, capacity - 1);
+    check("generation", generation, 0, 255);
+    check("archetype", archetype, 0, 65_535);
+    check("owner", owner, -1, PlayerId.MAX);
+    ensure(slot + 1);
+    if (who.kind[slot] != FREE) {
+      throw new IllegalStateException("slot=" + slot + " was put twice");
+    }
+    who.add(slot, archetype << 8 | generation, owner);
+    limit = who.limit;
+  }
+
+  /**
+   * Says who is told about an entity of this frame, in the terms of whoever asks for {@link
+   * #audience}; 0 unless said. A change of it counts as a change of the entity.
+   */
+  public void setAudience(int slot, int audience) {
+    if (!filling || !alive(slot)) {
+      throw new IllegalStateException("setAudience() of slot=" + slot + " before its put()");
+    }
+    if (special.has(slot)) {
+      special.remove(slot);
+    }
+    if (audience == 0) {
+      return;
+    }
+    if (slot >= this.audience.length) {
+      this.audience = Arrays.copyOf(this.audience, room);
+      special.ensure(room);
+    }
+    this.audience[slot] = audience;
+    special.add(slot);
+  }
+
+  private static void check(String name, int value, int min, int max) {
+    if (value < min || value > max) {
+      throw new IllegalArgumentException(name + "=" + value + " is outside " + min + ".." + max);
+    }
+  }
+
+  private void ensure(int length) {
+    if (length > room) {
+      // the same in all frames of a ring that reach as far, so that none grows for its neighbour
+      int power = Integer.highestOneBit(Math.max(MIN_LENGTH, length) - 1) << 1;
+      room = Math.max(MIN_LENGTH, Math.min(capacity, power));
+      motions.ensure(room);
+      changed.ensure(room);
+      renamed.ensure(room);
+    }
+    who.ensure(room);
+  }
+
+  /** Finds what changed since the frame before. */
+  void end() {
+    int known = previous == null ? 0 : previous.limit;
+    limit = Math.max(limit, known);
+    ensure(limit);
+    changed.clear();
+    renamed.clear();
+    findRenamed(known);
+    for (int word = 0; word << 6 < limit; word++) {
+      long moved = word << 6 < known ? motions.differing(previous.motions, word, known) : 0;
+      long bits = renamed.word(word) | (moved | readdressed(word)) & who.living.word(word);
+      if (bits != 0) {
+        changed.addWord(word, bits);
+      }
+    }
+    previous = null;
+    filling = false;
+  }
+
+  /** Finds who isn't who was there before; slots that are new count, too. */
+  private void findRenamed(int known) {
+    for (int word = 0; !shared && word << 6 < known; word++) {
+      long bits = who.differing(previous.who, word, known);
+      if (bits != 0) {
+        renamed.addWord(word, bits);
+      }
+    }
+    for (int slot = known; slot < limit; slot++) {
+      renamed.add(slot);
+    }
+    if (previous != null && !shared && renamed.nextWord(0) < 0) {
+      be(previous.who);
+    }
+  }
+
+  /** Those of 64 slots that others are told about than before. */
+  private long readdressed(int word) {
+    long specials = special.word(word);
+    long before = previous == null ? 0 : previous.special.word(word);
+    long result = specials ^ before;
+    for (long both = specials & before; both != 0; both &= both - 1) {
+      int slot = (word << 6) + Long.numberOfTrailingZeros(both);
+      result |= audience[slot] != previous.audience[slot] ? Long.lowestOneBit(both) : 0;
+    }
+    return result;
+  }
+
+  /**
+   * Says how often an entity of this frame was put elsewhere instead of moving there; 0 unless
+   * said. Between two numbers there is no way: a client shows the one place and then the other.
+   *
+   * @param teleports of which the lowest {@value #TELEPORT_BITS} bits count
+   */
+  public void setTeleports(int slot, int teleports) {
+    if (!filling || shared || !alive(slot)) {
+      throw new IllegalStateException("setTeleports() of slot=" + slot + " before its put()");
+    }
+    int sent = teleports & (1 << TELEPORT_BITS) - 1;
+    who.kind[slot] = who.kind[slot] & IDENTITY | sent << TELEPORT_SHIFT;
+  }
+
+  /** The tick this frame is the state after. */
+  public int tick() {
+    return tick;
+  }
+
+  /** Slots for which there is room. */
+  int room() {
+    return room;
+  }
+
+  /** Entities alive. */
+  public int count() {
+    return who == null ? 0 : who.count;
+  }
+
+  /**
+   * One more than the highest slot that was ever used up to this frame: the end for loops over
+   * slots.
+   */
+  public int slotLimit() {
+    return limit;
+  }
+
+  /** Whether a slot holds an entity; false for slots beyond {@link #slotLimit}. */
+  public boolean alive(int slot) {
+    return slot < limit && who.kind[slot] != FREE;
+  }
+
+  /** Generation of the slot's entity, 0..255. */
+  public int generation(int slot) {
+    return who.kind[slot] & 0xff;
+  }
+
+  /** Archetype of the slot's entity. */
+  public int archetype(int slot) {
+    return who.kind[slot] >>> 8 & 0xffff;
+  }
+
+  /** How often the slot's entity was put elsewhere, 0..15, modulo 16. */
+  public int teleports(int slot) {
+    return who.kind[slot] >>> TELEPORT_SHIFT;
+  }
+
+  /** Player id of the owner, or -1. */
+  public int owner(int slot) {
+    return who.owner[slot];
+  }
+
+  /** Who is told about the slot's entity, as {@link #setAudience} said. */
+  public int audience(int slot) {
+    return special.has(slot) ? audience[slot] : 0;
+  }
+
+  /** Position, steps. */
+  public int x(int slot) {
+    return motions.x(slot);
+  }
+
+  /** Position, steps. */
+  public int y(int slot) {
+    return motions.y(slot);
+  }
+
+  /** Angle, steps, 0..1,023. */
+  public int angle(int slot) {
+    return motions.angle(slot);
+  }
+
+  /** Velocity, steps. */
+  public int vx(int slot) {
+    return motions.vx(slot);
+  }
+
+  /** Velocity, steps. */
+  public int vy(int slot) {
+    return motions.vy(slot);
+  }
+
+  /** Angular velocity, steps. */
+  public int omega(int slot) {
+    return motions.omega(slot);
+  }
+
+  /**
+   * 64-bit hash of all slots' quantised state; equal frames have equal hashes, whatever their tick.
+   */
+  public long hash() {
+    if (!hashed) {
+      hash = computeHash();
+      hashed = true;
+    }
+    return hash;
+  }
+
+  private long computeHash() {
+    long h = who.count;
+    for (int slot = 0; slot < limit; slot++) {
+      if (who.kind[slot] != FREE) {
+        h = mix(h, slot, who.kind[slot]);
+        h = mix(h, who.owner[slot], angle(slot));
+        h = mix(h, x(slot), y(slot));
+        h = mix(h, vx(slot), vy(slot));
+        h = mix(h, omega(slot), 0);
+      }
+    }
+    return h;
+  }
+
+  private static long mix(long hash, int a, int b) {
+    long h = (hash ^ ((long) a << 32 | (b & 0xffffffffL))) * 0x9e3779b97f4a7c15L;
+    return h ^ (h >>> 29);
+  }
+
+  /** Whether the frame holds the input of a player. */
+  public boolean hasInput(int player) {
+    return players.has(player);
+  }
+
+  /** The packed input that a player's step to this tick consumed; 0 when there is none. */
+  public long input(int player) {
+    return players.has(player) ? inputs[player] : 0;
+  }
+
+  /**
+   * Whether a slot is of the same entity, owner and archetype in both frames, alive, and wasn't put
+   * elsewhere between.
+   */
+  public boolean sameIdentity(FrameState other, int slot) {
+    return alive(slot)
+        && other.alive(slot)
+        && who.kind[slot] == other.who.kind[slot]
+        && who.owner[slot] == other.who.owner[slot];
+  }
+
+  /** Copies the slot's motion. */
+  public void motion(int slot, Motion out) {
+    out.x = x(slot);
+    out.y = y(slot);
+    out.angle = angle(slot);
+    out.vx = vx(slot);
+    out.vy = vy(slot);
+    out.omega = omega(slot);
+  }
+
+  /** Whether a slot is the same entity in the same motion in both frames, and alive. */
+  boolean sameState(FrameState other, int slot) {
+    return sameIdentity(other, slot) && motions.same(other.motions, slot);
+  }
+
+  /** The slots that hold an entity. */
+  public SlotSet living() {
+    return who.living;
+  }
+
+  /** The slots whose entity, owner or archetype changed in this very tick, or was put elsewhere. */
+  SlotSet renamed() {
+    return renamed;
+  }
+
+  /** The slots that changed in this very tick. */
+  public SlotSet changed() {
+    return changed;
+  }
+}

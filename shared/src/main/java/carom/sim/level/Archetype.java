@@ -1,0 +1,131 @@
+package carom.sim.level;
+
+import carom.physics.BodyDef;
+import carom.physics.BodyType;
+import carom.physics.Material;
+import carom.physics.ShapeDef;
+import carom.physics.geometry.Shape;
+import carom.physics.math.Aabb;
+import carom.physics.math.Transform;
+import carom.sim.OneWay;
+import java.util.List;
+
+/**
+ * A kind of entity: shapes, materials and behaviour that all its entities share. Immutable.
+ *
+ * <p>Server and client register the same archetypes in the same order (the level's first, then the
+ * game's), so an entity's archetype crosses the wire as its {@link #index}.
+ */
+public final class Archetype {
+  private final int index;
+  private final ArchetypeDef def;
+  private final List<Shape> shapes;
+  private final List<Material> materials;
+  private final float reach;
+
+  Archetype(int index, ArchetypeDef def) {
+    this.index = index;
+    this.def = new ArchetypeDef(def);
+    shapes = List.copyOf(def.shapes);
+    materials = List.copyOf(def.materials);
+    reach = reachOf(shapes);
+  }
+
+  private static float reachOf(List<Shape> shapes) {
+    Aabb box = new Aabb();
+    Transform identity = new Transform();
+    float reach = 0;
+    for (Shape shape : shapes) {
+      shape.aabb(identity, box);
+      float w = Math.max(Math.abs(box.minX), Math.abs(box.maxX));
+      float h = Math.max(Math.abs(box.minY), Math.abs(box.maxY));
+      reach = Math.max(reach, (float) Math.sqrt(w * w + h * h));
+    }
+    return reach;
+  }
+
+  /** Position among the simulation's {@link Archetypes}, from 0. */
+  public int index() {
+    return index;
+  }
+
+  /** Its name, for people and for {@link Archetypes#find}. */
+  public String name() {
+    return def.name;
+  }
+
+  /** Static, kinematic or dynamic. */
+  public BodyType type() {
+    return def.type;
+  }
+
+  /** The shapes in the body's frame, unmodifiable. */
+  public List<Shape> shapes() {
+    return shapes;
+  }
+
+  /** Radius of a circle around the body's origin that holds all shapes at any angle, metres. */
+  public float reach() {
+    return reach;
+  }
+
+  /** The material of each shape, unmodifiable. */
+  public List<Material> materials() {
+    return materials;
+  }
+
+  /** Whether bodies hold only what comes from above; see {@link OneWay}. */
+  public boolean oneWay() {
+    return def.oneWay;
+  }
+
+  /** Whether bodies touch nothing and only notice; see {@link ShapeDef}. */
+  public boolean sensor() {
+    return def.sensor;
+  }
+
+  /** A number with a meaning of the game's own, the same on server and client. */
+  public int tag() {
+    return def.tag;
+  }
+
+  /** Constant turning speed of a kinematic body, rad/s, counterclockwise. */
+  public float spin() {
+    return def.spin;
+  }
+
+  /** The path of a kinematic body, or null. */
+  public ScriptedMotion motion() {
+    return def.motion;
+  }
+
+  /** How it is drawn. */
+  public Appearance appearance() {
+    return def.appearance;
+  }
+
+  /** A body definition of this kind at a place; angle in radians. Allocates. */
+  public BodyDef body(float x, float y, float angle) {
+    BodyDef body =
+        new BodyDef()
+            .type(def.type)
+            .position(x, y)
+            .angle(angle)
+            .linearDamping(def.linearDamping)
+            .angularDamping(def.angularDamping)
+            .gravityScale(def.gravityScale)
+            .fixedRotation(def.fixedRotation);
+    if (def.type == BodyType.KINEMATIC) {
+      body.angularVelocity(def.spin);
+    }
+    for (int i = 0; i < shapes.size(); i++) {
+      body.shape(new ShapeDef(shapes.get(i), materials.get(i)).withSensor(def.sensor));
+    }
+    return body;
+  }
+
+  @Override
+  public String toString() {
+    return def.name + "#" + index;
+  }
+}

@@ -1,0 +1,131 @@
+package carom.sim.level;
+
+import carom.physics.BodyType;
+import carom.physics.Material;
+import carom.physics.geometry.Shape;
+import carom.sim.OneWay;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Describes an {@link Archetype} before it is registered; filled in fluently, then handed to {@link
+ * Archetypes#add}, which copies it.
+ *
+ * <pre>{@code
+ * Archetype ball = simulation.archetypes().add(new ArchetypeDef("ball")
+ *     .shape(new Circle(0.5f), new Material(0.4f, 0.3f, 0.6f))
+ *     .linearDamping(0.7f)
+ *     .appearance(Appearance.of(0xffe08a, Appearance.Look.BALL)));
+ * }</pre>
+ */
+public final class ArchetypeDef {
+  final String name;
+  BodyType type = BodyType.DYNAMIC;
+  final List<Shape> shapes = new ArrayList<>();
+  final List<Material> materials = new ArrayList<>();
+  float linearDamping;
+  float angularDamping;
+  float gravityScale = 1;
+  boolean fixedRotation;
+  boolean oneWay;
+  boolean sensor;
+  int tag;
+  float spin;
+  ScriptedMotion motion;
+  Appearance appearance = Appearance.DEFAULT;
+
+  /** Starts a dynamic archetype without shapes. The name is for people and for {@code find}. */
+  public ArchetypeDef(String name) {
+    this.name = name;
+  }
+
+  ArchetypeDef(ArchetypeDef d) {
+    name = d.name;
+    type = d.type;
+    shapes.addAll(d.shapes);
+    materials.addAll(d.materials);
+    linearDamping = d.linearDamping;
+    angularDamping = d.angularDamping;
+    gravityScale = d.gravityScale;
+    fixedRotation = d.fixedRotation;
+    oneWay = d.oneWay;
+    sensor = d.sensor;
+    tag = d.tag;
+    spin = d.spin;
+    motion = d.motion;
+    appearance = d.appearance;
+  }
+
+  /** Static, kinematic or dynamic; dynamic unless set. */
+  public ArchetypeDef type(BodyType value) {
+    type = value;
+    return this;
+  }
+
+  /** Adds a shape in the body's frame, with its own material. */
+  public ArchetypeDef shape(Shape shape, Material material) {
+    shapes.add(shape);
+    materials.add(material);
+    return this;
+  }
+
+  /** How fast movement dies away, 1/s; 0 unless set. */
+  public ArchetypeDef linearDamping(float perSecond) {
+    linearDamping = perSecond;
+    return this;
+  }
+
+  /** How fast rotation dies away, 1/s; 0 unless set. */
+  public ArchetypeDef angularDamping(float perSecond) {
+    angularDamping = perSecond;
+    return this;
+  }
+
+  /** Factor on the world's gravity; 1 unless set. */
+  public ArchetypeDef gravityScale(float factor) {
+    gravityScale = factor;
+    return this;
+  }
+
+  /** Whether contacts can't turn the body. */
+  public ArchetypeDef fixedRotation(boolean fixed) {
+    fixedRotation = fixed;
+    return this;
+  }
+
+  /** Whether the body holds only what comes from above; see {@link OneWay}. */
+  public ArchetypeDef oneWay(boolean value) {
+    oneWay = value;
+    return this;
+  }
+
+  /** Whether the body touches nothing and only notices, as a sensor. */
+  public ArchetypeDef sensor(boolean value) {
+    sensor = value;
+    return this;
+  }
+
+  /** A number with a meaning of the game's own, such as a team; 0 unless set. */
+  public ArchetypeDef tag(int value) {
+    tag = value;
+    return this;
+  }
+
+  /** Constant turning speed of a kinematic body, rad/s, counterclockwise; 0 unless set. */
+  public ArchetypeDef spin(float radPerSecond) {
+    spin = radPerSecond;
+    return this;
+  }
+
+  /** The path of a kinematic body; the simulation keeps every such body on it. */
+  public ArchetypeDef motion(ScriptedMotion value) {
+    motion = value;
+    return this;
+  }
+
+  /** How it is drawn. */
+  public ArchetypeDef appearance(Appearance value) {
+    appearance = value;
+    return this;
+  }
+}

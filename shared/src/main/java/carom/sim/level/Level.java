@@ -1,0 +1,306 @@
+package carom.sim.level;
+
+import carom.physics.BodyType;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A level: the static geometry, the bodies that stand in it, spawn points, zones and colours, read
+ * from a JSON file. Immutable. {@code docs/LEVELS.md} describes the format.
+ */
+public final class Level {
+  /** Owner of what the level places: no player. */
+  public static final int NO_OWNER = -1;
+
+  /** Largest file, bytes. */
+  public static final int MAX_BYTES = 1 << 22;
+
+  /**
+   * Where a body of an archetype stands.
+   *
+   * @param archetype index into {@link #archetypes}
+   * @param x position of the body's origin, metres
+   * @param y position of the body's origin, metres
+   * @param angle radians, counterclockwise
+   */
+  public record Placement(int archetype, float x, float y, float angle) {}
+
+  /** Receives the bodies of a level as entities; see {@link Level#forEachBody}. */
+  public interface BodyVisitor {
+    /**
+     * Called once per body, by ascending id.
+     *
+     * @param id of the entity
+     * @param generation of the entity
+     * @param archetype index
+     * @param owner {@link Level#NO_OWNER}
+     * @param x metres
+     * @param y metres
+     * @param angle radians
+     * @param vx m/s
+     * @param vy m/s
+     * @param omega rad/s
+     */
+    void body(
+        int id,
+        int generation,
+        int archetype,
+        int owner,
+        float x,
+        float y,
+        float angle,
+        float vx,
+        float vy,
+        float omega);
+  }
+
+  /**
+   * A point with a purpose.
+   *
+   * @param name what may appear here, such as {@code player}
+   * @param x metres
+   * @param y metres
+   * @param team the side it belongs to, 0 for anyone
+   */
+  public record Spawn(String name, float x, float y, int team) {}
+
+  /**
+   * A named rectangle.
+   *
+   * @param name its purpose, such as {@code goal}
+   * @param minX left edge, metres
+   * @param minY lower edge, metres
+   * @param maxX right edge, metres
+   * @param maxY upper edge, metres
+   * @param team the side it belongs to, 0 for anyone
+   * @param rgb colour for a light tint, 0xRRGGBB, or -1 for none
+   */
+  public record Zone(
+      String name, float minX, float minY, float maxX, float maxY, int team, int rgb) {
+    /** Whether a point lies inside or on the edge. */
+    public boolean contains(float x, float y) {
+      return x >= minX && x <= maxX && y >= minY && y <= maxY;
+    }
+  }
+
+  /**
+   * The playing field, metres. What leaves it is out of the game.
+   *
+   * @param minX left edge
+   * @param minY lower edge
+   * @param maxX right edge
+   * @param maxY upper edge
+   */
+  public record Bounds(float minX, float minY, float maxX, float maxY) {
+    /** Whether a point lies inside or on the edge. */
+    public boolean contains(float x, float y) {
+      return x >= minX && x <= maxX && y >= minY && y <= maxY;
+    }
+  }
+
+  /**
+   * Colours of what is not a body, 0xRRGGBB.
+   *
+   * @param background behind everything, lower edge of the view
+   * @param sky behind everything, upper edge of the view
+   * @param grid thin lines, one per metre or so
+   * @param accent marks that should catch the eye
+   */
+  public record Theme(int background, int sky, int grid, int accent) {}
+
+  private final String name;
+  private final String gameName;
+  private final byte[] source;
+  private final float gravityX;
+  private final float gravityY;
+  private final Bounds bounds;
+  private final Theme theme;
+  private final List<ArchetypeDef> archetypes;
+  private final List<Placement> statics;
+  private final List<Placement> bodies;
+  private final List<Spawn> spawns;
+  private final List<Zone> zones;
+
+  Level(LevelReader r, byte[] source) {
+    this.source = source;
+    name = r.name;
+    gameName = r.game;
+    gravityX = r.gravityX;
+    gravityY = r.gravityY;
+    bounds = r.bounds;
+    theme = r.theme;
+    archetypes = List.copyOf(r.archetypes);
+    statics = List.copyOf(r.statics);
+    bodies = List.copyOf(r.bodies);
+    spawns = List.copyOf(r.spawns);
+    zones = List.copyOf(r.zones);
+  }
+
+  /**
+   * Reads a level from the bytes of its file.
+   *
+   * @param fileName for error messages
+   * @param json UTF-8, at most {@link #MAX_BYTES}; copied
+   * @throws LevelException naming file, line, column, field, value and limit; nothing is kept then
+   */
+  public static Level parse(String fileName, byte[] json) throws LevelException {
+    requireSize(fileName, json.length);
+    byte[] source = json.clone();
+    return new Level(new LevelReader(fileName, source), source);
+  }
+
+  /**
+   * Reads a level file.
+   *
+   * @throws LevelException when it can't be read or used
+   */
+  public static Level load(Path file) throws LevelException {
+    String fileName = String.valueOf(file.getFileName());
+    try (InputStream in = Files.newInputStream(file)) {
+      return parse(fileName, in.readNBytes(MAX_BYTES + 1));
+    } catch (IOException e) {
+      throw new LevelException(fileName, 0, 0, "", "can't read " + file + ": " + reason(e));
+    }
+  }
+
+  /**
+   * Reads a level that is packed with the program as {@code levels/NAME.json}.
+   *
+   * @throws LevelException when there is none of that name, or when it can't be used
+   */
+  public static Level builtIn(String name) throws LevelException {
+    String fileName = name + ".json";
+    try (InputStream in = Level.class.getResourceAsStream("/levels/" + fileName)) {
+      if (in == null) {
+        throw new LevelException(
+            fileName, 0, 0, "", "no level of this name comes with the program");
+      }
+      return parse(fileName, in.readNBytes(MAX_BYTES + 1));
+    } catch (IOException e) {
+      throw new LevelException(fileName, 0, 0, "", "can't read it: " + reason(e));
+    }
+  }
+
+  /** The level's name, for people. */
+  public String name() {
+    return name;
+  }
+
+  /** The game it is made for. */
+  public String gameName() {
+    return gameName;
+  }
+
+  /** A copy of the file's bytes, as {@link #parse} got them. */
+  public byte[] source() {
+    return source.clone();
+  }
+
+  /** A 64-bit number of the file's bytes (FNV-1a): equal files, equal numbers. */
+  public long contentHash() {
+    long hash = 0xcbf29ce484222325L;
+    for (byte b : source) {
+      hash = (hash ^ (b & 0xff)) * 0x100000001b3L;
+    }
+    return hash;
+  }
+
+  /** Gravity to the right, m/s^2. */
+  public float gravityX() {
+    return gravityX;
+  }
+
+  /** Gravity upwards, m/s^2: negative pulls down. */
+  public float gravityY() {
+    return gravityY;
+  }
+
+  /** The playing field. */
+  public Bounds bounds() {
+    return bounds;
+  }
+
+  /** Colours of what is not a body. */
+  public Theme theme() {
+    return theme;
+  }
+
+  /** What the level is built of: one definition for each item in the file, statics first. */
+  public List<ArchetypeDef> archetypes() {
+    return archetypes;
+  }
+
+  /** Static bodies in file order, repeats expanded; unmodifiable. */
+  public List<Placement> statics() {
+    return statics;
+  }
+
+  /**
+   * Dynamic and kinematic bodies in file order, repeats expanded; unmodifiable. On the server the
+   * entity with id n is the n-th of them for as long as the game doesn't despawn it.
+   */
+  public List<Placement> bodies() {
+    return bodies;
+  }
+
+  /**
+   * Visits the dynamic ones of {@link #bodies} as the entities they become at tick 0, at rest, so
+   * that server and client agree on the beginning without a word. Kinematic ones are never at rest.
+   */
+  public void forEachBody(BodyVisitor visitor) {
+    for (int id = 0; id < bodies.size(); id++) {
+      Placement p = bodies.get(id);
+      if (archetypes.get(p.archetype()).type != BodyType.DYNAMIC) {
+        continue;
+      }
+      visitor.body(id, 0, p.archetype(), NO_OWNER, p.x(), p.y(), p.angle(), 0, 0, 0);
+    }
+  }
+
+  /** All spawn points in file order, unmodifiable. */
+  public List<Spawn> spawns() {
+    return spawns;
+  }
+
+  /** The spawn points of one name in file order. Allocates: for set-up. */
+  public List<Spawn> spawns(String spawnName) {
+    List<Spawn> found = new ArrayList<>();
+    for (Spawn spawn : spawns) {
+      if (spawn.name().equals(spawnName)) {
+        found.add(spawn);
+      }
+    }
+    return found;
+  }
+
+  /** All zones in file order, unmodifiable. */
+  public List<Zone> zones() {
+    return zones;
+  }
+
+  /** The zones of one name in file order. Allocates: for set-up. */
+  public List<Zone> zones(String zoneName) {
+    List<Zone> found = new ArrayList<>();
+    for (Zone zone : zones) {
+      if (zone.name().equals(zoneName)) {
+        found.add(zone);
+      }
+    }
+    return found;
+  }
+
+  private static void requireSize(String fileName, int size) throws LevelException {
+    if (size > MAX_BYTES) {
+      throw new LevelException(
+          fileName, 0, 0, "", "size exceeds the limit of " + MAX_BYTES + " bytes; split the level");
+    }
+  }
+
+  private static String reason(IOException e) {
+    return e.getClass().getSimpleName() + ": " + e.getMessage();
+  }
+}

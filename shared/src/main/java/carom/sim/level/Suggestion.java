@@ -1,0 +1,57 @@
+package carom.sim.level;
+
+import java.util.Collection;
+
+/** Finds what somebody probably meant. */
+public final class Suggestion {
+  private Suggestion() {}
+
+  /**
+   * The known word nearest to the given one, or null when none is near: at most a third of its
+   * letters, and two at least, may be wrong, missing, too many or swapped with their neighbour.
+   */
+  public static String nearest(String word, Collection<String> known) {
+    String best = null;
+    int bestDistance = Math.max(2, word.length() / 3) + 1;
+    if (word.length() > 64) {
+      return null;
+    }
+    for (String candidate : known) {
+      int distance = distance(word, candidate);
+      if (distance < bestDistance && distance < candidate.length()) {
+        best = candidate;
+        bestDistance = distance;
+      }
+    }
+    return best;
+  }
+
+  /** {@code ; did you mean "x"?}, or nothing when no known word is near. */
+  public static String didYouMean(String word, Collection<String> known) {
+    String nearest = nearest(word, known);
+    return nearest == null ? "" : "; did you mean \"" + nearest + "\"?";
+  }
+
+  /** Optimal string alignment distance, ignoring case. */
+  private static int distance(String a, String b) {
+    int[][] d = new int[a.length() + 1][b.length() + 1];
+    for (int i = 0; i <= a.length(); i++) {
+      for (int j = 0; j <= b.length(); j++) {
+        if (i == 0 || j == 0) {
+          d[i][j] = i + j;
+          continue;
+        }
+        int change = same(a, i, b, j) ? 0 : 1;
+        d[i][j] = Math.min(d[i - 1][j - 1] + change, Math.min(d[i - 1][j], d[i][j - 1]) + 1);
+        if (i > 1 && j > 1 && same(a, i, b, j - 1) && same(a, i - 1, b, j)) {
+          d[i][j] = Math.min(d[i][j], d[i - 2][j - 2] + 1);
+        }
+      }
+    }
+    return d[a.length()][b.length()];
+  }
+
+  private static boolean same(String a, int i, String b, int j) {
+    return Character.toLowerCase(a.charAt(i - 1)) == Character.toLowerCase(b.charAt(j - 1));
+  }
+}

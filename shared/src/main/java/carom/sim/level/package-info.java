@@ -1,0 +1,8 @@
+/**
+ * Levels and what they are made of: the file format and its reader, archetypes, looks.
+ *
+ * <p>May import {@code carom.physics} and what it exports. Read first: {@link
+ * carom.sim.level.Level}, {@link carom.sim.level.ArchetypeDef}, {@link
+ * carom.sim.level.LevelReader}.
+ */
+package carom.sim.level;

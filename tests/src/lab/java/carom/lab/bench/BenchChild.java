@@ -1,0 +1,47 @@
+package carom.lab.bench;
+
+import carom.lab.measure.BenchJob;
+import carom.lab.measure.BenchRow;
+import carom.lab.measure.Entrant;
+import carom.lab.measure.Measurement;
+import carom.lab.measure.Turns;
+import java.io.FileDescriptor;
+import java.io.FileInputStream;
+import java.io.PrintStream;
+
+/**
+ * The process in which one entrant does one job: what another compiled or collected never matters.
+ * It measures only while it has the turn, and its last line of standard output is the row.
+ */
+final class BenchChild {
+  private BenchChild() {}
+
+  /**
+   * Measures.
+   *
+   * @param args engine, kernels, threads, job, seconds of warm-up, seconds of the cap, whether
+   *     quick
+   */
+  public static void main(String[] args) {
+    Entrant entrant = new Entrant(args[0], args[1], Integer.parseInt(args[2]));
+    BenchJob job = Jobs.of(args[3]);
+    PrintStream out = System.out;
+    Turns turns = new Turns(new FileInputStream(FileDescriptor.in), out);
+    Measurement measurement =
+        new Measurement(
+            Double.parseDouble(args[4]),
+            Double.parseDouble(args[5]),
+            Boolean.parseBoolean(args[6]),
+            turns);
+    turns.take();
+    BenchRow row;
+    try {
+      row = job.run(entrant, measurement);
+    } catch (UnsupportedOperationException e) {
+      row = BenchRow.failed(job.name(), entrant, "not possible: " + e.getMessage());
+    }
+    out.println();
+    out.println(row.toJson());
+    out.flush();
+  }
+}

@@ -1,0 +1,77 @@
+package carom.lab.bench;
+
+import carom.lab.measure.Entrant;
+import carom.physics.World;
+import carom.physics.threads.WorkerThreads;
+import carom.sim.scene.Scene;
+import carom.sim.scene.SceneRun;
+
+/** The engine of this program. */
+final class CaromEngine implements BenchEngine {
+  private final int threads;
+
+  /** Of the world at hand alone: whether sharing pays beside others' warm-up is not to count. */
+  private WorkerThreads workers;
+
+  private SceneRun run;
+
+  /**
+   * Makes one without a world.
+   *
+   * @param threads how many step a world together, 1..64
+   */
+  CaromEngine(int threads) {
+    this.threads = threads;
+  }
+
+  @Override
+  public String name() {
+    return Entrant.CAROM;
+  }
+
+  @Override
+  public void start(Scene scene) {
+    dismiss();
+    run = scene.start();
+    workers = threads == 1 ? null : new WorkerThreads(threads, System::nanoTime);
+    run.world().workers(workers);
+  }
+
+  @Override
+  public void step() {
+    run.step();
+  }
+
+  @Override
+  public World<?> world() {
+    return run.world();
+  }
+
+  /** The hash of the world, and of particles if there are any. */
+  long stateHash() {
+    return run.particles().isEmpty() ? run.world().stateHash() : run.stateHash();
+  }
+
+  /** How many there are in all systems together. */
+  int particles() {
+    return run.particles().stream().mapToInt(some -> some.particles().count()).sum();
+  }
+
+  @Override
+  public int awake() {
+    return run.world().profile().awake();
+  }
+
+  @Override
+  public void close() {
+    run = null;
+    dismiss();
+  }
+
+  private void dismiss() {
+    if (workers != null) {
+      workers.close();
+      workers = null;
+    }
+  }
+}

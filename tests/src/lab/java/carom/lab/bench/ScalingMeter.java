@@ -1,0 +1,158 @@
+package carom.lab.bench;
+
+import carom.lab.measure.Scaling;
+import carom.sim.scene.Scene;
+import carom.sim.scene.SceneRun;
+import java.util.Arrays;
+
+/**
+ * Measures {@link Scaling} beside a world that several threads step: one more world stepped by the
+ * calling thread alone, and one per thread that are stepped at once. They do as many steps as the
+ * measured one, in the same turns. One thread at a time.
+ */
+final class ScalingMeter implements AutoCloseable {
+  /** How long helpers sleep between looks for work while others have the turn, ms. */
+  private static final int IDLE_MS = 1;
+
+  private final SceneRun alone;
+  private final SceneRun[] together;
+  private final Thread[] helpers;
+
+  /** How many steps the worlds that are stepped at once are to have done. */
+  private volatile int wanted;
+
+  /** Whether steps follow each other closely, so that helpers spin. */
+  private volatile boolean busy;
+
+  private volatile boolean closed;
+
+  /** Per helper: the steps it has done. */
+  private final Progress[] done;
+
+  private double[] aloneMs = new double[0];
+  private double[] togetherMs = new double[0];
+  private double[] speedUps = new double[0];
+  private double[] ceilings = new double[0];
+  private double[] shares = new double[0];
+
+  /** A counter that only its thread writes. */
+  private static final class Progress {
+    private volatile int steps;
+  }
+
+  /**
+   * Makes the worlds.
+   *
+   * @param scene that is measured
+   * @param threads how many, at least 2
+   * @param warm steps to do before the first slice
+   */
+  ScalingMeter(Scene scene, int threads, int warm) {
+    alone = scene.start();
+    together = new SceneRun[threads];
+    Arrays.setAll(together, i -> scene.start());
+    helpers = new Thread[threads - 1];
+    done = new Progress[helpers.length];
+    for (int i = 0; i < helpers.length; i++) {
+      int helper = i;
+      done[i] = new Progress();
+      helpers[i] = new Thread(() -> help(helper), "bench-world-" + (i + 1));
+      helpers[i].setDaemon(true);
+      helpers[i].start();
+    }
+    step(warm);
+  }
+
+  private void help(int helper) {
+    SceneRun world = together[helper + 1];
+    int steps = 0;
+    while (!closed) {
+      if (steps < wanted) {
+        world.step();
+        steps++;
+        done[helper].steps = steps;
+      } else if (busy) {
+        Thread.onSpinWait();
+      } else {
+        sleep(IDLE_MS);
+      }
+    }
+  }
+
+  private static void sleep(int milliseconds) {
+    try {
+      Thread.sleep(milliseconds);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  /**
+   * Steps the worlds after the measured one did the same.
+   *
+   * @param milliseconds of each of its steps, by the clock
+   */
+  void slice(double[] milliseconds) {
+    int steps = milliseconds.length;
+    step(steps);
+    double one = median(aloneMs);
+    double all = median(togetherMs);
+    double shared = median(milliseconds);
+    speedUps = with(speedUps, one / shared);
+    ceilings = with(ceilings, together.length * one / all);
+    shares = with(shares, all / (together.length * shared));
+  }
+
+  private void step(int steps) {
+    aloneMs = new double[steps];
+    togetherMs = new double[steps];
+    for (int i = 0; i < steps; i++) {
+      long begin = System.nanoTime();
+      alone.step();
+      aloneMs[i] = (System.nanoTime() - begin) * 1e-6;
+    }
+    busy = true;
+    sleep(2 * IDLE_MS); // until all helpers are awake
+    for (int i = 0; i < steps; i++) {
+      int target = wanted + 1;
+      long begin = System.nanoTime();
+      wanted = target;
+      together[0].step();
+      for (int h = 0; h < helpers.length; h++) {
+        while (done[h].steps < target) {
+          if (!helpers[h].isAlive()) {
+            throw new IllegalStateException("a step failed on " + helpers[h].getName());
+          }
+          Thread.onSpinWait();
+        }
+      }
+      togetherMs[i] = (System.nanoTime() - begin) * 1e-6;
+    }
+    busy = false;
+  }
+
+  private static double[] with(double[] values, double one) {
+    double[] more = Arrays.copyOf(values, values.length + 1);
+    more[values.length] = one;
+    return more;
+  }
+
+  private static double median(double[] values) {
+    double[] sorted = values.clone();
+    Arrays.sort(sorted);
+    return sorted[sorted.length / 2];
+  }
+
+  /** The medians of the slices; {@link Scaling#NONE} if there was none. */
+  Scaling result() {
+    return shares.length == 0
+        ? Scaling.NONE
+        : new Scaling(median(speedUps), median(ceilings), median(shares));
+  }
+
+  /** Ends the threads. */
+  @Override
+  public void close() {
+    closed = true;
+  }
+}

@@ -1,0 +1,9 @@
+/**
+ * Rows of the benchmark about pairs of boxes: the engine's own search within its steps, and
+ * structures that find pairs, alone.
+ *
+ * <p>Imports {@code carom.physics}, {@code carom.sim}, {@code carom.lab.measure} and the JDK only.
+ * Read first: {@link carom.lab.broadphase.PairSearchJob}, {@link
+ * carom.lab.broadphase.BroadphaseJob}.
+ */
+package carom.lab.broadphase;

@@ -1,0 +1,253 @@
+package carom.lab.crowd;
+
+import carom.net.frame.ClientEnd;
+import carom.net.frame.Frame;
+import carom.net.kryo.KryoMessageCodec;
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.NoRouteToHostException;
+import java.net.PortUnreachableException;
+import java.nio.ByteBuffer;
+import java.nio.channels.DatagramChannel;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
+import java.nio.channels.SocketChannel;
+
+/**
+ * One client of a {@link CrowdTransport}: two sockets that the transport's thread reads, and
+ * everybody writes. Speaks the frames of {@link Frame} without KryoNet's client.
+ */
+final class CrowdLink extends ClientEnd {
+  private static final long REGISTER_NANOS = 100_000_000L;
+  private static final long KEEP_ALIVE_NANOS = Frame.KEEP_ALIVE_MILLIS * 1_000_000L;
+
+  private final ByteBuffer frames =
+      ByteBuffer.allocate(Frame.LENGTH_BYTES + Frame.CLIENT_BUFFER_BYTES);
+  private final ByteBuffer unsent = ByteBuffer.allocate(WRITE_BUFFER_BYTES); // guards the writing
+  private final Selector selector;
+  private final ByteBuffer datagram =
+      ByteBuffer.allocate(1 + Frame.MAX_PAYLOAD_BYTES); // guards its writing
+  private volatile SocketChannel tcp;
+  private volatile DatagramChannel udp;
+  private volatile SelectionKey tcpKey;
+
+  // the transport's thread
+  private long registerAt;
+  private long keepAliveAt;
+  private long closedSince;
+
+  CrowdLink(
+      KryoMessageCodec codec,
+      String host,
+      int tcpPort,
+      int udpPort,
+      int connectMillis,
+      Selector selector) {
+    super(codec, host, tcpPort, udpPort, connectMillis);
+    this.selector = selector;
+  }
+
+  /** Opens the sockets. The transport's thread, as all that follows unless it says otherwise. */
+  void begin() {
+    try {
+      InetSocketAddress address = new InetSocketAddress(host(), tcpPort());
+      if (address.isUnresolved()) {
+        lose(unknownHost());
+        return;
+      }
+      tcp = SocketChannel.open();
+      tcp.configureBlocking(false);
+      tcp.socket().setTcpNoDelay(true);
+      tcpKey = tcp.register(selector, SelectionKey.OP_CONNECT, this);
+      udp = DatagramChannel.open();
+      udp.configureBlocking(false);
+      udp.connect(new InetSocketAddress(address.getAddress(), udpPort()));
+      udp.register(selector, SelectionKey.OP_READ, this);
+      if (tcp.connect(address)) {
+        connected();
+      }
+    } catch (IOException | RuntimeException x) {
+      lose("can't connect to " + remote() + ": " + x.getMessage());
+    }
+  }
+
+  private void connected() {
+    tcpKey.interestOps(SelectionKey.OP_READ);
+    keepAliveAt = System.nanoTime() + KEEP_ALIVE_NANOS;
+  }
+
+  /** One of the sockets is ready. */
+  void ready(SelectionKey key, ByteBuffer datagramIn) {
+    if (isDisconnected()) {
+      return;
+    }
+    try {
+      if (key.channel() == udp) {
+        // Once per selection: what still waits is found by the next one.
+        if (udp.read(datagramIn.clear()) >= 0) {
+          readDatagram(datagramIn.flip());
+        }
+        return;
+      }
+      if (key.isConnectable() && tcp.finishConnect()) {
+        connected();
+      }
+      if (key.isWritable()) {
+        flush();
+      }
+      if (key.isReadable()) {
+        readFrames();
+      }
+    } catch (PortUnreachableException x) {
+      if (state() == State.CONNECTING) {
+        lose(blocked());
+      } // else the server's UDP port has just gone, and TCP will tell why
+    } catch (NoRouteToHostException x) {
+      lose(noWay());
+    } catch (IOException x) {
+      lose(tcp.isConnected() ? (isTcpRegistered() ? gone() : notCarom()) : noAnswer());
+    } catch (RuntimeException x) {
+      lose("the server sent what is no frame");
+    }
+  }
+
+  private void readFrames() throws IOException {
+    if (tcp.read(frames) < 0) {
+      lose(isTcpRegistered() ? gone() : notCarom());
+      return;
+    }
+    frames.flip();
+    while (frames.remaining() >= Frame.LENGTH_BYTES && !isDisconnected()) {
+      int length = frames.getInt(frames.position());
+      if (length <= 0 || length > Frame.CLIENT_BUFFER_BYTES) {
+        lose(isTcpRegistered() ? "the server sent what is no frame" : notCarom());
+        return;
+      }
+      if (frames.remaining() - Frame.LENGTH_BYTES < length) {
+        break;
+      }
+      frames.position(frames.position() + Frame.LENGTH_BYTES);
+      int end = frames.position() + length;
+      int filled = frames.limit();
+      byte tag = readFrame(frames.limit(end));
+      frames.limit(filled).position(end);
+      if (tag == Frame.REGISTER_TCP) {
+        register(System.nanoTime());
+      } else if (tag == Frame.REGISTER_UDP) {
+        udpRegistered();
+      }
+    }
+    frames.compact();
+  }
+
+  /** Tells the server our UDP address; until it has heard it. */
+  private void register(long now) {
+    registerAt = now + REGISTER_NANOS;
+    byte[] fields = ByteBuffer.allocate(12).putInt(id()).putLong(token()).array();
+    transmitDatagram(Frame.REGISTER_UDP, fields, 0, fields.length);
+  }
+
+  /** Looks after deadlines; some 20 times a second. */
+  void sweep(long now) {
+    if (state() == State.CLOSED) {
+      closedSince = closedSince == 0 ? now : closedSince;
+      if (now - closedSince > Frame.LINGER_NANOS) {
+        lose("closed"); // the server took its time to answer BYE
+      }
+      return;
+    }
+    if (!isTcpRegistered()) {
+      if (isLate(now)) {
+        lose(tcp.isConnected() ? notCarom() : noAnswer());
+      }
+      return;
+    }
+    if (!isUdpRegistered() && now - registerAt >= 0) {
+      register(now);
+    }
+    if (now - keepAliveAt >= 0) {
+      keepAliveAt = now + KEEP_ALIVE_NANOS;
+      if (isUdpRegistered()) { // before that, a server takes no word over TCP
+        transmit(new Frame.Payload().set(Frame.KEEP_ALIVE, Frame.NO_FIELDS, 0, 0));
+      }
+    }
+    checkDeadlines(now);
+  }
+
+  /** Closes the sockets, whatever state they are in. */
+  void release() {
+    lose("connection lost");
+    try {
+      if (tcp != null) {
+        tcp.close();
+      }
+      if (udp != null) {
+        udp.close();
+      }
+    } catch (IOException x) {
+      finish("connection lost: " + x.getMessage());
+    }
+  }
+
+  @Override
+  protected boolean transmit(Frame.Payload frame) {
+    synchronized (unsent) {
+      int bytes = frame.tcpBytes();
+      if (unsent.remaining() < bytes) {
+        lose("the server doesn't read what it is sent");
+        return false;
+      }
+      unsent.putInt(bytes - Frame.LENGTH_BYTES);
+      frame.write(unsent);
+      try {
+        flush();
+        return true;
+      } catch (IOException | RuntimeException x) {
+        lose("connection lost");
+        return false;
+      }
+    }
+  }
+
+  private void flush() throws IOException {
+    synchronized (unsent) {
+      unsent.flip();
+      try {
+        tcp.write(unsent);
+      } finally {
+        unsent.compact();
+      }
+      boolean waits = unsent.position() > 0;
+      int ops = SelectionKey.OP_READ | (waits ? SelectionKey.OP_WRITE : 0);
+      if (tcpKey.interestOps() != ops) {
+        tcpKey.interestOps(ops);
+        selector.wakeup();
+      }
+    }
+  }
+
+  @Override
+  protected boolean transmitDatagram(byte tag, byte[] bytes, int offset, int length) {
+    DatagramChannel channel = udp;
+    if (channel == null || isDisconnected()) {
+      return false;
+    }
+    synchronized (datagram) {
+      datagram.clear().put(tag).put(bytes, offset, length).flip();
+      try {
+        datagramLeft();
+        return channel.write(datagram) > 0;
+      } catch (IOException | RuntimeException x) {
+        return false; // lost, and TCP will tell why if there is more to it
+      }
+    }
+  }
+
+  @Override
+  protected void disconnect(State before, String reason) {
+    if (before != State.OPEN || !transmit(Frame.bye(reason))) {
+      lose(reason);
+      selector.wakeup();
+    }
+  }
+}

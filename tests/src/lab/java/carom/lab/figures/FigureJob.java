@@ -1,0 +1,45 @@
+package carom.lab.figures;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Something that measures some figures, in a process of its own. */
+@FunctionalInterface
+interface FigureJob {
+  /** All jobs by name, in the order of the table. */
+  Map<String, FigureJob> ALL = all();
+
+  /**
+   * The job that only runs when asked for: two processes, sockets, a minute of the whole machine.
+   */
+  String CROWD = "crowd";
+
+  /** The job that measures a codec of the laboratory, which no server or client uses. */
+  String LAB_CODEC = "codec";
+
+  /**
+   * Measures.
+   *
+   * @param quick whether a rough result will do, in a few seconds
+   */
+  List<Figure> measure(boolean quick) throws Exception;
+
+  private static Map<String, FigureJob> all() {
+    Map<String, FigureJob> jobs = new LinkedHashMap<>();
+    jobs.put("snapshots", SnapshotFigures::measure);
+    jobs.put("naive", BroadcastFigures::measure);
+    jobs.put("budget", BudgetFigures::measure);
+    jobs.put("perfect", PredictionFigures::perfect);
+    jobs.put("alone", PredictionFigures::alone);
+    jobs.put("push", PredictionFigures::push);
+    jobs.put("feel", FeelFigures::measure);
+    jobs.put("rollback", RollbackFigures::measure);
+    jobs.put("encode", EncodeFigures::measure);
+    jobs.put("rest", RestFigures::measure);
+    jobs.put("entry", EntryFigures::measure);
+    jobs.put("crowd", CrowdFigures::measure);
+    jobs.put(LAB_CODEC, TraceFigures::measure);
+    return jobs;
+  }
+}

@@ -1,0 +1,55 @@
+package carom.lab.figures;
+
+import carom.physics.WorldState;
+import carom.sim.scene.BenchmarkScenes;
+import carom.sim.scene.SceneRun;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * A rollback as the engine does it: a pile of 200 bodies, all awake and touching, goes back 24
+ * ticks and is computed again, each tick saved on the way. Processor time, one thread.
+ */
+final class RollbackFigures {
+  private static final int BODIES = 200;
+  private static final int TICKS = 24;
+  private static final int SETTLE = 240;
+
+  private RollbackFigures() {}
+
+  static List<Figure> measure(boolean quick) {
+    SceneRun run = BenchmarkScenes.pile(BODIES, 14, 10).start();
+    run.steps(SETTLE);
+    WorldState[] states = new WorldState[TICKS + 1];
+    int rounds = quick ? 60 : 400;
+    double[] millis = new double[rounds];
+    ThreadMXBean clock = ManagementFactory.getThreadMXBean();
+    for (int round = -rounds; round < rounds; round++) {
+      long begin = clock.getCurrentThreadCpuTime();
+      if (states[0] == null) {
+        states[0] = run.world().save(null);
+      } else {
+        run.world().restore(states[0]);
+      }
+      for (int i = 1; i <= TICKS; i++) {
+        run.world().step(run.tickSeconds());
+        states[i] = run.world().save(states[i]);
+      }
+      if (round >= 0) {
+        millis[round] = (clock.getCurrentThreadCpuTime() - begin) / 1e6;
+      }
+    }
+    Arrays.sort(millis);
+    return List.of(
+        Figure.atMost(
+                8,
+                "rollback of 24 ticks of a pile of 200 bodies, restored and saved",
+                millis[rounds / 2],
+                "ms")
+            .withNote(
+                "%d contacts; 99 %% within %s ms",
+                run.world().profile().contacts(), Figure.number(millis[rounds * 99 / 100])));
+  }
+}

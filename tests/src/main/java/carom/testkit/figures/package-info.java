@@ -1,9 +1,0 @@
-/**
- * The figures that snapshots and prediction are measured by, as one table: {@code carom-bots
- * figures}.
- *
- * <p>Here and not in the programs, since most of them need the server and its clients in one
- * process and one virtual time, which only the test kit has. Read first: {@link
- * carom.testkit.figures.FiguresMain}, {@link carom.testkit.figures.Figure}.
- */
-package carom.testkit.figures;

@@ -1,0 +1,40 @@
+package carom.docs;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Goal: the figures of {@code docs/PHYSICS.md} are those that {@link PhysicsDrawings} draws. With
+ * {@code -Dcarom.renew=true} the test writes them.
+ */
+final class PhysicsDrawingsTest {
+  private static final int MAX_BYTES = 20_000;
+
+  private static Path docs() {
+    Path directory = Path.of("").toAbsolutePath();
+    while (!Files.exists(directory.resolve("docs/PHYSICS.md"))) {
+      directory = directory.getParent();
+    }
+    return directory.resolve("docs");
+  }
+
+  @Test
+  void thePageShowsEveryFigureAsItIsDrawn() throws IOException {
+    String page = Files.readString(docs().resolve("PHYSICS.md"));
+    for (Map.Entry<String, String> figure : PhysicsDrawings.all().entrySet()) {
+      Path file = docs().resolve("images").resolve(figure.getKey());
+      if (Boolean.getBoolean("carom.renew")) {
+        Files.writeString(file, figure.getValue());
+      }
+      assertEquals(Files.readString(file), figure.getValue(), figure.getKey());
+      assertTrue(figure.getValue().length() < MAX_BYTES, figure.getKey());
+      assertTrue(page.contains("images/" + figure.getKey()), figure.getKey());
+    }
+  }
+}

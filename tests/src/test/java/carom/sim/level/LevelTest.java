@@ -1,0 +1,387 @@
+package carom.sim.level;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.sim.SchemaChecker;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestFactory;
+
+/** Goal: every mistake in a level file is answered with its place. Method: one small file each. */
+class LevelTest {
+  /**
+   * A file, what the message must begin with, and whether the schema can see the mistake as well.
+   */
+  private record Case(String name, String json, String message, boolean schema) {}
+
+  private static final String HEAD =
+      """
+      {
+      "name": "t", "game": "arena", "gravity": [0, -10],
+      "bounds": {"min": [-10, -10], "max": [10, 10]},
+      """;
+  private static final String BOX = "\"shape\": {\"type\": \"box\", \"width\": 1, \"height\": 1}";
+
+  private static Case field(String name, String rest, String message) {
+    return new Case(name, HEAD + rest + "\n}", "t.json:" + message, true);
+  }
+
+  private static Case meaning(String name, String rest, String message) {
+    return new Case(name, HEAD + rest + "\n}", "t.json:" + message, false);
+  }
+
+  private static List<Case> cases() {
+    List<Case> c = new ArrayList<>();
+    c.add(new Case("empty", "", "t.json:1:1: the file is empty", false));
+    c.add(
+        new Case(
+            "not an object", "[1]", "t.json:1:1: the file holds a list, must be an object", true));
+    c.add(new Case("no JSON", "{\n  name: 1}", "t.json:2:3: not JSON", false));
+    c.add(new Case("cut", "{\"name\": \"a\",", "t.json:1:", false));
+    c.add(new Case("NaN", "{\"gravity\": [NaN, 0]}", "t.json:1:", false));
+    c.add(
+        new Case(
+            "two documents",
+            HEAD + "\"spawns\": []} {}",
+            "t.json:4:15: nothing may follow",
+            false));
+    c.add(new Case("missing", "{\n \"name\": \"a\"\n}", "t.json:1:1: game is missing", true));
+    c.add(
+        field(
+            "unknown",
+            "\"statics\": [],\n \"bodys\": []",
+            "5:11: bodys is unknown; did you mean \"bodies\"?"));
+    c.add(
+        field(
+            "unknown, nothing like it", "\"xyz\": 1", "4:8: xyz is unknown; known are [$schema,"));
+    c.add(
+        meaning(
+            "twice", "\"spawns\": [],\n\"spawns\": []", "5:1: spawns stands here a second time"));
+    c.add(field("wrong type", "\"spawns\": {}", "4:11: spawns=an object, must be a list"));
+    c.add(field("null", "\"spawns\": null", "4:11: spawns=null, must be a list"));
+    c.add(
+        field(
+            "short point",
+            "\"spawns\": [{\"at\": [1]}]",
+            "4:19: spawns[0].at has 1 numbers, needs 2: [x, y]"));
+    c.add(
+        field(
+            "far away",
+            "\"spawns\": [{\"at\": [1e5, 0]}]",
+            "4:20: spawns[0].at[0]=1e5 must be in -10000..10000"));
+    c.add(
+        field(
+            "infinite",
+            "\"spawns\": [{\"at\": [1e999, 0]}]",
+            "4:20: spawns[0].at[0]=1e999 must be in -10000..10000"));
+    c.add(
+        meaning(
+            "out of bounds",
+            "\"spawns\": [{\"at\": [11, 0]}]",
+            "4:19: spawns[0].at=[11.0, 0.0] must lie inside the level's bounds"));
+    c.add(
+        field(
+            "fraction",
+            "\"spawns\": [{\"at\": [1, 0], \"team\": 1.5}]",
+            "4:35: spawns[0].team=1.5 must be a whole number"));
+    c.add(
+        meaning(
+            "turned zone",
+            "\"zones\": [{\"name\":\"z\", \"min\": [0, 0], \"max\": [1, 0]}]",
+            "4:46: zones[0].max=[1.0, 0.0] must be right of and above min=[0.0, 0.0]"));
+    c.add(
+        field(
+            "colour",
+            "\"theme\": {\"sky\": \"blue\"}",
+            "4:18: theme.sky=\"blue\" must be a colour such as \"#ffd166\""));
+    c.add(
+        field(
+            "negative radius",
+            "\"bodies\": [{\"at\": [0, 0], \"shape\":\n{\"type\": \"circle\", \"radius\": -1}}]",
+            "5:30: bodies[0].shape.radius=-1 must be in 0.05..2000"));
+    c.add(
+        field(
+            "text for number",
+            "\"bodies\": [{\"at\": [0, 0], \"shape\":\n{\"type\": \"circle\", \"radius\": \"1\"}}]",
+            "5:30: bodies[0].shape.radius=\"1\", must be a number"));
+    c.add(
+        field(
+            "shape type",
+            "\"statics\": [{\"at\": [0, 0], \"shape\": {\"type\": \"bix\"}}]",
+            "4:46: statics[0].shape.type=\"bix\" must be one of [circle, box, polygon, capsule,"
+                + " segment, chain, compound]; did you mean \"box\"?"));
+    c.add(
+        field(
+            "shape missing",
+            "\"statics\": [{\"at\": [0, 0]}]",
+            "4:13: statics[0].shape is missing"));
+    c.add(
+        field(
+            "two points",
+            "\"statics\": [{\"at\": [0, 0], \"shape\": {\"type\": \"polygon\", \"points\":"
+                + " [[0,0],[1,1]]}}]",
+            "4:67: statics[0].shape.points has 2 points, needs 3 at least"));
+    c.add(
+        meaning(
+            "flat polygon",
+            "\"statics\": [{\"at\": [0, 0], \"shape\": {\"type\": \"polygon\", \"points\":"
+                + " [[0,0],[1,1],[2,2]]}}]",
+            "4:37: statics[0].shape: polygon"));
+    c.add(
+        field(
+            "nested compound",
+            "\"statics\": [{\"at\": [0, 0], \"shape\": {\"type\": \"compound\", \"parts\":\n"
+                + "[{\"type\": \"compound\", \"parts\": []}]}}]",
+            "5:11: statics[0].shape.parts[0].type=\"compound\" can't be part of a compound"));
+    c.add(
+        meaning(
+            "material unknown",
+            "\"materials\": {\"wood\": {}}, \"statics\": [{\"at\": [0, 0], \"material\": \"wod\", "
+                + BOX
+                + "}]",
+            "4:67: statics[0].material=\"wod\" must be a name under \"materials\"; did you mean"));
+    c.add(
+        field(
+            "damped static",
+            "\"statics\": [{\"at\": [0, 0], \"linearDamping\": 1, " + BOX + "}]",
+            "4:45: statics[0].linearDamping is unknown; known are"));
+    c.add(
+        meaning(
+            "dynamic on a path",
+            "\"bodies\": [{\"at\": [0, 0], \"motion\": {\"to\": [1, 0], \"period\": 2}, "
+                + BOX
+                + "}]",
+            "4:37: bodies[0].motion moves only kinematic bodies; set \"type\": \"kinematic\""));
+    c.add(
+        field(
+            "path without period",
+            "\"bodies\": [{\"at\": [0, 0], \"type\": \"kinematic\", \"motion\": {\"to\": [1, 0]}, "
+                + BOX
+                + "}]",
+            "4:58: bodies[0].motion.period is missing"));
+    c.add(
+        field(
+            "too many columns",
+            "\"bodies\": [{\"at\": [0, 0], \"repeat\": {\"columns\": 101, \"step\": [1, 1]}, "
+                + BOX
+                + "}]",
+            "4:49: bodies[0].repeat.columns=101 must be in 1..100"));
+    c.add(
+        meaning(
+            "too many bodies",
+            "\"bodies\": [{\"at\": [0, 0], \"repeat\": {\"columns\": 100, \"rows\": 100, \"step\":"
+                + " [1, 1]}, "
+                + BOX
+                + "}, {\"at\": [0, 0], \"repeat\": {\"columns\": 100, \"rows\": 64, \"step\":"
+                + " [1, 1]}, "
+                + BOX
+                + "}]",
+            "4:136: bodies[1] brings the number of bodies to 16400, beyond the limit of 16384"));
+    c.add(
+        field(
+            "long name",
+            "\"zones\": [{\"name\": \"" + "x".repeat(65) + "\"}]",
+            "4:20: zones[0].name=\"" + "x".repeat(40) + "...\" must have 1..64 characters"));
+    return c;
+  }
+
+  @TestFactory
+  List<DynamicTest> namesThePlaceOfEveryMistake() {
+    List<DynamicTest> tests = new ArrayList<>();
+    for (Case c : cases()) {
+      tests.add(
+          DynamicTest.dynamicTest(
+              c.name,
+              () -> {
+                LevelException e = assertThrows(LevelException.class, () -> parse(c.json));
+                assertTrue(
+                    e.getMessage().startsWith(c.message),
+                    "expected: " + c.message + "\n but was: " + e.getMessage());
+                assertFalse(e.getMessage().contains("\n"), e.getMessage());
+              }));
+    }
+    return tests;
+  }
+
+  @TestFactory
+  List<DynamicTest> theSchemaRefusesTheSameMistakes() throws Exception {
+    SchemaChecker schema = SchemaChecker.levels();
+    List<DynamicTest> tests = new ArrayList<>();
+    for (Case c : cases()) {
+      if (c.schema) {
+        tests.add(
+            DynamicTest.dynamicTest(
+                c.name,
+                () ->
+                    assertNotEquals(
+                        "", schema.check(Json.parse("t.json", c.json.getBytes(UTF_8))))));
+      }
+    }
+    return tests;
+  }
+
+  @Test
+  void theSchemaAcceptsWhatShips() throws Exception {
+    SchemaChecker schema = SchemaChecker.levels();
+    for (String name : List.of("arena", "commons", "platformer")) {
+      Level level = Level.builtIn(name);
+      assertEquals("", schema.check(Json.parse(name, level.source())));
+    }
+    assertEquals("", schema.check(Json.parse("t", (HEAD + "\"zones\": []}").getBytes(UTF_8))));
+  }
+
+  @Test
+  void linesAndCapsulesAreReadAndLinesHaveNoPlaceAmongDynamicBodies() throws Exception {
+    String lines =
+        "{\"at\": [0, 0], \"shape\": {\"type\": \"chain\", \"loop\": true, \"points\": [[0, 0], [4,"
+            + " 0], [2, 3]]}},{\"at\": [1, 0], \"shape\": {\"type\": \"segment\", \"from\": [0, 0],"
+            + " \"to\": [2, 0]}}";
+    String capsule =
+        "{\"at\": [0, 0], \"shape\": {\"type\": \"capsule\", \"from\": [0, 0], \"to\": [0, 1],"
+            + " \"radius\": 0.3}}";
+    byte[] good =
+        (HEAD + "\"statics\": [" + lines + "], \"bodies\": [" + capsule + "]}").getBytes(UTF_8);
+    Level level = Level.parse("t.json", good);
+    assertEquals("Chain(points=3, loop=true)", shape(level, 0));
+    assertEquals("Segment(0.0 0.0, 2.0 0.0)", shape(level, 1));
+    assertEquals("Capsule(0.0 0.0, 0.0 1.0, radius=0.3)", shape(level, 2));
+    assertEquals("", SchemaChecker.levels().check(Json.parse("t", good)));
+    byte[] bad = (HEAD + "\"bodies\": [" + lines + "]}").getBytes(UTF_8);
+    String message =
+        assertThrows(LevelException.class, () -> Level.parse("t.json", bad)).getMessage();
+    assertTrue(message.contains("bodies[0].shape.type is a line without mass"), message);
+  }
+
+  private static String shape(Level level, int archetype) {
+    return level.archetypes().get(archetype).shapes.get(0).toString();
+  }
+
+  @Test
+  void schemaAndReaderKnowTheSameFields() throws Exception {
+    SchemaChecker schema = SchemaChecker.levels();
+    assertEquals(LevelReader.ROOT, schema.fields(null));
+    assertEquals(LevelReader.BOUNDS, schema.fields("bounds"));
+    assertEquals(LevelReader.THEME, schema.fields("theme"));
+    assertEquals(LevelReader.MATERIAL, schema.fields("material"));
+    assertEquals(LevelReader.SPAWN, schema.fields("spawn"));
+    assertEquals(LevelReader.ZONE, schema.fields("zone"));
+    assertEquals(LevelReader.STATIC, schema.fields("static"));
+    assertEquals(LevelReader.BODY, schema.fields("body"));
+    assertEquals(LevelReader.CIRCLE, schema.fields("circle"));
+    assertEquals(LevelReader.BOX, schema.fields("box"));
+    assertEquals(LevelReader.POLYGON, schema.fields("polygon"));
+    assertEquals(LevelReader.CAPSULE, schema.fields("capsule"));
+    assertEquals(LevelReader.SEGMENT, schema.fields("segment"));
+    assertEquals(LevelReader.CHAIN, schema.fields("chain"));
+    assertEquals(LevelReader.COMPOUND, schema.fields("compound"));
+    assertEquals(LevelReader.MOTION, schema.fields("motion"));
+    assertEquals(LevelReader.REPEAT, schema.fields("repeat"));
+    assertEquals(LevelReader.LOOKS, schema.words("look"));
+  }
+
+  @Test
+  void refusesAFileBeyondOneMebibyte() {
+    LevelException e =
+        assertThrows(
+            LevelException.class, () -> Level.parse("t.json", new byte[Level.MAX_BYTES + 1]));
+    assertTrue(e.getMessage().contains("limit of 4194304 bytes"), e.getMessage());
+  }
+
+  @Test
+  void refusesBytesThatAreNoText() {
+    byte[] bytes = (HEAD + "\"zones\": []}").getBytes(UTF_8);
+    bytes[12] = (byte) 0xff;
+    assertThrows(LevelException.class, () -> Level.parse("t.json", bytes));
+  }
+
+  @Test
+  void survivesDamageAtEveryByte() throws Exception {
+    byte[] good = Level.builtIn("arena").source();
+    for (int i = 0; i < good.length; i += 7) {
+      byte[] bad = good.clone();
+      bad[i] = (byte) (i * 31);
+      parseOrRefuse(bad);
+      parseOrRefuse(Arrays.copyOf(good, i));
+    }
+  }
+
+  private static void parseOrRefuse(byte[] bytes) {
+    try {
+      Level.parse("t.json", bytes);
+    } catch (LevelException e) {
+      assertTrue(e.getMessage().startsWith("t.json"), e.getMessage());
+    }
+  }
+
+  @Test
+  void saysWhichFileCantBeRead() {
+    LevelException e =
+        assertThrows(LevelException.class, () -> Level.load(Path.of("no", "such.json")));
+    assertTrue(e.getMessage().startsWith("such.json: can't read"), e.getMessage());
+    e = assertThrows(LevelException.class, () -> Level.builtIn("nowhere"));
+    assertTrue(e.getMessage().contains("comes with the program"), e.getMessage());
+  }
+
+  @Test
+  void readsWhatTheFileSays() throws Exception {
+    Level level =
+        parse(
+            HEAD
+                + "\"spawns\": [{\"at\": [1, 2]}, {\"name\": \"ball\", \"at\": [3, 4], \"team\":"
+                + " 2}],\n"
+                + "\"bodies\": [{\"at\": [5, 6], \"angle\": 90, \"repeat\": {\"columns\": 2,"
+                + " \"rows\": 2, \"step\": [1, 2]}, "
+                + BOX
+                + "}]}");
+    assertEquals("arena", level.gameName());
+    assertEquals(-10, level.gravityY());
+    assertEquals(List.of(new Level.Spawn("ball", 3, 4, 2)), level.spawns("ball"));
+    assertEquals("player", level.spawns().get(0).name());
+    assertEquals(4, level.bodies().size());
+    Level.Placement last = level.bodies().get(3);
+    assertEquals(6, last.x());
+    assertEquals(8, last.y());
+    assertEquals((float) (Math.PI / 2), last.angle(), 1e-6f);
+  }
+
+  @Test
+  void keepsTheFileForTheClients() throws Exception {
+    Level level = Level.builtIn("arena");
+    Level again = Level.parse("copy", level.source());
+    assertArrayEquals(level.source(), again.source());
+    assertEquals(level.contentHash(), again.contentHash());
+    assertNotEquals(level.contentHash(), Level.builtIn("platformer").contentHash());
+  }
+
+  @Test
+  void theManualShowsALevelThatWorks() throws Exception {
+    String manual = manual("LEVELS.md");
+    int start = manual.indexOf("```json") + 7;
+    Level level = parse(manual.substring(start, manual.indexOf("```", start)));
+    assertEquals("Yard", level.name());
+  }
+
+  private static String manual(String name) throws IOException {
+    Path here = Path.of("").toAbsolutePath();
+    while (!Files.exists(here.resolve("docs").resolve(name))) {
+      here = here.getParent();
+    }
+    return Files.readString(here.resolve("docs").resolve(name));
+  }
+
+  private static Level parse(String json) throws LevelException {
+    return Level.parse("t.json", json.getBytes(UTF_8));
+  }
+}
