@@ -12,11 +12,11 @@ abstract class ColumnLanes extends VectorKernels {
   static final ColumnLanes FOUND =
       VectorModule.find("carom.net.codec.VectorColumns", ColumnLanes.class);
 
-  /** How many numbers a call of a kernel takes. */
+  /** Returns how many numbers a call of a kernel takes. */
   abstract int width();
 
   /**
-   * Numbers to steps, rounded as {@link Quantizer} does.
+   * Converts numbers to steps, rounded as {@link Quantizer} does.
    *
    * @param from the numbers, from {@code at} on
    * @param scale steps per unit, a power of two
@@ -27,7 +27,7 @@ abstract class ColumnLanes extends VectorKernels {
   abstract boolean round(float[] from, int at, float scale, float max, int[] to);
 
   /**
-   * Directions to angles, as {@link Quantizer#angleOfTurn} rounds those of {@code
+   * Converts directions to angles, as {@link Quantizer#angleOfTurn} rounds those of {@code
    * carom.physics.math.Trig.roughTurn}, by the same polynomial.
    *
    * @param error how far these may be off
@@ -52,7 +52,7 @@ abstract class ColumnLanes extends VectorKernels {
     return calls * width;
   }
 
-  /** Quantises the first directions of two columns, and tells how many. */
+  /** Quantises the first directions of two columns, and returns how many. */
   final int turns(float[] cos, float[] sin, int n, int error, int[] to) {
     int width = width();
     int calls = calls(n);

@@ -22,8 +22,8 @@ import java.util.concurrent.atomic.AtomicIntegerArray;
  * border part. A claim per part would cost more, because it waits until all that was written before
  * has left for memory.
  *
- * <p>Who does what when shows in no result. One thread adds and runs. Allocates only when there are
- * more phases or domains than ever before.
+ * <p>Which worker does what, and when, shows in no result. One thread adds and runs. Allocates only
+ * when there are more phases or domains than ever before.
  */
 public final class DomainPhases implements Workers.Task {
   /**

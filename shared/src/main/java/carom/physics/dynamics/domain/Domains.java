@@ -7,8 +7,8 @@ import carom.physics.dynamics.pairs.PairFinder;
 import java.util.Arrays;
 
 /**
- * Which domain of the world each active body belongs to: one where a thread steps alone, else one
- * per thread, all with about as much to solve. Bodies of a domain are near each other, so that few
+ * Divides the active bodies into domains of the world: one where a thread steps alone, else one per
+ * thread, all with about as much to solve. Bodies of a domain are near each other, so that few
  * touch those of another.
  *
  * <p>Domains are cut from the list of active bodies as it is, while neighbours in it are neighbours
@@ -16,7 +16,7 @@ import java.util.Arrays;
  * phase, which goes by the same order. When bodies have mixed, domains are cut from the tree in
  * which pairs are searched.
  *
- * <p>Domains decide who does what when, and no bit of a result. They stay the same for {@value
+ * <p>Domains decide which thread does what, and no bit of a result. They stay the same for {@value
  * #LASTING} steps while the same bodies are active. One thread at a time.
  */
 public final class Domains {
@@ -76,7 +76,8 @@ public final class Domains {
   /**
    * Makes domains of these bodies.
    *
-   * @param pairs has the tree that tells who is near whom; null where no step is shared
+   * @param pairs has the tree that tells which bodies are near each other; null where no step is
+   *     shared
    */
   public Domains(ActiveBodies active, PairFinder pairs) {
     this.active = active;

@@ -80,7 +80,7 @@ public final class JointSolver {
   /** Number of colours in use. */
   private int colours;
 
-  /** Which {@link JointStore#version} the colours are of; they are kept until it changes. */
+  /** {@link JointStore#version} that the colours are of. They are kept until it changes. */
   private int colouredVersion = -1;
 
   // The stages, made once so that a step allocates nothing.

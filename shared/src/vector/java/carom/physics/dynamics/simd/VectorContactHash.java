@@ -15,9 +15,9 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * The hash of contact rows by vectors, with the Vector API. Small methods that pass each other
- * arrays, never vectors: these would be boxed. The impulses of a row are the second half of its
- * record: the last four longs of a vector that ends where the record does.
+ * Hashes contact rows by vectors, with the Vector API. Small methods that pass each other arrays,
+ * never vectors: these would be boxed. The impulses of a row are the second half of its record: the
+ * last four longs of a vector that ends where the record does.
  */
 public final class VectorContactHash extends ContactHashLanes {
   private static final VectorSpecies<Long> LONGS = LongVector.SPECIES_PREFERRED;
@@ -34,7 +34,7 @@ public final class VectorContactHash extends ContactHashLanes {
   /** Byte by byte. */
   private static final LongVector SHIFTS = LongVector.zero(LONGS).addIndex(Byte.SIZE);
 
-  /** All but the impulses of friction of the whole step. */
+  /** Mask of all but the friction impulses of the whole step. */
   private static final LongVector COUNTED = counted();
 
   /** Rows of a warm-up call: few, because calls go on when the kernels are long compiled. */
@@ -81,7 +81,7 @@ public final class VectorContactHash extends ContactHashLanes {
     ids(t.id, from, to, factors, sums);
   }
 
-  /** As {@link ContactHash#factor}, zero where nothing touches. */
+  /** Finds the {@link ContactHash#factor} of rows, zero where nothing touches. */
   private static void findFactors(long[] key, byte[] flags, int from, int to, long[] factors) {
     for (int row = from; row < to; row += ROWS) {
       long eight = (long) BYTES.get(flags, row);
