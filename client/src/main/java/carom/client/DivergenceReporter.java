@@ -51,12 +51,16 @@ final class DivergenceReporter {
       if (isReportDue(nowNs)) {
         reportedNs = nowNs;
         OwnState wrong = prediction.result().predicted();
-        List<Integer> bits = new ArrayList<>();
-        for (int i = 0; i < ClientMessage.Diverged.BITS; i++) {
-          bits.add(wrong.bits(i));
+        List<Integer> body = new ArrayList<>();
+        body.add(Neighbourhood.key(wrong.slot(), wrong.generation()));
+        for (int i = 0; i < OwnState.FLOATS; i++) {
+          body.add(wrong.bits(i));
         }
-        connection.send(
-            new ClientMessage.Diverged(tick, exactTick, wrong.slot(), wrong.generation(), bits));
+        List<Integer> memory = new ArrayList<>();
+        for (int i = 0; i < OwnState.MEMORY; i++) {
+          memory.add(wrong.memory(i));
+        }
+        connection.send(new ClientMessage.Diverged(tick, exactTick, body, memory));
       }
       exactTick = -1;
     }
@@ -71,12 +75,12 @@ final class DivergenceReporter {
     }
     reportedNs = nowNs;
     List<Integer> bodies = new ArrayList<>();
-    for (int i = 0; i < Math.min(state.count(), ClientMessage.DivergedNear.MAX_BODIES); i++) {
-      for (int j = 0; j < ClientMessage.DivergedNear.BODY_INTS; j++) {
+    for (int i = 0; i < Math.min(state.count(), ClientMessage.Diverged.MAX_BODIES); i++) {
+      for (int j = 0; j < ClientMessage.Diverged.BODY_INTS; j++) {
         bodies.add(state.entities()[i * Neighbourhood.ENTITY_INTS + j]);
       }
     }
-    connection.send(new ClientMessage.DivergedNear(tick, agreement.equalTick(), bodies));
+    connection.send(new ClientMessage.Diverged(tick, agreement.equalTick(), bodies, List.of()));
   }
 
   private boolean isReportDue(long nowNs) {

@@ -44,12 +44,12 @@ final class RoomInspector implements RoomMXBean {
 
   @Override
   public String why(int player, int entity) {
-    return room.why(player, entity);
+    return room.operator().why(player, entity);
   }
 
   @Override
   public String kick(int player, String text) {
-    return room.kick(player, text);
+    return room.operator().kick(player, text);
   }
 
   @Override
@@ -58,7 +58,7 @@ final class RoomInspector implements RoomMXBean {
       return "target is empty; name a file that is not there yet, or a folder";
     }
     try {
-      return room.record(Path.of(target));
+      return room.operator().record(Path.of(target));
     } catch (InvalidPathException e) {
       return "target=" + target + " can't be the name of a file: " + e.getReason();
     }
@@ -66,6 +66,6 @@ final class RoomInspector implements RoomMXBean {
 
   @Override
   public String stopRecording() {
-    return room.stopRecording();
+    return room.operator().stopRecording();
   }
 }

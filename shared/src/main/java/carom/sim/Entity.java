@@ -1,7 +1,6 @@
 package carom.sim;
 
 import carom.physics.Body;
-import carom.physics.math.StateHash;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 
@@ -23,18 +22,14 @@ public final class Entity {
   private final int generation;
   private final Archetype archetype;
   private final int ownerId;
-  private final Roster roster;
+  private final EntityTable table;
   private int tag;
   private int teleports;
-  private long stamp;
-  private int ruledTick = -1;
-  private boolean ruledEarly;
-  int watchedTick = -1;
   private Body<Entity> body;
   private int bodySlot;
 
-  Entity(Roster roster, int id, int generation, Archetype archetype, int ownerId) {
-    this.roster = roster;
+  Entity(EntityTable table, int id, int generation, Archetype archetype, int ownerId) {
+    this.table = table;
     this.id = id;
     this.generation = generation;
     this.archetype = archetype;
@@ -107,7 +102,7 @@ public final class Entity {
   public void teleport(float x, float y, float angle) {
     body.setPose(x, y, angle);
     teleports++;
-    roster.change();
+    table.noteChange();
   }
 
   /** How often it was {@linkplain #teleport teleported}. Saved, but decides nothing. */
@@ -117,47 +112,6 @@ public final class Entity {
 
   void teleports(int value) {
     teleports = value;
-  }
-
-  /** Before {@link Game#beforeStep} and {@link Game#afterStep}, while it is watched. */
-  void rulesBegin(Player owner) {
-    stamp = stamp(owner);
-  }
-
-  /** After them. */
-  void rulesEnd(Player owner, int tick, boolean early) {
-    if (stamp(owner) != stamp) {
-      ruledEarly = early || (ruledTick == tick && ruledEarly);
-      ruledTick = tick;
-    }
-  }
-
-  private long stamp(Player owner) {
-    long h = StateHash.mix(body.stamp(), body.awake() ? 1 : 0);
-    if (owner != null && owner.body == this) {
-      for (int value : owner.memory()) {
-        h = StateHash.mix(h, value);
-      }
-    }
-    return h;
-  }
-
-  /**
-   * The last tick in which the game moved or pushed it, woke it (be it by what it put beside it),
-   * or changed its player's memory, in {@link Game#beforeStep} or {@link Game#afterStep}: what no
-   * client can foresee. -1 before the first. Only of those that are {@linkplain Simulation#watch
-   * watched}; no part of the state.
-   */
-  public int ruledTick() {
-    return ruledTick;
-  }
-
-  /**
-   * Whether {@link #ruledTick} was ruled before the physics, so that what it touches went another
-   * way in the same tick; if not, all that differs after the tick is this entity.
-   */
-  public boolean ruledEarly() {
-    return ruledEarly;
   }
 
   @Override

@@ -23,8 +23,6 @@ public final class Player {
   private int score;
   private int team;
   Entity body;
-  private long stamp;
-  private int ruledTick = -1;
 
   Player(Simulation simulation, int id, String name) {
     this.simulation = simulation;
@@ -103,32 +101,6 @@ public final class Player {
   public void team(int value) {
     simulation.requireAuthority("team");
     team = value;
-  }
-
-  /** Before {@link Game#beforeStep} and {@link Game#afterStep}. */
-  void rulesBegin() {
-    stamp = body == null ? 0 : body.body().stamp();
-  }
-
-  /**
-   * After them.
-   *
-   * @param tick the tick whose state differs for what they did to the body
-   */
-  void rulesEnd(int tick) {
-    if (body != null && body.body().stamp() != stamp) {
-      ruledTick = Math.max(ruledTick, tick);
-    }
-  }
-
-  /**
-   * The last tick whose state is not what input and physics alone make of the one before, because
-   * the game moved, pushed or exchanged the body in {@link Game#beforeStep} or {@link
-   * Game#afterStep}; -1 before the first. What it pushes in afterStep shows a tick later. On {@link
-   * Role#AUTHORITY}; no part of the state.
-   */
-  public int ruledTick() {
-    return ruledTick;
   }
 
   void restore(int savedScore, int savedTeam, long savedInput, int savedViewDelay) {

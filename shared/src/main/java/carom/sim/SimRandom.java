@@ -55,6 +55,11 @@ public final class SimRandom {
     return low + (high - low) * nextFloat();
   }
 
+  /** Mixes a value into a hash. */
+  static long mix(long hash, long value) {
+    return mix(hash * GAMMA ^ value);
+  }
+
   /** The finaliser of splitmix64: spreads every bit of the argument over all bits of the result. */
   static long mix(long z) {
     z = (z ^ (z >>> 30)) * 0xbf58476d1ce4e5b9L;

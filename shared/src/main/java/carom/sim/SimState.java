@@ -64,6 +64,31 @@ public final class SimState {
     playerLimit = limit;
   }
 
+  /** Copies a simulation's random numbers and memory. */
+  void saveNumbers(SimRandom from, int[] fromMemory) {
+    random = from.state();
+    if (memory.length != fromMemory.length) {
+      memory = new int[fromMemory.length];
+    }
+    System.arraycopy(fromMemory, 0, memory, 0, memory.length);
+  }
+
+  /** Takes a simulation back to these random numbers and this memory. */
+  void restoreNumbers(SimRandom to, int[] toMemory) {
+    to.state(random);
+    System.arraycopy(memory, 0, toMemory, 0, toMemory.length);
+  }
+
+  /** Copies what a simulation remembers of the past; null if nothing. */
+  void saveHistory(PoseHistory from) {
+    if (from != null) {
+      if (history == null) {
+        history = new PoseHistory(owner);
+      }
+      from.copyTo(history);
+    }
+  }
+
   /** The tick the state belongs to. */
   public int tick() {
     return tick;
@@ -196,7 +221,7 @@ public final class SimState {
             && known.archetype() == kind
             && known.ownerId() == ownerId
             && known.bodySlot() == slots[id];
-    return same ? known : new Entity(owner.roster(), id, generation, kind, ownerId);
+    return same ? known : new Entity(owner.entities(), id, generation, kind, ownerId);
   }
 
   private void listBySlot() {

@@ -1,6 +1,5 @@
 package carom.sim;
 
-import carom.physics.Body;
 import carom.physics.BodyDef;
 import carom.physics.Collision;
 import carom.physics.CollisionListener;
@@ -13,10 +12,7 @@ import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Archetypes;
 import carom.sim.level.Level;
-import carom.sim.level.ScriptedMotion;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.Consumer;
@@ -31,6 +27,11 @@ import java.util.function.Consumer;
  * physics, {@link Game#afterStep}. While a step runs, {@link #tick} is the tick being computed.
  *
  * <p>Belongs to one thread. A step allocates nothing of its own once arrays have grown.
+ *
+ * <p>Longer than 500 lines because it is the one class that games call: more than half of it is
+ * documentation, and its parts are classes of their own, {@link EntityTable}, {@link PlayerTable},
+ * {@link EventLog}, {@link NoticeQueue}, {@link InterferenceLog}, {@link PoseHistory} and {@link
+ * SimState}.
  */
 public final class Simulation {
   /** Most players at a time; ids are 0..1,023. */
@@ -53,41 +54,22 @@ public final class Simulation {
   private final int tickRate;
   private final float tickSeconds;
   private final Role role;
+  private final CallRules calls;
   private final World<Entity> world;
   private final Archetypes archetypes = new Archetypes();
   private final SimRandom random;
   private final int[] memory;
   private final List<Entity> statics = new ArrayList<>();
-  private final Player[] players = new Player[MAX_PLAYERS];
-  private final ArrayDeque<String> notices = new ArrayDeque<>();
+  private final PlayerTable players = new PlayerTable();
+  private final EntityTable entities;
+  private final InterferenceLog interference;
+  private final NoticeQueue notices = new NoticeQueue();
   private final EventKinds eventKinds = new EventKinds();
   private final EventLog events = new EventLog();
 
-  /** Ids of all players are below. */
-  private int playerLimit;
-
-  private Entity[] entities = new Entity[64];
-  private final Roster roster = new Roster();
-  private byte[] generations = new byte[64];
-
-  /** All ids that were ever used are below: free slots keep their generation. */
-  private int entityCapacity;
-
-  private int entityCount;
-
-  /** No id below is free. */
-  private int firstFree;
-
   private int tick;
-  private long droppedNotices;
-  private boolean stepping;
   private boolean inTick;
   private Journal journal;
-
-  /** Whose {@link Entity#ruledTick} somebody wants to know in the next step. */
-  private Entity[] watched = new Entity[16];
-
-  private int watchedCount;
 
   /** On AUTHORITY, if the game looks back; else null. */
   private final PoseHistory history;
@@ -118,22 +100,20 @@ public final class Simulation {
     this.tickRate = tickRate;
     tickSeconds = 1f / tickRate;
     this.role = role;
+    calls = new CallRules(role);
     random = new SimRandom(seed);
     memory = new int[memorySize];
     world = new World<>(game.world(level));
     world.listener(new Listener());
+    entities = new EntityTable(world, players, tickRate);
+    interference = new InterferenceLog(entities, players);
     history = role == Role.AUTHORITY && game.looksBack() ? new PoseHistory(this) : null;
     past = history == null ? world.queries() : world.queries(history);
     for (ArchetypeDef def : level.archetypes()) {
       archetypes.add(def);
     }
     for (Level.Placement p : level.statics()) {
-      statics.add(
-          embody(
-              new Entity(roster, Entity.LEVEL, 0, archetypes.get(p.archetype()), Entity.NO_OWNER),
-              p.x(),
-              p.y(),
-              p.angle()));
+      statics.add(entities.createStatic(archetypes.get(p.archetype()), p));
     }
     if (role == Role.AUTHORITY) {
       for (Level.Placement p : level.bodies()) {
@@ -197,7 +177,7 @@ public final class Simulation {
    * @throws IllegalStateException on {@link Role#AUTHORITY}
    */
   public void tick(int value) {
-    requirePrediction("tick");
+    calls.requirePrediction("tick");
     tick = value;
   }
 
@@ -272,9 +252,9 @@ public final class Simulation {
    *     #MAX_ENTITIES}
    */
   public Entity spawn(Archetype archetype, float x, float y, float angle, Player owner) {
-    int id = freeId(archetype);
+    calls.requireAuthority("spawn");
     int ownerId = owner == null ? Entity.NO_OWNER : owner.id();
-    return add(new Entity(roster, id, generations[id] & 0xff, archetype, ownerId), x, y, angle);
+    return entities.spawn(archetype, x, y, angle, ownerId, tick);
   }
 
   /**
@@ -287,25 +267,8 @@ public final class Simulation {
    *     #MAX_ENTITIES}
    */
   public Entity spawn(Archetype archetype, BodyDef def) {
-    int id = freeId(archetype);
-    Entity entity = new Entity(roster, id, generations[id] & 0xff, archetype, Entity.NO_OWNER);
-    entity.body(world.createBody(def, entity));
-    return enlist(entity);
-  }
-
-  private int freeId(Archetype archetype) {
-    requireAuthority("spawn");
-    int id = firstFree;
-    while (id < entityCapacity && entities[id] != null) {
-      id++;
-    }
-    firstFree = id;
-    if (id == MAX_ENTITIES) {
-      throw new IllegalStateException(
-          "archetype=" + archetype + " can't be spawned: entities=" + id + " is the limit");
-    }
-    grow(id);
-    return id;
+    calls.requireAuthority("spawn");
+    return entities.spawn(archetype, def);
   }
 
   /**
@@ -326,17 +289,8 @@ public final class Simulation {
    */
   public Entity spawnAs(
       int id, int generation, Archetype archetype, float x, float y, float angle, int ownerId) {
-    requirePrediction("spawnAs");
-    if (id < 0 || id >= MAX_ENTITIES || generation < 0 || generation > 255) {
-      throw new IllegalArgumentException(
-          "id=" + id + " generation=" + generation + " is outside 0..65534, 0..255");
-    }
-    grow(id);
-    if (entities[id] != null) {
-      throw new IllegalStateException(
-          "id=" + id + " is taken by " + entities[id] + "; despawn it first");
-    }
-    return add(new Entity(roster, id, generation, archetype, ownerId), x, y, angle);
+    calls.requirePrediction("spawnAs");
+    return entities.spawnAs(id, generation, archetype, x, y, angle, ownerId, tick);
   }
 
   /**
@@ -346,29 +300,19 @@ public final class Simulation {
    * @throws IllegalStateException during the physics
    */
   public void despawn(Entity entity) {
-    requireQuiet("despawn");
-    int id = entity.id();
-    if (id < 0 || id >= entityCapacity || entities[id] != entity) {
+    calls.requireQuiet("despawn");
+    if (!entities.holds(entity)) {
       return;
     }
     if (history != null) {
       history.forget(entity.bodySlot());
     }
-    world.destroyBody(entity.body());
-    entities[id] = null;
-    roster.change();
-    generations[id] = (byte) (entity.generation() + 1);
-    entityCount--;
-    firstFree = Math.min(firstFree, id);
-    Player owner = player(entity.ownerId());
-    if (owner != null && owner.body == entity) {
-      owner.body = null;
-    }
+    entities.despawn(entity);
   }
 
   /** All entity ids are below this number; it never shrinks, except by {@link #restore}. */
   public int entityCapacity() {
-    return entityCapacity;
+    return entities.capacity();
   }
 
   /**
@@ -378,32 +322,31 @@ public final class Simulation {
    * @return meaningful only compared with an earlier one of this simulation; not part of the state
    */
   public long rosterVersion() {
-    return roster.version();
+    return entities.version();
   }
 
-  /** What its entities tell their changes to. */
-  Roster roster() {
-    return roster;
+  EntityTable entities() {
+    return entities;
   }
 
   /** How many entities there are. */
   public int entityCount() {
-    return entityCount;
+    return entities.count();
   }
 
   /** The entity under an id, or null when the id is free or out of range. */
   public Entity entity(int id) {
-    return id >= 0 && id < entityCapacity ? entities[id] : null;
+    return entities.get(id);
   }
 
   /** All player ids are below this number. */
   public int playerCapacity() {
-    return playerLimit;
+    return players.limit();
   }
 
   /** The player under an id, or null when the id is free or out of range. */
   public Player player(int id) {
-    return id >= 0 && id < playerLimit ? players[id] : null;
+    return players.get(id);
   }
 
   /** The player an entity belongs to, or null. */
@@ -418,10 +361,7 @@ public final class Simulation {
    *     play
    */
   public Player join(String name) {
-    int id = 0;
-    while (id < playerLimit && players[id] != null) {
-      id++;
-    }
+    int id = players.freeId();
     if (id == MAX_PLAYERS) {
       throw new IllegalStateException("players=" + id + " is the limit; " + name + " can't join");
     }
@@ -436,11 +376,8 @@ public final class Simulation {
    *     range
    */
   public Player join(int id, String name) {
-    requireAuthority("join");
-    if (id < 0 || id >= MAX_PLAYERS || players[id] != null) {
-      throw new IllegalStateException(
-          "player id=" + id + " is taken or outside 0.." + (MAX_PLAYERS - 1));
-    }
+    calls.requireAuthority("join");
+    requireFree(id);
     if (journal != null) {
       journal.joining(this, id, name);
     }
@@ -457,19 +394,16 @@ public final class Simulation {
    * @throws IllegalStateException on {@link Role#AUTHORITY}, or when the id is taken
    */
   public Player joinAs(int id, String name) {
-    requirePrediction("joinAs");
-    if (id < 0 || id >= MAX_PLAYERS || players[id] != null) {
-      throw new IllegalStateException(
-          "player id=" + id + " is taken or outside 0.." + (MAX_PLAYERS - 1));
-    }
+    calls.requirePrediction("joinAs");
+    requireFree(id);
     return newPlayer(id, name);
   }
 
   /** Lets a player go; despawns all the player owns. Nothing happens when the player is gone. */
   public void leave(Player player) {
-    requireQuiet("leave");
+    calls.requireQuiet("leave");
     int id = player.id();
-    if (players[id] != player) {
+    if (players.get(id) != player) {
       return;
     }
     if (journal != null) {
@@ -477,16 +411,14 @@ public final class Simulation {
     }
     if (role == Role.AUTHORITY) {
       game.leave(this, player);
-      for (int i = 0; i < entityCapacity; i++) {
-        if (entities[i] != null && entities[i].ownerId() == id) {
-          despawn(entities[i]);
+      for (int i = 0; i < entities.capacity(); i++) {
+        Entity entity = entities.get(i);
+        if (entity != null && entity.ownerId() == id) {
+          despawn(entity);
         }
       }
     }
-    players[id] = null;
-    while (playerLimit > 0 && players[playerLimit - 1] == null) {
-      playerLimit--;
-    }
+    players.remove(id);
   }
 
   /**
@@ -496,26 +428,19 @@ public final class Simulation {
    * @param text cut to {@value #MAX_NOTICE_LENGTH} characters
    */
   public void notice(String text) {
-    if (role != Role.AUTHORITY) {
-      return;
+    if (role == Role.AUTHORITY) {
+      notices.add(text);
     }
-    if (notices.size() == MAX_NOTICES) {
-      droppedNotices++;
-      return;
-    }
-    notices.add(text.length() > MAX_NOTICE_LENGTH ? text.substring(0, MAX_NOTICE_LENGTH) : text);
   }
 
   /** Hands over the notices since the last call, oldest first, and forgets them. */
   public void drainNotices(Consumer<String> consumer) {
-    while (!notices.isEmpty()) {
-      consumer.accept(notices.remove());
-    }
+    notices.drain(consumer);
   }
 
   /** How many notices were lost because nobody drained them. */
   public long droppedNotices() {
-    return droppedNotices;
+    return notices.dropped();
   }
 
   /**
@@ -564,78 +489,34 @@ public final class Simulation {
   }
 
   private void computeTick() {
-    movePaths();
+    entities.followPaths(tick);
     if (role == Role.AUTHORITY) {
-      rulesBegin();
+      interference.beginRules();
       game.beforeStep(this);
-      rulesEnd(true);
+      interference.endRulesBeforeStep(tick);
     }
-    for (int i = 0; i < playerLimit; i++) {
-      Player player = players[i];
+    for (int i = 0; i < players.limit(); i++) {
+      Player player = players.get(i);
       if (player != null && player.body != null) {
         game.input(this, player, player.input());
       }
     }
-    stepping = true;
+    calls.physicsRun(true);
     try {
       world.step(tickSeconds);
     } finally {
-      stepping = false;
+      calls.physicsRun(false);
     }
     if (role == Role.AUTHORITY) {
-      rulesBegin();
+      interference.beginRules();
       game.afterStep(this);
-      rulesEnd(false);
-      Arrays.fill(watched, 0, watchedCount, null);
-      watchedCount = 0;
+      interference.endRulesAfterStep(tick);
     }
   }
 
-  /**
-   * Asks for {@link Entity#ruledTick} of the next step; on {@link Role#AUTHORITY}. What nobody
-   * watches costs nothing.
-   */
-  public void watch(Entity entity) {
-    if (entity.watchedTick == tick) {
-      return;
-    }
-    entity.watchedTick = tick;
-    if (watchedCount == watched.length) {
-      watched = Arrays.copyOf(watched, 2 * watchedCount);
-    }
-    watched[watchedCount++] = entity;
-  }
-
-  /** Whether an entity of {@link #watched} is still there. */
-  private boolean isHere(Entity entity) {
-    return entity(entity.id()) == entity;
-  }
-
-  private void rulesBegin() {
-    for (int i = 0; i < playerLimit; i++) {
-      if (players[i] != null) {
-        players[i].rulesBegin();
-      }
-    }
-    for (int i = 0; i < watchedCount; i++) {
-      if (isHere(watched[i])) {
-        watched[i].rulesBegin(owner(watched[i]));
-      }
-    }
-  }
-
-  /** What is pushed after the physics shows a tick later. */
-  private void rulesEnd(boolean early) {
-    for (int i = 0; i < playerLimit; i++) {
-      if (players[i] != null) {
-        players[i].rulesEnd(early ? tick : tick + 1);
-      }
-    }
-    for (int i = 0; i < watchedCount; i++) {
-      if (isHere(watched[i])) {
-        watched[i].rulesEnd(owner(watched[i]), tick, early);
-      }
-    }
+  /** Returns the log of what the game did to bodies; filled on {@link Role#AUTHORITY} only. */
+  public InterferenceLog interference() {
+    return interference;
   }
 
   /**
@@ -644,32 +525,12 @@ public final class Simulation {
    * equal hashes.
    */
   public long stateHash() {
-    long h = mix(world.stateHash(), tick);
-    h = mix(h, random.state());
+    long h = SimRandom.mix(world.stateHash(), tick);
+    h = SimRandom.mix(h, random.state());
     for (int value : memory) {
-      h = mix(h, value);
+      h = SimRandom.mix(h, value);
     }
-    for (int i = 0; i < playerLimit; i++) {
-      Player p = players[i];
-      if (p != null) {
-        h = mix(h, ((long) i << 32) | ((p.body == null ? -1 : p.body.id()) & 0xffffffffL));
-        h = mix(h, ((long) p.score() << 32) | (p.team() & 0xffffffffL));
-        h = mix(h, p.input().pack() | (long) p.viewDelay() << Input.PACKED_BITS);
-        for (int value : p.memory()) {
-          h = mix(h, value);
-        }
-      }
-    }
-    for (int i = 0; i < entityCapacity; i++) {
-      Entity e = entities[i];
-      long identity = generations[i] & 0xff;
-      if (e != null) {
-        identity |= (long) (e.archetype().index() + 1) << 8 | (long) (e.ownerId() + 1) << 32;
-        h = mix(h, ((long) e.tag() << 32) | (e.bodySlot() & 0xffffffffL));
-      }
-      h = mix(h, identity);
-    }
-    return h;
+    return entities.hash(players.hash(h));
   }
 
   /**
@@ -682,45 +543,10 @@ public final class Simulation {
     requireOwn(s);
     s.world = world.save(s.world);
     s.tick = tick;
-    s.random = random.state();
-    if (s.memory.length != memory.length) {
-      s.memory = new int[memory.length];
-    }
-    System.arraycopy(memory, 0, s.memory, 0, memory.length);
-    s.limitPlayers(playerLimit);
-    for (int i = 0; i < playerLimit; i++) {
-      Player p = players[i];
-      s.players[i] = p;
-      if (p != null) {
-        s.bodies[i] = p.body;
-        s.scores[i] = p.score();
-        s.teams[i] = p.team();
-        s.inputs[i] = p.input().pack();
-        s.viewDelays[i] = p.viewDelay();
-        System.arraycopy(p.memory(), 0, s.playerMemory, i * Player.MEMORY_SIZE, Player.MEMORY_SIZE);
-      }
-    }
-    if (s.entities.length < generations.length) {
-      s.entities = new Entity[generations.length];
-      s.tags = new int[generations.length];
-      s.teleports = new int[generations.length];
-      s.generations = new byte[generations.length];
-    }
-    Arrays.fill(s.entities, entityCapacity, Math.max(entityCapacity, s.entityCapacity), null);
-    s.entityCapacity = entityCapacity;
-    s.entityCount = entityCount;
-    System.arraycopy(entities, 0, s.entities, 0, entityCapacity);
-    System.arraycopy(generations, 0, s.generations, 0, entityCapacity);
-    for (int i = 0; i < entityCapacity; i++) {
-      s.tags[i] = entities[i] == null ? 0 : entities[i].tag();
-      s.teleports[i] = entities[i] == null ? 0 : entities[i].teleports();
-    }
-    if (history != null) {
-      if (s.history == null) {
-        s.history = new PoseHistory(this);
-      }
-      history.copyTo(s.history);
-    }
+    s.saveNumbers(random, memory);
+    players.save(s);
+    entities.save(s);
+    s.saveHistory(history);
     return s;
   }
 
@@ -732,37 +558,12 @@ public final class Simulation {
    */
   public void restore(SimState s) {
     requireOwn(s);
-    requireQuiet("restore");
+    calls.requireQuiet("restore");
     world.restore(s.world);
     tick = s.tick;
-    random.state(s.random);
-    System.arraycopy(s.memory, 0, memory, 0, memory.length);
-    int oldPlayers = playerLimit;
-    playerLimit = s.playerLimit;
-    for (int i = 0; i < Math.max(oldPlayers, playerLimit); i++) {
-      Player p = i < playerLimit ? s.players[i] : null;
-      players[i] = p;
-      if (p != null) {
-        p.body = s.bodies[i];
-        p.restore(s.scores[i], s.teams[i], s.inputs[i], s.viewDelays[i]);
-        System.arraycopy(s.playerMemory, i * Player.MEMORY_SIZE, p.memory(), 0, Player.MEMORY_SIZE);
-      }
-    }
-    int oldEntities = entityCapacity;
-    entityCapacity = s.entityCapacity;
-    entityCount = s.entityCount;
-    System.arraycopy(s.entities, 0, entities, 0, entityCapacity);
-    roster.change();
-    Arrays.fill(entities, entityCapacity, Math.max(oldEntities, entityCapacity), null);
-    System.arraycopy(s.generations, 0, generations, 0, entityCapacity);
-    Arrays.fill(generations, entityCapacity, Math.max(oldEntities, entityCapacity), (byte) 0);
-    for (int i = 0; i < entityCapacity; i++) {
-      if (entities[i] != null) {
-        entities[i].tag(s.tags[i]);
-        entities[i].teleports(s.teleports[i]);
-      }
-    }
-    firstFree = 0;
+    s.restoreNumbers(random, memory);
+    players.restore(s);
+    entities.restore(s);
     if (history != null) {
       s.history.copyTo(history);
     }
@@ -787,23 +588,13 @@ public final class Simulation {
   }
 
   void requireAuthority(String what) {
-    if (role != Role.AUTHORITY) {
-      throw new IllegalStateException(what + " is for the AUTHORITY role only, this is " + role);
-    }
-    requireQuiet(what);
+    calls.requireAuthority(what);
   }
 
-  private void requirePrediction(String what) {
-    if (role != Role.PREDICTION) {
-      throw new IllegalStateException(what + " is for the PREDICTION role only, this is " + role);
-    }
-    requireQuiet(what);
-  }
-
-  private void requireQuiet(String what) {
-    if (stepping) {
+  private void requireFree(int playerId) {
+    if (playerId < 0 || playerId >= MAX_PLAYERS || players.get(playerId) != null) {
       throw new IllegalStateException(
-          what + " can't happen while the physics step; do it in Game.afterStep");
+          "player id=" + playerId + " is taken or outside 0.." + (MAX_PLAYERS - 1));
     }
   }
 
@@ -815,74 +606,8 @@ public final class Simulation {
 
   private Player newPlayer(int id, String name) {
     Player player = new Player(this, id, name);
-    players[id] = player;
-    playerLimit = Math.max(playerLimit, id + 1);
+    players.add(player);
     return player;
-  }
-
-  private Entity add(Entity entity, float x, float y, float angle) {
-    ScriptedMotion motion = entity.archetype().motion();
-    if (motion == null) {
-      embody(entity, x, y, angle);
-    } else {
-      embody(entity, motion.x(tick, tickRate), motion.y(tick, tickRate), angle);
-    }
-    return enlist(entity);
-  }
-
-  private Entity enlist(Entity entity) {
-    int id = entity.id();
-    entities[id] = entity;
-    roster.change();
-    generations[id] = (byte) entity.generation();
-    entityCapacity = Math.max(entityCapacity, id + 1);
-    entityCount++;
-    Player owner = player(entity.ownerId());
-    if (owner != null && owner.body == null) {
-      owner.body = entity;
-    }
-    return entity;
-  }
-
-  /** Makes the body. Players' bodies never sleep: what games decide about them changes any time. */
-  private Entity embody(Entity entity, float x, float y, float angle) {
-    BodyDef body = entity.archetype().body(x, y, angle);
-    body.sleepAllowed(entity.ownerId() == Entity.NO_OWNER);
-    entity.body(world.createBody(body, entity));
-    return entity;
-  }
-
-  private void grow(int id) {
-    if (id >= entities.length) {
-      int size = Math.min(MAX_ENTITIES, Math.max(id + 1, entities.length * 2));
-      entities = Arrays.copyOf(entities, size);
-      generations = Arrays.copyOf(generations, size);
-    }
-  }
-
-  /**
-   * Puts every body with a path where the path was a tick ago, to the bit, and gives it the
-   * velocity that takes it on: a client that knows the tick computes the same.
-   */
-  private void movePaths() {
-    for (int i = 0; i < entityCapacity; i++) {
-      Entity e = entities[i];
-      if (e == null || e.archetype().motion() == null) {
-        continue;
-      }
-      ScriptedMotion m = e.archetype().motion();
-      Body<Entity> body = e.body();
-      float x = m.x(tick - 1, tickRate);
-      float y = m.y(tick - 1, tickRate);
-      if (body.x() != x || body.y() != y) {
-        body.setPose(x, y, body.cos(), body.sin());
-      }
-      body.setVelocity((m.x(tick, tickRate) - x) * tickRate, (m.y(tick, tickRate) - y) * tickRate);
-    }
-  }
-
-  private static long mix(long hash, long value) {
-    return SimRandom.mix(hash * 0x9e3779b97f4a7c15L ^ value);
   }
 
   private final class Listener implements CollisionListener<Entity> {

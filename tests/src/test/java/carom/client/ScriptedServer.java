@@ -16,8 +16,8 @@ import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.net.transport.ServerTransport;
 import carom.physics.Body;
-import carom.server.replication.NearSet;
-import carom.server.replication.OwnCapture;
+import carom.server.prediction.OwnCapture;
+import carom.server.prediction.PredictedSet;
 import carom.sim.Entity;
 import carom.sim.Player;
 import carom.sim.Role;
@@ -52,7 +52,7 @@ final class ScriptedServer {
     long last;
     int missing;
     final OwnState own = new OwnState();
-    final NearSet near = capture.nearSet(e -> true);
+    final PredictedSet near = capture.predictedSet(e -> true);
     int disagreedTick = -1;
 
     Guest(Link link) {

@@ -103,11 +103,15 @@ class ProtocolDocTest {
         "diverged",
         ClientMessageCodec.encode(
             new ClientMessage.Diverged(
-                1000, 998, 65_534, 255, List.of(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11))));
+                1000,
+                998,
+                List.of(65_534 | 255 << 16, 1, 2, 3, 4, 5, 6, 7),
+                List.of(8, 9, 10, 11))));
     golden.put(
         "diverged-near",
         ClientMessageCodec.encode(
-            new ClientMessage.DivergedNear(1000, 998, List.of(65_538, 1, 2, 3, 4, 5, 6, 7))));
+            new ClientMessage.Diverged(
+                1000, 998, List.of(65_538, 1, 2, 3, 4, 5, 6, 7), List.of())));
     golden.put("look", ClientMessageCodec.encode(new ClientMessage.Look(-1.5f, 2, 16, 9)));
     golden.put(
         "watch", ClientMessageCodec.encode(new ClientMessage.Watch(2, 0x0102030405060708L, 2)));

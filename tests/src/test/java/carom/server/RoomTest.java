@@ -559,19 +559,20 @@ class RoomTest {
       FakeClient ann = rig.join("Ann");
       FakeClient bob = rig.join("Bob");
       rig.seconds(1);
-      assertEquals("removed player=0 name=Ann", ask(rig, () -> rig.room.kick(0, "be nice")));
+      assertEquals(
+          "removed player=0 name=Ann", ask(rig, () -> rig.room.operator().kick(0, "be nice")));
       rig.seconds(1);
       assertEquals(GoodbyeReason.KICKED, ann.goodbye.reason());
       assertEquals("be nice", ann.goodbye.text());
       assertNull(rig.room.session(0), "the body goes with the player");
       assertNull(bob.goodbye);
-      String nobody = ask(rig, () -> rig.room.kick(0, ""));
+      String nobody = ask(rig, () -> rig.room.operator().kick(0, ""));
       assertTrue(nobody.contains("player=0 doesn't play here"), nobody);
     }
   }
 
   static String ask(Rig rig, int player, int entity) {
-    return ask(rig, () -> rig.room.why(player, entity));
+    return ask(rig, () -> rig.room.operator().why(player, entity));
   }
 
   private static String ask(Rig rig, Supplier<String> question) {

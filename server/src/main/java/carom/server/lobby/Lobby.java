@@ -302,7 +302,7 @@ public final class Lobby {
     }
 
     private void watch(ClientMessage.Watch watch) {
-      if (!isOfThisBuild(watch.protocolVersion(), watch.physicsDigest())) {
+      if (!requireThisBuild(watch.protocolVersion(), watch.physicsDigest())) {
         return;
       }
       String problem = spectators.add(link, watch.room(), nowNs);
@@ -312,8 +312,8 @@ public final class Lobby {
       done = true;
     }
 
-    /** Refuses a client with another protocol or physics version; returns whether it has ours. */
-    private boolean isOfThisBuild(int protocolVersion, long physicsDigest) {
+    /** Refuses a client of another build, and returns whether the client may go on. */
+    private boolean requireThisBuild(int protocolVersion, long physicsDigest) {
       if (protocolVersion != Protocol.VERSION) {
         refused(
             RefusalReason.PROTOCOL_VERSION,
@@ -331,7 +331,7 @@ public final class Lobby {
     }
 
     private void hello(ClientMessage.Hello hello) {
-      if (!isOfThisBuild(hello.protocolVersion(), hello.physicsDigest())) {
+      if (!requireThisBuild(hello.protocolVersion(), hello.physicsDigest())) {
         return;
       }
       String name = hello.name().strip();

@@ -27,7 +27,10 @@ public final class FrameCapture {
 
   private static final int NOBODY = -1;
 
-  /** Bodies quantised at a time, or nearly twice as many, if there are so many. */
+  /**
+   * Least number of bodies quantised at a time, if there are so many; the most is nearly twice
+   * that.
+   */
   private static final int BLOCK = Quantizer.LONG;
 
   private static final Audience[] AUDIENCES = Audience.values();
@@ -39,16 +42,16 @@ public final class FrameCapture {
   private final EventRecord record = new EventRecord();
   private final Consumer<Event> takeEvent = this::take;
 
-  /** Of some bodies at a time, so that they stay in near caches: how they move. */
+  /** How a block of bodies moves, column by column: small enough to stay in near caches. */
   private final float[][] numbers = new float[World.MOTION][2 * BLOCK];
 
-  /** What becomes of that: x, y, angle, vx, vy, omega. */
+  /** The same block quantised: x, y, angle, vx, vy, omega. */
   private final int[][] steps = new int[6][2 * BLOCK];
 
-  /** The ids of all entities; as of {@link #roster}. */
+  /** The ids of all entities, as of {@link #roster}. */
   private int[] ids = {};
 
-  /** By body: the id of its entity, or {@link #NOBODY}. */
+  /** The id of each body's entity, or {@link #NOBODY}; by body. */
   private int[] slots = {};
 
   private int bodyCount;
@@ -94,7 +97,9 @@ public final class FrameCapture {
     return frame;
   }
 
-  /** Puts all entities into a frame, and lists them for those to come, until one comes or goes. */
+  /**
+   * Puts all entities into a frame, and keeps the list for later frames until one comes or goes.
+   */
   private void identify(FrameState frame) {
     roster = simulation.rosterVersion();
     entityCount = 0;
@@ -131,7 +136,7 @@ public final class FrameCapture {
     }
   }
 
-  /** Quantises column by column, body by body, in loops that compilers make vectors of. */
+  /** Quantises column by column, in loops that compilers turn into vector instructions. */
   private void putMotions(FrameState frame) {
     World<Entity> world = simulation.world();
     int blocks = Math.max(1, bodyCount / BLOCK);
@@ -149,7 +154,7 @@ public final class FrameCapture {
     }
   }
 
-  /** Angles in steps; all digits are computed only where they might round either way. */
+  /** Quantises angles. All digits are computed only where an estimate might round either way. */
   private static void turn(float[] cos, float[] sin, int n, int[] to) {
     int done = Quantizer.anglesOfTurns(cos, sin, n, Trig.ROUGH, to);
     for (int i = done; i < n; i++) {
@@ -185,27 +190,27 @@ public final class FrameCapture {
     return team << TEAM_SHIFT | audience.ordinal();
   }
 
-  /** Who is told, of a captured event or entity. */
+  /** Returns who is told of a captured event or entity. */
   static Audience audienceOf(int whom) {
     return AUDIENCES[whom & ((1 << TEAM_SHIFT) - 1)];
   }
 
-  /** The team of {@link Audience#TEAM}. */
+  /** Returns the team if the audience is {@link Audience#TEAM}. */
   static int teamOf(int whom) {
     return whom >> TEAM_SHIFT;
   }
 
-  /** Who is told about an entity of a captured frame. */
+  /** Returns who is told of an entity of a captured frame. */
   static Audience audience(FrameState frame, int slot) {
     return audienceOf(frame.audience(slot));
   }
 
-  /** The team of {@link Audience#TEAM}. */
+  /** Returns the team if the audience of an entity is {@link Audience#TEAM}. */
   static int team(FrameState frame, int slot) {
     return teamOf(frame.audience(slot));
   }
 
-  /** Where the entities of the newest frame are. */
+  /** Returns the index of where the entities of the newest frame are. */
   InterestIndex index() {
     return index;
   }

@@ -10,8 +10,8 @@ import carom.sim.event.Audience;
 import java.util.Arrays;
 
 /**
- * Where a room's entities are: a KD-tree over a frame's entities, brought up to date at most once a
- * tick and only when a session asks, and shared by all sessions.
+ * Finds a room's entities by place: a KD-tree over a frame's entities, shared by all sessions. It
+ * is brought up to date at most once a tick, and only when a session asks.
  *
  * <p>The room's thread. Bringing it up to date is O(entities), a query O(log n + found); nothing
  * allocates once arrays have grown.
@@ -48,7 +48,7 @@ final class InterestIndex {
     tree.query(minX, minY, maxX, maxY, visitor);
   }
 
-  /** Visits the slots of entities that some see without being near, or don't see when near. */
+  /** Visits the slots of entities whose audience is not {@link Audience#NEAR}. */
   void special(FrameState frame, IntVisitor visitor) {
     update(frame);
     for (int i = 0; i < specialCount; i++) {
@@ -94,7 +94,7 @@ final class InterestIndex {
     }
   }
 
-  /** The world whose entities these are. */
+  /** Returns the simulation that the entities belong to. */
   Simulation simulation() {
     return simulation;
   }

@@ -1,12 +1,13 @@
 package carom.server.replication;
 
 /**
- * How fast one client's line takes snapshots, found out from the acks. A line that is slower than
- * the budget lets datagrams queue up in front of it, and whatever waits there is old when it
- * arrives. So when even the quickest ack of an interval took longer than it does on the empty line,
- * the pace falls below what has been delivered, and the queue drains; when it didn't, the pace
- * rises again. Loss alone says nothing about the speed of a line, and neither does jitter, which
- * leaves some datagrams quick.
+ * Estimates from the acks how fast one client's line takes snapshots.
+ *
+ * <p>A line that is slower than the budget lets datagrams queue up in front of it, and a datagram
+ * that waited there is old when it arrives. So when even the quickest ack of an interval took
+ * longer than on the empty line, the pace falls below what has been delivered, and the queue
+ * drains. Otherwise the pace rises again. Loss alone says nothing about the speed of a line.
+ * Neither does jitter, which leaves some datagrams quick.
  *
  * <p>Counts what is on the wire, headers included. The room's thread, no allocation.
  */
@@ -16,20 +17,22 @@ final class LinkPace {
 
   private static final int INTERVALS_PER_SECOND = 3;
 
-  /** The quickest ack of the last 5 to 10 s tells how long the empty line takes. */
+  /**
+   * The quickest ack of the last one or two spans, 5 to 10 s, shows how long the empty line takes.
+   */
   private static final int EMPTY_INTERVALS = 5 * INTERVALS_PER_SECOND;
 
   /** A queue shorter than this is left alone, ms. */
   private static final int QUEUE_MS = 35;
 
-  /** Below what was delivered, so that a queue drains. */
+  /** New pace as a part of what was delivered: below 1, so that a queue drains. */
   private static final float DRAIN = 0.8f;
 
   private static final float RISE = 1.25f;
   private static final float SILENCE = 0.5f;
   private static final int LEAST_BYTES_PER_SECOND = 3_000;
 
-  /** So much of a second may leave in one burst. */
+  /** Length of a burst at the present pace, seconds. */
   private static final float BURST_SECONDS = 0.1f;
 
   private static final int NEVER = Integer.MAX_VALUE;
@@ -62,13 +65,13 @@ final class LinkPace {
     tokens = most * BURST_SECONDS;
   }
 
-  /** A datagram was acked, so many ticks after it was sent. */
+  /** Notes that a datagram was acknowledged, and how many ticks after it was sent. */
   void acked(int delayTicks) {
     quickest = Math.min(quickest, delayTicks);
   }
 
   /**
-   * A datagram is sent.
+   * Notes that a datagram is sent.
    *
    * @param acked whether the client acks it soon, see {@link #acked}
    */
@@ -78,7 +81,7 @@ final class LinkPace {
   }
 
   /**
-   * Once a tick.
+   * Earns the right to send for a tick, and adapts the pace now and then.
    *
    * @param ackedBytes bytes on the wire that were ever acked
    */

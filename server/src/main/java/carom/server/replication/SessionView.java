@@ -16,9 +16,11 @@ import carom.sim.level.Level;
 
 /**
  * What one player looks at: a rectangle around the own body, or around the place that a spectator's
- * client names. Entities enter at its border and leave a quarter further out. Everything is in
- * sight in a level that is no larger than the largest view, in a world of few entities unless the
- * operator has set a view, and for those who {@linkplain carom.sim.Game#seesAll see all}.
+ * client names. Entities enter at its border and leave a quarter further out.
+ *
+ * <p>Everything is in sight in three cases: the level is no larger than the largest view; the world
+ * has few entities and the operator has not set a view; or the player {@linkplain
+ * carom.sim.Game#seesAll sees all}.
  *
  * <p>The room's thread; no allocation after construction.
  */
@@ -29,34 +31,39 @@ public final class SessionView implements Interest {
   /** Largest half width and half height unless the operator has set them, metres. */
   private static final float DEFAULT_LIMIT = 64;
 
-  /** In a world of so few entities everything is in sight; of more, again when so few are left. */
+  /** With at most this many entities everything is in sight. */
   private static final int FEW = 1_024;
 
+  /** With more than {@link #FEW}, everything is in sight again when so few are left. */
   private static final int FEW_AGAIN = 768;
 
   /** The smallest half width and half height, metres. */
   private static final float LEAST = 1;
 
-  /** Looks for newcomers so often. */
+  /** Rate of looking for entities that came into view. */
   private static final int LOOKS_PER_SECOND = 10;
 
-  /** The own body, and what it touches, count so much more than others at the same place. */
+  /** Weight of the own body against others at the same place. */
   private static final float OWN = 16;
 
+  /** Weight of a body that touches the own body. */
   private static final float TOUCHED = 8;
+
   private static final int MAX_TOUCHED = 16;
 
-  /** At the border of the view an entity counts a quarter of what it counts in the middle. */
+  /** Fall of the priority with distance: at the border it is a quarter of that in the middle. */
   private static final float FAR = 3;
 
-  /** A speed that doubles what an entity counts, m/s, and the most that speed can do. */
+  /** Speed that doubles the priority of an entity, m/s. */
   private static final float SPEED = 4;
 
+  /** The most by which speed raises the priority. */
   private static final float MAX_SPEED_FACTOR = 4;
 
-  /** An entity of this radius counts once, a larger one more, up to that many times, m. */
+  /** Radius up to which size does not raise the priority, metres. */
   private static final float SIZE = 0.5f;
 
+  /** The most by which size raises the priority. */
   private static final float MAX_SIZE_FACTOR = 4;
 
   private final InterestIndex index;
@@ -203,9 +210,9 @@ public final class SessionView implements Interest {
   }
 
   /**
-   * Whether the player is told of an event: whose doing it is always, others as the game says; of
-   * what is near, if the place is in sight and neither who is in it nor whose doing it is was
-   * hidden from the player at its tick.
+   * Returns whether the player is told of an event. The player that caused it is always told.
+   * Others are told as the game says; of an event {@link Audience#NEAR}, if its place is in sight
+   * and none of its entities, nor the body of the player that caused it, was hidden at its tick.
    */
   boolean hears(FrameRing frames, EventRecord event, int whom) {
     Audience audience = FrameCapture.audienceOf(whom);
@@ -236,7 +243,7 @@ public final class SessionView implements Interest {
             && Math.abs(Quantizer.positionOf(event.y) - y) <= STAY * halfHeight);
   }
 
-  /** Whether an entity wasn't hidden at a tick; who went in it counts as the tick before. */
+  /** Returns whether an entity wasn't hidden at a tick, or if it went in it, at the tick before. */
   private boolean mightKnow(FrameRing frames, int tick, int key) {
     if (key < 0) {
       return true;
@@ -257,8 +264,8 @@ public final class SessionView implements Interest {
   }
 
   /**
-   * Whether the game lets the player know of an entity, wherever it is; who isn't in the frame is
-   * hidden, as the game hasn't been asked yet.
+   * Returns whether the game lets the player know of an entity, wherever it is. An entity that
+   * isn't in the frame is hidden, because the game hasn't been asked yet.
    */
   boolean mayKnow(FrameState frame, Entity e) {
     return holds(frame, Neighbourhood.key(e.id(), e.generation())) && mayKnow(frame, e.id());

@@ -13,30 +13,32 @@ import carom.sim.Entity;
 import carom.sim.Player;
 
 /**
- * Sends one session's snapshots over one link: when (the snapshot rate, or the slower keep-alive
- * rate while the client has everything) and how much (a token bucket of bytes, and no more than the
- * client's line takes). Headers and the own body go ahead; what is near and the records share the
- * rest, and neither waits for the other to have enough.
+ * Sends one session's snapshots over one link, and decides when and how much.
+ *
+ * <p>When: at the snapshot rate, or at the slower keep-alive rate while the client has everything.
+ * How much: what a token bucket of bytes and the client's line allow. Headers and the own body come
+ * first. The exact state of the predicted set and the records share the rest, so that neither
+ * starves the other.
  *
  * <p>The room's thread; no allocation after construction.
  */
 public final class SnapshotSender {
-  /** The bucket's depth: so many full datagrams may leave in one tick after a quiet time. */
+  /** Depth of the token bucket: the full datagrams that may leave at once after a quiet time. */
   private static final int BURST_DATAGRAMS = 4;
 
   /**
-   * A client from which nothing is heard for so many pauses between keep-alives is sent more of
-   * them: where losses come in bursts, whoever says little is cut off for long.
+   * Silence of a client, in keep-alive intervals, after which it is sent more keep-alives. Where
+   * losses come in bursts, a rare keep-alive would leave the client cut off for long.
    */
   private static final double SILENT_PAUSES = 1.5;
 
-  /** So many snapshots a second are sent at least while there is news, or silence. */
+  /** Least rate of snapshots while there is news, or the client is silent. */
   private static final int LEAST_WITH_NEWS_HZ = 12;
 
-  /** And so many while the client's inputs come too late, as its clock learns from each. */
+  /** Least rate while the client's inputs come too late, because its clock learns from each. */
   private static final int LEAST_WHEN_LATE_HZ = 20;
 
-  /** So far what is near may get ahead of the records that wait, or fall behind them. */
+  /** How far exact state may get ahead of the records that wait, or fall behind them. */
   private static final int NEAR_CREDIT_BYTES = 2 * SnapshotEncoder.MAX_DATAGRAM_BYTES;
 
   private final FrameRing frames;
@@ -59,12 +61,13 @@ public final class SnapshotSender {
   private int rateAccumulator;
   private int ticksSinceSent;
   private int ticksSinceHeard;
+  private boolean due;
 
   /**
    * Creates the sender for a client that knows nothing but the level.
    *
    * @param capture the room's frames
-   * @param player whose client it is
+   * @param player the player that the client belongs to
    * @param datagramKey the key in the session's Welcome
    */
   public SnapshotSender(
@@ -93,8 +96,8 @@ public final class SnapshotSender {
   }
 
   /**
-   * Notes which events the player may hear of while it has no link; call once per tick. Where the
-   * player is matters only when there is something to hear.
+   * Notes which events the player may hear of while it has no link; call once per tick. The view
+   * moves only when there is something to hear.
    */
   public void listen() {
     if (nextEvent < frames.events().limit()) {
@@ -104,9 +107,9 @@ public final class SnapshotSender {
   }
 
   /**
-   * Tells the player of the events that it isn't known to have heard of.
+   * Takes over the events that the player hasn't acknowledged yet.
    *
-   * @param before its sender until its link was lost, {@link #listen listening} since then
+   * @param before the sender of the link that was lost, which went on to {@link #listen}
    */
   public void takeOver(SnapshotSender before) {
     nextEvent = before.nextEvent;
@@ -127,47 +130,60 @@ public final class SnapshotSender {
     view.look(x, y, halfWidth, halfHeight);
   }
 
-  /** Whether the game lets the player know of an entity, wherever it is; of the own body always. */
+  /** Returns whether the game lets the player know of an entity; of the own body it always does. */
   public boolean mayKnow(Entity e) {
     return view.mayKnow(frames.newest(), e);
   }
 
-  /** Once per tick, before anything else: what may leave grows. */
+  /** Earns budget for a tick; call once per tick, before anything else. */
   public void tick() {
     bucket = Math.min(bucketDepth, bucket + bytesPerSecond);
     pace.tick(encoder.ackedBytes() + LinkPace.HEADER_BYTES * encoder.ackedDatagrams());
   }
 
   /**
-   * Whether {@link #send} may send at this tick; call once per tick, between {@link #tick} and it.
+   * Prepares a snapshot of the newest frame, and decides whether it {@linkplain #isDue is due};
+   * call once per tick, between {@link #tick} and {@link #send}.
    *
    * @param own the player's exact state
    * @param late whether the client's inputs come too late
    */
-  public boolean isDue(OwnState own, boolean late) {
+  public void prepare(OwnState own, boolean late) {
     // The bound forgets the time in which nothing was due, but not the rest of a rate that doesn't
     // divide the tick rate.
     rateAccumulator = Math.min(tickRateHz + snapshotRateHz - 1, rateAccumulator + snapshotRateHz);
     ticksSinceSent++;
     ticksSinceHeard++;
-    if (rateAccumulator < tickRateHz) {
-      return false;
+    due = rateAccumulator >= tickRateHz;
+    if (due) {
+      view.update(frames.newest(), encoder);
+      offerEvents();
+      boolean news = !encoder.nothingNew(own);
+      // Over budget, or over what the line takes: fewer snapshots, never none, each of the newest
+      // tick.
+      due =
+          ticksSinceSent >= mostTicksWithout(news, late)
+              || (news && bucket > 0 && pace.allowance() > 0);
     }
-    view.update(frames.newest(), encoder);
-    offerEvents();
-    boolean news = !encoder.nothingNew(own);
+  }
+
+  /** The most ticks between two snapshots. */
+  private int mostTicksWithout(boolean news, boolean late) {
+    if (late) {
+      return lateTicks;
+    }
     boolean silent = ticksSinceHeard > SILENT_PAUSES * keepAliveTicks;
-    if (ticksSinceSent >= (late ? lateTicks : news || silent ? newsTicks : keepAliveTicks)) {
-      return true;
-    }
-    // Over budget, or over what the line takes: fewer snapshots, never none, each of the newest
-    // tick.
-    return news && bucket > 0 && pace.allowance() > 0;
+    return news || silent ? newsTicks : keepAliveTicks;
+  }
+
+  /** Returns whether the snapshot prepared last may be sent. */
+  public boolean isDue() {
+    return due;
   }
 
   /**
-   * What exact state of what is near may take in the next snapshot, bits; not positive when it must
-   * wait. The bound for {@link NearSet#capture}.
+   * Returns how much the exact state of the predicted set may take in the next snapshot, bits; not
+   * positive if it must wait.
    */
   public int nearBits() {
     return nearCredit <= 0 ? 0 : Byte.SIZE * (budgetBytes() - overheadBytes());
@@ -177,7 +193,7 @@ public final class SnapshotSender {
     return (int) Math.max(0, Math.min(bucket / tickRateHz, pace.allowance()));
   }
 
-  /** What a snapshot takes before what is near and the records, as of the last one. */
+  /** Bytes of the last snapshot before exact state and records. */
   private int overheadBytes() {
     return encoder.aheadBytes() - encoder.nearBytes();
   }
@@ -225,7 +241,7 @@ public final class SnapshotSender {
     return datagrams;
   }
 
-  /** While records wait, what is near takes as much as they in the long run. */
+  /** Keeps exact state from taking more than the records in the long run, while records wait. */
   private void shareOut(int recordBytes) {
     int credit = nearCredit + recordBytes - encoder.nearBytes();
     nearCredit =
@@ -234,7 +250,7 @@ public final class SnapshotSender {
             : Math.max(-NEAR_CREDIT_BYTES, Math.min(NEAR_CREDIT_BYTES, credit));
   }
 
-  /** What the client's line takes, as far as is known: bytes per second, headers included. */
+  /** Estimate of what the client's line takes, bytes per second, headers included. */
   public int paceBytesPerSecond() {
     return pace.bytesPerSecond();
   }

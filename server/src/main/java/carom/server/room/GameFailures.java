@@ -31,7 +31,7 @@ final class GameFailures implements GuardedGame.Watch {
     this.label = label;
   }
 
-  /** Call after each tick. Returns how many ticks in a row, up to this one, had a failure. */
+  /** Ends a tick, and returns how many ticks in a row, up to this one, had a failure. */
   int endTick() {
     failedTicksInARow = failedThisTick ? failedTicksInARow + 1 : 0;
     failedThisTick = false;

@@ -19,9 +19,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A room's recording, of which there is one at a time: begun by whoever starts the server, or by an
- * operator while the game goes on, and ended by an operator, by a sink that can't keep up, or with
- * the room.
+ * The recording of a room, of which there is one at a time. It begins with the server, or when an
+ * operator asks for it while the game goes on. It ends when an operator says so, when the sink
+ * can't keep up, or with the room.
  *
  * <p>On the room's thread, between two ticks; {@link #awaitEnd} from any.
  */
@@ -76,8 +76,8 @@ final class RoomRecording {
   }
 
   /**
-   * Begins for an operator, who is told what happened. Creates the file, which takes a disk about a
-   * millisecond.
+   * Begins for an operator and returns a line that says what happened. Creates the file, which
+   * takes a disk about a millisecond.
    */
   String begin(Path path) {
     if (recorder != null) {
@@ -117,7 +117,7 @@ final class RoomRecording {
     }
   }
 
-  /** Ends for an operator, who is told what happened. */
+  /** Ends for an operator and returns a line that says what happened. */
   String stop() {
     if (recorder == null) {
       return "not recorded";
@@ -131,7 +131,7 @@ final class RoomRecording {
     return "recorded to " + to + " up to tick=" + simulation.tick();
   }
 
-  /** After each tick: whether the sink still takes it, and whether another file is due. */
+  /** Ends the recording if its sink is cut, and begins another file if one is due; per tick. */
   void tickEnds() {
     if (recorder == null) {
       return;
@@ -166,7 +166,7 @@ final class RoomRecording {
   /**
    * Ends the recording, if there is one.
    *
-   * @param why in a few words, for whoever plays it
+   * @param why in a few words, shown when the recording is played
    */
   void end(String why) {
     if (recorder != null) {
@@ -187,7 +187,7 @@ final class RoomRecording {
     rotation = null;
   }
 
-  /** The file that a sink writes to, whoever began the recording; null when it is none. */
+  /** Returns the file that a sink writes to; null if it writes to none. */
   private static RecordingFile fileOf(BlockSink sink) {
     if (sink instanceof Showing showing) {
       return showing.file();

@@ -12,9 +12,9 @@ import java.util.List;
 import java.util.function.BiConsumer;
 
 /**
- * Who plays, and with which score, as the clients know it: tells everybody what has changed, and
- * who is new on its link all of it. A crowd that comes in costs each client a line for each who
- * comes, not the whole list each time.
+ * Tells clients the roster: the players and their scores. A client that knows the roster is told
+ * the changes, and a client on a new link all of it. So a crowd that comes in costs each client a
+ * line for each newcomer, not the whole list each time.
  *
  * <p>The room's thread. Allocates only when something has changed.
  */
@@ -22,7 +22,9 @@ final class RosterNews {
   private static final long NS_PER_MS = 1_000_000;
   private static final String NOBODY = "";
 
-  /** Writing to a socket takes some 10 us, and 500 of them half of a tick. */
+  /**
+   * Limit of sends per tick: a write to a socket takes about 10 us, and 500 of them half a tick.
+   */
   private static final int MAX_SENDS_PER_TICK = 64;
 
   private final String[] names;
@@ -31,9 +33,9 @@ final class RosterNews {
   private boolean old;
   private long begunNs;
 
-  // Of the round that is going on: what to tell whom, and whose turn it is. Null between rounds.
+  // The round that is going on: the messages, null between rounds, and the next seat to serve.
   private List<Broadcast> changes;
-  private List<Broadcast> everybody;
+  private List<Broadcast> wholeRoster;
   private int nextSeat;
 
   /**
@@ -47,26 +49,27 @@ final class RosterNews {
     intervalNs = intervalMs * NS_PER_MS;
   }
 
-  /** Somebody came, came back, or went. */
+  /** Notes that a player came, came back, or went. */
   void changed() {
     old = true;
   }
 
   /**
-   * Sends what has changed, when anything has and it is time, to some sessions in each tick.
+   * Sends changes if there are any and it is time, to some sessions in each tick.
    *
-   * @param bySeat who plays, by player id
+   * @param bySeat the sessions by player id, null where there is none
    * @param send takes a session that plays and a message for it
    */
   void send(Session[] bySeat, long nowNs, BiConsumer<Session, Broadcast> send) {
     if (changes == null) {
-      if (!isOld(bySeat) || nowNs - begunNs < intervalNs) {
+      markOldIfScoresChanged(bySeat);
+      if (!old || nowNs - begunNs < intervalNs) {
         return;
       }
       old = false;
       begunNs = nowNs;
       changes = changes(bySeat);
-      everybody = null;
+      wholeRoster = null;
       nextSeat = 0;
     }
     for (int sends = 0; nextSeat < bySeat.length && sends < MAX_SENDS_PER_TICK; nextSeat++) {
@@ -82,22 +85,21 @@ final class RosterNews {
     }
   }
 
-  private boolean isOld(Session[] bySeat) {
+  private void markOldIfScoresChanged(Session[] bySeat) {
     for (int id = 0; id < bySeat.length && !old; id++) {
       old = bySeat[id] != null && scores[id] != bySeat[id].player().score();
     }
-    return old;
   }
 
-  /** Who came in the midst of a round is told of the whole state that the others reach by it. */
+  /** A session that comes in the midst of a round gets the state that the others reach by it. */
   private List<Broadcast> messagesFor(Session session) {
     if (session.knowsRoster()) {
       return changes;
     }
-    if (everybody == null) {
-      everybody = everybody();
+    if (wholeRoster == null) {
+      wholeRoster = wholeRoster();
     }
-    return everybody;
+    return wholeRoster;
   }
 
   private List<Broadcast> changes(Session[] bySeat) {
@@ -114,7 +116,7 @@ final class RosterNews {
     return messages(entries);
   }
 
-  private List<Broadcast> everybody() {
+  private List<Broadcast> wholeRoster() {
     List<RosterEntry> entries = new ArrayList<>();
     for (int id = 0; id < names.length; id++) {
       if (!names[id].equals(NOBODY)) {

@@ -1,13 +1,15 @@
 package carom.server.room;
 
 /**
- * Whose snapshots leave in which tick. When there are fewer snapshots than ticks, no tick sends
- * more than its share, so that all sessions don't burden the same tick: at 60 ticks and 30
- * snapshots a second, half of the sessions are served in each. And when a tick has used up five
- * eighths of its time, the rest waits for the next one: a machine that is too slow sends fewer
- * snapshots, but its ticks stay on time. A quarter of the share is served whatever the time.
+ * Shares the snapshots of all sessions out among the ticks. With fewer snapshots than ticks, no
+ * tick sends more than its share: at 60 ticks and 30 snapshots a second, each tick serves half of
+ * the sessions.
  *
- * <p>Who had to wait is first in the next tick. One thread; no allocation.
+ * <p>When a tick has used up {@value #TIME_PARTS_TO_SEND_IN} of {@value #TIME_PARTS} parts of its
+ * time, the rest waits for the next one. So a machine that is too slow sends fewer snapshots, but
+ * its ticks stay on time. A quarter of the share is served whatever the time.
+ *
+ * <p>The first session that had to wait is the first in the next tick. One thread; no allocation.
  */
 final class SendTurns {
   private static final int TIME_PARTS = 8;
@@ -36,7 +38,7 @@ final class SendTurns {
   }
 
   /**
-   * A tick's sending begins.
+   * Begins the sending of a tick.
    *
    * @param sessions how many there are
    * @param tickBeganNs when the tick began, by the clock of {@link #take}
@@ -52,15 +54,15 @@ final class SendTurns {
     beginNs = tickBeganNs;
   }
 
-  /** The session whose turn it is as number {@code i}, 0 to the number of sessions - 1. */
+  /** Returns the session that has turn {@code i}, 0..number of sessions - 1. */
   int index(int i) {
     int index = first + i;
     return index < count ? index : index - count;
   }
 
   /**
-   * Whether the session whose turn it is as number {@code i} may send; else it waits. Call in order
-   * and only for those who want to.
+   * Takes turn {@code i} for its session, which may send if this returns true and has to wait if
+   * not. Call in order of turns, and only for sessions that have something to send.
    */
   boolean take(int i, long nowNs) {
     boolean inTime = nowNs - beginNs < timeNs || served < (share + LEAST_PARTS - 1) / LEAST_PARTS;
@@ -76,7 +78,7 @@ final class SendTurns {
     return false;
   }
 
-  /** How many sessions wait because the tick took too long. */
+  /** Returns how many sessions wait because the tick took too long. */
   int late() {
     return late;
   }

@@ -7,10 +7,9 @@ import java.util.Arrays;
  * One player's inputs between arrival and use: exactly one is consumed per tick.
  *
  * <p>A client sends each input several times and runs a little ahead of the server, so inputs wait
- * here, at their tick, until the room consumes that tick. Three rules keep hostile clients out: the
- * window (nothing further ahead than {@code windowTicks}, nothing in the past) bounds memory, the
- * first arrival of a tick wins, and one tick consumes one input however many arrive (no speed
- * hack).
+ * here, at their tick, until the room consumes that tick. Three rules keep hostile clients out. The
+ * window, from the next tick to {@code windowTicks} ahead, bounds memory. The first arrival of a
+ * tick wins. One tick consumes one input however many arrive, which rules out a speed hack.
  *
  * <p>A client whose input stays the same need not repeat it: it says for how long the newest one
  * holds, see {@link #hold}, and is believed until it says something else.
@@ -23,12 +22,15 @@ import java.util.Arrays;
  */
 public final class InputBuffer {
   /** What became of an offered input. */
-  public enum Verdict {
+  public enum Arrival {
     /** Stored, will be consumed at its tick. */
     ACCEPTED,
     /** Already known; the usual fate of redundant copies. */
     DUPLICATE,
-    /** Was consumed already because the one before {@linkplain #hold held}, and rightly so. */
+    /**
+     * Its tick was consumed already, with an equal input that the client had {@linkplain #hold
+     * held}.
+     */
     CONFIRMED,
     /** Its tick was consumed already. */
     TOO_LATE,
@@ -43,7 +45,7 @@ public final class InputBuffer {
   private final long[] packed = new long[SIZE];
   private final int[] tickOf = new int[SIZE];
 
-  /** Whether the slot's input wasn't said but followed from one that holds. */
+  /** Whether a slot's input did not arrive but followed from one that was held; by slot. */
   private final boolean[] isHeld = new boolean[SIZE];
 
   private int lastConsumedTick;
@@ -93,20 +95,20 @@ public final class InputBuffer {
   }
 
   /** Offers the input of a tick. Never throws, whatever the tick. */
-  public Verdict offer(int tick, long input) {
+  public Arrival offer(int tick, long input) {
     int ahead = tick - lastConsumedTick; // wraps like the ticks themselves
     if (ahead <= 0) {
       // Redundant copies of what was used are the normal case; late is only what never was here, or
       // is not what the client had said would go on.
       int slot = tick & (SIZE - 1);
       if (tickOf[slot] == tick && !isHeld[slot]) {
-        return Verdict.DUPLICATE;
+        return Arrival.DUPLICATE;
       }
       if (tickOf[slot] == tick) {
         isHeld[slot] = false; // its further copies are duplicates
         if (packed[slot] == input) {
           noteNewest(tick);
-          return Verdict.CONFIRMED;
+          return Arrival.CONFIRMED;
         }
         missing++;
       } else if (ahead > -SIZE && tickOf[slot] - tick < 0) {
@@ -115,31 +117,31 @@ public final class InputBuffer {
       }
       tooLate++;
       noteNewest(tick);
-      return Verdict.TOO_LATE;
+      return Arrival.TOO_LATE;
     }
     if (ahead > windowTicks) {
       tooEarly++;
       noteNewest(lastConsumedTick + windowTicks); // the margin must say "too early", not "too late"
-      return Verdict.TOO_EARLY;
+      return Arrival.TOO_EARLY;
     }
     int slot = tick & (SIZE - 1);
     if (tickOf[slot] == tick) {
-      return Verdict.DUPLICATE;
+      return Arrival.DUPLICATE;
     }
     tickOf[slot] = tick;
     packed[slot] = input;
     isHeld[slot] = false;
     noteNewest(tick);
-    return Verdict.ACCEPTED;
+    return Arrival.ACCEPTED;
   }
 
   /**
-   * Takes the client's word that an input goes on after its tick, until an input for a later tick
-   * arrives. Call after {@link #offer} of that input; ignored when later ones are known.
+   * Lets an input count for the ticks after its own, too, until an input for a later tick arrives.
+   * Call after {@link #offer} of that input; ignored when later ones are known.
    *
    * @param tick of the input
    * @param input that goes on
-   * @param ticks for how many ticks after it; 0 takes the word back
+   * @param ticks for how many ticks after it; 0 ends it
    */
   public void hold(int tick, long input, int ticks) {
     if (anyArrived && tick == newestTick) {
@@ -195,7 +197,7 @@ public final class InputBuffer {
     return Input.faded(last, missingInARow, holdTicks);
   }
 
-  /** Whether the input of a tick that is still to be consumed is here. */
+  /** Returns whether the input of a tick that is still to be consumed is here. */
   public boolean isWaiting(int tick) {
     return tick - lastConsumedTick > 0 && tickOf[tick & (SIZE - 1)] == tick;
   }
@@ -205,12 +207,14 @@ public final class InputBuffer {
     return packed[tick & (SIZE - 1)];
   }
 
-  /** Whether the last consumed tick's input wasn't there but followed from one that holds. */
+  /**
+   * Returns whether the last consumed input had not arrived but followed from one that was held.
+   */
   public boolean lastWasHeld() {
     return isHeld[lastConsumedTick & (SIZE - 1)];
   }
 
-  /** Whether the last consumed tick had no input of its own, nor one that holds. */
+  /** Returns whether the last consumed tick had no input of its own, nor one that was held. */
   public boolean lastWasMissing() {
     return lastMissing;
   }
@@ -242,7 +246,7 @@ public final class InputBuffer {
     return anyArrived ? newestTick - lastConsumedTick : 0;
   }
 
-  /** Whether an input arrived since the last {@link #reset}. */
+  /** Returns whether an input arrived since the last {@link #reset}. */
   public boolean anyArrived() {
     return anyArrived;
   }

@@ -8,9 +8,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Links whose last message was sent: they stay open for a moment, so that the message arrives, and
- * are then closed. Closing at once would be faster and ruder: a TCP connection that closes with
- * unread input is reset, and a reset may overtake the goodbye.
+ * Closes links a moment after their last message was sent, so that the message arrives. A TCP
+ * connection that is closed with unread input is reset, and a reset may overtake the goodbye.
  *
  * <p>One thread.
  */
@@ -54,7 +53,7 @@ public final class PartingLinks {
     int closed = 0;
     for (int i = partings.size() - 1; i >= 0; i--) {
       Parting parting = partings.get(i);
-      if (nowNs - parting.deadlineNs >= 0 || isOver(parting.link)) {
+      if (nowNs - parting.deadlineNs >= 0 || drained(parting.link)) {
         close(parting);
         partings.remove(i);
         closed++;
@@ -63,7 +62,10 @@ public final class PartingLinks {
     return closed;
   }
 
-  private static boolean isOver(Link link) {
+  /**
+   * Throws away what has arrived, and returns whether the peer has closed the link or it failed.
+   */
+  private static boolean drained(Link link) {
     try {
       link.poll(DEAF, MAX_POLL);
       return link.state() == Link.State.CLOSED;
@@ -73,7 +75,7 @@ public final class PartingLinks {
     }
   }
 
-  /** Whether no link lingers. */
+  /** Returns whether no link lingers. */
   public boolean isEmpty() {
     return partings.isEmpty();
   }

@@ -8,8 +8,8 @@ import java.util.Set;
 import java.util.function.LongSupplier;
 
 /**
- * Who has which place in a room: player ids, names and session secrets. The one object that the
- * lobby (hands seats out) and the room (frees them) share; every method may be called from any
+ * The seats of a room: player ids, names and session secrets. The lobby hands seats out and the
+ * room frees them; this is the one object that both share. Every method may be called from any
  * thread and holds a lock for a few comparisons.
  *
  * <p>A seat is taken while a link on its way claims it or a session in the room occupies it; a
@@ -34,9 +34,8 @@ public final class Seats {
   }
 
   /**
-   * Takes the free seat with the lowest id and claims it, under the wanted name or, when somebody
-   * sits there under it, with a number behind it: {@code Ann (2)}. Names are compared without
-   * regard to case.
+   * Takes the free seat with the lowest id and claims it under the wanted name. A name that is
+   * taken gets a number behind it: {@code Ann (2)}. Names are compared without regard to case.
    *
    * @param wantedName a legal name
    * @return the seat, or null when all are taken
@@ -55,7 +54,7 @@ public final class Seats {
     return null;
   }
 
-  /** Whether a seat belongs to a secret. */
+  /** Returns whether a seat belongs to a secret. */
   public synchronized boolean knows(long secret) {
     return find(secret) != null;
   }
@@ -107,7 +106,7 @@ public final class Seats {
     freeIfUnused(seat);
   }
 
-  /** Whether a link is on its way to this seat. */
+  /** Returns whether a link is on its way to this seat. */
   public synchronized boolean isClaimed(Seat seat) {
     return seat.claims > 0;
   }
@@ -182,7 +181,7 @@ public final class Seats {
       return name;
     }
 
-    /** Proves who a returning client is; never 0. */
+    /** Returns the secret by which a returning client proves its identity; never 0. */
     public long secret() {
       return secret;
     }

@@ -7,33 +7,29 @@ import carom.net.protocol.InputDatagram;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.net.snapshot.InputFeedback;
-import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.WaitingInputs;
 import carom.net.transport.Broadcast;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
-import carom.physics.BodyContactVisitor;
-import carom.physics.BodyType;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.metrics.LogInterval;
-import carom.server.replication.FrameCapture;
-import carom.server.replication.NearSet;
-import carom.server.replication.OwnCapture;
-import carom.server.replication.SnapshotSender;
-import carom.sim.Entity;
+import carom.server.prediction.PredictionAudit.Finding;
+import carom.server.replication.SessionReplication;
 import carom.sim.Player;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * One player in a room: the state of the session, its link while there is one, its input buffer and
- * its snapshots. Lives from Ready until the player leaves or the grace period ends; a resumed
- * session keeps this object and gets a new link.
+ * The protocol's state of one player in a room: the state of the session, its link while there is
+ * one, and its inputs. Its {@link SessionReplication} decides what the client is told.
+ *
+ * <p>A session lives from Ready until the player leaves or the grace period ends. A resumed session
+ * keeps this object and gets a new link.
  *
  * <p>What a client sends can change this object only: a wrong message asks the room to expel the
- * session, a wrong datagram is counted and forgotten, because anybody can forge a datagram.
+ * session; a wrong datagram is counted and ignored, because anybody can forge a datagram.
  *
  * <p>Owned by the room's thread. Polling and sending in the steady state allocate nothing.
  */
@@ -47,11 +43,11 @@ public final class Session implements LinkHandler {
   private static final int MIN_MARGIN = -32;
   private static final int MAX_MARGIN = 31;
 
-  /** What the client asked for, for the room to do at the next tick. */
-  public enum Wish {
-    /** Nothing special. */
-    STAY,
-    /** The player goes. */
+  /** Why the session should end at the next tick. */
+  public enum Departure {
+    /** It should not. */
+    NONE,
+    /** The player leaves. */
     LEAVE,
     /** The client broke the protocol. */
     EXPEL
@@ -61,37 +57,22 @@ public final class Session implements LinkHandler {
   private final Player player;
   private final ServerConfig config;
   private final Counters counters;
-  private final FrameCapture frames;
-  private final OwnCapture capture;
-  private int near;
-  private int disagreedTick = -1;
+  private final SessionReplication replication;
   private final InputBuffer inputs;
   private final InputDatagram datagram = new InputDatagram();
   private final InputFeedback feedback = new InputFeedback();
-  private final OwnState own = new OwnState();
   private SessionState state = SessionState.LOADING;
   private Link link;
   private int datagramKey;
   private int viewDelay;
-  private int consumedTick;
-
-  // Of a client that predicts; null until it says that it does.
-  private NearSet nearSet;
-  private PredictionAudit audit;
-  private NearAudit nearAudit;
-
-  private boolean touched;
-  private final BodyContactVisitor<Entity> touch =
-      (other, normalX, normalY, impulse) -> touched |= other.type() != BodyType.STATIC;
   private final LogInterval divergenceLines = new LogInterval();
-  private SnapshotSender sender;
   private long nowNs;
   private int silentTicks;
   private long sequenceArrivalNs;
   private long graceEndNs;
   private boolean linkLost;
   private String linkLostReason = "";
-  private Wish wish = Wish.STAY;
+  private Departure departure = Departure.NONE;
   private String offence = "";
   private boolean knowsRoster;
   private long missingSeen;
@@ -103,21 +84,18 @@ public final class Session implements LinkHandler {
    * play.
    *
    * @param player the player in the room's simulation
-   * @param frames the room's frames
-   * @param capture reads the player's own section
+   * @param replication tells the player's client about the room
    */
   public Session(
       Seats.Seat seat,
       Player player,
       ServerConfig config,
-      FrameCapture frames,
-      OwnCapture capture,
+      SessionReplication replication,
       Counters counters) {
     this.seat = seat;
     this.player = player;
     this.config = config;
-    this.frames = frames;
-    this.capture = capture;
+    this.replication = replication;
     this.counters = counters;
     this.inputs = new InputBuffer(config.inputWindowTicks(), config.inputHoldTicks());
   }
@@ -133,18 +111,7 @@ public final class Session implements LinkHandler {
     state = state.become(SessionState.PLAYING);
     link = newLink;
     datagramKey = key;
-    SnapshotSender before = sender;
-    sender = new SnapshotSender(frames, player, key, config, counters);
-    if (before != null) {
-      sender.takeOver(before);
-    }
-    nearSet = null;
-    if (audit != null) {
-      audit.clear();
-      nearAudit.clear();
-    }
-    near = InputDatagram.NEAR_NONE;
-    disagreedTick = -1;
+    replication.begin(key);
     inputs.reset(tick);
     viewDelay = 0;
     feedback.present = false;
@@ -152,7 +119,7 @@ public final class Session implements LinkHandler {
     silentTicks = 0;
     linkLost = false;
     linkLostReason = "";
-    wish = Wish.STAY;
+    departure = Departure.NONE;
     knowsRoster = false;
   }
 
@@ -170,19 +137,12 @@ public final class Session implements LinkHandler {
     return old;
   }
 
-  /**
-   * Notes what the player would hear of while it is away, for its return; once per tick in grace.
-   */
-  public void listen() {
-    sender.listen();
-  }
-
   /** Ends the session; returns its link, or null when it had none. */
   public Link end() {
     state = state.become(SessionState.CLOSED);
     Link old = link;
     link = null;
-    sender = null;
+    replication.end();
     return old;
   }
 
@@ -203,15 +163,13 @@ public final class Session implements LinkHandler {
     }
     silentTicks = 0;
     if (message instanceof ClientMessage.Leave) {
-      wish = Wish.LEAVE;
+      departure = Departure.LEAVE;
     } else if (message instanceof ClientMessage.Look look) {
-      sender.look(look.x(), look.y(), look.halfWidth(), look.halfHeight());
+      replication.look(look);
     } else if (message instanceof ClientMessage.Diverged report) {
       judge(report);
-    } else if (message instanceof ClientMessage.DivergedNear report) {
-      judgeNear(report);
-    } else if (!(message instanceof ClientMessage.Ready) && wish == Wish.STAY) {
-      wish = Wish.EXPEL;
+    } else if (!(message instanceof ClientMessage.Ready) && departure == Departure.NONE) {
+      departure = Departure.EXPEL;
       offence =
           message == null
               ? "an undecodable message"
@@ -219,51 +177,25 @@ public final class Session implements LinkHandler {
     }
   }
 
+  /** Counts a report of a misprediction, and logs it now and then if nothing explains it. */
   private void judge(ClientMessage.Diverged report) {
     counters.add(Counter.DIVERGENCES_REPORTED, 1);
-    if (audit == null || audit.judge(report) != PredictionAudit.Verdict.UNEXPLAINED) {
+    if (replication.judge(report) != Finding.UNEXPLAINED) {
       return;
     }
-    if (unexplained()) {
-      LOG.warn(
-          "diverged: {} predicted tick {} otherwise, though equal at tick {} and alone since:{}",
-          this,
-          report.tick(),
-          report.equalTick(),
-          audit.describe(report));
-    }
-  }
-
-  private void judgeNear(ClientMessage.DivergedNear report) {
-    counters.add(Counter.DIVERGENCES_REPORTED, 1);
-    if (audit == null
-        || nearAudit.judge(report) != PredictionAudit.Verdict.UNEXPLAINED
-        || !audit.isCertain(report.equalTick(), report.tick())) {
-      return;
-    }
-    if (unexplained()) {
-      LOG.warn(
-          "diverged: {} predicted tick {} of what is near otherwise, though equal at tick {}:{}",
-          this,
-          report.tick(),
-          report.equalTick(),
-          nearAudit.describe(report));
-    }
-  }
-
-  /** Counts a divergence; whether it may be logged, too. */
-  private boolean unexplained() {
     counters.add(Counter.DIVERGENCES_UNEXPLAINED, 1);
-    return divergenceLines.begins(nowNs);
-  }
-
-  /** What touched the body in the last step, see {@link PredictionAudit}. */
-  private boolean isTouched() {
-    touched = false;
-    if (player.body() != null) {
-      player.body().body().forEachContact(touch);
+    if (divergenceLines.begins(nowNs)) {
+      LOG.warn(
+          report.isOfSet()
+              ? "diverged: {} predicted tick {} of what is near otherwise, though equal at tick"
+                  + " {}:{}"
+              : "diverged: {} predicted tick {} otherwise, though equal at tick {} and alone"
+                  + " since:{}",
+          this,
+          report.tick(),
+          report.equalTick(),
+          replication.describe(report));
     }
-    return touched;
   }
 
   @Override
@@ -285,19 +217,15 @@ public final class Session implements LinkHandler {
       if (datagram.count > 0) {
         viewDelay = datagram.viewDelay;
       }
-      near = datagram.near;
-      if (datagram.disagrees) {
-        disagreedTick = Sequence.expand(datagram.disagreedTick, frames.frames().newest().tick());
-      }
+      replication.receivePrediction(datagram);
     }
     if (datagram.hasAck) {
-      sender.receiveAck(datagram.ackSequence, datagram.ackBits);
+      replication.receiveAck(datagram.ackSequence, datagram.ackBits);
     }
     for (int i = datagram.count - 1; i >= 0; i--) { // oldest first
       int tick = datagram.newestTick - i;
-      if (inputs.offer(tick, datagram.inputs[i]) == InputBuffer.Verdict.CONFIRMED
-          && audit != null) {
-        audit.confirmInput(tick);
+      if (inputs.offer(tick, datagram.inputs[i]) == InputBuffer.Arrival.CONFIRMED) {
+        replication.confirmInput(tick);
       }
     }
     if (datagram.count > 0) {
@@ -320,7 +248,6 @@ public final class Session implements LinkHandler {
       player.viewDelay(0);
       return;
     }
-    consumedTick = tick;
     silentTicks++;
     player.viewDelay(viewDelay);
     player.input().unpack(inputs.consume(tick));
@@ -331,7 +258,7 @@ public final class Session implements LinkHandler {
     countInputs();
   }
 
-  /** Shows which inputs of the next ticks are here already, for the clients of those near. */
+  /** Adds the inputs that wait for the next ticks, which clients of players near are told. */
   public void showWaiting(WaitingInputs to) {
     int tick = inputs.lastConsumedTick() + 1;
     while (inputs.isWaiting(tick) && to.add(player.id(), inputs.waiting(tick))) {
@@ -355,54 +282,17 @@ public final class Session implements LinkHandler {
     }
   }
 
-  /**
-   * Takes note of the tick for the player, and says whether it is time for a snapshot; call once
-   * per tick while playing.
-   */
-  public boolean isSnapshotDue() {
-    sender.tick();
-    capture.capture(player, own);
-    if (near != InputDatagram.NEAR_NONE && nearSet == null) {
-      nearSet = capture.nearSet(sender::mayKnow);
-      audit = audit == null ? new PredictionAudit() : audit;
-      nearAudit = nearAudit == null ? new NearAudit() : nearAudit;
-    }
-    if (audit != null) {
-      boolean certain = !inputs.lastWasMissing() && !inputs.lastWasHeld();
-      boolean ruled = player.ruledTick() >= consumedTick;
-      audit.keep(consumedTick, own, !certain, isTouched(), ruled);
-    }
-    if (nearSet == null) {
-      own.near().clear();
-      own.relayed().clear();
-    } else if (near == InputDatagram.NEAR_NONE) {
-      nearSet.captureNothing(own);
-    } else {
-      nearSet.acknowledge(sender.encoder());
-      long updates = nearSet.updates();
-      long disagreements = nearSet.disagreements();
-      boolean all = near == InputDatagram.NEAR_ALL;
-      nearSet.capture(player, all, disagreedTick, sender.nearBits(), own);
-      counters.add(Counter.NEAR_UPDATES, nearSet.updates() - updates);
-      counters.add(Counter.NEAR_DISAGREEMENTS, nearSet.disagreements() - disagreements);
-      if (own.near().present()) {
-        nearAudit.keep(consumedTick, nearSet.surprising());
-      }
-    }
-    return sender.isDue(own, feedback.margin < 0);
+  /** Prepares a snapshot of the newest frame; call once per tick while playing. */
+  public void prepareSnapshot() {
+    boolean inputInTime = !inputs.lastWasMissing() && !inputs.lastWasHeld();
+    replication.prepareSnapshot(inputs.lastConsumedTick(), inputInTime, feedback.margin < 0);
   }
 
-  /** Sends a snapshot of the newest frame, when it {@linkplain #isSnapshotDue is due}. */
+  /** Sends the snapshot that was prepared, over the session's link. */
   public void sendSnapshot(long timeNs) {
     long holdMs = (timeNs - sequenceArrivalNs) / NS_PER_MS;
     feedback.holdMs = (int) Math.max(0, Math.min(MAX_HOLD_MS, holdMs));
-    sender.send(link, feedback, own);
-    if (own.near().present()) {
-      nearAudit.keepState(consumedTick, nearSet.state());
-    }
-    if (nearSet != null) {
-      nearSet.sent();
-    }
+    replication.sendSnapshot(link, feedback);
   }
 
   /**
@@ -428,12 +318,12 @@ public final class Session implements LinkHandler {
     }
   }
 
-  /** Whether this link was told who plays; then it needs only what changes. */
+  /** Returns whether this link got the whole roster; from then on changes are enough. */
   public boolean knowsRoster() {
     return knowsRoster;
   }
 
-  /** This link was told who plays. */
+  /** Notes that this link got the whole roster. */
   public void toldRoster() {
     knowsRoster = true;
   }
@@ -453,12 +343,12 @@ public final class Session implements LinkHandler {
     return state;
   }
 
-  /** What the client asked for since it was attached. */
-  public Wish wish() {
-    return wish;
+  /** Returns whether and why the session should end. */
+  public Departure departure() {
+    return departure;
   }
 
-  /** What the client did when {@link #wish} is {@link Wish#EXPEL}. */
+  /** Returns what the client did if it should be {@linkplain Departure#EXPEL expelled}. */
   public String offence() {
     return offence;
   }
@@ -468,7 +358,7 @@ public final class Session implements LinkHandler {
     return graceEndNs;
   }
 
-  /** Whether the link has closed. */
+  /** Returns whether the link has closed. */
   public boolean linkLost() {
     return linkLost;
   }
@@ -479,14 +369,14 @@ public final class Session implements LinkHandler {
   }
 
   /**
-   * Whether nothing was heard for longer than the configured silence, counted in ticks of the room:
-   * while the server itself stood still nobody could be heard, and those ticks were dropped.
+   * Returns whether nothing was heard for longer than the configured silence. Silence is counted in
+   * ticks of the room: while the server itself stood still no client could be heard.
    */
   public boolean isSilent() {
     return silentTicks * 1_000L > (long) config.silenceTimeoutMs() * config.tickRateHz();
   }
 
-  /** Whether the grace period is over; meaningful in grace. */
+  /** Returns whether the grace period is over; meaningful in grace. */
   public boolean graceIsOver(long timeNs) {
     return timeNs - graceEndNs >= 0;
   }
@@ -496,17 +386,9 @@ public final class Session implements LinkHandler {
     return link == null ? "no link" : link.remote();
   }
 
-  /**
-   * The session's snapshots, for inspection: in grace those of the link that was lost, null before
-   * the first link and after the end.
-   */
-  public SnapshotSender sender() {
-    return sender;
-  }
-
-  /** Rows of exact state of what is near that wait to be sent, for inspection. */
-  public int waitingNearRows() {
-    return nearSet == null ? 0 : nearSet.waitingRows();
+  /** Returns what tells the client about the room. */
+  public SessionReplication replication() {
+    return replication;
   }
 
   /** The input buffer, for inspection. */

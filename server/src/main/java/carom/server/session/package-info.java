@@ -1,8 +1,8 @@
 /**
- * One player's connection: seat, input buffer, state, what arrives and what is sent.
+ * The protocol's state of one player's connection: seat, link, input buffer, and what arrives.
  *
  * <p>Allowed imports: {@code carom.net.protocol}, {@code carom.net.transport}, {@code
- * carom.net.snapshot}, {@code carom.net.codec}, {@code carom.sim}, {@code carom.physics}, {@code
+ * carom.net.snapshot..}, {@code carom.net.codec}, {@code carom.sim}, {@code carom.physics}, {@code
  * carom.server.replication}, {@code carom.server.config}, {@code carom.server.metrics}, slf4j, the
  * JDK.
  *

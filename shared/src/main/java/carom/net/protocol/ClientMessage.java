@@ -39,48 +39,50 @@ public sealed interface ClientMessage {
   record Look(float x, float y, float halfWidth, float halfHeight) implements ClientMessage {}
 
   /**
-   * What the client predicted of its own body turned out wrong, and nothing it knows of explains
-   * it: nobody was near. Rare; the server judges whether that proves a fault.
+   * Reports a misprediction that nothing explains which the client knows of. Either the own body
+   * was alone; or the hash of the predicted set differs, though the client knew every input and was
+   * told of nothing else since the last tick of equal hashes. Rare; the server judges whether that
+   * proves a fault.
    *
    * @param tick the first that differs
    * @param equalTick the last one whose prediction was equal in every bit, before {@code tick}
-   * @param slot entity of the predicted body, 0..65534
-   * @param generation of that entity, 0..255
-   * @param bits what was predicted: the float bits of x, y, cos, sin, vx, vy, omega of the centre
-   *     of mass, and the player's four memory ints
+   * @param bodies what was predicted, {@value #BODY_INTS} numbers for each body: slot and
+   *     generation as {@code slot | generation << 16}, and the float bits of x, y, cos, sin, vx,
+   *     vy, omega of the centre of mass. Either the own body alone, or the predicted set in the
+   *     order of the world, the first {@value #MAX_BODIES} at most
+   * @param memory with the own body alone the player's {@value #MEMORY_INTS} memory ints, else
+   *     empty
    */
-  record Diverged(int tick, int equalTick, int slot, int generation, List<Integer> bits)
+  record Diverged(int tick, int equalTick, List<Integer> bodies, List<Integer> memory)
       implements ClientMessage {
-    /** Numbers in {@link #bits}. */
-    public static final int BITS = 11;
-
-    /** Copies the list. */
-    public Diverged {
-      bits = List.copyOf(bits);
-    }
-  }
-
-  /**
-   * As {@link Diverged}, of what is near the own body: the hash differs, though nothing of what the
-   * client was told and no input of anybody was unknown to it since the last tick of equal hashes.
-   *
-   * @param tick the first that differs
-   * @param equalTick the last one whose hash was equal, before {@code tick}
-   * @param bodies what was predicted, {@value #BODY_INTS} numbers for each body, in the order of
-   *     the world, the first {@value #MAX_BODIES} at most: slot and generation as {@code slot |
-   *     generation << 16}, and the float bits of x, y, cos, sin, vx, vy, omega of the centre of
-   *     mass
-   */
-  record DivergedNear(int tick, int equalTick, List<Integer> bodies) implements ClientMessage {
     /** Numbers of a body. */
     public static final int BODY_INTS = 8;
+
+    /** Numbers of the memory. */
+    public static final int MEMORY_INTS = 4;
 
     /** Most bodies told: as many as a message has room for. */
     public static final int MAX_BODIES = 31;
 
-    /** Copies the list. */
-    public DivergedNear {
+    /** Copies the lists. */
+    public Diverged {
       bodies = List.copyOf(bodies);
+      memory = List.copyOf(memory);
+    }
+
+    /** Returns whether this is about the predicted set, not about the own body alone. */
+    public boolean isOfSet() {
+      return memory.isEmpty();
+    }
+
+    /** Number of {@link #bodies}' and {@link #memory}'s numbers. */
+    public int count() {
+      return bodies.size() + memory.size();
+    }
+
+    /** Returns a number of the bodies or, after these, of the memory. */
+    public int number(int index) {
+      return index < bodies.size() ? bodies.get(index) : memory.get(index - bodies.size());
     }
   }
 

@@ -1,5 +1,9 @@
 package carom.net.protocol;
 
+import static carom.net.protocol.ClientMessage.Diverged.BODY_INTS;
+import static carom.net.protocol.ClientMessage.Diverged.MAX_BODIES;
+import static carom.net.protocol.ClientMessage.Diverged.MEMORY_INTS;
+
 import java.nio.ByteBuffer;
 import java.nio.CharBuffer;
 import java.nio.charset.CharacterCodingException;
@@ -68,8 +72,6 @@ public final class ClientMessageCodec {
       buffer.putFloat(look.halfHeight());
     } else if (message instanceof ClientMessage.Diverged diverged) {
       encodeDiverged(diverged, buffer);
-    } else if (message instanceof ClientMessage.DivergedNear diverged) {
-      encodeDivergedNear(diverged, buffer);
     } else if (message instanceof ClientMessage.Watch watch) {
       if (watch.room() < 1 || watch.room() > 255) {
         throw new IllegalArgumentException("Watch.room=" + watch.room() + " is outside 1..255");
@@ -151,76 +153,69 @@ public final class ClientMessageCodec {
         : null;
   }
 
+  /** A report of the own body alone has a type of its own. */
   private static void encodeDiverged(ClientMessage.Diverged d, ByteBuffer buffer) {
-    if (d.bits().size() != ClientMessage.Diverged.BITS) {
+    int ints = d.bodies().size();
+    int bodies = ints / BODY_INTS;
+    if (ints % BODY_INTS != 0 || bodies < 1 || bodies > MAX_BODIES) {
       throw new IllegalArgumentException(
-          "Diverged.bits has size="
-              + d.bits().size()
-              + " instead of "
-              + ClientMessage.Diverged.BITS);
+          "Diverged.bodies has size=%d, which is not %d for each of 1..%d bodies"
+              .formatted(ints, BODY_INTS, MAX_BODIES));
     }
-    buffer.put(DIVERGED);
-    buffer.putInt(d.tick()).putInt(d.equalTick());
-    buffer.putShort((short) d.slot()).put((byte) d.generation());
-    for (int value : d.bits()) {
-      buffer.putInt(value);
+    if (!d.isOfSet() && (bodies != 1 || d.memory().size() != MEMORY_INTS)) {
+      throw new IllegalArgumentException(
+          "Diverged.memory has size=%d with bodies=%d; %d belong to one body"
+              .formatted(d.memory().size(), bodies, MEMORY_INTS));
+    }
+    buffer.put(d.isOfSet() ? DIVERGED_NEAR : DIVERGED).putInt(d.tick()).putInt(d.equalTick());
+    int first = 0;
+    if (!d.isOfSet()) {
+      buffer.putShort((short) d.number(0)).put((byte) (d.number(0) >>> Short.SIZE));
+      first = 1;
+    }
+    for (int i = first; i < d.count(); i++) {
+      buffer.putInt(d.number(i));
     }
   }
 
   private static ClientMessage decodeDiverged(ByteBuffer buffer) {
-    if (buffer.remaining() != 4 + 4 + 2 + 1 + 4 * ClientMessage.Diverged.BITS) {
+    int ints = BODY_INTS - 1 + MEMORY_INTS;
+    if (buffer.remaining() != 4 + 4 + 2 + 1 + Integer.BYTES * ints) {
       return null;
     }
     int tick = buffer.getInt();
     int equalTick = buffer.getInt();
-    int slot = buffer.getShort() & 0xffff;
-    int generation = buffer.get() & 0xff;
-    List<Integer> bits = new ArrayList<>(ClientMessage.Diverged.BITS);
-    while (buffer.hasRemaining()) {
-      bits.add(buffer.getInt());
-    }
-    return equalTick >= 0 && equalTick < tick
-        ? new ClientMessage.Diverged(tick, equalTick, slot, generation, bits)
-        : null;
-  }
-
-  private static void encodeDivergedNear(ClientMessage.DivergedNear d, ByteBuffer buffer) {
-    int ints = d.bodies().size();
-    int bodies = ints / ClientMessage.DivergedNear.BODY_INTS;
-    if (ints % ClientMessage.DivergedNear.BODY_INTS != 0
-        || bodies < 1
-        || bodies > ClientMessage.DivergedNear.MAX_BODIES) {
-      throw new IllegalArgumentException(
-          "DivergedNear.bodies has size="
-              + ints
-              + ", which is not "
-              + ClientMessage.DivergedNear.BODY_INTS
-              + " for each of 1.."
-              + ClientMessage.DivergedNear.MAX_BODIES
-              + " bodies");
-    }
-    buffer.put(DIVERGED_NEAR).putInt(d.tick()).putInt(d.equalTick());
-    for (int value : d.bodies()) {
-      buffer.putInt(value);
-    }
+    List<Integer> body = new ArrayList<>(BODY_INTS);
+    body.add(buffer.getShort() & 0xffff | (buffer.get() & 0xff) << Short.SIZE);
+    addInts(buffer, BODY_INTS - 1, body);
+    List<Integer> memory = new ArrayList<>(MEMORY_INTS);
+    addInts(buffer, MEMORY_INTS, memory);
+    return diverged(tick, equalTick, body, memory);
   }
 
   private static ClientMessage decodeDivergedNear(ByteBuffer buffer) {
-    int bodyBytes = Integer.BYTES * ClientMessage.DivergedNear.BODY_INTS;
+    int bodyBytes = Integer.BYTES * BODY_INTS;
     int bytes = buffer.remaining() - 2 * Integer.BYTES;
-    if (bytes < bodyBytes
-        || bytes % bodyBytes != 0
-        || bytes > bodyBytes * ClientMessage.DivergedNear.MAX_BODIES) {
+    if (bytes < bodyBytes || bytes % bodyBytes != 0 || bytes > bodyBytes * MAX_BODIES) {
       return null;
     }
     int tick = buffer.getInt();
     int equalTick = buffer.getInt();
     List<Integer> bodies = new ArrayList<>(bytes / Integer.BYTES);
-    while (buffer.hasRemaining()) {
-      bodies.add(buffer.getInt());
+    addInts(buffer, bytes / Integer.BYTES, bodies);
+    return diverged(tick, equalTick, bodies, List.of());
+  }
+
+  private static void addInts(ByteBuffer buffer, int count, List<Integer> to) {
+    for (int i = 0; i < count; i++) {
+      to.add(buffer.getInt());
     }
+  }
+
+  private static ClientMessage diverged(
+      int tick, int equalTick, List<Integer> bodies, List<Integer> memory) {
     return equalTick >= 0 && equalTick < tick
-        ? new ClientMessage.DivergedNear(tick, equalTick, bodies)
+        ? new ClientMessage.Diverged(tick, equalTick, bodies, memory)
         : null;
   }
 

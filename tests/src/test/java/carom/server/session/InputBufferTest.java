@@ -1,9 +1,9 @@
 package carom.server.session;
 
-import static carom.server.session.InputBuffer.Verdict.ACCEPTED;
-import static carom.server.session.InputBuffer.Verdict.DUPLICATE;
-import static carom.server.session.InputBuffer.Verdict.TOO_EARLY;
-import static carom.server.session.InputBuffer.Verdict.TOO_LATE;
+import static carom.server.session.InputBuffer.Arrival.ACCEPTED;
+import static carom.server.session.InputBuffer.Arrival.DUPLICATE;
+import static carom.server.session.InputBuffer.Arrival.TOO_EARLY;
+import static carom.server.session.InputBuffer.Arrival.TOO_LATE;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -36,7 +36,7 @@ class InputBufferTest {
     "-1, TOO_LATE",
     "-2147483500, TOO_LATE",
   })
-  void acceptsExactlyTheWindow(int tick, InputBuffer.Verdict expected) {
+  void acceptsExactlyTheWindow(int tick, InputBuffer.Arrival expected) {
     buffer.reset(99);
     buffer.offer(100, 7);
     buffer.consume(100);
@@ -225,7 +225,7 @@ class InputBufferTest {
     for (int tick = 1; tick <= 3; tick++) {
       buffer.consume(tick);
     }
-    assertEquals(InputBuffer.Verdict.CONFIRMED, buffer.offer(2, 77));
+    assertEquals(InputBuffer.Arrival.CONFIRMED, buffer.offer(2, 77));
     assertEquals(DUPLICATE, buffer.offer(2, 77));
     assertEquals(0, buffer.missing());
     assertEquals(TOO_LATE, buffer.offer(3, 78));

@@ -21,7 +21,8 @@ import jdk.incubator.vector.VectorSpecies;
  * <p>Where these choose, both are worked out and blended. Small methods that pass each other
  * arrays, never vectors: these would be boxed.
  *
- * <p>It has more than 500 lines because one set of kernels shares one private scratch layout.
+ * <p><b>Size.</b> More than 500 lines, because one set of kernels shares one private scratch
+ * layout.
  */
 public final class VectorBoxes extends BoxLanes {
   private static final VectorSpecies<Float> LANE =

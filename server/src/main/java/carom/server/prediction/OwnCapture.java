@@ -1,4 +1,4 @@
-package carom.server.replication;
+package carom.server.prediction;
 
 import carom.net.snapshot.exact.OwnState;
 import carom.physics.Body;
@@ -8,12 +8,13 @@ import carom.sim.Simulation;
 import java.util.function.Predicate;
 
 /**
- * Reads from the simulation the exact state of a player's body and its memory, which its client
- * needs to predict. The room's thread; shared by its sessions; no allocation.
+ * Reads from a room's simulation the exact state of a player's body and its memory, which the
+ * player's client needs to predict. Shared by the room's sessions. The room's thread; no allocation
+ * but by {@link #predictedSet}.
  */
 public final class OwnCapture {
   private final Simulation simulation;
-  private final NearSet.Marks marks = new NearSet.Marks();
+  private final EntityMarks marks = new EntityMarks();
 
   /** Creates a reader of a room's simulation. */
   public OwnCapture(Simulation simulation) {
@@ -21,12 +22,12 @@ public final class OwnCapture {
   }
 
   /**
-   * Makes what chooses who is near one player.
+   * Creates the predicted set of one player's client.
    *
-   * @param mayKnow whether the game lets that player know of an entity, at present
+   * @param mayKnow returns whether the game lets that player know of an entity, at present
    */
-  public NearSet nearSet(Predicate<Entity> mayKnow) {
-    return new NearSet(simulation, marks, mayKnow);
+  public PredictedSet predictedSet(Predicate<Entity> mayKnow) {
+    return new PredictedSet(simulation, marks, mayKnow);
   }
 
   /** Reads a player's own section after the simulation's last step. */
@@ -51,5 +52,13 @@ public final class OwnCapture {
         body.velocityX(),
         body.velocityY(),
         body.angularVelocity());
+  }
+
+  /**
+   * Returns the last tick whose state of a player's body the game itself changed; see {@link
+   * carom.sim.InterferenceLog#lastTick(Player)}.
+   */
+  public int interferedTick(Player player) {
+    return simulation.interference().lastTick(player);
   }
 }

@@ -1,0 +1,201 @@
+package carom.server.prediction;
+
+import carom.net.snapshot.SnapshotEncoder;
+import carom.net.snapshot.exact.OwnState;
+import carom.sim.InterferenceLog;
+import carom.sim.Simulation;
+
+/**
+ * The exact update of one session: the state of the predicted set at one tick, the base, told to
+ * the client in parts. The twin of the client's {@code NearUpdate}, which puts the parts together.
+ *
+ * <p>An update tells the entities that the client doesn't know exactly: newcomers and what they
+ * struck, entities with which the game interfered in the base tick, and on a line that loses
+ * datagrams what the update before told. Or it tells all of them.
+ *
+ * <pre>
+ *             begin                   last row sent                  all acknowledged
+ *   ┌──────┐         ┌─────────────┐                 ┌────────────┐
+ *   │ NONE │────────►│ SENDING     │────────────────►│ SENT       │───► NONE, some more entities
+ *   └──────┘         │ the list is │                 │ the list   │                may be near
+ *                    │ frozen      │                 │ may change │◄──┐
+ *                    └─────────────┘                 └────────────┘   │ last row sent
+ *                      │         │                     │  part lost   │
+ *     an entity of the │         │ older than          │ ┌────────────┴───┐
+ *     list is gone     ▼         │ MAX_AGE ticks       └►│ RESENDING      │
+ *                    NONE        ▼                       │ list may change│
+ *                    NONE, half as many                  └────────────────┘
+ *                    entities may be near
+ *
+ *   SENT, RESENDING: begin starts another update, which replaces this one. Older than MAX_AGE,
+ *   SENT ends in NONE, and RESENDING as SENDING does.
+ * </pre>
+ *
+ * <p>The room's thread; allocates only to grow.
+ */
+final class ExactUpdate {
+  /** An update that takes longer is given up: the client forgets the base's tick, ticks. */
+  private static final int MAX_AGE = 60;
+
+  /** The line counts as one that loses datagrams for this long after a loss, ticks. */
+  private static final int LOSSY_TICKS = 600;
+
+  private final Simulation simulation;
+  private final InterferenceLog interference;
+  private final UpdateRows rows = new UpdateRows();
+  private final UpdateDelivery delivery = new UpdateDelivery();
+
+  /** The list that this update, or the last one, belongs to. */
+  private final KeyList members = new KeyList();
+
+  /** The entities whose exact state was told to the client, or follows from what was told. */
+  private final KeyList known = new KeyList();
+
+  /** The entities that the update before this one told, which perhaps has not arrived. */
+  private final KeyList unconfirmed = new KeyList();
+
+  private boolean underWay;
+  private int baseTick;
+
+  /** Whether an update was replaced before all of it arrived, and no update told all since. */
+  private boolean incomplete;
+
+  private int lossTick = -LOSSY_TICKS;
+  private int sentTick = -1;
+
+  ExactUpdate(Simulation simulation) {
+    this.simulation = simulation;
+    interference = simulation.interference();
+  }
+
+  /** The list that places in the update refer to. */
+  KeyList members() {
+    return members;
+  }
+
+  /** Returns whether the next snapshot should carry a part. */
+  boolean isDue() {
+    return underWay && delivery.isDue();
+  }
+
+  /** Returns whether the list must stay as it is, because not all has been sent yet. */
+  boolean isSending() {
+    return isDue() && !delivery.wasSentOnce();
+  }
+
+  /** Returns whether an update is under way that will put right what the client has wrong. */
+  boolean isHelping() {
+    return underWay && !incomplete;
+  }
+
+  /** Returns whether the update under way is too old to be of use. */
+  boolean isTooOld() {
+    return underWay && simulation.tick() - baseTick > MAX_AGE;
+  }
+
+  /** The tick at which the last update was sent as a whole, or -1. */
+  int sentTick() {
+    return sentTick;
+  }
+
+  /** Rows that are still to be sent, lost ones included. */
+  int waitingRows() {
+    return underWay ? delivery.dueRows() : 0;
+  }
+
+  /** Ends the update, whether it has arrived or not. */
+  void cancel() {
+    underWay = false;
+  }
+
+  /** Ends the update and forgets what the client knows. */
+  void reset() {
+    delivery.skip();
+    members.clear();
+    known.clear();
+    underWay = false;
+    incomplete = false;
+  }
+
+  /**
+   * Begins an update with the present state as its base, in place of one that is under way.
+   *
+   * @param near the predicted set, in the order of the world
+   * @param all whether all of it is told
+   */
+  void begin(EntityList near, boolean all) {
+    incomplete = !all && (incomplete || (underWay && delivery.hasPartsInFlight()));
+    noteUnconfirmed();
+    underWay = true;
+    baseTick = simulation.tick();
+    members.clear();
+    rows.begin(near, simulation);
+    for (int i = 0, likely = 0; i < near.count(); i++) {
+      int key = near.key(i);
+      members.add(key);
+      int at = known.find(key, likely);
+      likely = at < 0 ? likely : at + 1;
+      if (all || at < 0 || isChanged(near, i) || unconfirmed.find(key, 0) >= 0) {
+        rows.tell(i);
+      }
+      if (at < 0 && near.get(i).body().awake()) {
+        rows.tellIsland(i);
+      }
+    }
+    rows.end();
+    delivery.begin(rows.count());
+  }
+
+  private boolean isChanged(EntityList near, int place) {
+    return interference.lastTick(near.get(place)) == baseTick;
+  }
+
+  private void noteUnconfirmed() {
+    unconfirmed.clear();
+    if (underWay && isLossy()) {
+      for (int i = 0; i < rows.toldCount(); i++) {
+        unconfirmed.add(members.get(rows.told(i)));
+      }
+    }
+  }
+
+  private boolean isLossy() {
+    return simulation.tick() - lossTick < LOSSY_TICKS;
+  }
+
+  /**
+   * Prepares a snapshot: writes the next part, if one is due and there is room.
+   *
+   * @param rowBits what rows may take, not positive if they must wait
+   * @param out has the own body and the list
+   */
+  void write(int rowBits, OwnState out) {
+    if (isDue()) {
+      delivery.write(rows, simulation.tick() - baseTick, rowBits, out);
+    } else {
+      delivery.skip();
+    }
+  }
+
+  /** Notes that the snapshot prepared last was sent. */
+  void sent() {
+    if (delivery.sent(simulation.tick(), isLossy())) {
+      sentTick = simulation.tick();
+      known.set(members);
+    }
+  }
+
+  /**
+   * Takes over which snapshots have arrived and which are lost.
+   *
+   * @return whether the last part of the update has arrived, which ends it
+   */
+  boolean acknowledge(SnapshotEncoder encoder) {
+    if (encoder.hasLost()) {
+      lossTick = simulation.tick();
+    }
+    boolean arrived = underWay && delivery.acknowledge(encoder);
+    underWay &= !arrived;
+    return arrived;
+  }
+}

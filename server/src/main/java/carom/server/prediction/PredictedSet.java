@@ -1,0 +1,231 @@
+package carom.server.prediction;
+
+import carom.net.snapshot.SnapshotEncoder;
+import carom.net.snapshot.exact.NearState;
+import carom.net.snapshot.exact.OwnState;
+import carom.sim.Entity;
+import carom.sim.InterferenceLog;
+import carom.sim.Neighbourhood;
+import carom.sim.Player;
+import carom.sim.Simulation;
+import java.util.function.Predicate;
+
+/**
+ * The entities near one player's body, which its client simulates itself: at most {@value
+ * NearState#MAX_ENTITIES}.
+ *
+ * <p>A client that starts from the same state and has the same inputs computes the same bits. So it
+ * is told four things: the list of entities, a hash of their exact state, the inputs of the other
+ * players among them, and exact state where it can't know it. An {@link ExactUpdate} begins
+ *
+ * <ul>
+ *   <li>when an entity enters or leaves the set;
+ *   <li>when the game {@linkplain InterferenceLog interferes} with an entity of it;
+ *   <li>when the client reports another hash: then all of it is told.
+ * </ul>
+ *
+ * <p>While an update is being sent, the list stays as it is. What the game {@linkplain
+ * carom.sim.Game#audience hides} from the player is never near: neither its state nor its input is
+ * told. A client whose body is pushed by it learns that from the exact state of the own body.
+ *
+ * <p>Belongs to one session. The room's thread; allocates only to grow.
+ */
+public final class PredictedSet {
+  private final Simulation simulation;
+  private final InterferenceLog interference;
+  private final PredictedSetChooser chooser;
+  private final ExactUpdate update;
+  private final UpdateLimits limits = new UpdateLimits();
+  private final RelayedInputs relayedInputs;
+  private final Neighbourhood state = new Neighbourhood();
+  private int capturedTick = -1;
+
+  /** Whether the next update must tell all, because the game interfered too long ago. */
+  private boolean mustTellAll;
+
+  private boolean hasOutsideCause;
+  private long updates;
+  private long disagreements;
+
+  PredictedSet(Simulation simulation, EntityMarks marks, Predicate<Entity> mayKnow) {
+    this.simulation = simulation;
+    interference = simulation.interference();
+    chooser = new PredictedSetChooser(simulation, marks, mayKnow);
+    update = new ExactUpdate(simulation);
+    relayedInputs = new RelayedInputs(mayKnow);
+  }
+
+  /**
+   * Captures the set after the simulation's last step.
+   *
+   * @param player whose body is the centre
+   * @param all whether to take as many entities as there is room for, or only what the body may
+   *     touch
+   * @param disagreedTick newest tick at which the client had another state, or -1
+   * @param rowBits what the rows of an update may take in this snapshot: a longer row goes alone,
+   *     and if this isn't positive the update waits
+   * @param out receives the set; has the own body already
+   */
+  public void capture(Player player, boolean all, int disagreedTick, int rowBits, OwnState out) {
+    if (player.body() == null) {
+      captureNothing(out);
+      return;
+    }
+    long before = updates + disagreements;
+    limits.earn(simulation.tick() - capturedTick);
+    endUselessUpdate();
+    if (update.isSending()) {
+      if (mayTellInterference()) {
+        mustTellAll = true; // the base is of another tick
+      }
+    } else {
+      chooser.choose(player, all, update.members(), limits.entities());
+      updateIfNeeded(disagreedTick);
+    }
+    readState(updates + disagreements != before);
+    relayInputs(player, out);
+    capturedTick = simulation.tick();
+    writeTo(out, rowBits);
+  }
+
+  /** Ends an update that comes too late, or whose list has lost an entity. */
+  private void endUselessUpdate() {
+    if (update.isTooOld()) {
+      if (update.isDue()) {
+        limits.timedOut(update.members().count());
+      }
+      update.cancel();
+    }
+    if (update.isSending() && !chooser.chooseAgain(update.members())) {
+      update.cancel();
+    }
+  }
+
+  private void updateIfNeeded(int disagreedTick) {
+    boolean disagreed = mayTellDisagreement(disagreedTick);
+    boolean interfered = mayTellInterference();
+    if (!disagreed && !interfered && update.members().isOf(chooser.chosen())) {
+      return;
+    }
+    update.begin(chooser.chosen(), disagreed || mustTellAll);
+    mustTellAll = false;
+    if (disagreed) {
+      disagreements++;
+    } else {
+      updates++;
+    }
+  }
+
+  /** Takes the right to an update because the client disagrees; false without reason or right. */
+  private boolean mayTellDisagreement(int disagreedTick) {
+    return disagreedTick > update.sentTick()
+        && !update.isHelping()
+        && limits.takeFullUpdate(simulation.tick());
+  }
+
+  /**
+   * Takes the right to an update because the game interfered with a chosen entity since the last
+   * capture; false without reason or right.
+   */
+  private boolean mayTellInterference() {
+    int tick = simulation.tick();
+    boolean interfered = mustTellAll;
+    for (int i = 0; i < chooser.chosen().count(); i++) {
+      Entity e = chooser.chosen().get(i);
+      if (interference.lastTick(e) > capturedTick) {
+        interfered = true;
+        mustTellAll |= interference.wasBeforeStep(e) || interference.lastTick(e) < tick;
+      }
+    }
+    return interfered && limits.takeInterference();
+  }
+
+  private void readState(boolean changed) {
+    state.clear();
+    hasOutsideCause = changed;
+    for (int i = 0; i < chooser.chosen().count(); i++) {
+      Entity e = chooser.chosen().get(i);
+      state.add(e);
+      hasOutsideCause |= interference.lastTick(e) > capturedTick;
+      interference.watch(e);
+    }
+    state.read(simulation);
+    hasOutsideCause |= state.leaks() > 0;
+  }
+
+  private void relayInputs(Player player, OwnState out) {
+    out.relayed().clear();
+    for (int i = 0; i < chooser.chosen().count(); i++) {
+      Player owner = simulation.owner(chooser.chosen().get(i));
+      relayedInputs.offer(owner, player, capturedTick, simulation.tick(), out.relayed());
+    }
+  }
+
+  private void writeTo(OwnState out, int rowBits) {
+    NearState near = out.near();
+    KeyList members = update.members();
+    near.begin(state.hash());
+    for (int i = 0; i < members.count(); i++) {
+      near.add(members.get(i));
+    }
+    update.write(rowBits, out);
+    limits.listed(near.listBits(), members.count());
+  }
+
+  /**
+   * Captures an empty set and forgets what the client knew: in place of {@link #capture} at each
+   * tick at which the client asks for nothing. The inputs of others at such a tick aren't told
+   * later either.
+   *
+   * @param out receives it
+   */
+  public void captureNothing(OwnState out) {
+    out.near().clear();
+    out.relayed().clear();
+    limits.earn(simulation.tick() - capturedTick);
+    capturedTick = simulation.tick();
+    update.reset();
+    mustTellAll = false;
+  }
+
+  /** Notes that the set captured last is sent. */
+  public void sent() {
+    update.sent();
+  }
+
+  /** Looks which parts of the update have arrived, and which are lost and must be sent again. */
+  public void acknowledge(SnapshotEncoder encoder) {
+    if (update.acknowledge(encoder)) {
+      limits.arrived();
+    }
+  }
+
+  /** The exact state captured last, of which the client is told the hash. For reading only. */
+  public Neighbourhood state() {
+    return state;
+  }
+
+  /**
+   * Returns whether the state captured last has another cause than the state before and the inputs:
+   * an entity entered or left the set, the game interfered with one, or one was touched by an
+   * entity that isn't in the set.
+   */
+  public boolean hasOutsideCause() {
+    return hasOutsideCause;
+  }
+
+  /** Rows of the update under way that are still to be sent, lost ones included. */
+  public int waitingRows() {
+    return update.waitingRows();
+  }
+
+  /** Updates begun because an entity entered or left the set, or the game interfered. */
+  public long updates() {
+    return updates;
+  }
+
+  /** Updates begun because the client had another state. */
+  public long disagreements() {
+    return disagreements;
+  }
+}

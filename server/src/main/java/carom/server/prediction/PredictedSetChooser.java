@@ -1,0 +1,218 @@
+package carom.server.prediction;
+
+import carom.physics.Body;
+import carom.physics.BodyContactVisitor;
+import carom.physics.BodyVisitor;
+import carom.physics.math.Aabb;
+import carom.sim.Entity;
+import carom.sim.Neighbourhood;
+import carom.sim.Player;
+import carom.sim.Simulation;
+import java.util.Arrays;
+import java.util.function.Predicate;
+
+/**
+ * Chooses which entities are near a player's body:
+ *
+ * <ol>
+ *   <li>the body itself, and all that it touches, directly or through others;
+ *   <li>what is close to it or soon will be, the closest first, each with all that it touches;
+ *       while the list is shorter than {@value #MOST_CLOSE}.
+ * </ol>
+ *
+ * <p>An entity that was chosen before stays until it is {@value #LEAVE} times as far away. Sensors
+ * and statics of the level are never chosen, nor is what the game hides from the player.
+ *
+ * <p>The room's thread; allocates only to grow.
+ */
+final class PredictedSetChooser {
+  /** An entity enters within this distance of the body's origin, metres: what it may touch. */
+  private static final float NEAR_METRES = 3;
+
+  /** The same for a client that takes as many entities as there is room for, metres. */
+  private static final float ALL_METRES = 15;
+
+  /** An entity leaves at this many times the distance at which it enters. */
+  private static final float LEAVE = 1.4f;
+
+  /** An entity that approaches enters this early, seconds before it is there. */
+  private static final float LEAD_SECONDS = 0.3f;
+
+  /** Entities that don't touch the body are added while there are fewer than these. */
+  private static final int MOST_CLOSE = 63;
+
+  private final Simulation simulation;
+  private final EntityMarks marks;
+  private final Predicate<Entity> mayKnow;
+  private final EntityList chosen = new EntityList();
+  private final Candidates candidates = new Candidates(4 * MOST_CLOSE);
+  private final Aabb box = new Aabb();
+  private final BodyVisitor<Entity> considerVisitor = this::consider;
+  private final BodyContactVisitor<Entity> addVisitor =
+      (other, normalX, normalY, impulse) -> addIfFit(other.user());
+
+  private int limit;
+  private Body<Entity> own;
+  private float enterMetres;
+
+  PredictedSetChooser(Simulation simulation, EntityMarks marks, Predicate<Entity> mayKnow) {
+    this.simulation = simulation;
+    this.marks = marks;
+    this.mayKnow = mayKnow;
+  }
+
+  /** The entities chosen last, in the order of the world. */
+  EntityList chosen() {
+    return chosen;
+  }
+
+  /**
+   * Chooses anew.
+   *
+   * @param player has a body
+   * @param all whether to reach as far as possible, or only as far as the body may touch soon
+   * @param before what was chosen before
+   * @param most the most entities to choose
+   */
+  void choose(Player player, boolean all, KeyList before, int most) {
+    own = player.body().body();
+    enterMetres = all ? ALL_METRES : NEAR_METRES;
+    marks.clear(simulation.entityCapacity());
+    for (int i = 0; i < before.count(); i++) {
+      Entity e = EntityList.find(simulation, before.get(i));
+      if (e != null) {
+        marks.member(e.id());
+      }
+    }
+    chosen.clear();
+    limit = most;
+    addWithContacts(player.body());
+    limit = Math.min(most, Math.max(chosen.count(), MOST_CLOSE));
+    gatherCandidates();
+    for (int i = 0; i < candidates.count(); i++) {
+      addWithContacts(candidates.get(i));
+    }
+    candidates.clear();
+    chosen.sort(simulation);
+  }
+
+  /**
+   * Chooses what was chosen before.
+   *
+   * @return false when one of them is gone, or is hidden from the player by now
+   */
+  boolean chooseAgain(KeyList before) {
+    chosen.clear();
+    for (int i = 0; i < before.count(); i++) {
+      Entity e = EntityList.find(simulation, before.get(i));
+      if (e == null || !mayKnow.test(e)) {
+        return false;
+      }
+      chosen.add(e);
+    }
+    return true;
+  }
+
+  /** Adds an entity and all that it touches, directly or through others, while there is room. */
+  private void addWithContacts(Entity from) {
+    int next = chosen.count();
+    addIfFit(from);
+    for (; next < chosen.count(); next++) {
+      chosen.get(next).body().forEachContact(addVisitor);
+    }
+  }
+
+  private void addIfFit(Entity e) {
+    if (isSolid(e) && chosen.count() < limit && marks.list(e.id()) && mayKnow.test(e)) {
+      chosen.add(e);
+    }
+  }
+
+  private static boolean isSolid(Entity e) {
+    return !e.isLevel() && Neighbourhood.isSolid(e.archetype());
+  }
+
+  private void gatherCandidates() {
+    own.aabb(box);
+    float speed = length(own.velocityX(), own.velocityY());
+    float range = enterMetres * LEAVE + 2 * speed * LEAD_SECONDS;
+    simulation
+        .world()
+        .queryAabb(
+            box.minX - range,
+            box.minY - range,
+            box.maxX + range,
+            box.maxY + range,
+            considerVisitor);
+  }
+
+  /** Makes a body a candidate if it is close enough, or soon will be. */
+  private boolean consider(Body<Entity> body) {
+    Entity e = body.user();
+    if (!isSolid(e) || body == own || !mayKnow.test(e)) {
+      return true;
+    }
+    body.aabb(box);
+    float dx = Math.max(0, Math.max(box.minX - own.x(), own.x() - box.maxX));
+    float dy = Math.max(0, Math.max(box.minY - own.y(), own.y() - box.maxY));
+    float away = length(dx, dy);
+    float closing =
+        away == 0
+            ? 0
+            : ((own.velocityX() - body.velocityX()) * (body.x() - own.x())
+                    + (own.velocityY() - body.velocityY()) * (body.y() - own.y()))
+                / Math.max(1e-3f, length(body.x() - own.x(), body.y() - own.y()));
+    float soon = away - Math.max(0, closing) * LEAD_SECONDS;
+    boolean member = marks.isMember(e.id());
+    if (soon <= enterMetres * (member ? LEAVE : 1)) {
+      candidates.insert(e, member ? soon / LEAVE : soon);
+    }
+    return true;
+  }
+
+  private static float length(float x, float y) {
+    return (float) Math.sqrt(x * x + y * y);
+  }
+
+  /** Entities sorted by distance. */
+  private static final class Candidates {
+    private final int most;
+    private Entity[] entities = new Entity[16];
+    private float[] distances = new float[16];
+    private int count;
+
+    Candidates(int most) {
+      this.most = most;
+    }
+
+    int count() {
+      return count;
+    }
+
+    Entity get(int index) {
+      return entities[index];
+    }
+
+    void clear() {
+      Arrays.fill(entities, 0, count, null);
+      count = 0;
+    }
+
+    void insert(Entity e, float distance) {
+      if (count == entities.length) {
+        if (count >= most) {
+          return; // a crowd: the order of the query decides
+        }
+        entities = Arrays.copyOf(entities, 2 * count);
+        distances = Arrays.copyOf(distances, 2 * count);
+      }
+      int at = count++;
+      for (; at > 0 && distances[at - 1] > distance; at--) {
+        entities[at] = entities[at - 1];
+        distances[at] = distances[at - 1];
+      }
+      entities[at] = e;
+      distances[at] = distance;
+    }
+  }
+}

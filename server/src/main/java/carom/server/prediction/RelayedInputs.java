@@ -1,0 +1,63 @@
+package carom.server.prediction;
+
+import carom.net.snapshot.exact.OwnState;
+import carom.net.snapshot.frame.PlayerSet;
+import carom.sim.Entity;
+import carom.sim.Player;
+import java.util.Arrays;
+import java.util.function.Predicate;
+
+/**
+ * Chooses the players whose inputs are relayed to one client: those whose bodies it predicts. The
+ * inputs of a player whose body is hidden from the client are not relayed.
+ *
+ * <p>A player that returns after a short absence has to wait. Inputs are coded against an
+ * acknowledged state, so the relay of a returning player would tell also what it did while it was
+ * none of this client's business.
+ *
+ * <p>The room's thread; allocates only to grow.
+ */
+final class RelayedInputs {
+  private static final int NEVER = -1_000;
+
+  private final Predicate<Entity> mayKnow;
+
+  /** The last tick at which a player's inputs were relayed, by player id. */
+  private int[] lastTick = {};
+
+  RelayedInputs(Predicate<Entity> mayKnow) {
+    this.mayKnow = mayKnow;
+  }
+
+  /**
+   * Adds the owner of an entity that is near, if its inputs may be relayed.
+   *
+   * @param owner may be null
+   * @param to the client's player
+   * @param before the tick of the capture before this one
+   * @param tick the tick of this capture
+   * @param out receives it; at most {@link OwnState#MAX_RELAYED}
+   */
+  void offer(Player owner, Player to, int before, int tick, PlayerSet out) {
+    if (owner == null || owner == to || out.size() >= OwnState.MAX_RELAYED) {
+      return;
+    }
+    if (owner.body() != null && !mayKnow.test(owner.body())) {
+      return;
+    }
+    grow(owner.id());
+    int last = lastTick[owner.id()];
+    if (last == before || tick - last > OwnState.RELAYED_TICKS) {
+      lastTick[owner.id()] = tick;
+      out.add(owner.id());
+    }
+  }
+
+  private void grow(int id) {
+    if (lastTick.length <= id) {
+      int size = lastTick.length;
+      lastTick = Arrays.copyOf(lastTick, Math.max(2 * size, id + 1));
+      Arrays.fill(lastTick, size, lastTick.length, NEVER);
+    }
+  }
+}

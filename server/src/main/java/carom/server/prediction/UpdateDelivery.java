@@ -1,0 +1,182 @@
+package carom.server.prediction;
+
+import carom.net.snapshot.SnapshotEncoder;
+import carom.net.snapshot.exact.NearMeter;
+import carom.net.snapshot.exact.NearState;
+import carom.net.snapshot.exact.OwnState;
+import java.util.Arrays;
+
+/**
+ * Brings the rows of one exact update to the client, spread over as many snapshots as it takes. A
+ * row is due until a snapshot with it is sent, and again when that snapshot is lost.
+ *
+ * <p>The room's thread; allocates only to grow.
+ */
+final class UpdateDelivery {
+  /** List and rows of one snapshot take at most this much, bits: less than a datagram. */
+  private static final int PART_BITS = 5_500;
+
+  /**
+   * On a line that loses datagrams, an update of at most this many parts is sent twice: waiting for
+   * a lost part costs a round trip.
+   */
+  private static final int TWICE_PARTS = 2;
+
+  /** A snapshot counts as lost when one so many ticks younger has arrived. */
+  private static final int OVERTAKEN_TICKS = 3;
+
+  /** Most parts that are in flight. */
+  private static final int PARTS = 64;
+
+  private final NearMeter meter = new NearMeter();
+  private boolean[] due = new boolean[16];
+  private int dueRows;
+  private int totalRows;
+
+  /** Whether a snapshot has said that there is an update; one without rows says nothing else. */
+  private boolean announced;
+
+  /** Whether all of it has been sent, though perhaps not all has arrived. */
+  private boolean sentOnce;
+
+  // The part in the snapshot that is being prepared.
+  private boolean hasPart;
+  private int firstRow;
+  private int partRows;
+
+  // Parts in flight.
+  private final int[] sentTick = new int[PARTS];
+  private final int[] sentFirst = new int[PARTS];
+  private final int[] sentRows = new int[PARTS];
+  private int sentParts;
+
+  /** Begins with an update of some rows, all of which are due. */
+  void begin(int rows) {
+    totalRows = rows;
+    if (due.length < rows) {
+      due = new boolean[Math.max(2 * due.length, rows)];
+    }
+    sentOnce = false;
+    sentParts = 0;
+    allDue();
+  }
+
+  private void allDue() {
+    dueRows = totalRows;
+    Arrays.fill(due, 0, totalRows, true);
+    announced = false;
+  }
+
+  /** Returns whether something is left to send. */
+  boolean isDue() {
+    return dueRows > 0 || !announced;
+  }
+
+  int dueRows() {
+    return dueRows;
+  }
+
+  boolean wasSentOnce() {
+    return sentOnce;
+  }
+
+  boolean hasPartsInFlight() {
+    return sentParts > 0;
+  }
+
+  /** Prepares a snapshot without a part. */
+  void skip() {
+    hasPart = false;
+    partRows = 0;
+  }
+
+  /**
+   * Prepares a snapshot with the next part; without one while there are rows but no room for them.
+   *
+   * @param age ticks since the base
+   * @param rowBits what rows may take; a row that is longer goes alone
+   */
+  void write(UpdateRows rows, int age, int rowBits, OwnState out) {
+    skip();
+    if (dueRows > 0 && rowBits <= 0) {
+      return;
+    }
+    hasPart = true;
+    NearState near = out.near();
+    firstRow = 0;
+    while (firstRow < totalRows && !due[firstRow]) {
+      firstRow++;
+    }
+    near.beginPart(age, totalRows, firstRow);
+    for (int i = 0; i < rows.toldCount(); i++) {
+      near.tell(rows.told(i));
+    }
+    int room = Math.min(rowBits, PART_BITS - near.listBits());
+    meter.begin(out);
+    for (int row = firstRow;
+        row < totalRows && due[row] && partRows < NearState.MAX_PART;
+        row++, partRows++) {
+      meter.add(rows.isEntity(row), rows.source(row), rows.at(row));
+      if (meter.bits() > room && partRows > 0) {
+        break;
+      }
+      near.addRow(rows.source(row), rows.at(row));
+    }
+  }
+
+  /**
+   * Notes that the snapshot was sent.
+   *
+   * @param lossy whether the line loses datagrams
+   * @return whether the last row that was due is out
+   */
+  boolean sent(int tick, boolean lossy) {
+    if (!hasPart) {
+      return false;
+    }
+    hasPart = false;
+    announced = true;
+    Arrays.fill(due, firstRow, firstRow + partRows, false);
+    dueRows -= partRows;
+    if (sentParts < PARTS) {
+      sentTick[sentParts] = tick;
+      sentFirst[sentParts] = firstRow;
+      sentRows[sentParts] = partRows;
+      sentParts++;
+    }
+    if (dueRows > 0) {
+      return false;
+    }
+    if (lossy && !sentOnce && sentParts <= TWICE_PARTS) {
+      allDue();
+    }
+    sentOnce = true;
+    return true;
+  }
+
+  /**
+   * Looks which parts have arrived, and which are lost and due again.
+   *
+   * @return whether all has arrived
+   */
+  boolean acknowledge(SnapshotEncoder encoder) {
+    int open = 0;
+    for (int i = 0; i < sentParts; i++) {
+      if (encoder.hasAckedOwn(sentTick[i])) {
+        continue;
+      }
+      if (encoder.ownAckedTick() - sentTick[i] >= OVERTAKEN_TICKS) {
+        Arrays.fill(due, sentFirst[i], sentFirst[i] + sentRows[i], true);
+        dueRows += sentRows[i];
+        announced &= sentRows[i] > 0;
+        continue;
+      }
+      sentTick[open] = sentTick[i];
+      sentFirst[open] = sentFirst[i];
+      sentRows[open] = sentRows[i];
+      open++;
+    }
+    sentParts = open;
+    return open == 0 && !isDue();
+  }
+}

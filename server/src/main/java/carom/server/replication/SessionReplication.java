@@ -1,0 +1,219 @@
+package carom.server.replication;
+
+import carom.net.codec.Sequence;
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.InputDatagram;
+import carom.net.snapshot.InputFeedback;
+import carom.net.snapshot.exact.OwnState;
+import carom.net.transport.Link;
+import carom.physics.BodyContactVisitor;
+import carom.physics.BodyType;
+import carom.server.config.ServerConfig;
+import carom.server.metrics.Counter;
+import carom.server.metrics.Counters;
+import carom.server.prediction.OwnCapture;
+import carom.server.prediction.PredictedSet;
+import carom.server.prediction.PredictionAudit;
+import carom.server.prediction.PredictionAudit.Finding;
+import carom.sim.Entity;
+import carom.sim.Player;
+
+/**
+ * Replicates the world to the client of one session: its snapshots, its predicted set while it asks
+ * for one, and the audit of its predictions.
+ *
+ * <p>In each tick, {@link #prepareSnapshot} captures what the client should know; then, if it
+ * {@link #isSnapshotDue} and the tick has time left, {@link #sendSnapshot} sends it.
+ *
+ * <p>The room's thread. The steady state allocates nothing.
+ */
+public final class SessionReplication {
+  private final Player player;
+  private final ServerConfig config;
+  private final FrameCapture frames;
+  private final OwnCapture capture;
+  private final Counters counters;
+  private final OwnState own = new OwnState();
+
+  /** Null before the first link and after the end. */
+  private SnapshotSender sender;
+
+  /** Null until the client says that it predicts. */
+  private PredictedSet predictedSet;
+
+  /** Null until a client of the session says that it predicts. */
+  private PredictionAudit audit;
+
+  /** What the client wants to predict: one of {@link InputDatagram}'s {@code NEAR} constants. */
+  private int wanted = InputDatagram.NEAR_NONE;
+
+  /** The newest tick at which the client says that it had another state, or -1. */
+  private int disagreedTick = -1;
+
+  private int preparedTick;
+  private boolean touched;
+  private final BodyContactVisitor<Entity> touchVisitor =
+      (other, normalX, normalY, impulse) -> touched |= other.type() != BodyType.STATIC;
+
+  /**
+   * Creates the replication to a client without a link.
+   *
+   * @param player the player in the room's simulation
+   * @param frames the room's frames
+   * @param capture reads the player's own section
+   */
+  public SessionReplication(
+      Player player,
+      ServerConfig config,
+      FrameCapture frames,
+      OwnCapture capture,
+      Counters counters) {
+    this.player = player;
+    this.config = config;
+    this.frames = frames;
+    this.capture = capture;
+    this.counters = counters;
+  }
+
+  /**
+   * Begins with a client that knows nothing but the level, and of former links only what the player
+   * has heard of.
+   *
+   * @param datagramKey the key in the session's Welcome
+   */
+  public void begin(int datagramKey) {
+    SnapshotSender before = sender;
+    sender = new SnapshotSender(frames, player, datagramKey, config, counters);
+    if (before != null) {
+      sender.takeOver(before);
+    }
+    predictedSet = null;
+    if (audit != null) {
+      audit.clear();
+    }
+    wanted = InputDatagram.NEAR_NONE;
+    disagreedTick = -1;
+  }
+
+  /** Ends the replication; the session is over. */
+  public void end() {
+    sender = null;
+  }
+
+  /** Notes the events that the player would hear of; once per tick without a link. */
+  public void listen() {
+    sender.listen();
+  }
+
+  /** Takes over what the client says it shows. */
+  public void look(ClientMessage.Look look) {
+    sender.look(look.x(), look.y(), look.halfWidth(), look.halfHeight());
+  }
+
+  /** Takes a client's acks as they are. */
+  public void receiveAck(int ackSequence, long ackBits) {
+    sender.receiveAck(ackSequence, ackBits);
+  }
+
+  /** Takes over what the client's newest input datagram says about its prediction. */
+  public void receivePrediction(InputDatagram datagram) {
+    wanted = datagram.near;
+    if (datagram.disagrees) {
+      disagreedTick = Sequence.expand(datagram.disagreedTick, frames.frames().newest().tick());
+    }
+  }
+
+  /** Notes that an input came after its tick but was the one that was used. */
+  public void confirmInput(int tick) {
+    if (audit != null) {
+      audit.confirmInput(tick);
+    }
+  }
+
+  /** Judges the client's report of a misprediction. */
+  public Finding judge(ClientMessage.Diverged report) {
+    return audit == null ? Finding.UNKNOWN : audit.judge(report);
+  }
+
+  /** Describes what differs in a report that was judged {@link Finding#UNEXPLAINED}. */
+  public String describe(ClientMessage.Diverged report) {
+    return audit.describe(report);
+  }
+
+  /**
+   * Captures what the client should know after the simulation's last step, and decides whether a
+   * snapshot of it {@linkplain #isSnapshotDue is due}; call once per tick with a link.
+   *
+   * @param tick the tick of the input that was consumed last
+   * @param inputInTime whether the client's own input was there for it
+   * @param inputsLate whether the client's inputs come too late at present
+   */
+  public void prepareSnapshot(int tick, boolean inputInTime, boolean inputsLate) {
+    preparedTick = tick;
+    sender.tick();
+    capture.capture(player, own);
+    if (wanted != InputDatagram.NEAR_NONE && predictedSet == null) {
+      predictedSet = capture.predictedSet(sender::mayKnow);
+      audit = audit == null ? new PredictionAudit() : audit;
+    }
+    if (audit != null) {
+      lookForTouch();
+      audit.keep(tick, own, !inputInTime, touched, capture.interferedTick(player) >= tick);
+    }
+    capturePredictedSet();
+    sender.prepare(own, inputsLate);
+  }
+
+  /** Finds out whether anything that is not static touched the body in the last step. */
+  private void lookForTouch() {
+    touched = false;
+    if (player.body() != null) {
+      player.body().body().forEachContact(touchVisitor);
+    }
+  }
+
+  private void capturePredictedSet() {
+    if (predictedSet == null) {
+      own.near().clear();
+      own.relayed().clear();
+    } else if (wanted == InputDatagram.NEAR_NONE) {
+      predictedSet.captureNothing(own);
+    } else {
+      predictedSet.acknowledge(sender.encoder());
+      long updates = predictedSet.updates();
+      long disagreements = predictedSet.disagreements();
+      boolean all = wanted == InputDatagram.NEAR_ALL;
+      predictedSet.capture(player, all, disagreedTick, sender.nearBits(), own);
+      counters.add(Counter.NEAR_UPDATES, predictedSet.updates() - updates);
+      counters.add(Counter.NEAR_DISAGREEMENTS, predictedSet.disagreements() - disagreements);
+      if (own.near().present()) {
+        audit.keepSet(preparedTick, predictedSet.hasOutsideCause());
+      }
+    }
+  }
+
+  /** Returns whether the snapshot prepared last should be sent. */
+  public boolean isSnapshotDue() {
+    return sender.isDue();
+  }
+
+  /** Sends the snapshot prepared last. */
+  public void sendSnapshot(Link link, InputFeedback feedback) {
+    sender.send(link, feedback, own);
+    if (own.near().present()) {
+      audit.keepSetState(preparedTick, predictedSet.state());
+    }
+    if (predictedSet != null) {
+      predictedSet.sent();
+    }
+  }
+
+  /** Explains to an operator why an entity was not sent, or that it was, in one line. */
+  public String explain(int entityId) {
+    return sender.encoder().explain(entityId)
+        + " nearRowsWaiting="
+        + (predictedSet == null ? 0 : predictedSet.waitingRows())
+        + " paceBytesPerSecond="
+        + sender.paceBytesPerSecond();
+  }
+}

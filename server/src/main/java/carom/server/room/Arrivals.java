@@ -1,0 +1,141 @@
+package carom.server.room;
+
+import carom.net.protocol.GoodbyeReason;
+import carom.net.protocol.ServerMessage;
+import carom.net.protocol.SessionState;
+import carom.server.metrics.Counter;
+import carom.server.replication.SessionReplication;
+import carom.server.session.Session;
+import carom.sim.Player;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.function.Function;
+import java.util.function.LongSupplier;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Lets players into a room: newcomers get a session and a player in the simulation, and players
+ * that come back get their session with a new link. The room's thread, but for {@link #offer} and
+ * {@link #withdraw}.
+ */
+final class Arrivals {
+  private static final Logger LOG = LoggerFactory.getLogger(Arrivals.class);
+
+  /** A crowd that comes at once must not cost the others a tick: at most so many a tick. */
+  private static final int MAX_PER_TICK = 8;
+
+  /** After this part of a tick's time the rest waits for the next tick. */
+  private static final int TIME_PARTS = 8;
+
+  private final RoomContext room;
+  private final LongSupplier clock;
+  private final RoomSessions sessions;
+  private final Departures departures;
+  private final RosterNews roster;
+  private final Announcer announcer;
+  private final Function<Player, SessionReplication> replications;
+  private final ArrayBlockingQueue<Admission> queue;
+
+  /**
+   * @param clock nanoseconds, to measure how long admissions take
+   * @param replications creates what tells a player's client about the room
+   */
+  Arrivals(
+      RoomContext room,
+      LongSupplier clock,
+      RoomSessions sessions,
+      Departures departures,
+      RosterNews roster,
+      Announcer announcer,
+      Function<Player, SessionReplication> replications) {
+    this.room = room;
+    this.clock = clock;
+    this.sessions = sessions;
+    this.departures = departures;
+    this.roster = roster;
+    this.announcer = announcer;
+    this.replications = replications;
+    queue = new ArrayBlockingQueue<>(2 * room.seats().count());
+  }
+
+  /** Queues a player, from any thread. Returns false when too many wait. */
+  boolean offer(Admission admission) {
+    return queue.offer(admission);
+  }
+
+  /** Takes a player back out of the queue, from any thread. Returns false if it isn't there. */
+  boolean withdraw(Admission admission) {
+    return queue.remove(admission);
+  }
+
+  /**
+   * Lets in the players that wait, as many as a tick has time for.
+   *
+   * @param beginNs when the tick began, by the clock
+   */
+  void admit(long beginNs, long nowNs) {
+    long timeNs = room.config().tickNs() / TIME_PARTS;
+    for (int i = 0; i < MAX_PER_TICK; i++) {
+      if (i > 0 && clock.getAsLong() - beginNs > timeNs) {
+        break;
+      }
+      Admission a = queue.poll();
+      if (a == null) {
+        break;
+      }
+      room.seats().occupy(a.seat());
+      try {
+        admitOne(a, nowNs);
+      } catch (RuntimeException e) {
+        room.counters().add(Counter.SESSIONS_FAILED, 1);
+        LOG.error("{}player {} could not be admitted", room.label(), a.seat().id(), e);
+        departures.part(a.link(), "server error", nowNs);
+        if (sessions.onSeat(a.seat().id()) == null) {
+          room.seats().vacate(a.seat());
+        }
+      }
+    }
+  }
+
+  private void admitOne(Admission a, long nowNs) {
+    int id = a.seat().id();
+    Session session = sessions.onSeat(id);
+    boolean resumed = session != null;
+    if (session == null) {
+      Player player = room.simulation().join(id, a.seat().name());
+      session =
+          new Session(a.seat(), player, room.config(), replications.apply(player), room.counters());
+      sessions.add(session);
+    } else if (session.state() == SessionState.PLAYING) {
+      // The client is back before we noticed that its old link is dead, or it plays twice.
+      session.sayGoodbye(GoodbyeReason.RESUMED_ELSEWHERE, "");
+      departures.part(session.detach(nowNs), "resumed by another link", nowNs);
+    }
+    session.attach(a.link(), a.datagramKey(), room.simulation().tick());
+    roster.changed();
+    room.counters().add(Counter.JOINS, 1);
+    if (resumed) {
+      room.counters().add(Counter.RESUMES, 1);
+    }
+    LOG.info(
+        "{}{}: {} as player {} from {}, {} of {} players",
+        room.label(),
+        resumed ? "back" : "join",
+        a.seat().name(),
+        id,
+        a.link().remote(),
+        sessions.count(),
+        room.seats().count());
+    String what = resumed ? " is back" : " joined";
+    announcer.comingOrGoing(session, a.seat().name() + what, room.simulation().tick());
+    sessions.updateGauges();
+  }
+
+  /** Sends the players away that still wait, because the room closes. */
+  void refuseAll(GoodbyeReason reason, String text, long nowNs) {
+    for (Admission a; (a = queue.poll()) != null; ) {
+      a.link().send(new ServerMessage.Goodbye(reason, text));
+      departures.part(a.link(), reason.name(), nowNs);
+    }
+  }
+}

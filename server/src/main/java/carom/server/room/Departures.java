@@ -1,0 +1,203 @@
+package carom.server.room;
+
+import carom.net.protocol.GoodbyeReason;
+import carom.net.protocol.SessionState;
+import carom.net.transport.Link;
+import carom.server.metrics.Counter;
+import carom.server.session.PartingLinks;
+import carom.server.session.Session;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Ends the sessions of a room whose time has come: the player leaves or is expelled, the link is
+ * lost or silent, the grace period is over, or a newcomer needs the seat. The room's thread, but
+ * for {@link #askForSeat}.
+ */
+final class Departures {
+  private static final Logger LOG = LoggerFactory.getLogger(Departures.class);
+  private static final long NS_PER_MS = 1_000_000;
+
+  /** A link stays open for this long after its goodbye, so that the goodbye arrives. */
+  private static final long PARTING_MS = 1_000;
+
+  /** A crowd that goes at once must not cost the others a tick: at most so many a tick. */
+  private static final int MAX_PER_TICK = 16;
+
+  private final RoomContext room;
+  private final RoomSessions sessions;
+  private final RosterNews roster;
+  private final Announcer announcer;
+  private final PartingLinks partings;
+  private final AtomicInteger seatsAskedFor = new AtomicInteger();
+
+  /**
+   * @param partings takes the links
+   */
+  Departures(
+      RoomContext room,
+      RoomSessions sessions,
+      RosterNews roster,
+      Announcer announcer,
+      PartingLinks partings) {
+    this.room = room;
+    this.sessions = sessions;
+    this.roster = roster;
+    this.announcer = announcer;
+    this.partings = partings;
+  }
+
+  /**
+   * Asks for a seat for a newcomer, from any thread: in the next tick the player that lost the
+   * connection first gives it up, unless that player is just coming back.
+   *
+   * @return false when no player has lost the connection
+   */
+  boolean askForSeat() {
+    long waiting = room.counters().get(Counter.PLAYERS_IN_GRACE);
+    if (waiting > seatsAskedFor.get()) {
+      seatsAskedFor.incrementAndGet();
+    }
+    return waiting > 0;
+  }
+
+  /** Ends the sessions whose time has come. */
+  void serve(long nowNs) {
+    Session givesWay = longestInGrace();
+    int departures = 0;
+    for (int i = sessions.count() - 1; i >= 0 && departures < MAX_PER_TICK; i--) {
+      departures += endIfDue(sessions.get(i), givesWay, nowNs) ? 1 : 0;
+    }
+  }
+
+  /** The session that has waited longest for its player, if its seat is asked for; or null. */
+  private Session longestInGrace() {
+    Session first = null;
+    for (int i = 0; i < sessions.count() && seatsAskedFor.get() > 0; i++) {
+      Session session = sessions.get(i);
+      if (session.state() == SessionState.GRACE
+          && !room.seats().isClaimed(session.seat())
+          && (first == null || session.graceEndNs() - first.graceEndNs() < 0)) {
+        first = session;
+      }
+    }
+    if (first == null) {
+      seatsAskedFor.set(0);
+    }
+    return first;
+  }
+
+  /** Ends a session, or begins its grace period, if it is time. Returns whether it was. */
+  private boolean endIfDue(Session session, Session givesWay, long nowNs) {
+    if (session.state() == SessionState.GRACE) {
+      if (session == givesWay) {
+        seatsAskedFor.decrementAndGet();
+        remove(session, "gave way to a newcomer", " is gone", nowNs);
+      } else if (session.graceIsOver(nowNs) && !room.seats().isClaimed(session.seat())) {
+        remove(session, "did not come back", " is gone", nowNs);
+      } else {
+        return false;
+      }
+    } else if (session.departure() == Session.Departure.LEAVE) {
+      room.counters().add(Counter.LEAVES, 1);
+      session.sayGoodbye(GoodbyeReason.LEFT, "");
+      remove(session, "left", " left", nowNs);
+    } else if (session.departure() == Session.Departure.EXPEL) {
+      room.counters().add(Counter.SESSIONS_EXPELLED, 1);
+      session.sayGoodbye(GoodbyeReason.PROTOCOL_ERROR, "Received " + session.offence() + ".");
+      remove(session, "expelled for " + session.offence(), " was removed", nowNs);
+    } else if (session.linkLost()) {
+      lose(session, "link lost: " + session.linkLostReason(), nowNs);
+    } else if (session.isSilent()) {
+      lose(session, "silent for " + room.config().silenceTimeoutMs() + " ms", nowNs);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  /** Begins the grace period, in which the body stays, or removes the session if there is none. */
+  private void lose(Session session, String why, long nowNs) {
+    room.counters().add(Counter.LINKS_LOST, 1);
+    session.sayGoodbye(GoodbyeReason.TIMEOUT, "");
+    if (room.config().graceMs() == 0) {
+      remove(session, why, " is gone", nowNs);
+      return;
+    }
+    LOG.info(
+        "{}lost: {}, player {}, {}; the body waits {} s",
+        room.label(),
+        session.seat().name(),
+        session.seat().id(),
+        why,
+        room.config().graceMs() / 1_000);
+    part(session.detach(nowNs), why, nowNs);
+    announce(session, " lost the connection");
+    sessions.updateGauges();
+  }
+
+  /**
+   * Ends a session and takes its player out of the game.
+   *
+   * @param why for the log
+   * @param notice what the other players read behind the player's name
+   */
+  void remove(Session session, String why, String notice, long nowNs) {
+    sessions.remove(session);
+    part(session.end(), why, nowNs);
+    room.simulation().leave(session.player());
+    room.seats().vacate(session.seat());
+    roster.changed();
+    LOG.info(
+        "{}leave: {}, player {}, {}, {} of {} players",
+        room.label(),
+        session.seat().name(),
+        session.seat().id(),
+        why,
+        sessions.count(),
+        room.seats().count());
+    announce(session, notice);
+    sessions.updateGauges();
+  }
+
+  /** Removes the session that was being served when an exception of ours was thrown. */
+  void fail(Session session, RuntimeException e, long nowNs) {
+    room.counters().add(Counter.SESSIONS_FAILED, 1);
+    LOG.error("{}session failed, {}; it is closed, the others go on", room.label(), session, e);
+    session.sayGoodbye(GoodbyeReason.SERVER_ERROR, "");
+    remove(session, "server error", " was removed", nowNs);
+  }
+
+  /** Removes a player, who is told so, for an operator. */
+  void kick(Session session, String text, long nowNs) {
+    session.sayGoodbye(GoodbyeReason.KICKED, text);
+    remove(session, "kicked by the operator", " was removed", nowNs);
+  }
+
+  /** Ends all sessions because the room closes. */
+  void endAll(GoodbyeReason reason, String text, long nowNs) {
+    for (int i = 0; i < sessions.count(); i++) {
+      Session session = sessions.get(i);
+      session.sayGoodbye(reason, text);
+      part(session.end(), reason.name(), nowNs);
+    }
+    sessions.clear();
+    sessions.updateGauges();
+  }
+
+  /**
+   * Closes a link in a moment.
+   *
+   * @param link null for none
+   */
+  void part(Link link, String why, long nowNs) {
+    if (link != null) {
+      partings.add(link, why, nowNs + PARTING_MS * NS_PER_MS);
+    }
+  }
+
+  private void announce(Session session, String what) {
+    announcer.comingOrGoing(session, session.seat().name() + what, room.simulation().tick());
+  }
+}

@@ -1,0 +1,74 @@
+package carom.server.room;
+
+import carom.server.metrics.Counter;
+import carom.server.metrics.Counters;
+import carom.server.metrics.LogInterval;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Counts what a room can't do in time, and warns the operator: at once, and then in one line every
+ * ten seconds, because a log must last for weeks.
+ */
+final class LoadWarnings {
+  private static final Logger LOG = LoggerFactory.getLogger(LoadWarnings.class);
+
+  private final String label;
+  private final Counters counters;
+  private final int tickRateHz;
+  private final LogInterval dropped = new LogInterval();
+  private final LogInterval postponed = new LogInterval();
+
+  /** Dropped ticks that no line has told of. */
+  private long untold;
+
+  /**
+   * @param label begins each log line
+   */
+  LoadWarnings(String label, Counters counters, int tickRateHz) {
+    this.label = label;
+    this.counters = counters;
+    this.tickRateHz = tickRateHz;
+  }
+
+  /**
+   * Notes how many ticks were dropped; call once per turn.
+   *
+   * @param ticks dropped in this turn, perhaps 0
+   * @param tick the last tick that ran
+   */
+  void ticksDropped(int ticks, int tick, long nowNs) {
+    counters.add(Counter.TICKS_DROPPED, ticks);
+    untold += ticks;
+    if (untold > 0 && dropped.begins(nowNs)) {
+      LOG.warn(
+          "{}can't keep up: {} ticks ({} ms) dropped up to tick {}; {}",
+          label,
+          untold,
+          untold * 1_000 / tickRateHz,
+          tick,
+          "if this repeats, lower --tick-rate or --max-players, or find a faster machine");
+      untold = 0;
+    }
+  }
+
+  /**
+   * Notes that snapshots wait for the next tick: the first sign that the machine gets too slow,
+   * while ticks are still on time.
+   *
+   * @param snapshots how many wait
+   * @param sessions of how many sessions
+   */
+  void snapshotsPostponed(int snapshots, int sessions, int tick, long nowNs) {
+    counters.add(Counter.SNAPSHOTS_POSTPONED, snapshots);
+    if (postponed.begins(nowNs)) {
+      LOG.warn(
+          "{}ticks take too long at tick {}: {} of {} snapshots wait for the next one; {}",
+          label,
+          tick,
+          snapshots,
+          sessions,
+          "if this repeats, lower --snapshot-rate, --budget or --max-players");
+    }
+  }
+}

@@ -1,0 +1,158 @@
+package carom.server.room;
+
+import carom.net.protocol.SessionState;
+import carom.server.recording.RecordingFile;
+import carom.server.session.Session;
+import java.nio.file.Path;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.BooleanSupplier;
+import java.util.function.LongSupplier;
+
+/**
+ * What an operator may ask of a room. Each command may be called from any thread but the room's. It
+ * waits for the room's next turn, in which the room's thread carries it out, and answers in one
+ * line.
+ */
+public final class OperatorCommands {
+  /** Most commands that wait. */
+  private static final int MAX_WAITING = 16;
+
+  private static final long ANSWER_S = 2;
+
+  private final RoomContext room;
+  private final int number;
+  private final RoomSessions sessions;
+  private final Departures departures;
+  private final RoomRecording recording;
+  private final int entityCapacity;
+  private final LongSupplier clock;
+  private final BooleanSupplier closed;
+  private final ArrayBlockingQueue<FutureTask<String>> waiting =
+      new ArrayBlockingQueue<>(MAX_WAITING);
+
+  /**
+   * @param number the room's
+   * @param entityCapacity entity ids are below
+   * @param closed returns whether the room is closed
+   */
+  OperatorCommands(
+      RoomContext room,
+      int number,
+      RoomSessions sessions,
+      Departures departures,
+      RoomRecording recording,
+      int entityCapacity,
+      LongSupplier clock,
+      BooleanSupplier closed) {
+    this.room = room;
+    this.number = number;
+    this.sessions = sessions;
+    this.departures = departures;
+    this.recording = recording;
+    this.entityCapacity = entityCapacity;
+    this.clock = clock;
+    this.closed = closed;
+  }
+
+  /** Carries out the commands that wait; on the room's thread. */
+  void serve() {
+    for (FutureTask<String> command; (command = waiting.poll()) != null; ) {
+      command.run();
+    }
+  }
+
+  /**
+   * Explains why a player was not sent an entity, or that it was.
+   *
+   * @param playerId a seat's number
+   * @param entityId an entity's number
+   */
+  public String why(int playerId, int entityId) {
+    return ask(() -> explain(playerId, entityId));
+  }
+
+  /**
+   * Removes a player, who is told so and may join again.
+   *
+   * @param playerId a seat's number
+   * @param text for the player, may be empty
+   * @return what was done
+   */
+  public String kick(int playerId, String text) {
+    return ask(
+        () -> {
+          Session session = sessions.onSeat(playerId);
+          if (session == null) {
+            return noSuchPlayer(playerId);
+          }
+          departures.kick(session, text, clock.getAsLong());
+          return "removed player=" + playerId + " name=" + session.seat().name();
+        });
+  }
+
+  /**
+   * Begins to record the game.
+   *
+   * @param target a file that is not there yet, or a folder, which then gets a file with a name of
+   *     its own
+   * @return the file, or why there is none
+   */
+  public String record(Path target) {
+    int numberInName = room.config().rooms() == 1 ? 0 : number;
+    Path file =
+        RecordingFile.fileFor(target, room.config().gameName(), numberInName).toAbsolutePath();
+    return ask(
+        () -> closed.getAsBoolean() ? "room=" + number + " is closed" : recording.begin(file));
+  }
+
+  /**
+   * Ends the recording, even if it began with the server, but not one that spectators watch. Waits
+   * at most 5 s more until the file is written.
+   *
+   * @return the file, or why the recording goes on; says so if the disk takes longer
+   */
+  public String stopRecording() {
+    String answer = ask(recording::stop);
+    return recording.awaitEnd() ? answer : answer + "; the disk has not taken all of it yet";
+  }
+
+  private String ask(Callable<String> what) {
+    FutureTask<String> command = new FutureTask<>(what);
+    if (!waiting.offer(command)) {
+      return "too many questions at once; ask again";
+    }
+    try {
+      return command.get(ANSWER_S, TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return "interrupted";
+    } catch (ExecutionException | TimeoutException e) {
+      waiting.remove(command);
+      return "no answer from the room: " + e;
+    }
+  }
+
+  private String explain(int playerId, int entityId) {
+    Session session = sessions.onSeat(playerId);
+    if (session == null) {
+      return noSuchPlayer(playerId);
+    }
+    if (session.state() != SessionState.PLAYING) {
+      return "player=" + playerId + " is away: nothing is sent to it";
+    }
+    if (entityId < 0 || entityId >= entityCapacity) {
+      return "entity=" + entityId + " is outside 0.." + (entityCapacity - 1);
+    }
+    return "player=" + playerId + " " + session.replication().explain(entityId);
+  }
+
+  private String noSuchPlayer(int playerId) {
+    int last = room.seats().count() - 1;
+    return "player=" + playerId + " doesn't play here; players are 0.." + last;
+  }
+}

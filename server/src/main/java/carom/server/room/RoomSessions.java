@@ -1,0 +1,105 @@
+package carom.server.room;
+
+import carom.net.protocol.ServerMessage;
+import carom.net.protocol.SessionState;
+import carom.net.transport.Broadcast;
+import carom.server.metrics.Counter;
+import carom.server.metrics.Counters;
+import carom.server.session.Session;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** The sessions of a room, in order of arrival and by seat, and messages to all of them. */
+final class RoomSessions {
+  private static final Logger LOG = LoggerFactory.getLogger(RoomSessions.class);
+
+  private final String label;
+  private final Counters counters;
+  private final List<Session> sessions = new ArrayList<>();
+  private final Session[] bySeat;
+
+  /**
+   * Creates an empty list.
+   *
+   * @param label begins each log line
+   */
+  RoomSessions(int seats, String label, Counters counters) {
+    this.label = label;
+    this.counters = counters;
+    bySeat = new Session[seats];
+  }
+
+  int count() {
+    return sessions.size();
+  }
+
+  /** Returns a session by its place in the order of arrival. */
+  Session get(int index) {
+    return sessions.get(index);
+  }
+
+  /** Returns the session on a seat, or null when the seat is empty or there is no such seat. */
+  Session onSeat(int id) {
+    return id >= 0 && id < bySeat.length ? bySeat[id] : null;
+  }
+
+  /** The sessions by seat, null where a seat is empty. The live array, for reading. */
+  Session[] bySeat() {
+    return bySeat;
+  }
+
+  void add(Session session) {
+    sessions.add(session);
+    bySeat[session.seat().id()] = session;
+  }
+
+  void remove(Session session) {
+    sessions.remove(session);
+    bySeat[session.seat().id()] = null;
+  }
+
+  void clear() {
+    sessions.clear();
+    Arrays.fill(bySeat, null);
+  }
+
+  /**
+   * Sends a message to all sessions that play.
+   *
+   * @param except a session that doesn't get it, or null
+   */
+  void sendToAll(ServerMessage message, Session except) {
+    Broadcast broadcast = new Broadcast(message);
+    for (int i = 0; i < sessions.size(); i++) {
+      Session session = sessions.get(i);
+      if (session != except && session.state() == SessionState.PLAYING) {
+        sendTo(session, broadcast);
+      }
+    }
+  }
+
+  /** Sends a message to one session. An exception is counted and logged. */
+  void sendTo(Session session, Broadcast message) {
+    try {
+      session.send(message); // a link that refuses closes, and is found closed at its next poll
+    } catch (RuntimeException e) {
+      counters.add(Counter.SESSIONS_FAILED, 1);
+      LOG.error("{}message {} could not be sent, {}", label, message, session, e);
+    }
+  }
+
+  /** Counts how many sessions play, and how many wait for their players. */
+  void updateGauges() {
+    int playing = 0;
+    for (int i = 0; i < sessions.size(); i++) {
+      if (sessions.get(i).state() == SessionState.PLAYING) {
+        playing++;
+      }
+    }
+    counters.set(Counter.PLAYERS, playing);
+    counters.set(Counter.PLAYERS_IN_GRACE, sessions.size() - playing);
+  }
+}

@@ -1,0 +1,257 @@
+package carom.sim;
+
+import carom.physics.Body;
+import carom.physics.BodyDef;
+import carom.physics.World;
+import carom.sim.level.Archetype;
+import carom.sim.level.Level;
+import carom.sim.level.ScriptedMotion;
+import java.util.Arrays;
+
+/**
+ * The entities of a simulation by id, the bodies that belong to them, and their part of its state.
+ * An id that is free again keeps its generation, so that its next entity gets another one.
+ */
+final class EntityTable {
+  private final World<Entity> world;
+  private final PlayerTable players;
+  private final int tickRate;
+  private Entity[] entities = new Entity[64];
+  private byte[] generations = new byte[64];
+
+  /** All ids that were ever used are below. */
+  private int capacity;
+
+  private int count;
+
+  /** No id below is free. */
+  private int firstFree;
+
+  private long version;
+
+  EntityTable(World<Entity> world, PlayerTable players, int tickRate) {
+    this.world = world;
+    this.players = players;
+    this.tickRate = tickRate;
+  }
+
+  /** The entity under an id, or null when the id is free or out of range. */
+  Entity get(int id) {
+    return id >= 0 && id < capacity ? entities[id] : null;
+  }
+
+  /** Returns whether an entity has not been despawned. */
+  boolean holds(Entity entity) {
+    return get(entity.id()) == entity;
+  }
+
+  /** All ids that were ever used are below. */
+  int capacity() {
+    return capacity;
+  }
+
+  int count() {
+    return count;
+  }
+
+  /** Returns a number that changes with each {@link #noteChange}. */
+  long version() {
+    return version;
+  }
+
+  /** Notes that an entity came, went or was teleported. */
+  void noteChange() {
+    version++;
+  }
+
+  /** Creates a static of the level, which is in no table. */
+  Entity createStatic(Archetype archetype, Level.Placement p) {
+    Entity entity = new Entity(this, Entity.LEVEL, 0, archetype, Entity.NO_OWNER);
+    embody(entity, p.x(), p.y(), p.angle());
+    return entity;
+  }
+
+  /**
+   * Creates an entity under the smallest free id.
+   *
+   * @param tick where on its path a kinematic body begins
+   */
+  Entity spawn(Archetype archetype, float x, float y, float angle, int ownerId, int tick) {
+    int id = takeFreeId(archetype);
+    return add(new Entity(this, id, generations[id] & 0xff, archetype, ownerId), x, y, angle, tick);
+  }
+
+  /** Creates an entity of no player under the smallest free id, with a body of its own. */
+  Entity spawn(Archetype archetype, BodyDef def) {
+    int id = takeFreeId(archetype);
+    Entity entity = new Entity(this, id, generations[id] & 0xff, archetype, Entity.NO_OWNER);
+    entity.body(world.createBody(def, entity));
+    return enlist(entity);
+  }
+
+  /** Creates an entity under a given id; see {@link Simulation#spawnAs}. */
+  Entity spawnAs(
+      int id,
+      int generation,
+      Archetype archetype,
+      float x,
+      float y,
+      float angle,
+      int ownerId,
+      int tick) {
+    if (id < 0 || id >= Simulation.MAX_ENTITIES || generation < 0 || generation > 255) {
+      throw new IllegalArgumentException(
+          "id=" + id + " generation=" + generation + " is outside 0..65534, 0..255");
+    }
+    grow(id);
+    if (entities[id] != null) {
+      throw new IllegalStateException(
+          "id=" + id + " is taken by " + entities[id] + "; despawn it first");
+    }
+    return add(new Entity(this, id, generation, archetype, ownerId), x, y, angle, tick);
+  }
+
+  private int takeFreeId(Archetype archetype) {
+    int id = firstFree;
+    while (id < capacity && entities[id] != null) {
+      id++;
+    }
+    firstFree = id;
+    if (id == Simulation.MAX_ENTITIES) {
+      throw new IllegalStateException(
+          "archetype=" + archetype + " can't be spawned: entities=" + id + " is the limit");
+    }
+    grow(id);
+    return id;
+  }
+
+  private void grow(int id) {
+    if (id >= entities.length) {
+      int size = Math.min(Simulation.MAX_ENTITIES, Math.max(id + 1, entities.length * 2));
+      entities = Arrays.copyOf(entities, size);
+      generations = Arrays.copyOf(generations, size);
+    }
+  }
+
+  private Entity add(Entity entity, float x, float y, float angle, int tick) {
+    ScriptedMotion path = entity.archetype().motion();
+    if (path == null) {
+      embody(entity, x, y, angle);
+    } else {
+      embody(entity, path.x(tick, tickRate), path.y(tick, tickRate), angle);
+    }
+    return enlist(entity);
+  }
+
+  /** Makes the body. Players' bodies never sleep: what games decide about them changes any time. */
+  private void embody(Entity entity, float x, float y, float angle) {
+    BodyDef body = entity.archetype().body(x, y, angle);
+    body.sleepAllowed(entity.ownerId() == Entity.NO_OWNER);
+    entity.body(world.createBody(body, entity));
+  }
+
+  private Entity enlist(Entity entity) {
+    int id = entity.id();
+    entities[id] = entity;
+    noteChange();
+    generations[id] = (byte) entity.generation();
+    capacity = Math.max(capacity, id + 1);
+    count++;
+    Player owner = players.get(entity.ownerId());
+    if (owner != null && owner.body == null) {
+      owner.body = entity;
+    }
+    return entity;
+  }
+
+  /** Destroys an entity that the table {@linkplain #holds holds}, and its body. */
+  void despawn(Entity entity) {
+    int id = entity.id();
+    world.destroyBody(entity.body());
+    entities[id] = null;
+    noteChange();
+    generations[id] = (byte) (entity.generation() + 1);
+    count--;
+    firstFree = Math.min(firstFree, id);
+    Player owner = players.get(entity.ownerId());
+    if (owner != null && owner.body == entity) {
+      owner.body = null;
+    }
+  }
+
+  /**
+   * Puts every body with a path where the path was a tick ago, to the bit, and gives it the
+   * velocity that takes it on: a client that knows the tick computes the same.
+   */
+  void followPaths(int tick) {
+    for (int i = 0; i < capacity; i++) {
+      Entity e = entities[i];
+      if (e == null || e.archetype().motion() == null) {
+        continue;
+      }
+      ScriptedMotion path = e.archetype().motion();
+      Body<Entity> body = e.body();
+      float x = path.x(tick - 1, tickRate);
+      float y = path.y(tick - 1, tickRate);
+      if (body.x() != x || body.y() != y) {
+        body.setPose(x, y, body.cos(), body.sin());
+      }
+      body.setVelocity(
+          (path.x(tick, tickRate) - x) * tickRate, (path.y(tick, tickRate) - y) * tickRate);
+    }
+  }
+
+  /** Mixes all that decides the entities' future, but for their bodies, into a state hash. */
+  long hash(long hash) {
+    long h = hash;
+    for (int i = 0; i < capacity; i++) {
+      Entity e = entities[i];
+      long identity = generations[i] & 0xff;
+      if (e != null) {
+        identity |= (long) (e.archetype().index() + 1) << 8 | (long) (e.ownerId() + 1) << 32;
+        h = SimRandom.mix(h, ((long) e.tag() << 32) | (e.bodySlot() & 0xffffffffL));
+      }
+      h = SimRandom.mix(h, identity);
+    }
+    return h;
+  }
+
+  /** Copies the entities' state to a saved one. */
+  void save(SimState s) {
+    if (s.entities.length < generations.length) {
+      s.entities = new Entity[generations.length];
+      s.tags = new int[generations.length];
+      s.teleports = new int[generations.length];
+      s.generations = new byte[generations.length];
+    }
+    Arrays.fill(s.entities, capacity, Math.max(capacity, s.entityCapacity), null);
+    s.entityCapacity = capacity;
+    s.entityCount = count;
+    System.arraycopy(entities, 0, s.entities, 0, capacity);
+    System.arraycopy(generations, 0, s.generations, 0, capacity);
+    for (int i = 0; i < capacity; i++) {
+      s.tags[i] = entities[i] == null ? 0 : entities[i].tag();
+      s.teleports[i] = entities[i] == null ? 0 : entities[i].teleports();
+    }
+  }
+
+  /** Takes the entities' state over from a saved one. */
+  void restore(SimState s) {
+    int before = capacity;
+    capacity = s.entityCapacity;
+    count = s.entityCount;
+    grow(capacity - 1);
+    System.arraycopy(s.entities, 0, entities, 0, capacity);
+    noteChange();
+    Arrays.fill(entities, capacity, Math.max(before, capacity), null);
+    System.arraycopy(s.generations, 0, generations, 0, capacity);
+    Arrays.fill(generations, capacity, Math.max(before, capacity), (byte) 0);
+    for (int i = 0; i < capacity; i++) {
+      if (entities[i] != null) {
+        entities[i].tag(s.tags[i]);
+        entities[i].teleports(s.teleports[i]);
+      }
+    }
+    firstFree = 0;
+  }
+}

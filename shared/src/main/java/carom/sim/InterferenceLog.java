@@ -1,0 +1,189 @@
+package carom.sim;
+
+import carom.physics.math.StateHash;
+import java.util.Arrays;
+
+/**
+ * Records what the game itself does to bodies in {@link Game#beforeStep} and {@link
+ * Game#afterStep}: it moves or pushes them, wakes them, or changes their players' memories. Clients
+ * don't run these methods, so they can't predict the result; replication reads this log and tells
+ * them.
+ *
+ * <p>One tick of the simulation, and the calls in it:
+ *
+ * <pre>
+ *   replication, after tick n - 1     watch(entity)
+ *   tick n    beginRules   Game.beforeStep   endRulesBeforeStep
+ *             inputs and physics
+ *             beginRules   Game.afterStep    endRulesAfterStep: the watched list is empty again
+ *   replication, after tick n         lastTick(entity) == n: the game interfered in tick n
+ * </pre>
+ *
+ * <p>Only watched entities are compared, so the others cost nothing; the bodies of players are
+ * always compared, see {@link #lastTick(Player)}. The log is no part of the simulation's state. It
+ * is filled on {@link Role#AUTHORITY} only. One thread; allocates only to grow.
+ */
+public final class InterferenceLog {
+  /** What is known of one entity or one player. */
+  private static final class Mark {
+    Object subject;
+    boolean watched;
+    long stamp;
+    int lastTick;
+    boolean beforeStep;
+  }
+
+  private final EntityTable entities;
+  private final PlayerTable players;
+
+  /** Marks by entity id. */
+  private Mark[] ofEntities = new Mark[64];
+
+  /** Marks by player id. */
+  private Mark[] ofPlayers = new Mark[16];
+
+  private Entity[] watched = new Entity[16];
+  private int watchedCount;
+
+  InterferenceLog(EntityTable entities, PlayerTable players) {
+    this.entities = entities;
+    this.players = players;
+  }
+
+  /** Compares an entity in the next step, too. A second call before that step has no effect. */
+  public void watch(Entity entity) {
+    ofEntities = grown(ofEntities, entity.id());
+    Mark mark = claim(ofEntities, entity.id(), entity);
+    if (mark.watched) {
+      return;
+    }
+    mark.watched = true;
+    if (watchedCount == watched.length) {
+      watched = Arrays.copyOf(watched, 2 * watchedCount);
+    }
+    watched[watchedCount++] = entity;
+  }
+
+  /**
+   * Returns the last tick in which the game interfered with an entity while it was watched, or -1.
+   * Waking a body counts, even if the game did so by what it put beside it.
+   */
+  public int lastTick(Entity entity) {
+    Mark mark = find(ofEntities, entity.id(), entity);
+    return mark == null ? -1 : mark.lastTick;
+  }
+
+  /**
+   * Returns whether the game interfered before the physics of {@link #lastTick(Entity)}. Then the
+   * bodies that this one touches went another way in the same tick; otherwise nothing but this
+   * entity differs after that tick.
+   */
+  public boolean wasBeforeStep(Entity entity) {
+    Mark mark = find(ofEntities, entity.id(), entity);
+    return mark != null && mark.beforeStep;
+  }
+
+  /**
+   * Returns the last tick whose state of a player's body doesn't follow from input and physics
+   * alone, because the game moved, pushed or exchanged the body; or -1. A push in {@link
+   * Game#afterStep} shows a tick later, so it counts for the tick after.
+   */
+  public int lastTick(Player player) {
+    Mark mark = find(ofPlayers, player.id(), player);
+    return mark == null ? -1 : mark.lastTick;
+  }
+
+  /** Notes the state of all watched bodies before the game's rules run. */
+  void beginRules() {
+    ofPlayers = grown(ofPlayers, players.limit());
+    for (int id = 0; id < players.limit(); id++) {
+      Player player = players.get(id);
+      if (player != null) {
+        claim(ofPlayers, id, player).stamp = player.body == null ? 0 : bodyStamp(player);
+      }
+    }
+    for (int i = 0; i < watchedCount; i++) {
+      if (entities.holds(watched[i])) {
+        ofEntities[watched[i].id()].stamp = stamp(watched[i]);
+      }
+    }
+  }
+
+  /** Notes what {@link Game#beforeStep} changed in the tick that is being computed. */
+  void endRulesBeforeStep(int tick) {
+    endRules(tick, tick, true);
+  }
+
+  /** Notes what {@link Game#afterStep} changed, and ends the watch. */
+  void endRulesAfterStep(int tick) {
+    endRules(tick, tick + 1, false);
+    for (int i = 0; i < watchedCount; i++) {
+      ofEntities[watched[i].id()].watched = false;
+    }
+    Arrays.fill(watched, 0, watchedCount, null);
+    watchedCount = 0;
+  }
+
+  private void endRules(int tick, int shownTick, boolean beforeStep) {
+    ofPlayers = grown(ofPlayers, players.limit());
+    for (int id = 0; id < players.limit(); id++) {
+      Player player = players.get(id);
+      if (player != null && player.body != null) {
+        Mark mark = claim(ofPlayers, id, player);
+        if (bodyStamp(player) != mark.stamp) {
+          mark.lastTick = Math.max(mark.lastTick, shownTick);
+        }
+      }
+    }
+    for (int i = 0; i < watchedCount; i++) {
+      if (entities.holds(watched[i])) {
+        Mark mark = ofEntities[watched[i].id()];
+        if (stamp(watched[i]) != mark.stamp) {
+          mark.beforeStep = beforeStep || (mark.lastTick == tick && mark.beforeStep);
+          mark.lastTick = tick;
+        }
+      }
+    }
+  }
+
+  private static long bodyStamp(Player player) {
+    return player.body.body().stamp();
+  }
+
+  private long stamp(Entity entity) {
+    long h = StateHash.mix(entity.body().stamp(), entity.body().awake() ? 1 : 0);
+    Player owner = players.get(entity.ownerId());
+    if (owner != null && owner.body == entity) {
+      for (int value : owner.memory()) {
+        h = StateHash.mix(h, value);
+      }
+    }
+    return h;
+  }
+
+  private static Mark find(Mark[] marks, int id, Object subject) {
+    Mark mark = id >= 0 && id < marks.length ? marks[id] : null;
+    return mark != null && mark.subject == subject ? mark : null;
+  }
+
+  /** Finds the mark of an id, empty if it was another subject's. */
+  private static Mark claim(Mark[] marks, int id, Object subject) {
+    Mark mark = marks[id];
+    if (mark == null) {
+      mark = new Mark();
+      marks[id] = mark;
+    }
+    if (mark.subject != subject) {
+      mark.subject = subject;
+      mark.watched = false;
+      mark.stamp = 0;
+      mark.lastTick = -1;
+      mark.beforeStep = false;
+    }
+    return mark;
+  }
+
+  private static Mark[] grown(Mark[] marks, int id) {
+    return id < marks.length ? marks : Arrays.copyOf(marks, Math.max(id + 1, 2 * marks.length));
+  }
+}

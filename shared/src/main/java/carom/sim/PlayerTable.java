@@ -1,0 +1,92 @@
+package carom.sim;
+
+/** The players of a simulation by id, and their part of its state. */
+final class PlayerTable {
+  private final Player[] players = new Player[Simulation.MAX_PLAYERS];
+
+  /** Ids of all players are below. */
+  private int limit;
+
+  /** The player under an id, or null when the id is free or out of range. */
+  Player get(int id) {
+    return id >= 0 && id < limit ? players[id] : null;
+  }
+
+  /** Ids of all players are below. */
+  int limit() {
+    return limit;
+  }
+
+  /** The smallest free id; {@link Simulation#MAX_PLAYERS} when there is none. */
+  int freeId() {
+    int id = 0;
+    while (id < limit && players[id] != null) {
+      id++;
+    }
+    return id;
+  }
+
+  /** Adds a player under its own id. */
+  void add(Player player) {
+    players[player.id()] = player;
+    limit = Math.max(limit, player.id() + 1);
+  }
+
+  void remove(int id) {
+    players[id] = null;
+    while (limit > 0 && players[limit - 1] == null) {
+      limit--;
+    }
+  }
+
+  /** Mixes all that decides the players' future into a state hash. */
+  long hash(long hash) {
+    long h = hash;
+    for (int i = 0; i < limit; i++) {
+      Player p = players[i];
+      if (p != null) {
+        h =
+            SimRandom.mix(
+                h, ((long) i << 32) | ((p.body == null ? -1 : p.body.id()) & 0xffffffffL));
+        h = SimRandom.mix(h, ((long) p.score() << 32) | (p.team() & 0xffffffffL));
+        h = SimRandom.mix(h, p.input().pack() | (long) p.viewDelay() << Input.PACKED_BITS);
+        for (int value : p.memory()) {
+          h = SimRandom.mix(h, value);
+        }
+      }
+    }
+    return h;
+  }
+
+  /** Copies the players' state to a saved one. */
+  void save(SimState s) {
+    s.limitPlayers(limit);
+    for (int i = 0; i < limit; i++) {
+      Player p = players[i];
+      s.players[i] = p;
+      if (p != null) {
+        s.bodies[i] = p.body;
+        s.scores[i] = p.score();
+        s.teams[i] = p.team();
+        s.inputs[i] = p.input().pack();
+        s.viewDelays[i] = p.viewDelay();
+        System.arraycopy(p.memory(), 0, s.playerMemory, i * Player.MEMORY_SIZE, Player.MEMORY_SIZE);
+      }
+    }
+  }
+
+  /** Takes the players' state over from a saved one. */
+  void restore(SimState s) {
+    int before = limit;
+    limit = s.playerLimit;
+    for (int i = 0; i < Math.max(before, limit); i++) {
+      Player p = i < limit ? s.players[i] : null;
+      players[i] = p;
+      if (p != null) {
+        p.body = s.bodies[i];
+        p.restore(s.scores[i], s.teams[i], s.inputs[i], s.viewDelays[i]);
+        System.arraycopy(s.playerMemory, i * Player.MEMORY_SIZE, p.memory(), 0, Player.MEMORY_SIZE);
+      }
+    }
+  }
+}
