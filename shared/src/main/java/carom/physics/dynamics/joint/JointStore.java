@@ -19,8 +19,8 @@ import java.util.Arrays;
  * <p>What a step changes, impulses and forces, is copied whenever the state is; all else only if
  * something of it changed; the code that writes it must call {@link #coldChanged}.
  *
- * <p><b>Size.</b> More than 500 lines, because it has 46 columns, each declared, documented, grown
- * and copied.
+ * <p><b>Length.</b> More than 500 lines, because it has 46 columns, each declared, documented,
+ * grown and copied.
  */
 public final class JointStore {
   /** Type of a free slot. */

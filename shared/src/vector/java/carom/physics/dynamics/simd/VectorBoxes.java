@@ -21,7 +21,7 @@ import jdk.incubator.vector.VectorSpecies;
  * <p>Where these choose, both are worked out and blended. Small methods that pass each other
  * arrays, never vectors: these would be boxed.
  *
- * <p><b>Size.</b> More than 500 lines, because one set of kernels shares one private scratch
+ * <p><b>Length.</b> More than 500 lines, because one set of kernels shares one private scratch
  * layout.
  */
 public final class VectorBoxes extends BoxLanes {

@@ -68,7 +68,7 @@ import jdk.incubator.vector.VectorSpecies;
  * without helpers in between. The JIT compiler boxes a vector that crosses a call which it didn't
  * inline (40 MB per step of the 5,050-box pyramid, and no gain).
  *
- * <p><b>Size.</b> More than 500 lines, because one set of kernels shares one private scratch
+ * <p><b>Length.</b> More than 500 lines, because one set of kernels shares one private scratch
  * layout.
  */
 public final class VectorContacts extends ContactLanes {
