@@ -3,10 +3,10 @@ package carom.server;
 import carom.options.BadFlag;
 import carom.options.LabCommand;
 import java.io.PrintWriter;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
-import picocli.CommandLine;
 
 /** {@code carom}: tools around games that were played, and the benchmark. */
 @Command(

@@ -12,12 +12,12 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
-import picocli.CommandLine;
 
 /**
  * Starts the dedicated server.
@@ -131,7 +131,7 @@ public final class ServerMain implements Callable<Integer> {
     ServerStart start = new ServerStart(flags, choice, config, log);
     ch.qos.logback.classic.Logger root = logging.getLogger(Logger.ROOT_LOGGER_NAME);
     root.setLevel(ch.qos.logback.classic.Level.ERROR);
-    start.rehearse();
+    start.warmUp();
     root.setLevel(ch.qos.logback.classic.Level.toLevel(flags.logLevel.name()));
     logStart(log, config, choice.level().name());
     return start.open();

@@ -1,9 +1,9 @@
 package carom.options;
 
 import java.io.PrintWriter;
+import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
-import picocli.CommandLine;
 
 /**
  * A flag that is understood but can't be used; its message says all: which flag, value and limit,

@@ -31,10 +31,10 @@ import java.util.function.Consumer;
  * <p>A simulation belongs to one thread. A step allocates nothing of its own once arrays have
  * grown.
  *
- * <p>This class is longer than 500 lines because it is the one class that games call. More than
- * half of it is documentation, and its parts are classes of their own: {@link EntityTable}, {@link
- * PlayerTable}, {@link EventLog}, {@link NoticeQueue}, {@link InterferenceLog}, {@link PoseHistory}
- * and {@link SimState}.
+ * <p><b>Length.</b> This is the one class that games call. More than half of it is documentation,
+ * and its parts are classes of their own: {@link EntityTable}, {@link PlayerTable}, {@link
+ * EventLog}, {@link NoticeQueue}, {@link InterferenceLog}, {@link PoseHistory} and {@link
+ * SimState}.
  */
 public final class Simulation {
   /** Most players at a time; ids are 0..1,023. */

@@ -13,10 +13,10 @@ import carom.options.LabCommand;
 import carom.physics.threads.WorkerThreads;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import picocli.CommandLine;
 
 /**
  * The program {@code carom-bots}: connects headless clients that play. Progress goes to standard

@@ -13,8 +13,8 @@ import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.prediction.OwnCapture;
 import carom.server.prediction.PredictedSet;
-import carom.server.prediction.PredictionAudit.Finding;
 import carom.server.prediction.PredictionAudit;
+import carom.server.prediction.PredictionAudit.Finding;
 import carom.sim.Entity;
 import carom.sim.Player;
 

@@ -39,8 +39,8 @@ import java.util.List;
  * defends it), and spawns {@code ball}. Zones {@code lamps} for both teams get a lamp for each goal
  * scored.
  *
- * <p>This class is longer than 500 lines because it is an example to copy: all rules of a game
- * stand in one place, in the order in which a tick uses them.
+ * <p><b>Length.</b> The class is an example to copy: all rules of a game stand in one place, in the
+ * order in which a tick uses them.
  */
 public final class ArenaGame implements Game {
   /** Number of goals that win a match. */

@@ -22,7 +22,7 @@ import java.util.Map;
  * sentence that names the place, the value and the limit. {@code levels/level.schema.json} gives
  * editors the same rules; a test compares the two.
  *
- * <p>This class is longer than 500 lines because it holds the whole grammar of the file format.
+ * <p><b>Length.</b> The class holds the whole grammar of the file format.
  */
 final class LevelReader {
   static final int MAX_STATIC_ITEMS = 2048;

@@ -2,8 +2,8 @@ package carom.client.desktop.game;
 
 import carom.client.desktop.paint.Canvas;
 import carom.client.desktop.paint.Theme;
-import carom.client.view.ClientView.Drawn;
 import carom.client.view.ClientView;
+import carom.client.view.ClientView.Drawn;
 import carom.sim.level.Appearance.Look;
 import carom.sim.level.Archetype;
 import com.badlogic.gdx.graphics.Color;

@@ -2,8 +2,8 @@ package carom.client.desktop.scene;
 
 import carom.client.desktop.hud.Hud;
 import carom.client.desktop.paint.Canvas;
-import carom.client.desktop.paint.DebugPainter.Layer;
 import carom.client.desktop.paint.DebugPainter;
+import carom.client.desktop.paint.DebugPainter.Layer;
 import carom.client.desktop.paint.Fonts;
 import carom.client.desktop.paint.Theme;
 import carom.client.desktop.paint.ViewCamera;
