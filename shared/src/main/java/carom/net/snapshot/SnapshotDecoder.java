@@ -11,6 +11,7 @@ import carom.net.protocol.PlayerId;
 import carom.net.snapshot.event.EventInbox;
 import carom.net.snapshot.exact.NearCodec;
 import carom.net.snapshot.exact.NearRowCodec;
+import carom.net.snapshot.exact.OwnCodec;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
@@ -39,6 +40,9 @@ public final class SnapshotDecoder {
   private static final int HISTORY = FrameRing.SIZE;
   private static final int ACK_BITS = 64;
 
+  /** Bytes of check, sequence number and tick: no datagram is shorter. */
+  private static final int MIN_BYTES = 6;
+
   private final int capacity;
   private final int key;
   private final Predictor predictor;
@@ -46,6 +50,8 @@ public final class SnapshotDecoder {
   private final RangeDecoder range = new RangeDecoder();
   private final NearRowCodec nearRows = new NearRowCodec();
   private final RecordCodec records = new RecordCodec();
+  private final RelayCodec relay = new RelayCodec();
+  private final DatagramHead head = new DatagramHead();
   private final DeltaCodec deltas;
   private EntityHistory[] histories = {};
   private int slotLimit;
@@ -72,7 +78,6 @@ public final class SnapshotDecoder {
   private final byte[] readWaiting = new byte[PlayerId.MAX + 1];
   private final PlayerSet readKnown = new PlayerSet();
   private int readWindow;
-  private final InputFeedback readFeedback = new InputFeedback();
   private final SlotSet named = new SlotSet(); // a slot comes once at most
   private int[] slots = {};
   private byte[] kinds = {};
@@ -142,16 +147,16 @@ public final class SnapshotDecoder {
    * nothing has changed.
    */
   public DecodeStatus decode(byte[] bytes, int offset, int length) {
-    if (length < 6 || length > SnapshotEncoder.MAX_DATAGRAM_BYTES) {
+    if (length < MIN_BYTES || length > SnapshotEncoder.MAX_DATAGRAM_BYTES) {
       return DAMAGED;
     }
-    BitReader r = reader;
-    r.reset(bytes, offset, length);
-    if (r.read(16) != Crc16.of(key, bytes, offset + 2, length - 2)) {
+    reader.reset(bytes, offset, length);
+    head.code(reader, newestTick);
+    int covered = offset + DatagramHead.CHECK_BYTES;
+    if (head.check != Crc16.of(key, bytes, covered, length - DatagramHead.CHECK_BYTES)) {
       return DAMAGED;
     }
-    int sequence = r.read(16);
-    int ahead = hasAck ? Sequence.difference(sequence, ackSequence) : 1;
+    int ahead = hasAck ? Sequence.difference(head.sequence, ackSequence) : 1;
     if (ahead <= 0) {
       if (ahead < -ACK_BITS) {
         return DecodeStatus.STALE;
@@ -160,53 +165,45 @@ public final class SnapshotDecoder {
         return DecodeStatus.DUPLICATE;
       }
     }
-    int datagramTick = Sequence.expand(r.read(16), newestTick);
-    boolean news = r.readBit();
-    DecodeStatus status = read(r, datagramTick, bytes, offset + length);
+    DecodeStatus status = read(bytes, offset + length);
     if (status == OK) {
-      hasNews = news;
-      acknowledge(sequence, ahead);
-      keep(datagramTick);
+      acknowledge(head.sequence, ahead);
+      keep();
     }
     return status;
   }
 
-  private DecodeStatus read(BitReader r, int datagramTick, byte[] bytes, int end) {
-    if (datagramTick < 0) {
+  /** Reads what follows the head. */
+  private DecodeStatus read(byte[] bytes, int end) {
+    BitReader r = reader;
+    if (head.tick < 0) {
       return DAMAGED;
     }
-    HeaderCodec.readFeedback(r, readFeedback, datagramTick);
-    boolean withOwn = r.readBit();
-    if (withOwn) {
-      int age = r.read(FrameRing.AGE_BITS);
-      OwnState baseline = age == 0 ? nothing : ownAt(datagramTick - age);
+    if (head.hasOwn) {
+      OwnState baseline = head.ownAge == 0 ? nothing : ownAt(head.tick - head.ownAge);
       if (baseline == null) {
         return DecodeStatus.NO_BASELINE;
       }
-      HeaderCodec.readOwn(r, baseline, readOwn);
+      OwnCodec.code(r, baseline, readOwn);
       if (!readOwn.isSane()) {
         return DAMAGED;
       }
-      readWindow = RelayCodec.window(age);
+      readWindow = RelayCodec.window(head.ownAge);
       readKnown.set(baseline.relayed);
-      RelayCodec.read(
-          r, inputs, datagramTick, readWindow, readKnown, readOwn.relayed, readInputs, readWaiting);
-      NearCodec.read(r, baseline.near, readOwn.near);
+      PlayerSet players = readOwn.relayed;
+      relay.read(r, inputs, head.tick, readWindow, readKnown, players, readInputs, readWaiting);
+      NearCodec.code(r, baseline.near, readOwn.near);
     }
-    boolean sane = events.read(r, datagramTick);
+    events.read(r, head.tick);
     int at = r.align();
-    if (!sane || r.failed()) {
+    if (r.failed()) {
       return DAMAGED;
     }
     range.reset(bytes, at, end - at);
-    if (withOwn && readOwn.near.updating) {
+    if (head.hasOwn && readOwn.near.updating) {
       nearRows.part(range, readOwn);
     }
-    DecodeStatus status = readRecords(datagramTick);
-    if (status == OK) {
-      hasOwn = withOwn;
-    }
-    return status;
+    return readRecords(head.tick);
   }
 
   private OwnState ownAt(int wantedTick) {
@@ -347,10 +344,13 @@ public final class SnapshotDecoder {
     }
   }
 
-  private void keep(int datagramTick) {
+  private void keep() {
+    int datagramTick = head.tick;
     tick = datagramTick;
+    hasNews = head.news;
+    hasOwn = head.hasOwn;
     newestTick = Math.max(newestTick, datagramTick);
-    feedback.set(readFeedback);
+    feedback.set(head.feedback);
     events.keep(datagramTick);
     if (hasOwn) {
       int at = datagramTick & (HISTORY - 1);

@@ -6,6 +6,7 @@ import carom.net.codec.RangeEncoder;
 import carom.net.snapshot.event.EventOutbox;
 import carom.net.snapshot.exact.NearCodec;
 import carom.net.snapshot.exact.NearRowCodec;
+import carom.net.snapshot.exact.OwnCodec;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
@@ -66,6 +67,8 @@ public final class SnapshotEncoder {
   private final RangeEncoder range = new RangeEncoder();
   private final NearRowCodec nearRows = new NearRowCodec();
   private final RecordCodec records = new RecordCodec();
+  private final RelayCodec relay = new RelayCodec();
+  private final DatagramHead head = new DatagramHead();
   private final SentLog sent = new SentLog();
   private final BitWriter writer = new BitWriter();
   private final Motion actual = new Motion();
@@ -347,7 +350,7 @@ public final class SnapshotEncoder {
     writeRuns(room);
     records.kind(range, RecordCodec.END);
     int length = header + range.finish();
-    int check = Crc16.of(key, out, 2, length - 2);
+    int check = Crc16.of(key, out, DatagramHead.CHECK_BYTES, length - DatagramHead.CHECK_BYTES);
     out[0] = (byte) check;
     out[1] = (byte) (check >>> 8);
     sent.end(length);
@@ -357,27 +360,23 @@ public final class SnapshotEncoder {
   }
 
   private void writeHeader(BitWriter w, int sequence, boolean withOwn) {
-    w.write(0, 16);
-    w.write(sequence, 16);
-    w.write(frame.tick(), 16);
-    w.write(news);
-    if (first) {
-      HeaderCodec.writeFeedback(w, feedback, frame.tick());
-    } else {
-      w.write(false);
-    }
-    w.write(withOwn);
+    int age = frame.tick() - ownAckedTick;
+    boolean known = withOwn && ownAckedTick >= 0 && age > 0 && age < FrameRing.SIZE;
+    head.sequence = sequence;
+    head.tick = frame.tick();
+    head.news = news;
+    head.feedback.set(feedback);
+    head.feedback.present &= first;
+    head.hasOwn = withOwn;
+    head.ownAge = known ? age : 0;
+    head.code(w, frame.tick());
     if (withOwn) {
-      int age = frame.tick() - ownAckedTick;
-      boolean known = ownAckedTick >= 0 && age > 0 && age < FrameRing.SIZE;
-      w.write(known ? age : 0, FrameRing.AGE_BITS);
       OwnState baseline = known ? ownAcked : nothing;
-      OwnState own = ownNow;
-      HeaderCodec.writeOwn(w, baseline, own);
-      int window = known ? RelayCodec.window(age) : 0;
-      RelayCodec.write(w, ring, window, baseline.relayed, own.relayed);
+      OwnCodec.code(w, baseline, ownNow);
+      int window = RelayCodec.window(head.ownAge);
+      relay.write(w, ring, window, baseline.relayed, ownNow.relayed);
       int before = w.bytes();
-      NearCodec.write(w, baseline.near, own.near);
+      NearCodec.code(w, baseline.near, ownNow.near);
       nearBytes = w.bytes() - before;
     }
     int share = Math.min(budget, MAX_DATAGRAM_BYTES) * Byte.SIZE / EVENTS_SHARE;

@@ -10,7 +10,7 @@ import carom.net.codec.Sequence;
  * <p>Total: any bits are read without harm. One thread; allocates nothing after construction.
  */
 public final class EventInbox {
-  private static final int WINDOW = EventOutbox.WINDOW;
+  private static final int WINDOW = EventCodec.WINDOW;
 
   /** Twice the window: those that wait for one before them, and those that wait to be taken. */
   private static final int SIZE = 2 * WINDOW;
@@ -25,12 +25,10 @@ public final class EventInbox {
   private long missed;
 
   // A datagram is read into these first and counts only when all of it was good.
+  private final EventCodec codec = new EventCodec();
   private final EventRecord[] read = new EventRecord[WINDOW];
   private final int[] readPlace = new int[WINDOW];
   private int readCount;
-  private boolean readAny;
-  private int readBase;
-  private int readOutstanding;
 
   public EventInbox() {
     for (int i = 0; i < SIZE; i++) {
@@ -41,42 +39,25 @@ public final class EventInbox {
     }
   }
 
-  /** Reads the event section of a datagram; false when it makes no sense. */
-  public boolean read(BitReader r, int tick) {
+  /** Reads the event section of a datagram; the reader fails when it makes no sense. */
+  public void read(BitReader r, int tick) {
     readCount = 0;
-    readAny = r.readBit();
-    if (!readAny) {
-      return true;
+    codec.begin(r, tick, 0, 0);
+    if (codec.outstanding() == 0) {
+      return;
     }
-    readBase = r.read(16);
-    readOutstanding = r.read(9) + 1;
-    int place = 0;
-    int eventTick = -1;
-    while (r.readBit()) {
-      place += r.readBit() ? 0 : 1 + r.read(EventCodec.WINDOW_BITS);
-      if (place >= Math.min(WINDOW, readOutstanding) || r.failed()) {
-        return false;
-      }
-      EventRecord e = read[readCount];
-      int ticks = EventCodec.read(r, e);
-      long when = readCount == 0 ? (long) tick - ticks : (long) eventTick + ticks;
-      if (when < 0 || when > tick || !EventCodec.isSane(e)) {
-        return false;
-      }
-      eventTick = (int) when;
-      e.tick = eventTick;
-      readPlace[readCount++] = place++;
+    while (codec.next(r, false, 0, read[Math.min(readCount, WINDOW - 1)])) {
+      readPlace[readCount++] = codec.place();
     }
-    return true;
   }
 
   /** What was read last counts. */
   public void keep(int tick) {
-    if (!readAny) {
+    if (codec.outstanding() == 0) {
       completeTick = Math.max(completeTick, tick);
       return;
     }
-    long base = expected + Sequence.difference(readBase, (int) expected & 0xffff);
+    long base = expected + Sequence.difference(codec.sequence(), (int) expected & 0xffff);
     while (expected < base) { // the server has given up what we never got
       if (here[(int) expected & MASK]) {
         here[(int) expected & MASK] = false;
@@ -99,7 +80,7 @@ public final class EventInbox {
       expected++;
       makeRoom();
     }
-    if (expected >= base + readOutstanding) {
+    if (expected >= base + codec.outstanding()) {
       completeTick = Math.max(completeTick, tick);
     }
   }

@@ -20,15 +20,10 @@ public final class EventOutbox {
   /** Events that may wait for their ack. */
   static final int CAPACITY = 512;
 
-  /** Events that may be on their way. */
-  static final int WINDOW = 1 << EventCodec.WINDOW_BITS;
+  private static final int WINDOW = EventCodec.WINDOW;
 
   /** Most bits of events in a datagram. */
   private static final int MAX_BITS = 2_400;
-
-  private static final int SEQUENCE_BITS = 16;
-  private static final int COUNT_BITS = 9;
-  private static final int END_BITS = 1;
 
   /** So often an event goes out before anybody waits for an ack. */
   private static final int QUICK_SENDS = 2;
@@ -41,6 +36,7 @@ public final class EventOutbox {
 
   private final EventRing ring;
   private final int datagrams;
+  private final EventCodec codec = new EventCodec();
 
   // By the lowest bits of the event's number here: a ring that grows.
   private long[] numbers = {};
@@ -191,41 +187,29 @@ public final class EventOutbox {
       sentBase[datagram & datagrams - 1] = base;
       sentSet[datagram & datagrams - 1] = 0;
     }
-    w.write(hasUnacked());
+    codec.begin(w, tick, (int) base, waiting());
     if (!hasUnacked()) {
       return;
     }
-    w.write((int) base, SEQUENCE_BITS);
-    w.write((int) (next - base - 1), COUNT_BITS);
-    int room = Math.min(Math.min(budgetBits, MAX_BITS), w.room() - END_BITS);
+    int room = Math.min(Math.min(budgetBits, MAX_BITS), w.room() - EventCodec.END_BITS);
     int begin = w.bits();
     long set = 0;
-    long expected = base;
-    int lastTick = -1;
     for (long i = base; i < Math.min(next, base + WINDOW); i++) {
       int at = at(i);
       if (!isDue(at, tick)) {
         continue;
       }
       boolean fits = w.bits() - begin + EventCodec.MAX_BITS <= room;
-      boolean first = set == 0 && EventCodec.MAX_BITS + END_BITS <= w.room();
+      boolean first = set == 0 && EventCodec.MAX_BITS + EventCodec.END_BITS <= w.room();
       if (!fits && !first) {
         break;
       }
-      EventRecord e = ring.at(numbers[at]);
-      w.write(true);
-      w.write(i == expected);
-      if (i != expected) {
-        w.write((int) (i - expected - 1), EventCodec.WINDOW_BITS);
-      }
-      EventCodec.write(w, e, lastTick < 0 ? tick - e.tick : e.tick - lastTick);
-      lastTick = e.tick;
-      expected = i + 1;
+      codec.next(w, true, (int) (i - base), ring.at(numbers[at]));
       set |= 1L << (i - base);
       sends[at]++;
       sentTick[at] = tick;
     }
-    w.write(false);
+    codec.next(w, false, 0, null);
     sentSet[datagram & datagrams - 1] = set;
   }
 

@@ -241,12 +241,12 @@ public final class RecordCodec {
   }
 
   public int archetype(BitCoder c, int value) {
-    int wide = c.plain(value >= 1 << SHORT_ARCHETYPE_BITS ? 1 : 0, 1);
-    return c.plain(value, wide != 0 ? 16 : SHORT_ARCHETYPE_BITS);
+    boolean wide = c.flag(value >= 1 << SHORT_ARCHETYPE_BITS);
+    return c.plain(value, wide ? 16 : SHORT_ARCHETYPE_BITS);
   }
 
   public int owner(BitCoder c, int value) {
-    return c.plain(value >= 0 ? 1 : 0, 1) != 0 ? PlayerId.code(c, value) : -1;
+    return c.flag(value >= 0) ? PlayerId.code(c, value) : -1;
   }
 
   /**
@@ -255,15 +255,14 @@ public final class RecordCodec {
    * @param teleports 0..15
    */
   public int teleports(BitCoder c, int teleports) {
-    boolean any = c.plain(teleports != 0 ? 1 : 0, 1) != 0;
-    return any ? c.plain(teleports, FrameState.TELEPORT_BITS) : 0;
+    return c.flag(teleports != 0) ? c.plain(teleports, FrameState.TELEPORT_BITS) : 0;
   }
 
   public void absolute(BitCoder c, Motion motion) {
     motion.x = sized(c, motion.x);
     motion.y = sized(c, motion.y);
     motion.angle = c.plain(motion.angle, ANGLE_BITS);
-    boolean moving = c.plain((motion.vx | motion.vy | motion.omega) != 0 ? 1 : 0, 1) != 0;
+    boolean moving = c.flag((motion.vx | motion.vy | motion.omega) != 0);
     motion.vx = moving ? sized(c, motion.vx) : 0;
     motion.vy = moving ? sized(c, motion.vy) : 0;
     motion.omega = moving ? sized(c, motion.omega) : 0;
