@@ -1,8 +1,6 @@
 package carom.net.snapshot.relay;
 
 import carom.net.codec.BitPass;
-import carom.net.codec.BitReader;
-import carom.net.codec.BitWriter;
 import carom.net.protocol.PlayerId;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
@@ -88,7 +86,7 @@ public final class RelayCodec {
    * @param window ticks from the baseline to the ring's newest frame, see {@link #window}
    * @param known players whose input at the baseline the client knows
    */
-  public void write(BitWriter w, FrameRing ring, int window, PlayerSet known, PlayerSet players) {
+  public void write(BitPass w, FrameRing ring, int window, PlayerSet known, PlayerSet players) {
     int tick = ring.newest().tick();
     for (int p = players.next(0); p >= 0; p = players.next(p + 1)) {
       boolean isKnown = window > 0 && known.has(p);
@@ -115,7 +113,7 @@ public final class RelayCodec {
    * @param waitingOf receives by player how many of them are of later ticks
    */
   public void read(
-      BitReader r,
+      BitPass r,
       RelayedInputs held,
       int tick,
       int window,
