@@ -28,7 +28,7 @@ public final class FrameRing {
   private final EventRing events = new EventRing();
   private final WaitingInputs waiting = new WaitingInputs();
   private final SlotSet asLevel = new SlotSet();
-  private final Changes changes = new Changes(this);
+  private final ChangedSlots changes = new ChangedSlots(this);
 
   /** When slots changed last, up to the newest frame, and up to those that have left the ring. */
   private final SlotTicks changedTicks = new SlotTicks();
@@ -90,7 +90,7 @@ public final class FrameRing {
   }
 
   /** What has changed since an older frame. */
-  public Changes changes() {
+  public ChangedSlots changes() {
     return changes;
   }
 

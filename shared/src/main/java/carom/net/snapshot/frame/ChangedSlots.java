@@ -6,7 +6,7 @@ import java.util.Arrays;
  * What of a ring's newest frame has changed since each of the older ones, 64 slots at a time:
  * worked out once for all sessions that ask. One thread; allocates only while the frames grow.
  */
-public final class Changes {
+public final class ChangedSlots {
 
   private final FrameRing ring;
 
@@ -20,7 +20,7 @@ public final class Changes {
 
   private int tick = -1;
 
-  Changes(FrameRing ring) {
+  ChangedSlots(FrameRing ring) {
     this.ring = ring;
     Arrays.fill(changed, new long[0]);
     Arrays.fill(renamed, new long[0]);

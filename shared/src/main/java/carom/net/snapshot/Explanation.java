@@ -22,10 +22,10 @@ import java.util.Locale;
  *     state of what is near, and events
  * @param nearBytes what of that told what is near
  */
-public record Verdict(
+public record Explanation(
     int slot,
     Reason reason,
-    Baseline baseline,
+    BaselineReason baseline,
     int tick,
     int ackedTick,
     int sentTick,
