@@ -1,6 +1,6 @@
 package carom.net.snapshot;
 
-/** What an entity's record is coded against, and why. */
+/** Says what an entity's record is coded against, and why. */
 public enum BaselineReason {
   /** Nothing is sent: the client has the present state, and the server knows it. */
   QUIESCENT,

@@ -4,6 +4,7 @@ import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.frame.SlotSet;
 import carom.net.snapshot.frame.SlotTicks;
+import carom.net.snapshot.record.RecordSizes;
 import java.util.Arrays;
 
 /**

@@ -27,12 +27,12 @@ import carom.net.snapshot.relay.RelayedInputs;
 import java.util.Arrays;
 
 /**
- * The client's side: datagrams in, a history per entity out, and the acks to send back.
+ * Reads the snapshots of one session: datagrams in, a history per entity out, and the acks to send
+ * back.
  *
- * <p>Total: any bytes give a {@link DecodeStatus}, never an exception, and a datagram counts as a
- * whole or not at all. Memory is bounded: at most 2.3 KiB for each slot ever seen. One thread;
- * allocates only while a slot's history grows to that, or when a datagram has more records than any
- * before.
+ * <p>Any bytes give a {@link DecodeStatus}, never an exception, and a datagram counts as a whole or
+ * not at all. Memory is bounded: at most 2.3 KiB for each slot ever seen. One thread; allocates
+ * only while a slot's history grows to that, or when a datagram has more records than any before.
  */
 public final class SnapshotDecoder {
 
@@ -118,8 +118,8 @@ public final class SnapshotDecoder {
   }
 
   /**
-   * Takes over what the level file places, before the first datagram: each entity has its place in
-   * the level as its state of tick 0 until the server says otherwise.
+   * Takes over the entities of the level file, before the first datagram. Each has its place in the
+   * level as its state of tick 0 until the server says otherwise.
    *
    * @param state the same as the server's {@link FrameRing#level}
    */
@@ -134,7 +134,7 @@ public final class SnapshotDecoder {
   }
 
   /**
-   * Sets what falling bodies gain, m/s^2, before the first datagram; zero before.
+   * Sets gravity, m/s^2, before the first datagram; it is zero until then.
    *
    * @param x the same as the server's {@link FrameRing#gravity}
    */
@@ -143,8 +143,8 @@ public final class SnapshotDecoder {
   }
 
   /**
-   * Decodes a datagram. When it answers {@code OK}, the other methods tell what it held; else
-   * nothing has changed.
+   * Decodes a datagram. After {@code OK} the other methods return what it held; after any other
+   * status nothing has changed.
    */
   public DecodeStatus decode(byte[] bytes, int offset, int length) {
     if (length < MIN_BYTES || length > SnapshotEncoder.MAX_DATAGRAM_BYTES) {
@@ -280,7 +280,7 @@ public final class SnapshotDecoder {
     return OK;
   }
 
-  /** Begins the next record, unless there can be none like it. */
+  /** Begins the next record; returns false for a slot out of range, named twice, or too many. */
   private boolean open(int kind, int slot) {
     if (slot < 0 || slot >= capacity || named.has(slot) || count == RecordCodec.MAX_RECORDS) {
       return false;
@@ -295,7 +295,8 @@ public final class SnapshotDecoder {
   }
 
   /**
-   * Loads the state that the slot had at a tick into the next record; false when it isn't known.
+   * Loads the state that the slot had at a tick into the next record; returns false when it isn't
+   * known.
    */
   private boolean baseline(int slot, int wantedTick) {
     EntityHistory history = history(slot);
@@ -402,58 +403,58 @@ public final class SnapshotDecoder {
     return histories[slot];
   }
 
-  /** Tick of the last decoded datagram: its content is the state after this tick. */
+  /** Returns the tick of the last decoded datagram, which holds the state after this tick. */
   public int tick() {
     return tick;
   }
 
-  /** Newest tick of all datagrams so far; the tick of {@code Welcome} before the first. */
+  /** Returns the newest tick of all datagrams; before the first, that of {@code Welcome}. */
   public int newestTick() {
     return newestTick;
   }
 
-  /** Feedback of the last decoded datagram; {@code present} is false when it had none. */
+  /** Returns the feedback of the last decoded datagram; not {@code present} if it had none. */
   public InputFeedback feedback() {
     return feedback;
   }
 
   /**
-   * Whether the last decoded datagram told something new, as far as the server knows: then it waits
-   * for the ack.
+   * Returns whether the last decoded datagram held anything that the server didn't know the client
+   * to have. If so, the server waits for the ack.
    */
   public boolean hasNews() {
     return hasNews;
   }
 
-  /** Whether the last decoded datagram had the own section. */
+  /** Returns whether the last decoded datagram had an own section. */
   public boolean hasOwn() {
     return hasOwn;
   }
 
   /**
-   * Own section of the last decoded datagram, the exact state after {@link #tick}; valid when
-   * {@link #hasOwn}, until the next {@link #decode}.
+   * Returns the own section of the last decoded datagram: the exact state after {@link #tick}.
+   * Valid if {@link #hasOwn}, until the next {@link #decode}.
    */
   public OwnState own() {
     return own;
   }
 
-  /** Inputs of other players as far as the server told them. The same object for ever. */
+  /** Returns the inputs of other players that were received; always the same object. */
   public RelayedInputs inputs() {
     return inputs;
   }
 
-  /** What the server tells has happened. The same object for ever. */
+  /** Returns the events that were received; always the same object. */
   public EventInbox events() {
     return events;
   }
 
-  /** Records in the last decoded datagram. */
+  /** Returns the number of records in the last decoded datagram. */
   public int touchedCount() {
     return touched;
   }
 
-  /** Slot of a record of the last decoded datagram; index 0..touchedCount - 1. */
+  /** Returns the slot of a record of the last decoded datagram; index 0..touchedCount - 1. */
   public int touchedSlot(int index) {
     if (index < 0 || index >= touched) {
       throw new IndexOutOfBoundsException("index=" + index + " is outside 0.." + (touched - 1));
@@ -461,30 +462,30 @@ public final class SnapshotDecoder {
     return touchedSlots[index];
   }
 
-  /** One more than the highest slot ever seen: iterate {@link #history} below it. */
+  /** Returns one more than the highest slot ever seen: iterate {@link #history} below it. */
   public int slotLimit() {
     return slotLimit;
   }
 
   /**
-   * What is known of a slot, or null when nothing ever was. The same object for ever, changed by
-   * {@link #decode}.
+   * Returns what is known of a slot, or null when nothing ever was. Always the same object, which
+   * {@link #decode} changes.
    */
   public EntityHistory history(int slot) {
     return slot < histories.length ? histories[slot] : null;
   }
 
-  /** Whether any datagram was decoded: before that, there is nothing to ack. */
+  /** Returns whether any datagram was decoded: before that, there is nothing to ack. */
   public boolean hasAck() {
     return hasAck;
   }
 
-  /** Sequence number of the newest datagram decoded. */
+  /** Returns the sequence number of the newest datagram decoded. */
   public int ackSequence() {
     return ackSequence;
   }
 
-  /** Bit i = datagram {@code ackSequence() - 1 - i} was decoded. */
+  /** Returns the ack bits: bit i = datagram {@code ackSequence() - 1 - i} was decoded. */
   public long ackBits() {
     return ackBits;
   }

@@ -5,13 +5,15 @@ import carom.net.codec.Crc16;
 import carom.net.codec.RangeEncoder;
 import carom.net.snapshot.event.EventOutbox;
 import carom.net.snapshot.exact.NearRowCodec;
+import carom.net.snapshot.exact.OwnAcks;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.record.Deltas;
+import carom.net.snapshot.record.RecordSizes;
 
 /**
- * One session's snapshots. Each send tick, after {@link FrameRing#end}:
+ * Writes the snapshots of one session. Each tick that sends calls, after {@link FrameRing#end}:
  *
  * <pre>{@code
  * encoder.receiveAck(ackSequence, ackBits);            // from each input datagram
@@ -20,26 +22,26 @@ import carom.net.snapshot.record.Deltas;
  * }</pre>
  *
  * <p>An entity whose quantised state hasn't changed since a tick that the client acked costs
- * nothing, neither bytes nor time. All others in sight are sent, who has collected most priority
- * first, as far as the budget goes. Loss is never repaired by sending again what was lost: the
- * newest state is sent until one of its records is acked.
+ * nothing, neither bytes nor time. All others in sight are sent as far as the budget goes, the
+ * highest collected priority first. A lost datagram is never sent again: the newest state is sent
+ * until one of its records is acked.
  *
  * <p>One thread, no allocation in the steady state.
  */
 public final class SnapshotEncoder {
-  /** So many younger datagrams may overtake one before it counts as lost. */
+  /** Number of younger datagrams that may overtake one before it counts as lost. */
   private static final int OVERTAKING = 3;
 
-  /** Largest datagram; the size of the array for {@link #next}. */
+  /** Size of the largest datagram, and of the array for {@link #next}, bytes. */
   public static final int MAX_DATAGRAM_BYTES = 1_200;
 
   /**
-   * A further datagram is not begun for less: headers on the path would cost more than it holds.
-   * Any record fits.
+   * Least budget that another datagram is begun for, bytes. With less, the headers on the path
+   * would cost more than the datagram holds. Any record fits.
    */
   private static final int MIN_FURTHER_BYTES = 64;
 
-  /** Events may take that part of the budget; the rest waits for the next datagram. */
+  /** Part of the budget that events may take, as a divisor; others wait for the next datagram. */
   private static final int EVENTS_SHARE = 4;
 
   private final FrameRing ring;
@@ -128,19 +130,19 @@ public final class SnapshotEncoder {
   }
 
   /**
-   * Tells what the client of another encoder of the same frames wasn't told, or hasn't acked; what
-   * it has of the oldest tick among these is told again.
+   * Offers the events that the client of another encoder of the same frames lacks: those not sent
+   * or not acked. All events of the oldest such tick are sent again.
    */
   public void takeOverEvents(SnapshotEncoder before) {
     events.takeOver(before.events);
   }
 
-  /** Events offered whose ack hasn't come yet. */
+  /** Returns the number of events offered that are not acked yet. */
   public int eventsWaiting() {
     return events.waiting();
   }
 
-  /** Events that were offered and never told, because too many waited. */
+  /** Returns the number of events that were dropped because too many waited. */
   public long eventsLost() {
     return events.lost();
   }
@@ -186,7 +188,7 @@ public final class SnapshotEncoder {
     }
   }
 
-  /** The slot's next record is absolute, whatever was acked. */
+  /** Makes the slot's next record absolute, whatever was acked. */
   public void force(int slot) {
     if (slot < 0 || slot >= ring.capacity()) {
       throw new IndexOutOfBoundsException(
@@ -196,17 +198,17 @@ public final class SnapshotEncoder {
   }
 
   /**
-   * Offers an entity that may have come into the client's view: if the {@link Interest} sees it, it
-   * is told about from the next {@link #begin} on. Needed for entities that the client doesn't
-   * know, unless everything is of interest.
+   * Offers an entity that may have come into the client's view. If the {@link Interest} sees it,
+   * its records are sent from the next {@link #begin} on. Only entities that the client doesn't
+   * know need this, and only if not everything is of interest.
    */
   public void notice(int slot) {
     client.notice(slot);
   }
 
   /**
-   * Whether the client has, as far as the server knows, everything of the newest frame and this own
-   * state: then the replication may send less often.
+   * Returns whether the client has acked everything of the newest frame and this own state. If so,
+   * the server may send less often.
    *
    * @param state as for {@link #begin}
    */
@@ -225,8 +227,8 @@ public final class SnapshotEncoder {
   }
 
   /**
-   * Starts the datagrams of the ring's newest frame. Entities that did not fit the budget wait; who
-   * waited longest goes first.
+   * Starts the datagrams of the ring's newest frame. Entities that do not fit the budget wait and
+   * collect priority.
    *
    * @param feedback about the client's inputs; copied
    * @param state the player's exact state at the newest frame's tick, or null to send none; copied
@@ -308,8 +310,7 @@ public final class SnapshotEncoder {
   }
 
   /**
-   * What the slot's record would be coded against now, and why: the one place where that is
-   * decided.
+   * Returns what the slot's record would be coded against now, and why.
    *
    * @param slot 0..capacity - 1
    */
@@ -323,8 +324,8 @@ public final class SnapshotEncoder {
   }
 
   /**
-   * Why the slot's entity was sent with the last snapshot, or wasn't. For people and tests;
-   * allocates.
+   * Explains why the slot's entity was sent with the last snapshot, or was not. For operators and
+   * tests; allocates.
    *
    * @param slot 0..capacity - 1
    */
@@ -367,81 +368,82 @@ public final class SnapshotEncoder {
         : Explanation.Reason.OVER_BUDGET;
   }
 
-  /** Newest tick of the slot that the client has acked since it came into sight, or -1. */
+  /** Returns the newest tick of the slot acked since it came into sight, or -1. */
   public int ackedTick(int slot) {
     return client.ackedTick(slot);
   }
 
-  /** Last tick at which a record of the slot was sent, or -1. */
+  /** Returns the last tick at which a record of the slot was sent, or -1. */
   public int sentTick(int slot) {
     return client.sentTick(slot);
   }
 
   /**
-   * Entities that have changed and are not sent yet in this tick; after the last {@link #next},
-   * those that must wait.
+   * Returns how many changed entities are not sent yet in this tick. After the last {@link #next}
+   * these must wait.
    */
   public int waiting() {
     return selection.waiting();
   }
 
   /**
-   * Bytes of the last snapshot that weren't records: headers, the own body, what is near, events.
+   * Returns the bytes of the last snapshot that weren't records: headers, own and near sections,
+   * events.
    */
   public int aheadBytes() {
     return aheadBytes;
   }
 
-  /** Bytes of the last snapshot that told what is near, rounded; part of {@link #aheadBytes}. */
+  /** Returns the bytes of the last near section with its rows, part of {@link #aheadBytes}. */
   public int nearBytes() {
     return nearBytes;
   }
 
   /**
-   * Whether the snapshot begun last tells anything that the client isn't known to have: if so, it
-   * is asked to ack soon.
+   * Returns whether the snapshot begun last holds anything that the client isn't known to have. If
+   * so, the client is asked to ack soon.
    */
   public boolean hasNews() {
     return news;
   }
 
   /**
-   * Ticks from sending to ack of the quickest datagram with news that the last {@link #receiveAck}
-   * was the first to ack, or -1 when it acked none.
+   * Returns the ticks from sending to ack of the quickest datagram with news that the last {@link
+   * #receiveAck} was the first to ack, or -1 when it acked none.
    */
   public int ackDelayTicks() {
     return ackDelayTicks;
   }
 
-  /** The newest tick of which the client has acked the own section, or -1. */
+  /** Returns the newest tick of which the client has acked the own section, or -1. */
   public int ownAckedTick() {
     return own.ackedTick();
   }
 
-  /** Whether the client has acked the own section of one of the last 64 ticks. */
+  /** Returns whether the client has acked the own section of one of the last 64 ticks. */
   public boolean hasAckedOwn(int tick) {
     return own.hasAcked(tick);
   }
 
   /**
-   * Whether the client's last acks tell of a datagram that got lost, among the last {@value
-   * Long#SIZE}; the newest ones may yet arrive and don't count.
+   * Returns whether the client's last acks show a lost datagram among the last {@value Long#SIZE}.
+   * The newest ones may yet arrive and don't count.
    */
   public boolean hasLost() {
     return hasLost;
   }
 
-  /** Payload bytes of all datagrams acked. */
+  /** Returns the payload bytes of all datagrams acked. */
   public long ackedBytes() {
     return ackedBytes;
   }
 
-  /** Datagrams acked. */
+  /** Returns the number of datagrams acked. */
   public long ackedDatagrams() {
     return ackedDatagrams;
   }
 
-  /** Sequence number of the last datagram written. */
+  /** Returns the sequence number of the last datagram written, 16 bits. */
   public int sequence() {
     return sent.sequence();
   }

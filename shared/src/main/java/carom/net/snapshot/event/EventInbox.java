@@ -4,10 +4,10 @@ import carom.net.codec.BitReader;
 import carom.net.codec.Sequence;
 
 /**
- * The events that the server tells, each once and in order, whatever happens to datagrams on the
- * way. Take them with {@link #poll} after each datagram decoded.
+ * Receives the server's events, each once and in order, whatever happens to datagrams on the way.
+ * Take them with {@link #poll} after each datagram decoded.
  *
- * <p>Total: any bits are read without harm. One thread; allocates nothing after construction.
+ * <p>Any bits are read without harm. One thread; allocates nothing after construction.
  */
 public final class EventInbox {
   private static final int WINDOW = EventCodec.WINDOW;
@@ -51,7 +51,7 @@ public final class EventInbox {
     }
   }
 
-  /** What was read last counts. */
+  /** Accepts what was read last: the whole datagram was good. */
   public void keep(int tick) {
     if (codec.outstanding() == 0) {
       completeTick = Math.max(completeTick, tick);
@@ -85,7 +85,7 @@ public final class EventInbox {
     }
   }
 
-  /** One that never comes: an empty place, which {@link #poll} passes over. */
+  /** Passes over an event that never comes: its place stays empty for {@link #poll}. */
   private void skip() {
     missed++;
     events[(int) expected & MASK].tick = -1;
@@ -93,7 +93,7 @@ public final class EventInbox {
     makeRoom();
   }
 
-  /** Who doesn't take them loses the oldest. */
+  /** Drops the oldest events if a client doesn't take them. */
   private void makeRoom() {
     while (expected - taken > SIZE - WINDOW) {
       missed += events[(int) taken & MASK].tick >= 0 ? 1 : 0;
@@ -116,12 +116,12 @@ public final class EventInbox {
     return null;
   }
 
-  /** All events up to this tick have been received; -1 before that is known of any. */
+  /** Returns the tick up to which all events have been received; -1 before any is known. */
   public int completeTick() {
     return completeTick;
   }
 
-  /** Events that were lost because too many waited. */
+  /** Returns the number of events that were lost because too many waited. */
   public long missed() {
     return missed;
   }

@@ -1,34 +1,32 @@
 package carom.net.snapshot.event;
 
 import carom.net.codec.BitWriter;
-import carom.net.snapshot.SentLog;
 import java.util.Arrays;
 
 /**
- * The events that one client is told, and hasn't acked yet: reliable and in order over datagrams
- * that get lost. Each event has the session's next sequence number and is written into one snapshot
- * after the other until a datagram that had it is acked: twice at once, and then again whenever an
- * ack should have come.
+ * Sends events to one client, reliably and in order over datagrams that get lost. Each event gets
+ * the session's next sequence number. It is written into two snapshots in a row, and again whenever
+ * an ack should have come, until a datagram that held it is acked.
  *
- * <p>Bounded: {@value #CAPACITY} events wait at most, of which the oldest {@value #WINDOW} are
- * sent; what is too much, or has left the {@link EventRing}, is lost, the oldest first, and
- * counted. The client learns that from the number of the oldest that waits.
+ * <p>At most {@value #CAPACITY} events wait, of which the oldest {@value #WINDOW} are sent. The
+ * outbox drops the oldest beyond that, and those that have left the {@link EventRing}, and counts
+ * them. The client learns that from the number of the oldest event that waits.
  *
  * <p>One thread; allocates only until as many events have waited at once as ever will.
  */
 public final class EventOutbox {
-  /** Events that may wait for their ack. */
+  /** Number of events that may wait for their ack. */
   static final int CAPACITY = 512;
 
   private static final int WINDOW = EventCodec.WINDOW;
 
-  /** Most bits of events in a datagram. */
+  /** Number of bits that events may take of a datagram. */
   private static final int MAX_BITS = 2_400;
 
-  /** So often an event goes out before anybody waits for an ack. */
+  /** Number of snapshots in a row that hold a new event, before its ack is waited for. */
   private static final int QUICK_SENDS = 2;
 
-  /** An ack is waited for that much longer than the quickest took, ticks. */
+  /** Time beyond the quickest ack that an ack is waited for, ticks. */
   private static final int PATIENCE = 3;
 
   private static final int MAX_WAIT = 60;
@@ -69,7 +67,7 @@ public final class EventOutbox {
     this.datagrams = datagrams;
   }
 
-  /** Tells the client of an event of the ring, soon. */
+  /** Adds an event of the ring to those that are sent. */
   public void offer(long number) {
     if (next - base == CAPACITY) {
       forget();
@@ -113,9 +111,9 @@ public final class EventOutbox {
   }
 
   /**
-   * Offers what another client lacks, from the first event of the tick on of which it lacks any:
-   * that client has become this one, and passes over as many of a tick as it has. So a tick whose
-   * first events don't fit, or have left the ring, isn't begun: the rest of it is lost.
+   * Offers what another outbox's client lacks, from the first event of the oldest tick on of which
+   * it lacks any. That client has become this one, and passes over as many events of a tick as it
+   * has. So a tick whose first events don't fit, or have left the ring, is dropped as a whole.
    */
   public void takeOver(EventOutbox before) {
     long from = before.kept;
@@ -131,7 +129,7 @@ public final class EventOutbox {
     }
   }
 
-  /** The first event that happened in a later tick than this one. */
+  /** Returns the first event that happened in a later tick than this one. */
   private long nextTick(long event) {
     long later = event + 1;
     while (later < next && ticks[at(later)] == ticks[at(event)]) {
@@ -140,7 +138,7 @@ public final class EventOutbox {
     return later;
   }
 
-  /** The oldest isn't told any more. */
+  /** Drops the oldest event. */
   private void forget() {
     if (ticks[at(base)] != ticks[at(kept)]) {
       kept = base;
@@ -152,12 +150,12 @@ public final class EventOutbox {
     return (int) event & numbers.length - 1;
   }
 
-  /** Whether the client hasn't acked everything it was told, or is to be told. */
+  /** Returns whether any event is not acked yet. */
   public boolean hasUnacked() {
     return base < next;
   }
 
-  /** Whether something would be written now. */
+  /** Returns whether any event would be written now. */
   public boolean isDue(int tick) {
     for (long i = base; i < Math.min(next, base + WINDOW); i++) {
       if (isDue(at(i), tick)) {
@@ -178,7 +176,7 @@ public final class EventOutbox {
    * Writes the event section of a datagram.
    *
    * @param tick the datagram's
-   * @param datagram its place in the {@link SentLog}
+   * @param datagram its sequence number
    * @param budgetBits for the events; one is written anyway if it fits the writer
    */
   public void write(BitWriter w, int tick, int datagram, int budgetBits) {
@@ -213,7 +211,7 @@ public final class EventOutbox {
     sentSet[datagram & datagrams - 1] = set;
   }
 
-  /** What the ring has forgotten can't be told any more. */
+  /** Drops the oldest events that are acked, or that the ring no longer holds. */
   private void forgetLost() {
     while (base < next && (acked[at(base)] || !ring.holds(numbers[at(base)]))) {
       lost += acked[at(base)] ? 0 : 1;
@@ -221,7 +219,7 @@ public final class EventOutbox {
     }
   }
 
-  /** A datagram was acked. */
+  /** Takes the ack of a datagram. */
   public void ack(int datagram) {
     if (sentBase.length == 0) {
       return;
@@ -236,7 +234,7 @@ public final class EventOutbox {
     forgetLost();
   }
 
-  /** An ack took so long, in ticks. */
+  /** Takes how long the quickest ack took, ticks. */
   public void ackTook(int ticks) {
     waitTicks = Math.max(PATIENCE, Math.min(MAX_WAIT, ticks + PATIENCE));
   }
@@ -249,12 +247,12 @@ public final class EventOutbox {
     Arrays.fill(sentSet, 0);
   }
 
-  /** Events that were offered and never told. */
+  /** Returns the number of events that were dropped. */
   public long lost() {
     return lost;
   }
 
-  /** Events that wait for their ack. */
+  /** Returns the number of events that wait for their ack. */
   public int waiting() {
     return (int) (next - base);
   }

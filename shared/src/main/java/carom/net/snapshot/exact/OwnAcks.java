@@ -1,9 +1,6 @@
-package carom.net.snapshot;
+package carom.net.snapshot.exact;
 
 import carom.net.codec.BitWriter;
-import carom.net.snapshot.exact.NearCodec;
-import carom.net.snapshot.exact.OwnCodec;
-import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.frame.PlayerSet;
@@ -14,7 +11,7 @@ import java.util.Arrays;
  * The own sections that were sent to one client, and the newest one that it has acked: the baseline
  * of the next. One thread, no allocation in the steady state.
  */
-final class OwnAcks {
+public final class OwnAcks {
   private static final int MASK = FrameRing.SIZE - 1;
 
   private final FrameRing ring;
@@ -28,7 +25,12 @@ final class OwnAcks {
   /** By the lowest bits of a tick: the last such tick whose own section was acked. */
   private final int[] ackedTicks = new int[FrameRing.SIZE];
 
-  OwnAcks(FrameRing ring) {
+  /**
+   * Creates one without acks.
+   *
+   * @param ring the room's frames
+   */
+  public OwnAcks(FrameRing ring) {
     this.ring = ring;
     for (int i = 0; i < sent.length; i++) {
       sent[i] = new OwnState();
@@ -37,13 +39,13 @@ final class OwnAcks {
   }
 
   /** Forgets all acks. */
-  void reset() {
+  public void reset() {
     ackedTick = -1;
     Arrays.fill(ackedTicks, -1);
   }
 
   /** Takes the ack of a datagram that had the own section of a tick. */
-  void ack(int tick) {
+  public void ack(int tick) {
     ackedTicks[tick & MASK] = tick;
     if (tick > ackedTick && ring.newest().tick() - tick < FrameRing.SIZE) {
       acked.setBaseline(sent[tick & MASK]);
@@ -52,17 +54,17 @@ final class OwnAcks {
   }
 
   /** Returns the newest tick of which the client has acked the own section, or -1. */
-  int ackedTick() {
+  public int ackedTick() {
     return ackedTick;
   }
 
   /** Returns whether the client has acked the own section of one of the last 64 ticks. */
-  boolean hasAcked(int tick) {
+  public boolean hasAcked(int tick) {
     return tick >= 0 && ackedTicks[tick & MASK] == tick;
   }
 
   /** Returns whether the client has acked all of an own section and the inputs that go with it. */
-  boolean isKnown(OwnState own, FrameState newest) {
+  public boolean isKnown(OwnState own, FrameState newest) {
     if (ackedTick < 0
         || !own.sameSection(acked)
         || !own.near.sameAs(acked.near)
@@ -83,18 +85,18 @@ final class OwnAcks {
   }
 
   /** Takes the section that is to be sent with the newest frame; copied. */
-  void begin(OwnState own, int tick) {
+  public void begin(OwnState own, int tick) {
     now.set(own);
     sent[tick & MASK].setBaseline(own);
   }
 
   /** Returns the section that is to be sent. */
-  OwnState now() {
+  public OwnState now() {
     return now;
   }
 
   /** Returns the age of the baseline that the section is coded against, ticks; 0 = none. */
-  int age(int tick) {
+  public int age(int tick) {
     int age = tick - ackedTick;
     return ackedTick >= 0 && age > 0 && age < FrameRing.SIZE ? age : 0;
   }
@@ -105,7 +107,7 @@ final class OwnAcks {
    * @param age see {@link #age}
    * @return bytes of the near section, rounded
    */
-  int write(BitWriter w, int age) {
+  public int write(BitWriter w, int age) {
     OwnState baseline = age > 0 ? acked : nothing;
     OwnCodec.code(w, baseline, now);
     relay.write(w, ring, RelayCodec.window(age), baseline.relayed, now.relayed);
