@@ -1,7 +1,7 @@
 package carom.net.snapshot;
 
-/** What an entity's record is coded against, and why. */
-public enum Baseline {
+/** Says what an entity's record is coded against, and why. */
+public enum BaselineReason {
   /** Nothing is sent: the client has the present state, and the server knows it. */
   QUIESCENT,
   /** Delta against a state that the client has acked. */

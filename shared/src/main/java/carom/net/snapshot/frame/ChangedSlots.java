@@ -3,31 +3,33 @@ package carom.net.snapshot.frame;
 import java.util.Arrays;
 
 /**
- * What of a ring's newest frame has changed since each of the older ones, 64 slots at a time:
- * worked out once for all sessions that ask. One thread; allocates only while the frames grow.
+ * Tells which slots of a ring's newest frame have changed since each of the older ones, 64 slots at
+ * a time. Worked out once for all sessions that ask. One thread; allocates only while the frames
+ * grow.
  */
-public final class Changes {
+public final class ChangedSlots {
 
   private final FrameRing ring;
 
-  /** By frames back and word: the slots that changed since, and of those the renamed ones. */
+  /** By frames back and word: the slots that changed since. */
   private final long[][] changed = new long[FrameRing.SIZE][];
 
+  /** By frames back and word: the slots that hold another entity, owner or archetype since. */
   private final long[][] renamed = new long[FrameRing.SIZE][];
 
-  /** So many frames back all is worked out. */
+  /** Number of frames back that are worked out. */
   private int reach;
 
   private int tick = -1;
 
-  Changes(FrameRing ring) {
+  ChangedSlots(FrameRing ring) {
     this.ring = ring;
     Arrays.fill(changed, new long[0]);
     Arrays.fill(renamed, new long[0]);
   }
 
   /**
-   * Which slots of a word changed since an older frame.
+   * Returns which slots of a word changed since an older frame.
    *
    * @param back how many frames before the newest that is, as {@link FrameRing#backTo} says
    */
@@ -36,7 +38,7 @@ public final class Changes {
     return word < row.length ? row[word] : 0;
   }
 
-  /** As {@link #since}, of slots that hold another entity, owner or archetype since. */
+  /** Returns which slots of a word hold another entity, owner or archetype since. */
   public long renamedSince(int back, int word) {
     long[] row = row(renamed, back);
     return word < row.length ? row[word] : 0;

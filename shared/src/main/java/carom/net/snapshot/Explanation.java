@@ -3,7 +3,7 @@ package carom.net.snapshot;
 import java.util.Locale;
 
 /**
- * The answer to "why was this entity not sent?", see {@link SnapshotEncoder#explain}.
+ * Answers "why was this entity not sent?": see {@link SnapshotEncoder#explain}.
  *
  * @param slot the entity asked about
  * @param reason what became of it in the last snapshot
@@ -22,10 +22,10 @@ import java.util.Locale;
  *     state of what is near, and events
  * @param nearBytes what of that told what is near
  */
-public record Verdict(
+public record Explanation(
     int slot,
     Reason reason,
-    Baseline baseline,
+    BaselineReason baseline,
     int tick,
     int ackedTick,
     int sentTick,
@@ -37,7 +37,7 @@ public record Verdict(
     int aheadBytes,
     int nearBytes) {
 
-  /** What became of an entity in the last snapshot. */
+  /** Says what became of an entity in the last snapshot. */
   public enum Reason {
     /** There is no such entity, and the client doesn't show one. */
     FREE,
@@ -55,7 +55,7 @@ public record Verdict(
     NOT_DUE
   }
 
-  /** One line for an operator. */
+  /** Returns one line for an operator. */
   @Override
   public String toString() {
     return String.format(
