@@ -88,7 +88,7 @@ public final class Lab {
     }
   }
 
-  /** The folder {@code lib} of an installation. */
+  /** Returns the folder {@code lib} of an installation. */
   private static Path home() {
     try {
       URL ours = Lab.class.getProtectionDomain().getCodeSource().getLocation();

@@ -49,7 +49,7 @@ public final class NetworkConditions {
       this.impairment = impairment;
     }
 
-    /** The conditions, with seed 1. */
+    /** Returns the conditions, with seed 1. */
     public Impairment impairment() {
       return impairment;
     }
@@ -121,7 +121,10 @@ public final class NetworkConditions {
   /** Creates the defaults; the command line fills them in. */
   public NetworkConditions() {}
 
-  /** What is wrong with the flags, in words that name flag, value and range; null when nothing. */
+  /**
+   * Returns what is wrong with the flags, in words that name flag, value and range; null when
+   * nothing.
+   */
   public String problem() {
     String[] problems = {
       outside("--loss", loss, 0, 100),
@@ -147,7 +150,7 @@ public final class NetworkConditions {
   }
 
   /**
-   * The bad network asked for; {@link Impairment#NONE} with the seed when none was.
+   * Returns the bad network asked for; {@link Impairment#NONE} with the seed when none was.
    *
    * @throws IllegalArgumentException when there is a {@link #problem}
    */
@@ -160,7 +163,7 @@ public final class NetworkConditions {
         .withBandwidth(or(bandwidth, base.bandwidthKbit()));
   }
 
-  /** Whether any bad condition was asked for. */
+  /** Returns whether any bad condition was asked for. */
   public boolean isBad() {
     Impairment asked = impairment();
     return !asked.equals(Impairment.NONE.withSeed(seed).withBursts(0, asked.burst()));

@@ -60,7 +60,7 @@ public final class BlockWriter implements AutoCloseable {
     written += Block.HEAD_BYTES + count;
   }
 
-  /** Bytes written so far. */
+  /** Returns the bytes written so far. */
   public long written() {
     return written;
   }

@@ -151,40 +151,40 @@ public final class Divergence {
     return e.archetype().name() + " generation " + e.generation() + owner;
   }
 
-  /** The first tick whose state hash differs. */
+  /** Returns the first tick whose state hash differs. */
   public int tick() {
     return tick;
   }
 
   /**
-   * The tick of the recording's next whole state, from which the replay went on; -1 if it didn't
-   * come as far.
+   * Returns the tick of the recording's next whole state, from which the replay went on; -1 if it
+   * didn't come as far.
    */
   public int endTick() {
     return endTick;
   }
 
-  /** The recorded hash of that tick. */
+  /** Returns the recorded hash of that tick. */
   public long recordedHash() {
     return recordedHash;
   }
 
-  /** The hash computed here. */
+  /** Returns the hash computed here. */
   public long replayedHash() {
     return replayedHash;
   }
 
   /**
-   * The first tick at which a body differs; -1 when none did as long as the replay went on: then it
-   * is inputs, scores, memory, random numbers, contacts or joints.
+   * Returns the first tick at which a body differs; -1 when none did as long as the replay went on:
+   * then it is inputs, scores, memory, random numbers, contacts or joints.
    */
   public int bodyTick() {
     return bodyTick;
   }
 
   /**
-   * What differs: at {@link #bodyTick} the one body that was first, or, if there were several, what
-   * a later keyframe shows, at most {@value #MAX_LISTED}.
+   * Returns what differs: at {@link #bodyTick} the one body that was first, or, if there were
+   * several, what a later keyframe shows, at most {@value #MAX_LISTED}.
    */
   public List<Difference> differences() {
     return List.copyOf(differences);

@@ -68,8 +68,8 @@ final class Fingerprint {
   }
 
   /**
-   * The one entity in which another side's sums differ from this side's, which are those of a
-   * simulation's present state.
+   * Returns the one entity in which another side's sums differ from this side's, which are those of
+   * a simulation's present state.
    *
    * @param theirs the other side's sums
    * @param out receives the other side's state of the entity as bits

@@ -166,8 +166,8 @@ public final class Recorder implements Journal {
   }
 
   /**
-   * The whole state in pieces. What follows is told as if nothing had come before, so that a reader
-   * can begin here.
+   * Returns the whole state in pieces. What follows is told as if nothing had come before, so that
+   * a reader can begin here.
    */
   private boolean writeState(Simulation s) {
     archive.clear();
@@ -268,7 +268,7 @@ public final class Recorder implements Journal {
     return leftOut;
   }
 
-  /** Whether the sink could not take a block: nothing is recorded any more. */
+  /** Returns whether the sink could not take a block: nothing is recorded any more. */
   public boolean isCut() {
     return stopped;
   }
@@ -304,7 +304,7 @@ public final class Recorder implements Journal {
     out.text(why);
   }
 
-  /** The last tick recorded. */
+  /** Returns the last tick recorded. */
   public int tick() {
     return lastTick;
   }

@@ -6,7 +6,7 @@ import java.io.IOException;
 public final class RecordingException extends IOException {
   private static final long serialVersionUID = 1;
 
-  /** What is wrong, where, and what would be right. */
+  /** Returns what is wrong, where, and what would be right. */
   public RecordingException(String message) {
     super(message);
   }

@@ -161,7 +161,7 @@ public final class RecordingReader implements AutoCloseable {
     }
   }
 
-  /** What the recording begins with. */
+  /** Returns what the recording begins with. */
   public RecordingHeader header() {
     return header;
   }
@@ -344,7 +344,9 @@ public final class RecordingReader implements AutoCloseable {
     return true;
   }
 
-  /** Whether only zeros follow: the disk was told of the length, but not yet of the bytes. */
+  /**
+   * Returns whether only zeros follow: the disk was told of the length, but not yet of the bytes.
+   */
   private boolean isEmptyFrom(long from, long size) throws IOException {
     ByteBuffer chunk = ByteBuffer.allocate(1 << 13);
     for (long at = from; at < size; at += chunk.limit()) {
@@ -383,7 +385,7 @@ public final class RecordingReader implements AutoCloseable {
     block.set(content, length);
   }
 
-  /** The end mark may still be unread when all bytes are there. */
+  /** Returns the end mark may still be unread when all bytes are there. */
   private boolean isFinished() throws DataFormatException {
     return inflater.inflate(new byte[1]) == 0 && inflater.finished();
   }
@@ -418,27 +420,27 @@ public final class RecordingReader implements AutoCloseable {
     return playerName;
   }
 
-  /** How many players' inputs or view delays changed at {@link Event#TICK}. */
+  /** Returns how many players' inputs or view delays changed at {@link Event#TICK}. */
   public int changedCount() {
     return changedCount;
   }
 
-  /** The i-th player whose input or view delay changed. */
+  /** Returns the i-th player whose input or view delay changed. */
   public int changedId(int i) {
     return changedIds[i];
   }
 
-  /** A player's input, see {@link carom.sim.Input#pack}. */
+  /** Returns a player's input, see {@link carom.sim.Input#pack}. */
   public long input(int player) {
     return inputs[player];
   }
 
-  /** A player's view delay. */
+  /** Returns a player's view delay. */
   public int viewDelay(int player) {
     return viewDelays[player];
   }
 
-  /** The state hash after the step, or of the keyframe. */
+  /** Returns the state hash after the step, or of the keyframe. */
   public long hash() {
     return hash;
   }
@@ -447,17 +449,19 @@ public final class RecordingReader implements AutoCloseable {
     return sums;
   }
 
-  /** The tick of the last keyframe read. */
+  /** Returns the tick of the last keyframe read. */
   public int keyframeTick() {
     return keyframeTick;
   }
 
-  /** The tick of the last state read. */
+  /** Returns the tick of the last state read. */
   public int stateTick() {
     return stateTick;
   }
 
-  /** The last state read, for {@link Simulation#read}; valid until {@link #next} is called. */
+  /**
+   * Returns the last state read, for {@link Simulation#read}; valid until {@link #next} is called.
+   */
   ArchiveReader state() {
     return new ArchiveReader(Arrays.copyOfRange(state, stateBegin, stateEnd));
   }
@@ -567,7 +571,7 @@ public final class RecordingReader implements AutoCloseable {
     System.arraycopy(keyStates, id * Fingerprint.FIELDS, out, 0, Fingerprint.FIELDS);
   }
 
-  /** Whether the recording ended because the recorder could not keep up. */
+  /** Returns whether the recording ended because the recorder could not keep up. */
   public boolean isCut() {
     return cut;
   }
@@ -577,17 +581,17 @@ public final class RecordingReader implements AutoCloseable {
     return reason;
   }
 
-  /** Bytes behind the last whole block, at {@link Event#WAIT}. */
+  /** Returns the bytes behind the last whole block, at {@link Event#WAIT}. */
   public long tornBytes() throws IOException {
     return file.size() - position;
   }
 
-  /** Whether this is a place between two blocks, which {@link #mark} can remember. */
+  /** Returns whether this is a place between two blocks, which {@link #mark} can remember. */
   public boolean isBetweenBlocks() {
     return block.isEmpty() && collected == 0;
   }
 
-  /** Whether the next block, as far as it is there, is a state or a piece of one. */
+  /** Returns whether the next block, as far as it is there, is a state or a piece of one. */
   boolean comesState() throws IOException {
     return block.isEmpty() && fill(head.clear(), position) && Block.of(head.get(0)) == Block.STATE;
   }

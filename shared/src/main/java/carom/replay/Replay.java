@@ -43,7 +43,7 @@ public final class Replay {
   private int equalTicks;
   private boolean inTick;
 
-  /** Whether what comes is computed on; else a state to begin from comes. */
+  /** True if what comes is computed on; else a state to begin from comes. */
   private boolean computing;
 
   private int firstTick = Integer.MAX_VALUE;
@@ -237,7 +237,7 @@ public final class Replay {
   }
 
   /**
-   * The last tick at or before another at which the file has a whole state, to begin from.
+   * Returns the last tick at or before another at which the file has a whole state, to begin from.
    *
    * @return -1 when there is none
    */
@@ -266,7 +266,7 @@ public final class Replay {
     return true;
   }
 
-  /** The first tick that was there: 0, or that of a state begun from. */
+  /** Returns the first tick that was there: 0, or that of a state begun from. */
   public int firstTick() {
     return Math.min(firstTick, simulation.tick());
   }
@@ -276,37 +276,37 @@ public final class Replay {
         "damaged: after tick " + simulation.tick() + " the recording says that " + what);
   }
 
-  /** The world, for reading. */
+  /** Returns the world, for reading. */
   public Simulation simulation() {
     return simulation;
   }
 
-  /** What the recording began with. */
+  /** Returns what the recording began with. */
   public RecordingHeader header() {
     return reader.header();
   }
 
-  /** The first difference found, or null when there has been none. */
+  /** Returns the first difference found, or null when there has been none. */
   public Divergence divergence() {
     return divergences.isEmpty() ? null : divergences.get(0);
   }
 
   /**
-   * The first difference of each stretch between two whole states that was played and diverged, as
-   * they were found; {@value #MAX_DIVERGENCES} at most.
+   * Returns the first difference of each stretch between two whole states that was played and
+   * diverged, as they were found; {@value #MAX_DIVERGENCES} at most.
    */
   public List<Divergence> divergences() {
     return List.copyOf(divergences);
   }
 
-  /** How many ticks were computed with the hash that was recorded. */
+  /** Returns how many ticks were computed with the hash that was recorded. */
   public int equalTicks() {
     return equalTicks;
   }
 
   /**
-   * Whether {@link #divergence} tells all that can be found out; going on finds out only whether
-   * what follows the next whole state is equal.
+   * Returns whether {@link #divergence} tells all that can be found out; going on finds out only
+   * whether what follows the next whole state is equal.
    */
   public boolean isDecided() {
     return divergences.size() > 1 || (!divergences.isEmpty() && (decided || divergence == null));
@@ -324,13 +324,13 @@ public final class Replay {
       this.divergence = divergence;
     }
 
-    /** The tick it stands for. */
+    /** Returns the tick it stands for. */
     public int tick() {
       return state.tick();
     }
   }
 
-  /** Whether {@link #mark} is possible after this tick; it is about once a second. */
+  /** Returns whether {@link #mark} is possible after this tick; it is about once a second. */
   public boolean canMark() {
     return reader.isBetweenBlocks();
   }

@@ -1,54 +1,57 @@
 package carom.net.codec;
 
 /**
- * Kernels that quantise the numbers of a column side by side, bit for bit as {@link Quantizer} does
- * one after the other. How many go through them shows in no result.
+ * Vector kernels that quantise several numbers of a column at once, bit for bit as {@link
+ * Quantizer} does one by one. The share of a column that goes through them changes no result.
  */
 abstract class ColumnLanes {
-  /** The kernels made with the Vector API, null where the JVM was started without that module. */
+  /** The kernels built on the Vector API, or null if the JVM runs without that module. */
   static final ColumnLanes FOUND = find();
 
   /**
-   * Calls of a kernel before all numbers go through it: until then the JIT compiler may interpret
-   * it, hundreds of times slower.
+   * Number of calls after which a kernel takes whole columns. Before that, the JIT compiler may
+   * still interpret it, which is hundreds of times slower.
    */
   private static final int WARM_UP = 8_000;
 
-  /** The share of a column's calls that are made until then. */
+  /** Divisor of a column's calls during warm-up: a kernel takes one in SHARE of them. */
   private static final int SHARE = 16;
 
-  /** How often each kernel was called. Rooms share these counts, which needn't be exact. */
+  /**
+   * Number of calls of each kernel so far, up to WARM_UP. Rooms share these counts without
+   * synchronisation, because they needn't be exact.
+   */
   private int stepped;
 
   private int turned;
 
-  /** How many numbers a call of a kernel takes. */
+  /** Returns how many numbers one call of a kernel takes. */
   abstract int width();
 
   /**
-   * Numbers to steps, rounded as {@link Quantizer} does.
+   * Rounds numbers to steps as {@link Quantizer} does.
    *
    * @param from the numbers, from {@code at} on
    * @param scale steps per unit, a power of two
-   * @param max the largest magnitude that a result may have, steps, at most 2^21
-   * @param to receives the steps, from {@code at} on; they mean nothing if it is false
-   * @return whether all numbers are that small; false, too, if one isn't a number
+   * @param max the largest allowed magnitude of a result in steps, at most 2^21
+   * @param to receives the steps, from {@code at} on; undefined if this returns false
+   * @return whether all results are within {@code max}; false if one of the numbers is NaN
    */
   abstract boolean round(float[] from, int at, float scale, float max, int[] to);
 
   /**
-   * Directions to angles, as {@link Quantizer#angleOfTurn} rounds those of {@code
-   * carom.physics.math.Trig.roughTurn}, by the same polynomial.
+   * Turns directions into angles. It uses the polynomial of {@code
+   * carom.physics.math.Trig.roughTurn} and rounds as {@link Quantizer#angleOfTurn} does.
    *
-   * @param error how far these may be off
+   * @param error largest error of the polynomial
    */
   abstract void turn(float[] cos, float[] sin, int at, int error, int[] to);
 
   /**
-   * Quantises the first numbers of a column.
+   * Quantises as many leading numbers of a column as the kernel takes.
    *
-   * @param max as in {@link #round}, also above 2^21
-   * @return how many were, 0..n; the rest is left to the caller
+   * @param max largest magnitude in steps as in {@link #round}, but it may be above 2^21
+   * @return how many numbers were quantised, 0..n; the caller does the rest
    */
   final int steps(float[] from, int n, int scale, int max, int[] to) {
     int width = width();
@@ -63,7 +66,9 @@ abstract class ColumnLanes {
     return calls * width;
   }
 
-  /** Quantises the first directions of two columns, and tells how many. */
+  /**
+   * Quantises as many leading directions of two columns as the kernel takes, and returns how many.
+   */
   final int turns(float[] cos, float[] sin, int n, int error, int[] to) {
     int width = width();
     int calls = trusted(n, turned);
@@ -74,7 +79,10 @@ abstract class ColumnLanes {
     return calls * width;
   }
 
-  /** How often a kernel may be called for a column, if it was so often before. */
+  /**
+   * Returns how many kernel calls a column of n numbers gets, if there were {@code before} calls so
+   * far.
+   */
   private int trusted(int n, int before) {
     int calls = n < Quantizer.LONG ? 0 : n / width();
     return before >= WARM_UP ? calls : calls / SHARE;

@@ -88,7 +88,7 @@ public abstract class ClientEnd extends FramedLink {
     return token;
   }
 
-  /** Whether the server has sent its first frame: it is one of ours. */
+  /** Returns whether the server has sent its first frame: it is one of ours. */
   protected final boolean isTcpRegistered() {
     return tcpRegistered;
   }
@@ -117,7 +117,7 @@ public abstract class ClientEnd extends FramedLink {
     disconnected = true;
   }
 
-  /** Whether the sockets are of no use any more. */
+  /** Returns whether the sockets are of no use any more. */
   public final boolean isDisconnected() {
     return disconnected;
   }
@@ -178,7 +178,7 @@ public abstract class ClientEnd extends FramedLink {
     openWhenReady();
   }
 
-  /** Whether the server knows our UDP address. */
+  /** Returns whether the server knows our UDP address. */
   protected final boolean isUdpRegistered() {
     return udpRegistered;
   }
@@ -202,7 +202,7 @@ public abstract class ClientEnd extends FramedLink {
     }
   }
 
-  /** Whether connecting takes too long. */
+  /** Returns whether connecting takes too long. */
   protected final boolean isLate(long now) {
     return now - start > connectNanos;
   }

@@ -173,7 +173,7 @@ final class ClientLink extends ClientEnd {
     }
   }
 
-  /** What went wrong, or null when a connection stands. */
+  /** Returns what went wrong, or null when a connection stands. */
   private String tryAddresses() {
     String failure = "no server answers at " + remote();
     try {
@@ -315,7 +315,7 @@ final class ClientLink extends ClientEnd {
       return FrameCodec.HANDLED;
     }
 
-    /** What KryoNet has to know of a frame. */
+    /** Returns what KryoNet has to know of a frame. */
     private Object register(byte tag) {
       if (tag == Frame.REGISTER_TCP) {
         RegisterTCP registered = new RegisterTCP();

@@ -87,7 +87,7 @@ final class DatagramPort implements Runnable {
     thread.start();
   }
 
-  /** The port's number. */
+  /** Returns the port's number. */
   int number() {
     return channel.socket().getLocalPort();
   }

@@ -18,17 +18,17 @@ abstract class FrameCodec implements Serialization {
    */
   static final Object HANDLED = new Object();
 
-  /** Bytes that a frame takes in a TCP write buffer. */
+  /** Returns the bytes that a frame takes in a TCP write buffer. */
   static int tcpBytes(Object frame) {
     return frame instanceof Frame.Payload payload
         ? payload.tcpBytes()
         : Frame.LENGTH_BYTES + Frame.REGISTRATION_BYTES;
   }
 
-  /** The token of a connection: made by the server, learned by the client. */
+  /** Returns the token of a connection: made by the server, learned by the client. */
   abstract long token(Connection connection);
 
-  /** Whether this side is the server. */
+  /** Returns whether this side is the server. */
   abstract boolean server();
 
   @Override

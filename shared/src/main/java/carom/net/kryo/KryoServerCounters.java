@@ -41,12 +41,12 @@ public final class KryoServerCounters {
 
   KryoServerCounters() {}
 
-  /** The newest of {@link #errors}, or null. */
+  /** Returns the newest of {@link #errors}, or null. */
   public Throwable lastError() {
     return lastError;
   }
 
-  /** The values that aren't 0 and should be, in words. */
+  /** Returns the values that aren't 0 and should be, in words. */
   String troubles() {
     StringBuilder text = new StringBuilder();
     append(text, refused, "refused");

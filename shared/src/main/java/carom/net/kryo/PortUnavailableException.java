@@ -24,7 +24,7 @@ public final class PortUnavailableException extends UncheckedIOException {
     return protocol;
   }
 
-  /** The port that was asked for, 1..65,535; 0 when the system had no free one. */
+  /** Returns the port that was asked for, 1..65,535; 0 when the system had no free one. */
   public int port() {
     return port;
   }

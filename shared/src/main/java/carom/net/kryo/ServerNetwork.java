@@ -79,7 +79,7 @@ final class ServerNetwork implements Runnable {
     }
   }
 
-  /** Number of the UDP port; after {@link #bind}. */
+  /** Returns the number of the UDP port; after {@link #bind}. */
   int udpPort() {
     return datagrams.number();
   }
@@ -154,7 +154,7 @@ final class ServerNetwork implements Runnable {
     dispose();
   }
 
-  /** One turn of the loop; gives the time of the next sweep. */
+  /** Returns one turn of the loop; gives the time of the next sweep. */
   private long step(int selectMillis, long nextSweep) {
     try {
       server.update(selectMillis);
@@ -196,8 +196,8 @@ final class ServerNetwork implements Runnable {
   }
 
   /**
-   * Whether a connection that just came in may stay; it is told why not, and closed. Network
-   * thread.
+   * Returns whether a connection that just came in may stay; it is told why not, and closed.
+   * Network thread.
    */
   boolean admit(ServerConnection connection) {
     counters.accepted.incrementAndGet();
@@ -236,7 +236,7 @@ final class ServerNetwork implements Runnable {
     return (address.indexOf(':') < 0 ? address : "[" + address + "]") + ":" + remote.getPort();
   }
 
-  /** One household: an IPv4 address, or an IPv6 /64 network. */
+  /** Returns one household: an IPv4 address, or an IPv6 /64 network. */
   private static Object addressKey(InetAddress address) {
     if (address instanceof Inet6Address) {
       return ByteBuffer.wrap(Arrays.copyOf(address.getAddress(), 8));
@@ -255,9 +255,9 @@ final class ServerNetwork implements Runnable {
   }
 
   /**
-   * A newcomer tells its UDP address. Whoever had it before has crashed or moved on without a word,
-   * and the system gave its port to the next one; so that link ends, unless the newcomer's TCP
-   * comes from another machine: then the datagram's source is forged. The port's thread.
+   * Returns a newcomer tells its UDP address. Whoever had it before has crashed or moved on without
+   * a word, and the system gave its port to the next one; so that link ends, unless the newcomer's
+   * TCP comes from another machine: then the datagram's source is forged. The port's thread.
    *
    * @return false when the datagram is no registration that anybody waits for
    */

@@ -12,14 +12,14 @@ public abstract class Archive {
   Archive() {}
 
   /**
-   * Whether numbers come from the archive.
+   * Returns whether numbers come from the archive.
    *
    * @return false if they go to it
    */
   public abstract boolean reads();
 
   /**
-   * A whole number.
+   * Returns a whole number.
    *
    * @param what its name, for messages
    * @param value ignored when reading
@@ -40,7 +40,7 @@ public abstract class Archive {
   public abstract long bits(String what, long value);
 
   /**
-   * A number.
+   * Returns a number.
    *
    * @param what its name, for messages
    * @param value ignored when reading
@@ -52,8 +52,8 @@ public abstract class Archive {
   public abstract float number(String what, float value, float least, float most);
 
   /**
-   * How many of something follow. A reader refuses more than it has bytes for, so that what is
-   * allocated for them is bounded by what was read.
+   * Returns how many of something follow. A reader refuses more than it has bytes for, so that what
+   * is allocated for them is bounded by what was read.
    *
    * @param what their name, for messages
    * @param value ignored when reading
@@ -106,7 +106,7 @@ public abstract class Archive {
   public abstract void numbers(String what, float[] values, int count, float most);
 
   /**
-   * A flag.
+   * Returns a flag.
    *
    * @param what its name, for messages
    * @param value ignored when reading
@@ -117,7 +117,7 @@ public abstract class Archive {
   }
 
   /**
-   * A text, 2 bytes a character.
+   * Returns a text, 2 bytes a character.
    *
    * @param what its name, for messages
    * @param value ignored when reading
@@ -146,7 +146,7 @@ public abstract class Archive {
     }
   }
 
-  /** The exception to throw, with the place. */
+  /** Returns the exception to throw, with the place. */
   abstract ArchiveException refused(String what);
 
   final ArchiveException outside(String what, Object value, Object least, Object most) {

@@ -30,7 +30,7 @@ public final class ArchiveReader extends Archive {
   }
 
   /**
-   * Whether everything was read.
+   * Returns whether everything was read.
    *
    * @return false if bytes are left
    */

@@ -25,7 +25,7 @@ public final class ArchiveWriter extends Archive {
   }
 
   /**
-   * How many bytes were written.
+   * Returns how many bytes were written.
    *
    * @return the number
    */

@@ -43,7 +43,7 @@ public final class AreaEffect {
   }
 
   /**
-   * The same force for every body: the light ones fly.
+   * Returns the same force for every body: the light ones fly.
    *
    * @param area m, copied
    * @param fx N
@@ -55,7 +55,7 @@ public final class AreaEffect {
   }
 
   /**
-   * The same acceleration for every body: a gravity of its own, on top of the world's.
+   * Returns the same acceleration for every body: a gravity of its own, on top of the world's.
    *
    * @param area m, copied
    * @param ax m/s^2, within 1e5

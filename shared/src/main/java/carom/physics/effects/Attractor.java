@@ -48,7 +48,7 @@ public final class Attractor {
   private final Nearby nearby = new Nearby();
 
   /**
-   * An attractor of 10 m/s^2 within its range.
+   * Returns an attractor of 10 m/s^2 within its range.
    *
    * @param x where it is, m
    * @param y where it is, m

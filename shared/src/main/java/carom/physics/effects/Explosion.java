@@ -46,7 +46,7 @@ public final class Explosion {
       (body, shape) -> body.type() == BodyType.STATIC && !body.sensor(shape);
 
   /**
-   * An explosion of 10 N s per metre.
+   * Returns an explosion of 10 N s per metre.
    *
    * @param x its centre, m
    * @param y its centre, m

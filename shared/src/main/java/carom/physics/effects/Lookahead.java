@@ -17,7 +17,7 @@ import carom.physics.WorldDef;
 final class Lookahead {
   private Lookahead() {}
 
-  /** How far ahead to measure, s. */
+  /** Returns how far ahead to measure, s. */
   static float seconds(WorldDef def, float dt) {
     int more = def.integrator() == Integrator.EXPLICIT_EULER ? 1 : -1;
     return dt * (def.substeps() + more) / (2f * def.substeps());

@@ -42,7 +42,7 @@ final class Nearby {
     count = 0;
   }
 
-  /** A visitor of any body is a visitor of bodies of T: it looks at no user. */
+  /** Returns a visitor of any body is a visitor of bodies of T: it looks at no user. */
   @SuppressWarnings("unchecked")
   private <T> BodyVisitor<T> collector() {
     return (BodyVisitor<T>) (BodyVisitor<?>) collect;
@@ -58,7 +58,7 @@ final class Nearby {
     return true;
   }
 
-  /** Whether one of a body's solid shapes is of one of the categories. */
+  /** Returns whether one of a body's solid shapes is of one of the categories. */
   static boolean isOf(Body<?> body, int categories) {
     for (int i = 0; i < body.shapeCount(); i++) {
       if (!body.sensor(i) && (body.filter(i).category() & categories) != 0) {

@@ -51,12 +51,12 @@ public final class Box extends Convex {
     checkEdges("box");
   }
 
-  /** Half of the horizontal size, metres. */
+  /** Returns half of the horizontal size, metres. */
   public float halfWidth() {
     return halfWidth;
   }
 
-  /** Half of the vertical size, metres. */
+  /** Returns half of the vertical size, metres. */
   public float halfHeight() {
     return halfHeight;
   }

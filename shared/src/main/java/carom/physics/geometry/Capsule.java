@@ -30,7 +30,9 @@ public final class Capsule extends Convex {
     checkSize("capsule length", length());
   }
 
-  /** An upright capsule around the frame's origin, as tall as {@code height} with its caps. */
+  /**
+   * Returns an upright capsule around the frame's origin, as tall as {@code height} with its caps.
+   */
   public static Capsule upright(float height, float radius) {
     float half = 0.5f * height - radius;
     return new Capsule(0, -half, 0, half, radius);
@@ -52,8 +54,8 @@ public final class Capsule extends Convex {
   }
 
   /**
-   * A rectangle and two half discs, each with its own centroid, by the parallel axis theorem; see
-   * {@link Convex#roundedMass}.
+   * Returns a rectangle and two half discs, each with its own centroid, by the parallel axis
+   * theorem; see {@link Convex#roundedMass}.
    */
   @Override
   public MassData mass(float density) {

@@ -123,7 +123,7 @@ public final class Chain extends Shape {
     return Math.max(xy[2 * segment + axis], xy[2 * next + axis]);
   }
 
-  /** How far the points reach along an axis, m. */
+  /** Returns how far the points reach along an axis, m. */
   private float extent(int axis) {
     float least = Float.POSITIVE_INFINITY;
     float most = Float.NEGATIVE_INFINITY;
@@ -176,12 +176,12 @@ public final class Chain extends Shape {
     return segments;
   }
 
-  /** Whether the last point is joined to the first. */
+  /** Returns whether the last point is joined to the first. */
   public boolean isLoop() {
     return loop;
   }
 
-  /** How many points there are. */
+  /** Returns how many points there are. */
   public int pointCount() {
     return xy.length / 2;
   }
@@ -196,7 +196,7 @@ public final class Chain extends Shape {
     return xy[2 * index + 1];
   }
 
-  /** The segments, in the order of the points. */
+  /** Returns the segments, in the order of the points. */
   @Override
   public List<Convex> parts() {
     return parts;

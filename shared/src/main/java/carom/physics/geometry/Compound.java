@@ -69,8 +69,8 @@ public final class Compound extends Shape {
   }
 
   /**
-   * The parts' masses add up; the centre is their weighted mean; inertias add up after each is
-   * moved to the common centre by the parallel axis theorem (Huygens and Steiner): I' = I + m
+   * Returns the parts' masses add up; the centre is their weighted mean; inertias add up after each
+   * is moved to the common centre by the parallel axis theorem (Huygens and Steiner): I' = I + m
    * d&sup2;.
    */
   @Override

@@ -37,8 +37,8 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon, 
   }
 
   /**
-   * How many vertices there are: 1 for a circle, 2 for a capsule or segment, 4 for a box, 3 to
-   * {@value #MAX_VERTICES} for a polygon.
+   * Returns how many vertices there are: 1 for a circle, 2 for a capsule or segment, 4 for a box, 3
+   * to {@value #MAX_VERTICES} for a polygon.
    */
   public final int vertexCount() {
     return vx.length;
@@ -165,7 +165,9 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon, 
     return Math.sqrt(ex * ex + ey * ey);
   }
 
-  /** Whether a point is in the polygon of the vertices or within a distance of its edges. */
+  /**
+   * Returns whether a point is in the polygon of the vertices or within a distance of its edges.
+   */
   final boolean isWithin(float x, float y, float distance) {
     int count = vx.length;
     boolean inside = count > 2;

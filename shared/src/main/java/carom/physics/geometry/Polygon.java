@@ -139,7 +139,7 @@ public final class Polygon extends Convex {
     return new Polygon(vx, vy, nx, ny, 0);
   }
 
-  /** A polygon with these vertices and normals, as it once was built. */
+  /** Returns a polygon with these vertices and normals, as it once was built. */
   static Polygon exact(float[] vx, float[] vy, float[] nx, float[] ny, float radius) {
     Polygon polygon = new Polygon(vx, vy, nx, ny, radius);
     polygon.checkEdges("polygon");
@@ -251,11 +251,11 @@ public final class Polygon extends Convex {
   }
 
   /**
-   * The shoelace formula and its moments, over the fan of triangles at vertex 0 with edge vectors a
-   * and b: area a x b / 2, centroid (a + b) / 3, second moment about vertex 0 (a x b)(a.a + a.b +
-   * b.b) / 12 (Green's theorem; e.g. Bourke, "Calculating the area and centroid of a polygon", and
-   * its second-moment counterpart). The parallel axis theorem then moves the sum to the centroid.
-   * Coordinates relative to vertex 0 keep far-away polygons accurate.
+   * Returns the shoelace formula and its moments, over the fan of triangles at vertex 0 with edge
+   * vectors a and b: area a x b / 2, centroid (a + b) / 3, second moment about vertex 0 (a x b)(a.a
+   * + a.b + b.b) / 12 (Green's theorem; e.g. Bourke, "Calculating the area and centroid of a
+   * polygon", and its second-moment counterpart). The parallel axis theorem then moves the sum to
+   * the centroid. Coordinates relative to vertex 0 keep far-away polygons accurate.
    */
   @Override
   public MassData mass(float density) {

@@ -50,12 +50,12 @@ public final class Segment extends Convex {
     checkSize("segment length", (float) lengthOf(0));
   }
 
-  /** Whether bodies pass through it from behind: a part of a {@link Chain}. */
+  /** Returns whether bodies pass through it from behind: a part of a {@link Chain}. */
   public boolean isOneSided() {
     return oneSided;
   }
 
-  /** Whether another segment of the chain goes on at vertex {@code end}, 0 or 1. */
+  /** Returns whether another segment of the chain goes on at vertex {@code end}, 0 or 1. */
   public boolean isLinked(int end) {
     return linked[end];
   }

@@ -30,8 +30,8 @@ public abstract sealed class Shape permits Convex, Compound, Chain {
   Shape() {}
 
   /**
-   * The convex pieces this shape consists of, in a fixed order; a convex shape is its own only
-   * part. Unmodifiable; no allocation.
+   * Returns the convex pieces this shape consists of, in a fixed order; a convex shape is its own
+   * only part. Unmodifiable; no allocation.
    */
   public abstract List<Convex> parts();
 
@@ -44,8 +44,8 @@ public abstract sealed class Shape permits Convex, Compound, Chain {
   public abstract void aabb(Transform t, Aabb out);
 
   /**
-   * The area in m&sup2;, positive; 0 for lines. Parts of a compound that overlap count as often as
-   * they overlap.
+   * Returns the area in m&sup2;, positive; 0 for lines. Parts of a compound that overlap count as
+   * often as they overlap.
    */
   public abstract float area();
 

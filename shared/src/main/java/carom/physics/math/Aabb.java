@@ -102,7 +102,7 @@ public final class Aabb {
     return maxY - minY;
   }
 
-  /** Half of the border's length, the cost measure of box trees; metres. */
+  /** Returns half of the border's length, the cost measure of box trees; metres. */
   public float halfPerimeter() {
     return width() + height();
   }

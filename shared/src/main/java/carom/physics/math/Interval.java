@@ -68,7 +68,7 @@ public final class Interval {
   }
 
   /**
-   * The smallest signed translation of this interval that moves it out of {@code other},
+   * Returns the smallest signed translation of this interval that moves it out of {@code other},
    * containment included.
    *
    * @return positive: up, negative: down, 0 when the intervals are separated or touch. Of two equal

@@ -76,7 +76,7 @@ public final class Transform {
     }
   }
 
-  /** The angle in radians, in (-pi, pi]. */
+  /** Returns the angle in radians, in (-pi, pi]. */
   public float angle() {
     return Trig.atan2(sin, cos);
   }

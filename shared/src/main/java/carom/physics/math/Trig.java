@@ -76,7 +76,7 @@ public final class Trig {
   }
 
   /**
-   * The angle of the vector (x, y) in radians, counter-clockwise from the x axis.
+   * Returns the angle of the vector (x, y) in radians, counter-clockwise from the x axis.
    *
    * @return in [-pi, pi] as floats; 0 for the zero vector, whatever the signs of its zeros; for y =
    *     -0 and x &lt; 0 it is pi, not -pi; NaN when an argument is NaN; infinite arguments are

@@ -11,7 +11,7 @@ public record Vec2(float x, float y) {
   /** The origin. */
   public static final Vec2 ZERO = new Vec2(0, 0);
 
-  /** The sum of this vector and {@code v}. */
+  /** Returns the sum of this vector and {@code v}. */
   public Vec2 plus(Vec2 v) {
     return new Vec2(x + v.x, y + v.y);
   }
@@ -31,26 +31,31 @@ public record Vec2(float x, float y) {
     return new Vec2(-y, x);
   }
 
-  /** The scalar product: positive when the directions differ by less than a quarter turn. */
+  /**
+   * Returns the scalar product: positive when the directions differ by less than a quarter turn.
+   */
   public float dot(Vec2 v) {
     return x * v.x + y * v.y;
   }
 
   /**
-   * The z component of the cross product: positive when {@code v} lies counter-clockwise of this
-   * vector.
+   * Returns the z component of the cross product: positive when {@code v} lies counter-clockwise of
+   * this vector.
    */
   public float cross(Vec2 v) {
     return x * v.y - y * v.x;
   }
 
-  /** The length, not negative; correct for every finite vector whose length is a finite float. */
+  /**
+   * Returns the length, not negative; correct for every finite vector whose length is a finite
+   * float.
+   */
   public float length() {
     return (float) Math.sqrt((double) x * x + (double) y * y);
   }
 
   /**
-   * The vector of length one in this direction.
+   * Returns the vector of length one in this direction.
    *
    * @return {@link #ZERO} when this vector is zero
    */

@@ -156,7 +156,7 @@ final class BodyContacts {
     }
   }
 
-  /** Whether a particle is closer to a part than its radius, or went through it. */
+  /** Returns whether a particle is closer to a part than its radius, or went through it. */
   private boolean touches(float[] oldX, float[] oldY, int i, int k, int b, float lx, float ly) {
     Convex shape = bodies.part[k];
     float dx = oldX[i] - bodies.oldX[b];
@@ -182,7 +182,7 @@ final class BodyContacts {
     return distance < radius && !isBack(shape, lx - shape.vertexX(0), ly - shape.vertexY(0));
   }
 
-  /** Whether (x, y) points to the open side of a one-sided line. */
+  /** Returns whether (x, y) points to the open side of a one-sided line. */
   private static boolean isBack(Convex shape, float x, float y) {
     return shape instanceof Segment
         && ((Segment) shape).isOneSided()

@@ -15,7 +15,7 @@ public final class Emitter {
   private float speed = 5;
 
   /**
-   * A nozzle of one particle's width and 5 m/s.
+   * Returns a nozzle of one particle's width and 5 m/s.
    *
    * @param x its middle, m
    * @param y its middle, m

@@ -27,7 +27,7 @@ final class NearBodies {
   float[] w = new float[16];
   float[] invMass = new float[16];
 
-  /** Whether the body is dynamic; if not, it has the last word. */
+  /** True if the body is dynamic; if not, it has the last word. */
   boolean[] movable = new boolean[16];
 
   float[] invInertia = new float[16];
@@ -88,7 +88,7 @@ final class NearBodies {
     step++;
   }
 
-  /** The bodies with a box in an area, by ascending index; answers how many. */
+  /** Returns the bodies with a box in an area, by ascending index; answers how many. */
   @SuppressWarnings("unchecked")
   <T> int query(World<T> world, float left, float low, float right, float high) {
     foundCount = 0;
@@ -97,7 +97,7 @@ final class NearBodies {
     return foundCount;
   }
 
-  /** A body the last query found. */
+  /** Returns a body the last query found. */
   int found(int i) {
     return found[i];
   }

@@ -5,7 +5,7 @@ abstract sealed class PairSolver permits Water, Sand {
   /** Distance of neighbours at rest in a triangular grid, m. */
   abstract float pitch();
 
-  /** How far to look for pairs, with room for what changes during a step, m. */
+  /** Returns how far to look for pairs, with room for what changes during a step, m. */
   abstract float reach();
 
   /** Once per step, after pairs were found. */

@@ -85,7 +85,7 @@ final class ParticleStore {
     return (long) generation[s] << 32 | s;
   }
 
-  /** Where a particle is, -1 if it is gone. */
+  /** Returns where a particle is, -1 if it is gone. */
   int indexOf(long id) {
     int s = (int) id;
     if (s < 0 || s >= slots || generation[s] != (int) (id >>> 32)) {

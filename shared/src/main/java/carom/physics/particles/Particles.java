@@ -62,7 +62,7 @@ public final class Particles {
   }
 
   /**
-   * The number of particles.
+   * Returns the number of particles.
    *
    * @return 0 or more
    */
@@ -71,7 +71,7 @@ public final class Particles {
   }
 
   /**
-   * A particle's diameter.
+   * Returns a particle's diameter.
    *
    * @return m
    */
@@ -80,7 +80,7 @@ public final class Particles {
   }
 
   /**
-   * A particle's mass.
+   * Returns a particle's mass.
    *
    * @return kg
    */
@@ -208,7 +208,7 @@ public final class Particles {
   }
 
   /**
-   * Where a particle is in the order.
+   * Returns where a particle is in the order.
    *
    * @param id as given by {@link #add} or {@link #id}
    * @return 0 to count() - 1 until the next step, addition or removal; -1 if it is gone
@@ -218,7 +218,7 @@ public final class Particles {
   }
 
   /**
-   * A particle's name for life.
+   * Returns a particle's name for life.
    *
    * @param i below {@link #count}
    * @return its id
@@ -228,7 +228,7 @@ public final class Particles {
   }
 
   /**
-   * A particle's centre.
+   * Returns a particle's centre.
    *
    * @param i below {@link #count}
    * @return x, m
@@ -238,7 +238,7 @@ public final class Particles {
   }
 
   /**
-   * A particle's centre.
+   * Returns a particle's centre.
    *
    * @param i below {@link #count}
    * @return y, m
@@ -248,7 +248,7 @@ public final class Particles {
   }
 
   /**
-   * A particle's velocity.
+   * Returns a particle's velocity.
    *
    * @param i below {@link #count}
    * @return x, m/s
@@ -258,7 +258,7 @@ public final class Particles {
   }
 
   /**
-   * A particle's velocity.
+   * Returns a particle's velocity.
    *
    * @param i below {@link #count}
    * @return y, m/s
@@ -281,7 +281,7 @@ public final class Particles {
   }
 
   /**
-   * How long a particle has been here.
+   * Returns how long a particle has been here.
    *
    * @param i below {@link #count}
    * @return s
