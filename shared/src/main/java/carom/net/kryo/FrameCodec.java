@@ -8,13 +8,11 @@ import com.esotericsoftware.kryonet.FrameworkMessage.RegisterUDP;
 import com.esotericsoftware.kryonet.Serialization;
 import java.nio.ByteBuffer;
 
-/**
- * Frames as KryoNet has them written and read: writing is the same on both sides, reading isn't.
- */
+/** Codec between KryoNet's objects and frames. Writing is the same on both sides; reading isn't. */
 abstract class FrameCodec implements Serialization {
   /**
-   * What reading gives KryoNet for everything it has no business with; never null, which it takes
-   * for "incomplete".
+   * Result of reading a frame that KryoNet need not know about. It is not null, because KryoNet
+   * takes null for "incomplete".
    */
   static final Object HANDLED = new Object();
 
@@ -25,7 +23,7 @@ abstract class FrameCodec implements Serialization {
         : Frame.LENGTH_BYTES + Frame.REGISTRATION_BYTES;
   }
 
-  /** Returns the token of a connection: made by the server, learned by the client. */
+  /** Returns the token of a connection, which the server makes and the client receives. */
   abstract long token(Connection connection);
 
   /** Returns whether this side is the server. */

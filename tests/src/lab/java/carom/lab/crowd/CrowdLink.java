@@ -103,7 +103,7 @@ final class CrowdLink extends ClientEnd {
         lose(blocked());
       } // else the server's UDP port has just gone, and TCP will tell why
     } catch (NoRouteToHostException x) {
-      lose(noWay());
+      lose(noRoute());
     } catch (IOException x) {
       lose(tcp.isConnected() ? (isTcpRegistered() ? gone() : notCarom()) : noAnswer());
     } catch (RuntimeException x) {
