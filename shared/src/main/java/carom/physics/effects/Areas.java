@@ -4,7 +4,7 @@ import carom.physics.World;
 import carom.physics.dynamics.body.Checks;
 import carom.physics.math.Aabb;
 
-/** What all areas have in common. */
+/** Checks and actions common to all areas. */
 final class Areas {
   private Areas() {}
 
