@@ -39,7 +39,7 @@ public final class BlockWriter implements AutoCloseable {
   public void write(Block type, byte[] bytes, int length) throws IOException {
     if (length > Block.MAX_BYTES) {
       throw new IllegalArgumentException(
-          "block of " + length + " bytes, " + Block.MAX_BYTES + " is the limit");
+          "block length=" + length + " is above the limit of " + Block.MAX_BYTES + " bytes");
     }
     deflater.reset();
     deflater.setInput(bytes, 0, length);

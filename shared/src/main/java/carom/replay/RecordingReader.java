@@ -377,7 +377,7 @@ public final class RecordingReader implements AutoCloseable {
       int got = inflater.inflate(content, 0, length);
       boolean whole = got == length && (inflater.finished() || isFinished());
       if (!whole) {
-        throw damaged("damaged: a block has not the length=" + length + " it says");
+        throw damaged("damaged: a block's content differs from its stored length=" + length);
       }
     } catch (DataFormatException e) {
       throw damaged("damaged: a block can't be decompressed");

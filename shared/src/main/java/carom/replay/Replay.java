@@ -147,7 +147,7 @@ public final class Replay {
     try {
       simulation.step();
     } catch (RuntimeException | AssertionError e) {
-      throw contradicts("the physics fails where they did not while recording: " + e);
+      throw contradicts("an error that did not occur while recording: " + e);
     }
   }
 
@@ -200,7 +200,7 @@ public final class Replay {
 
   private void keyframe() throws RecordingException {
     if (reader.keyframeTick() != simulation.tick()) {
-      throw contradicts("a keyframe of tick " + reader.keyframeTick() + " comes");
+      throw contradicts("a keyframe of tick " + reader.keyframeTick() + " is out of place");
     }
     if (divergence == null && reader.hash() != simulation.stateHash()) {
       diverge(simulation.stateHash());
@@ -218,7 +218,7 @@ public final class Replay {
   private void state() throws RecordingException {
     if (computing) {
       if (reader.stateTick() != simulation.tick()) {
-        throw contradicts("a state of tick " + reader.stateTick() + " comes");
+        throw contradicts("a state of tick " + reader.stateTick() + " is out of place");
       }
       if (divergence == null && reader.hash() != simulation.stateHash()) {
         diverge(simulation.stateHash());
@@ -238,12 +238,12 @@ public final class Replay {
     try {
       simulation.restore(simulation.read(reader.state()));
     } catch (ArchiveException e) {
-      throw contradicts("this is a state: " + e.getMessage());
+      throw contradicts("a state can't be restored: " + e.getMessage());
     }
     if (simulation.tick() != reader.stateTick() || simulation.stateHash() != reader.hash()) {
       throw contradicts(
           String.format(
-              "the state of tick %d has hash %016x, it has %016x",
+              "the state of tick=%d has the recorded hash %016x, but %016x when restored",
               reader.stateTick(), reader.hash(), simulation.stateHash()));
     }
   }
@@ -272,7 +272,7 @@ public final class Replay {
     inTick = false;
     divergence = null;
     if (reader.next() != RecordingReader.Event.STATE) {
-      throw contradicts("a state comes, but it is torn");
+      throw contradicts("a state is cut off");
     }
     state();
     return true;
@@ -284,8 +284,7 @@ public final class Replay {
   }
 
   private RecordingException contradicts(String what) {
-    return new RecordingException(
-        "damaged: after tick " + simulation.tick() + " the recording says that " + what);
+    return new RecordingException("damaged, after tick=" + simulation.tick() + ": " + what);
   }
 
   /** Returns the simulation, for reading only. */

@@ -119,7 +119,7 @@ final class ClientLink extends ClientEnd {
         step(client);
       }
     } catch (Throwable x) { // for example, no file descriptor is left for a selector
-      finish("can't go on with the connection to " + remote() + ": " + x);
+      finish("the connection to " + remote() + " failed: " + x);
     } finally {
       lose("connection lost");
       release(client);
@@ -159,7 +159,7 @@ final class ClientLink extends ClientEnd {
     } catch (IOException x) {
       lose(isTcpRegistered() ? gone() : notCarom());
     } catch (KryoNetException x) {
-      lose(isTcpRegistered() ? "the server sent what is no frame: " + x.getMessage() : notCarom());
+      lose(isTcpRegistered() ? "the server sent an invalid frame: " + x.getMessage() : notCarom());
     } finally {
       Thread.interrupted(); // an interrupted thread would never wait in select again
     }
@@ -313,7 +313,7 @@ final class ClientLink extends ClientEnd {
         readDatagram(buffer);
       } catch (RuntimeException x) {
         if (buffer == tcpBuffer) {
-          lose("the server sent what is no frame");
+          lose("the server sent an invalid frame");
         }
       } finally {
         buffer.position(buffer.limit());

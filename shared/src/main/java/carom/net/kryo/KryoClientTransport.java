@@ -38,7 +38,7 @@ public final class KryoClientTransport implements ClientTransport {
   @Override
   public Link connect(String host, int tcpPort, int udpPort) {
     if (closed) {
-      throw new IllegalStateException("connect after close");
+      throw new IllegalStateException("the transport is closed; create another one to connect");
     }
     ClientLink link = new ClientLink(codec, host, tcpPort, udpPort, connectMillis, links::remove);
     links.add(link);

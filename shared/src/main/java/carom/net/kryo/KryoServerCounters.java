@@ -55,9 +55,9 @@ public final class KryoServerCounters {
     append(text, refused, "refused");
     append(text, expired, "never finished the handshake");
     append(text, expelled, "expelled");
-    append(text, strangeDatagrams, "datagrams of strangers");
+    append(text, strangeDatagrams, "datagrams from unknown addresses");
     append(text, malformedDatagrams, "malformed datagrams");
-    append(text, excessDatagrams, "datagrams too many");
+    append(text, excessDatagrams, "excess datagrams");
     append(text, errors, "errors");
     return text.toString();
   }

@@ -137,7 +137,7 @@ final class ServerConnection extends Connection {
     } catch (
         RuntimeException
             x) { // two senders overflowed the buffer at once, or the key is cancelled: the stream
-                 // is broken
+      // is broken
       fail("connection lost");
       return 0;
     }
@@ -267,7 +267,7 @@ final class ServerConnection extends Connection {
   void addressKnown(InetSocketAddress address, long now) {
     synchronized (
         phaseLock) { // without the lock, a connection that closes meanwhile would leave its address
-                     // behind
+      // behind
       if (!advance(Phase.PENDING, Phase.CHALLENGED, now)) {
         return;
       }
@@ -325,7 +325,7 @@ final class ServerConnection extends Connection {
       return FrameCodec.HANDLED;
     }
     if (phase == Phase.PENDING) {
-      closeNow("talked before the handshake");
+      closeNow("the client sent a frame before the handshake");
       return FrameCodec.HANDLED;
     }
     long now = System.nanoTime();
@@ -353,7 +353,7 @@ final class ServerConnection extends Connection {
             : null;
     if (message == null) {
       link.counters().malformed.incrementAndGet();
-      expel("bytes that are no message (tag=" + tag + " length=" + length + ")");
+      expel("the client sent an invalid message (tag=" + tag + " length=" + length + ")");
     } else if (!link.receiveMessage(message, length)) {
       expel("more than " + network.limits.unreadMessages() + " unread messages");
     }

@@ -17,16 +17,19 @@ public final class PlayerId {
 
   private PlayerId() {}
 
+  /** Writes an id. */
   public static void write(BitWriter w, int id) {
     boolean wide = id >> SHORT_BITS != 0;
     w.write(wide);
     w.write(id, wide ? LONG_BITS : SHORT_BITS);
   }
 
+  /** Reads an id. */
   public static int read(BitReader r) {
     return r.read(r.readBit() ? LONG_BITS : SHORT_BITS);
   }
 
+  /** Codes an id. Returns the id written, or the id read. */
   public static int code(BitCoder c, int id) {
     int wide = c.plain(id >> SHORT_BITS != 0 ? 1 : 0, 1);
     return c.plain(id, wide != 0 ? LONG_BITS : SHORT_BITS);

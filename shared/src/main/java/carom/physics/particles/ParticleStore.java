@@ -193,7 +193,9 @@ final class ParticleStore {
       a.require(index[free[i]] < 0, "slot=" + free[i] + " can't be free");
       index[free[i]] = count;
     }
-    a.require(count + freeCount == slots, "particle slots=" + slots + " of which some are lost");
+    a.require(
+        count + freeCount == slots,
+        "particle slots=" + slots + " include some that are neither used nor free");
   }
 
   long hash() {
