@@ -1,29 +1,16 @@
 package carom.net.codec;
 
+import carom.physics.simd.VectorKernels;
+import carom.physics.simd.VectorModule;
+
 /**
  * Vector kernels that quantise several numbers of a column at once, bit for bit as {@link
  * Quantizer} does one by one. The share of a column that goes through them changes no result.
  */
-abstract class ColumnLanes {
+abstract class ColumnLanes extends VectorKernels {
   /** The kernels built on the Vector API, or null if the JVM runs without that module. */
-  static final ColumnLanes FOUND = find();
-
-  /**
-   * Number of calls after which a kernel takes whole columns. Before that, the JIT compiler may
-   * still interpret it, which is hundreds of times slower.
-   */
-  private static final int WARM_UP = 8_000;
-
-  /** Divisor of a column's calls during warm-up: a kernel takes one in SHARE of them. */
-  private static final int SHARE = 16;
-
-  /**
-   * Number of calls of each kernel so far, up to WARM_UP. Rooms share these counts without
-   * synchronisation, because they needn't be exact.
-   */
-  private int stepped;
-
-  private int turned;
+  static final ColumnLanes FOUND =
+      VectorModule.find("carom.net.codec.VectorColumns", ColumnLanes.class);
 
   /** Returns how many numbers one call of a kernel takes. */
   abstract int width();
@@ -55,8 +42,7 @@ abstract class ColumnLanes {
    */
   final int steps(float[] from, int n, int scale, int max, int[] to) {
     int width = width();
-    int calls = trusted(n, stepped);
-    stepped = seen(calls, stepped);
+    int calls = calls(n);
     float most = Math.min(max, 1 << 21);
     for (int at = 0; at < calls * width; at += width) {
       if (!round(from, at, scale, most, to)) {
@@ -71,35 +57,15 @@ abstract class ColumnLanes {
    */
   final int turns(float[] cos, float[] sin, int n, int error, int[] to) {
     int width = width();
-    int calls = trusted(n, turned);
-    turned = seen(calls, turned);
+    int calls = calls(n);
     for (int at = 0; at < calls * width; at += width) {
       turn(cos, sin, at, error, to);
     }
     return calls * width;
   }
 
-  /**
-   * Returns how many kernel calls a column of n numbers gets, if there were {@code before} calls so
-   * far.
-   */
-  private int trusted(int n, int before) {
-    int calls = n < Quantizer.LONG ? 0 : n / width();
-    return before >= WARM_UP ? calls : calls / SHARE;
-  }
-
-  private static int seen(int calls, int before) {
-    return Math.min(WARM_UP, before + calls);
-  }
-
-  private static ColumnLanes find() {
-    try {
-      return Class.forName(ColumnLanes.class.getPackageName() + ".VectorColumns")
-          .asSubclass(ColumnLanes.class)
-          .getDeclaredConstructor()
-          .newInstance();
-    } catch (ReflectiveOperationException | LinkageError e) {
-      return null;
-    }
+  /** Returns how many kernel calls are granted for a column of n numbers. */
+  private int calls(int n) {
+    return n < Quantizer.LONG ? 0 : grant(n / width(), n);
   }
 }

@@ -1,7 +1,7 @@
 package carom.physics.particles;
 
 import carom.physics.Filter;
-import carom.physics.dynamics.body.Checks;
+import carom.physics.math.Limits;
 
 /**
  * Definition of particles: their kind and properties. It is mutable, fluent and reusable; {@link
@@ -49,7 +49,7 @@ public final class ParticleDef {
       throw new IllegalArgumentException("kind=null must be WATER or SAND");
     }
     this.kind = kind;
-    this.spacing = Checks.range("spacing", spacing, 0.01f, 100);
+    this.spacing = Limits.range("spacing", spacing, 0.01f, 100);
     viscosity = kind == Kind.WATER ? 2 : 0;
     friction = kind == Kind.WATER ? 0 : 0.6f;
   }
@@ -62,7 +62,7 @@ public final class ParticleDef {
    * @return this
    */
   public ParticleDef density(float kgPerSquareMetre) {
-    density = Checks.range("density", kgPerSquareMetre, 1e-3f, 1e6f);
+    density = Limits.range("density", kgPerSquareMetre, 1e-3f, 1e6f);
     return this;
   }
 
@@ -73,7 +73,7 @@ public final class ParticleDef {
    * @return this
    */
   public ParticleDef viscosity(float perSecond) {
-    viscosity = Checks.range("viscosity", perSecond, 0, 1e4f);
+    viscosity = Limits.range("viscosity", perSecond, 0, 1e4f);
     return this;
   }
 
@@ -85,7 +85,7 @@ public final class ParticleDef {
    * @return this
    */
   public ParticleDef cohesion(float acceleration) {
-    cohesion = Checks.range("cohesion", acceleration, 0, 1e3f);
+    cohesion = Limits.range("cohesion", acceleration, 0, 1e3f);
     return this;
   }
 
@@ -97,7 +97,7 @@ public final class ParticleDef {
    * @return this
    */
   public ParticleDef friction(float coefficient) {
-    friction = Checks.range("friction", coefficient, 0, 10);
+    friction = Limits.range("friction", coefficient, 0, 10);
     return this;
   }
 
@@ -108,7 +108,7 @@ public final class ParticleDef {
    * @return this
    */
   public ParticleDef gravityScale(float factor) {
-    gravityScale = Checks.range("gravityScale", factor, -1e3f, 1e3f);
+    gravityScale = Limits.range("gravityScale", factor, -1e3f, 1e3f);
     return this;
   }
 
@@ -119,7 +119,7 @@ public final class ParticleDef {
    * @return this
    */
   public ParticleDef lifetime(float seconds) {
-    lifetime = Checks.range("lifetime", seconds, Float.MIN_VALUE, Float.POSITIVE_INFINITY);
+    lifetime = Limits.range("lifetime", seconds, Float.MIN_VALUE, Float.POSITIVE_INFINITY);
     return this;
   }
 

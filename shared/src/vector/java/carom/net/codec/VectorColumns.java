@@ -24,7 +24,7 @@ import jdk.incubator.vector.VectorSpecies;
  * those of the engine box vectors. For the same reason, these kernels have neither such calls on
  * floats nor masks; {@code lanewise} on a vector just loaded is unambiguous.
  */
-final class VectorColumns extends ColumnLanes {
+public final class VectorColumns extends ColumnLanes {
   private static final VectorSpecies<Float> LANE = FloatVector.SPECIES_PREFERRED;
   private static final int WIDTH = LANE.length();
 
@@ -46,11 +46,24 @@ final class VectorColumns extends ColumnLanes {
   private static final int STEP_SHIFT = 16;
   private static final int STEP = 1 << STEP_SHIFT;
 
+  private final int[] warmUpSteps = new int[WIDTH];
+
   /** Creates the kernels, which {@link ColumnLanes#FOUND} loads by name. */
-  VectorColumns() {
+  public VectorColumns() {
     if (FloatVector.SPECIES_PREFERRED.length() < WIDTH) {
       throw new UnsupportedOperationException("vectors have fewer than " + WIDTH + " lanes");
     }
+  }
+
+  @Override
+  protected int warmUpSize() {
+    return WIDTH;
+  }
+
+  @Override
+  protected void warmUp(float[] numbers) {
+    round(numbers, 0, 1, 1, warmUpSteps);
+    turn(numbers, numbers, 0, 0, warmUpSteps);
   }
 
   @Override
