@@ -6,24 +6,24 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /**
- * A flag that is understood but can't be used; its message says all: which flag, value and limit,
- * and how to mend it. All programs tell of it, and of flags that aren't understood, in the same
- * way: a line or two on standard error instead of a page of help, and exit code 2.
+ * A flag that is understood but has an unusable value. Its message names flag, value and limit, and
+ * how to fix it. All programs report such flags, and flags they don't understand, in the same way:
+ * a line or two on standard error instead of a page of help, and exit code 2.
  */
 public final class BadFlag extends ParameterException {
   private static final long serialVersionUID = 1;
 
   /**
-   * Creates one.
+   * Creates an error for a flag.
    *
-   * @param commandLine of the program
-   * @param message for the user
+   * @param commandLine command line of the program
+   * @param message message for the user
    */
   public BadFlag(CommandLine commandLine, String message) {
     super(commandLine, message);
   }
 
-  /** Has a program tell of wrong flags like this. */
+  /** Makes a program report wrong flags in this way, and returns the program. */
   public static CommandLine explainedBy(CommandLine program) {
     return program.setParameterExceptionHandler((e, args) -> explain(e));
   }

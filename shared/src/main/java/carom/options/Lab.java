@@ -14,10 +14,10 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * The laboratory: what measures Carom, and is no part of any server or client. Its jars are in the
- * folder {@code lab} next to ours, and no program has them on its class path: the commands that
- * need it load it by name. In the build it is on the class path of the tasks that use it. Any
- * thread.
+ * Access to the laboratory: the code that measures Carom and is no part of any server or client. An
+ * installation has its jars in the folder {@code lab} next to the products' jars, and no program
+ * has them on its class path. The commands that need the laboratory load it by name. In the build,
+ * it is on the class path of the tasks that use it. Any thread may use this class.
  */
 public final class Lab {
   private static final String FOLDER = "lab";
@@ -25,10 +25,10 @@ public final class Lab {
   private Lab() {}
 
   /**
-   * Creates an object of a class of the laboratory.
+   * Creates an object of a laboratory class.
    *
-   * @param type what it is used as
-   * @param className full name; the class has a public constructor without parameters
+   * @param type type that the object is used as
+   * @param className full name of a class that has a public constructor without parameters
    * @throws IllegalStateException if this installation has no laboratory; the message says where it
    *     was looked for
    */
@@ -49,7 +49,10 @@ public final class Lab {
     }
   }
 
-  /** Returns the class path for processes that run code of the laboratory: ours, and its jars. */
+  /**
+   * Returns the class path for processes that run laboratory code: this process's own, and the
+   * laboratory's jars.
+   */
   public static String classPath() {
     StringBuilder path = new StringBuilder(System.getProperty("java.class.path"));
     jars().forEach(jar -> path.append(File.pathSeparator).append(jar));
@@ -63,13 +66,16 @@ public final class Lab {
         urls.add(jar.toUri().toURL());
       }
     } catch (MalformedURLException e) {
-      throw new IllegalStateException(e); // of a file
+      throw new IllegalStateException(e); // can't happen for a file
     }
     ClassLoader ours = Lab.class.getClassLoader();
     return urls.isEmpty() ? ours : new URLClassLoader(urls.toArray(new URL[0]), ours);
   }
 
-  /** Those of the laboratory, and all that programs have: it runs server and clients together. */
+  /**
+   * Returns the jars of the laboratory and of all programs, because the laboratory runs server and
+   * clients together.
+   */
   private static List<Path> jars() {
     Path folder = home().resolve(FOLDER);
     if (!Files.isDirectory(folder)) {
@@ -88,13 +94,13 @@ public final class Lab {
     }
   }
 
-  /** The folder {@code lib} of an installation. */
+  /** Returns the folder {@code lib} of an installation. */
   private static Path home() {
     try {
       URL ours = Lab.class.getProtectionDomain().getCodeSource().getLocation();
       return Path.of(ours.toURI()).toAbsolutePath().getParent();
     } catch (URISyntaxException e) {
-      throw new IllegalStateException(e); // the JVM made it
+      throw new IllegalStateException(e); // can't happen, the JVM made the location
     }
   }
 }

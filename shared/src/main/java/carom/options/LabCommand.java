@@ -9,7 +9,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** A command that a program of the {@link Lab} carries out: it gets all flags as they are. */
+/** A command that a class of the {@link Lab} carries out. It passes all arguments on unchanged. */
 @Command
 public final class LabCommand implements Callable<Integer> {
   private final String className;
@@ -24,12 +24,13 @@ public final class LabCommand implements Callable<Integer> {
   }
 
   /**
-   * Adds such a command to a program.
+   * Adds a laboratory command to a program.
    *
-   * @param program that users start
-   * @param name of the command
+   * @param program the program that users start
+   * @param name name of the command
    * @param description a line for the program's help
-   * @param className of a {@link Command} in the laboratory, with a constructor without parameters
+   * @param className full name of a {@link Command} class in the laboratory that has a constructor
+   *     without parameters
    */
   public static void add(CommandLine program, String name, String description, String className) {
     CommandLine command = new CommandLine(new LabCommand(className));

@@ -5,18 +5,18 @@ import java.util.Locale;
 import picocli.CommandLine.Option;
 
 /**
- * A bad network on purpose, as flags of every program: {@code --network NAME} chooses a usual one,
- * the other flags change single conditions of it. All hold for each direction of each link. The
- * same seed and the same traffic give each datagram the same fate.
+ * Flags of every program that simulate a bad network: {@code --network NAME} chooses a preset, and
+ * the other flags change single conditions of it. All conditions hold for each direction of each
+ * link. Equal seed and traffic give each datagram the same fate.
  */
 public final class NetworkConditions {
   private static final double MAX_DELAY_MS = 10_000;
   private static final double MAX_BURST = 1_000;
   private static final double MAX_KBIT = 1_000_000;
 
-  /** Usual networks, by name. Delays are one way; losses, too. */
+  /** A typical network. Delays and losses are one way. */
   public enum Preset {
-    /** Nothing on purpose. */
+    /** No simulated impairment. */
     NONE(Impairment.NONE),
     /** A busy wireless network at home. */
     WIFI(
@@ -25,17 +25,17 @@ public final class NetworkConditions {
             .withLatency(8, 6)
             .withReorder(0.5, 0.2)
             .withBandwidth(20_000)),
-    /** A telephone on the move. */
+    /** A mobile phone on the move. */
     MOBILE(
         Impairment.NONE
             .withBursts(2, 4)
             .withLatency(45, 20)
             .withReorder(1, 0.5)
             .withBandwidth(2_000)),
-    /** Europe to America over good lines. */
+    /** A good line from Europe to America. */
     TRANSATLANTIC(
         Impairment.NONE.withLoss(0.5).withLatency(50, 4).withReorder(0.1, 0).withBandwidth(10_000)),
-    /** What a player still puts up with. */
+    /** The worst network that a player still puts up with. */
     BAD(
         Impairment.NONE
             .withBursts(10, 5)
@@ -49,7 +49,7 @@ public final class NetworkConditions {
       this.impairment = impairment;
     }
 
-    /** The conditions, with seed 1. */
+    /** Returns the conditions of this network, with seed 1. */
     public Impairment impairment() {
       return impairment;
     }
@@ -64,7 +64,7 @@ public final class NetworkConditions {
       names = "--network",
       paramLabel = "NAME",
       description = {
-        "A bad network on purpose, each way, for every link: ${COMPLETION-CANDIDATES} (none).",
+        "Simulate a bad network on every link, each way: ${COMPLETION-CANDIDATES} (none).",
         "The flags that follow change single conditions of it."
       })
   private Preset preset = Preset.NONE;
@@ -118,10 +118,13 @@ public final class NetworkConditions {
       defaultValue = "1")
   private long seed = 1;
 
-  /** Creates the defaults; the command line fills them in. */
+  /** Creates the default flags, which the command line then fills in. */
   public NetworkConditions() {}
 
-  /** What is wrong with the flags, in words that name flag, value and range; null when nothing. */
+  /**
+   * Returns what is wrong with the flags, in words that name flag, value and range, or null if
+   * nothing is wrong.
+   */
   public String problem() {
     String[] problems = {
       outside("--loss", loss, 0, 100),
@@ -147,7 +150,8 @@ public final class NetworkConditions {
   }
 
   /**
-   * The bad network asked for; {@link Impairment#NONE} with the seed when none was.
+   * Returns the requested network, or {@link Impairment#NONE} with the seed if the flags request
+   * none.
    *
    * @throws IllegalArgumentException when there is a {@link #problem}
    */
@@ -160,7 +164,7 @@ public final class NetworkConditions {
         .withBandwidth(or(bandwidth, base.bandwidthKbit()));
   }
 
-  /** Whether any bad condition was asked for. */
+  /** Returns whether the flags request any impairment. */
   public boolean isBad() {
     Impairment asked = impairment();
     return !asked.equals(Impairment.NONE.withSeed(seed).withBursts(0, asked.burst()));

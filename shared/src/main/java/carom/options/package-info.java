@@ -1,6 +1,6 @@
 /**
- * Command line flags that server, client and bots have in common, and the way from their commands
- * to the laboratory.
+ * Command line flags that server, client and bots share, and the way from their commands to the
+ * laboratory.
  *
  * <p>Allowed imports: {@code carom.net.transport}, picocli, the JDK.
  *

@@ -1,43 +1,46 @@
 package carom.replay;
 
-/** The kinds of blocks; a file names them by their order. */
+/**
+ * The kinds of blocks in a recording. A file stores a kind by its position in this list, so new
+ * kinds go to the end.
+ */
 public enum Block {
-  /** The first one: {@link RecordingHeader}. */
+  /** The first block, with the {@link RecordingHeader}. */
   HEADER,
-  /** What happened in up to a second of ticks, and fingerprints of what came of it. */
+  /** The events of up to a second of ticks, with fingerprints of their results. */
   TICKS,
   /** The exact state of every body after a tick. */
   KEYFRAME,
-  /** The last one: how the recording ended. */
+  /** The last block, with the reason for the end. */
   END,
   /**
-   * A piece of the whole state after a tick, from which the game can be computed on without what
-   * came before.
+   * A piece of the whole state after a tick. A simulation can start from a whole state without the
+   * blocks before it.
    */
   STATE;
 
-  /** What a file begins with. */
+  /** First 8 bytes of a file. */
   static final long MAGIC = 0x4341524f4d524543L; // "CAROMREC"
 
-  /** Version of the format; whoever changes a byte of it raises this. */
+  /** Version of the file format. Every change of the format raises it. */
   static final int VERSION = 3;
 
   /** Bytes before the first block: magic and version. */
   static final int PREAMBLE_BYTES = 12;
 
-  /** Bytes before a block's content: type, content's length, stored length, CRC. */
+  /** Bytes before a block's content: kind, content's length, stored length and CRC. */
   static final int HEAD_BYTES = 13;
 
-  /** Largest content: a keyframe of 65,535 bodies and some room. */
+  /** Largest content of a block in bytes. It holds a keyframe of 65,535 bodies with some room. */
   static final int MAX_BYTES = 4 << 20;
 
-  /** Most bytes of a state in one block. */
+  /** Largest number of bytes of a state in one block. */
   static final int STATE_PIECE = 1 << 20;
 
-  /** Largest state, bytes: that of a hundred thousand bodies. A larger one isn't recorded. */
+  /** Largest state in bytes, that of a hundred thousand bodies. A larger one isn't recorded. */
   static final int MAX_STATE_BYTES = 1 << 25;
 
-  // What a TICKS block consists of.
+  // Tags of the entries in a TICKS block.
   static final int JOIN = 1;
   static final int LEAVE = 2;
   static final int TICK = 3;

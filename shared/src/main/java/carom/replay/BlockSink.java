@@ -1,14 +1,14 @@
 package carom.replay;
 
-/** Takes the blocks of a recording. */
+/** Receiver of the blocks of a recording. */
 public interface BlockSink {
   /**
    * Takes one block.
    *
-   * @param type one of {@link Block}'s
-   * @param bytes copied before this returns
-   * @param length how many of them
-   * @return false when it can't take this one: the recording has a hole then, and goes no further
+   * @param type kind of the block
+   * @param bytes content, which this method copies before it returns
+   * @param length number of bytes in the content
+   * @return false when the sink can't take this block; the recording then ends before it
    */
   boolean take(Block type, byte[] bytes, int length);
 }

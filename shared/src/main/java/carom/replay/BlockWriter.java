@@ -7,9 +7,9 @@ import java.util.zip.CRC32;
 import java.util.zip.Deflater;
 
 /**
- * Compresses blocks and writes them to a stream, each with its lengths and a checksum, so that
- * whatever happens to the process, a file can be read up to its last whole block. One thread;
- * allocates nothing once it has seen its largest block.
+ * Writer of compressed blocks to a stream, each with its lengths and a checksum. If the process
+ * dies, the file can be read up to its last whole block. Use it from one thread; it allocates
+ * nothing once it has seen its largest block.
  */
 public final class BlockWriter implements AutoCloseable {
   private final OutputStream out;
@@ -20,9 +20,9 @@ public final class BlockWriter implements AutoCloseable {
   private long written;
 
   /**
-   * Begins a recording: writes magic and version.
+   * Begins a recording by writing magic and version.
    *
-   * @param out owned by this from now on
+   * @param out stream that this writer owns from now on
    */
   public BlockWriter(OutputStream out) throws IOException {
     this.out = out;
@@ -39,12 +39,12 @@ public final class BlockWriter implements AutoCloseable {
   public void write(Block type, byte[] bytes, int length) throws IOException {
     if (length > Block.MAX_BYTES) {
       throw new IllegalArgumentException(
-          "block of " + length + " bytes, " + Block.MAX_BYTES + " is the limit");
+          "block length=" + length + " is above the limit of " + Block.MAX_BYTES + " bytes");
     }
     deflater.reset();
     deflater.setInput(bytes, 0, length);
     deflater.finish();
-    int bound = length + length / 1_000 + 64; // what doesn't compress grows by 5 bytes in 16 KiB
+    int bound = length + length / 1_000 + 64; // incompressible data grows by 5 bytes in 16 KiB
     if (stored.length < bound) {
       stored = new byte[bound];
     }
@@ -60,7 +60,7 @@ public final class BlockWriter implements AutoCloseable {
     written += Block.HEAD_BYTES + count;
   }
 
-  /** Bytes written so far. */
+  /** Returns the number of bytes written so far. */
   public long written() {
     return written;
   }

@@ -3,7 +3,10 @@ package carom.replay;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/** Bytes that grow: big-endian numbers, and varints of seven bits a byte, the lowest first. */
+/**
+ * Growing array of big-endian numbers and varints. A varint has seven bits a byte, lowest bits
+ * first.
+ */
 final class ByteSink {
   private byte[] bytes = new byte[1 << 12];
   private int length;
@@ -16,7 +19,7 @@ final class ByteSink {
     return length;
   }
 
-  /** Forgets everything from a position on. */
+  /** Drops everything from a position on. */
   void truncate(int to) {
     length = to;
   }
@@ -38,7 +41,7 @@ final class ByteSink {
     i32((int) value);
   }
 
-  /** An unsigned number: 1 to 10 bytes. */
+  /** Appends an unsigned number in 1 to 10 bytes. */
   void varint(long value) {
     ensure(10);
     long rest = value;

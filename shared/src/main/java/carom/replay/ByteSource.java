@@ -5,7 +5,9 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/** Reads what {@link ByteSink} wrote, or anything else: every read is checked against the end. */
+/**
+ * Reader of what {@link ByteSink} wrote, safe on any bytes. It checks every read against the end.
+ */
 final class ByteSource {
   private byte[] bytes = {};
   private int at;

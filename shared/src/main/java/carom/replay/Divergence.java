@@ -7,12 +7,15 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 
-/** Where a replay went another way than the recording. */
+/** Report of a difference between a replay and its recording. */
 public final class Divergence {
-  /** Most bodies that a report lists. */
+  /** Largest number of bodies that a report lists. */
   private static final int MAX_LISTED = 8;
 
-  /** An entity in both worlds. States are x, y, cos, sin, vx, vy, omega; metres, m/s, rad/s. */
+  /**
+   * An entity that differs, with both its states. A state is x, y, cos, sin, vx, vy and omega in
+   * metres, m/s and rad/s.
+   */
   public static final class Difference {
     private final int id;
     private final String name;
@@ -34,22 +37,22 @@ public final class Divergence {
       return values;
     }
 
-    /** Its slot. */
+    /** Returns the entity's slot. */
     public int id() {
       return id;
     }
 
-    /** Its kind, generation and owner as replayed. */
+    /** Returns the entity's archetype, generation and owner as replayed. */
     public String name() {
       return name;
     }
 
-    /** A copy of its state in the recording; empty when it is missing there. */
+    /** Returns a copy of the recorded state, which is empty if the recording lacks the entity. */
     public float[] recorded() {
       return recorded.clone();
     }
 
-    /** A copy of its state as replayed; empty when it is missing there. */
+    /** Returns a copy of the replayed state, which is empty if the replay lacks the entity. */
     public float[] replayed() {
       return replayed.clone();
     }
@@ -99,17 +102,20 @@ public final class Divergence {
     differences.add(new Difference(id, name(e), recorded.clone(), replayed));
   }
 
-  /** Several at once, or an entity that only one side has: the sums don't tell which. */
+  /**
+   * Notes that several bodies differ, or that only one side has an entity. The sums don't tell
+   * which.
+   */
   void severalBodies(int when) {
     bodyTick = when;
   }
 
-  /** Notes that the replay has taken a whole state of the recording over and is equal again. */
+  /** Notes that the replay took over a whole state from the recording and is equal again. */
   void endsAt(int when) {
     endTick = when;
   }
 
-  /** Compares everything with a keyframe. */
+  /** Compares all entities with a keyframe. */
   void keyframe(Simulation s, RecordingReader r) {
     int[] recorded = new int[Fingerprint.FIELDS];
     int[] replayed = new int[Fingerprint.FIELDS];
@@ -151,46 +157,47 @@ public final class Divergence {
     return e.archetype().name() + " generation " + e.generation() + owner;
   }
 
-  /** The first tick whose state hash differs. */
+  /** Returns the first tick whose state hash differs. */
   public int tick() {
     return tick;
   }
 
   /**
-   * The tick of the recording's next whole state, from which the replay went on; -1 if it didn't
-   * come as far.
+   * Returns the tick of the recording's next whole state, from which the replay continued, or -1 if
+   * the replay has not reached one.
    */
   public int endTick() {
     return endTick;
   }
 
-  /** The recorded hash of that tick. */
+  /** Returns the recorded hash of the first differing tick. */
   public long recordedHash() {
     return recordedHash;
   }
 
-  /** The hash computed here. */
+  /** Returns the replay's hash of the first differing tick. */
   public long replayedHash() {
     return replayedHash;
   }
 
   /**
-   * The first tick at which a body differs; -1 when none did as long as the replay went on: then it
-   * is inputs, scores, memory, random numbers, contacts or joints.
+   * Returns the first tick at which a body differs, or -1 if none differed before the replay
+   * stopped. If it is -1, the difference is in inputs, scores, memory, random numbers, contacts or
+   * joints.
    */
   public int bodyTick() {
     return bodyTick;
   }
 
   /**
-   * What differs: at {@link #bodyTick} the one body that was first, or, if there were several, what
-   * a later keyframe shows, at most {@value #MAX_LISTED}.
+   * Returns the bodies that differ. If one body was first, it is that body at {@link #bodyTick}. If
+   * there were several, it is what a later keyframe shows, at most {@value #MAX_LISTED} bodies.
    */
   public List<Difference> differences() {
     return List.copyOf(differences);
   }
 
-  /** Several lines for people. */
+  /** Returns the report in several lines. */
   @Override
   public String toString() {
     StringBuilder text = new StringBuilder();

@@ -6,17 +6,21 @@ import carom.sim.Simulation;
 import java.util.Arrays;
 
 /**
- * Sums over all entities after a tick, from which two simulations of the same game learn not only
- * that they differ, but in which body and by how much, if there is only one.
+ * Sums over all entities after a tick. From two of them, two simulations of the same game learn
+ * that they differ, and in which body and by how much if only one body differs.
  *
- * <p>With h(i) a 32-bit hash of entity i's state, {@code weight} is the sum of h(i), {@code moment}
- * the sum of (i + 1) h(i): if one entity k differs, the differences of the two sums have the
- * quotient k + 1. {@code fields} are the sums of each of the state's seven numbers as bits, modulo
- * 2^32, so that the other side's state of entity k is this side's plus the difference. That hash of
- * this state must then explain the difference of the weights; where it doesn't, several differ.
+ * <p>Let h(i) be a 32-bit hash of entity i's state, {@code weight} the sum of h(i), and {@code
+ * moment} the sum of (i + 1) h(i). If one entity k differs, the differences of the two sums have
+ * the quotient k + 1. {@code fields} has the sum of each of the state's seven numbers as bits,
+ * modulo 2^32. So the other side's state of entity k is this side's state plus the difference of
+ * the sums. The hash of that state must then explain the difference of the weights; otherwise
+ * several entities differ.
  */
 final class Fingerprint {
-  /** Numbers of a body's state: x, y, cos, sin, vx, vy, omega; origin, metres, m/s, rad/s. */
+  /**
+   * Number of values in a body's state: x, y, cos, sin, vx, vy and omega of its origin, in metres,
+   * m/s and rad/s.
+   */
   static final int FIELDS = 7;
 
   long weight;
@@ -25,7 +29,7 @@ final class Fingerprint {
 
   private final int[] state = new int[FIELDS];
 
-  /** Takes the sums of a simulation's present state. */
+  /** Computes the sums of a simulation's present state. */
   void take(Simulation s) {
     weight = 0;
     moment = 0;
@@ -68,12 +72,12 @@ final class Fingerprint {
   }
 
   /**
-   * The one entity in which another side's sums differ from this side's, which are those of a
-   * simulation's present state.
+   * Returns the one entity in which another side's sums differ from this side's. This side's sums
+   * must be those of the simulation's present state.
    *
-   * @param theirs the other side's sums
-   * @param out receives the other side's state of the entity as bits
-   * @return its id, or -1 when several differ or an entity is missing
+   * @param theirs sums of the other side
+   * @param out receives the other side's state of the entity, as float bits
+   * @return the entity's id, or -1 when several entities differ or one is missing
    */
   int locate(Simulation s, Fingerprint theirs, int[] out) {
     long byWeight = theirs.weight - weight;
@@ -93,7 +97,7 @@ final class Fingerprint {
     return (hash(out) & 0xffffffffL) - (hash(state) & 0xffffffffL) == byWeight ? (int) id : -1;
   }
 
-  /** An entity's state, as bits. */
+  /** Reads an entity's state as float bits. */
   static void read(Entity e, int[] out) {
     Body<Entity> body = e.body();
     out[0] = Float.floatToRawIntBits(body.x());
@@ -105,7 +109,10 @@ final class Fingerprint {
     out[6] = Float.floatToRawIntBits(body.angularVelocity());
   }
 
-  /** Four multiplications, two numbers each: fast, and any bit changes half of the result. */
+  /**
+   * Returns a hash of a state. It takes four multiplications, one for two values, and any changed
+   * bit changes about half of the result.
+   */
   private static int hash(int[] v) {
     long h = mix(0, v[0], v[1]);
     h = mix(h, v[2], v[3]);

@@ -9,14 +9,14 @@ import carom.sim.Simulation;
 import java.util.Arrays;
 
 /**
- * Records a simulation, from any tick on: what enters it, a hash of its state after each tick, and
- * from time to time the exact state of every body, and seldom that of everything, from which a
- * replay can begin.
+ * Recorder of a simulation from any tick on. It stores the inputs and a hash of the state after
+ * each tick, at intervals the exact state of every body, and at longer intervals the whole state,
+ * from which a replay can begin.
  *
- * <p>On the simulation's thread; a tick costs one pass over the entities and allocates nothing once
- * buffers have grown, but for the few a whole state needs. Blocks go to a {@link BlockSink}, at
- * least one a second; when it can't take one, recording stops: a game can't be computed across a
- * hole.
+ * <p>It runs on the simulation's thread. A tick costs one pass over the entities and allocates
+ * nothing once the buffers have grown, except for the few allocations of a whole state. Blocks go
+ * to a {@link BlockSink}, at least one a second. When the sink can't take a block, the recording
+ * ends, because a game can't be computed across a gap.
  */
 public final class Recorder implements Journal {
   /** Seconds between keyframes. */
@@ -25,7 +25,7 @@ public final class Recorder implements Journal {
   /** Seconds between whole states. */
   public static final int STATE_SECONDS = 60;
 
-  /** Most bytes of a state before what the simulation writes. */
+  /** Largest number of bytes of a state before the part that the simulation writes. */
   private static final int STATE_HEAD = 1 << 13;
 
   private static final int FULL_BLOCK = 1 << 16;
@@ -42,7 +42,7 @@ public final class Recorder implements Journal {
   private final long[] inputs = new long[Simulation.MAX_PLAYERS];
   private final int[] viewDelays = new int[Simulation.MAX_PLAYERS];
   private int blockTicks;
-  private int begun = -1; // where in the block the tick begins that has not ended yet
+  private int begun = -1; // position in the block of the tick that has begun but not ended, or -1
   private int lastTick;
   private int nextStateTick;
   private long lastHash;
@@ -50,13 +50,15 @@ public final class Recorder implements Journal {
   private String leftOut;
 
   /**
-   * Begins a recording of a simulation between two steps. One that stands at tick 0 without players
-   * is built again from the header; else its state comes first.
+   * Begins a recording of a simulation between two steps. A replay builds a simulation at tick 0
+   * without players from the header alone; for any other, the recording begins with the whole
+   * state.
    *
-   * @param header as {@link RecordingHeader#of} makes it
-   * @param sink takes the blocks
-   * @throws IllegalArgumentException when the simulation has gone on and its state can't be stored:
-   *     the game {@linkplain carom.sim.Game#keepsMore keeps more}, or the state is too large
+   * @param header header from {@link RecordingHeader#of}
+   * @param sink receives the blocks
+   * @throws IllegalArgumentException when the simulation is past its start and its state can't be
+   *     stored: the game {@linkplain carom.sim.Game#keepsMore keeps more}, or the state is too
+   *     large
    */
   public Recorder(Simulation s, RecordingHeader header, BlockSink sink) {
     this.sink = sink;
@@ -166,8 +168,8 @@ public final class Recorder implements Journal {
   }
 
   /**
-   * The whole state in pieces. What follows is told as if nothing had come before, so that a reader
-   * can begin here.
+   * Writes the whole state in pieces. Later blocks are coded as if nothing had come before, so that
+   * a reader can begin here. Returns false if the state can't be stored.
    */
   private boolean writeState(Simulation s) {
     archive.clear();
@@ -176,7 +178,7 @@ public final class Recorder implements Journal {
       state.write(archive);
     } catch (IllegalArgumentException e) {
       leftOut = "tick=" + lastTick + " has no state to begin from: " + e.getMessage();
-      return false; // the world has blown up
+      return false; // the world has a number that isn't finite or is out of range
     }
     if (archive.length() > Block.MAX_STATE_BYTES - STATE_HEAD) {
       int most = Block.MAX_STATE_BYTES - STATE_HEAD;
@@ -221,7 +223,10 @@ public final class Recorder implements Journal {
     return true;
   }
 
-  /** Field by field, against the last keyframe: what rests is zeros, which compress to nothing. */
+  /**
+   * Writes a keyframe field by field as differences from the last one. Bodies at rest give zeros,
+   * which compress to almost nothing.
+   */
   private void writeKeyframe(Simulation s) {
     keyframe.truncate(0);
     keyframe.varint(lastTick);
@@ -261,23 +266,26 @@ public final class Recorder implements Journal {
   }
 
   /**
-   * Why the last whole state that wasn't recorded is missing, or null when all are there. The
-   * recording is whole all the same, only that no replay can begin there.
+   * Returns why the last whole state that wasn't recorded is missing, or null if none is missing.
+   * The recording stays complete, but no replay can begin at that state.
    */
   public String leftOut() {
     return leftOut;
   }
 
-  /** Whether the sink could not take a block: nothing is recorded any more. */
+  /**
+   * Returns whether recording has stopped, because the sink could not take a block or the recording
+   * has ended.
+   */
   public boolean isCut() {
     return stopped;
   }
 
   /**
-   * Ends the recording: what is left goes to the sink, and how it ended. A step that threw is not
-   * part of it.
+   * Ends the recording. The sink gets the rest and the reason for the end. A step that threw is not
+   * part of the recording.
    *
-   * @param why in a few words, for whoever plays it
+   * @param why reason in a few words, shown by the replay
    */
   public void end(String why) {
     if (stopped) {
@@ -292,7 +300,10 @@ public final class Recorder implements Journal {
     stopped = true;
   }
 
-  /** Content of the last block of a recording that was cut because its sink could not keep up. */
+  /**
+   * Returns the content of the END block for a recording that was cut because its sink could not
+   * keep up.
+   */
   public static byte[] cutBlock(String why) {
     ByteSink out = new ByteSink();
     writeEnd(out, true, why);
@@ -304,7 +315,7 @@ public final class Recorder implements Journal {
     out.text(why);
   }
 
-  /** The last tick recorded. */
+  /** Returns the last recorded tick. */
   public int tick() {
     return lastTick;
   }

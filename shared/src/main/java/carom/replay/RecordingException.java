@@ -2,11 +2,13 @@ package carom.replay;
 
 import java.io.IOException;
 
-/** A recording that can't be read or played, and why. */
+/** Failure to read or play a recording. */
 public final class RecordingException extends IOException {
   private static final long serialVersionUID = 1;
 
-  /** What is wrong, where, and what would be right. */
+  /**
+   * Creates an exception with a message that says what is wrong, where, and what would be right.
+   */
   public RecordingException(String message) {
     super(message);
   }

@@ -10,18 +10,18 @@ import java.util.Arrays;
 import java.util.Objects;
 
 /**
- * What a recording begins with: enough to build the simulation at tick 0.
+ * Header of a recording, which suffices to build the simulation at tick 0.
  *
- * @param physicsDigest names the arithmetic of the build that recorded, see {@code
+ * @param physicsDigest identifies the arithmetic of the build that recorded, see {@code
  *     carom.net.protocol.Protocol#physicsDigest}
- * @param game the game's name
+ * @param game name of the game
  * @param levelName file name of the level, for messages
- * @param levelHash see {@link Level#contentHash}
- * @param level the level file; not copied, don't change it
+ * @param levelHash content hash of the level, see {@link Level#contentHash}
+ * @param level the level file; it is not copied, so don't change it
  * @param seed start of the random numbers
  * @param tickRate ticks per second, 1..1000
  */
-@SuppressWarnings("ArrayRecordComponent") // equals and hashCode look into it
+@SuppressWarnings("ArrayRecordComponent") // equals and hashCode compare its content
 public record RecordingHeader(
     long physicsDigest,
     String game,
@@ -32,7 +32,7 @@ public record RecordingHeader(
     int tickRate) {
   private static final int MAX_NAME_BYTES = 256;
 
-  /** Of a simulation that stands at tick 0. */
+  /** Returns the header for a simulation. */
   public static RecordingHeader of(Simulation s, long seed, long physicsDigest) {
     Level level = s.level();
     return new RecordingHeader(
@@ -46,10 +46,10 @@ public record RecordingHeader(
   }
 
   /**
-   * Builds the recorded game's simulation at tick 0. Failures of the game stop nothing, as on the
-   * server that recorded.
+   * Builds the recorded game's simulation at tick 0. As on the server that recorded, a failure of
+   * the game's code doesn't stop the simulation.
    *
-   * @throws RecordingException when this build has no such game, or the level can't be used
+   * @throws RecordingException when this build has no such game, or the level is invalid
    */
   public Simulation start() throws RecordingException {
     try {

@@ -17,40 +17,40 @@ import java.util.zip.DataFormatException;
 import java.util.zip.Inflater;
 
 /**
- * Reads a recording event by event, also one that is still being written or was torn off. Trusts
- * nothing: whatever the bytes are, memory stays below about 12 MiB, and with a state in it below
- * 100 MiB, and the answer is an event or a {@link RecordingException} that says what is wrong at
- * which byte. One thread.
+ * Reader that returns a recording event by event, also one that is still being written or was cut
+ * off. It trusts nothing. Whatever the bytes are, it returns an event or throws a {@link
+ * RecordingException} that says what is wrong at which byte. It takes less than about 12 MiB of
+ * memory, or 100 MiB with a state. Use it from one thread.
  */
 public final class RecordingReader implements AutoCloseable {
-  /** Longest name of a player, bytes. */
+  /** Longest name of a player in UTF-8 bytes. */
   private static final int MAX_NAME_BYTES = 256;
 
   private static final int MAX_REASON_BYTES = 1_024;
 
-  /** What the file tells next. */
+  /** An event in a recording. */
   public enum Event {
-    /** The player {@link #playerId} called {@link #playerName} comes in. */
+    /** The player {@link #playerId} with the name {@link #playerName} joins. */
     JOIN,
-    /** The player {@link #playerId} goes. */
+    /** The player {@link #playerId} leaves. */
     LEAVE,
-    /** A step begins: {@link #input} and {@link #viewDelay} are what it reads. */
+    /** A step begins; it reads {@link #input} and {@link #viewDelay}. */
     TICK,
-    /** It has ended: {@link #hash}. */
+    /** The step has ended with the state hash {@link #hash}. */
     STEPPED,
-    /** The state of every body after {@link #keyframeTick}. */
+    /** The exact state of every body after {@link #keyframeTick} follows. */
     KEYFRAME,
-    /** The whole state after {@link #stateTick}: {@link #state}. */
+    /** The whole state after {@link #stateTick} follows. */
     STATE,
-    /** The recording ends here: {@link #isCut}, {@link #reason}. */
+    /** The recording ends here, see {@link #isCut} and {@link #reason}. */
     END,
-    /** The file ends here, without a whole block; ask again when it may have grown. */
+    /** The file ends here without a whole block. Ask again when it may have grown. */
     WAIT
   }
 
   private record StatePlace(int tick, long position) {}
 
-  /** A place between two blocks to come back to, with what the reader knew there. */
+  /** A place between two blocks to which a reader can return, with what the reader knew there. */
   public static final class Mark {
     private final long position;
     private final long[] inputs;
@@ -100,11 +100,11 @@ public final class RecordingReader implements AutoCloseable {
   private int stateBegin;
   private int stateEnd;
 
-  /** Where states begin that were found so far, and where the next block to look at does. */
+  /** The states found so far, and the position at which the scan for more continues. */
   private final List<StatePlace> places = new ArrayList<>();
 
   private StatePlace begun;
-  private long lookedAt = Block.PREAMBLE_BYTES;
+  private long scannedTo = Block.PREAMBLE_BYTES;
   private boolean cut;
   private String reason = "";
 
@@ -143,8 +143,8 @@ public final class RecordingReader implements AutoCloseable {
   /**
    * Opens a recording and reads its header.
    *
-   * @throws RecordingException when it is none, has another version or is damaged
-   * @throws IOException when it can't be read
+   * @throws RecordingException when the file is no recording, has another version or is damaged
+   * @throws IOException when the file can't be read
    */
   public static RecordingReader open(Path file) throws IOException {
     SeekableByteChannel channel;
@@ -161,15 +161,15 @@ public final class RecordingReader implements AutoCloseable {
     }
   }
 
-  /** What the recording begins with. */
+  /** Returns the header. */
   public RecordingHeader header() {
     return header;
   }
 
   /**
-   * Reads on.
+   * Reads the next event.
    *
-   * @throws RecordingException when the file is damaged here; what was told before holds
+   * @throws RecordingException when the file is damaged here; earlier events stay valid
    */
   public Event next() throws IOException {
     if (ended) {
@@ -198,7 +198,7 @@ public final class RecordingReader implements AutoCloseable {
     return event;
   }
 
-  /** Collects a piece of a state; true with the last one. */
+  /** Collects a piece of a state. Returns true with the last piece. */
   private boolean readState() throws RecordingException {
     int at = block.varint("offset of a state's piece", 0, Block.MAX_STATE_BYTES);
     int length = block.varint("bytes of a state", 1, Block.MAX_STATE_BYTES);
@@ -302,7 +302,7 @@ public final class RecordingReader implements AutoCloseable {
     return Event.END;
   }
 
-  /** Reads the next block as a whole; false when the file ends before it does. */
+  /** Reads the next block as a whole. Returns false when the file ends before the block does. */
   private boolean nextBlock() throws IOException {
     blockPosition = position;
     if (!fill(head.clear(), position)) {
@@ -334,7 +334,7 @@ public final class RecordingReader implements AutoCloseable {
     crc.update(stored, 0, count);
     if ((int) crc.getValue() != head.getInt(Block.HEAD_BYTES - 4)) {
       if (isEmptyFrom(end, size)) {
-        return false; // the last block, half on the disk
+        return false; // the last block, which is partly on the disk
       }
       throw damaged("damaged: a block's checksum is wrong");
     }
@@ -344,7 +344,9 @@ public final class RecordingReader implements AutoCloseable {
     return true;
   }
 
-  /** Whether only zeros follow: the disk was told of the length, but not yet of the bytes. */
+  /**
+   * Returns whether only zeros follow. The disk then knows the file's length, but lacks the bytes.
+   */
   private boolean isEmptyFrom(long from, long size) throws IOException {
     ByteBuffer chunk = ByteBuffer.allocate(1 << 13);
     for (long at = from; at < size; at += chunk.limit()) {
@@ -375,7 +377,7 @@ public final class RecordingReader implements AutoCloseable {
       int got = inflater.inflate(content, 0, length);
       boolean whole = got == length && (inflater.finished() || isFinished());
       if (!whole) {
-        throw damaged("damaged: a block has not the length=" + length + " it says");
+        throw damaged("damaged: a block's content differs from its stored length=" + length);
       }
     } catch (DataFormatException e) {
       throw damaged("damaged: a block can't be decompressed");
@@ -383,7 +385,10 @@ public final class RecordingReader implements AutoCloseable {
     block.set(content, length);
   }
 
-  /** The end mark may still be unread when all bytes are there. */
+  /**
+   * Returns whether the compressed data ends here. The end mark may still be unread when all bytes
+   * are decompressed.
+   */
   private boolean isFinished() throws DataFormatException {
     return inflater.inflate(new byte[1]) == 0 && inflater.finished();
   }
@@ -408,37 +413,37 @@ public final class RecordingReader implements AutoCloseable {
     return new RecordingException(name + ", block at byte " + blockPosition + ": " + what);
   }
 
-  /** Who comes or goes. */
+  /** Returns the player who joins or leaves. */
   public int playerId() {
     return playerId;
   }
 
-  /** Who comes. */
+  /** Returns the name of the player who joins. */
   public String playerName() {
     return playerName;
   }
 
-  /** How many players' inputs or view delays changed at {@link Event#TICK}. */
+  /** Returns how many players' inputs or view delays changed at {@link Event#TICK}. */
   public int changedCount() {
     return changedCount;
   }
 
-  /** The i-th player whose input or view delay changed. */
+  /** Returns the i-th player whose input or view delay changed. */
   public int changedId(int i) {
     return changedIds[i];
   }
 
-  /** A player's input, see {@link carom.sim.Input#pack}. */
+  /** Returns a player's packed input, see {@link carom.sim.Input#pack}. */
   public long input(int player) {
     return inputs[player];
   }
 
-  /** A player's view delay. */
+  /** Returns a player's view delay, in sixteenths of a tick. */
   public int viewDelay(int player) {
     return viewDelays[player];
   }
 
-  /** The state hash after the step, or of the keyframe. */
+  /** Returns the state hash after the step, or at the keyframe or state. */
   public long hash() {
     return hash;
   }
@@ -447,27 +452,29 @@ public final class RecordingReader implements AutoCloseable {
     return sums;
   }
 
-  /** The tick of the last keyframe read. */
+  /** Returns the tick of the last keyframe read. */
   public int keyframeTick() {
     return keyframeTick;
   }
 
-  /** The tick of the last state read. */
+  /** Returns the tick of the last state read. */
   public int stateTick() {
     return stateTick;
   }
 
-  /** The last state read, for {@link Simulation#read}; valid until {@link #next} is called. */
+  /**
+   * Returns the last state read, for {@link Simulation#read}; valid until {@link #next} is called.
+   */
   ArchiveReader state() {
     return new ArchiveReader(Arrays.copyOfRange(state, stateBegin, stateEnd));
   }
 
   /**
-   * Finds the last whole state at or before a tick that the file has so far, without reading what
-   * lies between: the blocks' heads alone, those seen before only once.
+   * Finds the last whole state at or before a tick that the file has so far. It reads only the
+   * heads of the blocks between, and each head once.
    *
-   * @return its tick, or -1 when there is none
-   * @throws RecordingException when the file is damaged on the way
+   * @return the state's tick, or -1 if there is none
+   * @throws RecordingException when a block of a state on the way is damaged
    */
   public int findState(int tick) throws IOException {
     StatePlace place = place(tick);
@@ -475,7 +482,7 @@ public final class RecordingReader implements AutoCloseable {
   }
 
   /**
-   * Goes to the place that {@link #findState} has found: {@link Event#STATE} comes next.
+   * Goes to the state that {@link #findState} finds for a tick; {@link Event#STATE} comes next.
    *
    * @return false when there is none; nothing has changed then
    */
@@ -488,7 +495,7 @@ public final class RecordingReader implements AutoCloseable {
   }
 
   private StatePlace place(int tick) throws IOException {
-    look();
+    scan();
     StatePlace found = null;
     for (StatePlace place : places) {
       if (place.tick <= tick) {
@@ -498,24 +505,24 @@ public final class RecordingReader implements AutoCloseable {
     return found;
   }
 
-  private void look() throws IOException {
+  private void scan() throws IOException {
     long size = file.size();
     ByteBuffer at = ByteBuffer.allocate(Block.HEAD_BYTES);
-    while (fill(at.clear(), lookedAt)) {
+    while (fill(at.clear(), scannedTo)) {
       int count = at.getInt(5);
-      long end = lookedAt + Block.HEAD_BYTES + count;
+      long end = scannedTo + Block.HEAD_BYTES + count;
       if (Block.of(at.get(0)) == null || count < 1 || count > bound() || end > size) {
-        return; // torn, or damaged: whoever reads that far is told
+        return; // cut off or damaged; the reader reports it when it gets there
       }
-      if (Block.of(at.get(0)) == Block.STATE && !note(lookedAt)) {
+      if (Block.of(at.get(0)) == Block.STATE && !addState(scannedTo)) {
         return;
       }
-      lookedAt = end;
+      scannedTo = end;
     }
   }
 
-  /** Remembers where a state begins; false when that block isn't whole. */
-  private boolean note(long where) throws IOException {
+  /** Adds a block's state to those found. Returns false when the block isn't whole. */
+  private boolean addState(long where) throws IOException {
     long back = position;
     byte[] unread = block.isEmpty() ? new byte[0] : block.bytes(block.left());
     Block backType = type;
@@ -548,12 +555,12 @@ public final class RecordingReader implements AutoCloseable {
     ended = false;
   }
 
-  /** Entity ids of the keyframe are below. */
+  /** Returns the limit of the keyframe's entity ids, exclusive. */
   int keyframeLimit() {
     return keyframeLimit;
   }
 
-  /** Archetype index of an entity in the keyframe; -1 when there is none. */
+  /** Returns the archetype index of an entity in the keyframe, or -1 if there is no such entity. */
   int kind(int id) {
     return id < keyframeLimit ? kinds[id] : -1;
   }
@@ -562,40 +569,40 @@ public final class RecordingReader implements AutoCloseable {
     return generations[id];
   }
 
-  /** An entity's exact state in the keyframe. */
+  /** Copies an entity's exact state in the keyframe. */
   void keyState(int id, int[] out) {
     System.arraycopy(keyStates, id * Fingerprint.FIELDS, out, 0, Fingerprint.FIELDS);
   }
 
-  /** Whether the recording ended because the recorder could not keep up. */
+  /** Returns whether the recording ended because the recorder could not keep up. */
   public boolean isCut() {
     return cut;
   }
 
-  /** Why the recording ended. */
+  /** Returns why the recording ended. */
   public String reason() {
     return reason;
   }
 
-  /** Bytes behind the last whole block, at {@link Event#WAIT}. */
+  /** Returns the number of bytes after the last whole block, at {@link Event#WAIT}. */
   public long tornBytes() throws IOException {
     return file.size() - position;
   }
 
-  /** Whether this is a place between two blocks, which {@link #mark} can remember. */
+  /** Returns whether the reader is between two blocks, where {@link #mark} is possible. */
   public boolean isBetweenBlocks() {
     return block.isEmpty() && collected == 0;
   }
 
-  /** Whether the next block, as far as it is there, is a state or a piece of one. */
-  boolean comesState() throws IOException {
+  /** Returns whether the next block is a state or a piece of one. Its head is enough to tell. */
+  boolean isStateNext() throws IOException {
     return block.isEmpty() && fill(head.clear(), position) && Block.of(head.get(0)) == Block.STATE;
   }
 
   /**
-   * Remembers this place; allowed between two blocks, as after a keyframe.
+   * Marks this place. It is possible only between two blocks, as after a keyframe.
    *
-   * @throws IllegalStateException in the middle of a block
+   * @throws IllegalStateException when the reader is within a block
    */
   public Mark mark() {
     if (!block.isEmpty()) {

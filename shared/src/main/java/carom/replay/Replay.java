@@ -9,22 +9,23 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Simulates a recorded game once more, and finds out where it goes another way. One thread.
+ * Simulation of a recorded game that finds where it differs from the recording. Use it from one
+ * thread.
  *
- * <p>The state hash is compared after each tick. From the first difference on, the replay goes on
- * until it can name a body, which is in the same tick if one body's motion is what differs, and at
- * the next keyframe at the latest; see {@link #isDecided}. Who goes on further comes to the next
- * whole state of the recording, which is taken over: ticks are compared again from there, so that
- * every stretch that diverged is found.
+ * <p>It compares the state hash after each tick. After the first difference, it goes on until it
+ * can name a body, see {@link #isDecided}. If one body's motion differs, that is in the same tick;
+ * otherwise it is at the next keyframe at the latest. A replay that continues takes over the next
+ * whole state of the recording and compares from there again. So it finds every stretch that
+ * differs.
  */
 public final class Replay {
-  /** What a call of {@link #step} did. */
+  /** Result of {@link #step}. */
   public enum Progress {
-    /** One more tick is computed. */
+    /** The replay computed one more tick. */
     TICK,
     /** The recording has ended. */
     END,
-    /** The file ends in the middle: it is torn, or still being written. */
+    /** The file ends in the middle, because it was cut off or is still being written. */
     WAIT
   }
 
@@ -36,33 +37,41 @@ public final class Replay {
   private final int[] located = new int[Fingerprint.FIELDS];
   private final List<Divergence> divergences = new ArrayList<>();
 
-  /** What is being found out of the stretch that is played; null while all is equal. */
+  /** The divergence in the stretch being played, or null while all is equal. */
   private Divergence divergence;
 
   private boolean decided;
   private int equalTicks;
   private boolean inTick;
 
-  /** Whether what comes is computed on; else a state to begin from comes. */
+  /**
+   * True if the simulation continues from its present state, false if it must first take over a
+   * recorded state.
+   */
   private boolean computing;
 
   private int firstTick = Integer.MAX_VALUE;
 
   /**
-   * Builds the simulation at tick 0, or at the one the recording begins with.
+   * Builds the simulation at tick 0, or at the state that begins the recording.
    *
-   * @param reader where the recording comes from, just opened; stays the caller's to close
+   * @param reader a recording just opened, which the caller closes
    * @throws RecordingException when this build can't play the game
    */
   public Replay(RecordingReader reader) throws IOException {
     this.reader = reader;
     simulation = reader.header().start();
-    if (reader.comesState() && reader.next() == RecordingReader.Event.STATE) {
+    if (reader.isStateNext() && reader.next() == RecordingReader.Event.STATE) {
       state();
     }
   }
 
-  /** Says clearly why recordings of another arithmetic can't be expected to be equal. */
+  /**
+   * Refuses a recording made by a build with other arithmetic, with a message that says why its
+   * replay would differ.
+   *
+   * @throws RecordingException when the digests differ
+   */
   public static void requirePhysics(RecordingHeader header, long digest) throws RecordingException {
     if (header.physicsDigest() != digest) {
       throw new RecordingException(
@@ -74,7 +83,7 @@ public final class Replay {
   }
 
   /**
-   * Goes on by one tick, if the file has it.
+   * Computes the next tick, if the file has it.
    *
    * @throws RecordingException when the file is damaged or contradicts itself
    */
@@ -138,7 +147,7 @@ public final class Replay {
     try {
       simulation.step();
     } catch (RuntimeException | AssertionError e) {
-      throw contradicts("the physics fails where they did not while recording: " + e);
+      throw contradicts("an error that did not occur while recording: " + e);
     }
   }
 
@@ -164,7 +173,7 @@ public final class Replay {
     decided = false;
     for (Divergence known : divergences) {
       if (known.tick() == simulation.tick()) {
-        divergence = known; // found before somebody jumped back
+        divergence = known; // found before a jump backwards
         decided = true;
         return;
       }
@@ -191,7 +200,7 @@ public final class Replay {
 
   private void keyframe() throws RecordingException {
     if (reader.keyframeTick() != simulation.tick()) {
-      throw contradicts("a keyframe of tick " + reader.keyframeTick() + " comes");
+      throw contradicts("a keyframe of tick " + reader.keyframeTick() + " is out of place");
     }
     if (divergence == null && reader.hash() != simulation.stateHash()) {
       diverge(simulation.stateHash());
@@ -202,11 +211,14 @@ public final class Replay {
     }
   }
 
-  /** Begins from a state, compares it with the one computed, or goes on from it if that differs. */
+  /**
+   * Takes a recorded state: begins from it, compares it with the computed one, or takes it over if
+   * that differs.
+   */
   private void state() throws RecordingException {
     if (computing) {
       if (reader.stateTick() != simulation.tick()) {
-        throw contradicts("a state of tick " + reader.stateTick() + " comes");
+        throw contradicts("a state of tick " + reader.stateTick() + " is out of place");
       }
       if (divergence == null && reader.hash() != simulation.stateHash()) {
         diverge(simulation.stateHash());
@@ -226,18 +238,18 @@ public final class Replay {
     try {
       simulation.restore(simulation.read(reader.state()));
     } catch (ArchiveException e) {
-      throw contradicts("this is a state: " + e.getMessage());
+      throw contradicts("a state can't be restored: " + e.getMessage());
     }
     if (simulation.tick() != reader.stateTick() || simulation.stateHash() != reader.hash()) {
       throw contradicts(
           String.format(
-              "the state of tick %d has hash %016x, it has %016x",
+              "the state of tick=%d has the recorded hash %016x, but %016x when restored",
               reader.stateTick(), reader.hash(), simulation.stateHash()));
     }
   }
 
   /**
-   * The last tick at or before another at which the file has a whole state, to begin from.
+   * Returns the tick of the last whole state at or before a tick, from which the replay can begin.
    *
    * @return -1 when there is none
    */
@@ -246,8 +258,8 @@ public final class Replay {
   }
 
   /**
-   * Goes to the state at {@link #stateBefore} that tick, without computing what lies between; the
-   * next {@link #step} goes on from there. A divergence found stays found.
+   * Goes to the state at {@link #stateBefore} the tick without computing the ticks between. The
+   * next {@link #step} continues from there. Divergences found are kept.
    *
    * @return false when there is none; nothing has changed then
    * @throws RecordingException when the file is damaged there
@@ -260,59 +272,59 @@ public final class Replay {
     inTick = false;
     divergence = null;
     if (reader.next() != RecordingReader.Event.STATE) {
-      throw contradicts("a state comes, but it is torn");
+      throw contradicts("a state is cut off");
     }
     state();
     return true;
   }
 
-  /** The first tick that was there: 0, or that of a state begun from. */
+  /** Returns the first tick that this replay had: 0, or the tick of the state it began from. */
   public int firstTick() {
     return Math.min(firstTick, simulation.tick());
   }
 
   private RecordingException contradicts(String what) {
-    return new RecordingException(
-        "damaged: after tick " + simulation.tick() + " the recording says that " + what);
+    return new RecordingException("damaged, after tick=" + simulation.tick() + ": " + what);
   }
 
-  /** The world, for reading. */
+  /** Returns the simulation, for reading only. */
   public Simulation simulation() {
     return simulation;
   }
 
-  /** What the recording began with. */
+  /** Returns the header of the recording. */
   public RecordingHeader header() {
     return reader.header();
   }
 
-  /** The first difference found, or null when there has been none. */
+  /** Returns the first difference found, or null if there is none. */
   public Divergence divergence() {
     return divergences.isEmpty() ? null : divergences.get(0);
   }
 
   /**
-   * The first difference of each stretch between two whole states that was played and diverged, as
-   * they were found; {@value #MAX_DIVERGENCES} at most.
+   * Returns the first difference of each stretch that was played and differed, in the order found.
+   * A stretch lies between two whole states. The list has at most {@value #MAX_DIVERGENCES}
+   * differences.
    */
   public List<Divergence> divergences() {
     return List.copyOf(divergences);
   }
 
-  /** How many ticks were computed with the hash that was recorded. */
+  /** Returns how many computed ticks had the recorded hash. */
   public int equalTicks() {
     return equalTicks;
   }
 
   /**
-   * Whether {@link #divergence} tells all that can be found out; going on finds out only whether
-   * what follows the next whole state is equal.
+   * Returns whether {@link #divergence} has all its details. Going on then finds only whether the
+   * ticks after the next whole state are equal.
    */
   public boolean isDecided() {
     return divergences.size() > 1 || (!divergences.isEmpty() && (decided || divergence == null));
   }
 
-  /** A tick to come back to: memory of the size of the world's state. */
+  /** A tick to which the replay can return. It takes as much memory as the world's state. */
   public static final class Mark {
     private final SimState state;
     private final RecordingReader.Mark place;
@@ -324,30 +336,27 @@ public final class Replay {
       this.divergence = divergence;
     }
 
-    /** The tick it stands for. */
+    /** Returns the tick of this mark. */
     public int tick() {
       return state.tick();
     }
   }
 
-  /** Whether {@link #mark} is possible after this tick; it is about once a second. */
+  /** Returns whether {@link #mark} is possible after this tick, which is about once a second. */
   public boolean canMark() {
     return reader.isBetweenBlocks();
   }
 
   /**
-   * Remembers this tick.
+   * Marks this tick.
    *
-   * @throws IllegalStateException unless {@link #canMark}
+   * @throws IllegalStateException when {@link #canMark} is false
    */
   public Mark mark() {
     return new Mark(simulation.save(null), reader.mark(), divergence);
   }
 
-  /**
-   * Goes back, or forward, to a tick of this replay that was marked. A divergence found stays
-   * found.
-   */
+  /** Goes to a marked tick of this replay, backwards or forwards. Divergences found are kept. */
   public void reset(Mark mark) {
     simulation.restore(mark.state);
     reader.reset(mark.place);

@@ -4,7 +4,7 @@ import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.RecordComponent;
 
 /**
- * Makes changed copies of records, so that a record of many settings writes each {@code with...}
+ * Factory of changed copies of records. With it, a record of many settings has each {@code with...}
  * method in one line:
  *
  * <pre>{@code
@@ -15,8 +15,8 @@ import java.lang.reflect.RecordComponent;
  * }
  * }</pre>
  *
- * <p>It reflects, which takes microseconds: for settings, not for loops. Call each {@code with...}
- * method in a test, because the compiler doesn't check the names.
+ * <p>It uses reflection, which takes microseconds, so it suits settings but not loops. Call each
+ * {@code with...} method in a test, because the compiler doesn't check the names.
  */
 public final class Records {
   private Records() {}
@@ -24,13 +24,13 @@ public final class Records {
   /**
    * Returns a copy of a record with some other values. The canonical constructor checks them.
    *
-   * @param record stays as it is
+   * @param record the original, which stays as it is
    * @param changes names of components, each followed by its new value
    * @param <R> a record whose canonical constructor is public
    * @throws IllegalArgumentException if the record has no component of this name
    */
   public static <R extends Record> R with(R record, Object... changes) {
-    @SuppressWarnings("unchecked") // what getClass() returns for an R
+    @SuppressWarnings("unchecked") // getClass() of an R returns this type
     Class<R> type = (Class<R>) record.getClass();
     RecordComponent[] components = type.getRecordComponents();
     Class<?>[] types = new Class<?>[components.length];

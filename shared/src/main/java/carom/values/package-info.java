@@ -1,5 +1,5 @@
 /**
- * Immutable values, such as settings, of which changed copies are made.
+ * Support for immutable values, such as settings, that are changed by copying.
  *
  * <p>Allowed imports: the JDK.
  *

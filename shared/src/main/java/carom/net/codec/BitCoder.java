@@ -1,26 +1,26 @@
 package carom.net.codec;
 
 /**
- * One side of an arithmetic coder. A codec describes its bits and symbols once, as calls of {@link
- * #code}, {@link #symbol} and {@link #even}; who is behind them decides whether that description
- * writes, reads, or only learns.
+ * One side of an arithmetic coder. A codec describes its format once, as calls of {@link #code},
+ * {@link #symbol} and {@link #even}. The subclass decides whether that description writes, reads,
+ * measures or only trains the tables.
  */
 public abstract class BitCoder implements PlainBits {
 
-  /** One in the unit of probabilities. */
+  /** Denominator of probabilities: a probability {@code p} means {@code p / ONE}. */
   public static final int ONE = 1 << 16;
 
-  /** Most bits of {@link #even}. */
+  /** Largest number of bits that one call of {@link #even} codes. */
   static final int MAX_EVEN = 16;
 
-  /** For the coders of this package. */
+  /** Limits subclasses to this package. */
   BitCoder() {}
 
   /**
    * Codes a bit.
    *
    * @param bit 0 or 1, what to write; a reader ignores it
-   * @param probability of a 1, in 1/65,536: 1..65,535
+   * @param probability of a 1, in 1/65,536; 1..65,535
    * @return the bit written, or the bit read
    */
   public abstract int code(int bit, int probability);
@@ -28,18 +28,19 @@ public abstract class BitCoder implements PlainBits {
   /**
    * Codes a symbol of a table.
    *
-   * @param row whose probabilities hold
-   * @param symbol what to write, 0..most; a reader ignores it
-   * @param most the last symbol that can come: it has the probability of all behind it, too
+   * @param row row of the table that holds the probabilities
+   * @param symbol what to write, 0..{@code most}; a reader ignores it
+   * @param most the last symbol that can occur here; it takes over the probability of all symbols
+   *     after it
    * @return the symbol written, or the symbol read
    */
   public abstract int symbol(SymbolTable table, int row, int symbol, int most);
 
   /**
-   * Codes the lowest {@code count} bits of a value as equally likely, in one step.
+   * Codes the lowest {@code count} bits of a value in one step, all values equally likely.
    *
    * @param count 0..{@value #MAX_EVEN}
-   * @return these bits
+   * @return the bits written, or the bits read
    */
   public abstract int even(int value, int count);
 
@@ -53,7 +54,10 @@ public abstract class BitCoder implements PlainBits {
     return high << MAX_EVEN | even(value, MAX_EVEN);
   }
 
-  /** A coder that takes every bit as given and stores nothing: for learning what is known. */
+  /**
+   * Returns a coder that stores nothing and returns every bit and symbol as given. It trains
+   * adaptive tables with values that both sides already know.
+   */
   public static BitCoder known() {
     return Known.INSTANCE;
   }

@@ -5,9 +5,9 @@ import java.lang.invoke.VarHandle;
 import java.nio.ByteOrder;
 
 /**
- * Reads what {@link BitWriter} wrote. Reading past the end answers zeros and sets a sticky {@link
- * #failed} instead of throwing, so that a decoder reads straight on and looks once. One thread, no
- * allocation.
+ * Reader of the bits that {@link BitWriter} wrote. A read past the end returns zeros and sets a
+ * sticky {@link #failed} flag instead of throwing, so that a decoder reads straight on and checks
+ * once. Use it from one thread; it doesn't allocate.
  */
 public final class BitReader implements BitPass {
 
@@ -19,10 +19,10 @@ public final class BitReader implements BitPass {
   private int position;
   private boolean failed;
 
-  /** Creates a reader of nothing; call {@link #reset}. */
+  /** Creates an empty reader; call {@link #reset} before reading. */
   public BitReader() {}
 
-  /** Starts at {@code offset} of an array, with {@code length} bytes. */
+  /** Starts reading {@code length} bytes of an array at {@code offset}. */
   public void reset(byte[] bytes, int offset, int length) {
     if (offset < 0 || length < 0 || length > bytes.length - offset) {
       throw new IndexOutOfBoundsException(
@@ -35,7 +35,7 @@ public final class BitReader implements BitPass {
   }
 
   /**
-   * Reads an unsigned number; with 32 bits the sign bit is as written.
+   * Reads an unsigned number. With 32 bits, the top bit becomes the sign bit of the result.
    *
    * @param count 0..32
    */
@@ -98,9 +98,9 @@ public final class BitReader implements BitPass {
   }
 
   /**
-   * Ends the bits at a whole byte: what is left of the current one must be zero.
+   * Skips to the next byte boundary and fails if a skipped bit is not zero.
    *
-   * @return index in the array of what follows
+   * @return index in the array of the first byte after the boundary
    */
   public int align() {
     if (!failed && read(-position & 7) != 0) {
@@ -109,23 +109,27 @@ public final class BitReader implements BitPass {
     return position >> 3;
   }
 
-  /** Bits not yet read. */
+  /** Returns the number of bits left to read, or 0 after a failure. */
   public int remaining() {
     return failed ? 0 : limitBit - position;
   }
 
-  /** Marks what was read as wrong: a decoder found a value that no encoder writes. */
+  /**
+   * Sets the sticky failure flag. A decoder calls this when it reads a value that no encoder
+   * writes.
+   */
   public void fail() {
     failed = true;
   }
 
-  /** Whether anything was read past the end or {@link #fail} was called. */
+  /** Returns whether a read went past the end or a decoder called {@link #fail}. */
   public boolean failed() {
     return failed;
   }
 
   /**
-   * Whether everything was read well and to the end: less than a byte remains, and that is zero.
+   * Returns whether the whole input was read without a failure. Fewer than 8 bits may remain, and
+   * they must be zero; this call reads them.
    */
   public boolean finished() {
     if (failed || limitBit - position >= 8) {

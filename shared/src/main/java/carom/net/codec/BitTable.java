@@ -1,18 +1,19 @@
 package carom.net.codec;
 
 /**
- * Probabilities of the bits at the nodes of a format. Each begins with what is given and adapts to
- * the bits that are coded there, new ones fast and old ones slowly. Integers only, so that both
- * ends of a link compute the same.
+ * Adaptive probabilities of the bits at the nodes of a format. Each node starts with a given
+ * probability and adapts to the bits coded there, fast at first and more slowly with every bit. The
+ * arithmetic uses integers only, so that both ends of a link compute the same.
  *
- * <p>One thread, no allocation after construction.
+ * <p>Use it from one thread; it doesn't allocate after construction.
  */
 public final class BitTable {
 
-  /** Most bits between a {@link #mark} and the {@link #rewind} to it. */
+  /** Largest number of bits between a {@link #mark} and the {@link #rewind} to it. */
   public static final int MAX_MARKED = 64;
 
-  // How fast a node moves: as if its prior were that many bits old, and never older than so many.
+  // The adaptation rate of a node is 1 / (bits seen + PRIOR_AGE), with at most MAX_SEEN bits
+  // counted.
   private static final int PRIOR_AGE = 12;
   private static final int MAX_SEEN = 60;
   private static final int LEAST = 32;
@@ -27,10 +28,13 @@ public final class BitTable {
 
   private final int[] prior;
 
-  /** By node: bits seen, and in the lower 16 bits the probability of a 1. */
+  /**
+   * For each node, the number of bits seen in the upper 16 bits and the probability of a 1 in the
+   * lower 16.
+   */
   private final int[] states;
 
-  /** Node and former state of the bits since the last mark. */
+  /** Ring of node and former state for each bit since the last mark. */
   private final long[] changed = new long[MAX_MARKED];
 
   private int changes;
@@ -48,19 +52,20 @@ public final class BitTable {
     states = new int[prior.length];
   }
 
-  /** Each node is as it was given. */
+  /** Resets every node to its prior. */
   public void begin() {
     System.arraycopy(prior, 0, states, 0, states.length);
     changes = 0;
   }
 
-  /** Remembers this place for {@link #rewind}. */
+  /** Marks the current state for {@link #rewind}. */
   public void mark() {
     changes = 0;
   }
 
   /**
-   * Goes back to the last {@link #mark}, since when at most {@link #MAX_MARKED} bits were coded.
+   * Restores the state at the last {@link #mark}. At most {@link #MAX_MARKED} bits may have been
+   * coded after it.
    */
   public void rewind() {
     while (changes > 0) {
@@ -82,7 +87,10 @@ public final class BitTable {
     return result;
   }
 
-  /** A node's state after a bit: without a branch, as nothing foresees the bit. */
+  /**
+   * Returns the state of a node after a bit. It has no branch on the bit, because a processor can't
+   * predict it.
+   */
   private static int next(int state, int bit) {
     int p = state & 0xffff;
     int seen = state >>> 16;

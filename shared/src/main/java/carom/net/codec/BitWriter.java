@@ -5,11 +5,11 @@ import java.lang.invoke.VarHandle;
 import java.nio.ByteOrder;
 
 /**
- * Writes bits into a caller's array. The first bit goes to the lowest bit of the first byte; a
- * number's lowest bit goes first.
+ * Writer of bits into a caller's array. The first bit goes to the lowest bit of the first byte; the
+ * lowest bit of a number goes first.
  *
- * <p>Writing past the limit sets a sticky overflow and writes nothing more, so that a codec can
- * try, look and {@link #rewind}. One thread, no allocation.
+ * <p>A write past the limit sets a sticky overflow flag and writes nothing more. So a codec can
+ * write first, check afterwards and {@link #rewind}. Use it from one thread; it doesn't allocate.
  */
 public final class BitWriter implements BitPass {
 
@@ -22,10 +22,10 @@ public final class BitWriter implements BitPass {
   private int position;
   private boolean overflow;
 
-  /** Creates a writer without room; call {@link #reset}. */
+  /** Creates a writer without room; call {@link #reset} before writing. */
   public BitWriter() {}
 
-  /** Starts at {@code offset}, with room for {@code length} bytes. */
+  /** Starts writing at {@code offset} of an array, with room for {@code length} bytes. */
   public void reset(byte[] bytes, int offset, int length) {
     if (offset < 0 || length < 0 || length > bytes.length - offset) {
       throw new IndexOutOfBoundsException(
@@ -60,7 +60,9 @@ public final class BitWriter implements BitPass {
     position += count;
   }
 
-  /** Near the end of the room: byte by byte, so that nothing behind it is touched. */
+  /**
+   * Writes bits near the end of the room byte by byte, so that the bytes after it stay as they are.
+   */
   private void writeSlowly(long value, int count) {
     long rest = value;
     int left = count;
@@ -106,28 +108,31 @@ public final class BitWriter implements BitPass {
     write((int) (value >>> 32), 32);
   }
 
-  /** Bits written since {@link #reset}. */
+  /** Returns the number of bits written after {@link #reset}. */
   public int bits() {
     return position - startBit;
   }
 
-  /** Bytes touched since {@link #reset}; the unused bits of the last one are zero. */
+  /**
+   * Returns the number of bytes begun after {@link #reset}. The unused bits of the last one are
+   * zero.
+   */
   public int bytes() {
     return (position - startBit + 7) >> 3;
   }
 
-  /** Bits that still fit. */
+  /** Returns the number of bits that still fit. */
   public int room() {
     return limitBit - position;
   }
 
-  /** Whether something did not fit since {@link #reset} or {@link #rewind}. */
+  /** Returns whether a write did not fit after the last {@link #reset} or {@link #rewind}. */
   public boolean overflow() {
     return overflow;
   }
 
   /**
-   * Goes back to an earlier place and forgets an overflow.
+   * Goes back to an earlier position and clears the overflow flag.
    *
    * @param bits an earlier value of {@link #bits()}
    */

@@ -1,6 +1,6 @@
 package carom.net.codec;
 
-/** Number forms for the wire. */
+/** Variable-length and order-preserving forms of numbers on the wire. */
 public final class Bits {
 
   private Bits() {}
@@ -15,33 +15,35 @@ public final class Bits {
     return (value >>> 1) ^ -(value & 1);
   }
 
-  /** Bits needed for an unsigned value: 0 for 0, 32 when the sign bit is set. */
+  /**
+   * Returns the number of bits that an unsigned value needs: 0 for 0, 32 when the sign bit is set.
+   */
   public static int width(int value) {
     return 32 - Integer.numberOfLeadingZeros(value);
   }
 
   /**
-   * A float's bits in an order that follows the numbers: neighbouring floats are neighbouring
-   * integers, across zero too. Exact for every bit pattern, so that a difference of two ordered
-   * values restores the float bit by bit.
+   * Maps a float to an integer that keeps the order of floats: neighbouring floats become
+   * neighbouring integers, across zero too. The map is exact for every bit pattern, so the
+   * difference of two mapped values restores the float bit by bit.
    */
   public static int ordered(float value) {
     return orderedBits(Float.floatToRawIntBits(value));
   }
 
-  /** As {@link #ordered}, from raw float bits. */
+  /** Maps raw float bits as {@link #ordered} maps a float. */
   public static int orderedBits(int raw) {
     return raw ^ ((raw >> 31) & 0x7fffffff);
   }
 
-  /** Undoes {@link #orderedBits}; it is its own inverse. */
+  /** Undoes {@link #orderedBits}, which is its own inverse. */
   public static int rawBits(int ordered) {
     return ordered ^ ((ordered >> 31) & 0x7fffffff);
   }
 
   /**
-   * Writes a number with its width before it: 5 bits hold 0..31, the width of its zigzag form.
-   * Magnitudes below 2^30.
+   * Writes a number after its width: 5 bits for the width of its zigzag form, then that form. The
+   * magnitude must be below 2^30.
    */
   public static void writeSized(BitWriter w, int value) {
     int z = zigzag(value);
@@ -50,7 +52,7 @@ public final class Bits {
     w.write(z, width);
   }
 
-  /** Reads what {@link #writeSized} wrote. */
+  /** Reads a number written by {@link #writeSized}. */
   public static int readSized(BitReader r) {
     return unzigzag(r.read(r.read(5)));
   }

@@ -4,41 +4,41 @@ import carom.physics.simd.VectorKernels;
 import carom.physics.simd.VectorModule;
 
 /**
- * Kernels that quantise the numbers of a column side by side, bit for bit as {@link Quantizer} does
- * one after the other. How many go through them shows in no result.
+ * Vector kernels that quantise several numbers of a column at once, bit for bit as {@link
+ * Quantizer} does one by one. The share of a column that goes through them changes no result.
  */
 abstract class ColumnLanes extends VectorKernels {
-  /** The kernels made with the Vector API, null where the JVM was started without that module. */
+  /** The kernels built on the Vector API, or null if the JVM runs without that module. */
   static final ColumnLanes FOUND =
       VectorModule.find("carom.net.codec.VectorColumns", ColumnLanes.class);
 
-  /** Returns how many numbers a call of a kernel takes. */
+  /** Returns how many numbers one call of a kernel takes. */
   abstract int width();
 
   /**
-   * Converts numbers to steps, rounded as {@link Quantizer} does.
+   * Rounds numbers to steps as {@link Quantizer} does.
    *
    * @param from the numbers, from {@code at} on
    * @param scale steps per unit, a power of two
-   * @param max the largest magnitude that a result may have, steps, at most 2^21
-   * @param to receives the steps, from {@code at} on; they mean nothing if it is false
-   * @return whether all numbers are that small; false, too, if one isn't a number
+   * @param max the largest allowed magnitude of a result in steps, at most 2^21
+   * @param to receives the steps, from {@code at} on; undefined if this returns false
+   * @return whether all results are within {@code max}; false if one of the numbers is NaN
    */
   abstract boolean round(float[] from, int at, float scale, float max, int[] to);
 
   /**
-   * Converts directions to angles, as {@link Quantizer#angleOfTurn} rounds those of {@code
-   * carom.physics.math.Trig.roughTurn}, by the same polynomial.
+   * Turns directions into angles. It uses the polynomial of {@code
+   * carom.physics.math.Trig.roughTurn} and rounds as {@link Quantizer#angleOfTurn} does.
    *
-   * @param error how far these may be off
+   * @param error largest error of the polynomial
    */
   abstract void turn(float[] cos, float[] sin, int at, int error, int[] to);
 
   /**
-   * Quantises the first numbers of a column.
+   * Quantises as many leading numbers of a column as the kernel takes.
    *
-   * @param max as in {@link #round}, also above 2^21
-   * @return how many were, 0..n; the rest is left to the caller
+   * @param max largest magnitude in steps as in {@link #round}, but it may be above 2^21
+   * @return how many numbers were quantised, 0..n; the caller does the rest
    */
   final int steps(float[] from, int n, int scale, int max, int[] to) {
     int width = width();
@@ -52,7 +52,9 @@ abstract class ColumnLanes extends VectorKernels {
     return calls * width;
   }
 
-  /** Quantises the first directions of two columns, and returns how many. */
+  /**
+   * Quantises as many leading directions of two columns as the kernel takes, and returns how many.
+   */
   final int turns(float[] cos, float[] sin, int n, int error, int[] to) {
     int width = width();
     int calls = calls(n);
@@ -62,7 +64,7 @@ abstract class ColumnLanes extends VectorKernels {
     return calls * width;
   }
 
-  /** Returns how often a kernel may be called for a column of n numbers. */
+  /** Returns how many kernel calls are granted for a column of n numbers. */
   private int calls(int n) {
     return n < Quantizer.LONG ? 0 : grant(n / width(), n);
   }

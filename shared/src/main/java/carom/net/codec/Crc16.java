@@ -1,15 +1,15 @@
 package carom.net.codec;
 
 /**
- * The 16-bit check of a datagram: CRC-16/CCITT (polynomial x^16 + x^12 + x^5 + 1), begun with a
- * key. Finds every damage within 16 neighbouring bits and all but 1 in 65,536 others; keeps out
- * bytes that are not from this session, as long as nobody reads along.
+ * The 16-bit checksum of a datagram: CRC-16/CCITT (polynomial x^16 + x^12 + x^5 + 1) over a secret
+ * key and the bytes. It finds every damage within 16 neighbouring bits and all but 1 in 65,536
+ * others. It rejects datagrams of strangers, but not of an attacker who can read the traffic.
  */
 public final class Crc16 {
 
   private static final char[] TABLE = new char[256];
 
-  /** As TABLE, for a byte that one more follows. */
+  /** The table for a byte that is followed by one more byte. */
   private static final char[] BEFORE = new char[256];
 
   static {
@@ -27,7 +27,7 @@ public final class Crc16 {
 
   private Crc16() {}
 
-  /** The check of {@code length} bytes from {@code offset} on, 0..65,535. */
+  /** Returns the checksum of {@code length} bytes from {@code offset} on, 0..65,535. */
   public static int of(int key, byte[] bytes, int offset, int length) {
     int crc = 0xffff;
     for (int shift = 24; shift >= 0; shift -= 8) {

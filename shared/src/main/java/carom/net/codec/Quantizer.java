@@ -1,9 +1,9 @@
 package carom.net.codec;
 
 /**
- * Numbers of the world to integers on the wire and back. Rounds to nearest. What is outside a range
- * is clamped to its end, NaN becomes 0: the wire shows a wrong picture of a broken world, and never
- * breaks itself.
+ * Conversion of world quantities to integers on the wire and back. It rounds to nearest, clamps a
+ * value outside the range to its end, and turns NaN into 0. So a broken world gives a wrong
+ * picture, but never a broken datagram.
  */
 public final class Quantizer {
 
@@ -29,29 +29,29 @@ public final class Quantizer {
   public static final int MAX_OMEGA = 1 << 15;
 
   /**
-   * Columns of so many numbers, and longer ones, are quantised by vectors where the JVM has them;
-   * shorter ones gain too little to be worth the calls until the JIT compiler is done.
+   * Shortest column that is quantised by vector kernels, where the JVM has them. A shorter one
+   * gains too little to be worth the calls made while the JIT compiler hasn't finished.
    */
   public static final int LONG = 1_000;
 
   private static final double ANGLE_SCALE = ANGLE_STEPS / (2 * Math.PI);
 
-  /** From 2^26 to a turn to 2^10. */
+  /** Shift from an angle with 2^26 to a turn to one with 2^10. */
   private static final int TURN_SHIFT = 16;
 
   private Quantizer() {}
 
-  /** Metres to steps, within plus or minus {@link #MAX_POSITION}. */
+  /** Converts metres to steps, clamped to plus or minus {@link #MAX_POSITION}. */
   public static int position(float metres) {
     return clamp(metres * (double) POSITION_STEPS, MAX_POSITION);
   }
 
-  /** Steps to metres; exact in a float up to 32,768 m. */
+  /** Converts steps to metres. The result is exact in a float up to 32,768 m. */
   public static float positionOf(int steps) {
     return steps * (1f / POSITION_STEPS);
   }
 
-  /** Radians to steps, 0..1,023; whole turns vanish. */
+  /** Converts radians to steps, 0..1,023. Whole turns drop out. */
   public static int angle(float radians) {
     double steps = radians * ANGLE_SCALE;
     if (!(Math.abs(steps) < 1e15)) {
@@ -61,11 +61,12 @@ public final class Quantizer {
   }
 
   /**
-   * An angle that is known about to steps, as {@link #angle} rounds the exact one.
+   * Rounds an angle that is known only approximately, if the result is sure to equal what {@link
+   * #angle} gives for the exact angle.
    *
-   * @param turn 2^26 for a whole turn
-   * @param error how far it may be off, less than 2^15
-   * @return 0..1,023; -1 when it is too close to where the next step begins
+   * @param turn the angle, with 2^26 for a whole turn
+   * @param error largest error of {@code turn}, less than 2^15
+   * @return 0..1,023, or -1 when the angle is too close to a rounding boundary
    */
   public static int angleOfTurn(int turn, int error) {
     int moved = turn + (1 << TURN_SHIFT - 1);
@@ -74,60 +75,61 @@ public final class Quantizer {
     return sure ? moved >> TURN_SHIFT & ANGLE_STEPS - 1 : -1;
   }
 
-  /** Steps to radians, -pi (exclusive) .. pi. */
+  /** Converts steps to radians, -pi (exclusive) .. pi. */
   public static float angleOf(int steps) {
     int wrapped = wrapAngle(steps);
     return (float) ((wrapped == -ANGLE_STEPS / 2 ? ANGLE_STEPS / 2 : wrapped) / ANGLE_SCALE);
   }
 
-  /** Metres per second to steps, within plus or minus {@link #MAX_VELOCITY}. */
+  /** Converts metres per second to steps, clamped to plus or minus {@link #MAX_VELOCITY}. */
   public static int velocity(float metresPerSecond) {
     return clamp(metresPerSecond * (double) VELOCITY_STEPS, MAX_VELOCITY);
   }
 
-  /** Steps to metres per second. */
+  /** Converts steps to metres per second. */
   public static float velocityOf(int steps) {
     return steps * (1f / VELOCITY_STEPS);
   }
 
-  /** Radians per second to steps, within plus or minus {@link #MAX_OMEGA}. */
+  /** Converts radians per second to steps, clamped to plus or minus {@link #MAX_OMEGA}. */
   public static int omega(float radiansPerSecond) {
     return clamp(radiansPerSecond * (double) OMEGA_STEPS, MAX_OMEGA);
   }
 
-  /** Steps to radians per second. */
+  /** Converts steps to radians per second. */
   public static float omegaOf(int steps) {
     return steps * (1f / OMEGA_STEPS);
   }
 
-  /** The shortest way of an angle difference in steps: -512..511. */
+  /** Wraps an angle difference in steps to the shorter way round, -512..511. */
   public static int wrapAngle(int steps) {
     return (steps << 22) >> 22;
   }
 
-  /** {@link #position} of the first n numbers of an array. */
+  /** Converts the first n numbers of an array as {@link #position} does. */
   public static void positions(float[] metres, int n, int[] to) {
     column(metres, n, POSITION_STEPS, MAX_POSITION, to);
   }
 
-  /** {@link #velocity} of the first n numbers of an array. */
+  /** Converts the first n numbers of an array as {@link #velocity} does. */
   public static void velocities(float[] metresPerSecond, int n, int[] to) {
     column(metresPerSecond, n, VELOCITY_STEPS, MAX_VELOCITY, to);
   }
 
-  /** {@link #omega} of the first n numbers of an array. */
+  /** Converts the first n numbers of an array as {@link #omega} does. */
   public static void omegas(float[] radiansPerSecond, int n, int[] to) {
     column(radiansPerSecond, n, OMEGA_STEPS, MAX_OMEGA, to);
   }
 
   /**
-   * About the angles of n directions, as {@link #angleOfTurn} rounds them, by vectors.
+   * Converts leading directions of two columns to angles with vector kernels, rounded as {@link
+   * #angleOfTurn} does.
    *
-   * @param cos cosines, or the directions' x
-   * @param sin sines, or their y
-   * @param error how far {@code Trig.roughTurn} may be off, which this does the same way
-   * @param to receives 0..1,023, or -1 for one that is too close to where the next step begins
-   * @return how many were done, 0..n: the first ones; the caller does the others
+   * @param cos cosines, or the x of the directions
+   * @param sin sines, or the y of the directions
+   * @param error largest error of {@code Trig.roughTurn}, whose polynomial the kernels use
+   * @param to receives 0..1,023, or -1 for an angle too close to a rounding boundary
+   * @return how many directions were converted, 0..n; the caller converts the rest
    */
   public static int anglesOfTurns(float[] cos, float[] sin, int n, int error, int[] to) {
     ColumnLanes lanes = ColumnLanes.FOUND;
@@ -140,7 +142,7 @@ public final class Quantizer {
     clampColumn(from, done, n, scale, max, to);
   }
 
-  /** Quantises the numbers from one index to before another. */
+  /** Quantises the numbers at {@code begin} to {@code end - 1} one by one. */
   static void clampColumn(float[] from, int begin, int end, double scale, int max, int[] to) {
     for (int i = begin; i < end; i++) {
       to[i] = clamp(from[i] * scale, max);
@@ -148,7 +150,7 @@ public final class Quantizer {
   }
 
   private static int clamp(double steps, int max) {
-    // as Math.round, but by an instruction that processors have; NaN becomes 0
+    // Rounds as Math.round does, but with one instruction of the processor. NaN becomes 0.
     return Math.max(-max, Math.min(max, (int) Math.floor(steps + 0.5)));
   }
 }

@@ -5,13 +5,16 @@ import java.lang.invoke.VarHandle;
 import java.nio.ByteOrder;
 
 /**
- * Reads what {@link RangeEncoder} wrote. Total: behind the end it reads zeros, and any bytes decode
- * to something; whether they are what an encoder would have written is told by {@link #finished}.
- * One thread, no allocation.
+ * Reader of a message that {@link RangeEncoder} wrote. Any bytes decode to something, and a read
+ * past the end gets zeros; {@link #finished} tells whether an encoder could have written them. Use
+ * it from one thread; it doesn't allocate.
  */
 public final class RangeDecoder extends BitCoder {
 
-  /** An encoder drops zeros at its end, but never so many of them by chance. */
+  /**
+   * Limit of zero bytes read past the end. An encoder drops the zeros at the end of a message, but
+   * a valid message never lacks that many.
+   */
   private static final int MAX_MISSING = 64;
 
   private static final VarHandle LONGS =
@@ -24,24 +27,26 @@ public final class RangeDecoder extends BitCoder {
   private int missing;
   private boolean failed;
 
-  // How long the encoder's interval is, and how far from its begin the message is: unsigned.
+  // The length of the encoder's interval, and the distance of the message from the start of that
+  // interval; both are unsigned.
   private long range = -1;
   private long ahead;
 
-  // The slice that was begun: how much of the interval each of its numbers is, how many are left,
-  // how far behind the first of them the message's is, and where in that the message is.
+  // The current slice: the part of the interval that each of its numbers covers, the count of
+  // numbers left, the message's number relative to the first of them, and the message's offset
+  // within that number.
   private long step;
   private long width = SliceWriter.ALL;
   private long rest;
   private long within;
 
-  /** The last 64 bits of the message that were read. */
+  /** The last 64 bits read from the message. */
   private long read;
 
-  /** Creates a reader of nothing; call {@link #reset}. */
+  /** Creates an empty decoder; call {@link #reset} before reading. */
   public RangeDecoder() {}
 
-  /** Starts at {@code offset} of an array, with {@code length} bytes. */
+  /** Starts reading {@code length} bytes of an array at {@code offset}. */
   public void reset(byte[] bytes, int offset, int length) {
     if (offset < 0 || length < 0 || length > bytes.length - offset) {
       throw new IndexOutOfBoundsException(
@@ -60,7 +65,7 @@ public final class RangeDecoder extends BitCoder {
     skip(Long.BYTES);
   }
 
-  /** The next 64 bits, zeros behind the end. */
+  /** Returns the next 64 bits, with zeros past the end. */
   private long next() {
     if (limit - position >= Long.BYTES) {
       return (long) LONGS.get(bytes, position);
@@ -79,8 +84,8 @@ public final class RangeDecoder extends BitCoder {
   }
 
   /**
-   * Whether more was read than the bytes can hold: the zeros behind them are used up, too. A
-   * decoder that reads until it is told to stop must look, or it never stops.
+   * Returns whether reads went further past the end than any valid message allows. A decoder that
+   * loops until the message tells it to stop must check this, or it may never stop.
    */
   public boolean exhausted() {
     return missing > MAX_MISSING;
@@ -141,11 +146,11 @@ public final class RangeDecoder extends BitCoder {
     return result;
   }
 
-  /** Which of some parts of the slice the message is in. */
+  /** Returns the index of the part of the slice that contains the message, for equal parts. */
   private int share(long part, int parts) {
     long share = rest / part;
     if (share >= parts) {
-      failed = true; // of what is left over by the division, an encoder uses nothing
+      failed = true; // an encoder never uses the remainder of the division
       return parts - 1;
     }
     return (int) share;
@@ -155,13 +160,13 @@ public final class RangeDecoder extends BitCoder {
     step = range >>> SliceWriter.BITS;
     rest = Long.divideUnsigned(ahead, step);
     if (rest < 0 || rest >= SliceWriter.ALL) {
-      failed = true; // as there
+      failed = true; // an encoder never uses the remainder of this division either
       rest = SliceWriter.ALL - 1;
     }
     within = ahead - rest * step;
   }
 
-  /** Ends the slice that was begun, where the encoder did. */
+  /** Ends the current slice, at the same place as the encoder did. */
   public void cut() {
     if (width == SliceWriter.ALL) {
       return;
@@ -179,26 +184,29 @@ public final class RangeDecoder extends BitCoder {
     }
   }
 
-  /** Marks what was read as wrong: a decoder found a value that no encoder writes. */
+  /**
+   * Sets the sticky failure flag. A decoder calls this when it reads a value that no encoder
+   * writes.
+   */
   public void fail() {
     failed = true;
   }
 
-  /** Whether something was read that no encoder writes. */
+  /** Returns whether the message contained a value that no encoder writes. */
   public boolean failed() {
     return failed;
   }
 
   /**
-   * Whether the bytes are exactly those that an encoder writes for what was read: all of them
-   * needed, none missing. What was read ends here.
+   * Returns whether the bytes are exactly those that an encoder writes for the values read: none is
+   * superfluous and none is missing. This call ends the message.
    */
   public boolean finished() {
     cut();
     if (failed || ahead != RangeEncoder.toShortest(read - ahead, range)) {
       return false;
     }
-    // No byte may be left over, and the last one isn't a zero, as the encoder drops those.
+    // No byte may remain, and the last byte can't be zero, because an encoder drops zeros.
     return position == limit && (limit == start || bytes[limit - 1] != 0);
   }
 }

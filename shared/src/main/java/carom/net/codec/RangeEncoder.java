@@ -5,23 +5,26 @@ import java.lang.invoke.VarHandle;
 import java.nio.ByteOrder;
 
 /**
- * Writes bits of known probability into a caller's array, each at the cost of its surprise: an
- * arithmetic coder. The message so far is an interval of fractions, of which 64 bits are at hand;
- * each slice keeps its part of the interval, and bytes leave when the interval has become so short
- * that they are certain but for a carry, which then runs back through them.
+ * Arithmetic coder that writes bits of known probability into a caller's array, each at the cost of
+ * its information content. The message so far is an interval of fractions, of which the coder keeps
+ * 64 bits. Each slice narrows the interval to a part. Bytes leave when the interval is so short
+ * that only a carry can still change them; a carry then runs back through them.
  *
- * <p>What is longer than the room sets a sticky overflow. The caller's array is written at {@link
- * #finish} only. One thread; allocates only for more room than it ever had.
+ * <p>A message longer than the room sets a sticky overflow flag. The coder writes to the caller's
+ * array in {@link #finish} only. Use it from one thread; it allocates only when the room is larger
+ * than ever before.
  */
 public final class RangeEncoder extends SliceWriter {
 
-  /** The interval is kept longer than 2^{@value}. */
+  /** Shortest length of the interval between two slices, as a power of two. */
   static final int RANGE_BITS = 56;
 
-  /** Of a number of leading zeros, those that fill whole bytes: they leave. */
+  /** Mask that rounds a number of leading zeros down to whole bytes, which can leave. */
   static final int WHOLE_BYTES = RANGE_BITS;
 
-  /** Behind the room: so far a message may go on, as zeros at its end don't count. */
+  /**
+   * Bytes by which an unfinished message may exceed the room, because zeros at its end are dropped.
+   */
   private static final int SLACK = 2 * Long.BYTES;
 
   private static final VarHandle LONGS =
@@ -31,17 +34,17 @@ public final class RangeEncoder extends SliceWriter {
   private int start;
   private int room;
 
-  /** What left; bytes from {@link #position} on mean nothing. */
+  /** Bytes that have left the interval; those from {@link #position} on are undefined. */
   private byte[] bytes = new byte[SLACK];
 
   private int position;
   private boolean overflow;
 
-  // The interval behind what left: its begin, and its length, both unsigned.
+  // The interval after the bytes that left: its start and its length, both unsigned.
   private long low;
   private long range = -1;
 
-  /** A slice alone. */
+  /** Scratch list that holds a single slice. */
   private final SliceList one = new SliceList();
 
   private int markedPosition;
@@ -51,13 +54,13 @@ public final class RangeEncoder extends SliceWriter {
   private long markedFirst;
   private long markedWidth;
 
-  /** Whether a carry since the mark ran into what left before it; there is no second one. */
+  /** True if a carry changed a byte from before the mark; that can happen once at most. */
   private boolean carriedOver;
 
   /** Creates an encoder without room; call {@link #reset}. */
   public RangeEncoder() {}
 
-  /** Starts at {@code offset}, with room for {@code length} bytes. */
+  /** Starts writing at {@code offset} of an array, with room for {@code length} bytes. */
   public void reset(byte[] bytes, int offset, int length) {
     if (offset < 0 || length < 0 || length > bytes.length - offset) {
       throw new IndexOutOfBoundsException(
@@ -77,7 +80,7 @@ public final class RangeEncoder extends SliceWriter {
     mark();
   }
 
-  /** Remembers this place for {@link #rewind}. */
+  /** Marks the current state for {@link #rewind}. */
   public void mark() {
     markedPosition = position;
     markedLow = low;
@@ -88,7 +91,7 @@ public final class RangeEncoder extends SliceWriter {
     carriedOver = false;
   }
 
-  /** Goes back to the last {@link #mark} and forgets an overflow since. */
+  /** Restores the state at the last {@link #mark}, including the overflow flag. */
   public void rewind() {
     position = markedPosition;
     low = markedLow;
@@ -105,15 +108,18 @@ public final class RangeEncoder extends SliceWriter {
   }
 
   /**
-   * Bits written since {@link #reset}, rounded down. A message of n bits takes {@link #finish} at
-   * most n / 8 + 1 bytes.
+   * Returns the number of bits written after {@link #reset}, rounded down. For n bits, {@link
+   * #finish} writes at most n / 8 + 1 bytes.
    */
   public int bits() {
     long rest = width == ALL ? range : (range >>> BITS) * width;
     return Byte.SIZE * position + Long.numberOfLeadingZeros(rest);
   }
 
-  /** Writes slices that were worked out before, at a cut. */
+  /**
+   * Writes precomputed slices from index {@code from} to before {@code to} of a list. Call it only
+   * right after a cut.
+   */
   public void slices(SliceList list, int from, int to) {
     long[] numbers = list.numbers();
     byte[] left = bytes;
@@ -151,7 +157,7 @@ public final class RangeEncoder extends SliceWriter {
     slices(one, 0, 1);
   }
 
-  /** Adds one to what left. */
+  /** Adds one to the bytes that left. */
   private void carry(int position) {
     int at = position - 1;
     while (++bytes[at] == 0) {
@@ -161,9 +167,10 @@ public final class RangeEncoder extends SliceWriter {
   }
 
   /**
-   * Ends the message with the fewest bytes that decide it; the reader takes zeros behind them.
+   * Ends the message with the fewest bytes that identify the interval; the reader assumes zeros
+   * after them.
    *
-   * @return bytes written since {@link #reset}
+   * @return bytes written after {@link #reset}
    */
   public int finish() {
     cut();
@@ -185,7 +192,10 @@ public final class RangeEncoder extends SliceWriter {
     return length;
   }
 
-  /** How far it is to the number of an interval that has the most zeros at its end, in bytes. */
+  /**
+   * Returns the distance from {@code low} to the number in the interval that ends in the most zero
+   * bytes.
+   */
   static long toShortest(long low, long range) {
     for (int bits = Long.SIZE; bits > 0; bits -= Byte.SIZE) {
       long far = bits == Long.SIZE ? -low : -low & (1L << bits) - 1;
@@ -196,7 +206,10 @@ public final class RangeEncoder extends SliceWriter {
     return 0;
   }
 
-  /** Whether something did not fit; of what {@link #finish} adds, after it. */
+  /**
+   * Returns whether the message did not fit. Only after {@link #finish} does this include the bytes
+   * that {@code finish} adds.
+   */
   public boolean overflow() {
     return overflow;
   }

@@ -3,8 +3,8 @@ package carom.net.codec;
 import java.util.Arrays;
 
 /**
- * Keeps slices for later, one after the other. One thread; allocates only while it grows beyond
- * what it ever held.
+ * Growing list of slices that can be written into messages later. Use it from one thread; it
+ * allocates only to grow beyond its largest size so far.
  */
 public final class SliceList extends SliceWriter {
 
@@ -14,18 +14,21 @@ public final class SliceList extends SliceWriter {
   /** Creates an empty list. */
   public SliceList() {}
 
-  /** Forgets all slices, also one that was begun. */
+  /** Removes all slices, including an unfinished one. */
   public void clear() {
     size = 0;
     begin(0, ALL);
   }
 
-  /** Forgets the slices from an index on; must follow a cut. */
+  /** Removes the slices from index {@code size} on. Call it only right after a cut. */
   public void shorten(int size) {
     this.size = 2 * size;
   }
 
-  /** Adds slices of another list; must follow a cut. */
+  /**
+   * Appends the slices at {@code from} to {@code to - 1} of another list. Call it only right after
+   * a cut.
+   */
   public void addAll(SliceList other, int from, int to) {
     int length = 2 * (to - from);
     if (size + length > slices.length) {
@@ -35,19 +38,22 @@ public final class SliceList extends SliceWriter {
     size += length;
   }
 
-  /** What some slices take of a message, bits; never less than they do, by a tenth of one each. */
+  /**
+   * Returns an upper bound of the bits that the slices at {@code from} to {@code to - 1} take in a
+   * message. It exceeds the exact cost by less than a tenth of a bit for each slice.
+   */
   public double bits(int from, int to) {
     double bits = 0;
     for (int i = from; i < to; i++) {
       long width = width(i);
       int digits = Long.SIZE - 1 - Long.numberOfLeadingZeros(width);
-      // The mantissa less 1 is a little less than its logarithm.
+      // For a mantissa m of 1..2, m - 1 is at most log2(m).
       bits += BITS + 1 - digits - (double) width / (1L << digits);
     }
     return bits;
   }
 
-  /** Slices that are done. */
+  /** Returns the number of finished slices. */
   public int size() {
     return size >> 1;
   }
@@ -62,7 +68,10 @@ public final class SliceList extends SliceWriter {
     size += 2;
   }
 
-  /** The first number and the width of each slice; until the list grows. */
+  /**
+   * Returns the backing array, with the first number and the width of each slice. It is valid until
+   * the list grows.
+   */
   long[] numbers() {
     return slices;
   }

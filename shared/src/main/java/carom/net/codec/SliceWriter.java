@@ -1,33 +1,34 @@
 package carom.net.codec;
 
 /**
- * The writing side of the arithmetic coder, in slices. A slice is a run of the numbers from 0 to
- * below 2^{@value #BITS}: each bit or symbol keeps the part of it that belongs to it, and a slice
- * that has become short is done; what follows begins with all numbers again. What a slice is
- * depends on these and their probabilities alone and not on what was written before. So what many
- * messages have in common is worked out once ({@link SliceList}), and put into each at the cost of
- * two products ({@link RangeEncoder#slice}).
+ * Writing side of the arithmetic coder, which collects bits and symbols in slices. A slice is a
+ * range of the numbers from 0 to below 2^{@value #BITS}. Each bit or symbol narrows the range to
+ * the part that belongs to it; a range that has become short ends the slice, and the next slice
+ * begins with all numbers again. A slice depends only on its own bits, symbols and probabilities,
+ * not on what was written before. So the sender computes the slices that many messages share once
+ * ({@link SliceList}) and writes them into each message at the cost of two products ({@link
+ * RangeEncoder#slices}).
  */
 public abstract class SliceWriter extends BitCoder {
 
-  /** Slices are of the numbers that have so many bits. */
+  /** Number of bits of the numbers in a slice. */
   static final int BITS = 48;
 
   static final long ALL = 1L << BITS;
 
-  /** A slice shorter than 2^{@value} is done: what is left of longer ones by rounding is little. */
+  /** A slice narrower than 2^{@value} ends. Wider ones lose little to rounding. */
   static final int LEAST_BITS = 22;
 
   private long first;
   long width = ALL;
 
-  /** For the writers of this package. */
+  /** Limits subclasses to this package. */
   SliceWriter() {}
 
   @Override
   public final int code(int bit, int probability) {
     long ones = ones(width, probability);
-    long one = -(long) bit; // without a branch, as nothing foresees the bit
+    long one = -(long) bit; // no branch on the bit, because a processor can't predict it
     first += ones & ~one;
     width = ones & one | width - ones & ~one;
     if (width >>> LEAST_BITS == 0) {
@@ -61,7 +62,8 @@ public abstract class SliceWriter extends BitCoder {
   }
 
   /**
-   * Ends the slice that was begun, if any. Cuts belong to the format: a reader must make the same.
+   * Ends the current slice, if one is begun. Cuts belong to the format: the reader must cut at the
+   * same places.
    */
   public final void cut() {
     if (width != ALL) {
@@ -71,9 +73,9 @@ public abstract class SliceWriter extends BitCoder {
   }
 
   /**
-   * Takes a slice that is done; called at cuts only.
+   * Takes a finished slice. The writer calls this at cuts only.
    *
-   * @param first its first number
+   * @param first the first number of the slice
    * @param width how many numbers it has, at least 1
    */
   abstract void slice(long first, long width);
@@ -88,10 +90,10 @@ public abstract class SliceWriter extends BitCoder {
   }
 
   /**
-   * How many numbers of a slice, the lowest, belong to a 1. Each of both bits has one while there
-   * are two.
+   * Returns how many of the lowest numbers of a slice belong to a 1. As long as the slice has two
+   * numbers, each of the two bits gets at least one.
    */
   static long ones(long width, int probability) {
-    return 1 + ((width - 1) * probability >>> 16); // 48 and 16 bits
+    return 1 + ((width - 1) * probability >>> 16); // 48 bits times 16 bits
   }
 }

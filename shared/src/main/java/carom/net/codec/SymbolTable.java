@@ -1,31 +1,31 @@
 package carom.net.codec;
 
 /**
- * How likely each of a few symbols is, in each of some rows. What is coded as one symbol takes one
- * division to read, where its bits would take a product and a branch that nothing foresees each.
- * Immutable once its rows are set; shared by threads from then on.
+ * Fixed probabilities of a few symbols, one row for each context. Reading a symbol takes one
+ * division. Coding it as bits would take a product and an unpredictable branch for each bit. A
+ * table is immutable once its rows are set; threads may share it from then on.
  */
 public final class SymbolTable {
 
-  /** Probabilities are whole multiples of 2^-{@value}. */
+  /** Binary digits of a probability: probabilities are multiples of 2^-{@value}. */
   static final int BITS = 14;
 
   static final int ALL = 1 << BITS;
 
-  /** Most symbols. */
+  /** Largest number of symbols. */
   private static final int MAX_SYMBOLS = 128;
 
-  /** So many guesses a row, each good for 2^{@value} multiples. */
+  /** Binary digits of the multiples that one lookup entry covers. */
   private static final int GUESS_BITS = 6;
 
   private static final int GUESSES = ALL >> GUESS_BITS;
 
   private final int symbols;
 
-  /** By row and symbol: the sum of what is before it. */
+  /** Cumulative probability before each symbol, by row and symbol. */
   private final char[] from;
 
-  /** By row: the symbol of each so many-th multiple. */
+  /** First candidate symbol for each run of 2^GUESS_BITS multiples, by row. */
   private final byte[] guess;
 
   /**
@@ -49,11 +49,12 @@ public final class SymbolTable {
   }
 
   /**
-   * Sets a row. Each symbol gets one multiple, and of those left as many whole ones as its weight
-   * is of all weights; what rounding leaves over goes to the first of the heaviest. Sums and
-   * quotients of doubles alone, in the order of the symbols, so that it is the same everywhere.
+   * Sets the probabilities of a row in proportion to weights. Each symbol gets one multiple, plus
+   * the rounded-down share of the others that its weight is of the sum. The first of the heaviest
+   * symbols gets what the rounding leaves over. The computation uses sums, products and quotients
+   * of doubles in the order of the symbols, so the result is the same on every machine.
    *
-   * @param weights not negative, finite, not all zero; one for each symbol
+   * @param weights one for each symbol; not negative, finite and not all zero
    */
   public void set(int row, double[] weights) {
     if (weights.length != symbols) {
@@ -87,17 +88,20 @@ public final class SymbolTable {
     }
   }
 
-  /** The last symbol. */
+  /** Returns the index of the last symbol. */
   public int last() {
     return symbols - 1;
   }
 
-  /** The multiples before a symbol, or before the end. */
+  /**
+   * Returns the cumulative probability before a symbol, in multiples; {@code symbol} may be one
+   * past the last.
+   */
   int from(int row, int symbol) {
     return from[row * (symbols + 1) + symbol];
   }
 
-  /** The symbol that a multiple belongs to, 0..{@link #ALL} - 1. */
+  /** Returns the symbol whose interval contains a multiple, 0..{@link #ALL} - 1. */
   int find(int row, int multiple) {
     int symbol = guess[row * GUESSES + (multiple >> GUESS_BITS)];
     int at = row * (symbols + 1) + 1;

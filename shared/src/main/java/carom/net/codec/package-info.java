@@ -1,6 +1,7 @@
 /**
- * Bits, widths, quantisers, sequence numbers: the small tools that the wire is made of. Pure
- * functions and bounded readers; no worlds, no messages.
+ * Bit-level tools of the wire format: bits, widths, quantisers, sequence numbers and the arithmetic
+ * coder. The package holds pure functions and bounded readers and writers; it knows no worlds and
+ * no messages.
  *
  * <p>Imports the JDK only.
  *

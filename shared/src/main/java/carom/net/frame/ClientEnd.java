@@ -5,11 +5,11 @@ import carom.net.transport.MessageCodec;
 import java.nio.ByteBuffer;
 
 /**
- * A client's end of a link: what it reads, how far it has come on its way in, and in which words it
- * fails. Whoever drives the sockets calls it on one thread.
+ * Client's end of a framed link. It reads frames, follows the steps of the handshake and words the
+ * reasons of failures. A subclass drives the sockets and calls it on one thread.
  */
 public abstract class ClientEnd extends FramedLink {
-  /** What may wait to be written by TCP. */
+  /** Largest number of bytes that wait for TCP to write them. */
   protected static final int WRITE_BUFFER_BYTES = 16 * 1_024;
 
   private static final int UNREAD_MESSAGES = 1_024;
@@ -34,13 +34,13 @@ public abstract class ClientEnd extends FramedLink {
   private volatile boolean disconnected;
 
   /**
-   * Creates a link that is being opened; whoever drives it opens the sockets.
+   * Creates a link in {@code CONNECTING}. The subclass opens the sockets.
    *
-   * @param codec of the messages
-   * @param host of the server, a name or an address
-   * @param tcpPort of the server, 1..65535
-   * @param udpPort of the server, 1..65535
-   * @param connectMillis until a server that doesn't answer is given up
+   * @param codec codec of the messages
+   * @param host name or address of the server
+   * @param tcpPort the server's TCP port, 1..65,535
+   * @param udpPort the server's UDP port, 1..65,535
+   * @param connectMillis time limit for connecting, ms
    * @throws IllegalArgumentException when a port is outside its range
    */
   protected ClientEnd(
@@ -75,25 +75,28 @@ public abstract class ClientEnd extends FramedLink {
     return udpPort;
   }
 
-  /** Returns the number of the connection at the server, once {@link #isTcpRegistered}. */
+  /**
+   * Returns the server's number for this connection. It is valid once {@link #isTcpRegistered} is
+   * true.
+   */
   protected final int id() {
     return id;
   }
 
   /**
-   * Returns what proves to the server that a datagram comes from this client, once {@link
-   * #isTcpRegistered}.
+   * Returns the token that proves to the server that a datagram comes from this client. It is valid
+   * once {@link #isTcpRegistered} is true.
    */
   protected final long token() {
     return token;
   }
 
-  /** Whether the server has sent its first frame: it is one of ours. */
+  /** Returns whether the server has sent a frame of the Carom protocol. */
   protected final boolean isTcpRegistered() {
     return tcpRegistered;
   }
 
-  /** Puts any frame's tag and fields on the wire by UDP; false when they are lost right here. */
+  /** Sends a frame's tag and fields by UDP. Returns false if this end dropped it. */
   protected abstract boolean transmitDatagram(byte tag, byte[] bytes, int offset, int length);
 
   @Override
@@ -106,23 +109,25 @@ public abstract class ClientEnd extends FramedLink {
     return host + ":" + tcpPort;
   }
 
-  /** Notes that a datagram has left. Any thread. */
+  /** Records that a datagram has left. Any thread may call it. */
   protected final void datagramLeft() {
     lastDatagramOut = System.nanoTime();
   }
 
-  /** Gives up the sockets, and ends the link unless it has ended already. Any thread. */
+  /**
+   * Marks the sockets for closing and closes the link if it isn't closed. Any thread may call it.
+   */
   public final void lose(String reason) {
     finish(reason);
     disconnected = true;
   }
 
-  /** Whether the sockets are of no use any more. */
+  /** Returns whether the sockets are to be closed. */
   public final boolean isDisconnected() {
     return disconnected;
   }
 
-  /** Reads a frame from its tag on, to the end; answers the tag. */
+  /** Reads a frame from its tag to its end and returns the tag. */
   protected final byte readFrame(ByteBuffer buffer) {
     lastFrame = System.nanoTime();
     byte tag = buffer.get();
@@ -136,7 +141,7 @@ public abstract class ClientEnd extends FramedLink {
       case Frame.REGISTER_UDP, Frame.KEEP_ALIVE -> {}
       case Frame.MESSAGE -> readMessage(buffer, length);
       case Frame.BYE -> {
-        tcpRegistered = true; // a Carom server, whatever comes next
+        tcpRegistered = true; // it is a Carom server, whatever comes next
         String text = Frame.byeText(buffer);
         lose(text.isEmpty() ? "the server closed the connection" : text);
       }
@@ -172,13 +177,13 @@ public abstract class ClientEnd extends FramedLink {
     }
   }
 
-  /** Notes that the server knows our UDP address. */
+  /** Records that the server knows this client's UDP address. */
   protected final void udpRegistered() {
     udpRegistered = true;
     openWhenReady();
   }
 
-  /** Whether the server knows our UDP address. */
+  /** Returns whether the server knows this client's UDP address. */
   protected final boolean isUdpRegistered() {
     return udpRegistered;
   }
@@ -189,7 +194,10 @@ public abstract class ClientEnd extends FramedLink {
     }
   }
 
-  /** Ends what takes too long, and keeps the address translation of routers alive. */
+  /**
+   * Closes a link that takes too long to connect or is silent too long. It also sends keep-alive
+   * datagrams, so that routers keep their address translation.
+   */
   protected final void checkDeadlines(long now) {
     if (state() == State.CONNECTING) {
       if (now - start > connectNanos && tcpRegistered) {
@@ -202,14 +210,14 @@ public abstract class ClientEnd extends FramedLink {
     }
   }
 
-  /** Whether connecting takes too long. */
+  /** Returns whether connecting has taken longer than its limit. */
   protected final boolean isLate(long now) {
     return now - start > connectNanos;
   }
 
   /**
-   * Says why the connection ended; a server that waits in vain for datagrams gives up without a
-   * word.
+   * Returns the reason for a connection that ended without one. A server that waits in vain for
+   * datagrams closes without a word.
    */
   protected final String gone() {
     boolean waited = state() == State.CONNECTING && tcpRegistered;
@@ -222,28 +230,28 @@ public abstract class ClientEnd extends FramedLink {
         : blocked();
   }
 
-  /** Says that datagrams don't get through. */
+  /** Returns the reason for blocked datagrams. */
   protected final String blocked() {
     return "server reachable by TCP, but UDP port " + udpPort + " is blocked";
   }
 
-  /** Says that somebody else answers. */
+  /** Returns the reason for an answer by something other than a Carom server. */
   protected final String notCarom() {
     return "something answers at " + remote() + ", but it isn't a Carom server";
   }
 
-  /** Says that nobody answers. */
+  /** Returns the reason for a missing answer. */
   protected final String noAnswer() {
     return "no server answers at " + remote() + ": is it running, and are address and port right?";
   }
 
-  /** Says that the host has no address. */
+  /** Returns the reason for a host name without an address. */
   protected final String unknownHost() {
     return "unknown host " + host + ": check the address";
   }
 
-  /** Says that there is no route to the host. */
-  protected final String noWay() {
-    return "no way to " + remote() + ": check the address and your network";
+  /** Returns the reason for a missing route to the host. */
+  protected final String noRoute() {
+    return "no route to " + remote() + ": check the address and your network";
   }
 }

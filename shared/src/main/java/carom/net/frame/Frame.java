@@ -5,8 +5,8 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 
 /**
- * The bytes around messages and datagrams. Over TCP a frame is a 4-byte big-endian length (of what
- * follows), a tag and the tag's fields; a datagram is a tag and its fields. Numbers are big-endian.
+ * Layout of the frames around messages and datagrams. Over TCP, a frame is a 4-byte length of the
+ * rest, a tag and the tag's fields. Over UDP, it is a tag and its fields. Numbers are big-endian.
  *
  * <pre>
  * tag             over          fields
@@ -21,9 +21,9 @@ import java.nio.charset.StandardCharsets;
  * 8 ANSWER        UDP c->s      nonce i64           the link is open: datagrams pass in both directions
  * </pre>
  *
- * <p>The challenge is ours, not KryoNet's: it proves that the address the client registered
- * receives what we send, so that nobody can aim a stream of snapshots at somebody else, and a
- * client behind a one-way firewall is told so.
+ * <p>The challenge is Carom's, not KryoNet's. It proves that the registered address receives what
+ * the server sends. So an attacker can't aim a stream of snapshots at another machine, and a client
+ * behind a one-way firewall learns why it can't connect.
  */
 public final class Frame {
   public static final byte REGISTER_TCP = 1;
@@ -44,36 +44,37 @@ public final class Frame {
   /** Bytes of CHALLENGE and ANSWER. */
   public static final int NONCE_BYTES = 1 + 8;
 
-  /** Payload bytes of a DATAGRAM. */
+  /** Largest number of payload bytes in a DATAGRAM. */
   public static final int MAX_PAYLOAD_BYTES = Limits.MAX_DATAGRAM_BYTES;
 
-  /** Buffer that holds any datagram, and shows that a longer one is too long. */
+  /**
+   * Size of the server's receive buffer in bytes. It holds any valid datagram and shows that a
+   * longer one is too long.
+   */
   public static final int SERVER_BUFFER_BYTES = Limits.MAX_DATAGRAM_BYTES + 80;
 
-  /** Buffer that holds any frame from a server. */
+  /** Size of the client's receive buffer in bytes. It holds any frame from a server. */
   public static final int CLIENT_BUFFER_BYTES = Limits.MAX_SERVER_MESSAGE_BYTES + 64;
 
-  /** Milliseconds without a TCP write after which a KEEP_ALIVE goes out. */
+  /** Time without a TCP write after which a KEEP_ALIVE is sent, ms. */
   public static final int KEEP_ALIVE_MILLIS = 2_000;
 
-  /** Nanoseconds that a side which said BYE waits for the other side to close. */
+  /** Time that a side waits for the other side to close after it sent BYE, ns. */
   public static final long LINGER_NANOS = 400_000_000L;
 
-  /** What a tag without fields has behind it. */
+  /** Fields of a frame that has none. */
   public static final byte[] NO_FIELDS = {};
 
   private Frame() {}
 
-  /**
-   * A frame of ours on its way out. Mutable, so that a stream of datagrams needs one object only.
-   */
+  /** An outgoing frame. It is mutable, so that a stream of datagrams needs one object only. */
   public static final class Payload {
     private byte tag;
     private byte[] bytes;
     private int offset;
     private int length;
 
-    /** Takes what is to be sent; keeps the array. */
+    /** Sets tag and fields. It keeps the array and does not copy it. */
     public Payload set(byte tag, byte[] bytes, int offset, int length) {
       this.tag = tag;
       this.bytes = bytes;
@@ -82,7 +83,7 @@ public final class Frame {
       return this;
     }
 
-    /** Returns the bytes that the frame takes in a TCP write buffer, its length included. */
+    /** Returns the bytes that the frame takes in a TCP write buffer, including its length field. */
     public int tcpBytes() {
       return LENGTH_BYTES + 1 + length;
     }
@@ -98,13 +99,13 @@ public final class Frame {
     return new Payload().set(MESSAGE, bytes, 0, bytes.length);
   }
 
-  /** Returns the frame that says goodbye. */
+  /** Returns the BYE frame with a reason. */
   public static Payload bye(String reason) {
     byte[] bytes = reason.getBytes(StandardCharsets.UTF_8);
     return new Payload().set(BYE, bytes, 0, Math.min(bytes.length, Limits.MAX_TEXT_BYTES));
   }
 
-  /** Returns the fields of CHALLENGE and ANSWER. */
+  /** Returns the fields of CHALLENGE or ANSWER. */
   public static byte[] nonce(long nonce) {
     return ByteBuffer.allocate(8).putLong(nonce).array();
   }

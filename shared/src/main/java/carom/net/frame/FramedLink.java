@@ -11,14 +11,14 @@ import org.jctools.queues.atomic.MpscAtomicArrayQueue;
 import org.jctools.queues.atomic.SpscAtomicArrayQueue;
 
 /**
- * What both sides' links share: the state, and the bounded inbox between the network's threads that
- * fill it and the owner's thread that polls. Datagrams travel in buffers that go back and forth, so
- * that a steady stream allocates nothing. JCTools' atomic queues are the ones that do without
- * {@code sun.misc.Unsafe}.
+ * Common part of both sides' links: the state, and the bounded inbox between the network's threads,
+ * which fill it, and the owner's thread, which polls it. Datagram buffers are recycled, so a steady
+ * stream allocates nothing. The queues are JCTools' atomic ones because these work without {@code
+ * sun.misc.Unsafe}.
  */
 public abstract class FramedLink implements Link {
 
-  /** A received datagram and its buffer. */
+  /** A received datagram with its buffer and arrival time. */
   private static final class Datagram {
     private byte[] bytes = new byte[128];
     private int length;
@@ -27,25 +27,26 @@ public abstract class FramedLink implements Link {
 
   private final MessageCodec codec;
   private final LinkCounters counters = new LinkCounters();
-  private final MpscAtomicArrayQueue<Object> inbox; // messages and datagrams have a thread each
+  private final MpscAtomicArrayQueue<Object>
+      inbox; // one thread adds messages, another may add datagrams
   private final SpscAtomicArrayQueue<Datagram> spare;
   private final int maxDatagrams;
   private volatile State state = State.CONNECTING;
   private volatile String closeReason = "";
 
-  // the thread that reads datagrams
+  // used by the thread that reads datagrams
   private int datagramsMade;
   private Datagram unused;
 
-  // owner's thread
+  // used by the owner's thread
   private boolean closedReported;
   private long waitedNs;
 
   /**
-   * Creates a link that is being opened.
+   * Creates a link in {@code CONNECTING}.
    *
-   * @param maxMessages unread ones, at most
-   * @param maxDatagrams unread ones, at most; further ones are dropped
+   * @param maxMessages largest number of unread messages
+   * @param maxDatagrams largest number of unread datagrams; further ones are dropped
    */
   protected FramedLink(MessageCodec codec, int maxMessages, int maxDatagrams) {
     this.codec = codec;
@@ -54,15 +55,19 @@ public abstract class FramedLink implements Link {
     spare = new SpscAtomicArrayQueue<>(maxDatagrams);
   }
 
-  /** Puts a frame on the TCP stream; false when the link can't take it, which closes the link. */
+  /**
+   * Writes a frame to the TCP stream. Returns false when the link can't take it, which closes the
+   * link.
+   */
   protected abstract boolean transmit(Frame.Payload frame);
 
-  /** Puts a datagram on the wire; false when it was dropped here. */
+  /** Sends a datagram. Returns false when this end dropped it. */
   protected abstract boolean transmitDatagram(byte[] bytes, int offset, int length);
 
   /**
-   * Says goodbye to the peer and lets go of the sockets: the owner closed the link, which was in
-   * {@code before}.
+   * Tells the peer and releases the sockets after the owner has closed the link.
+   *
+   * @param before the state in which the owner closed the link
    */
   protected abstract void disconnect(State before, String reason);
 
@@ -119,7 +124,8 @@ public abstract class FramedLink implements Link {
       return 0;
     }
     boolean complete =
-        state == State.CLOSED; // read first: whatever came before the end is in the inbox then
+        state
+            == State.CLOSED; // read before the inbox, which then has everything from before the end
     int count = 0;
     while (count < max) {
       Object item = inbox.poll();
@@ -160,7 +166,10 @@ public abstract class FramedLink implements Link {
     }
   }
 
-  /** Turns CONNECTING into OPEN; false when the link is in another state. Any thread. */
+  /**
+   * Changes the state from CONNECTING to OPEN. Returns false in any other state. Any thread may
+   * call it.
+   */
   public final synchronized boolean open() {
     if (state != State.CONNECTING) {
       return false;
@@ -170,8 +179,8 @@ public abstract class FramedLink implements Link {
   }
 
   /**
-   * Turns the link CLOSED for good; false when it was already, and keeps its first reason. Any
-   * thread.
+   * Changes the state to CLOSED for good. Returns false if the link is closed already; it then
+   * keeps its first reason. Any thread may call it.
    */
   public final synchronized boolean finish(String reason) {
     if (state == State.CLOSED) {
@@ -183,8 +192,8 @@ public abstract class FramedLink implements Link {
   }
 
   /**
-   * Takes a datagram's payload for the owner; what doesn't fit is dropped. One thread, which may be
-   * another than that of messages.
+   * Adds a datagram's payload to the inbox, or drops it if the inbox is full. One thread may call
+   * it, which may differ from that of messages.
    */
   public final void receiveDatagram(ByteBuffer payload, long nowNs) {
     int length = payload.remaining();
@@ -210,7 +219,7 @@ public abstract class FramedLink implements Link {
     }
   }
 
-  /** Takes a message for the owner; false when the inbox is full. One thread. */
+  /** Adds a message to the inbox. Returns false if the inbox is full. One thread may call it. */
   public final boolean receiveMessage(Object message, int bytes) {
     counters.messagesIn.incrementAndGet();
     counters.messageBytesIn.addAndGet(bytes);

@@ -1,6 +1,7 @@
 /**
- * Links that speak in frames, whoever drives their sockets: the bytes around messages and
- * datagrams, the bounded inbox between the network's threads and the owner, and a client's way in.
+ * Links over framed messages and datagrams, independent of what drives their sockets. The package
+ * has the frames, the bounded inbox between the network's threads and the owner, and the client's
+ * handshake.
  *
  * <p>Imports {@code carom.net.protocol}, {@code carom.net.transport}, JCTools and the JDK only.
  *

@@ -18,13 +18,13 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 
 /**
- * A client's end of a connection, with the thread that drives KryoNet's client. KryoNet's own
- * {@code start()} and {@code stop()} are not used: closing from a second thread while the first one
- * receives deadlocks it. So everybody only asks, and the driver closes between two updates, when it
- * holds no lock.
+ * Client's end of a link over KryoNet, with the thread that drives KryoNet's client. This class
+ * does not use KryoNet's own {@code start()} and {@code stop()}, because a close on a second thread
+ * deadlocks with a receive on the first. Instead, other threads request the close, and the driver
+ * closes between two updates, when it holds no lock.
  *
- * <p>KryoNet's {@code connect} blocks and must not run on the driver; a second thread does it and
- * ends.
+ * <p>KryoNet's {@code connect} blocks, so it must not run on the driver. A second thread runs it
+ * and ends.
  */
 final class ClientLink extends ClientEnd {
   private static final int SELECT_MILLIS = 50;
@@ -40,7 +40,8 @@ final class ClientLink extends ClientEnd {
   private final Thread connector;
   private final Frame.Payload datagram = new Frame.Payload();
   private final Object datagramLock = new Object();
-  private final AtomicInteger users = new AtomicInteger(2); // threads that use the endpoint
+  private final AtomicInteger users =
+      new AtomicInteger(2); // number of threads that use the endpoint
   private volatile Endpoint endpoint;
   private volatile Thread datagramSender;
 
@@ -64,7 +65,10 @@ final class ClientLink extends ClientEnd {
     driver.start();
   }
 
-  /** Waits until the threads have ended; true when the waiting thread was interrupted meanwhile. */
+  /**
+   * Waits until the threads have ended. Returns true if the waiting thread was interrupted
+   * meanwhile.
+   */
   boolean await(long deadline) {
     boolean interrupted = false;
     while (driver.isAlive() && System.nanoTime() - deadline < 0) {
@@ -92,14 +96,14 @@ final class ClientLink extends ClientEnd {
   @Override
   protected void disconnect(State before, String reason) {
     if (before == State.OPEN) {
-      transmit(Frame.bye(reason)); // wakes the driver, too
+      transmit(Frame.bye(reason)); // also wakes the driver
     } else {
       lose(reason);
       connector.interrupt();
     }
   }
 
-  /** The driver's life: connect, update until the link is closed, let go of everything. */
+  /** Runs the driver: it connects, updates until the link is closed, and releases everything. */
   private void drive() {
     Endpoint client = null;
     try {
@@ -110,12 +114,12 @@ final class ClientLink extends ClientEnd {
         step(client);
         checkDeadlines(System.nanoTime());
       }
-      long left = System.nanoTime(); // the owner said BYE: the server closes
+      long left = System.nanoTime(); // the owner sent BYE, and the server closes
       while (!isDisconnected() && System.nanoTime() - left < Frame.LINGER_NANOS) {
         step(client);
       }
-    } catch (Throwable x) { // such as: no file descriptors left for a selector
-      finish("can't go on with the connection to " + remote() + ": " + x);
+    } catch (Throwable x) { // for example, no file descriptor is left for a selector
+      finish("the connection to " + remote() + " failed: " + x);
     } finally {
       lose("connection lost");
       release(client);
@@ -123,12 +127,12 @@ final class ClientLink extends ClientEnd {
     }
   }
 
-  /** Closes the sockets; the selector goes when the second of the two threads is done with it. */
+  /** Closes the sockets. The second of the two threads to finish disposes of the selector. */
   private void release(Endpoint client) {
     if (client == null) {
       return;
     }
-    connector.interrupt(); // ends a connection attempt that nobody waits for any more
+    connector.interrupt(); // ends a connection attempt that is no use
     client.closeNow();
     disposeWhenLast();
   }
@@ -151,17 +155,17 @@ final class ClientLink extends ClientEnd {
     } catch (PortUnreachableException x) {
       if (state() == State.CONNECTING) {
         lose(blocked());
-      } // else the server's UDP port has just gone, and TCP will tell why
+      } // otherwise the server's UDP port has just closed, and TCP will report why
     } catch (IOException x) {
       lose(isTcpRegistered() ? gone() : notCarom());
     } catch (KryoNetException x) {
-      lose(isTcpRegistered() ? "the server sent what is no frame: " + x.getMessage() : notCarom());
+      lose(isTcpRegistered() ? "the server sent an invalid frame: " + x.getMessage() : notCarom());
     } finally {
       Thread.interrupted(); // an interrupted thread would never wait in select again
     }
   }
 
-  /** The connector's life. */
+  /** Runs the connector. */
   private void connectEndpoint() {
     try {
       String failure = tryAddresses();
@@ -173,7 +177,7 @@ final class ClientLink extends ClientEnd {
     }
   }
 
-  /** What went wrong, or null when a connection stands. */
+  /** Returns what went wrong, or null when the connection is established. */
   private String tryAddresses() {
     String failure = "no server answers at " + remote();
     try {
@@ -207,17 +211,17 @@ final class ClientLink extends ClientEnd {
       return notCarom();
     }
     if (failure.getCause() instanceof NoRouteToHostException) {
-      return noWay();
+      return noRoute();
     }
     return noAnswer();
   }
 
-  /** KryoNet's client, made safe to send from any thread and to close from any. */
+  /** KryoNet's client, made safe to send and to close from any thread. */
   private final class Endpoint extends Client {
 
     Endpoint() {
       super(WRITE_BUFFER_BYTES, Frame.CLIENT_BUFFER_BYTES, new ClientFrames());
-      setTimeout(0); // checkDeadlines() does it
+      setTimeout(0); // checkDeadlines() does this
       setKeepAliveTCP(Frame.KEEP_ALIVE_MILLIS);
       setIdleThreshold(0);
       addListener(
@@ -240,7 +244,9 @@ final class ClientLink extends ClientEnd {
       }
       try {
         return super.sendTCP(frame);
-      } catch (RuntimeException x) { // overflow by two senders at once, or the key is cancelled
+      } catch (
+          RuntimeException
+              x) { // two senders overflowed the buffer at once, or the key is cancelled
         lose("connection lost");
         return 0;
       }
@@ -264,13 +270,13 @@ final class ClientLink extends ClientEnd {
       }
     }
 
-    /** Closes for the connector; all others only ask for it. */
+    /** Closes the sockets for the connector. On any other thread it only requests the close. */
     @Override
     public void close() {
       if (Thread.currentThread() == connector) {
         super.close();
       } else if (datagramSender
-          != Thread.currentThread()) { // a datagram that can't be sent is just lost
+          != Thread.currentThread()) { // a datagram that can't be sent is simply lost
         lose(gone());
       }
     }
@@ -280,7 +286,7 @@ final class ClientLink extends ClientEnd {
     }
   }
 
-  /** How KryoNet has the driver thread read. */
+  /** The codec through which KryoNet makes the driver thread read. */
   private final class ClientFrames extends FrameCodec {
     private ByteBuffer tcpBuffer;
 
@@ -295,10 +301,10 @@ final class ClientLink extends ClientEnd {
     }
 
     @Override
-    @SuppressWarnings("ReferenceEquality") // it is the buffer's identity that tells UDP from TCP
+    @SuppressWarnings("ReferenceEquality") // the buffer's identity tells UDP from TCP
     public Object read(Connection connection, ByteBuffer buffer) {
       if (tcpBuffer == null) {
-        tcpBuffer = buffer; // UDP doesn't start before TCP's first frame
+        tcpBuffer = buffer; // UDP doesn't start before the first TCP frame
       }
       try {
         if (buffer == tcpBuffer) {
@@ -307,7 +313,7 @@ final class ClientLink extends ClientEnd {
         readDatagram(buffer);
       } catch (RuntimeException x) {
         if (buffer == tcpBuffer) {
-          lose("the server sent what is no frame");
+          lose("the server sent an invalid frame");
         }
       } finally {
         buffer.position(buffer.limit());
@@ -315,7 +321,7 @@ final class ClientLink extends ClientEnd {
       return FrameCodec.HANDLED;
     }
 
-    /** What KryoNet has to know of a frame. */
+    /** Returns the KryoNet object for a frame that KryoNet must know about. */
     private Object register(byte tag) {
       if (tag == Frame.REGISTER_TCP) {
         RegisterTCP registered = new RegisterTCP();

@@ -11,38 +11,47 @@ import java.nio.channels.Selector;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * The server's UDP socket, and the daemon thread that reads it. KryoNet reads one datagram per
- * {@code select} and looks the sender up among all connections, which is too slow for hundreds of
- * clients; here everything that waits is read per wake-up, into one buffer.
+ * The server's UDP socket with the daemon thread that reads it. KryoNet reads one datagram per
+ * {@code select} and searches all connections for the sender, which is too slow for hundreds of
+ * clients. This class reads all waiting datagrams at each wake-up, into one buffer.
  *
- * <p>Sending is allowed from any thread, waits for nothing and allocates nothing.
+ * <p>Any thread may send. Sending waits for nothing and allocates nothing.
  */
 final class DatagramPort implements Runnable {
 
-  /** Takes what arrives, on the port's thread. What it throws is counted and forgotten. */
+  /**
+   * Receiver of datagrams, called on the port's thread. The port counts what it throws and goes on.
+   */
   interface Receiver {
     /**
-     * A datagram has come in.
+     * Takes a datagram.
      *
-     * @param from its sender's address, which may be forged
-     * @param datagram its bytes, the receiver's only during this call
-     * @param nowNs {@link System#nanoTime}
+     * @param from the sender's address, which may be forged
+     * @param datagram the bytes, valid only during this call
+     * @param nowNs time of arrival by {@link System#nanoTime}
      */
     void datagram(InetSocketAddress from, ByteBuffer datagram, long nowNs);
   }
 
-  /** As much as the system allows: a burst from all clients at once should fit. */
+  /**
+   * Requested size of the socket buffers in bytes, as much as the system allows. A burst from all
+   * clients at once should fit.
+   */
   private static final int SOCKET_BUFFER_BYTES = 4 << 20;
 
   /**
-   * When a wake-up finds as many as this, a crowd plays: then the next ones may gather for a
-   * moment, since a wake-up costs more than reading a datagram.
+   * Number of datagrams at one wake-up from which many clients are assumed to play. The thread then
+   * sleeps a moment, so that datagrams gather, because a wake-up costs more than reading a
+   * datagram.
    */
   private static final int CROWD = 4;
 
   private static final long GATHER_NANOS = 1_000_000L;
 
-  /** After so many in a row it is a flood, in which the socket's buffer must not fill up. */
+  /**
+   * Number of datagrams in a row from which traffic counts as a flood. The thread then reads on
+   * without sleeping, so that the socket's buffer doesn't fill up.
+   */
   private static final int FLOOD = 128;
 
   private final DatagramChannel channel;
@@ -55,10 +64,10 @@ final class DatagramPort implements Runnable {
   private volatile boolean closing;
 
   /**
-   * Opens the port; {@link #start} begins to read.
+   * Opens the port. {@link #start} begins to read.
    *
-   * @param port 0 = any free one
-   * @throws IOException when it can't be opened; nothing stays open then
+   * @param port port number; 0 takes a free one
+   * @throws IOException when the port can't be opened; nothing stays open then
    */
   DatagramPort(int port, Receiver receiver, KryoServerCounters counters) throws IOException {
     this.receiver = receiver;
@@ -87,19 +96,22 @@ final class DatagramPort implements Runnable {
     thread.start();
   }
 
-  /** The port's number. */
+  /** Returns the port's number. */
   int number() {
     return channel.socket().getLocalPort();
   }
 
-  /** Sends a tag and its fields; false when the system doesn't take them now. Any thread. */
+  /**
+   * Sends a tag and its fields. Returns false when the system doesn't take them now. Any thread may
+   * call it.
+   */
   boolean send(InetSocketAddress to, byte tag, byte[] bytes, int offset, int length) {
     synchronized (out) {
       out.clear().put(tag).put(bytes, offset, length).flip();
       try {
         return channel.send(out, to) > 0;
       } catch (IOException | RuntimeException x) {
-        return false; // a datagram that can't be sent is lost, and that's all
+        return false; // a datagram that can't be sent is lost, and nothing more happens
       }
     }
   }
@@ -127,7 +139,7 @@ final class DatagramPort implements Runnable {
     }
   }
 
-  /** Reads what waits, up to somewhat more than a flood. */
+  /** Reads waiting datagrams, at most FLOOD + 1, and returns how many. */
   private int drain() throws IOException {
     int received = 0;
     while (received <= FLOOD) {
@@ -145,7 +157,7 @@ final class DatagramPort implements Runnable {
     return received;
   }
 
-  /** Closes the port and waits for the thread, if it was started. Twice does nothing. */
+  /** Closes the port and waits for the thread, if it was started. A second call does nothing. */
   void close() {
     closing = true;
     try {

@@ -8,27 +8,25 @@ import com.esotericsoftware.kryonet.FrameworkMessage.RegisterUDP;
 import com.esotericsoftware.kryonet.Serialization;
 import java.nio.ByteBuffer;
 
-/**
- * Frames as KryoNet has them written and read: writing is the same on both sides, reading isn't.
- */
+/** Codec between KryoNet's objects and frames. Writing is the same on both sides; reading isn't. */
 abstract class FrameCodec implements Serialization {
   /**
-   * What reading gives KryoNet for everything it has no business with; never null, which it takes
-   * for "incomplete".
+   * Result of reading a frame that KryoNet need not know about. It is not null, because KryoNet
+   * takes null for "incomplete".
    */
   static final Object HANDLED = new Object();
 
-  /** Bytes that a frame takes in a TCP write buffer. */
+  /** Returns the bytes that a frame takes in a TCP write buffer. */
   static int tcpBytes(Object frame) {
     return frame instanceof Frame.Payload payload
         ? payload.tcpBytes()
         : Frame.LENGTH_BYTES + Frame.REGISTRATION_BYTES;
   }
 
-  /** The token of a connection: made by the server, learned by the client. */
+  /** Returns the token of a connection, which the server makes and the client receives. */
   abstract long token(Connection connection);
 
-  /** Whether this side is the server. */
+  /** Returns whether this side is the server. */
   abstract boolean server();
 
   @Override

@@ -6,9 +6,8 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Connects to servers over TCP and UDP. Each link has one daemon thread that waits in a selector; a
- * second one helps it while it connects. Any thread may connect; each link's {@code poll} belongs
- * to its owner's.
+ * Client transport over TCP and UDP. Each link has one daemon thread that waits in a selector, and
+ * a second one while it connects. Any thread may connect; only the owner's thread may poll a link.
  */
 public final class KryoClientTransport implements ClientTransport {
   private static final int CONNECT_MILLIS = 5_000;
@@ -24,8 +23,7 @@ public final class KryoClientTransport implements ClientTransport {
   }
 
   /**
-   * With another time until a server that doesn't answer is given up; TCP's own part of it is
-   * always 5 s.
+   * Creates a transport with another time limit for connecting. TCP's own part of it is always 5 s.
    */
   KryoClientTransport(int connectMillis) {
     this.connectMillis = connectMillis;
@@ -40,7 +38,7 @@ public final class KryoClientTransport implements ClientTransport {
   @Override
   public Link connect(String host, int tcpPort, int udpPort) {
     if (closed) {
-      throw new IllegalStateException("connect after close");
+      throw new IllegalStateException("the transport is closed; create another one to connect");
     }
     ClientLink link = new ClientLink(codec, host, tcpPort, udpPort, connectMillis, links::remove);
     links.add(link);

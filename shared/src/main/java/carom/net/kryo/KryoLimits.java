@@ -4,24 +4,27 @@ import carom.net.protocol.Limits;
 import carom.values.Records;
 
 /**
- * What a server lets strangers use. Immutable; start from {@link #DEFAULT}.
+ * Limits on what a server lets unknown clients use. It is immutable; start from {@link #DEFAULT}.
  *
- * @param maxConnections connections at once, 1..10,000, half-open ones included; keep it well below
- *     the process's limit of open files (KryoNet spins when it can't accept)
- * @param maxPerAddress connections at once from one IPv4 address or one IPv6 /64 network, 1..10,000
- * @param handshakeMillis time for each of the two steps to an open link, 50..60,000 ms: registering
- *     UDP, and answering a datagram
+ * @param maxConnections largest number of connections at once, 1..10,000, half-open ones included;
+ *     keep it well below the process's limit of open files, because KryoNet spins when it can't
+ *     accept
+ * @param maxPerAddress largest number of connections at once from one IPv4 address or one IPv6 /64
+ *     network, 1..10,000
+ * @param handshakeMillis time limit for each of the two steps to an open link, 50..60,000 ms:
+ *     registering UDP, and answering a datagram
  * @param idleMillis time without a complete frame over TCP after which a link closes, 100..600,000
  *     ms; clients send one every 2,000 ms
- * @param messagesPerSecond frames over TCP from one link, 1..1,000,000; a link that sends more is
- *     closed, because reliable messages must not be dropped
- * @param datagramsPerSecond datagrams from one link, 1..1,000,000; those above are dropped
- * @param unreadMessages messages of one link that may wait for {@code poll}, 1..65,536; one more
- *     closes the link
- * @param unreadDatagrams datagrams of one link that may wait for {@code poll}, 1..65,536; one more
- *     is dropped
- * @param unsentBytes bytes that may wait for a client that doesn't read, at most 16,777,216; one
- *     message more closes the link
+ * @param messagesPerSecond largest number of TCP frames per second from one link, 1..1,000,000; a
+ *     link that sends more is closed, because reliable messages must not be dropped
+ * @param datagramsPerSecond largest number of datagrams per second from one link, 1..1,000,000; the
+ *     server drops those above
+ * @param unreadMessages largest number of messages of one link that wait for {@code poll},
+ *     1..65,536; one more closes the link
+ * @param unreadDatagrams largest number of datagrams of one link that wait for {@code poll},
+ *     1..65,536; one more is dropped
+ * @param unsentBytes largest number of bytes that wait for a client that doesn't read, at most
+ *     16,777,216; one message more closes the link
  */
 public record KryoLimits(
     int maxConnections,
@@ -34,7 +37,7 @@ public record KryoLimits(
     int unreadDatagrams,
     int unsentBytes) {
 
-  /** The limits of a server with one room of {@link Limits#MAX_PLAYERS}. */
+  /** Default limits of a server. */
   public static final KryoLimits DEFAULT =
       new KryoLimits(
           /* maxConnections= */ 320,
@@ -50,7 +53,8 @@ public record KryoLimits(
   /**
    * Checks the values.
    *
-   * @throws IllegalArgumentException names value and range
+   * @throws IllegalArgumentException when a value is outside its range; the message names value and
+   *     range
    */
   public KryoLimits {
     check("maxConnections", maxConnections, 1, 10_000);
@@ -71,22 +75,22 @@ public record KryoLimits(
     }
   }
 
-  /** Returns a copy with these caps on the number of connections. */
+  /** Returns a copy with other limits on the number of connections. */
   public KryoLimits withConnections(int max, int perAddress) {
     return Records.with(this, "maxConnections", max, "maxPerAddress", perAddress);
   }
 
-  /** Returns a copy with these times, ms. */
+  /** Returns a copy with other time limits, ms. */
   public KryoLimits withTimes(int handshake, int idle) {
     return Records.with(this, "handshakeMillis", handshake, "idleMillis", idle);
   }
 
-  /** Returns a copy with these rates, per second and link. */
+  /** Returns a copy with other rate limits, per second and link. */
   public KryoLimits withRates(int messages, int datagrams) {
     return Records.with(this, "messagesPerSecond", messages, "datagramsPerSecond", datagrams);
   }
 
-  /** Returns a copy with these inbox sizes. */
+  /** Returns a copy with other inbox sizes. */
   public KryoLimits withInbox(int messages, int datagrams) {
     return Records.with(this, "unreadMessages", messages, "unreadDatagrams", datagrams);
   }

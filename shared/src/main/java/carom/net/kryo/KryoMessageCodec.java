@@ -27,14 +27,15 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The protocol's messages as bytes: Kryo from the server, {@link ClientMessageCodec}'s fixed layout
- * from the client. The first byte tells them apart: Kryo's class ids start at {@code 0x40}, client
- * tags are below. Any thread; one Kryo behind one lock, because messages are rare.
+ * Codec of the protocol's messages: Kryo for those from the server, the fixed layout of {@link
+ * ClientMessageCodec} for those from the client. The first byte tells them apart: Kryo's class ids
+ * start at {@code 0x40}, and client tags are below. Any thread may use it. It has one Kryo behind
+ * one lock, because messages are rare.
  *
- * <p>Each message has its own serializer, so that the wire format is what is written here and not
- * what reflection finds, and so that each length is checked against its limit before anything is
- * allocated. Numbers are Kryo's: little-endian, lengths as variable-length integers; strings are a
- * length in bytes and UTF-8.
+ * <p>Each message has its own serializer, so that this code defines the wire format rather than
+ * reflection, and so that each length is checked before anything is allocated. Numbers are Kryo's:
+ * little-endian, with lengths as variable-length integers. A string is a length in bytes followed
+ * by UTF-8.
  */
 public final class KryoMessageCodec implements MessageCodec {
   private static final int FIRST_SERVER_BYTE = 0x40;
@@ -50,7 +51,7 @@ public final class KryoMessageCodec implements MessageCodec {
   private final FrameInput input = new FrameInput();
   private final int classes;
 
-  /** Creates a codec; one per transport is enough. */
+  /** Creates a codec. One is enough for a transport. */
   public KryoMessageCodec() {
     kryo.setRegistrationRequired(true);
     kryo.setReferences(false);
@@ -105,14 +106,17 @@ public final class KryoMessageCodec implements MessageCodec {
         : decodeFromServer(bytes, offset, length);
   }
 
-  /** As {@link #decode}, for a server: nothing but a client's message, and no Kryo. */
+  /**
+   * Reads a message on the server as {@link #decode} does, but accepts only client messages and
+   * uses no Kryo.
+   */
   ClientMessage decodeFromClient(byte[] bytes, int offset, int length) {
     return ClientMessageCodec.decode(bytes, offset, length);
   }
 
-  /** As {@link #decode}, for a client: nothing but a server's message. */
+  /** Reads a message on the client as {@link #decode} does, but accepts only server messages. */
   ServerMessage decodeFromServer(byte[] bytes, int offset, int length) {
-    // Only our own classes get as far as Kryo: its built-in ones read unbounded lengths, and id 1
+    // Only our own classes reach Kryo, because its built-in ones read unbounded lengths, and id 1
     // names a class.
     if (length < 1
         || length > Limits.MAX_SERVER_MESSAGE_BYTES
@@ -134,8 +138,8 @@ public final class KryoMessageCodec implements MessageCodec {
   }
 
   /**
-   * Reads one frame in place: never past its end, and without moving the bytes around, as Input
-   * would at the end.
+   * Input that reads one frame in place. It never reads past the end of the frame, and it never
+   * moves the bytes, which Kryo's Input does at the end.
    */
   private static final class FrameInput extends Input {
     private static final byte[] NOTHING = {};
@@ -158,7 +162,7 @@ public final class KryoMessageCodec implements MessageCodec {
     }
   }
 
-  /** Null is no message, and messages don't change. */
+  /** Base of the serializers. Messages are never null and immutable. */
   private abstract static class MessageSerializer<T> extends Serializer<T> {
     MessageSerializer() {
       super(false, true);

@@ -3,58 +3,61 @@ package carom.net.kryo;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * What a server's transport has seen, for the operator. Safe from any thread; each value only
+ * Counters of a server's transport, for the operator. Any thread may read them; each value only
  * grows.
  */
 public final class KryoServerCounters {
 
-  /** TCP connections that came in. */
+  /** Number of TCP connections that came in. */
   public final AtomicLong accepted = new AtomicLong();
 
-  /** Of those, the ones that became an open link. */
+  /** Number of accepted connections that became an open link. */
   public final AtomicLong opened = new AtomicLong();
 
-  /** Of those, the ones turned away because of a cap. */
+  /** Number of accepted connections that were refused because of a limit. */
   public final AtomicLong refused = new AtomicLong();
 
-  /** Of those, the ones that didn't finish the handshake in time. */
+  /** Number of accepted connections that did not finish the handshake in time. */
   public final AtomicLong expired = new AtomicLong();
 
   /**
-   * Links closed because of silence, a flood, a full inbox or outbox, or bytes that mean nothing.
+   * Number of links closed because of silence, a flood, a full inbox or outbox, or meaningless
+   * bytes.
    */
   public final AtomicLong expelled = new AtomicLong();
 
-  /** Datagrams from addresses that belong to no link, the handshake's own ones excluded. */
+  /** Number of datagrams from addresses without a link, except those of the handshake. */
   public final AtomicLong strangeDatagrams = new AtomicLong();
 
-  /** Datagrams from links that mean nothing. */
+  /** Number of meaningless datagrams from links. */
   public final AtomicLong malformedDatagrams = new AtomicLong();
 
-  /** Datagrams dropped because their link sent too many. */
+  /** Number of datagrams dropped because their link sent too many. */
   public final AtomicLong excessDatagrams = new AtomicLong();
 
-  /** Unexpected errors on the network thread; it went on. See {@link #lastError}. */
+  /**
+   * Number of unexpected errors on the network thread, which it survived. See {@link #lastError}.
+   */
   public final AtomicLong errors = new AtomicLong();
 
   private volatile Throwable lastError;
 
   KryoServerCounters() {}
 
-  /** The newest of {@link #errors}, or null. */
+  /** Returns the newest unexpected error, or null if there was none. */
   public Throwable lastError() {
     return lastError;
   }
 
-  /** The values that aren't 0 and should be, in words. */
+  /** Returns the values that should be 0 and aren't, in words. */
   String troubles() {
     StringBuilder text = new StringBuilder();
     append(text, refused, "refused");
     append(text, expired, "never finished the handshake");
     append(text, expelled, "expelled");
-    append(text, strangeDatagrams, "datagrams of strangers");
+    append(text, strangeDatagrams, "datagrams from unknown addresses");
     append(text, malformedDatagrams, "malformed datagrams");
-    append(text, excessDatagrams, "datagrams too many");
+    append(text, excessDatagrams, "excess datagrams");
     append(text, errors, "errors");
     return text.toString();
   }

@@ -7,9 +7,9 @@ import java.net.BindException;
 import java.net.ServerSocket;
 
 /**
- * Listens on a TCP and a UDP port, each with a daemon thread of its own; {@link #accept}, and the
- * links' {@code poll}, belong to the owner's thread, sending to any. A link opens when datagrams
- * have passed in both directions.
+ * Server transport that listens on a TCP and a UDP port, each with its own daemon thread. Only the
+ * owner's thread may call {@link #accept} and the links' {@code poll}; any thread may send. A link
+ * opens when datagrams have passed in both directions.
  */
 public final class KryoServerTransport implements ServerTransport {
   private static final int EPHEMERAL_ATTEMPTS = 20;
@@ -20,7 +20,7 @@ public final class KryoServerTransport implements ServerTransport {
   private final int udpPort;
   private long nextErrorCount = 1;
 
-  /** As {@link #KryoServerTransport(int, int, KryoLimits)} with {@link KryoLimits#DEFAULT}. */
+  /** Opens the ports with {@link KryoLimits#DEFAULT} and starts to listen. */
   public KryoServerTransport(int tcpPort, int udpPort) {
     this(tcpPort, udpPort, KryoLimits.DEFAULT);
   }
@@ -40,8 +40,9 @@ public final class KryoServerTransport implements ServerTransport {
     int tcp = tcpPort;
     for (int attempt = 1; ; attempt++) {
       try {
-        // KryoNet doesn't tell which port the system gave it, so a free one is looked up here and
-        // asked for by number. Somebody may take it in between: then another one.
+        // KryoNet doesn't report the port that the system gave it. So this looks up a free one and
+        // requests it by number. If another process takes it in between, the next attempt requests
+        // another one.
         tcp = tcpPort != 0 ? tcpPort : freeTcpPort();
         network.bind(tcp, udpPort);
         break;
@@ -72,7 +73,10 @@ public final class KryoServerTransport implements ServerTransport {
     }
   }
 
-  /** KryoNet's exception doesn't say which of the two ports it was; asking for TCP again does. */
+  /**
+   * Returns an exception that names the port that failed. KryoNet's exception doesn't name
+   * it, so a second attempt on TCP finds out.
+   */
   private static PortUnavailableException explain(IOException failure, int tcp, int udp) {
     try {
       new ServerSocket(tcp).close();
@@ -121,14 +125,14 @@ public final class KryoServerTransport implements ServerTransport {
     return udpPort;
   }
 
-  /** Live counters of the whole transport; those of a link are at the link. */
+  /** Returns the live counters of the whole transport. Each link has counters of its own. */
   public KryoServerCounters counters() {
     return network.counters;
   }
 
   /**
-   * Tells all clients, closes all links and both ports, and waits for the network thread to end:
-   * half a second when a client doesn't answer. Closing twice does nothing.
+   * Tells all clients, closes all links and both ports, and waits for the network thread to end.
+   * That takes half a second if a client doesn't answer. A second call does nothing.
    */
   @Override
   public void close() {

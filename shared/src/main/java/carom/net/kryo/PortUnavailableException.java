@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 
 /**
- * A server's port can't be opened. The message is for the operator: which port, why, and which flag
+ * Failure to open a server's port. The message tells the operator which port, why, and which flag
  * chooses another one.
  */
 public final class PortUnavailableException extends UncheckedIOException {
@@ -19,12 +19,12 @@ public final class PortUnavailableException extends UncheckedIOException {
     this.port = port;
   }
 
-  /** {@code TCP} or {@code UDP}. */
+  /** Returns the protocol, {@code TCP} or {@code UDP}. */
   public String protocol() {
     return protocol;
   }
 
-  /** The port that was asked for, 1..65,535; 0 when the system had no free one. */
+  /** Returns the requested port, 1..65,535, or 0 when the system had no free one. */
   public int port() {
     return port;
   }

@@ -12,30 +12,30 @@ import java.nio.ByteBuffer;
 import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
- * One stranger at the server's door, and later one link. KryoNet calls it on the network thread,
- * the {@link DatagramPort} on its own, the link's owner and anybody else who sends on theirs.
+ * One connection of an unknown client, and later its link. KryoNet calls it on the network thread,
+ * {@link DatagramPort} on its own thread, and the link's owner and other senders on theirs.
  *
- * <p>What keeps the network thread alive and everybody else's game running: nothing here throws,
- * reading never answers null, a connection closes on the network thread only (KryoNet leaves ghosts
- * behind otherwise), a message goes out only when it fits, and a datagram that can't be sent is
- * lost, not a reason to close.
+ * <p>These rules keep the network thread and the other players' games alive. Nothing here throws.
+ * Reading never returns null. A connection closes on the network thread only, because KryoNet
+ * otherwise keeps dead connections. A message is sent only if it fits. A datagram that can't be
+ * sent is lost and closes nothing.
  */
 final class ServerConnection extends Connection {
 
   /**
-   * A connection's way in and out; it only moves down this list. The port's thread takes it to
-   * CHALLENGED and OPEN, the network thread to CLOSING and CLOSED.
+   * Phase of a connection. It only moves down this list. The port's thread sets CHALLENGED and
+   * OPEN, the network thread CLOSING and CLOSED.
    */
   enum Phase {
-    /** TCP is connected, the UDP address unknown. */
+    /** TCP is connected, and the UDP address is unknown. */
     PENDING,
-    /** The UDP address is known and has to answer a datagram. */
+    /** The UDP address is known and must answer a challenge. */
     CHALLENGED,
     /** The link is open. */
     OPEN,
-    /** BYE is sent; what comes in is ignored. */
+    /** The server has sent BYE and ignores what comes in. */
     CLOSING,
-    /** Gone. */
+    /** The connection is closed. */
     CLOSED
   }
 
@@ -47,18 +47,18 @@ final class ServerConnection extends Connection {
   private final long nonce;
   private final Object phaseLock = new Object();
   private final AtomicBoolean closeRequested = new AtomicBoolean();
-  private final RateBudget messageBudget; // network thread
-  private final RateBudget datagramBudget; // the port's thread
+  private final TokenBucket messageBudget; // used by the network thread
+  private final TokenBucket datagramBudget; // used by the port's thread
   private volatile boolean broken;
   private volatile InetSocketAddress udpAddress;
   private volatile Phase phase = Phase.PENDING; // set under the lock
   private volatile long phaseSince = System.nanoTime();
 
-  // network thread
+  // used by the network thread
   private long lastFrame = phaseSince;
   private long lastChallenge = phaseSince;
 
-  /** One household; set before anybody can register for this connection. */
+  /** Address group that counts as one household. It is set before the client can register UDP. */
   Object addressKey;
 
   ServerConnection(ServerNetwork network, long token, long nonce) {
@@ -68,12 +68,12 @@ final class ServerConnection extends Connection {
     KryoLimits limits = network.limits;
     int messages = limits.messagesPerSecond();
     int datagrams = limits.datagramsPerSecond();
-    messageBudget = new RateBudget(messages, messages);
-    datagramBudget = new RateBudget(datagrams, Math.max(1, datagrams / 2));
+    messageBudget = new TokenBucket(messages, messages);
+    datagramBudget = new TokenBucket(datagrams, Math.max(1, datagrams / 2));
     link = new ServerLink(this);
   }
 
-  /** The link's side of a connection. */
+  /** The link of a connection. */
   private static final class ServerLink extends FramedLink {
     private final ServerConnection connection;
     private volatile String remote = "unknown";
@@ -103,7 +103,7 @@ final class ServerConnection extends Connection {
 
     @Override
     protected void disconnect(Link.State before, String reason) {
-      connection.sendTCP(Frame.bye(reason)); // wakes the network thread, too
+      connection.sendTCP(Frame.bye(reason)); // also wakes the network thread
       connection.requestClose();
     }
   }
@@ -136,13 +136,14 @@ final class ServerConnection extends Connection {
       return super.sendTCP(frame);
     } catch (
         RuntimeException
-            x) { // overflow by two senders at once, or the key is cancelled: the stream is broken
+            x) { // two senders overflowed the buffer at once, or the key is cancelled: the stream
+      // is broken
       fail("connection lost");
       return 0;
     }
   }
 
-  /** Puts a datagram on the wire; false when it was dropped here. Any thread. */
+  /** Sends a datagram. Returns false when this end dropped it. Any thread may call it. */
   private boolean sendDatagram(byte tag, byte[] bytes, int offset, int length) {
     InetSocketAddress address = udpAddress;
     return address != null && !broken && network.send(address, tag, bytes, offset, length);
@@ -153,7 +154,7 @@ final class ServerConnection extends Connection {
     sendDatagram(Frame.CHALLENGE, fields, 0, fields.length);
   }
 
-  /** KryoNet's own way to end a connection: any error ends here, on any thread. */
+  /** Ends the connection. KryoNet calls this after any error, on any thread. */
   @Override
   public void close() {
     if (network.isNetworkThread()) {
@@ -163,21 +164,24 @@ final class ServerConnection extends Connection {
     }
   }
 
-  /** Of no use any more; the network thread shall close it. Any thread. */
+  /** Marks the connection as broken and requests its close. Any thread may call it. */
   private void abandon(String reason) {
     broken = true;
     link.finish(reason);
     requestClose();
   }
 
-  /** Another connection has the same UDP address now. The port's thread. */
-  void giveWay() {
+  /**
+   * Abandons this connection because another one has its UDP address now. Called on the port's
+   * thread.
+   */
+  void supersede() {
     abandon("a new connection has the same address");
   }
 
   /**
-   * The network thread shall close this connection: after BYE has been answered, or at once when it
-   * is broken. Any thread.
+   * Requests that the network thread closes this connection, after the client has answered BYE, or
+   * at once if the connection is broken. Any thread may call it.
    */
   private void requestClose() {
     if (closeRequested.compareAndSet(false, true)) {
@@ -185,7 +189,7 @@ final class ServerConnection extends Connection {
     }
   }
 
-  /** Answers {@link #requestClose} on the network thread. */
+  /** Carries out {@link #requestClose} on the network thread. */
   void closeAsRequested(long now) {
     if (broken || phase == Phase.PENDING || phase == Phase.CHALLENGED) {
       closeNow("closed");
@@ -194,13 +198,16 @@ final class ServerConnection extends Connection {
     }
   }
 
-  /** Tells the client why and closes. Network thread. */
+  /** Tells the client why, and closes at once. Called on the network thread. */
   void dismiss(String reason) {
     sendTCP(Frame.bye(reason));
     closeNow(reason);
   }
 
-  /** Tells the client why, and gives it a moment to take the news and to close. Network thread. */
+  /**
+   * Tells the client why, and gives it a moment to read the reason and close. Called on the network
+   * thread.
+   */
   void dismissGently(String reason, long now) {
     if (link.finish(reason)) {
       sendTCP(Frame.bye(reason));
@@ -213,7 +220,7 @@ final class ServerConnection extends Connection {
     dismiss(reason);
   }
 
-  /** The TCP stream is of no use any more. Any thread. */
+  /** Marks the TCP stream as broken and closes the connection. Any thread may call it. */
   private void fail(String reason) {
     if (broken) {
       return;
@@ -227,7 +234,7 @@ final class ServerConnection extends Connection {
     }
   }
 
-  /** The end. Network thread. */
+  /** Closes the connection at once. Called on the network thread. */
   void closeNow(String reason) {
     synchronized (phaseLock) {
       if (phase == Phase.CLOSED) {
@@ -241,7 +248,10 @@ final class ServerConnection extends Connection {
     super.close();
   }
 
-  /** From one phase to the next; false when it was in another one, such as closed. */
+  /**
+   * Moves from one phase to the next. Returns false when the connection was in another phase, such
+   * as CLOSED.
+   */
   private boolean advance(Phase from, Phase to, long now) {
     synchronized (phaseLock) {
       if (phase != from) {
@@ -253,9 +263,11 @@ final class ServerConnection extends Connection {
     }
   }
 
-  /** The client told its UDP address; telling it again means nothing. The port's thread. */
+  /** Records the client's UDP address. A repetition has no effect. Called on the port's thread. */
   void addressKnown(InetSocketAddress address, long now) {
-    synchronized (phaseLock) { // or a connection that closes meanwhile would leave its address
+    synchronized (
+        phaseLock) { // without the lock, a connection that closes meanwhile would leave its address
+      // behind
       if (!advance(Phase.PENDING, Phase.CHALLENGED, now)) {
         return;
       }
@@ -266,7 +278,7 @@ final class ServerConnection extends Connection {
     challenge();
   }
 
-  /** Looks after deadlines; some 20 times a second. Network thread. */
+  /** Checks deadlines, about 20 times a second. Called on the network thread. */
   void sweep(long now) {
     KryoLimits limits = network.limits;
     long inPhase = now - phaseSince;
@@ -307,13 +319,13 @@ final class ServerConnection extends Connection {
     }
   }
 
-  /** Reads a TCP frame. Network thread. */
+  /** Reads a TCP frame. Called on the network thread. */
   Object readFrame(ByteBuffer buffer) {
     if (phase == Phase.CLOSED) {
       return FrameCodec.HANDLED;
     }
     if (phase == Phase.PENDING) {
-      closeNow("talked before the handshake");
+      closeNow("the client sent a frame before the handshake");
       return FrameCodec.HANDLED;
     }
     long now = System.nanoTime();
@@ -341,14 +353,14 @@ final class ServerConnection extends Connection {
             : null;
     if (message == null) {
       link.counters().malformed.incrementAndGet();
-      expel("bytes that are no message (tag=" + tag + " length=" + length + ")");
+      expel("the client sent an invalid message (tag=" + tag + " length=" + length + ")");
     } else if (!link.receiveMessage(message, length)) {
       expel("more than " + network.limits.unreadMessages() + " unread messages");
     }
     return FrameCodec.HANDLED;
   }
 
-  /** Reads a datagram from this connection's address. The port's thread. */
+  /** Reads a datagram from this connection's address. Called on the port's thread. */
   void readDatagram(ByteBuffer buffer, long now) {
     if (!datagramBudget.take(now)) {
       network.counters.excessDatagrams.incrementAndGet();
@@ -368,7 +380,7 @@ final class ServerConnection extends Connection {
         network.opened(this, link);
       }
     } else if (tag == Frame.REGISTER_UDP && length == Frame.REGISTRATION_BYTES) {
-      network.register(udpAddress, buffer, now); // a repetition, or a successor's
+      network.register(udpAddress, buffer, now); // a repetition, or the registration of a successor
     } else if (tag != Frame.KEEP_ALIVE || length != 1) {
       network.counters.malformedDatagrams.incrementAndGet();
     }

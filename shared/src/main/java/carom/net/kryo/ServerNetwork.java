@@ -22,14 +22,14 @@ import java.util.function.Consumer;
 import org.jctools.queues.atomic.SpscAtomicArrayQueue;
 
 /**
- * The server's network: a thread that drives KryoNet's server, which is never started by its own
- * means, for TCP and the way in; and the {@link DatagramPort} for everything that comes by UDP. The
- * two share the connections, which know their {@linkplain ServerConnection.Phase phase}, and the
- * maps by which a datagram finds its connection. Survives any error and counts it.
+ * The server's network. One thread drives KryoNet's server, which is never started by its own
+ * means, for TCP and the handshake; the {@link DatagramPort} handles UDP. The two threads share the
+ * connections, which know their {@linkplain ServerConnection.Phase phase}, and the maps from a
+ * datagram to its connection. It survives and counts any error.
  */
 final class ServerNetwork implements Runnable {
   private static final int SELECT_MILLIS =
-      30; // above 25, or KryoNet sleeps on top after 100 quiet selects
+      30; // above 25, or KryoNet also sleeps after 100 quiet selects
   private static final long SWEEP_NANOS = 50_000_000L;
   private static final long SHUTDOWN_NANOS = 2 * SWEEP_NANOS + Frame.LINGER_NANOS;
 
@@ -48,11 +48,11 @@ final class ServerNetwork implements Runnable {
   private volatile Thread thread;
   private volatile boolean stopping;
 
-  // network thread
+  // used by the network thread
   private final List<ServerConnection> connections = new ArrayList<>();
   private final Map<Object, Integer> perAddress = new HashMap<>();
 
-  // both threads
+  // used by both threads
   private final Map<Integer, ServerConnection> pending = new ConcurrentHashMap<>();
   private final Map<InetSocketAddress, ServerConnection> byAddress = new ConcurrentHashMap<>();
 
@@ -68,7 +68,7 @@ final class ServerNetwork implements Runnable {
         };
   }
 
-  /** Opens both ports or none. Before {@link #start}. */
+  /** Opens both ports or none. Call it before {@link #start}. */
   void bind(int tcp, int udp) throws IOException {
     server.bind(tcp);
     try {
@@ -79,12 +79,12 @@ final class ServerNetwork implements Runnable {
     }
   }
 
-  /** Number of the UDP port; after {@link #bind}. */
+  /** Returns the number of the UDP port. Call it after {@link #bind}. */
   int udpPort() {
     return datagrams.number();
   }
 
-  /** Gives up what the constructor and {@link #bind} took. */
+  /** Releases what the constructor and {@link #bind} took. */
   void dispose() {
     if (datagrams != null) {
       datagrams.close();
@@ -104,7 +104,9 @@ final class ServerNetwork implements Runnable {
     datagrams.start();
   }
 
-  /** Closes everything and waits for the thread to end. Any thread but the network's. */
+  /**
+   * Closes everything and waits for the thread to end. Any thread but the network's may call it.
+   */
   void stop() {
     stopping = true;
     boolean interrupted = false;
@@ -125,7 +127,7 @@ final class ServerNetwork implements Runnable {
   Link accept() {
     Link link = opened.poll();
     while (link != null && link.state() == Link.State.CLOSED) {
-      link = opened.poll(); // came and went
+      link = opened.poll(); // the link closed before it was accepted
     }
     return link;
   }
@@ -154,7 +156,7 @@ final class ServerNetwork implements Runnable {
     dispose();
   }
 
-  /** One turn of the loop; gives the time of the next sweep. */
+  /** Runs one turn of the loop. Returns the time of the next sweep. */
   private long step(int selectMillis, long nextSweep) {
     try {
       server.update(selectMillis);
@@ -165,7 +167,7 @@ final class ServerNetwork implements Runnable {
       }
       each(connection -> connection.sweep(now));
       return now + SWEEP_NANOS;
-    } catch (Throwable x) { // whatever it was, the others go on playing
+    } catch (Throwable x) { // whatever the error, the other connections go on
       counters.error(x);
       LockSupport.parkNanos(1_000_000L);
       return nextSweep;
@@ -181,7 +183,7 @@ final class ServerNetwork implements Runnable {
   }
 
   private void each(Consumer<ServerConnection> action) {
-    // Backwards, because an action may remove its connection.
+    // It runs backwards, because an action may remove its connection.
     for (int i = connections.size() - 1; i >= 0; i--) {
       try {
         action.accept(connections.get(i));
@@ -196,14 +198,14 @@ final class ServerNetwork implements Runnable {
   }
 
   /**
-   * Whether a connection that just came in may stay; it is told why not, and closed. Network
-   * thread.
+   * Decides whether a new connection may stay. If not, the server tells the client why and closes.
+   * Called on the network thread.
    */
   boolean admit(ServerConnection connection) {
     counters.accepted.incrementAndGet();
-    connection.setTimeout(0); // sweep() does it, by frames and not by bytes
+    connection.setTimeout(0); // sweep() does this, by frames and not by bytes
     connection.setKeepAliveTCP(Frame.KEEP_ALIVE_MILLIS);
-    connection.setIdleThreshold(0); // nobody listens to idle()
+    connection.setIdleThreshold(0); // no listener uses idle()
     InetSocketAddress remote = connection.getRemoteAddressTCP();
     if (remote == null || remote.getAddress() == null) {
       connection.closeNow("connection lost");
@@ -236,7 +238,7 @@ final class ServerNetwork implements Runnable {
     return (address.indexOf(':') < 0 ? address : "[" + address + "]") + ":" + remote.getPort();
   }
 
-  /** One household: an IPv4 address, or an IPv6 /64 network. */
+  /** Returns the key of one household: an IPv4 address, or an IPv6 /64 network. */
   private static Object addressKey(InetAddress address) {
     if (address instanceof Inet6Address) {
       return ByteBuffer.wrap(Arrays.copyOf(address.getAddress(), 8));
@@ -244,7 +246,7 @@ final class ServerNetwork implements Runnable {
     return address;
   }
 
-  /** Something came in by UDP. The port's thread. */
+  /** Takes a datagram that came in by UDP. Called on the port's thread. */
   private void datagram(InetSocketAddress from, ByteBuffer datagram, long nowNs) {
     ServerConnection sender = byAddress.get(from);
     if (sender != null) {
@@ -255,11 +257,12 @@ final class ServerNetwork implements Runnable {
   }
 
   /**
-   * A newcomer tells its UDP address. Whoever had it before has crashed or moved on without a word,
-   * and the system gave its port to the next one; so that link ends, unless the newcomer's TCP
-   * comes from another machine: then the datagram's source is forged. The port's thread.
+   * Registers the UDP address of a new connection. If an older connection has the address, its
+   * client has crashed or left without a word, and the system gave its port to the new client. So
+   * the older link ends, unless the new client's TCP comes from another machine; then the
+   * datagram's source is forged. Called on the port's thread.
    *
-   * @return false when the datagram is no registration that anybody waits for
+   * @return false when the datagram is no registration that a connection waits for
    */
   boolean register(InetSocketAddress from, ByteBuffer datagram, long nowNs) {
     if (datagram.remaining() != Frame.REGISTRATION_BYTES || datagram.get() != Frame.REGISTER_UDP) {
@@ -274,19 +277,19 @@ final class ServerNetwork implements Runnable {
       if (!newcomer.addressKey.equals(before.addressKey)) {
         return false;
       }
-      before.giveWay();
+      before.supersede();
     }
     newcomer.addressKnown(from, nowNs);
     return true;
   }
 
-  /** From now on the address stands for the connection, which waits no more. */
+  /** Maps the address to the connection, which then waits for no registration. */
   void registered(ServerConnection connection, InetSocketAddress address) {
     pending.remove(connection.getID());
     byAddress.put(address, connection);
   }
 
-  /** Sends a datagram; false when it is lost right here. Any thread. */
+  /** Sends a datagram. Returns false when this end lost it. Any thread may call it. */
   boolean send(InetSocketAddress to, byte tag, byte[] bytes, int offset, int length) {
     return datagrams.send(to, tag, bytes, offset, length);
   }
@@ -311,7 +314,7 @@ final class ServerNetwork implements Runnable {
     }
   }
 
-  /** How the server reads TCP. */
+  /** The codec through which the server reads TCP. */
   private final class ServerFrames extends FrameCodec {
     @Override
     long token(Connection connection) {

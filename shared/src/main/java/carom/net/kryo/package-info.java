@@ -1,12 +1,12 @@
 /**
- * The only home of KryoNet and Kryo: links over TCP and UDP that an open port can be trusted with.
+ * Links over TCP and UDP, safe on open ports. This is the only package that uses KryoNet and Kryo.
  *
- * <p>KryoNet is driven through its public API only; its own threads, serializers and defaults are
- * not used. On the server it carries TCP; UDP goes through a socket of our own, because KryoNet
- * reads one datagram per {@code select} and searches all connections for its sender. What each
- * class does and why: {@code ServerNetwork} (update loop, admission, sweeps), {@code DatagramPort}
- * (the UDP socket), {@code ServerConnection} (what one stranger may do), {@code FrameCodec} (frames
- * as KryoNet has them).
+ * <p>It drives KryoNet through the public API only and uses none of its threads, serializers or
+ * defaults. On the server, KryoNet carries TCP. UDP has a socket of its own, because KryoNet reads
+ * one datagram per {@code select} and searches all connections for its sender. The main classes:
+ * {@code ServerNetwork} (update loop, admission, sweeps), {@code DatagramPort} (the UDP socket),
+ * {@code ServerConnection} (what an unknown client may do), {@code FrameCodec} (KryoNet's objects
+ * as frames).
  *
  * <p>Imports {@code carom.net.protocol}, {@code carom.net.transport}, {@code carom.net.frame},
  * KryoNet, Kryo, JCTools and the JDK only.

@@ -2,11 +2,14 @@ package carom.net.protocol;
 
 import java.util.List;
 
-/** What a client sends reliably and in order. Encoded by {@link ClientMessageCodec}. */
+/**
+ * A message from a client to the server, sent reliably and in order. {@link ClientMessageCodec}
+ * encodes it.
+ */
 public sealed interface ClientMessage {
 
   /**
-   * The first message: who is there.
+   * Opens a session or resumes one. It is the first message of a client that plays.
    *
    * @param protocolVersion {@link Protocol#VERSION} of the client
    * @param physicsDigest {@link Protocol#physicsDigest()} of the client
@@ -17,92 +20,95 @@ public sealed interface ClientMessage {
       implements ClientMessage {}
 
   /**
-   * Asks for a piece of the packed level from an offset on. A client has several requests under
-   * way, so that the round trip doesn't set the pace, and goes on where it was when it comes back.
+   * Asks for the piece of the packed level at an offset. A client keeps several requests in flight,
+   * so that the round trip doesn't limit the speed. After a reconnect it continues at its last
+   * offset.
    *
    * @param offset 0..{@link Limits#MAX_LEVEL_BYTES} - 1
    */
   record LevelRequest(int offset) implements ClientMessage {}
 
-  /** The level is loaded: give me a body. */
+  /** Says that the client has loaded the level and asks for a body. */
   record Ready() implements ClientMessage {}
 
   /**
-   * What the client shows, when it changes: the server tells about entities in there. It bounds the
-   * size.
+   * Tells the server what part of the world the client shows. The client sends it on every change.
+   * The server limits the size and sends only entities in this rectangle.
    *
-   * @param x where it looks while the player has no body, metres
-   * @param y where it looks while the player has no body, metres
-   * @param halfWidth half of what it shows, metres
-   * @param halfHeight half of what it shows, metres
+   * @param x centre of the view while the player has no body, metres
+   * @param y centre of the view while the player has no body, metres
+   * @param halfWidth half the width of the view, metres
+   * @param halfHeight half the height of the view, metres
    */
   record Look(float x, float y, float halfWidth, float halfHeight) implements ClientMessage {}
 
   /**
-   * Reports a misprediction that nothing explains which the client knows of. Either the own body
-   * was alone; or the hash of the predicted set differs, though the client knew every input and was
-   * told of nothing else since the last tick of equal hashes. Rare; the server judges whether that
-   * proves a fault.
+   * Reports a misprediction that the client can't explain. Either it predicted its own body alone,
+   * or the hash of the predicted set differs although the client knew every input and received no
+   * other change after the last tick of equal hashes. The report is rare. The server judges whether
+   * it proves a fault.
    *
-   * @param tick the first that differs
-   * @param equalTick the last one whose prediction was equal in every bit, before {@code tick}
-   * @param bodies what was predicted, {@value #BODY_INTS} numbers for each body: slot and
-   *     generation as {@code slot | generation << 16}, and the float bits of x, y, cos, sin, vx,
-   *     vy, omega of the centre of mass. Either the own body alone, or the predicted set in the
-   *     order of the world, the first {@value #MAX_BODIES} at most
-   * @param memory with the own body alone the player's {@value #MEMORY_INTS} memory ints, else
-   *     empty
+   * @param tick first tick that differs
+   * @param equalTick last tick before {@code tick} at which the prediction was equal in every bit
+   * @param bodies the predicted state, {@value #BODY_INTS} ints for each body: slot and generation
+   *     as {@code slot | generation << 16}, then the float bits of x, y, cos, sin, vx, vy and omega
+   *     of the centre of mass. It holds either the own body alone, or the first bodies of the
+   *     predicted set in world order, at most {@value #MAX_BODIES}
+   * @param memory the player's {@value #MEMORY_INTS} memory ints if {@code bodies} is the own body
+   *     alone, else empty
    */
   record Diverged(int tick, int equalTick, List<Integer> bodies, List<Integer> memory)
       implements ClientMessage {
-    /** Numbers of a body. */
+    /** Ints for each body in {@link #bodies}. */
     public static final int BODY_INTS = 8;
 
-    /** Numbers of the memory. */
+    /** Ints in {@link #memory}, unless it is empty. */
     public static final int MEMORY_INTS = 4;
 
-    /** Most bodies told: as many as a message has room for. */
+    /** Largest number of bodies in a report, as many as a message has room for. */
     public static final int MAX_BODIES = 31;
 
-    /** Copies the lists. */
+    /** Copies both lists. */
     public Diverged {
       bodies = List.copyOf(bodies);
       memory = List.copyOf(memory);
     }
 
-    /** Returns whether this is about the predicted set, not about the own body alone. */
+    /** Returns whether this report is about the predicted set rather than the own body alone. */
     public boolean isOfSet() {
       return memory.isEmpty();
     }
 
-    /** Number of {@link #bodies}' and {@link #memory}'s numbers. */
+    /** Returns the number of ints in {@link #bodies} and {@link #memory} together. */
     public int count() {
       return bodies.size() + memory.size();
     }
 
-    /** Returns a number of the bodies or, after these, of the memory. */
+    /** Returns an int of {@link #bodies} or, at higher indices, of {@link #memory}. */
     public int number(int index) {
       return index < bodies.size() ? bodies.get(index) : memory.get(index - bodies.size());
     }
   }
 
   /**
-   * Instead of {@link Hello}: lets a spectator in, who is shown a room's recording some time later.
+   * Asks to watch a room as a spectator, instead of {@link Hello}. A spectator sees the room's
+   * recording with a delay.
    *
    * @param protocolVersion {@link Protocol#VERSION} of the client
-   * @param physicsDigest {@link Protocol#physicsDigest()} of the client, which computes the game
-   * @param room its number, 1..255
+   * @param physicsDigest {@link Protocol#physicsDigest()} of the client, which simulates the game
+   *     from the recording
+   * @param room number of the room, 1..255
    */
   record Watch(int protocolVersion, long physicsDigest, int room) implements ClientMessage {}
 
   /**
-   * Asks for a piece of the recording from an offset on; as with {@link LevelRequest}, several may
-   * be under way.
+   * Asks for the piece of the recording at an offset. As with {@link LevelRequest}, several
+   * requests may be in flight.
    *
    * @param offset not negative
    */
   record RecordingRequest(long offset) implements ClientMessage {}
 
-  /** The player goes; no grace period. */
+  /** Says that the player leaves. The server keeps no place for a player who left. */
   record Leave() implements ClientMessage {}
 }

@@ -13,8 +13,9 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Fixed layout of what clients send: a tag byte, then the fields, big-endian, exact length. No
- * object graph, no reflection; safe on any bytes. Stateless, any thread.
+ * Codec of client messages with a fixed layout: a tag byte, then the fields, big-endian, with exact
+ * length. It uses no object graph and no reflection, and it is safe on any bytes. It has no state;
+ * any thread may use it.
  */
 public final class ClientMessageCodec {
 
@@ -34,11 +35,11 @@ public final class ClientMessageCodec {
   /**
    * Writes a message.
    *
-   * @param message within {@link Limits}
+   * @param message a message within {@link Limits}
    * @param out at least {@link Limits#MAX_CLIENT_MESSAGE_BYTES} from {@code offset} on
    * @return number of bytes written
-   * @throws IllegalArgumentException when a field is outside its limit; names field, value and
-   *     limit
+   * @throws IllegalArgumentException when a field is outside its limit; the message names field,
+   *     value and limit
    */
   public static int encode(ClientMessage message, byte[] out, int offset) {
     ByteBuffer buffer = ByteBuffer.wrap(out, offset, out.length - offset);
@@ -92,16 +93,19 @@ public final class ClientMessageCodec {
     return buffer.position() - offset;
   }
 
-  /** As {@link #encode(ClientMessage, byte[], int)}, into an array of exactly the right length. */
+  /**
+   * Writes a message into a new array of exactly the right length, as {@link #encode(ClientMessage,
+   * byte[], int)} does.
+   */
   public static byte[] encode(ClientMessage message) {
     byte[] out = new byte[Limits.MAX_CLIENT_MESSAGE_BYTES];
     return Arrays.copyOf(out, encode(message, out, 0));
   }
 
   /**
-   * Reads a message. Never throws on the content, allocates at most the message and a name of
-   * {@link Limits#MAX_NAME_BYTES}. A name is only checked to be UTF-8 of at most that length;
-   * {@link PlayerName} judges the rest.
+   * Reads a message. The content never makes it throw. It allocates at most the message and a name
+   * of {@link Limits#MAX_NAME_BYTES}. It checks only that a name is UTF-8 within that length;
+   * {@link PlayerName} checks the rest.
    *
    * @return the message, or null when the bytes are not exactly one message within the limits
    */
@@ -133,7 +137,8 @@ public final class ClientMessageCodec {
   }
 
   /**
-   * Only numbers, and sizes that aren't negative: what else they mean is for the server to judge.
+   * Reads a view. It accepts finite numbers with sizes that aren't negative; the server judges
+   * their meaning.
    */
   private static ClientMessage decodeLook(ByteBuffer buffer) {
     if (buffer.remaining() != 4 * Float.BYTES) {
@@ -153,7 +158,7 @@ public final class ClientMessageCodec {
         : null;
   }
 
-  /** A report of the own body alone has a type of its own. */
+  /** Writes a report. A report of the own body alone has a tag and a shorter layout of its own. */
   private static void encodeDiverged(ClientMessage.Diverged d, ByteBuffer buffer) {
     int ints = d.bodies().size();
     int bodies = ints / BODY_INTS;

@@ -4,28 +4,28 @@ import carom.net.codec.BitReader;
 import carom.net.codec.BitWriter;
 
 /**
- * What a client sends, at most once a tick: key, acks of snapshots, and its last inputs. A mutable
- * object that is used again and again: the client fills and encodes it, the server decodes into
- * one. No allocation. One thread.
+ * Datagram that a client sends at most once a tick, with its key, acknowledgements of snapshots and
+ * its latest inputs. The object is mutable and reused: the client fills and encodes one, the server
+ * decodes into one. Use it from one thread; it doesn't allocate.
  */
 public final class InputDatagram {
 
   /** Largest encoded size in bytes. */
   public static final int MAX_BYTES = 128;
 
-  /** Largest {@link #viewDelay}. */
+  /** Largest {@link #viewDelay}, in sixteenths of a tick. */
   public static final int MAX_VIEW_DELAY = 4_095;
 
-  /** Nothing: it predicts nothing, or the own body alone. */
+  /** Value of {@link #near}: the client predicts nothing, or its own body alone. */
   public static final int NEAR_NONE = 0;
 
-  /** What its body touches, or may touch soon. */
+  /** Value of {@link #near}: the client predicts what its body touches or may touch soon. */
   public static final int NEAR_ISLAND = 1;
 
-  /** As much around it as there is room for. */
+  /** Value of {@link #near}: the client predicts as much around its body as there is room for. */
   public static final int NEAR_ALL = 2;
 
-  /** Largest {@link #holdTicks}. */
+  /** Largest {@link #holdTicks}, in ticks. */
   public static final int MAX_HOLD_TICKS = 63;
 
   private static final int INPUT_BITS = 48;
@@ -33,52 +33,62 @@ public final class InputDatagram {
   private static final int HOLD_BITS = 6;
 
   /**
-   * The key of {@link ServerMessage.Welcome}. The server drops datagrams with another one silently.
+   * Session key from {@link ServerMessage.Welcome}. The server drops a datagram with another key
+   * silently.
    */
   public int key;
 
-  /** Sequence number of this datagram, 16 bits, wraps. */
+  /** Sequence number of this datagram, 16 bits, which wraps. */
   public int sequence;
 
-  /** Whether any snapshot datagram was received; when false the acks are meaningless. */
+  /**
+   * True if the client has received a snapshot datagram. If false, the acknowledgements mean
+   * nothing.
+   */
   public boolean hasAck;
 
   /** Sequence number of the newest snapshot datagram received, 16 bits. */
   public int ackSequence;
 
-  /** Bit i = snapshot datagram {@code ackSequence - 1 - i} was received. */
+  /** Bit set of older snapshot datagrams received: bit i stands for {@code ackSequence - 1 - i}. */
   public long ackBits;
 
-  /** What the client wants to know of what is near its body: one of the three {@code NEAR}s. */
+  /**
+   * Size of the predicted set that the client asks for: {@link #NEAR_NONE}, {@link #NEAR_ISLAND} or
+   * {@link #NEAR_ALL}.
+   */
   public int near;
 
-  /** Whether the client's newest comparison of what is near failed and isn't mended yet. */
+  /** True if the client's newest comparison of the predicted set failed and isn't corrected yet. */
   public boolean disagrees;
 
-  /** The tick of that comparison, its lowest 16 bits. */
+  /** Tick of the failed comparison, lowest 16 bits. */
   public int disagreedTick;
 
   /** Tick of the newest input, {@code inputs[0]}. */
   public int newestTick;
 
   /**
-   * How old the picture was that the player saw when it gave the newest input: ticks from the
-   * picture to {@link #newestTick} in sixteenths, 0..4,095. Only with inputs.
+   * Age of the picture that the player saw when giving the newest input, in sixteenths of a tick
+   * before {@link #newestTick}, 0..4,095. It is sent only with inputs.
    */
   public int viewDelay;
 
   /**
-   * For how many ticks after {@link #newestTick} the newest input goes on, unless a newer datagram
-   * says otherwise, 0..63: so a client that does nothing, or goes on doing the same, need not say
-   * so in each tick. Only with inputs.
+   * Number of ticks after {@link #newestTick} for which the newest input stays valid, unless a
+   * newer datagram replaces it, 0..63. So a client whose input doesn't change need not send one
+   * each tick. It is sent only with inputs.
    */
   public int holdTicks;
 
-  /** How many inputs follow, 0..{@link Limits#MAX_INPUTS}; 0 = keep-alive. */
+  /**
+   * Number of inputs that follow, 0..{@link Limits#MAX_INPUTS}. A datagram with 0 inputs is a
+   * keep-alive.
+   */
   public int count;
 
   /**
-   * Packed inputs (48 bits each, {@code Input.pack()}); {@code inputs[i]} is for tick {@code
+   * Packed inputs of 48 bits each ({@code Input.pack()}); {@code inputs[i]} is for tick {@code
    * newestTick - i}.
    */
   public final long[] inputs = new long[Limits.MAX_INPUTS];
@@ -92,7 +102,7 @@ public final class InputDatagram {
   /**
    * Writes this datagram.
    *
-   * @param out at least {@link #MAX_BYTES} from {@code offset} on
+   * @param out has room for {@link #MAX_BYTES} from {@code offset} on
    * @return number of bytes written
    * @throws IllegalArgumentException when {@link #count}, {@link #viewDelay}, {@link #holdTicks} or
    *     {@link #near} is outside its range
@@ -149,9 +159,9 @@ public final class InputDatagram {
   }
 
   /**
-   * Reads a datagram into this object. Never throws on the content.
+   * Reads a datagram into this object. The content never makes it throw.
    *
-   * @return false when the bytes are not exactly one input datagram; this object is then undefined
+   * @return false when the bytes are not exactly one input datagram; the fields are then undefined
    */
   public boolean decode(byte[] bytes, int offset, int length) {
     BitReader r = reader;
@@ -185,7 +195,10 @@ public final class InputDatagram {
     return r.finished();
   }
 
-  /** The key of an encoded datagram without decoding the rest; 0 when shorter than 4 bytes. */
+  /**
+   * Returns the key of an encoded datagram without decoding the rest, or 0 if it is shorter than 4
+   * bytes.
+   */
   public static int peekKey(byte[] bytes, int offset, int length) {
     if (length < 4) {
       return 0;

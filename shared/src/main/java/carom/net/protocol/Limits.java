@@ -1,13 +1,11 @@
 package carom.net.protocol;
 
-/**
- * Every bound of the protocol, in one place. Decoders refuse what is outside, encoders never
- * produce it.
- */
+/** Limits of the protocol. Decoders refuse values outside, and encoders never produce them. */
 public final class Limits {
 
   /**
-   * Largest datagram in bytes, either way. Fits every path's MTU with IP, UDP and tunnel headers.
+   * Largest datagram in bytes, in either direction. With IP, UDP and tunnel headers it fits the MTU
+   * of common paths.
    */
   public static final int MAX_DATAGRAM_BYTES = 1_200;
 
@@ -15,12 +13,12 @@ public final class Limits {
   public static final int MAX_CLIENT_MESSAGE_BYTES = 1_024;
 
   /**
-   * Largest encoded message from the server, in bytes; a full {@link ServerMessage.Roster} is the
+   * Largest encoded message from the server in bytes. A full {@link ServerMessage.Roster} is the
    * largest.
    */
   public static final int MAX_SERVER_MESSAGE_BYTES = 16 * 1_024;
 
-  /** Longest player name in UTF-8 bytes; the shortest is 1. See {@link PlayerName}. */
+  /** Longest player name in UTF-8 bytes, see {@link PlayerName}. The shortest has 1 byte. */
   public static final int MAX_NAME_BYTES = 32;
 
   /**
@@ -34,22 +32,22 @@ public final class Limits {
   /** Longest level name in UTF-8 bytes. */
   public static final int MAX_LEVEL_NAME_BYTES = 128;
 
-  /** Bytes of packed level file in one {@link ServerMessage.LevelChunk}. */
+  /** Largest number of bytes of the packed level file in one {@link ServerMessage.LevelChunk}. */
   public static final int MAX_LEVEL_CHUNK_BYTES = 4_096;
 
-  /** Largest level file in bytes, packed or not: some 40,000 bodies with a line each. */
+  /** Largest level file in bytes, packed or not. It holds some 40,000 bodies with a line each. */
   public static final int MAX_LEVEL_BYTES = 4 * 1_024 * 1_024;
 
-  /** Players in a room; ids are 0..1,023. */
+  /** Largest number of players in a room; ids are 0..1,023. */
   public static final int MAX_PLAYERS = 1_024;
 
-  /** Entries of one {@link ServerMessage.Roster}. */
+  /** Largest number of entries in one {@link ServerMessage.Roster}. */
   public static final int MAX_ROSTER_ENTRIES = 256;
 
-  /** Entity slots in a room; ids are 0..65,534. */
+  /** Largest number of entity slots in a room; ids are 0..65,534. */
   public static final int MAX_ENTITIES = 65_535;
 
-  /** Input frames in one input datagram. */
+  /** Largest number of inputs in one input datagram. */
   public static final int MAX_INPUTS = 16;
 
   /** Slowest tick rate in Hz. */
@@ -59,13 +57,14 @@ public final class Limits {
   public static final int MAX_TICK_RATE = 240;
 
   /**
-   * Input datagrams the server takes from one client per second; two a tick at the fastest rate.
+   * Largest number of input datagrams that the server takes from one client per second, two a tick
+   * at the fastest rate.
    */
   public static final int MAX_INPUT_DATAGRAMS_PER_SECOND = 2 * MAX_TICK_RATE;
 
   /**
-   * Reliable messages the server takes from one client per second, while it loads the level
-   * included.
+   * Largest number of reliable messages that the server takes from one client per second, including
+   * those that load the level.
    */
   public static final int MAX_CLIENT_MESSAGES_PER_SECOND = 2_000;
 

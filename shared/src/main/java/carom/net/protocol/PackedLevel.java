@@ -5,13 +5,16 @@ import java.util.zip.DataFormatException;
 import java.util.zip.Deflater;
 import java.util.zip.Inflater;
 
-/** A level file as it crosses the wire: one zlib stream (RFC 1950). */
+/** Compression of a level file on the wire, as one zlib stream (RFC 1950). */
 public final class PackedLevel {
   private static final int MIN_BUFFER = 1_024;
 
   private PackedLevel() {}
 
-  /** Packs a level file as small as zlib can; some 50 ms per megabyte. Done once by a server. */
+  /**
+   * Packs a level file as small as zlib can, in about 50 ms per megabyte. A server packs each level
+   * once.
+   */
   public static byte[] pack(byte[] level) {
     Deflater deflater = new Deflater(Deflater.BEST_COMPRESSION);
     try {
@@ -32,10 +35,10 @@ public final class PackedLevel {
   }
 
   /**
-   * Unpacks a level file. Trusts nobody: never throws on the content, allocates exactly {@code
-   * size} bytes.
+   * Unpacks a level file from an untrusted peer. The content never makes it throw, and it allocates
+   * exactly {@code size} bytes for the file.
    *
-   * @param size of the level file, 0..{@link Limits#MAX_LEVEL_BYTES}
+   * @param size size of the level file in bytes, 0..{@link Limits#MAX_LEVEL_BYTES}
    * @return the file, or null when the bytes are not exactly one packed file of that size
    */
   public static byte[] unpack(byte[] packed, int size) {
@@ -50,7 +53,7 @@ public final class PackedLevel {
       while (length < size) {
         int more = inflater.inflate(level, length, size - length);
         if (more == 0) {
-          return null; // it ends early, or wants a dictionary
+          return null; // the stream ends early or needs a dictionary
         }
         length += more;
       }

@@ -3,8 +3,8 @@ package carom.net.protocol;
 import carom.net.codec.PlainBits;
 
 /**
- * A player's id on the wire: 1 + 7 bits, or 1 + 10 from 128 on, which only large rooms have, since
- * the lowest free id goes to who comes. Whatever is read is an id.
+ * Codec of a player's id: 1 + 7 bits up to 127, and 1 + 10 bits from 128 on. Only large rooms have
+ * ids from 128 on, because a new player gets the lowest free id. Any bits decode to a valid id.
  */
 public final class PlayerId {
   private static final int SHORT_BITS = 7;

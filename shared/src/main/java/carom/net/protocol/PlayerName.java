@@ -4,33 +4,36 @@ import java.nio.charset.StandardCharsets;
 import java.text.Normalizer;
 import java.util.Locale;
 
-/**
- * The rule for player names: what everybody may be shown on their screens and in the operator's
- * log.
- */
+/** Rule for player names, which appear on the screens of all players and in the operator's log. */
 public final class PlayerName {
 
-  /** Accents and the like that may stand on one character: more would spill over the neighbours. */
+  /**
+   * Largest number of accents and other marks on one character. More would spill over neighbouring
+   * characters.
+   */
   private static final int MAX_MARKS = 3;
 
-  /** Characters that are letters or symbols by class, but leave nothing on the screen. */
+  /**
+   * Characters that Unicode classes as letters or symbols, but that leave nothing on the screen.
+   */
   private static final String BLANKS = "\u034f\u115f\u1160\u17b4\u17b5\u2800\u3164\uffa0";
 
   private PlayerName() {}
 
   /**
-   * A name as it is compared with others: equal for names that look alike but for case, width or
-   * the way an accent is written.
+   * Returns the form of a name that comparisons use. It is equal for names that look alike except
+   * for case, width or the encoding of an accent.
    */
   public static String folded(String name) {
     return Normalizer.normalize(name, Normalizer.Form.NFKC).toLowerCase(Locale.ROOT);
   }
 
   /**
-   * What is wrong with a name, in words for the player, or null when the name is fine. A name is
-   * 1..{@link Limits#MAX_NAME_BYTES} UTF-8 bytes, has no control, format, surrogate, line or blank
-   * characters and no space but the common one, starts with something visible, carries at most
-   * {@value #MAX_MARKS} marks (accents) on a character, and does not end with a space.
+   * Returns what is wrong with a name, in words for the player, or null when the name is valid. A
+   * valid name has 1..{@link Limits#MAX_NAME_BYTES} UTF-8 bytes and starts with something visible.
+   * It has no control, format, surrogate, line or blank characters and no space except U+0020,
+   * which it does not end with. It carries at most {@value #MAX_MARKS} marks (accents) on a
+   * character.
    */
   public static String problem(String name) {
     if (name.isEmpty()) {
@@ -40,7 +43,7 @@ public final class PlayerName {
     if (bytes > Limits.MAX_NAME_BYTES) {
       return "the name has " + bytes + " bytes; at most " + Limits.MAX_NAME_BYTES + " are allowed";
     }
-    int marks = MAX_MARKS; // none may come first
+    int marks = MAX_MARKS; // no mark may come first
     for (int i = 0; i < name.length(); i += Character.charCount(name.codePointAt(i))) {
       int point = name.codePointAt(i);
       if (isHidden(point)) {

@@ -1,8 +1,8 @@
 package carom.net.protocol;
 
 /**
- * Why the server didn't let a client in. The order is part of the protocol; new reasons go to the
- * end.
+ * Reason why the server did not admit a client. The order is part of the protocol, so new reasons
+ * go to the end.
  */
 public enum RefusalReason {
   /** Client and server speak different versions of the protocol. */
@@ -11,11 +11,11 @@ public enum RefusalReason {
   /** Client and server would compute different physics. */
   PHYSICS_VERSION(
       "This game and the server compute physics differently. Use the same release on both.", false),
-  /** No free player slot. */
+  /** The server has no free place for a player. */
   SERVER_FULL("The server is full. Try again in a moment.", true),
   /** The name breaks {@link PlayerName}. */
   NAME_INVALID("The server can't show this name. Choose another one.", false),
-  /** What the client sent was no handshake, or came in the wrong state. */
+  /** The client sent something other than a handshake, or sent it in the wrong state. */
   BAD_REQUEST("The server didn't understand this game. Is it a Carom server?", false),
   /** The same address has too many connections. */
   TOO_MANY_CONNECTIONS("Too many players connect from your address.", true),
@@ -32,12 +32,12 @@ public enum RefusalReason {
     this.retryUseful = retryUseful;
   }
 
-  /** One or two sentences for the player's screen. */
+  /** Returns one or two sentences for the player's screen. */
   public String playerText() {
     return playerText;
   }
 
-  /** Whether it may be over in a moment, so that trying again makes sense. */
+  /** Returns whether the cause may pass in a moment, so that a retry makes sense. */
   public boolean retryUseful() {
     return retryUseful;
   }

@@ -4,25 +4,26 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * What the server sends reliably and in order. Plain data; the sizes are bounded by {@link Limits}.
+ * A message from the server to a client, sent reliably and in order. It is plain data with sizes
+ * bounded by {@link Limits}.
  */
 public sealed interface ServerMessage {
 
   /**
-   * The client is in: everything it needs to load and to predict.
+   * Admits a client and gives it what it needs to load the level and to predict.
    *
-   * @param sessionSecret proves who the client is when it comes back; never 0
-   * @param datagramKey first 32 bits of each input datagram, and the key of the snapshots' check
+   * @param sessionSecret proves the client's identity when it resumes the session; never 0
+   * @param datagramKey first 32 bits of each input datagram, and the key of the snapshots' checksum
    * @param playerId 0..1,023
    * @param tickRate ticks per second, {@link Limits#MIN_TICK_RATE}..{@link Limits#MAX_TICK_RATE}
    * @param tick the server's tick when it sent this
-   * @param seed of the simulation
+   * @param seed seed of the simulation
    * @param game name of the game, for {@code Games.create}
-   * @param levelName file name of the level, for messages
+   * @param levelName file name of the level, for texts only
    * @param levelHash content hash of the level file
    * @param levelSize size of the level file in bytes
-   * @param packedSize size of the {@linkplain PackedLevel packed} level file in bytes, which the
-   *     chunks are of
+   * @param packedSize size of the {@linkplain PackedLevel packed} level file in bytes; the chunks
+   *     are pieces of it
    */
   record Welcome(
       long sessionSecret,
@@ -39,13 +40,13 @@ public sealed interface ServerMessage {
       implements ServerMessage {}
 
   /**
-   * A piece of the packed level file, the answer to a {@link ClientMessage.LevelRequest}.
+   * Carries a piece of the packed level file in answer to a {@link ClientMessage.LevelRequest}.
    *
-   * @param offset of the first byte in the file
+   * @param offset offset of the first byte in the packed file
    * @param bytes 1..{@link Limits#MAX_LEVEL_CHUNK_BYTES}, owned by the message
    */
   @SuppressWarnings(
-      "ArrayRecordComponent") // bulk data that is copied out at once; equality is by content
+      "ArrayRecordComponent") // The receiver copies the bytes at once, and equality is by content.
   record LevelChunk(int offset, byte[] bytes) implements ServerMessage {
     @Override
     public boolean equals(Object other) {
@@ -66,23 +67,24 @@ public sealed interface ServerMessage {
   }
 
   /**
-   * The client is not let in; the link closes.
+   * Refuses a client. The link closes after it.
    *
-   * @param reason for the program
-   * @param text for the player; details beyond {@link RefusalReason#playerText()}, may be empty
+   * @param reason reason for the program
+   * @param text details for the player beyond {@link RefusalReason#playerText()}, may be empty
    */
   record Refused(RefusalReason reason, String text) implements ServerMessage {}
 
   /**
-   * Who plays: what has changed since the one before on the same link, the first one everybody.
+   * Lists the changes of the players. The first roster on a link lists all players; each later one
+   * has what changed after the one before.
    *
-   * @param entries at most {@link Limits#MAX_ROSTER_ENTRIES}, by id; never modified
+   * @param entries at most {@link Limits#MAX_ROSTER_ENTRIES}, ordered by id; never modified
    */
   record Roster(List<RosterEntry> entries) implements ServerMessage {
     /**
-     * Takes the changes over.
+     * Applies the changes to a list of players.
      *
-     * @param players who plays, by id
+     * @param players the current players, ordered by id; this method updates the list
      */
     public void applyTo(List<RosterEntry> players) {
       for (RosterEntry entry : entries) {
@@ -113,37 +115,37 @@ public sealed interface ServerMessage {
    *
    * @param playerId 0..1,023
    * @param name see {@link PlayerName}; empty when the player has gone
-   * @param score as the game counts
+   * @param score the player's score, as the game counts it
    */
   record RosterEntry(int playerId, String name, int score) {
-    /** Whether the place is free now. */
+    /** Returns whether the player has gone and the id is free. */
     public boolean hasGone() {
       return name.isEmpty();
     }
   }
 
   /**
-   * A line for the player's screen.
+   * Shows a line on the player's screen.
    *
    * @param text at most {@link Limits#MAX_TEXT_BYTES} in UTF-8
    */
   record Notice(String text) implements ServerMessage {}
 
   /**
-   * A spectator is in.
+   * Admits a spectator.
    *
-   * @param delaySeconds how far behind the present it is kept, 1..65,535
+   * @param delaySeconds delay of the spectator behind the present, 1..65,535 s
    */
   record Watching(int delaySeconds) implements ServerMessage {}
 
   /**
-   * A piece of a recording, the answer to a {@link ClientMessage.RecordingRequest}.
+   * Carries a piece of a recording in answer to a {@link ClientMessage.RecordingRequest}.
    *
-   * @param offset of the first byte in the recording
-   * @param bytes at most {@link Limits#MAX_LEVEL_CHUNK_BYTES}, owned by the message; none when
-   *     there is nothing behind the offset yet
+   * @param offset offset of the first byte in the recording
+   * @param bytes at most {@link Limits#MAX_LEVEL_CHUNK_BYTES}, owned by the message; empty when the
+   *     recording has nothing past the offset yet
    */
-  @SuppressWarnings("ArrayRecordComponent") // as LevelChunk
+  @SuppressWarnings("ArrayRecordComponent") // see LevelChunk
   record RecordingChunk(long offset, byte[] bytes) implements ServerMessage {
     @Override
     public boolean equals(Object other) {
@@ -164,10 +166,10 @@ public sealed interface ServerMessage {
   }
 
   /**
-   * The session ends; the link closes.
+   * Ends the session. The link closes after it.
    *
-   * @param reason for the program
-   * @param text for the player; details beyond {@link GoodbyeReason#playerText()}, may be empty
+   * @param reason reason for the program
+   * @param text details for the player beyond {@link GoodbyeReason#playerText()}, may be empty
    */
   record Goodbye(GoodbyeReason reason, String text) implements ServerMessage {}
 }

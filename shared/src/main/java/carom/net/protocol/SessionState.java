@@ -1,22 +1,22 @@
 package carom.net.protocol;
 
 /**
- * A session's life, as the server sees it. The legal transitions are those of the table in {@code
- * docs/PROTOCOL.md}; a test holds the two against each other.
+ * State of a session as the server sees it. The table in {@code docs/PROTOCOL.md} lists the legal
+ * transitions; a test compares the two.
  */
 public enum SessionState {
   /** The link is open; the server waits for {@code Hello}. */
   CONNECTED,
-  /** {@code Welcome} was sent; the client fetches the level. */
+  /** The server has sent {@code Welcome}; the client fetches the level. */
   LOADING,
-  /** The client said {@code Ready}: it has a body, sends inputs, receives snapshots. */
+  /** The client has sent {@code Ready}. It has a body, sends inputs and receives snapshots. */
   PLAYING,
-  /** The link was lost; body and session secret are kept for the grace period. */
+  /** The link is lost. The server keeps the body and the session secret for the grace period. */
   GRACE,
-  /** The end. */
+  /** The session has ended. */
   CLOSED;
 
-  /** Whether {@code next} may follow this state directly. */
+  /** Returns whether {@code next} may directly follow this state. */
   public boolean canBecome(SessionState next) {
     return switch (this) {
       case CONNECTED -> next == LOADING || next == CLOSED;
@@ -28,10 +28,10 @@ public enum SessionState {
   }
 
   /**
-   * Returns {@code next} when it may follow.
+   * Returns {@code next} if it may follow this state.
    *
-   * @throws IllegalStateException when it may not; a bug of the caller, never something a client
-   *     can cause
+   * @throws IllegalStateException when it may not follow; this is a bug of the caller, which no
+   *     client can cause
    */
   public SessionState become(SessionState next) {
     if (!canBecome(next)) {

@@ -1,8 +1,9 @@
 /**
- * What client and server say to each other, as plain data: messages, limits, versions, reasons,
- * session states, and the input datagram.
+ * Messages between client and server as plain data, with limits, versions, reasons, session states
+ * and the input datagram.
  *
- * <p>Imports {@code carom.net.codec} and the JDK only. The bytes are in {@code docs/PROTOCOL.md}.
+ * <p>Imports {@code carom.net.codec} and the JDK only. {@code docs/PROTOCOL.md} describes the
+ * bytes.
  *
  * <p>Read first: {@link carom.net.protocol.ServerMessage}, {@link
  * carom.net.protocol.ClientMessage}, {@link carom.net.protocol.Limits}.

@@ -1,8 +1,8 @@
 package carom.net.transport;
 
 /**
- * One message for many links: {@link Link#send} it to each, and it is encoded once. Any thread; the
- * message must not change.
+ * A message for many links, which is encoded once. {@link Link#send} it to each link. Any thread
+ * may use it; the wrapped message must not change.
  */
 public final class Broadcast {
   private final Object message;
@@ -12,13 +12,16 @@ public final class Broadcast {
   /**
    * Wraps a message.
    *
-   * @param message one that the links' codec knows
+   * @param message a message that the links' codec knows
    */
   public Broadcast(Object message) {
     this.message = message;
   }
 
-  /** The bytes of a message or of a broadcast's message; not to be changed. */
+  /**
+   * Returns the bytes of a message, or of the message inside a broadcast. The caller must not
+   * change them.
+   */
   public static byte[] encode(MessageCodec codec, Object message) {
     return message instanceof Broadcast broadcast
         ? broadcast.encodedBy(codec)

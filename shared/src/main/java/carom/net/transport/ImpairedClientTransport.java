@@ -3,21 +3,21 @@ package carom.net.transport;
 import java.util.function.LongSupplier;
 
 /**
- * A bad network in front of a client's transport. Each link gets a seed of its own, derived from
- * the first, in the order of connecting: equal seeds, order and traffic give each datagram the same
- * fate. Among threads that connect at once the order is up to chance.
+ * Client transport that simulates a bad network. Each link gets its own seed, derived from the
+ * configured one in the order of connecting. Equal seeds, order and traffic give each datagram the
+ * same fate. If several threads connect at once, the order is up to chance.
  */
 public final class ImpairedClientTransport implements ClientTransport {
   private final ClientTransport inner;
   private final LinkImpairer impairer;
 
   /**
-   * Wraps a transport.
+   * Wraps a transport in a bad network.
    *
-   * @param inner opens the real links; closed with this
+   * @param inner opens the real links; closing this transport closes it
    * @param impairment for both directions of each link
-   * @param codec tells how many bytes a message takes on a line with a bandwidth
-   * @param nowNs the clock the links are polled by
+   * @param codec gives the size of a message, which counts on a line with limited bandwidth
+   * @param nowNs clock in nanoseconds, the one the links are polled by
    */
   public ImpairedClientTransport(
       ClientTransport inner, Impairment impairment, MessageCodec codec, LongSupplier nowNs) {

@@ -5,13 +5,12 @@ import java.util.function.LongSupplier;
 import java.util.function.ToIntFunction;
 
 /**
- * A bad network around any link, in both directions, in the time of a clock it is given: wrap the
- * client's link and leave the server's alone. Delayed traffic moves on when {@link #poll}, {@link
- * #send} or {@link #sendDatagram} is called. Reliable messages are delayed, never lost or
- * reordered. One thread.
+ * Link that simulates a bad network in both directions, in the time of a given clock. Wrap the
+ * client's link and leave the server's as it is. Delayed traffic moves when {@link #poll}, {@link
+ * #send} or {@link #sendDatagram} is called. Reliable messages are delayed, but never lost or
+ * reordered. Use it from one thread.
  *
- * <p>{@link #close} doesn't wait: messages that were still on their way out are sent at once,
- * datagrams are forgotten.
+ * <p>{@link #close} doesn't wait: it sends delayed messages at once and drops delayed datagrams.
  */
 public final class ImpairedLink implements Link {
 
@@ -21,8 +20,8 @@ public final class ImpairedLink implements Link {
   private final LongSupplier nowNs;
   private final ToIntFunction<Object> messageBytes;
   private final LinkCounters counters = new LinkCounters();
-  private final Lane out;
-  private final Lane in;
+  private final ImpairedDirection out;
+  private final ImpairedDirection in;
   private boolean opened;
   private boolean closedHere;
   private boolean innerClosed;
@@ -51,29 +50,29 @@ public final class ImpairedLink implements Link {
       };
 
   /**
-   * Wraps a link.
+   * Wraps a link, with the same impairment in both directions. Messages take no bandwidth.
    *
-   * @param link the real one; owned by this from now on
-   * @param impairment for both directions, each with random numbers of its own
-   * @param nowNs the clock, nanoseconds; virtual or {@code System::nanoTime}
+   * @param link the real link; this object owns it from now on
+   * @param impairment impairment of both directions, each with its own random numbers
+   * @param nowNs clock in nanoseconds; virtual or {@code System::nanoTime}
    */
   public ImpairedLink(Link link, Impairment impairment, LongSupplier nowNs) {
     this(link, impairment, impairment, nowNs);
   }
 
-  /** Wraps a link; messages weigh nothing on a line with a bandwidth. */
+  /** Wraps a link, with an impairment for each direction. Messages take no bandwidth. */
   public ImpairedLink(Link link, Impairment outgoing, Impairment incoming, LongSupplier nowNs) {
     this(link, outgoing, incoming, nowNs, message -> 0);
   }
 
   /**
-   * Wraps a link.
+   * Wraps a link, with an impairment for each direction and a size for messages.
    *
-   * @param link the real one; owned by this from now on
-   * @param outgoing for what is sent
-   * @param incoming for what is received
-   * @param nowNs the clock, nanoseconds; virtual or {@code System::nanoTime}
-   * @param messageBytes how many bytes a message weighs on a line with a bandwidth
+   * @param link the real link; this object owns it from now on
+   * @param outgoing impairment of what this end sends
+   * @param incoming impairment of what this end receives
+   * @param nowNs clock in nanoseconds; virtual or {@code System::nanoTime}
+   * @param messageBytes size of a message in bytes, which counts on a line with limited bandwidth
    */
   public ImpairedLink(
       Link link,
@@ -84,14 +83,14 @@ public final class ImpairedLink implements Link {
     this.link = link;
     this.nowNs = nowNs;
     this.messageBytes = messageBytes;
-    out = new Lane(outgoing, 0);
-    in = new Lane(incoming, 1);
+    out = new ImpairedDirection(outgoing, 0);
+    in = new ImpairedDirection(incoming, 1);
     opened = link.state() == State.OPEN;
   }
 
   /**
-   * Changes the impairment of both directions from now on; what is on its way keeps its fate. The
-   * seeds don't start again.
+   * Changes the impairment of both directions from now on. Traffic in flight keeps its fate, and
+   * the random sequences continue.
    */
   public void impair(Impairment outgoing, Impairment incoming) {
     out.impair(outgoing);
@@ -99,8 +98,8 @@ public final class ImpairedLink implements Link {
   }
 
   /**
-   * What is to be seen from here: the other side's close takes its time like all it sent before, so
-   * a link that was open stays so until {@link #poll} has told of its end.
+   * Returns the state as this end sees it. The peer's close takes as long to arrive as the traffic
+   * before it. So a link that was open stays open until {@link #poll} has reported the close.
    */
   @Override
   public State state() {
@@ -148,7 +147,7 @@ public final class ImpairedLink implements Link {
     }
     int count = 0;
     while (count < max) {
-      Lane.Item item = in.takeDue(now);
+      ImpairedDirection.Item item = in.takeDue(now);
       if (item == null) {
         break;
       }
@@ -178,12 +177,12 @@ public final class ImpairedLink implements Link {
   }
 
   private void flush(long now) {
-    for (Lane.Item item; (item = out.takeDue(now)) != null; out.recycle(item)) {
+    for (ImpairedDirection.Item item; (item = out.takeDue(now)) != null; out.recycle(item)) {
       pass(item);
     }
   }
 
-  private void pass(Lane.Item item) {
+  private void pass(ImpairedDirection.Item item) {
     if (item.message != null) {
       link.send(item.message);
     } else {
@@ -194,7 +193,7 @@ public final class ImpairedLink implements Link {
   @Override
   public void close(String reason) {
     closedHere = true;
-    for (Lane.Item item; (item = out.takeMessage()) != null; ) {
+    for (ImpairedDirection.Item item; (item = out.takeMessage()) != null; ) {
       link.send(item.message);
     }
     out.clear();
@@ -212,8 +211,9 @@ public final class ImpairedLink implements Link {
   }
 
   /**
-   * Counters at this end of the bad network: out = handed to it, in = come out of it, dropped =
-   * lost in it, both directions. Bytes of messages are not known here and stay 0.
+   * Returns the counters at this end of the bad network. "Out" counts what was handed to it, "in"
+   * what came out of it, and "dropped" what it lost in both directions. The bytes of messages are
+   * not known here and stay 0.
    */
   @Override
   public LinkCounters counters() {

@@ -3,20 +3,20 @@ package carom.net.transport;
 import java.util.function.LongSupplier;
 
 /**
- * A bad network in front of a server's transport: what clients experience without any flag of their
- * own. Each link gets a seed of its own, derived from the first, in the order of arrival.
+ * Server transport that simulates a bad network, so that clients experience it without a flag of
+ * their own. Each link gets its own seed, derived from the configured one in the order of arrival.
  */
 public final class ImpairedServerTransport implements ServerTransport {
   private final ServerTransport inner;
   private final LinkImpairer impairer;
 
   /**
-   * Wraps a transport.
+   * Wraps a transport in a bad network.
    *
-   * @param inner accepts the real links; closed with this
+   * @param inner accepts the real links; closing this transport closes it
    * @param impairment for both directions of each link
-   * @param codec tells how many bytes a message takes on a line with a bandwidth
-   * @param nowNs the clock the links are polled by
+   * @param codec gives the size of a message, which counts on a line with limited bandwidth
+   * @param nowNs clock in nanoseconds, the one the links are polled by
    */
   public ImpairedServerTransport(
       ServerTransport inner, Impairment impairment, MessageCodec codec, LongSupplier nowNs) {

@@ -3,24 +3,24 @@ package carom.net.transport;
 import carom.values.Records;
 
 /**
- * How bad a network is, per direction. Immutable; start from {@link #NONE}, as in {@code
- * Impairment.NONE.withLoss(2).withLatency(50, 10)}.
+ * Quality of a simulated network in one direction. It is immutable; start from {@link #NONE}, as in
+ * {@code Impairment.NONE.withLoss(2).withLatency(50, 10)}.
  *
- * @param seed start of the random numbers; the same seed, traffic and clock give the same fate for
- *     each datagram
+ * @param seed start of the random numbers; equal seed, traffic and clock give each datagram the
+ *     same fate
  * @param lossPercent share of datagrams that never arrive, 0..100
- * @param burst mean number of datagrams lost in a row, 1..10,000; 1 = each on its own
+ * @param burst mean number of datagrams lost in a row, 1..10,000; 1 loses each one independently
  * @param latencyMs one-way delay, 0..60,000 ms
- * @param jitterMs the one-way delay varies evenly by plus or minus this, 0..60,000 ms; it is never
- *     below zero
- * @param jitterReorders whether jitter may let a datagram overtake another; reliable messages never
+ * @param jitterMs largest deviation of the one-way delay, uniformly distributed, 0..60,000 ms; the
+ *     delay is never below zero
+ * @param jitterReorders true if jitter may let a datagram overtake another; reliable messages never
  *     overtake
- * @param reorderPercent share of datagrams that are held back by twice the jitter, at least 25 ms,
- *     so that later ones overtake them, 0..100
+ * @param reorderPercent share of datagrams held back by twice the jitter, at least 25 ms, so that
+ *     later ones overtake them, 0..100
  * @param duplicatePercent share of datagrams that arrive twice, 0..100
- * @param bandwidthKbit bandwidth of the line, 1..1,000,000 kbit/s, headers included; 0 = any.
- *     Faster traffic waits in front of the line, and a datagram that would wait longer than {@value
- *     Lane#MAX_QUEUE_MS} ms is lost
+ * @param bandwidthKbit bandwidth of the line, 1..1,000,000 kbit/s, headers included; 0 is
+ *     unlimited. Excess traffic queues in front of the line, and a datagram that would wait longer
+ *     than {@value ImpairedDirection#MAX_QUEUE_MS} ms is lost
  */
 public record Impairment(
     long seed,
@@ -36,7 +36,8 @@ public record Impairment(
   /**
    * Checks the ranges.
    *
-   * @throws IllegalArgumentException names value and range
+   * @throws IllegalArgumentException when a value is outside its range; the message names value and
+   *     range
    */
   public Impairment {
     check("lossPercent", lossPercent, 0, 100);
@@ -50,7 +51,7 @@ public record Impairment(
     }
   }
 
-  /** A perfect network. */
+  /** Impairment of a perfect network. */
   public static final Impairment NONE =
       new Impairment(
           /* seed= */ 1,
@@ -63,17 +64,17 @@ public record Impairment(
           /* duplicatePercent= */ 0,
           /* bandwidthKbit= */ 0);
 
-  /** Returns a copy with this seed. */
+  /** Returns a copy with another seed. */
   public Impairment withSeed(long seed) {
     return Records.with(this, "seed", seed);
   }
 
-  /** Returns a copy that loses single datagrams. */
+  /** Returns a copy that loses datagrams independently of each other. */
   public Impairment withLoss(double lossPercent) {
     return withBursts(lossPercent, 1);
   }
 
-  /** Returns a copy that loses datagrams in bursts of {@code burst} on average. */
+  /** Returns a copy that loses datagrams in bursts of {@code burst} datagrams on average. */
   public Impairment withBursts(double lossPercent, double burst) {
     return Records.with(this, "lossPercent", lossPercent, "burst", burst);
   }
@@ -83,7 +84,7 @@ public record Impairment(
     return Records.with(this, "latencyMs", latencyMs, "jitterMs", jitterMs);
   }
 
-  /** Returns a copy in which jitter may let a datagram overtake another, or not. */
+  /** Returns a copy in which jitter may, or may not, let a datagram overtake another. */
   public Impairment withJitterReorders(boolean jitterReorders) {
     return Records.with(this, "jitterReorders", jitterReorders);
   }
@@ -94,7 +95,7 @@ public record Impairment(
         this, "reorderPercent", reorderPercent, "duplicatePercent", duplicatePercent);
   }
 
-  /** Returns a copy over a line of this bandwidth, kbit/s; 0 = any. */
+  /** Returns a copy with a line of this bandwidth, kbit/s; 0 is unlimited. */
   public Impairment withBandwidth(double bandwidthKbit) {
     return Records.with(this, "bandwidthKbit", bandwidthKbit);
   }

@@ -3,13 +3,16 @@ package carom.net.transport;
 import carom.net.protocol.Limits;
 import java.util.ArrayDeque;
 
-/** One end of an in-process connection. Both ends share one lock; handlers run outside it. */
+/** One end of an in-process connection. Both ends share one lock; handlers run outside the lock. */
 final class InProcessLink implements Link {
 
-  /** Datagrams that may wait in an inbox; the next one is dropped, as a full socket buffer does. */
+  /**
+   * Largest number of datagrams waiting in an inbox. A further one is dropped, as by a full socket
+   * buffer.
+   */
   static final int MAX_DATAGRAMS = 1_024;
 
-  /** Bytes of messages that may wait in an inbox; more closes the link. */
+  /** Largest number of message bytes waiting in an inbox. A message beyond it closes the link. */
   static final int MAX_MESSAGE_BYTES = 4 * 1_024 * 1_024;
 
   private static final class Item {
@@ -43,7 +46,7 @@ final class InProcessLink implements Link {
     this.remote = remote;
   }
 
-  /** Makes two links the ends of one connection; both were created with the same lock. */
+  /** Joins two links to one connection. Both must have been created with the same lock. */
   static void join(InProcessLink a, InProcessLink b) {
     a.peer = b;
     b.peer = a;

@@ -5,13 +5,16 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A network inside one process: links between its server and client side, bounded inboxes, real
- * bytes through a {@link MessageCodec}. Nothing is lost except by a full inbox, nothing takes time;
- * wrap links in {@link ImpairedLink} for that. Safe with the two sides on two threads; needs none.
+ * A network inside one process: links between a server side and a client side, with bounded inboxes
+ * and real bytes through a {@link MessageCodec}. Only a full inbox loses data, and nothing takes
+ * time; wrap links in {@link ImpairedLink} for a worse network. The two sides may run on two
+ * threads, but needn't.
  */
 public final class InProcessNetwork {
 
-  /** Links that may wait for {@link ServerTransport#accept}; the next one is refused. */
+  /**
+   * Largest number of links waiting for {@link ServerTransport#accept}. A further one is refused.
+   */
   public static final int MAX_WAITING_LINKS = 1_024;
 
   private final MessageCodec codec;
@@ -63,20 +66,20 @@ public final class InProcessNetwork {
         }
       };
 
-  /** Creates a network whose messages go through {@code codec}. */
+  /** Creates a network whose messages are encoded by {@code codec}. */
   public InProcessNetwork(MessageCodec codec) {
     this.codec = codec;
   }
 
-  /** The server's side; the same object at each call. Its ports are 0. */
+  /** Returns the server side, the same object at each call. Its ports are 0. */
   public ServerTransport server() {
     return server;
   }
 
   /**
-   * The client's side; host and ports are ignored. Links are {@code OPEN} at once, or {@code
-   * CLOSED} when the server side is closed. Closing it closes all links, and new ones may be opened
-   * afterwards.
+   * Returns the client side, which ignores host and ports. Its links are {@code OPEN} at once, or
+   * {@code CLOSED} if the server side is closed or has too many waiting links. Closing the client
+   * side closes all links; it may open new ones afterwards.
    */
   public ClientTransport client() {
     return client;

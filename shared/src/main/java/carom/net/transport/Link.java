@@ -2,78 +2,78 @@ package carom.net.transport;
 
 /**
  * One end of a connection: a reliable, ordered stream of messages and a stream of datagrams that
- * may get lost, doubled and reordered. Nothing here throws because of what the peer does.
+ * may be lost, duplicated or reordered. Nothing that the peer does makes these methods throw.
  *
- * <p>Sending is allowed from any thread. {@link #poll} belongs to the owner's thread; what arrives
- * waits in a bounded inbox until then, and what doesn't fit is dropped (datagrams) or closes the
- * link (messages).
+ * <p>Any thread may send. Only the owner's thread may call {@link #poll}. Until then, arrivals wait
+ * in a bounded inbox; overflow drops a datagram and closes the link for a message.
  */
 public interface Link {
 
-  /** A link's life; it only moves down this list. */
+  /** State of a link. It only moves down this list. */
   enum State {
-    /** Not yet usable: sends are refused. */
+    /** The link isn't usable yet and refuses to send. */
     CONNECTING,
-    /** Usable. */
+    /** The link is usable. */
     OPEN,
-    /** Over; what arrived before can still be polled. */
+    /** The link is closed. What arrived before can still be polled. */
     CLOSED
   }
 
-  /** The present state; may change at any time by another thread. */
+  /** Returns the present state, which another thread may change at any time. */
   State state();
 
   /**
    * Sends a message reliably and in order.
    *
-   * @param message one that the transport's codec knows, or a {@link Broadcast} of one
-   * @return false when the link is not open, or the peer doesn't take its messages (the link is
-   *     then closed)
-   * @throws IllegalArgumentException when the codec can't encode the message: a bug of the caller
+   * @param message a message that the transport's codec knows, or a {@link Broadcast} of one
+   * @return false when the link is not open, or when it closes now because the peer doesn't take
+   *     its messages
+   * @throws IllegalArgumentException when the codec can't encode the message, which is a bug of the
+   *     caller
    */
   boolean send(Object message);
 
   /**
-   * Sends a datagram; it may never arrive. The bytes are copied before this returns.
+   * Sends a datagram, which may never arrive. The bytes are copied before this returns.
    *
-   * @param length 1..1,200
-   * @return false when the link is not open or the datagram was dropped right here
+   * @param length 1..{@link carom.net.protocol.Limits#MAX_DATAGRAM_BYTES}
+   * @return false when the link is not open or this end dropped the datagram
    * @throws IllegalArgumentException when the length is outside the range
    */
   boolean sendDatagram(byte[] bytes, int offset, int length);
 
   /**
-   * Hands what has arrived to a handler, in order of arrival, on the calling thread. After the link
-   * has closed and its inbox is empty, {@link LinkHandler#closed} is called exactly once.
+   * Passes arrivals to a handler, in order of arrival, on the calling thread. When the link has
+   * closed and its inbox is empty, it calls {@link LinkHandler#closed} exactly once.
    *
-   * @param max most messages and datagrams to hand over in this call
-   * @return how many were handed over
+   * @param max largest number of messages and datagrams to pass in this call
+   * @return how many were passed
    */
   int poll(LinkHandler handler, int max);
 
   /**
-   * How long the datagram that is being handed over waited for {@link #poll}, nanoseconds, so that
-   * a handler knows when it arrived. Only within {@link LinkHandler#datagram}; 0 where it isn't
-   * measured.
+   * Returns how long the current datagram waited for {@link #poll} in nanoseconds, so that a
+   * handler knows when it arrived. It is valid only within {@link LinkHandler#datagram}, and 0
+   * where it isn't measured.
    */
   default long waitedNs() {
     return 0;
   }
 
   /**
-   * Closes the link; messages sent before are still delivered if the transport can. Closing twice
+   * Closes the link. Messages sent before are still delivered if the transport can. A second call
    * does nothing.
    *
-   * @param reason for logs, kept as {@link #closeReason} on this side
+   * @param reason reason for logs, which {@link #closeReason} returns on this side
    */
   void close(String reason);
 
-  /** The peer, for logs: address and port, or a name. */
+  /** Returns the peer's address and port, or its name, for logs. */
   String remote();
 
-  /** Why the link closed, or an empty string while it hasn't. */
+  /** Returns why the link closed, or an empty string while it is open. */
   String closeReason();
 
-  /** This link's live counters. */
+  /** Returns the live counters of this link. */
   LinkCounters counters();
 }

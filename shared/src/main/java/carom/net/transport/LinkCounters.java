@@ -2,37 +2,37 @@ package carom.net.transport;
 
 import java.util.concurrent.atomic.AtomicLong;
 
-/** What went through a link. Safe from any thread; each value only grows. */
+/** Traffic counters of a link. Any thread may read them; each value only grows. */
 public final class LinkCounters {
 
-  /** Datagrams sent. */
+  /** Number of datagrams sent. */
   public final AtomicLong datagramsOut = new AtomicLong();
 
-  /** Datagrams handed to the handler. */
+  /** Number of datagrams passed to the handler. */
   public final AtomicLong datagramsIn = new AtomicLong();
 
-  /** Payload bytes of datagrams sent. */
+  /** Number of payload bytes in datagrams sent. */
   public final AtomicLong datagramBytesOut = new AtomicLong();
 
-  /** Payload bytes of datagrams received. */
+  /** Number of payload bytes in datagrams received. */
   public final AtomicLong datagramBytesIn = new AtomicLong();
 
-  /** Messages sent. */
+  /** Number of messages sent. */
   public final AtomicLong messagesOut = new AtomicLong();
 
-  /** Messages received. */
+  /** Number of messages received. */
   public final AtomicLong messagesIn = new AtomicLong();
 
-  /** Payload bytes of messages sent. */
+  /** Number of payload bytes in messages sent. */
   public final AtomicLong messageBytesOut = new AtomicLong();
 
-  /** Payload bytes of messages received. */
+  /** Number of payload bytes in messages received. */
   public final AtomicLong messageBytesIn = new AtomicLong();
 
-  /** Datagrams dropped on this side: inbox full, or refused by the system. */
+  /** Number of datagrams dropped on this side, by a full inbox or by the operating system. */
   public final AtomicLong datagramsDropped = new AtomicLong();
 
-  /** Messages that could not be decoded. */
+  /** Number of messages that could not be decoded. */
   public final AtomicLong malformed = new AtomicLong();
 
   /** Creates counters at zero. */

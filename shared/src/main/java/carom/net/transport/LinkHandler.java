@@ -1,14 +1,14 @@
 package carom.net.transport;
 
-/** Takes what a {@link Link} received, on the thread that polls. */
+/** Receiver of what arrives on a {@link Link}. It runs on the thread that polls. */
 public interface LinkHandler {
 
-  /** A message arrived; the handler owns it. */
+  /** Takes a message, which the handler then owns. */
   void message(Link link, Object message);
 
-  /** A datagram arrived; the bytes from 0 on are the handler's only during the call. */
+  /** Takes a datagram. The first {@code length} bytes are valid only during the call. */
   void datagram(Link link, byte[] bytes, int length);
 
-  /** The link is closed and nothing more will come; called once. */
+  /** Learns that the link has closed and nothing more will come. The link calls this once. */
   void closed(Link link, String reason);
 }

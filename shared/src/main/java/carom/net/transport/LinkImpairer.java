@@ -4,8 +4,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongSupplier;
 
 /**
- * Puts the same bad network around one link after the other, each with random numbers of its own.
- * Any thread.
+ * Factory that wraps links in the same bad network, each with its own random numbers. Any thread
+ * may use it.
  */
 final class LinkImpairer {
   private final Impairment impairment;
@@ -25,7 +25,10 @@ final class LinkImpairer {
         link, impairment.withSeed(seed), impairment.withSeed(seed + 1), nowNs, this::messageBytes);
   }
 
-  /** Encoding a message once more is only worth it where bytes matter. */
+  /**
+   * Returns the size of a message, or 0 without a bandwidth limit, where the extra encoding isn't
+   * worth its cost.
+   */
   private int messageBytes(Object message) {
     return impairment.bandwidthKbit() == 0 ? 0 : Broadcast.encode(codec, message).length;
   }

@@ -1,34 +1,34 @@
 package carom.net.transport;
 
-/** The server's side of a transport. */
+/** Server side of a transport. */
 public interface ServerTransport extends AutoCloseable {
 
-  /** The next link that has opened, or null when there is none now. Never blocks. */
+  /** Returns the next link that has opened, or null if there is none. It never blocks. */
   Link accept();
 
-  /** The TCP port it listens on, 0 when there is none. */
+  /** Returns the TCP port that the transport listens on, or 0 if there is none. */
   int tcpPort();
 
-  /** The UDP port it listens on, 0 when there is none. */
+  /** Returns the UDP port that the transport listens on, or 0 if there is none. */
   int udpPort();
 
   /**
-   * What it turned away, threw out and failed at since it was opened, in a few words for an
-   * operator; empty when there was nothing. Any thread.
+   * Returns a short summary for the operator of refused and closed connections and of failures
+   * since the transport opened. It is empty if there were none. Any thread may call it.
    */
   default String troubles() {
     return "";
   }
 
   /**
-   * An unexpected error that the transport survived and that nobody was told of yet, or null: the
-   * 1st, 10th, 100th and so on. Each is a bug. One thread.
+   * Returns an unexpected error that the transport survived and has not reported, or null. It
+   * reports the 1st, 10th, 100th and so on; each is a bug. One thread may call it.
    */
   default Throwable nextError() {
     return null;
   }
 
-  /** Stops listening and closes all links. Closing twice does nothing. */
+  /** Stops listening and closes all links. A second call does nothing. */
   @Override
   void close();
 }

@@ -1,8 +1,8 @@
 package carom.net.transport;
 
 /**
- * The splitmix64 generator (Steele, Lea and Flood, 2014): the same numbers for a seed on every
- * machine, for ever.
+ * Random number generator splitmix64 (Steele, Lea and Flood, 2014). A seed gives the same numbers
+ * on every machine and in every version.
  */
 final class SplitMix {
 
@@ -20,7 +20,7 @@ final class SplitMix {
     return z ^ (z >>> 31);
   }
 
-  /** Evenly in 0 (inclusive) .. 1 (exclusive). */
+  /** Returns a uniformly distributed number in 0 (inclusive) .. 1 (exclusive). */
   double unit() {
     return (next() >>> 11) * 0x1.0p-53;
   }

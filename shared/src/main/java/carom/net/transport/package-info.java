@@ -1,7 +1,7 @@
 /**
- * Links: how bytes and messages get from here to there, without saying by what. Two links stand
- * here: the in-process one and the seeded impaired one, so that every scenario runs without sockets
- * in virtual time; {@code carom.net.kryo} has the real one.
+ * Links that carry messages and datagrams, independent of the medium. This package has the
+ * in-process link and the seeded impaired one, so that every scenario runs without sockets in
+ * virtual time. {@code carom.net.kryo} has the link over sockets.
  *
  * <p>Imports {@code carom.net.protocol} and the JDK only.
  *

@@ -1,114 +1,114 @@
 package carom.physics.archive;
 
 /**
- * What a state's numbers pass through, to be written or read: the same lines describe both, so that
- * they can't disagree. A writer gives every number back as it is; a reader gives the one that was
- * written, or refuses it, and then what was filled so far means nothing.
+ * Two-way channel for the numbers of a state. The same code describes writing and reading, so the
+ * two can't disagree. A writer returns every number as given. A reader returns the number that was
+ * written, or refuses it; the object filled so far is then unusable.
  *
- * <p>Scalars take 4 bytes, {@link #bits} 8, columns what their elements need; big-endian. Limits
- * are checked in both directions, so nothing can be written that could not be read.
+ * <p>Scalars take 4 bytes, {@link #bits} 8, and columns the size of their elements, all big-endian.
+ * Both directions check the limits, so nothing can be written that can't be read.
  */
 public abstract class Archive {
   Archive() {}
 
   /**
-   * Whether numbers come from the archive.
+   * Returns whether this archive reads.
    *
-   * @return false if they go to it
+   * @return false if it writes
    */
   public abstract boolean reads();
 
   /**
-   * A whole number.
+   * Passes a whole number.
    *
-   * @param what its name, for messages
+   * @param what name of the number, for messages
    * @param value ignored when reading
    * @param least smallest allowed
    * @param most largest allowed
    * @return the number
-   * @throws ArchiveException if it is outside
+   * @throws ArchiveException if the number is outside its range
    */
   public abstract int integer(String what, int value, int least, int most);
 
   /**
-   * 64 bits that may be anything.
+   * Passes 64 bits of any value.
    *
-   * @param what their name, for messages
+   * @param what name of the bits, for messages
    * @param value ignored when reading
    * @return the bits
    */
   public abstract long bits(String what, long value);
 
   /**
-   * A number.
+   * Passes a floating-point number.
    *
-   * @param what its name, for messages
+   * @param what name of the number, for messages
    * @param value ignored when reading
    * @param least smallest allowed
    * @param most largest allowed
    * @return the number, bit for bit, never NaN
-   * @throws ArchiveException if it is outside
+   * @throws ArchiveException if the number is outside its range
    */
   public abstract float number(String what, float value, float least, float most);
 
   /**
-   * How many of something follow. A reader refuses more than it has bytes for, so that what is
-   * allocated for them is bounded by what was read.
+   * Passes the count of the elements that follow. A reader refuses more elements than the remaining
+   * bytes can hold, so the input bounds what is allocated for them.
    *
-   * @param what their name, for messages
+   * @param what name of the elements, for messages
    * @param value ignored when reading
    * @param most largest allowed
-   * @param bytesEach how many bytes each takes at least
+   * @param bytesEach smallest size of an element in bytes
    * @return the number
-   * @throws ArchiveException if it is negative or too large
+   * @throws ArchiveException if the count is negative or too large
    */
   public abstract int count(String what, int value, int most, int bytesEach);
 
   /**
-   * A column of bytes.
+   * Passes a column of bytes.
    *
-   * @param what its name, for messages
+   * @param what name of the column, for messages
    * @param values written from or read into
-   * @param count how many
+   * @param count number of elements
    * @param least smallest allowed
    * @param most largest allowed
    */
   public abstract void bytes(String what, byte[] values, int count, int least, int most);
 
   /**
-   * A column of whole numbers.
+   * Passes a column of whole numbers.
    *
-   * @param what its name, for messages
+   * @param what name of the column, for messages
    * @param values written from or read into
-   * @param count how many
+   * @param count number of elements
    * @param least smallest allowed
    * @param most largest allowed
    */
   public abstract void integers(String what, int[] values, int count, int least, int most);
 
   /**
-   * A column of 64 bits each.
+   * Passes a column of 64-bit elements.
    *
-   * @param what its name, for messages
+   * @param what name of the column, for messages
    * @param values written from or read into
-   * @param count how many
+   * @param count number of elements
    */
   public abstract void bits(String what, long[] values, int count);
 
   /**
-   * A column of numbers.
+   * Passes a column of floating-point numbers.
    *
-   * @param what its name, for messages
+   * @param what name of the column, for messages
    * @param values written from or read into, bit for bit
-   * @param count how many
-   * @param most largest magnitude allowed; NaN never is
+   * @param count number of elements
+   * @param most largest magnitude allowed; NaN is never allowed
    */
   public abstract void numbers(String what, float[] values, int count, float most);
 
   /**
-   * A flag.
+   * Passes a flag.
    *
-   * @param what its name, for messages
+   * @param what name of the flag, for messages
    * @param value ignored when reading
    * @return the flag
    */
@@ -117,11 +117,11 @@ public abstract class Archive {
   }
 
   /**
-   * A text, 2 bytes a character.
+   * Passes a text, with 4 bytes for each character.
    *
-   * @param what its name, for messages
+   * @param what name of the text, for messages
    * @param value ignored when reading
-   * @param most longest allowed, characters
+   * @param most largest number of characters allowed
    * @return the text
    */
   public final String text(String what, String value, int most) {
@@ -134,11 +134,11 @@ public abstract class Archive {
   }
 
   /**
-   * Requires something of what was read; when writing, that is so.
+   * Checks a condition on what was read. When writing, the condition always holds.
    *
-   * @param holds whether it is so
-   * @param what what is wrong otherwise
-   * @throws ArchiveException if it isn't so
+   * @param holds true if the condition holds
+   * @param what what is wrong if it doesn't
+   * @throws ArchiveException if the condition doesn't hold
    */
   public final void require(boolean holds, String what) {
     if (!holds) {
@@ -146,7 +146,7 @@ public abstract class Archive {
     }
   }
 
-  /** The exception to throw, with the place. */
+  /** Returns an exception that says what is wrong and where. */
   abstract ArchiveException refused(String what);
 
   final ArchiveException outside(String what, Object value, Object least, Object most) {

@@ -1,11 +1,11 @@
 package carom.physics.archive;
 
-/** Bytes that are no state: what is wrong with them, and at which byte. */
+/** Failure to read bytes as a state. The message says what is wrong, and at which byte. */
 public final class ArchiveException extends IllegalArgumentException {
   private static final long serialVersionUID = 1;
 
   /**
-   * Makes one.
+   * Creates an exception.
    *
    * @param message what is wrong
    */

@@ -1,8 +1,8 @@
 package carom.physics.archive;
 
 /**
- * Gives the numbers that an {@link ArchiveWriter} took. Trusts nothing: every read is checked
- * against the end and its limits.
+ * Archive that reads what an {@link ArchiveWriter} wrote. It trusts nothing and checks every read
+ * against the end and the limits.
  */
 public final class ArchiveReader extends Archive {
   private final byte[] bytes;
@@ -10,10 +10,10 @@ public final class ArchiveReader extends Archive {
   private int at;
 
   /**
-   * Reads from the first byte on.
+   * Creates a reader of the first bytes of an array.
    *
-   * @param bytes not copied
-   * @param length how many of them
+   * @param bytes the array, which is not copied
+   * @param length number of bytes to read
    */
   public ArchiveReader(byte[] bytes, int length) {
     this.bytes = bytes;
@@ -21,16 +21,16 @@ public final class ArchiveReader extends Archive {
   }
 
   /**
-   * Reads all bytes of an array.
+   * Creates a reader of all bytes of an array.
    *
-   * @param bytes not copied
+   * @param bytes the array, which is not copied
    */
   public ArchiveReader(byte[] bytes) {
     this(bytes, bytes.length);
   }
 
   /**
-   * Whether everything was read.
+   * Returns whether all bytes were read.
    *
    * @return false if bytes are left
    */
@@ -136,7 +136,7 @@ public final class ArchiveReader extends Archive {
   }
 
   /**
-   * Makes the exception for something wrong with what was read.
+   * Returns an exception for something wrong with what was read.
    *
    * @param what what is wrong
    * @return the exception, to be thrown

@@ -2,39 +2,41 @@ package carom.physics.archive;
 
 import java.util.Arrays;
 
-/** Takes numbers and holds them as bytes. Mutable, reused; allocates only to grow. */
+/**
+ * Archive that collects numbers as bytes. It is mutable and reused, and it allocates only to grow.
+ */
 public final class ArchiveWriter extends Archive {
   private byte[] bytes = new byte[1 << 12];
   private int length;
 
-  /** Makes an empty archive. */
+  /** Creates an empty archive. */
   public ArchiveWriter() {}
 
-  /** Forgets what was written. */
+  /** Removes what was written. */
   public void clear() {
     length = 0;
   }
 
   /**
-   * The bytes.
+   * Returns the backing array.
    *
-   * @return the live array, replaced when it grows; the first {@link #length} count
+   * @return the live array, which growth replaces; its first {@link #length} bytes are written
    */
   public byte[] array() {
     return bytes;
   }
 
   /**
-   * How many bytes were written.
+   * Returns the number of bytes written.
    *
-   * @return the number
+   * @return 0 or more
    */
   public int length() {
     return length;
   }
 
   /**
-   * What was written.
+   * Returns what was written.
    *
    * @return a copy
    */

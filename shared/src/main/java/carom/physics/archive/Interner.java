@@ -6,22 +6,22 @@ import java.util.function.BiPredicate;
 import java.util.function.UnaryOperator;
 
 /**
- * Writes values that many owners share into an archive once: the first mention has the contents,
- * later ones refer to it.
+ * Archive format of values that many owners share. Each value is written once: the first mention
+ * has the contents, and later ones refer to it.
  *
  * @param <E> type of the values
  */
 public final class Interner<E> {
-  /** Number of the last new values that are looked through when writing. */
+  /** Number of the newest values that a writer compares with. */
   private static final int LOOKED_THROUGH = 64;
 
   private final List<E> known = new ArrayList<>();
   private final BiPredicate<E, E> same;
 
   /**
-   * Makes an interner that knows nothing.
+   * Creates an empty interner.
    *
-   * @param same tells whether two values have equal contents
+   * @param same returns true if two values have equal contents
    */
   public Interner(BiPredicate<E, E> same) {
     this.same = same;
@@ -31,7 +31,7 @@ public final class Interner<E> {
    * Passes one value through an archive.
    *
    * @param a the archive
-   * @param what the value's name in complaints
+   * @param what name of the value, for messages
    * @param one the value; null when reading
    * @param content passes the contents through the archive
    * @return the value, the same one for equal contents
@@ -47,7 +47,7 @@ public final class Interner<E> {
   private int find(E one) {
     int first = Math.max(0, known.size() - LOOKED_THROUGH);
     for (int i = known.size() - 1; i >= first; i--) {
-      if (known.get(i) == one) { // mostly, and found in a fraction of the time
+      if (known.get(i) == one) { // the most frequent case, and a fast one
         return i;
       }
     }

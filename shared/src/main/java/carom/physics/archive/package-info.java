@@ -1,9 +1,10 @@
 /**
- * Numbers in a fixed order, from which a state can be made again: in a file, on another machine.
+ * Archives: the numbers of a state in a fixed order, from which the state can be restored from a
+ * file or on another machine.
  *
- * <p>An {@link carom.physics.archive.Archive} is passed through a state, which names each of its
- * numbers once, for both directions: an {@link carom.physics.archive.ArchiveWriter} takes them, an
- * {@link carom.physics.archive.ArchiveReader} gives those that were taken, and trusts none.
+ * <p>A state passes each of its numbers once through an {@link carom.physics.archive.Archive}, for
+ * both directions. An {@link carom.physics.archive.ArchiveWriter} collects the numbers. An {@link
+ * carom.physics.archive.ArchiveReader} returns them and trusts none.
  *
  * <p>Allowed imports: the language.
  */

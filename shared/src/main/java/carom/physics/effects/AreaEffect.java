@@ -6,15 +6,15 @@ import carom.physics.math.Aabb;
 import carom.physics.math.Limits;
 
 /**
- * A place where something pulls at bodies: a force, an acceleration, a wind, a drag. Call {@link
- * #apply} before every {@code World.step}; several effects add up.
+ * A force, an acceleration, a wind or a drag that acts on bodies in an area. Call {@link #apply}
+ * before every {@code World.step}; several effects add up.
  *
- * <p>Acts at the centre of mass of every dynamic body whose centre is in the area, borders
+ * <p>It acts at the centre of mass of every dynamic body whose centre is in the area, borders
  * included. (For belts there is {@code Material.tangentSpeed}.)
  *
- * <p>Sleeping bodies are left alone: what came to rest in an effect stays at rest in it. Who
- * changes or adds an effect calls {@link #wake} once. Immutable but for scratch memory; not
- * thread-safe; a steady call allocates nothing.
+ * <p>It has no influence on sleeping bodies: a body that came to rest in an effect stays at rest in
+ * it. After a change, or for a new effect, call {@link #wake} once. It is immutable except for
+ * scratch memory, and not thread-safe. A steady call allocates nothing.
  */
 public final class AreaEffect {
   private enum Kind {
@@ -43,11 +43,11 @@ public final class AreaEffect {
   }
 
   /**
-   * The same force for every body: the light ones fly.
+   * Returns an effect with the same force on every body, so that light bodies accelerate more.
    *
-   * @param area m, copied
-   * @param fx N
-   * @param fy N
+   * @param area the area, m; copied
+   * @param fx force along x, N
+   * @param fy force along y, N
    * @return the effect
    */
   public static AreaEffect force(Aabb area, float fx, float fy) {
@@ -55,11 +55,12 @@ public final class AreaEffect {
   }
 
   /**
-   * The same acceleration for every body: a gravity of its own, on top of the world's.
+   * Returns an effect with the same acceleration for every body, as a local gravity on top of the
+   * world's.
    *
-   * @param area m, copied
-   * @param ax m/s^2, within 1e5
-   * @param ay m/s^2
+   * @param area the area, m; copied
+   * @param ax acceleration along x, m/s^2, within 1e5
+   * @param ay acceleration along y, m/s^2, within 1e5
    * @return the effect
    */
   public static AreaEffect acceleration(Aabb area, float ax, float ay) {
@@ -73,13 +74,13 @@ public final class AreaEffect {
   }
 
   /**
-   * Wind, or a current: the difference to a velocity shrinks by {@code 1 / (1 + rate dt)} in every
-   * step, whatever the mass, and never overshoots.
+   * Returns a wind or a current. In every step, the difference between a body's velocity and the
+   * flow's shrinks by {@code 1 / (1 + rate dt)}, whatever the mass, and never overshoots.
    *
-   * @param area m, copied
-   * @param vx velocity of the air, m/s
-   * @param vy velocity of the air, m/s
-   * @param rate 1/s, 0 to 1e4
+   * @param area the area, m; copied
+   * @param vx velocity of the flow along x, m/s
+   * @param vy velocity of the flow along y, m/s
+   * @param rate strength of the coupling, 1/s, 0 to 1e4
    * @return the effect
    */
   public static AreaEffect wind(Aabb area, float vx, float vy, float rate) {
@@ -93,11 +94,11 @@ public final class AreaEffect {
   }
 
   /**
-   * Mud: velocities shrink by {@code 1 / (1 + rate dt)} in every step.
+   * Returns a drag, like that of mud. Velocities shrink by {@code 1 / (1 + rate dt)} in every step.
    *
-   * @param area m, copied
-   * @param rate for the velocity, 1/s, 0 to 1e4
-   * @param angularRate for the angular velocity, 1/s, 0 to 1e4
+   * @param area the area, m; copied
+   * @param rate rate for the velocity, 1/s, 0 to 1e4
+   * @param angularRate rate for the angular velocity, 1/s, 0 to 1e4
    * @return the effect
    */
   public static AreaEffect drag(Aabb area, float rate, float angularRate) {
@@ -111,9 +112,10 @@ public final class AreaEffect {
   }
 
   /**
-   * Sets which bodies feel it; default all.
+   * Sets which bodies the effect acts on; default all.
    *
-   * @param bits a body feels it if a solid shape's category has one of them
+   * @param bits category bits; the effect acts on a body if a solid shape's category has one of
+   *     them
    * @return this
    */
   public AreaEffect categories(int bits) {
@@ -122,7 +124,7 @@ public final class AreaEffect {
   }
 
   /**
-   * Pulls at what is in the area, for the next step.
+   * Applies the effect to the bodies in the area, for the next step.
    *
    * @param world the world
    * @param dtSeconds length of the next step, s
@@ -142,8 +144,8 @@ public final class AreaEffect {
   }
 
   /**
-   * The same for all that was in a sensor in the last step, with any part of it, wherever the area
-   * is.
+   * Applies the effect to all bodies that any part of a sensor overlapped in the last step,
+   * wherever the area is.
    *
    * @param sensor a body with sensors
    * @param dtSeconds length of the next step, s
@@ -161,7 +163,7 @@ public final class AreaEffect {
   }
 
   /**
-   * Wakes what sleeps in the area: after an effect came, went or changed.
+   * Wakes the bodies that sleep in the area. Call it after an effect was added, removed or changed.
    *
    * @param world the world
    */

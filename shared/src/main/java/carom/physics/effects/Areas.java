@@ -4,7 +4,7 @@ import carom.physics.World;
 import carom.physics.math.Aabb;
 import carom.physics.math.Limits;
 
-/** What all areas have in common. */
+/** Checks and actions common to all areas. */
 final class Areas {
   private Areas() {}
 

@@ -6,10 +6,10 @@ import carom.physics.math.Aabb;
 import carom.physics.math.Limits;
 
 /**
- * A point that draws bodies in, pushes them away, or swirls them round. Call {@link #apply} before
- * every {@code World.step}.
+ * A point that attracts bodies, repels them, or swirls them round. Call {@link #apply} before every
+ * {@code World.step}.
  *
- * <p>Gives every dynamic body whose centre of mass is within range the same acceleration at the
+ * <p>It gives every dynamic body whose centre of mass is within range the same acceleration at the
  * same distance d, whatever its mass:
  *
  * <ul>
@@ -18,21 +18,21 @@ import carom.physics.math.Limits;
  *   <li>{@link Falloff#INVERSE_SQUARE}: {@code strength * (minimum / d)^2}, like gravity.
  * </ul>
  *
- * <p>Within the minimum radius the acceleration falls to nothing at the point itself, linearly with
- * d, so that it has no jump there. The distance is taken where the body will be in the middle of
- * its substeps, so that orbits keep their energy.
+ * <p>Within the minimum radius, the acceleration falls linearly with d to nothing at the point
+ * itself, so that it has no jump there. The distance is measured where the body will be in the
+ * middle of its substeps, so that orbits keep their energy.
  *
- * <p>Sleeping bodies are left alone; who changes or adds an attractor calls {@link #wake} once. Not
- * thread-safe; a steady call allocates nothing.
+ * <p>It has no influence on sleeping bodies. After a change, or for a new attractor, call {@link
+ * #wake} once. It is not thread-safe. A steady call allocates nothing.
  */
 public final class Attractor {
-  /** How the acceleration changes with the distance. */
+  /** Law by which the acceleration depends on the distance. */
   public enum Falloff {
-    /** Not at all. */
+    /** The acceleration is the same at every distance. */
     CONSTANT,
-    /** Linearly, to nothing at the range. */
+    /** The acceleration falls linearly to nothing at the range. */
     LINEAR,
-    /** With the square of the distance. */
+    /** The acceleration falls with the square of the distance. */
     INVERSE_SQUARE
   }
 
@@ -48,11 +48,11 @@ public final class Attractor {
   private final Nearby nearby = new Nearby();
 
   /**
-   * An attractor of 10 m/s^2 within its range.
+   * Creates an attractor of 10 m/s^2 within its range.
    *
-   * @param x where it is, m
-   * @param y where it is, m
-   * @param range how far it reaches, 1e-3 to 1e6 m
+   * @param x x of the point, m
+   * @param y y of the point, m
+   * @param range range, 1e-3 to 1e6 m
    */
   public Attractor(float x, float y, float range) {
     this.x = Limits.coordinate("x", x);
@@ -75,8 +75,8 @@ public final class Attractor {
   }
 
   /**
-   * Sets the acceleration around the point; default 0. A vortex needs some strength, too, or it
-   * throws everything out.
+   * Sets the acceleration around the point; default 0. A vortex also needs some strength, otherwise
+   * it throws everything out.
    *
    * @param acceleration m/s^2, counter-clockwise, within 1e5
    * @return this
@@ -87,11 +87,12 @@ public final class Attractor {
   }
 
   /**
-   * Sets how it changes with the distance; default not at all.
+   * Sets how the acceleration depends on the distance; default {@link Falloff#CONSTANT}.
    *
    * @param how the law
-   * @param minimumRadius where the law ends towards the point, and, for the inverse square, where
-   *     the strength is reached; above 0, at most the range, m; default a hundredth of the range
+   * @param minimumRadius distance below which the acceleration falls to nothing and, for the
+   *     inverse square, at which it equals the strength; 1e-4 m to the range; default a hundredth
+   *     of the range
    * @return this
    */
   public Attractor falloff(Falloff how, float minimumRadius) {
@@ -101,9 +102,10 @@ public final class Attractor {
   }
 
   /**
-   * Sets which bodies feel it; default all.
+   * Sets which bodies the attractor acts on; default all.
    *
-   * @param bits a body feels it if a solid shape's category has one of them
+   * @param bits category bits; the attractor acts on a body if a solid shape's category has one of
+   *     them
    * @return this
    */
   public Attractor categories(int bits) {
@@ -112,7 +114,7 @@ public final class Attractor {
   }
 
   /**
-   * Pulls at what is within range, for the next step.
+   * Applies the acceleration to the bodies within range, for the next step.
    *
    * @param world the world
    * @param dtSeconds length of the next step, s
@@ -131,7 +133,8 @@ public final class Attractor {
   }
 
   /**
-   * Wakes what sleeps within range: after an attractor came, went or changed.
+   * Wakes the bodies that sleep within range. Call it after an attractor was added, removed or
+   * changed.
    *
    * @param world the world
    */

@@ -7,7 +7,7 @@ import carom.physics.math.Aabb;
 import carom.physics.math.Limits;
 
 /**
- * A fluid: lifts what is in it, brakes it, and carries it along. Call {@link #apply} before every
+ * A fluid that lifts bodies, brakes them, and carries them along. Call {@link #apply} before every
  * {@code World.step}:
  *
  * <pre>
@@ -16,24 +16,24 @@ import carom.physics.math.Limits;
  *   world.step(dt);
  * </pre>
  *
- * <p>The fluid fills an area below a surface. Archimedes: what is submerged loses the weight of the
- * fluid it displaces, {@code density * area * gravity}, at the centroid of the submerged area,
- * which is computed exactly for polygons and discs; capsules and rounded polygons are many-cornered
- * polygons with the shape's area. Parts of a body that overlap displace as often as they overlap.
+ * <p>The fluid fills an area below a surface. By Archimedes' principle, a body loses the weight of
+ * the fluid it displaces, {@code density * area * gravity}, at the centroid of the submerged area.
+ * That area is exact for polygons and discs; capsules and rounded polygons are approximated by
+ * many-cornered polygons with the shape's area. Overlapping parts of a body each displace in full.
  *
- * <p><b>Drag</b> acts on every submerged piece by its speed relative to the flow: force {@code drag
- * * density * area * (flow - v)} at the centroid, torque {@code angularDrag * density * J * -w},
- * with J the second moment of the submerged area about its centroid. Both are applied implicitly
- * over the step and never overshoot.
+ * <p><b>Drag</b> depends on the submerged area's velocity relative to the flow: force {@code drag *
+ * density * area * (flow - v)} at the centroid, torque {@code angularDrag * density * J * -w}, with
+ * J the second moment of the submerged area about its centroid. Both are applied implicitly over
+ * the step and never overshoot.
  *
- * <p>Without drag a floating body bobs for ever, neither gaining nor losing: the force is measured
- * where the body will be in the middle of its substeps. What bobs with an angular frequency above 2
- * / dt, such as a 1 cm slab of a thousandth of the fluid's density at 60 steps per second, can't be
- * followed; make it heavier or use drag.
+ * <p>Without drag, a floating body bobs for ever and neither gains nor loses energy, because the
+ * force is measured where the body will be in the middle of its substeps. An angular frequency
+ * above 2 / dt is too fast for this, such as that of a 1 cm slab of a thousandth of the fluid's
+ * density at 60 steps per second. Make such a body heavier or use drag.
  *
- * <p>Sleeping bodies are left alone: at rest in the fluid they need no force. Who changes a fluid
- * calls {@link #wake} once. Settings are not part of any saved state. Not thread-safe; a steady
- * call allocates nothing.
+ * <p>The fluid has no influence on sleeping bodies, which need no force while at rest in it. After
+ * a change, call {@link #wake} once. Settings are not part of any saved state. It is not
+ * thread-safe. A steady call allocates nothing.
  */
 public final class Buoyancy {
   private final Aabb area = new Aabb();
@@ -53,10 +53,10 @@ public final class Buoyancy {
   private final Aabb box = new Aabb();
 
   /**
-   * Fills an area; its upper edge is the surface.
+   * Creates a fluid that fills an area, whose upper edge is the surface.
    *
-   * @param area m, not empty, copied
-   * @param density kg/m^2, not negative, at most 1e6
+   * @param area the area, m; not empty, copied
+   * @param density density of the fluid, kg/m^2, not negative, at most 1e6
    */
   public Buoyancy(Aabb area, float density) {
     Areas.check(area);
@@ -67,10 +67,10 @@ public final class Buoyancy {
   /**
    * Sets a surface other than the area's upper edge.
    *
-   * @param x a point of the surface, m
-   * @param y a point of the surface, m
-   * @param upX out of the fluid; any length but 0
-   * @param upY out of the fluid
+   * @param x x of a point on the surface, m
+   * @param y y of a point on the surface, m
+   * @param upX x of the direction out of the fluid; any length but 0
+   * @param upY y of the direction out of the fluid
    * @return this
    */
   public Buoyancy surface(float x, float y, float upX, float upY) {
@@ -92,10 +92,10 @@ public final class Buoyancy {
   }
 
   /**
-   * Sets how quickly the fluid takes bodies along; default 1.
+   * Sets how quickly the fluid carries bodies along; default 1.
    *
-   * @param perSecond rate at which a body of the fluid's density, submerged, comes to the speed of
-   *     the flow; 1/s, 0 to 1e4
+   * @param perSecond rate at which a submerged body of the fluid's density approaches the velocity
+   *     of the flow; 1/s, 0 to 1e4
    * @return this
    */
   public Buoyancy drag(float perSecond) {
@@ -104,9 +104,9 @@ public final class Buoyancy {
   }
 
   /**
-   * Sets how quickly the fluid stops bodies turning; default 1.
+   * Sets how quickly the fluid stops the rotation of bodies; default 1.
    *
-   * @param perSecond 1/s, 0 to 1e4
+   * @param perSecond rate, 1/s, 0 to 1e4
    * @return this
    */
   public Buoyancy angularDrag(float perSecond) {
@@ -115,10 +115,10 @@ public final class Buoyancy {
   }
 
   /**
-   * Sets how the fluid moves; default at rest. Acts through drag.
+   * Sets the velocity of the fluid; default 0. It acts through drag.
    *
-   * @param vx m/s
-   * @param vy m/s
+   * @param vx velocity along x, m/s
+   * @param vy velocity along y, m/s
    * @return this
    */
   public Buoyancy flow(float vx, float vy) {
@@ -128,9 +128,9 @@ public final class Buoyancy {
   }
 
   /**
-   * Sets which shapes feel the fluid; default all that are not sensors.
+   * Sets which shapes the fluid acts on; default all that are not sensors.
    *
-   * @param bits a shape is felt if its filter's category has one of them
+   * @param bits category bits; the fluid acts on a shape if its filter's category has one of them
    * @return this
    */
   public Buoyancy categories(int bits) {
@@ -139,7 +139,7 @@ public final class Buoyancy {
   }
 
   /**
-   * Lifts, brakes and carries what is in the fluid, for the next step.
+   * Lifts, brakes and carries the bodies in the fluid, for the next step.
    *
    * @param world the world
    * @param dtSeconds length of the next step, s
@@ -151,8 +151,9 @@ public final class Buoyancy {
   }
 
   /**
-   * The same for what was in a sensor in the last step: the sensor's box bounds the fluid, wherever
-   * the sensor has moved, and its upper edge is the surface unless one was given.
+   * Applies the fluid to the bodies that were in a sensor in the last step. The sensor's box bounds
+   * the fluid, wherever the sensor has moved. The box's upper edge is the surface unless one was
+   * set.
    *
    * @param world the world
    * @param sensor a body with sensors
@@ -178,7 +179,7 @@ public final class Buoyancy {
   }
 
   /**
-   * Wakes what sleeps in the fluid: after density, surface or flow changed.
+   * Wakes the bodies that sleep in the fluid. Call it after density, surface or flow changed.
    *
    * @param world the world
    */

@@ -13,20 +13,20 @@ import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 
 /**
- * A bang: kicks everything away from a point, once. Between steps:
+ * An explosion that pushes everything away from a point, once. Call it between steps:
  *
  * <pre>
  *   new Explosion(x, y, 5).impulse(300).blockedByStatics(true).explode(world);
  * </pre>
  *
- * <p>Each convex part is kicked at its point nearest to the centre, away from it, by {@code impulse
- * * width * (1 - distance / radius)}: width is the part's extent across the direction, in metres,
- * what it shows of itself to a blast from that side. So a plank that lies broadside flies, and a
- * body made of four boxes flies like one big box. A part that contains the centre is kicked from
- * the centre through its middle, at its middle.
+ * <p>Each convex part gets the impulse {@code impulse * width * (1 - distance / radius)} at its
+ * point nearest to the centre, directed away from the centre. The width is the part's extent across
+ * that direction, in metres. So a plank that lies broadside flies far, and a body made of four
+ * boxes flies like one big box. A part that contains the centre gets the impulse at its middle,
+ * directed from the centre to the middle.
  *
- * <p>Bodies are kicked, and woken, by ascending index; the kick acts in the next step. Not
- * thread-safe; a repeated call allocates nothing.
+ * <p>Bodies get the impulse, and wake, by ascending index; it acts in the next step. An explosion
+ * is not thread-safe. A repeated call allocates nothing.
  */
 public final class Explosion {
   private final float x;
@@ -46,11 +46,11 @@ public final class Explosion {
       (body, shape) -> body.type() == BodyType.STATIC && !body.sensor(shape);
 
   /**
-   * An explosion of 10 N s per metre.
+   * Creates an explosion of 10 N s per metre.
    *
-   * @param x its centre, m
-   * @param y its centre, m
-   * @param radius how far it reaches, 1e-3 to 1e6 m
+   * @param x x of the centre, m
+   * @param y y of the centre, m
+   * @param radius range, 1e-3 to 1e6 m
    */
   public Explosion(float x, float y, float radius) {
     this.x = Limits.coordinate("x", x);
@@ -63,7 +63,8 @@ public final class Explosion {
   /**
    * Sets the strength; default 10.
    *
-   * @param perMetre impulse on a metre of width at the centre, N s/m; negative sucks in; within 1e9
+   * @param perMetre impulse on a metre of width at the centre, N s/m, within 1e9; a negative one
+   *     pulls bodies in
    * @return this
    */
   public Explosion impulse(float perMetre) {
@@ -73,10 +74,10 @@ public final class Explosion {
 
   /**
    * Sets whether static bodies give shelter; default false. A part is sheltered if a solid shape of
-   * a static body crosses the line from the centre to its nearest point; in a wall nothing is heard
-   * outside.
+   * a static body crosses the line from the centre to the part's nearest point. An explosion inside
+   * a wall has no effect outside it.
    *
-   * @param sheltered whether rays are cast
+   * @param sheltered true if static bodies give shelter
    * @return this
    */
   public Explosion blockedByStatics(boolean sheltered) {
@@ -85,9 +86,10 @@ public final class Explosion {
   }
 
   /**
-   * Sets which shapes are kicked; default all that are not sensors.
+   * Sets which shapes the explosion acts on; default all that are not sensors.
    *
-   * @param bits a shape is kicked if its filter's category has one of them
+   * @param bits category bits; the explosion acts on a shape if its filter's category has one of
+   *     them
    * @return this
    */
   public Explosion categories(int bits) {
@@ -96,7 +98,7 @@ public final class Explosion {
   }
 
   /**
-   * Kicks what is within the radius.
+   * Applies the impulses to everything within the radius.
    *
    * @param world the world
    * @param <T> its user type
@@ -108,24 +110,24 @@ public final class Explosion {
       pose.set(body.x(), body.y(), body.cos(), body.sin());
       for (int k = 0; k < body.shapeCount(); k++) {
         if (!body.sensor(k) && (body.filter(k).category() & categories) != 0) {
-          kick(world, body, body.shape(k));
+          push(world, body, body.shape(k));
         }
       }
     }
     nearby.clear();
   }
 
-  private void kick(World<?> world, Body<?> body, Shape shape) {
+  private void push(World<?> world, Body<?> body, Shape shape) {
     for (int i = 0; i < shape.parts().size(); i++) {
       Convex part = shape.parts().get(i);
       float distance = distances.toPoint(part, pose, x, y, points);
       if (distance < radius) {
-        kick(world, body, part, distance);
+        push(world, body, part, distance);
       }
     }
   }
 
-  private void kick(World<?> world, Body<?> body, Convex part, float distance) {
+  private void push(World<?> world, Body<?> body, Convex part, float distance) {
     double px = (double) pose.x + points.ax;
     double py = (double) pose.y + points.ay;
     double dx = -points.normalX;
@@ -146,7 +148,7 @@ public final class Explosion {
     body.applyImpulse((float) (size * dx), (float) (size * dy), (float) px, (float) py);
   }
 
-  /** The mean of the vertices, in the world. */
+  /** Computes the mean of the part's vertices in the world. */
   private void middle(Convex part) {
     double mx = 0;
     double my = 0;
@@ -161,7 +163,7 @@ public final class Explosion {
     middleY = pose.y + (pose.sin * mx + pose.cos * my);
   }
 
-  /** Extent across a direction of length one, m. */
+  /** Returns the extent of a part across a direction of length one, m. */
   private double width(Convex part, double dx, double dy) {
     double acrossX = pose.cos * -dy + pose.sin * dx;
     double acrossY = pose.cos * dx + pose.sin * dy;

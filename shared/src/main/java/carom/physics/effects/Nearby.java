@@ -8,21 +8,21 @@ import carom.physics.math.Aabb;
 import java.util.Arrays;
 
 /**
- * The dynamic bodies in a place, by ascending index: collected first and changed afterwards, since
- * a query must not change what it visits.
+ * The dynamic bodies in a place, by ascending index. An effect first collects the bodies and then
+ * changes them, because a query must not change what it visits.
  */
 final class Nearby {
   private Body<?>[] bodies = new Body<?>[16];
   private int count;
   private final BodyVisitor<Object> collect = this::add;
 
-  /** Whose box overlaps an area. */
+  /** Collects the bodies whose box overlaps an area. */
   <T> void find(World<T> world, Aabb area) {
     clear();
     world.queryAabb(area.minX, area.minY, area.maxX, area.maxY, collector());
   }
 
-  /** What was in a body's sensors in the last step. */
+  /** Collects the bodies that were in a body's sensors in the last step. */
   <T> void findInside(Body<T> sensor) {
     clear();
     sensor.forEachOverlap(collector());
@@ -36,13 +36,16 @@ final class Nearby {
     return bodies[i];
   }
 
-  /** Lets go of the bodies, so that a world that is no longer used can be collected. */
+  /** Releases the bodies, so that the garbage collector can free an unused world. */
   void clear() {
     Arrays.fill(bodies, 0, count, null);
     count = 0;
   }
 
-  /** A visitor of any body is a visitor of bodies of T: it looks at no user. */
+  /**
+   * Returns the collecting visitor for bodies of T. The cast is safe, because the visitor never
+   * looks at the user object.
+   */
   @SuppressWarnings("unchecked")
   private <T> BodyVisitor<T> collector() {
     return (BodyVisitor<T>) (BodyVisitor<?>) collect;
@@ -58,7 +61,7 @@ final class Nearby {
     return true;
   }
 
-  /** Whether one of a body's solid shapes is of one of the categories. */
+  /** Returns whether one of a body's solid shapes has one of the categories. */
   static boolean isOf(Body<?> body, int categories) {
     for (int i = 0; i < body.shapeCount(); i++) {
       if (!body.sensor(i) && (body.filter(i).category() & categories) != 0) {

@@ -6,17 +6,20 @@ import carom.physics.math.Aabb;
 import carom.physics.math.Trig;
 
 /**
- * How much of a body is under a surface: area, centroid and second moment of its parts, cut by the
- * surface and by the edges of an area. Coordinates are relative to the body's centre of mass, so
- * nothing is lost far from the world's origin.
+ * Submerged part of a body: area, centroid and second moment of its parts, clipped by the surface
+ * and by the edges of an area. Coordinates are relative to the body's centre of mass, so far from
+ * the world's origin nothing is lost to rounding.
  *
- * <p>Polygons are cut exactly (Sutherland and Hodgman 1974). Discs within the edges use the formula
- * of the circular segment, exact up to the float arc tangent. Other round shapes are polygons of
- * {@value #DIRECTIONS} or more corners, whose moments are scaled so that a whole one has exactly
- * the shape's area.
+ * <p>Polygons are clipped exactly (Sutherland and Hodgman 1974). Discs within the edges use the
+ * formula of the circular segment, exact up to the float arc tangent. Other round shapes are
+ * approximated by polygons of {@value #DIRECTIONS} or more corners, whose moments are scaled so
+ * that an unclipped one has exactly the shape's area.
  */
 final class Submerged {
-  /** Corners of what stands for a disc; a multiple of four keeps upright capsules' sides flat. */
+  /**
+   * Number of corners of the polygon that approximates a disc. A multiple of four keeps the sides
+   * of upright capsules flat.
+   */
   static final int DIRECTIONS = 64;
 
   private static final double[] DIRECTION_X = new double[DIRECTIONS];
@@ -32,25 +35,29 @@ final class Submerged {
 
   private static final int PLANES = 5;
 
-  /** Each cut adds a corner at most. */
+  /** Largest number of corners of a clipped polygon; each plane adds one at most. */
   private static final int CAPACITY = Math.max(DIRECTIONS, Convex.MAX_VERTICES) + PLANES;
 
-  /** Area, m^2. */
+  /** Submerged area, m^2. */
   double area;
 
-  /** Centroid relative to the body's centre, m; meaningful if there is an area. */
+  /**
+   * Submerged centroid relative to the body's centre of mass, m. It is meaningful only if the area
+   * is positive.
+   */
   double centroidX;
 
   double centroidY;
 
-  /** Second moment of area about the centroid, m^4. */
+  /** Second moment of the submerged area about its centroid, m^4. */
   double second;
 
   private double sumX;
   private double sumY;
   private double sumSecond;
 
-  // What is kept: nx x + ny y <= limit, for the surface, left, right, lower, upper.
+  // Half planes nx x + ny y <= limit that are kept: below the surface, then within the left, right,
+  // lower and upper edge.
   private final double[] planeX = {0, -1, 1, 0, 0};
   private final double[] planeY = {1, 0, 0, -1, 1};
   private final double[] limit = new double[PLANES];
@@ -61,7 +68,7 @@ final class Submerged {
   private double[] qy = new double[CAPACITY];
   private int count;
 
-  // The body: where its origin is from its centre, and its rotation.
+  // Position of the body's origin relative to its centre, and the body's rotation.
   private double originX;
   private double originY;
   private double cos;
@@ -120,7 +127,7 @@ final class Submerged {
     sum(scale);
   }
 
-  /** Computes the centroid after all parts were added. */
+  /** Computes the centroid and second moment. Call it after the last part. */
   void end() {
     if (area > 0) {
       centroidX = sumX / area;
@@ -148,9 +155,10 @@ final class Submerged {
   }
 
   /**
-   * A circular segment beyond the distance t r from the centre, with u = acos t: area r^2 (u - sin
-   * u cos u), first moment 2/3 r^3 sin^3 u, second moments r^4 (u/4 - sin 4u / 16) along the axis
-   * and r^4 (u/4 - sin 2u / 6 + sin 4u / 48) across (integrals over strips).
+   * Adds a disc. A circular segment beyond the distance t r from the centre, with u = acos t, has
+   * the area r^2 (u - sin u cos u), the first moment 2/3 r^3 sin^3 u, and the second moments r^4
+   * (u/4 - sin 4u / 16) along the axis and r^4 (u/4 - sin 2u / 6 + sin 4u / 48) across (integrals
+   * over strips).
    */
   private void addDisc(Convex disc) {
     double x = placeX(disc.vertexX(0), disc.vertexY(0));
@@ -182,7 +190,7 @@ final class Submerged {
     }
   }
 
-  /** The farthest points of a rounded shape in fixed directions, counter-clockwise. */
+  /** Computes the farthest points of a rounded shape in fixed directions, counter-clockwise. */
   private void outline(Convex part) {
     count = DIRECTIONS;
     double r = part.radius();
@@ -212,7 +220,7 @@ final class Submerged {
     return 0.5 * twice;
   }
 
-  /** Keeps what is below a plane. */
+  /** Clips the polygon to the half plane below a limit. */
   private void cut(double nx, double ny, double most) {
     int kept = 0;
     for (int i = 0; i < count; i++) {
@@ -238,7 +246,7 @@ final class Submerged {
     count = kept;
   }
 
-  /** Adds the moments of the polygon that is left, by triangles about the body's centre. */
+  /** Adds the moments of the clipped polygon, by triangles about the body's centre. */
   private void sum(double scale) {
     for (int i = 0; i < count; i++) {
       int next = i + 1 == count ? 0 : i + 1;

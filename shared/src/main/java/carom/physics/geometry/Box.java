@@ -4,11 +4,11 @@ import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
 
 /**
- * A rectangle whose sides are parallel to the axes of its body's frame. It turns with the body;
- * while neither of two boxes is rotated, their collision is that of two axis-aligned boxes and
+ * A rectangle whose sides are parallel to the axes of its body's frame. It turns with the body.
+ * While neither of two boxes is rotated, their collision is that of two axis-aligned boxes and
  * costs a few comparisons.
  *
- * <p>Vertices: 0 lower left, 1 lower right, 2 upper right, 3 upper left; edges: 0 lower, 1 right, 2
+ * <p>Vertices: 0 lower left, 1 lower right, 2 upper right, 3 upper left. Edges: 0 lower, 1 right, 2
  * upper, 3 left.
  */
 public final class Box extends Convex {
@@ -20,13 +20,13 @@ public final class Box extends Convex {
   private final float centerX;
   private final float centerY;
 
-  /** Makes a rectangle of 2 halfWidth x 2 halfHeight metres around the frame's origin. */
+  /** Creates a rectangle of 2 halfWidth x 2 halfHeight metres around the frame's origin. */
   public Box(float halfWidth, float halfHeight) {
     this(halfWidth, halfHeight, 0, 0);
   }
 
   /**
-   * Makes a rectangle around (centerX, centerY).
+   * Creates a rectangle around (centerX, centerY).
    *
    * @param halfWidth half of the horizontal size, {@link Shape#MIN_SIZE} to {@link Shape#MAX_SIZE}
    *     metres
@@ -51,22 +51,22 @@ public final class Box extends Convex {
     checkEdges("box");
   }
 
-  /** Half of the horizontal size, metres. */
+  /** Returns half of the horizontal size, metres. */
   public float halfWidth() {
     return halfWidth;
   }
 
-  /** Half of the vertical size, metres. */
+  /** Returns half of the vertical size, metres. */
   public float halfHeight() {
     return halfHeight;
   }
 
-  /** X of the centre, metres. */
+  /** Returns the x of the centre, metres. */
   public float centerX() {
     return centerX;
   }
 
-  /** Y of the centre, metres. */
+  /** Returns the y of the centre, metres. */
   public float centerY() {
     return centerY;
   }
@@ -93,8 +93,8 @@ public final class Box extends Convex {
   }
 
   /**
-   * Inertia of a w x h rectangle about its centre: m (w&sup2; + h&sup2;) / 12 (any table of moments
-   * of inertia).
+   * Returns mass and inertia. The inertia of a w x h rectangle about its centre is m (w&sup2; +
+   * h&sup2;) / 12 (any table of moments of inertia).
    */
   @Override
   public MassData mass(float density) {

@@ -1,22 +1,22 @@
 package carom.physics.geometry;
 
 /**
- * A capsule: everything within a radius of the line from one point to another. Slides over edges
- * that would catch a box, and rests on its flat side like one.
+ * A capsule: all points within a radius of a line between two points. It slides over edges that
+ * would catch a box, and rests on its flat side like a box.
  *
- * <p>Vertices are the two ends; edge 0 is the side to the right of the way from vertex 0 to 1, edge
- * 1 the other.
+ * <p>The vertices are the two ends. Edge 0 is the side to the right of the way from vertex 0 to 1,
+ * and edge 1 is the other.
  */
 public final class Capsule extends Convex {
   private final float radius;
 
   /**
-   * Makes a capsule between two points; metres.
+   * Creates a capsule between two points; all lengths in metres.
    *
-   * @param x0 one end's centre
-   * @param y0 one end's centre
-   * @param x1 the other end's centre, at least {@link Shape#MIN_SIZE} away
-   * @param y1 the other end's centre
+   * @param x0 x of one end's centre
+   * @param y0 y of one end's centre
+   * @param x1 x of the other end's centre, at least {@link Shape#MIN_SIZE} away
+   * @param y1 y of the other end's centre
    * @param radius {@link Shape#MIN_SIZE} to {@link Shape#MAX_SIZE}
    */
   public Capsule(float x0, float y0, float x1, float y1, float radius) {
@@ -30,7 +30,9 @@ public final class Capsule extends Convex {
     checkSize("capsule length", length());
   }
 
-  /** An upright capsule around the frame's origin, as tall as {@code height} with its caps. */
+  /**
+   * Returns an upright capsule around the frame's origin, as tall as {@code height} with its caps.
+   */
   public static Capsule upright(float height, float radius) {
     float half = 0.5f * height - radius;
     return new Capsule(0, -half, 0, half, radius);
@@ -41,7 +43,7 @@ public final class Capsule extends Convex {
     return radius;
   }
 
-  /** Distance of the two ends' centres, metres. */
+  /** Returns the distance between the centres of the two ends, metres. */
   public float length() {
     return (float) lengthOf(0);
   }
@@ -52,8 +54,8 @@ public final class Capsule extends Convex {
   }
 
   /**
-   * A rectangle and two half discs, each with its own centroid, by the parallel axis theorem; see
-   * {@link Convex#roundedMass}.
+   * Returns the mass of a rectangle and two half discs, each with its own centroid, by the parallel
+   * axis theorem; see {@link Convex#roundedMass}.
    */
   @Override
   public MassData mass(float density) {

@@ -8,18 +8,18 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * A line of segments that is solid from one side: ground, walls, the inside of an arena. For bodies
- * that don't move by forces.
+ * A line of segments that is solid from one side, for ground, walls or the inside of an arena. It
+ * is for bodies that forces don't move.
  *
- * <p><b>The front is on the left</b> when walking along the points: ground drawn from left to right
- * carries what is above it, a loop drawn counter-clockwise holds what is inside, one drawn
- * clockwise keeps things out. From behind everything passes.
+ * <p><b>The front is on the left</b> when walking along the points. Ground drawn from left to right
+ * carries what is above it. A loop drawn counter-clockwise holds what is inside, and one drawn
+ * clockwise keeps things out. Everything passes through from behind.
  *
- * <p>Each segment knows its neighbours, so bodies slide over the joints of flat or hollow ground
+ * <p>Each segment knows its neighbours. So bodies slide over the joints of flat or hollow ground
  * without catching on the next segment's end (no ghost collisions).
  */
 public final class Chain extends Shape {
-  /** Most segments of one chain; use several for more. */
+  /** Largest number of segments in a chain. Use several chains for more. */
   public static final int MAX_SEGMENTS = 1000;
 
   private final float[] xy;
@@ -33,7 +33,7 @@ public final class Chain extends Shape {
   }
 
   /**
-   * Makes an open chain.
+   * Creates an open chain.
    *
    * @param xy x0, y0, x1, y1, ... in metres, 2 points or more, neighbours at least {@link
    *     Shape#MIN_SIZE} apart
@@ -44,7 +44,7 @@ public final class Chain extends Shape {
   }
 
   /**
-   * Makes a closed chain: a last segment leads back to the first point.
+   * Creates a closed chain, whose last segment leads back to the first point.
    *
    * @param xy x0, y0, x1, y1, ... in metres, 3 points or more, the first not repeated
    * @throws IllegalArgumentException when the chain crosses itself or turns back on itself
@@ -81,11 +81,11 @@ public final class Chain extends Shape {
             "chain segment=" + next + " turns back on segment=" + i + "; leave a gap between them");
       }
     }
-    // Only segments beside each other can cross: of a line of ground, few.
+    // Only segments that overlap along the longer axis can cross, and on a line of ground few do.
     int axis = extent(0) >= extent(1) ? 0 : 1;
     long[] byLowEnd = new long[count];
     for (int i = 0; i < count; i++) {
-      int bits = Float.floatToIntBits(low(i, axis) + 0f); // no minus zero
+      int bits = Float.floatToIntBits(low(i, axis) + 0f); // turns minus zero into zero
       byLowEnd[i] = (long) (bits ^ (bits >> 31 & Integer.MAX_VALUE)) << 32 | i;
     }
     Arrays.sort(byLowEnd);
@@ -123,7 +123,7 @@ public final class Chain extends Shape {
     return Math.max(xy[2 * segment + axis], xy[2 * next + axis]);
   }
 
-  /** How far the points reach along an axis, m. */
+  /** Returns the extent of the points along an axis, metres. */
   private float extent(int axis) {
     float least = Float.POSITIVE_INFINITY;
     float most = Float.NEGATIVE_INFINITY;
@@ -134,7 +134,10 @@ public final class Chain extends Shape {
     return most - least;
   }
 
-  /** Above 0 if a point is on the left of a line through two others, below if on the right. */
+  /**
+   * Returns a positive number if a point is to the left of the line through two others, and a
+   * negative one if it is to the right.
+   */
   private double side(int from, int to, int point) {
     double ux = (double) xy[2 * to] - xy[2 * from];
     double uy = (double) xy[2 * to + 1] - xy[2 * from + 1];
@@ -143,7 +146,10 @@ public final class Chain extends Shape {
     return Math.signum(ux * py - uy * px);
   }
 
-  /** Above 0 if the way from a middle point leads on, below if it leads back. */
+  /**
+   * Returns a positive number if the way from a middle point leads on, and a negative one if it
+   * leads back.
+   */
   private double ahead(int from, int middle, int to) {
     double ux = (double) xy[2 * middle] - xy[2 * from];
     double uy = (double) xy[2 * middle + 1] - xy[2 * from + 1];
@@ -152,7 +158,10 @@ public final class Chain extends Shape {
     return ux * px + uy * py;
   }
 
-  /** Segments run against the points, so that their front, on the right, is the chain's left. */
+  /**
+   * Returns the segments. They run against the points, so that their front, which is on the right,
+   * is the chain's left.
+   */
   private List<Convex> segments() {
     int points = xy.length / 2;
     int count = loop ? points : points - 1;
@@ -176,27 +185,27 @@ public final class Chain extends Shape {
     return segments;
   }
 
-  /** Whether the last point is joined to the first. */
+  /** Returns whether the last point is joined to the first. */
   public boolean isLoop() {
     return loop;
   }
 
-  /** How many points there are. */
+  /** Returns the number of points. */
   public int pointCount() {
     return xy.length / 2;
   }
 
-  /** X of a point, metres. */
+  /** Returns the x of a point, metres. */
   public float pointX(int index) {
     return xy[2 * index];
   }
 
-  /** Y of a point, metres. */
+  /** Returns the y of a point, metres. */
   public float pointY(int index) {
     return xy[2 * index + 1];
   }
 
-  /** The segments, in the order of the points. */
+  /** Returns the segments, in the order of the points. */
   @Override
   public List<Convex> parts() {
     return parts;
@@ -210,13 +219,17 @@ public final class Chain extends Shape {
     }
   }
 
-  /** Zero: a line covers nothing, and a loop is a border, not what it encloses. */
+  /**
+   * Returns zero, because a line covers nothing. A loop is a border and not the area it encloses.
+   */
   @Override
   public float area() {
     return 0;
   }
 
-  /** Mass and inertia zero, whatever the density; the centre is the mean of the points. */
+  /**
+   * Returns a mass and an inertia of zero for any density, with the mean of the points as centre.
+   */
   @Override
   public MassData mass(float density) {
     checkDensity(density);

@@ -10,15 +10,15 @@ public final class Circle extends Convex {
   private final float radius;
 
   /**
-   * Makes a disc around the frame's origin; radius in metres, {@link Shape#MIN_SIZE} to {@link
-   * Shape#MAX_SIZE}.
+   * Creates a disc around the frame's origin. The radius is {@link Shape#MIN_SIZE} to {@link
+   * Shape#MAX_SIZE} metres.
    */
   public Circle(float radius) {
     this(radius, 0, 0);
   }
 
   /**
-   * Makes a disc around (centerX, centerY); all in metres, radius in {@link Shape#MIN_SIZE} to
+   * Creates a disc around (centerX, centerY), in metres. The radius is {@link Shape#MIN_SIZE} to
    * {@link Shape#MAX_SIZE}.
    */
   public Circle(float radius, float centerX, float centerY) {
@@ -35,12 +35,12 @@ public final class Circle extends Convex {
     return radius;
   }
 
-  /** X of the centre, metres. */
+  /** Returns the x of the centre, metres. */
   public float centerX() {
     return vx[0];
   }
 
-  /** Y of the centre, metres. */
+  /** Returns the y of the centre, metres. */
   public float centerY() {
     return vy[0];
   }
@@ -57,7 +57,10 @@ public final class Circle extends Convex {
     return (float) (Math.PI * radius * radius);
   }
 
-  /** Inertia of a disc about its centre: m r&sup2; / 2 (any table of moments of inertia). */
+  /**
+   * Returns mass and inertia. The inertia of a disc about its centre is m r&sup2; / 2 (any table of
+   * moments of inertia).
+   */
   @Override
   public MassData mass(float density) {
     double mass = Math.PI * radius * radius * checkDensity(density);

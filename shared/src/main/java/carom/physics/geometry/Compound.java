@@ -6,12 +6,12 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Several convex shapes that move as one: how concave things are built. Nested compounds are
- * flattened; the order of the parts is kept. Overlapping parts are allowed, and their common area
- * then weighs as often as it is covered.
+ * Several convex shapes that move as one, the way to build concave bodies. Nested compounds are
+ * flattened, and the order of the parts is kept. Parts may overlap; their common area then counts
+ * once for each part.
  */
 public final class Compound extends Shape {
-  /** Most parts a compound can have. */
+  /** Largest number of parts in a compound. */
   public static final int MAX_PARTS = 4096;
 
   private final List<Convex> parts;
@@ -20,12 +20,12 @@ public final class Compound extends Shape {
     this.parts = parts;
   }
 
-  /** Makes a compound of 1 to {@value #MAX_PARTS} parts. */
+  /** Creates a compound of 1 to {@value #MAX_PARTS} parts. */
   public static Compound of(Shape... shapes) {
     return of(List.of(shapes));
   }
 
-  /** Makes a compound of 1 to {@value #MAX_PARTS} parts; the list is copied. */
+  /** Creates a compound of 1 to {@value #MAX_PARTS} parts. The list is copied. */
   public static Compound of(List<? extends Shape> shapes) {
     List<Convex> flat = new ArrayList<>(shapes.size());
     for (Shape shape : shapes) {
@@ -69,8 +69,8 @@ public final class Compound extends Shape {
   }
 
   /**
-   * The parts' masses add up; the centre is their weighted mean; inertias add up after each is
-   * moved to the common centre by the parallel axis theorem (Huygens and Steiner): I' = I + m
+   * Returns the sum of the parts' masses, with their weighted mean as centre. Inertias add up after
+   * the parallel axis theorem (Huygens and Steiner) has moved each to the common centre: I' = I + m
    * d&sup2;.
    */
   @Override
@@ -83,7 +83,7 @@ public final class Compound extends Shape {
     double momentY = 0;
     for (Convex part : parts) {
       MassData m = part.mass(density);
-      // Lines have no area; among themselves they weigh the same.
+      // Lines have no area, so among themselves they all count the same.
       double area = lines ? 1 : part.area();
       mass += m.mass();
       weight += area;

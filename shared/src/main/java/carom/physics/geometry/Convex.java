@@ -6,15 +6,15 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * A convex shape: the vertices of a convex polygon, for a {@link Circle} a single vertex, for a
- * {@link Capsule} and a {@link Segment} two; with a {@link #radius()} around them that may be 0.
+ * A convex shape: the vertices of a convex polygon with a {@link #radius()} around them, which may
+ * be 0. A {@link Circle} has a single vertex, a {@link Capsule} and a {@link Segment} have two.
  *
- * <p>Vertices go counter-clockwise; edge i leads from vertex i to vertex i + 1 (the last one back
- * to vertex 0), and its normal of length one points outwards. A circle has no edges; its only
- * normal is (0, 0). Two vertices have two edges, one for either side.
+ * <p>Vertices go counter-clockwise. Edge i leads from vertex i to vertex i + 1 (the last one back
+ * to vertex 0), and its unit normal points outwards. A circle has no edges; its only normal is (0,
+ * 0). Two vertices have two edges, one for each side.
  */
 public abstract sealed class Convex extends Shape permits Circle, Box, Polygon, Capsule, Segment {
-  /** Most vertices a convex shape can have. */
+  /** Largest number of vertices of a convex shape. */
   public static final int MAX_VERTICES = 64;
 
   final float[] vx;
@@ -37,7 +37,7 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon, 
   }
 
   /**
-   * How many vertices there are: 1 for a circle, 2 for a capsule or segment, 4 for a box, 3 to
+   * Returns the number of vertices: 1 for a circle, 2 for a capsule or segment, 4 for a box, 3 to
    * {@value #MAX_VERTICES} for a polygon.
    */
   public final int vertexCount() {
@@ -45,41 +45,44 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon, 
   }
 
   /**
-   * X of a vertex (a circle's centre); {@code index} in 0 .. vertexCount() - 1, else
-   * IndexOutOfBoundsException.
+   * Returns the x of a vertex, or of a circle's centre, in metres. An {@code index} outside 0 ..
+   * vertexCount() - 1 throws an IndexOutOfBoundsException.
    */
   public final float vertexX(int index) {
     return vx[index];
   }
 
   /**
-   * Y of a vertex (a circle's centre); {@code index} in 0 .. vertexCount() - 1, else
-   * IndexOutOfBoundsException.
+   * Returns the y of a vertex, or of a circle's centre, in metres. An {@code index} outside 0 ..
+   * vertexCount() - 1 throws an IndexOutOfBoundsException.
    */
   public final float vertexY(int index) {
     return vy[index];
   }
 
   /**
-   * X of the outward unit normal of the edge that starts at vertex {@code index}; 0 for a circle.
+   * Returns the x of the outward unit normal of the edge that starts at vertex {@code index}; 0 for
+   * a circle.
    */
   public final float normalX(int index) {
     return nx[index];
   }
 
   /**
-   * Y of the outward unit normal of the edge that starts at vertex {@code index}; 0 for a circle.
+   * Returns the y of the outward unit normal of the edge that starts at vertex {@code index}; 0 for
+   * a circle.
    */
   public final float normalY(int index) {
     return ny[index];
   }
 
-  /** Rounding around the vertices, metres; 0 for sharp corners. */
+  /** Returns the radius of the rounding around the vertices in metres, or 0 for sharp corners. */
   public abstract float radius();
 
   /**
-   * Radius of a disc about the mean of the vertices that just fits into the shape, metres: how far
-   * something may get in before it reaches the middle. 0 for a segment.
+   * Returns the radius of the largest disc around the mean of the vertices that fits into the
+   * shape, in metres. A body may sink in that far before it reaches the middle. It is 0 for a
+   * segment.
    */
   public final float innerRadius() {
     int count = vx.length;
@@ -97,8 +100,8 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon, 
   }
 
   /**
-   * Copies vertices and normals into the caller's arrays, each of at least vertexCount() floats;
-   * returns vertexCount().
+   * Copies vertices and normals into the caller's arrays, each of at least vertexCount() floats.
+   * Returns vertexCount().
    */
   public final int copyTo(float[] xs, float[] ys, float[] normalXs, float[] normalYs) {
     int count = vx.length;
@@ -109,7 +112,9 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon, 
     return count;
   }
 
-  /** Refuses shapes so small and so far from the origin that rounding has merged vertices. */
+  /**
+   * Refuses a shape that is so small and so far from the origin that rounding has merged vertices.
+   */
   final void checkEdges(String what) {
     for (int i = 0; i < vx.length; i++) {
       int next = i + 1 == vx.length ? 0 : i + 1;
@@ -129,17 +134,20 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon, 
     }
   }
 
-  /** True for discs and for polygons with sharp corners, for which collision has a cheaper way. */
+  /**
+   * Returns true for discs and for polygons with sharp corners, which have a cheaper collision
+   * algorithm.
+   */
   public final boolean isSimple() {
     return simple;
   }
 
   /**
-   * Tells whether two shapes can't be told apart: of one class, with the same bits. Costs a look at
-   * every vertex.
+   * Returns whether another shape is interchangeable with this one: of the same class, with the
+   * same bits. It compares every vertex.
    *
-   * @param other another shape, may be this one
-   * @return true if one can stand in for the other
+   * @param other another shape, which may be this one
+   * @return true if one shape can replace the other
    */
   public boolean isSame(Convex other) {
     return other.getClass() == getClass()
@@ -150,14 +158,17 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon, 
         && Arrays.equals(ny, other.ny);
   }
 
-  /** One component of the unit normals of both sides of a line, from (component, other). */
+  /**
+   * Returns one component of the unit normals of both sides of a line, computed from (component,
+   * other).
+   */
   static float[] pairNormal(double component, double other) {
     double length = Math.sqrt(component * component + other * other);
     float n = (float) (component / length);
     return new float[] {n, -n};
   }
 
-  /** Length of an edge, metres. */
+  /** Returns the length of an edge, metres. */
   final double lengthOf(int edge) {
     int next = edge + 1 == vx.length ? 0 : edge + 1;
     double ex = (double) vx[next] - vx[edge];
@@ -165,7 +176,9 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon, 
     return Math.sqrt(ex * ex + ey * ey);
   }
 
-  /** Whether a point is in the polygon of the vertices or within a distance of its edges. */
+  /**
+   * Returns whether a point is in the polygon of the vertices or within a distance of its edges.
+   */
   final boolean isWithin(float x, float y, float distance) {
     int count = vx.length;
     boolean inside = count > 2;
@@ -186,12 +199,12 @@ public abstract sealed class Convex extends Shape permits Circle, Box, Polygon, 
   }
 
   /**
-   * Mass of a rounded polygon, of two vertices or more: the polygon, a rectangle along each edge,
-   * and a sector of a disc at each corner.
+   * Returns the mass of a rounded polygon of two vertices or more, which is the polygon, a
+   * rectangle along each edge, and a sector of a disc at each corner.
    *
    * <p>A sector of radius r between the normals m and n has the area r&sup2; phi / 2, the first
    * moment r&sup3; / 3 (n.y - m.y, m.x - n.x) (the integral of the unit vector over the angle), and
-   * the second moment r^4 phi / 4 about its corner. Everything is summed about vertex 0 and moved
+   * the second moment r^4 phi / 4 about its corner. All moments are summed about vertex 0 and moved
    * to the centroid at the end.
    */
   final MassData roundedMass(float density) {

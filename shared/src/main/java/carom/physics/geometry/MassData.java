@@ -1,9 +1,9 @@
 package carom.physics.geometry;
 
 /**
- * What a shape weighs and how hard it is to turn.
+ * Mass properties of a shape: mass, centre of mass and moment of inertia.
  *
- * @param mass kilograms
+ * @param mass mass, kilograms
  * @param centerX centre of mass in the frame of the shape, metres
  * @param centerY centre of mass in the frame of the shape, metres
  * @param inertia moment of inertia about the centre of mass, kg m&sup2;

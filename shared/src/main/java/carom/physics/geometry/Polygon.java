@@ -5,13 +5,13 @@ import carom.physics.math.Vec2;
 import java.util.Arrays;
 
 /**
- * A convex polygon: the convex hull of the given points, with 3 to {@value Convex#MAX_VERTICES}
- * vertices, counter-clockwise; sharp, or rounded by a radius.
+ * A convex polygon: the convex hull of given points, with 3 to {@value Convex#MAX_VERTICES}
+ * vertices, counter-clockwise. Its corners are sharp or rounded by a radius.
  *
- * <p>The points may come in any order and winding; those inside the hull are dropped. So are points
- * that would make contacts ill-conditioned: near-duplicates (closer than 1e-4 of the size of the
- * bounding box) and points nearly on the line through their neighbours (nearer than 1e-5 of it).
- * Vertex 0 is the leftmost one (of these the lowest).
+ * <p>The points may come in any order and winding. Points inside the hull are dropped. So are
+ * points that would make contacts ill-conditioned: near-duplicates (closer than 1e-4 of the size of
+ * the bounding box) and points nearly on the line through their neighbours (nearer than 1e-5 of
+ * it). Vertex 0 is the leftmost one (of these the lowest).
  */
 public final class Polygon extends Convex {
   private static final double DUPLICATE = 1e-4;
@@ -26,11 +26,11 @@ public final class Polygon extends Convex {
   }
 
   /**
-   * Makes the hull of 3 or more points, and everything within a radius of it.
+   * Creates the hull of 3 or more points, rounded by a radius.
    *
    * @param radius rounding, metres; 0 for sharp corners, else {@link Shape#MIN_SIZE} to {@link
    *     Shape#MAX_SIZE}
-   * @param xy as for {@link #of(float...)}
+   * @param xy points as for {@link #of(float...)}
    */
   public static Polygon rounded(float radius, float... xy) {
     Polygon sharp = of(xy);
@@ -40,7 +40,7 @@ public final class Polygon extends Convex {
     return new Polygon(sharp.vx, sharp.vy, sharp.nx, sharp.ny, checkSize("polygon radius", radius));
   }
 
-  /** Makes the hull of 3 or more points, see {@link #of(float...)}. */
+  /** Creates the hull of 3 or more points, see {@link #of(float...)}. */
   public static Polygon of(Vec2... points) {
     float[] xy = new float[2 * points.length];
     for (int i = 0; i < points.length; i++) {
@@ -51,7 +51,7 @@ public final class Polygon extends Convex {
   }
 
   /**
-   * Makes the hull of 3 or more points, by Andrew's monotone chain (1979).
+   * Creates the hull of 3 or more points, by Andrew's monotone chain (1979).
    *
    * @param xy x0, y0, x1, y1, ... in metres
    * @throws IllegalArgumentException when a coordinate is not a number within {@link
@@ -70,7 +70,7 @@ public final class Polygon extends Convex {
     }
     Vec2[] points = new Vec2[given];
     for (int i = 0; i < given; i++) {
-      // Adding 0 turns -0 into 0, which the sort below would tell apart.
+      // Adding 0 turns -0 into 0, which the sort below would tell apart from -0.
       points[i] =
           new Vec2(
               checkCoordinate("polygon x" + i, xy[2 * i]) + 0f,
@@ -85,9 +85,9 @@ public final class Polygon extends Convex {
   }
 
   /**
-   * Makes a regular polygon around the frame's origin with one vertex on the positive x axis.
+   * Creates a regular polygon around the frame's origin with one vertex on the positive x axis.
    *
-   * @param count vertices, 3 to {@value Convex#MAX_VERTICES}
+   * @param count number of vertices, 3 to {@value Convex#MAX_VERTICES}
    * @param radius distance of the vertices from the origin, metres
    */
   public static Polygon regular(int count, float radius) {
@@ -139,14 +139,16 @@ public final class Polygon extends Convex {
     return new Polygon(vx, vy, nx, ny, 0);
   }
 
-  /** A polygon with these vertices and normals, as it once was built. */
+  /**
+   * Returns a polygon with exactly these vertices and normals, as an earlier build computed them.
+   */
   static Polygon exact(float[] vx, float[] vy, float[] nx, float[] ny, float radius) {
     Polygon polygon = new Polygon(vx, vy, nx, ny, radius);
     polygon.checkEdges("polygon");
     return polygon;
   }
 
-  /** The strict convex hull, counter-clockwise, from the leftmost lowest point. */
+  /** Returns the strict convex hull, counter-clockwise, from the leftmost lowest point. */
   private static Vec2[] hull(Vec2[] points) {
     Vec2[] sorted = points.clone();
     Arrays.sort(
@@ -171,7 +173,7 @@ public final class Polygon extends Convex {
     return Arrays.copyOf(chain, Math.max(1, k - 1));
   }
 
-  /** Drops near-duplicates and nearly straight corners until none is left. */
+  /** Drops near-duplicates and nearly straight corners until none is left, and returns the rest. */
   private static Vec2[] cleaned(Vec2[] hull) {
     Vec2[] kept = hull.clone();
     double size = size(kept);
@@ -217,8 +219,8 @@ public final class Polygon extends Convex {
   }
 
   /**
-   * Twice the signed area of the triangle, positive for a left turn at q. Differences of floats, so
-   * nearly exact in double.
+   * Returns twice the signed area of a triangle, positive for a left turn at q. It uses differences
+   * of floats, so it is nearly exact in double.
    */
   private static double turn(Vec2 p, Vec2 q, Vec2 r) {
     double qx = (double) q.x() - p.x();
@@ -251,10 +253,11 @@ public final class Polygon extends Convex {
   }
 
   /**
-   * The shoelace formula and its moments, over the fan of triangles at vertex 0 with edge vectors a
-   * and b: area a x b / 2, centroid (a + b) / 3, second moment about vertex 0 (a x b)(a.a + a.b +
-   * b.b) / 12 (Green's theorem; e.g. Bourke, "Calculating the area and centroid of a polygon", and
-   * its second-moment counterpart). The parallel axis theorem then moves the sum to the centroid.
+   * Returns mass, centroid and inertia by the shoelace formula and its moments, over the fan of
+   * triangles at vertex 0. A triangle with the edge vectors a and b has the area a x b / 2, the
+   * centroid (a + b) / 3 and the second moment (a x b)(a.a + a.b + b.b) / 12 about vertex 0
+   * (Green's theorem; e.g. Bourke, "Calculating the area and centroid of a polygon", and its
+   * second-moment counterpart). The parallel axis theorem then moves the sum to the centroid.
    * Coordinates relative to vertex 0 keep far-away polygons accurate.
    */
   @Override
@@ -289,7 +292,7 @@ public final class Polygon extends Convex {
         (float) (density * inertia));
   }
 
-  /** Twice the area of the triangle of vertex 0 and edge i. */
+  /** Returns twice the area of the triangle of vertex 0 and edge i. */
   private double cross(int i) {
     double ax = (double) vx[i] - vx[0];
     double ay = (double) vy[i] - vy[0];

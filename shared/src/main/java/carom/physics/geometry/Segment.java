@@ -3,11 +3,12 @@ package carom.physics.geometry;
 import java.util.Arrays;
 
 /**
- * A line from one point to another, without thickness and without mass: for bodies that don't move
- * by forces. Bodies touch a segment from both sides, those of a {@link Chain} only from the front.
+ * A line between two points, without thickness and without mass. It is for bodies that forces don't
+ * move. Bodies touch a segment from both sides, but a segment of a {@link Chain} only from the
+ * front.
  *
- * <p>Vertices are the two ends; edge 0 is the side to the right of the way from vertex 0 to 1, edge
- * 1 the other. The front of a one-sided segment is edge 0.
+ * <p>The vertices are the two ends. Edge 0 is the side to the right of the way from vertex 0 to 1,
+ * and edge 1 is the other. The front of a one-sided segment is edge 0.
  */
 public final class Segment extends Convex {
   private final boolean oneSided;
@@ -16,18 +17,21 @@ public final class Segment extends Convex {
   private final float[] ghostY;
 
   /**
-   * Makes a segment with two sides; metres.
+   * Creates a segment with two sides; all lengths in metres.
    *
-   * @param x0 one end
-   * @param y0 one end
-   * @param x1 the other end, at least {@link Shape#MIN_SIZE} away
-   * @param y1 the other end
+   * @param x0 x of one end
+   * @param y0 y of one end
+   * @param x1 x of the other end, at least {@link Shape#MIN_SIZE} away
+   * @param y1 y of the other end
    */
   public Segment(float x0, float y0, float x1, float y1) {
     this(x0, y0, x1, y1, false, new boolean[2], new float[2], new float[2]);
   }
 
-  /** A link of a chain: what comes before vertex 0 and after vertex 1, where linked. */
+  /**
+   * Creates a segment of a chain. The arrays describe the neighbour at each vertex: whether there
+   * is one, and its far end.
+   */
   Segment(
       float x0,
       float y0,
@@ -50,22 +54,28 @@ public final class Segment extends Convex {
     checkSize("segment length", (float) lengthOf(0));
   }
 
-  /** Whether bodies pass through it from behind: a part of a {@link Chain}. */
+  /** Returns whether bodies pass through from behind, as they do with a part of a {@link Chain}. */
   public boolean isOneSided() {
     return oneSided;
   }
 
-  /** Whether another segment of the chain goes on at vertex {@code end}, 0 or 1. */
+  /** Returns whether the chain continues at vertex {@code end}, 0 or 1. */
   public boolean isLinked(int end) {
     return linked[end];
   }
 
-  /** X of the neighbour's far end, beyond vertex {@code end}; meaningful where linked. */
+  /**
+   * Returns the x of the neighbour's far end, beyond vertex {@code end}. It is meaningful only
+   * where linked.
+   */
   public float ghostX(int end) {
     return ghostX[end];
   }
 
-  /** Y of the neighbour's far end, beyond vertex {@code end}; meaningful where linked. */
+  /**
+   * Returns the y of the neighbour's far end, beyond vertex {@code end}. It is meaningful only
+   * where linked.
+   */
   public float ghostY(int end) {
     return ghostY[end];
   }
@@ -75,13 +85,13 @@ public final class Segment extends Convex {
     return 0;
   }
 
-  /** Zero: a line covers nothing. */
+  /** Returns zero, because a line covers nothing. */
   @Override
   public float area() {
     return 0;
   }
 
-  /** Mass and inertia zero, whatever the density; the centre is the middle. */
+  /** Returns a mass and an inertia of zero for any density, with the middle as centre. */
   @Override
   public MassData mass(float density) {
     checkDensity(density);
@@ -111,7 +121,7 @@ public final class Segment extends Convex {
         && Arrays.equals(ghostY, s.ghostY);
   }
 
-  /** False nearly everywhere: only points exactly on the line are in it. */
+  /** Returns true only for points exactly on the line. */
   @Override
   public boolean containsPoint(float x, float y) {
     return isWithin(x, y, 0);

@@ -8,16 +8,15 @@ import java.util.List;
  * A solid region of the plane in its body's frame: one {@link Convex} shape, a {@link Compound} of
  * several, or a {@link Chain} of lines.
  *
- * <p>Lengths are metres. Shapes are immutable and validated when made: coordinates are finite and
- * at most {@link #MAX_SIZE} from the frame's origin, nothing is thinner than {@link #MIN_SIZE};
- * anything else is refused with an {@link IllegalArgumentException} that names value and limit.
- * Float arithmetic is good between these bounds, with the usual advice: things of 0.1 to 100 m
- * behave best.
+ * <p>Lengths are metres. Shapes are immutable and validated on creation: coordinates are finite and
+ * at most {@link #MAX_SIZE} from the frame's origin, and nothing is thinner than {@link #MIN_SIZE}.
+ * An invalid shape throws an {@link IllegalArgumentException} that names value and limit. Float
+ * arithmetic is good between these bounds, and best for shapes of 0.1 to 100 m.
  */
 public abstract sealed class Shape permits Convex, Compound, Chain {
   /**
    * Smallest radius, half extent, or width of a polygon, metres. Below it, contact tolerances would
-   * be larger than shapes.
+   * be larger than the shapes.
    */
   public static final float MIN_SIZE = 1e-3f;
 
@@ -30,45 +29,45 @@ public abstract sealed class Shape permits Convex, Compound, Chain {
   Shape() {}
 
   /**
-   * The convex pieces this shape consists of, in a fixed order; a convex shape is its own only
-   * part. Unmodifiable; no allocation.
+   * Returns the convex parts of this shape in a fixed order. A convex shape is its own only part.
+   * The list is unmodifiable, and the call allocates nothing.
    */
   public abstract List<Convex> parts();
 
   /**
    * Computes the tight bounding box of this shape in a pose.
    *
-   * @param t from the shape's frame to the world, read only
+   * @param t pose that takes the shape's frame to the world, read only
    * @param out receives the box
    */
   public abstract void aabb(Transform t, Aabb out);
 
   /**
-   * The area in m&sup2;, positive; 0 for lines. Parts of a compound that overlap count as often as
-   * they overlap.
+   * Returns the area in m&sup2;, or 0 for lines. Overlapping parts of a compound each count in
+   * full.
    */
   public abstract float area();
 
   /**
-   * Mass, centre of mass and moment of inertia (about the centre of mass) for a uniform density.
-   * Computed in double precision from exact formulas; allocates the result.
+   * Returns mass, centre of mass and moment of inertia about the centre of mass, for a uniform
+   * density. It computes in double precision from exact formulas and allocates the result.
    *
    * @param density kg/m&sup2;, finite and not negative; 0 gives mass 0 and the centroid of the area
    */
   public abstract MassData mass(float density);
 
   /**
-   * This shape, translated in its frame. Vertex order, edge order and normals stay as they are, so
-   * feature ids stay too.
+   * Returns this shape translated in its frame. Vertex order, edge order and normals stay as they
+   * are, and so do feature ids.
    *
-   * @param dx metres
-   * @param dy metres
+   * @param dx translation along x, metres
+   * @param dy translation along y, metres
    */
   public abstract Shape moved(float dx, float dy);
 
   /**
-   * True when the point (x, y) of the shape's own frame is inside or on the border; of lines, on
-   * one of them.
+   * Returns true if the point (x, y) of the shape's own frame is inside or on the border. For
+   * lines, the point must be on one of them.
    */
   public boolean containsPoint(float x, float y) {
     List<Convex> parts = parts();
@@ -81,15 +80,16 @@ public abstract sealed class Shape permits Convex, Compound, Chain {
   }
 
   /**
-   * True when the world point (x, y) is inside or on the border of this shape in pose {@code t}.
+   * Returns true if the world point (x, y) is inside or on the border of this shape in pose {@code
+   * t}.
    */
   public final boolean containsPoint(Transform t, float x, float y) {
     return containsPoint(t.localX(x, y), t.localY(x, y));
   }
 
   /**
-   * Distance from the frame's origin to the farthest point of the shape, metres: no rotation
-   * reaches beyond.
+   * Returns the distance from the frame's origin to the farthest point of the shape, metres. No
+   * rotation reaches beyond it.
    */
   public float reach() {
     List<Convex> parts = parts();

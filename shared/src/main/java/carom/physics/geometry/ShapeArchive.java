@@ -4,7 +4,10 @@ import carom.physics.archive.Archive;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Shapes as numbers, bit for bit: a polygon isn't built again, which would round anew. */
+/**
+ * Archive format of shapes, bit for bit. It restores a polygon from its vertices and normals
+ * instead of building it again, because a new build would round again.
+ */
 public final class ShapeArchive {
   private static final int CIRCLE = 0;
   private static final int BOX = 1;
@@ -21,10 +24,10 @@ public final class ShapeArchive {
   /**
    * Passes a shape through an archive.
    *
-   * @param a the archive
+   * @param a the archive to write to or read from
    * @param shape ignored when reading
-   * @return the shape that was given or read
-   * @throws IllegalArgumentException if what is read is no shape
+   * @return the given shape when writing, the one read when reading
+   * @throws IllegalArgumentException if the data read is no valid shape
    */
   public static Shape pass(Archive a, Shape shape) {
     int kind = a.integer("kind of shape", a.reads() ? 0 : kindOf(shape), 0, COMPOUND);

@@ -2,9 +2,9 @@
  * Shapes: immutable, validated geometry in a body's own frame, with exact area, centroid and moment
  * of inertia.
  *
- * <p>Imports only {@code java..} and {@link carom.physics.math}. Shapes hold no pose: every
- * question about the world takes a {@link carom.physics.math.Transform}. They may be shared freely
- * between bodies, worlds and threads.
+ * <p>Imports only {@code java..} and {@link carom.physics.math}. Shapes hold no pose; every
+ * question about the world takes a {@link carom.physics.math.Transform}. Bodies, worlds and threads
+ * may share them freely.
  *
  * <p>Read first: {@link carom.physics.geometry.Shape}, {@link carom.physics.geometry.Convex},
  * {@link carom.physics.geometry.Polygon}.

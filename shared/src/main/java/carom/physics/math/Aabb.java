@@ -18,15 +18,15 @@ public final class Aabb {
   /** Upper border. */
   public float maxY;
 
-  /** Makes the box that holds only the origin. */
+  /** Creates the box that holds only the origin. */
   public Aabb() {}
 
-  /** Makes a box from its borders, which are not checked. */
+  /** Creates a box from its borders, which are not checked. */
   public Aabb(float minX, float minY, float maxX, float maxY) {
     set(minX, minY, maxX, maxY);
   }
 
-  /** Sets all borders; nothing is checked. Returns this. */
+  /** Sets all borders, which are not checked. Returns this. */
   public Aabb set(float minX, float minY, float maxX, float maxY) {
     this.minX = minX;
     this.minY = minY;
@@ -40,7 +40,7 @@ public final class Aabb {
     return set(box.minX, box.minY, box.maxX, box.maxY);
   }
 
-  /** Becomes the empty box, the neutral element of {@link #add(Aabb)}. Returns this. */
+  /** Makes this the empty box, the neutral element of {@link #add(Aabb)}. Returns this. */
   public Aabb setEmpty() {
     return set(
         Float.POSITIVE_INFINITY,
@@ -49,12 +49,12 @@ public final class Aabb {
         Float.NEGATIVE_INFINITY);
   }
 
-  /** True when no point is inside. */
+  /** Returns true if the box holds no point. */
   public boolean isEmpty() {
     return !(minX <= maxX && minY <= maxY);
   }
 
-  /** Grows to hold {@code box}. Returns this. */
+  /** Extends this box to hold {@code box}. Returns this. */
   public Aabb add(Aabb box) {
     minX = Math.min(minX, box.minX);
     minY = Math.min(minY, box.minY);
@@ -63,7 +63,7 @@ public final class Aabb {
     return this;
   }
 
-  /** Grows to hold the point (x, y). Returns this. */
+  /** Extends this box to hold the point (x, y). Returns this. */
   public Aabb add(float x, float y) {
     minX = Math.min(minX, x);
     minY = Math.min(minY, y);
@@ -77,32 +77,32 @@ public final class Aabb {
     return set(minX - margin, minY - margin, maxX + margin, maxY + margin);
   }
 
-  /** True when the boxes share at least one point. */
+  /** Returns true if the boxes share at least one point. */
   public boolean overlaps(Aabb box) {
     return minX <= box.maxX && box.minX <= maxX && minY <= box.maxY && box.minY <= maxY;
   }
 
-  /** True when {@code box} lies inside this one, borders included. */
+  /** Returns true if {@code box} lies inside this one, borders included. */
   public boolean contains(Aabb box) {
     return minX <= box.minX && box.maxX <= maxX && minY <= box.minY && box.maxY <= maxY;
   }
 
-  /** True when the point (x, y) is inside or on the border. */
+  /** Returns true if the point (x, y) is inside or on the border. */
   public boolean contains(float x, float y) {
     return minX <= x && x <= maxX && minY <= y && y <= maxY;
   }
 
-  /** Horizontal size, metres. */
+  /** Returns the horizontal size, metres. */
   public float width() {
     return maxX - minX;
   }
 
-  /** Vertical size, metres. */
+  /** Returns the vertical size, metres. */
   public float height() {
     return maxY - minY;
   }
 
-  /** Half of the border's length, the cost measure of box trees; metres. */
+  /** Returns half the length of the border in metres, the cost measure of box trees. */
   public float halfPerimeter() {
     return width() + height();
   }

@@ -1,9 +1,9 @@
 package carom.physics.math;
 
 /**
- * A closed interval on a line: the shadow of a shape on an axis, and with it the one-dimensional
- * case of collision. Two convex shapes overlap exactly when their shadows overlap on every axis
- * (separating axis theorem). Mutable and reused.
+ * A closed interval on a line, such as the projection of a shape on an axis. It is the
+ * one-dimensional case of collision: two convex shapes overlap exactly if their projections overlap
+ * on every axis (separating axis theorem). It is mutable and reused.
  */
 public final class Interval {
   /** Lower end. */
@@ -12,10 +12,10 @@ public final class Interval {
   /** Upper end. */
   public float max;
 
-  /** Makes the interval that holds only zero. */
+  /** Creates the interval that holds only zero. */
   public Interval() {}
 
-  /** Makes an interval from its ends, which are not checked. */
+  /** Creates an interval from its ends, which are not checked. */
   public Interval(float min, float max) {
     set(min, max);
   }
@@ -28,16 +28,17 @@ public final class Interval {
   }
 
   /**
-   * Becomes the projection of points on the axis through the origin with direction (axisX, axisY).
-   * The result is in metres when the axis has length one, else scaled by its length. Returns this.
+   * Sets this interval to the projection of points on the axis through the origin with the
+   * direction (axisX, axisY). The result is in metres if the axis has length one; otherwise it is
+   * scaled by that length. Returns this.
    *
    * @param xs x of the points
    * @param ys y of the points
-   * @param count how many points count, at least 1
+   * @param count number of points, at least 1
    */
   public Interval project(float[] xs, float[] ys, int count, float axisX, float axisY) {
     if (count < 1) {
-      throw new IllegalArgumentException("count=" + count + " must be >= 1: nothing has no shadow");
+      throw new IllegalArgumentException("count=" + count + " must be >= 1: a projection needs a point");
     }
     float low = Float.POSITIVE_INFINITY;
     float high = Float.NEGATIVE_INFINITY;
@@ -49,30 +50,30 @@ public final class Interval {
     return set(low, high);
   }
 
-  /** Upper end less lower end. */
+  /** Returns the upper end minus the lower end. */
   public float length() {
     return max - min;
   }
 
-  /** True when the intervals share at least one point; touching ends count. */
+  /** Returns true if the intervals share at least one point; touching ends count. */
   public boolean overlaps(Interval other) {
     return min <= other.max && other.min <= max;
   }
 
   /**
-   * Signed distance: the gap when positive, minus the smallest push that parts the intervals when
-   * negative.
+   * Returns the signed distance to another interval. It is the gap if positive, and minus the
+   * smallest translation that separates the intervals if negative.
    */
   public float separation(Interval other) {
     return Math.max(other.min - max, min - other.max);
   }
 
   /**
-   * The smallest signed translation of this interval that moves it out of {@code other},
+   * Returns the smallest signed translation of this interval that moves it out of {@code other},
    * containment included.
    *
-   * @return positive: up, negative: down, 0 when the intervals are separated or touch. Of two equal
-   *     ways out, the one down is taken.
+   * @return positive for up, negative for down, 0 if the intervals are separated or touch. Of two
+   *     equal ways out, it is the one down.
    */
   public float mtv(Interval other) {
     float down = max - other.min;

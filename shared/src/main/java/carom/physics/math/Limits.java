@@ -1,20 +1,20 @@
 package carom.physics.math;
 
 /**
- * The ranges of the numbers that a world accepts, and the checks that refuse others in the words of
- * the caller.
+ * Ranges of the numbers that a world accepts, and checks that refuse others. A check's message
+ * names the value as the caller does.
  *
- * <p>Every number that enters a world passes one of these checks, so that inside there are no NaNs
- * and no values whose products overflow. Programs may use the same limits for their own input.
+ * <p>Every number that enters a world passes one of these checks, so a world has no NaNs and no
+ * values whose products overflow. Programs may use the same limits for their own input.
  */
 public final class Limits {
-  /** Largest distance from the origin, m: floats are 1 m apart there. */
+  /** Largest distance from the origin, m. Floats are 1 m apart there. */
   public static final float MAX_COORDINATE = 1e7f;
 
-  /** Largest speed that may be asked for, m/s or rad/s. */
+  /** Largest speed that a program may request, m/s or rad/s. */
   public static final float MAX_VELOCITY = 1e5f;
 
-  /** Largest force, torque or impulse that may be asked for, N, N m, N s. */
+  /** Largest force, torque or impulse that a program may request, N, N m, N s. */
   public static final float MAX_FORCE = 1e20f;
 
   /** Largest frequency of a joint's spring, 1/s. */
@@ -40,7 +40,7 @@ public final class Limits {
   /**
    * Checks a closed range.
    *
-   * @param name how the caller calls the value
+   * @param name name of the value, for messages
    * @param value the value
    * @param min smallest allowed
    * @param max largest allowed
@@ -57,7 +57,7 @@ public final class Limits {
   /**
    * Checks a coordinate in metres.
    *
-   * @param name how the caller calls the value
+   * @param name name of the value, for messages
    * @param value the value
    * @return the value
    */
@@ -68,7 +68,7 @@ public final class Limits {
   /**
    * Checks a velocity component, m/s or rad/s.
    *
-   * @param name how the caller calls the value
+   * @param name name of the value, for messages
    * @param value the value
    * @return the value
    */
@@ -79,7 +79,7 @@ public final class Limits {
   /**
    * Checks a force, torque or impulse.
    *
-   * @param name how the caller calls the value
+   * @param name name of the value, for messages
    * @param value the value
    * @return the value
    */
@@ -88,7 +88,7 @@ public final class Limits {
   }
 
   /**
-   * Checks a time step: more than 0, at most {@link #MAX_TIME_STEP}.
+   * Checks a time step, which must be more than 0 and at most {@link #MAX_TIME_STEP}.
    *
    * @param seconds the time step, s
    * @return the time step

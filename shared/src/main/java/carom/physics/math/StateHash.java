@@ -4,23 +4,24 @@ import carom.physics.dynamics.contact.ContactHash;
 import carom.physics.dynamics.store.ColumnHash;
 
 /**
- * A 64-bit hash of numbers, bit by bit: equal states give equal hashes, and one flipped bit flips
+ * 64-bit hash of numbers by their bits. Equal states give equal hashes, and one changed bit changes
  * about half of the hash.
  *
- * <p>Each word is multiplied by an odd constant, rotated and multiplied again, which is the scheme
- * of Austin Appleby's MurmurHash3 (public domain); zero and minus zero differ. Every word waits for
- * the one before it: for thousands of numbers see {@link ColumnHash} and {@link ContactHash}.
+ * <p>Each word is multiplied by an odd constant, rotated and multiplied again, as in Austin
+ * Appleby's MurmurHash3 (public domain). Zero and minus zero differ. Each word waits for the one
+ * before it, so {@link ColumnHash} and {@link ContactHash} are better for thousands of numbers.
  */
 public final class StateHash {
-  /** Where a hash starts. */
+  /** Start value of a hash. */
   public static final long SEED = 0x43_61_72_6f_6dL;
 
   private static final long FIRST = 0x87c37b91114253d5L;
   private static final long SECOND = 0x4cf5ad432745937fL;
 
-  /** The factors of {@link #finish}. */
+  /** First factor of {@link #finish}. */
   public static final long FINISH_FIRST = 0xff51afd7ed558ccdL;
 
+  /** Second factor of {@link #finish}. */
   public static final long FINISH_SECOND = 0xc4ceb9fe1a85ec53L;
 
   private StateHash() {}
@@ -51,7 +52,7 @@ public final class StateHash {
   }
 
   /**
-   * Spreads the last words over all bits.
+   * Finishes a hash by spreading the last words over all bits.
    *
    * @param hash the hash so far
    * @return the finished hash

@@ -1,8 +1,8 @@
 package carom.physics.math;
 
 /**
- * A pose in the plane: where a body's origin is and how the body is turned. Takes points from the
- * body frame to the world:
+ * A pose in the plane: the position of a body's origin and the body's rotation. It takes points
+ * from the body frame to the world:
  *
  * <pre>
  * worldX = x + cos * px - sin * py
@@ -10,8 +10,8 @@ package carom.physics.math;
  * </pre>
  *
  * <p>The rotation is a unit complex number (cos, sin), so turning a point needs no trigonometry.
- * Whoever writes the fields keeps cos&sup2; + sin&sup2; = 1; {@link #normalize()} repairs the drift
- * of repeated products. Mutable and reused; not safe for use by several threads.
+ * Code that writes the fields must keep cos&sup2; + sin&sup2; = 1; {@link #normalize()} repairs the
+ * drift of repeated products. It is mutable and reused, and not safe for several threads.
  */
 public final class Transform {
   /** World position of the body origin, metres. */
@@ -26,10 +26,10 @@ public final class Transform {
   /** Sine of the body's angle. */
   public float sin;
 
-  /** Makes the identity: at the origin, unrotated. */
+  /** Creates the identity, at the origin and unrotated. */
   public Transform() {}
 
-  /** Makes a pose from a position in metres and an angle in radians, see {@link Trig}. */
+  /** Creates a pose from a position in metres and an angle in radians, see {@link Trig}. */
   public Transform(float x, float y, float angleRad) {
     set(x, y, angleRad);
   }
@@ -56,7 +56,7 @@ public final class Transform {
     return set(t.x, t.y, t.cos, t.sin);
   }
 
-  /** Becomes the identity. Returns this. */
+  /** Makes this the identity. Returns this. */
   public Transform setIdentity() {
     return set(0, 0, 1, 0);
   }
@@ -76,37 +76,41 @@ public final class Transform {
     }
   }
 
-  /** The angle in radians, in (-pi, pi]. */
+  /** Returns the angle in radians, in (-pi, pi]. */
   public float angle() {
     return Trig.atan2(sin, cos);
   }
 
-  /** World x of the body-frame point (px, py). */
+  /** Returns the world x of the body-frame point (px, py). */
   public float worldX(float px, float py) {
     return x + (cos * px - sin * py);
   }
 
-  /** World y of the body-frame point (px, py). */
+  /** Returns the world y of the body-frame point (px, py). */
   public float worldY(float px, float py) {
     return y + (sin * px + cos * py);
   }
 
-  /** Body-frame x of the world point (wx, wy). */
+  /** Returns the body-frame x of the world point (wx, wy). */
   public float localX(float wx, float wy) {
     return cos * (wx - x) + sin * (wy - y);
   }
 
-  /** Body-frame y of the world point (wx, wy). */
+  /** Returns the body-frame y of the world point (wx, wy). */
   public float localY(float wx, float wy) {
     return cos * (wy - y) - sin * (wx - x);
   }
 
-  /** World x component of the body-frame vector (vx, vy); the position plays no part. */
+  /**
+   * Returns the world x component of the body-frame vector (vx, vy). The position has no influence.
+   */
   public float rotateX(float vx, float vy) {
     return cos * vx - sin * vy;
   }
 
-  /** World y component of the body-frame vector (vx, vy); the position plays no part. */
+  /**
+   * Returns the world y component of the body-frame vector (vx, vy). The position has no influence.
+   */
   public float rotateY(float vx, float vy) {
     return sin * vx + cos * vy;
   }

@@ -1,50 +1,50 @@
 package carom.physics.math;
 
 /**
- * Sine, cosine and arc tangent with the same bits everywhere. {@code Math.sin} and its kin may be
- * replaced by processor- and VM-specific code; these are plain IEEE double arithmetic in a fixed
- * order, rounded to float once at the end.
+ * Sine, cosine and arc tangent with the same bits on every machine. The JVM may replace {@code
+ * Math.sin} and its kin by code for a processor. These functions are plain IEEE double arithmetic
+ * in a fixed order, rounded to float once at the end.
  *
- * <p>Method: an angle is reduced to a quarter turn k and a rest |r| &lt;= pi/4 by subtracting k *
- * pi/2 in two parts (Cody and Waite), then the Taylor series of sine and cosine follow. Their first
- * omitted terms are below 1e-11, so the error is that of the final rounding: the result is within
- * one float ulp, at most 6e-8 in absolute terms, for every finite float. The arc tangent is folded
- * to |t| &lt;= tan(pi/8), its series is cut at t^19 (omitted: below 1e-9), its result is within
- * 2.5e-7 rad (half an ulp of pi, plus the series).
+ * <p>Method: an angle is reduced to a count k of quarter turns and a remainder |r| &lt;= pi/4 by
+ * subtracting k * pi/2 in two parts (Cody and Waite). Then follow the Taylor series of sine and
+ * cosine, whose first omitted terms are below 1e-11. So the error is that of the final rounding:
+ * within one float ulp, at most 6e-8 in absolute terms, for every finite float. The arc tangent is
+ * folded to |t| &lt;= tan(pi/8). Its series ends at t^19 (omitted: below 1e-9), and its result is
+ * within 2.5e-7 rad (half an ulp of pi, plus the series).
  *
- * <p>Above {@value #REDUCIBLE} rad, where neighbouring floats are more than 0.06 rad apart and an
- * angle says little, the two-part reduction loses digits and {@code StrictMath} (bit-exact by
- * definition, but slow) takes over. NaN and infinities give NaN.
+ * <p>Above {@value #REDUCIBLE} rad, neighbouring floats are more than 0.06 rad apart and the
+ * two-part reduction loses digits. There {@code StrictMath} takes over, which is bit-exact by
+ * definition but slow. NaN and infinities give NaN.
  */
 public final class Trig {
   /** Pi, rounded to float. */
   public static final float PI = 3.14159265f;
 
   /**
-   * Largest magnitude, in radians, that is reduced here rather than by {@code StrictMath}: k fits
-   * in 20 bits.
+   * Largest magnitude in radians that is reduced here rather than by {@code StrictMath}. Up to it,
+   * k fits in 20 bits.
    */
   private static final float REDUCIBLE = 1_000_000f;
 
-  /** The first 33 bits of pi/2: its product with any k below 2^20 is exact. */
+  /** First 33 bits of pi/2. Its product with any k below 2^20 is exact. */
   private static final double HALF_PI_HIGH = 0x1.921fb544p0;
 
-  /** What is left of pi/2. */
+  /** Remainder of pi/2 after {@link #HALF_PI_HIGH}. */
   private static final double HALF_PI_LOW = 0x1.0b4611a626331p-34;
 
   private static final double PER_HALF_PI = 0.63661977236758134308;
   private static final double TAN_EIGHTH_PI = 0.41421356237309504880;
 
-  /** A whole turn, as {@link #roughTurn} counts. */
+  /** A whole turn in the units of {@link #roughTurn}. */
   public static final int TURN = 1 << 26;
 
-  /** How far {@link #roughTurn} may be off: 2e-5 rad. */
+  /** Largest error of {@link #roughTurn} in its units, which is 2e-5 rad. */
   public static final int ROUGH = 214;
 
   private Trig() {}
 
   /**
-   * Sine of an angle.
+   * Returns the sine of an angle.
    *
    * @param rad radians, any float; NaN and infinities give NaN, both zeros give 0
    * @return in [-1, 1]
@@ -60,7 +60,7 @@ public final class Trig {
   }
 
   /**
-   * Cosine of an angle.
+   * Returns the cosine of an angle.
    *
    * @param rad radians, any float; NaN and infinities give NaN
    * @return in [-1, 1]
@@ -76,7 +76,7 @@ public final class Trig {
   }
 
   /**
-   * The angle of the vector (x, y) in radians, counter-clockwise from the x axis.
+   * Returns the angle of the vector (x, y) in radians, counter-clockwise from the x axis.
    *
    * @return in [-pi, pi] as floats; 0 for the zero vector, whatever the signs of its zeros; for y =
    *     -0 and x &lt; 0 it is pi, not -pi; NaN when an argument is NaN; infinite arguments are
@@ -107,16 +107,16 @@ public final class Trig {
   }
 
   /**
-   * About the angle of the vector (x, y), where thousands are asked for and few need all digits: no
-   * branch, one division. The polynomial for the first eighth of a turn is that of Abramowitz and
-   * Stegun, 4.4.47 (error below 1e-5).
+   * Returns the approximate angle of the vector (x, y), for thousands of vectors of which few need
+   * all digits. It has no branch and one division. The polynomial for the first eighth of a turn is
+   * 4.4.47 of Abramowitz and Stegun (error below 1e-5).
    *
-   * @return fractions of a turn, {@link #TURN} for a whole one, in -TURN/2..TURN/2, off by at most
-   *     {@link #ROUGH}; any number in that range for vectors shorter than 1e-30 or longer than 1e30
-   *     and for NaN
+   * @return the angle with {@link #TURN} for a whole turn, in -TURN/2..TURN/2, off by at most
+   *     {@link #ROUGH}; an undefined number in that range for NaN and for vectors shorter than
+   *     1e-30 or longer than 1e30
    */
   public static int roughTurn(float y, float x) {
-    // lengths of floats sort like their bits, which integers compare without a branch
+    // Magnitudes of floats sort like their bits, which integers compare without a branch.
     int ax = Float.floatToRawIntBits(x) & Integer.MAX_VALUE;
     int ay = Float.floatToRawIntBits(y) & Integer.MAX_VALUE;
     int steep = ax - ay >> 31;

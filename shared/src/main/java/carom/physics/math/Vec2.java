@@ -1,56 +1,59 @@
 package carom.physics.math;
 
 /**
- * An immutable point or vector, for building things and for reading results. Hot loops use plain
- * floats instead.
+ * An immutable point or vector, for building shapes and reading results. Hot loops use plain floats
+ * instead.
  *
- * @param x to the right
- * @param y up
+ * @param x component to the right
+ * @param y component upwards
  */
 public record Vec2(float x, float y) {
   /** The origin. */
   public static final Vec2 ZERO = new Vec2(0, 0);
 
-  /** The sum of this vector and {@code v}. */
+  /** Returns the sum of this vector and {@code v}. */
   public Vec2 plus(Vec2 v) {
     return new Vec2(x + v.x, y + v.y);
   }
 
-  /** This vector less {@code v}: the way from {@code v} to this point. */
+  /** Returns this vector minus {@code v}, which leads from {@code v} to this point. */
   public Vec2 minus(Vec2 v) {
     return new Vec2(x - v.x, y - v.y);
   }
 
-  /** This vector, {@code factor} times as long; a negative factor reverses it. */
+  /** Returns this vector scaled by {@code factor}. A negative factor reverses it. */
   public Vec2 times(float factor) {
     return new Vec2(x * factor, y * factor);
   }
 
-  /** This vector turned by a quarter counter-clockwise. */
+  /** Returns this vector turned counter-clockwise by a quarter turn. */
   public Vec2 perpendicular() {
     return new Vec2(-y, x);
   }
 
-  /** The scalar product: positive when the directions differ by less than a quarter turn. */
+  /**
+   * Returns the scalar product. It is positive if the directions differ by less than a quarter
+   * turn.
+   */
   public float dot(Vec2 v) {
     return x * v.x + y * v.y;
   }
 
   /**
-   * The z component of the cross product: positive when {@code v} lies counter-clockwise of this
-   * vector.
+   * Returns the z component of the cross product. It is positive if {@code v} lies
+   * counter-clockwise of this vector.
    */
   public float cross(Vec2 v) {
     return x * v.y - y * v.x;
   }
 
-  /** The length, not negative; correct for every finite vector whose length is a finite float. */
+  /** Returns the length. It is correct for every finite vector whose length is a finite float. */
   public float length() {
     return (float) Math.sqrt((double) x * x + (double) y * y);
   }
 
   /**
-   * The vector of length one in this direction.
+   * Returns the vector of length one in the direction of this one.
    *
    * @return {@link #ZERO} when this vector is zero
    */

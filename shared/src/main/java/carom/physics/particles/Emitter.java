@@ -3,8 +3,8 @@ package carom.physics.particles;
 import carom.physics.math.Limits;
 
 /**
- * A nozzle: adds rows of particles that fly off side by side, one spacing after the other. Holds
- * settings only; what it adds in a tick depends on the tick's number alone.
+ * A nozzle that emits particles in rows, side by side, one spacing behind the other. It holds
+ * settings only. What it emits in a tick depends only on the tick's number.
  */
 public final class Emitter {
   private final float x;
@@ -15,12 +15,12 @@ public final class Emitter {
   private float speed = 5;
 
   /**
-   * A nozzle of one particle's width and 5 m/s.
+   * Creates a nozzle with the width of one particle and a speed of 5 m/s.
    *
-   * @param x its middle, m
-   * @param y its middle, m
-   * @param dirX where it points; any length but 0
-   * @param dirY where it points
+   * @param x x of its centre, m
+   * @param y y of its centre, m
+   * @param dirX x of its direction; any length but 0
+   * @param dirY y of its direction
    */
   public Emitter(float x, float y, float dirX, float dirY) {
     this.x = Limits.coordinate("x", x);
@@ -36,9 +36,9 @@ public final class Emitter {
   }
 
   /**
-   * Sets the width; default 0, one particle.
+   * Sets the width; default 0, which is one particle.
    *
-   * @param metres m, 0 to 1e4
+   * @param metres width, 0 to 1e4 m
    * @return this
    */
   public Emitter width(float metres) {
@@ -47,9 +47,10 @@ public final class Emitter {
   }
 
   /**
-   * Sets how fast particles leave, and with it how many: {@code speed / spacing} rows per second.
+   * Sets the speed of the particles and with it their number, {@code speed / spacing} rows per
+   * second.
    *
-   * @param metresPerSecond m/s, 0 to 1e3
+   * @param metresPerSecond speed, 0 to 1e3 m/s
    * @return this
    */
   public Emitter speed(float metresPerSecond) {
@@ -58,12 +59,12 @@ public final class Emitter {
   }
 
   /**
-   * Adds what leaves in a tick, before {@link Particles#step}.
+   * Adds the particles of a tick. Call it before {@link Particles#step}.
    *
-   * @param particles receives them
+   * @param particles receives the particles
    * @param tick the tick's number, from any start
-   * @param dtSeconds its length, s
-   * @return how many were added
+   * @param dtSeconds length of the tick, s
+   * @return the number of particles added
    */
   public int emit(Particles particles, long tick, float dtSeconds) {
     Limits.timeStep(dtSeconds);
@@ -74,7 +75,7 @@ public final class Emitter {
     float across = columns == 1 ? 0 : width / (columns - 1);
     int added = 0;
     for (long row = from; row < to; row++) {
-      // A row that left earlier in the tick is further on its way.
+      // A row emitted earlier in the tick is further along its path.
       float ahead = (float) ((tick + 1) * rows - (row + 1)) * particles.spacing();
       for (int column = 0; column < columns; column++) {
         float side = column * across - 0.5f * (columns - 1) * across;

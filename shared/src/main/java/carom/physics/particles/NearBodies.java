@@ -12,11 +12,12 @@ import carom.physics.math.Transform;
 import java.util.Arrays;
 
 /**
- * The bodies that particles may meet in a step, each copied once: where it is and how it moves
- * while particles push it. The world learns of it at the end, as one impulse per body.
+ * Copies of the bodies that particles may touch in a step, with their motion while particles push
+ * them. At the end, the world gets one impulse for each body.
  */
 final class NearBodies {
-  // Per body: centre, rotation, velocity, 1/m, 1/I, the impulse so far, and where the origin is.
+  // For each body: centre, rotation, velocity, 1/m, 1/I, the impulse so far, and the origin in its
+  // frame.
   private Body<?>[] body = new Body<?>[16];
   float[] x = new float[16];
   float[] y = new float[16];
@@ -27,7 +28,7 @@ final class NearBodies {
   float[] w = new float[16];
   float[] invMass = new float[16];
 
-  /** Whether the body is dynamic; if not, it has the last word. */
+  /** True if the body is dynamic. Bodies that aren't are solved last. */
   boolean[] movable = new boolean[16];
 
   float[] invInertia = new float[16];
@@ -38,7 +39,7 @@ final class NearBodies {
   float[] localX = new float[16];
   float[] localY = new float[16];
 
-  /** Pose at the start of the substep, for those that pass through in one. */
+  /** Pose at the start of the substep, for particles that pass through a part within it. */
   float[] oldX = new float[16];
 
   float[] oldY = new float[16];
@@ -46,7 +47,7 @@ final class NearBodies {
   float[] oldSin = new float[16];
   private int count;
 
-  // Per convex part: whose, its friction, its box over the whole step.
+  // For each convex part: its body, its friction and its bounding box over the whole step.
   Convex[] part = new Convex[16];
   int[] owner = new int[16];
   float[] friction = new float[16];
@@ -57,7 +58,7 @@ final class NearBodies {
   private int partCount;
   private int[] firstPart = new int[17];
 
-  /** By slot: the body's place here, if the stamp is that of this step. */
+  /** For each slot: the body's index here, valid if the stamp is that of this step. */
   private int[] place = new int[0];
 
   private int[] stamp = new int[0];
@@ -88,7 +89,7 @@ final class NearBodies {
     step++;
   }
 
-  /** The bodies with a box in an area, by ascending index; answers how many. */
+  /** Finds the bodies whose box overlaps an area, by ascending index. Returns their number. */
   @SuppressWarnings("unchecked")
   <T> int query(World<T> world, float left, float low, float right, float high) {
     foundCount = 0;
@@ -97,7 +98,7 @@ final class NearBodies {
     return foundCount;
   }
 
-  /** A body the last query found. */
+  /** Returns the index of a body that the last query found. */
   int found(int i) {
     return found[i];
   }
@@ -220,7 +221,7 @@ final class NearBodies {
     maxY = Arrays.copyOf(maxY, n);
   }
 
-  /** Moves the bodies by a substep, as the world is going to, contacts among them aside. */
+  /** Moves the bodies by a substep, as the world will, except for contacts between them. */
   void move(float gx, float gy, float h) {
     for (int i = 0; i < count; i++) {
       oldX[i] = x[i];
@@ -239,7 +240,7 @@ final class NearBodies {
     x[i] += dx;
     y[i] += dy;
     if (turn != 0) {
-      // A rotation by 2 atan(turn / 2): of length one whatever the turn.
+      // A rotation by 2 atan(turn / 2), which has length one for every turn.
       float half = 0.5f * turn;
       float scale = 1 / (1 + half * half);
       float c = (1 - half * half) * scale;
@@ -250,8 +251,11 @@ final class NearBodies {
     }
   }
 
-  /** Kicks a body at a point given from its centre: velocity, and the way of this substep. */
-  void kick(int i, float rx, float ry, float jx, float jy, float h) {
+  /**
+   * Applies an impulse to a body at a point relative to its centre. It changes the velocity and the
+   * motion of this substep.
+   */
+  void applyImpulse(int i, float rx, float ry, float jx, float jy, float h) {
     float dvx = invMass[i] * jx;
     float dvy = invMass[i] * jy;
     float moment = rx * jy - ry * jx;
@@ -265,7 +269,7 @@ final class NearBodies {
     impulseW[i] += moment;
   }
 
-  /** Hands the impulses to the world's bodies. */
+  /** Applies the impulses to the world's bodies. */
   void end() {
     for (int i = 0; i < count; i++) {
       if (invMass[i] > 0 && (impulseX[i] != 0 || impulseY[i] != 0)) {

@@ -3,11 +3,11 @@ package carom.physics.particles;
 import java.util.Arrays;
 
 /**
- * Who is near whom: a grid without a table. Particles are sorted by cell, row after row, with a
- * counting sort; the cells around a particle are then ranges of the order that move on with it, so
- * nothing depends on how large the world is.
+ * Pairs of neighbouring particles, found on a grid without a table. A radix sort orders the
+ * particles by cell, row after row. The cells around a particle are then ranges of this order,
+ * which advance with the particle, so the cost doesn't depend on the size of the world.
  *
- * <p>Pairs are listed by their first particle: its partners, all later in the order, are {@code
+ * <p>Pairs are listed by their first particle. Its partners, all later in the order, are {@code
  * partner[start[i]]} to {@code partner[start[i + 1] - 1]}.
  */
 final class Neighbours {
@@ -20,7 +20,7 @@ final class Neighbours {
   private int[] otherOrder = new int[0];
   private final int[] bucket = new int[BUCKETS];
 
-  /** Where particles are in the middle of the step, in the new order. */
+  /** Positions of the particles in the middle of the step, in the new order. */
   float[] x = new float[0];
 
   float[] y = new float[0];
@@ -46,8 +46,8 @@ final class Neighbours {
   }
 
   /**
-   * Sorts the particles by where they will be after some time, and lists the pairs within a radius
-   * there.
+   * Sorts the particles by their positions after some time, and lists the pairs that are within a
+   * radius then.
    */
   void find(ParticleStore p, float seconds, float radius) {
     reserve(p.capacity());
@@ -75,7 +75,8 @@ final class Neighbours {
       maxX = Math.max(maxX, cx);
       maxY = Math.max(maxY, cy);
     }
-    // Two columns more than needed: the last cell of a row is no neighbour of the next row's first.
+    // Two columns more than needed, so that the last cell of a row isn't a neighbour of the first
+    // cell of the next.
     width = maxX - minX + 3;
     for (int i = 0; i < n; i++) {
       long cx = cell(p.x[i] + seconds * p.vx[i], cells);
@@ -117,7 +118,10 @@ final class Neighbours {
     otherOrder = orders;
   }
 
-  /** Each with the rest of its cell, the cell to the right, and three cells of the row above. */
+  /**
+   * Lists the pairs. Each particle meets the rest of its cell, the cell to the right, and three
+   * cells of the row above.
+   */
   private void pair(int n, float squared) {
     int pairs = 0;
     int low = 0;

@@ -1,16 +1,16 @@
 package carom.physics.particles;
 
-/** How particles of a kind act on each other. */
+/** Interaction between particles of one kind. */
 abstract sealed class PairSolver permits Water, Sand {
-  /** Distance of neighbours at rest in a triangular grid, m. */
+  /** Returns the distance of neighbours at rest in a triangular grid, m. */
   abstract float pitch();
 
-  /** How far to look for pairs, with room for what changes during a step, m. */
+  /** Returns the search distance for pairs, with a margin for their motion during a step, m. */
   abstract float reach();
 
-  /** Once per step, after pairs were found. */
+  /** Prepares a step. The particle system calls it once per step, after the search for pairs. */
   abstract void begin(ParticleStore p, Neighbours pairs, float dt);
 
-  /** Once per substep, after particles moved. */
+  /** Solves a substep. The particle system calls it once per substep, after the particles moved. */
   abstract void solve(ParticleStore p, Neighbours pairs, float h);
 }

@@ -10,16 +10,17 @@ import carom.physics.math.Transform;
 import java.util.Arrays;
 
 /**
- * Particles against bodies: which may meet in a step, and keeping them apart in each substep.
+ * Contacts between particles and bodies: the pairs that may touch in a step, and the push-out in
+ * each substep.
  *
- * <p>Each particle gets a room for the step: the box of its way as it flies now, and a spacing all
- * around it. It never leaves its room, and all that reaches into the room is looked at in every
- * substep, so nothing is missed. Within a substep those that go further than half their radius are
- * also cast as a ray, and all at lines, which have no inside to come out of.
+ * <p>For each step, a particle gets a box: the bounds of its expected path with a margin of one
+ * spacing. The particle never leaves its box, and every part that reaches into the box is tested in
+ * every substep, so no contact is missed. A particle that moves more than half its radius within a
+ * substep is also cast as a ray. Against segments, which have no inside, every particle is.
  */
 final class ParticleContacts {
   private static final int BLOCK = 32;
-  private static final Transform HERE = new Transform();
+  private static final Transform IDENTITY = new Transform();
 
   final NearBodies bodies = new NearBodies();
   private final SignedDistance surface = new SignedDistance();
@@ -39,12 +40,12 @@ final class ParticleContacts {
   private float inverseMass;
   private float ownFriction;
 
-  // The surface of the contact at hand, in the part's frame.
+  // Surface point of the current contact, in the part's frame.
   private float distance;
   private float normalX;
   private float normalY;
 
-  /** Finds what may meet. */
+  /** Finds the pairs that may touch in a step. */
   void find(World<?> world, ParticleStore p, ParticleDef def, float gx, float gy, float dt) {
     radius = 0.5f * def.spacing;
     inverseMass = 1 / (def.density * def.spacing * def.spacing);
@@ -64,10 +65,11 @@ final class ParticleContacts {
   }
 
   /**
-   * Neighbours in the order are neighbours in the world: asks for up to a block of them at once.
+   * Finds the pairs of a block of particles with one query. Particles that are neighbours in the
+   * order are neighbours in the world.
    */
   private int findBlock(
-      World<?> world, ParticleStore p, float room, float gx, float gy, float dt, int first) {
+      World<?> world, ParticleStore p, float margin, float gx, float gy, float dt, int first) {
     float left = Float.POSITIVE_INFINITY;
     float low = Float.POSITIVE_INFINITY;
     float right = Float.NEGATIVE_INFINITY;
@@ -76,15 +78,15 @@ final class ParticleContacts {
     while (end < p.count && end < first + BLOCK) {
       float x = p.x[end];
       float y = p.y[end];
-      if (end > first && Math.abs(x - p.x[end - 1]) + Math.abs(y - p.y[end - 1]) > 8 * room) {
+      if (end > first && Math.abs(x - p.x[end - 1]) + Math.abs(y - p.y[end - 1]) > 8 * margin) {
         break;
       }
       float toX = x + dt * (p.vx[end] + gx * dt);
       float toY = y + dt * (p.vy[end] + gy * dt);
-      minX[end] = Math.min(x, toX) - room;
-      minY[end] = Math.min(y, toY) - room;
-      maxX[end] = Math.max(x, toX) + room;
-      maxY[end] = Math.max(y, toY) + room;
+      minX[end] = Math.min(x, toX) - margin;
+      minY[end] = Math.min(y, toY) - margin;
+      maxX[end] = Math.max(x, toX) + margin;
+      maxY[end] = Math.max(y, toY) + margin;
       left = Math.min(left, minX[end]);
       low = Math.min(low, minY[end]);
       right = Math.max(right, maxX[end]);
@@ -115,7 +117,7 @@ final class ParticleContacts {
     part[count++] = k;
   }
 
-  /** Keeps every particle in its room. */
+  /** Keeps every particle in its box. */
   void confine(ParticleStore p) {
     for (int i = 0; i < p.count; i++) {
       p.x[i] = Math.min(Math.max(p.x[i], minX[i]), maxX[i]);
@@ -124,10 +126,11 @@ final class ParticleContacts {
   }
 
   /**
-   * Pushes particles out of bodies, in the order of the particles: first out of what is dynamic,
-   * then out of the rest, so that nothing is pressed through a floor.
+   * Pushes particles out of bodies, in the order of the particles. Dynamic bodies come first and
+   * all others second, so that no particle is pushed through a floor.
    *
-   * @param oldX where the particles were before the substep
+   * @param oldX x of the particles before the substep
+   * @param oldY y of the particles before the substep
    */
   void solve(ParticleStore p, float[] oldX, float[] oldY, float h) {
     solve(p, oldX, oldY, h, true);
@@ -156,7 +159,7 @@ final class ParticleContacts {
     }
   }
 
-  /** Whether a particle is closer to a part than its radius, or went through it. */
+  /** Returns whether a particle is closer to a part than its radius, or has passed through it. */
   private boolean touches(float[] oldX, float[] oldY, int i, int k, int b, float lx, float ly) {
     Convex shape = bodies.part[k];
     float dx = oldX[i] - bodies.oldX[b];
@@ -169,7 +172,7 @@ final class ParticleContacts {
     float wayY = ly - fromY;
     boolean line = shape instanceof Segment;
     if ((line || wayX * wayX + wayY * wayY > 0.25f * radius * radius)
-        && cast.ray(shape, HERE, fromX, fromY, wayX, wayY, 1, hit)
+        && cast.ray(shape, IDENTITY, fromX, fromY, wayX, wayY, 1, hit)
         && !hit.isInside()) {
       normalX = hit.normalX;
       normalY = hit.normalY;
@@ -182,7 +185,7 @@ final class ParticleContacts {
     return distance < radius && !isBack(shape, lx - shape.vertexX(0), ly - shape.vertexY(0));
   }
 
-  /** Whether (x, y) points to the open side of a one-sided line. */
+  /** Returns whether (x, y) points to the open side of a one-sided segment. */
   private static boolean isBack(Convex shape, float x, float y) {
     return shape instanceof Segment
         && ((Segment) shape).isOneSided()
@@ -190,9 +193,10 @@ final class ParticleContacts {
   }
 
   /**
-   * Moves a particle out along the normal. What has come in during this substep is stopped,
-   * particle and body by their masses, and counts as velocity; what was inside before is only
-   * moved, so that no overlap is shot out. Then friction, at most that part of the normal impulse.
+   * Pushes a particle out along the normal, with friction. An overlap that arose in this substep is
+   * stopped by an impulse, shared between particle and body by their masses, and changes
+   * velocities. An older overlap only moves the particle, so that it isn't shot out. Friction is
+   * limited to the coefficient times the normal impulse.
    */
   private void push(ParticleStore p, int i, int k, int b, float nx, float ny, float h) {
     float depth = radius - distance;
@@ -208,13 +212,13 @@ final class ParticleContacts {
     float jy = impulse * ny;
     float mu = (float) Math.sqrt(ownFriction * bodies.friction[k]);
     if (mu > 0 && impulse > 0) {
-      float slide = relY * nx - relX * ny;
+      float tangentSpeed = relY * nx - relX * ny;
       float reach = rx * nx + ry * ny;
       float most = mu * impulse;
-      float rub = -slide / (k0 + bodies.invInertia[b] * reach * reach);
-      rub = Math.max(-most, Math.min(rub, most));
-      jx -= rub * ny;
-      jy += rub * nx;
+      float frictionImpulse = -tangentSpeed / (k0 + bodies.invInertia[b] * reach * reach);
+      frictionImpulse = Math.max(-most, Math.min(frictionImpulse, most));
+      jx -= frictionImpulse * ny;
+      jy += frictionImpulse * nx;
     }
     float dvx = inverseMass * jx;
     float dvy = inverseMass * jy;
@@ -223,7 +227,7 @@ final class ParticleContacts {
     p.x[i] += dvx * h + (depth - in) * nx;
     p.y[i] += dvy * h + (depth - in) * ny;
     if (bodies.invMass[b] > 0) {
-      bodies.kick(b, rx, ry, -jx, -jy, h);
+      bodies.applyImpulse(b, rx, ry, -jx, -jy, h);
     }
   }
 }

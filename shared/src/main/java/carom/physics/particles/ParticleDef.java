@@ -4,23 +4,23 @@ import carom.physics.Filter;
 import carom.physics.math.Limits;
 
 /**
- * What particles are made of; mutable, fluent, reusable. {@link Particles} copies what it needs.
- * All particles of one {@link Particles} are of one kind.
+ * Definition of particles: their kind and properties. It is mutable, fluent and reusable; {@link
+ * Particles} copies it. All particles of one {@link Particles} have the same definition.
  *
  * <pre>
  *   new ParticleDef(ParticleDef.Kind.WATER, 0.1f).density(1000).viscosity(2)
  * </pre>
  */
 public final class ParticleDef {
-  /** How particles hold each other off. */
+  /** Kind of interaction between particles. */
   public enum Kind {
-    /** An incompressible fluid: as many particles per area as at rest, or fewer. */
+    /** An incompressible fluid: the density may be that of rest or lower. */
     WATER,
-    /** Grains: discs of the spacing's diameter that rub against each other. */
+    /** Grains: discs with the spacing as diameter, with friction between them. */
     SAND
   }
 
-  /** Most particles there can be. */
+  /** Largest number of particles. */
   public static final int MAX_COUNT = 1_000_000;
 
   final Kind kind;
@@ -37,9 +37,10 @@ public final class ParticleDef {
   int substeps = 4;
 
   /**
-   * Water of viscosity 2, without friction, or sand of friction 0.6; density 1.
+   * Creates a definition with density 1: water of viscosity 2 without friction, or sand of friction
+   * 0.6.
    *
-   * @param kind how they hold each other off
+   * @param kind kind of interaction
    * @param spacing side of the square whose area one particle has, and its diameter against bodies
    *     and other grains; 0.01 to 100 m
    */
@@ -54,9 +55,10 @@ public final class ParticleDef {
   }
 
   /**
-   * Sets the density; default 1, as that of bodies. A particle weighs {@code density * spacing^2}.
+   * Sets the density; default 1, like that of bodies. A particle has the mass {@code density *
+   * spacing^2}.
    *
-   * @param kgPerSquareMetre kg/m^2, 1e-3 to 1e6
+   * @param kgPerSquareMetre density, 1e-3 to 1e6 kg/m^2
    * @return this
    */
   public ParticleDef density(float kgPerSquareMetre) {
@@ -65,9 +67,9 @@ public final class ParticleDef {
   }
 
   /**
-   * Sets how quickly neighbours come to a common velocity.
+   * Sets how quickly neighbours approach a common velocity.
    *
-   * @param perSecond 1/s, 0 to 1e4
+   * @param perSecond rate, 1/s, 0 to 1e4
    * @return this
    */
   public ParticleDef viscosity(float perSecond) {
@@ -76,9 +78,10 @@ public final class ParticleDef {
   }
 
   /**
-   * Sets how strongly neighbours attract each other, which makes drops; default 0.
+   * Sets how strongly neighbours attract each other, which forms drops; default 0.
    *
-   * @param acceleration greatest of a pair, m/s^2, 0 to 1e3; about 20 is water in the small
+   * @param acceleration greatest acceleration of a pair, m/s^2, 0 to 1e3; about 20 is like small
+   *     amounts of water
    * @return this
    */
   public ParticleDef cohesion(float acceleration) {
@@ -87,10 +90,10 @@ public final class ParticleDef {
   }
 
   /**
-   * Sets the friction: of grains on each other, and of particles on bodies, there as the geometric
-   * mean with the body's.
+   * Sets the friction between grains, and between particles and bodies. Against a body, it is the
+   * geometric mean with the body's.
    *
-   * @param coefficient 0 to 10
+   * @param coefficient coefficient of friction, 0 to 10
    * @return this
    */
   public ParticleDef friction(float coefficient) {
@@ -101,7 +104,7 @@ public final class ParticleDef {
   /**
    * Sets the factor on the world's gravity; default 1.
    *
-   * @param factor negative rises; within 1e3
+   * @param factor factor, within 1e3; with a negative one, particles rise
    * @return this
    */
   public ParticleDef gravityScale(float factor) {
@@ -110,9 +113,9 @@ public final class ParticleDef {
   }
 
   /**
-   * Sets how long a particle lasts; default for ever.
+   * Sets the lifetime of a particle; default infinite.
    *
-   * @param seconds s, above 0; infinity for ever
+   * @param seconds lifetime, s, above 0; infinity for ever
    * @return this
    */
   public ParticleDef lifetime(float seconds) {
@@ -121,9 +124,9 @@ public final class ParticleDef {
   }
 
   /**
-   * Sets which shapes the particles meet; default all. Sensors are never met.
+   * Sets which shapes the particles collide with; default all. They never collide with sensors.
    *
-   * @param newFilter the particles' category, mask and group
+   * @param newFilter category, mask and group of the particles
    * @return this
    */
   public ParticleDef filter(Filter newFilter) {
@@ -135,8 +138,8 @@ public final class ParticleDef {
   }
 
   /**
-   * Sets whether particles push bodies; default true. If not they only feel them, which is cheaper
-   * to think about: decoration that must not influence a game.
+   * Sets whether particles push bodies; default true. One-way coupling suits decoration that must
+   * not influence a game.
    *
    * @param both false for one-way coupling
    * @return this
@@ -147,9 +150,10 @@ public final class ParticleDef {
   }
 
   /**
-   * Sets how many there can be at a time; default 10,000. What is added beyond is dropped.
+   * Sets the largest number of particles at a time; default 10,000. Particles added beyond it are
+   * dropped.
    *
-   * @param count 1 to {@link #MAX_COUNT}
+   * @param count largest number, 1 to {@link #MAX_COUNT}
    * @return this
    */
   public ParticleDef maxCount(int count) {
@@ -161,10 +165,10 @@ public final class ParticleDef {
   }
 
   /**
-   * Sets into how many substeps a step is divided; default 4. Compression at the bottom of a pool
-   * falls with the square, cost rises in proportion.
+   * Sets the number of substeps in a step; default 4. The compression at the bottom of a pool falls
+   * with its square, and the cost rises in proportion.
    *
-   * @param count 1 to 16
+   * @param count number of substeps, 1 to 16
    * @return this
    */
   public ParticleDef substeps(int count) {

@@ -3,9 +3,9 @@ package carom.physics.particles;
 import carom.physics.archive.ArchiveWriter;
 
 /**
- * Particles at one moment: a few arrays, made by {@link Particles#save} and taken over by {@link
- * Particles#restore}; as bytes by {@link #write} and {@link Particles#read}. Saving into the same
- * object again allocates only if there are more particles.
+ * Saved state of particles. {@link Particles#save} makes it and {@link Particles#restore} takes it
+ * over; {@link #write} and {@link Particles#read} convert it to and from bytes. Saving into the
+ * same object again allocates only if there are more particles.
  */
 public final class ParticleState {
   final ParticleStore store;
@@ -17,9 +17,9 @@ public final class ParticleState {
   }
 
   /**
-   * Appends the state to an archive.
+   * Appends the state to an archive, with some 32 bytes a particle.
    *
-   * @param archive receives some 32 bytes a particle
+   * @param archive receives the state
    */
   public void write(ArchiveWriter archive) {
     store.pass(archive, owner.most());

@@ -6,10 +6,10 @@ import carom.physics.math.StateHash;
 import java.util.Arrays;
 
 /**
- * Where particles are, how fast, how old, and who they are: everything a state consists of.
+ * State of all particles: position, velocity, age and id.
  *
- * <p>Particles 0 to count - 1 are dense and sorted by place; every step puts them into a new order.
- * A slot stays with a particle as long as it lives; slot and generation together are its id.
+ * <p>Particles 0 to count - 1 are dense and sorted by position; every step sorts them again. A
+ * particle keeps its slot as long as it lives. Slot and generation together are its id.
  */
 final class ParticleStore {
   float[] x;
@@ -20,12 +20,12 @@ final class ParticleStore {
   int[] slot;
   int count;
 
-  /** By slot: where the particle is, and how many were here before. */
+  /** For each slot, the particle's index, and the number of earlier particles in the slot. */
   private int[] index;
 
   private int[] generation;
 
-  /** Slots ever used, and those among them that are free, the last one first in use. */
+  /** Number of slots ever used, and a stack of those that are free. */
   private int slots;
 
   private int[] free;
@@ -64,7 +64,7 @@ final class ParticleStore {
     free = Arrays.copyOf(free, capacity);
   }
 
-  /** Adds one below the limit; answers its id. */
+  /** Adds a particle, which the caller has checked against the limit. Returns its id. */
   long add(float px, float py, float newVx, float newVy, int most) {
     if (count == capacity()) {
       grow(most);
@@ -85,7 +85,7 @@ final class ParticleStore {
     return (long) generation[s] << 32 | s;
   }
 
-  /** Where a particle is, -1 if it is gone. */
+  /** Returns the index of a particle, or -1 if it is gone. */
   int indexOf(long id) {
     int s = (int) id;
     if (s < 0 || s >= slots || generation[s] != (int) (id >>> 32)) {
@@ -95,14 +95,14 @@ final class ParticleStore {
     return i < count && slot[i] == s ? i : -1;
   }
 
-  /** Gives a particle's slot free; who calls it closes the gap with {@link #move}. */
+  /** Releases a particle's slot. The caller then closes the gap with {@link #move}. */
   void release(int i) {
     int s = slot[i];
     generation[s] = generation[s] + 1 & 0x7fffffff;
     free[freeCount++] = s;
   }
 
-  /** Moves a particle to a place before it, for closing gaps in order. */
+  /** Moves a particle to an earlier index, to close gaps in order. */
   void move(int from, int to) {
     if (from == to) {
       return;
@@ -116,7 +116,10 @@ final class ParticleStore {
     index[slot[to]] = to;
   }
 
-  /** Puts the particles into a new order, with the help of two arrays of the same capacity. */
+  /**
+   * Puts the particles into a new order. The two scratch arrays must have the same capacity as the
+   * store.
+   */
   void permute(int[] order, float[] floats, int[] ints) {
     permute(x, order, floats);
     permute(y, order, floats);
@@ -157,7 +160,7 @@ final class ParticleStore {
     System.arraycopy(from.free, 0, free, 0, freeCount);
   }
 
-  /** Passes all through an archive. */
+  /** Passes the state through an archive. */
   void pass(Archive a, int most) {
     int n = a.count("particle slots", slots, most, 2 * Integer.BYTES);
     if (a.reads() && capacity() < n) {
@@ -179,7 +182,7 @@ final class ParticleStore {
     }
   }
 
-  /** Every slot is used once or free once. */
+  /** Finds the index of each slot, and checks that every slot is used once or free once. */
   private void findPlaces(Archive a) {
     Arrays.fill(index, 0, slots, -1);
     for (int i = 0; i < count; i++) {
@@ -190,7 +193,9 @@ final class ParticleStore {
       a.require(index[free[i]] < 0, "slot=" + free[i] + " can't be free");
       index[free[i]] = count;
     }
-    a.require(count + freeCount == slots, "particle slots=" + slots + " of which some are lost");
+    a.require(
+        count + freeCount == slots,
+        "particle slots=" + slots + " include some that are neither used nor free");
   }
 
   long hash() {

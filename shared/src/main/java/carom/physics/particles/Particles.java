@@ -8,8 +8,8 @@ import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 
 /**
- * Many small particles of one kind, water or sand, that move by themselves, hold each other off,
- * and collide with a world's bodies.
+ * A system of many small particles of one kind, water or sand. The particles move on their own,
+ * keep their distance from each other, and collide with a world's bodies.
  *
  * <pre>
  *   Particles water = new Particles(new ParticleDef(ParticleDef.Kind.WATER, 0.1f));
@@ -20,26 +20,28 @@ import carom.physics.math.Transform;
  * </pre>
  *
  * <p><b>Model.</b> Position-based dynamics in substeps (M&uuml;ller and others 2007; Macklin and
- * others 2019): positions are corrected until constraints hold, and every correction over the
+ * others 2019): positions are corrected until constraints hold, and every correction divided by the
  * substep is also a change of velocity. Water: a particle's density, the sum of {@code (1 - r /
  * h)^2} over its neighbours, may not exceed that of rest (Macklin and M&uuml;ller 2013, with one
- * kernel for density and gradient). Sand: grains may not overlap, and rub by Coulomb's law (Macklin
- * and others 2014). Corrections of a pair are opposite, so momentum is kept to rounding.
+ * kernel for density and gradient). Sand: grains may not overlap, with friction by Coulomb's law
+ * (Macklin and others 2014). Corrections of a pair are opposite, so momentum is conserved up to
+ * rounding.
  *
  * <p><b>Bodies.</b> A particle is a disc of the spacing's diameter. It is moved out of bodies along
  * their surface's normal, never bounces, and never passes through a wall however fast it is. Bodies
- * are pushed back (unless {@link ParticleDef#twoWay} says no), by one impulse per step that takes
- * effect in the next {@code World.step}; hence the order above. Bodies that touch particles stay
- * awake.
+ * are pushed back, unless {@link ParticleDef#twoWay} is false, by one impulse per step that takes
+ * effect in the next {@code World.step}. That is the reason for the order above. Bodies that touch
+ * particles stay awake.
  *
- * <p><b>Order and ids.</b> Particles 0 to count() - 1 are sorted by place, anew in every step; who
- * needs a particle again keeps its id. Equal calls in equal order give equal bits.
+ * <p><b>Order and ids.</b> Every step sorts particles 0 to count() - 1 by position, so keep the id
+ * of a particle to find it again. Equal calls in equal order give equal bits.
  *
- * <p>Not part of a world's state: save and restore both. One thread at a time. A steady step
- * allocates nothing. At 10,000 particles a step with four substeps costs a few milliseconds.
+ * <p>Particles are not part of a world's state: save and restore both. Use them from one thread at
+ * a time. A steady step allocates nothing. At 10,000 particles, a step with four substeps costs a
+ * few milliseconds.
  */
 public final class Particles {
-  /** What {@link #add} answers when there is no room for more. */
+  /** Result of {@link #add} when there is no room for another particle. */
   public static final long NONE = -1;
 
   private final ParticleDef def;
@@ -51,9 +53,9 @@ public final class Particles {
   private float[] oldY = new float[0];
 
   /**
-   * Makes an empty system.
+   * Creates an empty particle system.
    *
-   * @param def what the particles are made of, copied
+   * @param def definition of the particles, copied
    */
   public Particles(ParticleDef def) {
     this.def = def.copy();
@@ -62,7 +64,7 @@ public final class Particles {
   }
 
   /**
-   * The number of particles.
+   * Returns the number of particles.
    *
    * @return 0 or more
    */
@@ -71,7 +73,7 @@ public final class Particles {
   }
 
   /**
-   * A particle's diameter.
+   * Returns a particle's diameter.
    *
    * @return m
    */
@@ -80,7 +82,7 @@ public final class Particles {
   }
 
   /**
-   * A particle's mass.
+   * Returns the mass of a particle.
    *
    * @return kg
    */
@@ -91,11 +93,11 @@ public final class Particles {
   /**
    * Adds a particle.
    *
-   * @param x m, within 1e7 of the origin
-   * @param y m
-   * @param vx m/s, within 1e5
-   * @param vy m/s
-   * @return its id, or {@link #NONE} if there are as many as there may be
+   * @param x x, m, within 1e7 of the origin
+   * @param y y, m, within 1e7 of the origin
+   * @param vx velocity along x, m/s, within 1e5
+   * @param vy velocity along y, m/s, within 1e5
+   * @return its id, or {@link #NONE} if the largest number is reached
    */
   public long add(float x, float y, float vx, float vy) {
     Limits.coordinate("x", x);
@@ -109,10 +111,10 @@ public final class Particles {
    * Fills a shape with particles at rest density, in rows.
    *
    * @param area the shape
-   * @param at its pose, read only
-   * @param vx their velocity, m/s
-   * @param vy their velocity, m/s
-   * @return how many were added, fewer than fit if there are as many as there may be
+   * @param at pose of the shape, read only
+   * @param vx velocity of the particles along x, m/s
+   * @param vy velocity of the particles along y, m/s
+   * @return the number of particles added, which the largest number may limit
    */
   public int fill(Shape area, Transform at, float vx, float vy) {
     Aabb box = new Aabb();
@@ -140,7 +142,7 @@ public final class Particles {
   /**
    * Removes a particle.
    *
-   * @param id as given by {@link #add} or {@link #id}
+   * @param id id from {@link #add} or {@link #id}
    * @return false if it was gone already
    */
   public boolean remove(long id) {
@@ -160,7 +162,7 @@ public final class Particles {
    * Removes the particles whose centre is in a box, borders included.
    *
    * @param area m, read only
-   * @return how many
+   * @return the number of particles removed
    */
   public int removeInside(Aabb area) {
     int kept = 0;
@@ -178,8 +180,8 @@ public final class Particles {
    * Removes the particles whose centre is in a shape, borders included.
    *
    * @param area the shape
-   * @param at its pose, read only
-   * @return how many
+   * @param at pose of the shape, read only
+   * @return the number of particles removed
    */
   public int removeInside(Shape area, Transform at) {
     int kept = 0;
@@ -193,7 +195,7 @@ public final class Particles {
     return shrink(kept);
   }
 
-  /** Removes all particles; their ids stay invalid. */
+  /** Removes all particles. Their ids become invalid for good. */
   public void clear() {
     for (int i = 0; i < store.count; i++) {
       store.release(i);
@@ -208,17 +210,18 @@ public final class Particles {
   }
 
   /**
-   * Where a particle is in the order.
+   * Returns the index of a particle.
    *
-   * @param id as given by {@link #add} or {@link #id}
-   * @return 0 to count() - 1 until the next step, addition or removal; -1 if it is gone
+   * @param id id from {@link #add} or {@link #id}
+   * @return 0 to count() - 1, valid until the next step, addition or removal; -1 if the particle is
+   *     gone
    */
   public int indexOf(long id) {
     return store.indexOf(id);
   }
 
   /**
-   * A particle's name for life.
+   * Returns the id of a particle, which it keeps for life.
    *
    * @param i below {@link #count}
    * @return its id
@@ -228,7 +231,7 @@ public final class Particles {
   }
 
   /**
-   * A particle's centre.
+   * Returns the x of a particle's centre.
    *
    * @param i below {@link #count}
    * @return x, m
@@ -238,7 +241,7 @@ public final class Particles {
   }
 
   /**
-   * A particle's centre.
+   * Returns the y of a particle's centre.
    *
    * @param i below {@link #count}
    * @return y, m
@@ -248,7 +251,7 @@ public final class Particles {
   }
 
   /**
-   * A particle's velocity.
+   * Returns a particle's velocity along x.
    *
    * @param i below {@link #count}
    * @return x, m/s
@@ -258,7 +261,7 @@ public final class Particles {
   }
 
   /**
-   * A particle's velocity.
+   * Returns a particle's velocity along y.
    *
    * @param i below {@link #count}
    * @return y, m/s
@@ -271,8 +274,8 @@ public final class Particles {
    * Sets a particle's velocity.
    *
    * @param i below {@link #count}
-   * @param vx m/s, within 1e5
-   * @param vy m/s
+   * @param vx velocity along x, m/s, within 1e5
+   * @param vy velocity along y, m/s, within 1e5
    */
   public void setVelocity(int i, float vx, float vy) {
     check(i);
@@ -281,7 +284,7 @@ public final class Particles {
   }
 
   /**
-   * How long a particle has been here.
+   * Returns the age of a particle.
    *
    * @param i below {@link #count}
    * @return s
@@ -291,7 +294,7 @@ public final class Particles {
   }
 
   /**
-   * Copies all centres, for drawing.
+   * Copies the centres of all particles, for drawing.
    *
    * @param xy receives x0, y0, x1, y1, ..., 2 count() floats
    * @return count()
@@ -317,11 +320,12 @@ public final class Particles {
   }
 
   /**
-   * Advances the particles by one tick, and pushes the bodies they touch. Call before {@code
+   * Advances the particles by one tick, and pushes the bodies they touch. Call it before {@code
    * World.step}, outside of callbacks and queries.
    *
-   * @param world whose bodies and gravity they feel; only its bodies' pending impulses change
-   * @param dtSeconds s, more than 0, at most 0.1; use the world's
+   * @param world world whose bodies and gravity act on the particles; only its bodies' pending
+   *     impulses change
+   * @param dtSeconds length of the tick, s, more than 0, at most 0.1; use the world's
    */
   public void step(World<?> world, float dtSeconds) {
     Limits.timeStep(dtSeconds);
@@ -365,7 +369,9 @@ public final class Particles {
     }
   }
 
-  /** Takes away who is too old, or was lost: too far or too fast for the numbers. */
+  /**
+   * Removes particles that are too old, and those too far away or too fast for the number range.
+   */
   private void retire(float dt) {
     int kept = 0;
     for (int i = 0; i < store.count; i++) {
@@ -383,7 +389,7 @@ public final class Particles {
   }
 
   /**
-   * Copies the state out.
+   * Saves the state.
    *
    * @param reuseOrNull a state of these particles to overwrite, or null for a new one
    * @return the state
@@ -396,9 +402,9 @@ public final class Particles {
   }
 
   /**
-   * Takes a saved state over, bit for bit.
+   * Restores a saved state, bit for bit.
    *
-   * @param s made by {@link #save} of these particles; stays as it is
+   * @param s a state that {@link #save} of these particles made; it stays as it is
    */
   public void restore(ParticleState s) {
     checkOwner(s);
@@ -406,11 +412,10 @@ public final class Particles {
   }
 
   /**
-   * Reads a state that {@link ParticleState#write} has written, of particles of an equal
-   * definition, to be taken over by {@link #restore}. Trusts nothing; these particles aren't
-   * touched.
+   * Reads a state that {@link ParticleState#write} wrote, of particles with an equal definition,
+   * for {@link #restore}. It trusts nothing and leaves these particles as they are.
    *
-   * @param archive from where the state begins; read up to its end
+   * @param archive archive at the start of the state, which is read to its end
    * @return the state, of these particles
    * @throws carom.physics.archive.ArchiveException if the bytes are damaged
    */
@@ -432,8 +437,8 @@ public final class Particles {
   }
 
   /**
-   * 64 bits that are equal if two systems of equal definitions will behave equally in equal worlds:
-   * places, velocities, ages, ids, and their order.
+   * Returns a 64-bit hash of positions, velocities, ages, ids and their order. Two systems of equal
+   * definitions with equal hashes behave equally in equal worlds.
    *
    * @return the hash
    */

@@ -1,8 +1,8 @@
 package carom.physics.particles;
 
 /**
- * Grains: discs that don't overlap and rub. Pairs are solved one after the other, each seeing what
- * the ones before did (Gauss-Seidel), twice per substep.
+ * Solver for sand: discs that don't overlap and have friction. It solves the pairs one after the
+ * other, each with the results of those before (Gauss-Seidel), twice per substep.
  */
 final class Sand extends PairSolver {
   private static final int ITERATIONS = 2;
@@ -28,7 +28,7 @@ final class Sand extends PairSolver {
 
   @Override
   void begin(ParticleStore p, Neighbours pairs, float dt) {
-    // Nothing is remembered between steps.
+    // No state is kept between steps.
   }
 
   @Override
@@ -39,7 +39,8 @@ final class Sand extends PairSolver {
   }
 
   /**
-   * Overlap is undone by halves, and friction, at most its coefficient times that, undoes sliding.
+   * Solves each pair once. Half of the overlap is undone at each grain. Friction undoes the
+   * tangential motion, limited to the coefficient times the overlap.
    */
   private void pass(ParticleStore p, Neighbours pairs, float h) {
     float[] x = p.x;
@@ -61,12 +62,12 @@ final class Sand extends PairSolver {
         float depth = diameter - r;
         float relX = vx[i] - vx[j];
         float relY = vy[i] - vy[j];
-        float slide = (relY * nx - relX * ny) * h;
-        float rub = Math.max(-friction * depth, Math.min(-slide, friction * depth));
+        float tangentMove = (relY * nx - relX * ny) * h;
+        float frictionMove = Math.max(-friction * depth, Math.min(-tangentMove, friction * depth));
         float half = 0.5f * depth;
-        float halfRub = 0.5f * rub;
-        float ux = half * nx - halfRub * ny;
-        float uy = half * ny + halfRub * nx;
+        float halfFriction = 0.5f * frictionMove;
+        float ux = half * nx - halfFriction * ny;
+        float uy = half * ny + halfFriction * nx;
         x[i] += ux;
         y[i] += uy;
         x[j] -= ux;

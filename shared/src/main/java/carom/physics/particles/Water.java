@@ -3,34 +3,36 @@ package carom.physics.particles;
 import java.util.Arrays;
 
 /**
- * Water: the density of a particle, {@code sum of (1 - r / h)^2} over itself and its neighbours,
- * must not exceed that of the triangular grid in which each has the area {@code spacing^2}.
+ * Solver for water. The density of a particle, {@code sum of (1 - r / h)^2} over itself and its
+ * neighbours, must not exceed that of the triangular grid in which each particle has the area
+ * {@code spacing^2}.
  *
- * <p>With C the density over that of rest, less 1, where positive, a particle's multiplier is
- * {@code C / sum of |dC/dx|^2} and a pair moves by the sum of both multipliers times the gradient
- * (Macklin and M&uuml;ller 2013); the density of rest cancels out. All particles at once (Jacobi),
- * one pass per substep.
+ * <p>Let C be the density divided by that of rest, minus 1, where positive. A particle's multiplier
+ * is {@code C / sum of |dC/dx|^2}, and a pair moves by the sum of both multipliers times the
+ * gradient (Macklin and M&uuml;ller 2013); the density of rest cancels out. One pass per substep
+ * moves all particles at once (Jacobi).
  */
 final class Water extends PairSolver {
-  /** Radius of the kernel in spacings. */
+  /** Radius of the kernel, in spacings. */
   private static final float KERNEL = 1.75f;
 
   /**
-   * Part of a correction that is made: a particle takes part in a dozen constraints that all push
-   * at once. 1 boils, 0.6 never comes quite to rest, 0.2 leaves deep water compressed by a fifth.
+   * Part of a correction that is applied, because a particle takes part in a dozen constraints that
+   * all push at once. With 1 the water boils, with 0.6 it never comes quite to rest, and with 0.2
+   * deep water stays compressed by a fifth.
    */
   private static final float RELAXATION = 0.35f;
 
   /**
-   * Part of the speed along their connection that near neighbours lose in a substep: water that is
-   * pressed together hard would else spring back.
+   * Part of their relative speed along the connecting line that close neighbours lose in a substep.
+   * Without it, strongly compressed water springs back.
    */
   private static final float DAMPING = 0.3f;
 
-  /** Greatest multiplier, in kernels squared: deeper overlap is undone in several substeps. */
+  /** Largest multiplier, in squared kernel radii. A deeper overlap takes several substeps. */
   private static final float MOST = 0.05f;
 
-  /** How much further pairs are looked for. */
+  /** Factor of the search distance over the kernel's radius. */
   private static final float MARGIN = 1.15f;
 
   /**
@@ -93,7 +95,7 @@ final class Water extends PairSolver {
     return kernel * MARGIN;
   }
 
-  /** Viscosity and cohesion, once per step: pairs exchange velocity, one after the other. */
+  /** Applies viscosity and cohesion once per step. Pairs exchange velocity one after the other. */
   @Override
   void begin(ParticleStore p, Neighbours pairs, float dt) {
     reserve(p, pairs);
@@ -115,7 +117,7 @@ final class Water extends PairSolver {
         float r = (float) Math.sqrt(dx * dx + dy * dy);
         float q = Math.max(0, 1 - r * inverseKernel);
         float c = share * q;
-        // Strongest at half the kernel, 0 at both ends.
+        // strongest at half the kernel's radius, 0 at both ends
         float a = r > 0 ? pull * 4 * q * (1 - q) / r : 0;
         float ux = c * (vx[j] - vx[i]) - a * dx;
         float uy = c * (vy[j] - vy[i]) - a * dy;
@@ -148,13 +150,16 @@ final class Water extends PairSolver {
       float excess = density[i] - restDensity;
       float sum = gradX[i] * gradX[i] + gradY[i] * gradY[i];
       float rate = slope * slope * (density[i] - 1 + sum) + floor;
-      // From here on the multiplier.
+      // From here on, this array holds the multipliers.
       density[i] = excess > 0 ? RELAXATION * slope * Math.min(most, excess / rate) : 0;
     }
     push(p, pairs, 1 / h);
   }
 
-  /** Sums density, gradient and squared gradients; remembers weight and direction of each pair. */
+  /**
+   * Sums densities, gradients and squared gradients, and stores the weight and direction of each
+   * pair.
+   */
   private void measure(ParticleStore p, Neighbours pairs) {
     int n = p.count;
     Arrays.fill(density, 0, n, 1);
@@ -183,7 +188,7 @@ final class Water extends PairSolver {
         float r = (float) Math.sqrt(squared);
         float q = 1 - r * inverseKernel;
         float over = q / Math.max(r, 1e-9f);
-        // Two in one place part upwards and downwards.
+        // Two particles in one place separate upwards and downwards.
         float gx = over * dx;
         float gy = r > 1e-9f ? over * dy : q;
         weight[k] = q;
@@ -202,7 +207,7 @@ final class Water extends PairSolver {
     }
   }
 
-  /** Moves pairs apart by the sum of their multipliers, and damps how they close or part. */
+  /** Moves pairs apart by the sum of their multipliers, and damps their approach and separation. */
   private void push(ParticleStore p, Neighbours pairs, float inverseH) {
     float[] x = p.x;
     float[] y = p.y;

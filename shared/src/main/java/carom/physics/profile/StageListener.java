@@ -1,19 +1,21 @@
 package carom.physics.profile;
 
 /**
- * Is told which part of a step begins. The engine knows no clock: who wants times reads one here.
+ * Listener that learns which stage of a step begins. The engine reads no clock; a program that
+ * measures times reads one here.
  *
- * <p>Called on the thread that steps, some dozens of times per step; what a call costs is part of
- * the stage it ends. It must not touch the world, and changes nothing about the result.
+ * <p>The world calls it on the thread that steps, some dozens of times per step. The cost of a call
+ * counts for the stage that it ends. A listener must not touch the world, and it has no influence
+ * on the result.
  */
 public interface StageListener {
   /**
-   * Whatever was under way is done, and this begins.
+   * Reports that a stage begins and the one before has ended.
    *
-   * @param stage what follows, until the next call
+   * @param stage the stage that runs until the next call
    */
   void begins(StepStage stage);
 
-  /** The step is done. */
+  /** Reports that the step has ended. */
   void done();
 }

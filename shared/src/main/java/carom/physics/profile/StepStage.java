@@ -3,39 +3,41 @@ package carom.physics.profile;
 import java.util.Locale;
 
 /**
- * The parts a step consists of, for {@link StageListener}. A step enters some several times (once
- * per substep) and others not at all.
+ * The stages of a step, for {@link StageListener}. A step enters some stages several times, once
+ * per substep, and others not at all.
  */
 public enum StepStage {
-  /** Forces and impulses of the user, waking of what moving bodies hold, changed filters. */
+  /**
+   * Applies the user's forces and impulses and changed filters, and wakes what moving bodies hold.
+   */
   BEGIN,
-  /** Fat boxes of parts that left theirs. */
+  /** Updates the fat boxes of parts that left theirs. */
   BOXES,
-  /** Trees brought up to date, overlapping pairs found and merged into the contact table. */
+  /** Updates the trees, finds overlapping pairs and merges them into the contact table. */
   PAIRS,
-  /** A manifold for each pair. */
+  /** Computes a manifold for each pair. */
   COLLIDE,
-  /** Listeners: begin, end, pre-solve, post-solve, hits; broken joints. */
+  /** Calls listeners (begin, end, pre-solve, post-solve, hits) and breaks joints. */
   EVENTS,
-  /** Bodies and contacts made ready for the solver: colours, masses, softness. */
+  /** Prepares bodies and contacts for the solver: colours, masses and softness. */
   PREPARE,
-  /** Velocities and positions of bodies. */
+  /** Integrates velocities and positions of bodies. */
   INTEGRATE,
-  /** Contacts' impulses of the last substep applied again. */
+  /** Applies the contact impulses of the last substep again (warm start). */
   WARM,
-  /** Contacts with bias. */
+  /** Solves the contacts with bias. */
   SOLVE,
-  /** Contacts without bias, and friction. */
+  /** Solves the contacts without bias, and friction. */
   RELAX,
-  /** All work on joints: prepare, warm start, both passes. */
+  /** Does all work on joints: prepare, warm start and both passes. */
   JOINTS,
-  /** Restitution. */
+  /** Applies restitution. */
   BOUNCE,
-  /** Results written back to bodies and contacts. */
+  /** Writes the results back to bodies and contacts. */
   FINISH,
-  /** Fast bodies stopped at what they would pass through. */
+  /** Stops fast bodies at what they would pass through. */
   CONTINUOUS,
-  /** Islands found and put to sleep. */
+  /** Finds islands and puts them to sleep. */
   SLEEP;
 
   @Override

@@ -1,5 +1,5 @@
 /**
- * The stages of a step, for programs that measure how long each takes.
+ * Stages of a step, for programs that measure how long each takes.
  *
  * <p>Imports nothing. Read first: {@code StepStage}, {@code StageListener}.
  */

@@ -13,31 +13,32 @@ import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * The numbers of a column by vectors, with the Vector API. Small methods that pass each other
- * arrays, never vectors: these would be boxed. Floats become integers by adding a number so large
- * that no fraction is left, as this API converts slowly on some JVMs.
+ * Kernels of {@link ColumnLanes} built on the Vector API. They are small methods that pass each
+ * other arrays and never vectors, which the JVM would box. Floats become integers by adding a
+ * number so large that no fraction is left, because the conversion of this API is slow on some
+ * JVMs.
  *
- * <p>Vectors as long as the engine's, as a process should use one length only: methods of vectors
- * that call others by themselves, like {@code FloatVector.mul}, remember for all callers which
- * lengths they saw. Large kernels ask them, so kernels of four lanes here had those of the engine
- * box vectors. For the same reason these have neither such calls on floats nor masks; {@code
- * lanewise} on a vector that was just loaded leaves no doubt.
+ * <p>The vectors are as long as the engine's, because a process should use one length only. Methods
+ * of vectors that call others themselves, like {@code FloatVector.mul}, record for all callers
+ * which lengths they saw. Large kernels depend on these records, so kernels of four lanes here make
+ * those of the engine box vectors. For the same reason, these kernels have neither such calls on
+ * floats nor masks; {@code lanewise} on a vector just loaded is unambiguous.
  */
 public final class VectorColumns extends ColumnLanes {
   private static final VectorSpecies<Float> LANE = FloatVector.SPECIES_PREFERRED;
   private static final int WIDTH = LANE.length();
 
-  /** Floats of up to 2^22 of either sign are rounded to integers when this is added. */
+  /** Adding this number rounds a float of up to 2^22 of either sign to an integer. */
   private static final float LARGE = 1.5f * (1 << 23);
 
   private static final int LARGE_BITS = Float.floatToRawIntBits(LARGE);
 
-  /** The same for floats that aren't negative, of up to 2^23. */
+  /** Adding this number rounds a float of 0 to 2^23 to an integer. */
   private static final float POSITIVE = 1 << 23;
 
   private static final int POSITIVE_BITS = Float.floatToRawIntBits(POSITIVE);
 
-  /** A whole turn of {@code Trig.roughTurn}. */
+  /** A whole turn in the units of {@code Trig.roughTurn}. */
   private static final int TURN = 1 << 26;
 
   private static final float HALF_TURNS_PER_RADIAN = (float) (TURN / (4 * Math.PI));
@@ -47,7 +48,7 @@ public final class VectorColumns extends ColumnLanes {
 
   private final int[] warmUpSteps = new int[WIDTH];
 
-  /** Loaded by name, see {@link ColumnLanes#FOUND}. */
+  /** Creates the kernels, which {@link ColumnLanes#FOUND} loads by name. */
   public VectorColumns() {
     if (FloatVector.SPECIES_PREFERRED.length() < WIDTH) {
       throw new UnsupportedOperationException("vectors have fewer than " + WIDTH + " lanes");
@@ -75,12 +76,12 @@ public final class VectorColumns extends ColumnLanes {
     FloatVector large = all(LARGE);
     FloatVector steps = FloatVector.fromArray(LANE, from, at).lanewise(MUL, all(scale));
     FloatVector moved = steps.lanewise(ADD, large);
-    // Nearest, halves to even; a half is left where that was down, and here it must be up.
+    // This rounds halves to even. A remaining half was rounded down, and must be rounded up.
     FloatVector rest = steps.lanewise(SUB, moved.lanewise(SUB, large));
     FloatVector below = rest.lanewise(SUB, all(0.5f));
     IntVector down = below.reinterpretAsInts().lanewise(ASHR, 31);
     moved.reinterpretAsInts().sub(LARGE_BITS - 1).add(down).intoArray(to, at);
-    // Lengths of floats sort like their bits; what isn't a number comes behind all.
+    // Magnitudes of floats sort like their bits, and NaN sorts after all numbers.
     IntVector length = steps.reinterpretAsInts().and(Integer.MAX_VALUE);
     IntVector room = length.neg().add(Float.floatToRawIntBits(max));
     return room.reduceLanes(OR) >= 0;
@@ -97,7 +98,7 @@ public final class VectorColumns extends ColumnLanes {
     step(at, error, to);
   }
 
-  /** The angle to the nearer axis, 0 to an eighth of a turn; 0 if it isn't a number. */
+  /** Computes the angle to the nearer axis, 0 to an eighth of a turn, or 0 for NaN. */
   private static void ratio(float[] cos, float[] sin, int at, int[] to) {
     IntVector x = FloatVector.fromArray(LANE, cos, at).reinterpretAsInts().and(Integer.MAX_VALUE);
     IntVector y = FloatVector.fromArray(LANE, sin, at).reinterpretAsInts().and(Integer.MAX_VALUE);
@@ -112,13 +113,13 @@ public final class VectorColumns extends ColumnLanes {
     p = p.lanewise(MUL, q).lanewise(ADD, all(0.9998660f));
     FloatVector halves =
         t.lanewise(MUL, p).lanewise(MUL, all(HALF_TURNS_PER_RADIAN)).lanewise(ADD, all(POSITIVE));
-    // What isn't a number has either sign, and abs() may leave it.
+    // NaN has either sign, which abs() may leave as it is.
     IntVector turn = halves.reinterpretAsInts().and(Integer.MAX_VALUE).sub(POSITIVE_BITS);
     IntVector number = turn.sub(TURN / 8).lanewise(ASHR, 31);
     turn.add(turn).and(number).intoArray(to, at);
   }
 
-  /** From that angle to the one of the whole turn. */
+  /** Turns the angle to the nearer axis into the angle of the direction. */
   private static void fold(float[] cos, float[] sin, int at, int[] to) {
     IntVector x = FloatVector.fromArray(LANE, cos, at).reinterpretAsInts();
     IntVector y = FloatVector.fromArray(LANE, sin, at).reinterpretAsInts();
@@ -132,7 +133,7 @@ public final class VectorColumns extends ColumnLanes {
     turn.lanewise(XOR, below).sub(below).intoArray(to, at);
   }
 
-  /** Rounds to steps; -1 where the error may decide. */
+  /** Rounds angles to steps, or to -1 where the error may decide the rounding. */
   private static void step(int at, int error, int[] to) {
     IntVector moved = IntVector.fromArray(IntVector.SPECIES_PREFERRED, to, at).add(STEP / 2);
     IntVector rest = moved.and(STEP - 1);

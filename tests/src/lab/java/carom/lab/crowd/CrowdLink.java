@@ -103,11 +103,11 @@ final class CrowdLink extends ClientEnd {
         lose(blocked());
       } // else the server's UDP port has just gone, and TCP will tell why
     } catch (NoRouteToHostException x) {
-      lose(noWay());
+      lose(noRoute());
     } catch (IOException x) {
       lose(tcp.isConnected() ? (isTcpRegistered() ? gone() : notCarom()) : noAnswer());
     } catch (RuntimeException x) {
-      lose("the server sent what is no frame");
+      lose("the server sent an invalid frame");
     }
   }
 
@@ -120,7 +120,7 @@ final class CrowdLink extends ClientEnd {
     while (frames.remaining() >= Frame.LENGTH_BYTES && !isDisconnected()) {
       int length = frames.getInt(frames.position());
       if (length <= 0 || length > Frame.CLIENT_BUFFER_BYTES) {
-        lose(isTcpRegistered() ? "the server sent what is no frame" : notCarom());
+        lose(isTcpRegistered() ? "the server sent an invalid frame" : notCarom());
         return;
       }
       if (frames.remaining() - Frame.LENGTH_BYTES < length) {

@@ -158,7 +158,7 @@ final class RangeCoderTest {
   @Test
   void surpriseIsWhatTheMessageTakes() {
     Random random = new Random(SEED);
-    Surprise surprise = new Surprise();
+    BitCost surprise = new BitCost();
     encoder.reset(buffer, 0, buffer.length);
     for (int i = 0; i < 20_000; i++) {
       int p = 2_000 + random.nextInt(61_000);
@@ -185,7 +185,7 @@ final class RangeCoderTest {
   @Test
   void symbolsAndPlainNumbersComeBackAsShortAsTheirSurprise() {
     Random random = new Random(SEED);
-    Surprise surprise = new Surprise();
+    BitCost surprise = new BitCost();
     for (int round = 0; round < 2_000; round++) {
       SymbolTable table = table(random, 1 + random.nextInt(128));
       int n = random.nextInt(200);

@@ -227,7 +227,7 @@ class ImpairedLinkTest {
     assertEquals(5_000 / 12.5, after5Seconds, 1);
     tick(link, 1_000);
     int waiting = atServer.datagrams.size() - after5Seconds;
-    assertEquals(Lane.MAX_QUEUE_MS / 12.5, waiting, 2);
+    assertEquals(ImpairedDirection.MAX_QUEUE_MS / 12.5, waiting, 2);
     assertEquals(sent - atServer.datagrams.size(), link.counters().datagramsDropped.get());
   }
 
@@ -239,7 +239,7 @@ class ImpairedLinkTest {
             Impairment.NONE.withBandwidth(8),
             Impairment.NONE,
             () -> now,
-            message -> 1_000 - Lane.HEADER_BYTES);
+            message -> 1_000 - ImpairedDirection.HEADER_BYTES);
     for (int i = 0; i < 4; i++) {
       link.send("message " + i); // a second each
     }

@@ -1,6 +1,6 @@
 package carom.net.snapshot.exact;
 
-import carom.net.codec.Surprise;
+import carom.net.codec.BitCost;
 
 /**
  * Tells how much of a datagram rows of a near update take, before they are sent. One thread, no
@@ -10,7 +10,7 @@ public final class NearMeter {
   private static final int UNIT = 256;
 
   private final NearRowCodec codec = new NearRowCodec();
-  private final Surprise surprise = new Surprise();
+  private final BitCost surprise = new BitCost();
   private final int[] row = new int[NearState.STRIDE];
 
   /** Creates one; call {@link #begin}. */

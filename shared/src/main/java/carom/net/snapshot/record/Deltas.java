@@ -1,8 +1,8 @@
 package carom.net.snapshot.record;
 
+import carom.net.codec.BitCost;
 import carom.net.codec.RangeEncoder;
 import carom.net.codec.SliceList;
-import carom.net.codec.Surprise;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.frame.Motion;
@@ -52,7 +52,7 @@ public final class Deltas {
   private final DeltaCodec codec;
   private final SliceList slices = new SliceList();
   private final SliceList runs = new SliceList();
-  private final Surprise surprise = new Surprise();
+  private final BitCost surprise = new BitCost();
   private final Motion old = new Motion();
   private final Motion actual = new Motion();
   private final Motion residual = new Motion();

@@ -1,18 +1,18 @@
 package carom.net.codec;
 
 /**
- * Stores nothing and adds up what bits and symbols would cost: to choose the cheaper of two ways to
- * say something. One thread, no allocation.
+ * Coder that stores nothing and adds up what bits and symbols would cost. An encoder uses it to
+ * choose the cheaper of two encodings. Use it from one thread; it doesn't allocate.
  */
-public final class Surprise extends BitCoder {
+public final class BitCost extends BitCoder {
 
-  /** Parts of a bit. */
+  /** Units of cost for each bit. */
   private static final int UNIT = 256;
 
-  /** From probabilities to multiples of 1/{@link SymbolTable#ALL}. */
+  /** Shift from a probability in 1/{@link #ONE} to one in 1/{@link SymbolTable#ALL}. */
   private static final int SHIFT = 16 - SymbolTable.BITS;
 
-  /** By multiples. */
+  /** Cost of an event, by its probability in 1/{@link SymbolTable#ALL}. */
   private static final int[] COST = new int[SymbolTable.ALL + 1];
 
   static {
@@ -24,15 +24,15 @@ public final class Surprise extends BitCoder {
 
   private long sum;
 
-  /** Creates one that has seen nothing. */
-  public Surprise() {}
+  /** Creates a counter at zero. */
+  public BitCost() {}
 
-  /** Forgets what it has seen. */
+  /** Sets the sum to zero. */
   public void reset() {
     sum = 0;
   }
 
-  /** What the bits would cost, in 1/256 bit, to within a few percent. */
+  /** Returns the cost so far in 1/256 bit, exact to within a few per cent. */
   public long sum() {
     return sum;
   }

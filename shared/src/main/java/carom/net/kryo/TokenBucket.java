@@ -1,27 +1,28 @@
 package carom.net.kryo;
 
 /**
- * A token bucket in one number: so many events per second on average, so many at once. One thread.
+ * Token bucket in one number, with a limit on the events per second and on the events at once. Use
+ * it from one thread.
  */
-final class RateBudget {
+final class TokenBucket {
   private final long intervalNanos;
   private final long burstNanos;
   private long paidUntil;
   private boolean used;
 
   /**
-   * A full bucket.
+   * Creates a full bucket.
    *
-   * @param perSecond events per second, at least 1
+   * @param perSecond events per second on average, at least 1
    * @param burst events at once, at least 1
    */
-  RateBudget(int perSecond, int burst) {
+  TokenBucket(int perSecond, int burst) {
     intervalNanos = Math.max(1, 1_000_000_000L / perSecond);
     burstNanos = intervalNanos * burst;
   }
 
   /**
-   * Takes one event at a time of {@code System.nanoTime}'s kind; false when the budget is spent.
+   * Takes one event at a time of {@link System#nanoTime}. Returns false when the bucket is empty.
    */
   boolean take(long now) {
     if (!used || now - paidUntil > 0) {

@@ -5,21 +5,24 @@ import java.util.ArrayDeque;
 import java.util.PriorityQueue;
 
 /**
- * One direction of an {@link ImpairedLink}: decides each datagram's fate and holds what is on its
- * way.
+ * One direction of an {@link ImpairedLink}. It decides the fate of each datagram and holds the
+ * traffic in flight.
  */
-final class Lane {
+final class ImpairedDirection {
 
-  /** Datagrams on their way at most; more are lost. */
+  /** Largest number of datagrams in flight; further ones are lost. */
   static final int MAX_DATAGRAMS = 8_192;
 
-  /** Longest wait in front of a line that is too slow, milliseconds; a home router's buffer. */
+  /**
+   * Longest queueing delay in front of a slow line in milliseconds, as in the buffer of a home
+   * router.
+   */
   static final int MAX_QUEUE_MS = 250;
 
-  /** Bytes that IP and UDP add to each datagram on the line. */
+  /** Bytes of IP and UDP headers that each datagram adds on the line. */
   static final int HEADER_BYTES = 28;
 
-  /** Something on its way. */
+  /** A message or datagram in flight. */
   static final class Item implements Comparable<Item> {
     long dueNs;
     long order;
@@ -57,7 +60,7 @@ final class Lane {
   private long lastDatagramDueNs;
   private long nextOrder;
 
-  Lane(Impairment impairment, int direction) {
+  ImpairedDirection(Impairment impairment, int direction) {
     this.impairment = impairment;
     random = new SplitMix(impairment.seed() * 2 + direction);
   }
@@ -67,10 +70,10 @@ final class Lane {
     inBurst = false;
   }
 
-  /** Takes a datagram; returns how many copies were lost: 1 when it will never arrive, else 0. */
+  /** Takes a datagram. Returns how many were lost: 1 if this one never arrives, else 0. */
   int addDatagram(byte[] bytes, int offset, int length, long nowNs) {
-    // Every datagram draws the same five numbers, so that changing one condition leaves the others'
-    // dice alone.
+    // Each datagram draws the same five numbers, so that a change of one condition leaves the
+    // random numbers of the others unchanged.
     double loss = random.unit();
     double jitter = random.unit();
     double reorder = random.unit();
@@ -102,8 +105,9 @@ final class Lane {
   }
 
   /**
-   * Two-state loss (Gilbert, 1960): with mean burst length b and loss p, good turns bad with p / (b
-   * (1 - p)), bad good with 1/b.
+   * Decides a loss by the two-state model of Gilbert (1960). For a mean burst length b and a loss
+   * share p, the good state turns bad with probability p / (b (1 - p)), and the bad state turns
+   * good with 1/b.
    */
   private boolean lost(double dice) {
     double p = impairment.lossPercent() / 100;
@@ -117,12 +121,14 @@ final class Lane {
     return inBurst;
   }
 
-  /** How long something that comes now waits in front of the line. */
+  /** Returns how long traffic that arrives now queues in front of the line, in nanoseconds. */
   private long queueNs(long nowNs) {
     return impairment.bandwidthKbit() == 0 || !lineUsed ? 0 : Math.max(0, lineFreeNs - nowNs);
   }
 
-  /** Puts bytes on the line, behind those before; returns when the last of them has passed. */
+  /**
+   * Queues bytes on the line. Returns the time in nanoseconds at which the last of them has passed.
+   */
   private long passLine(int bytes, long nowNs) {
     if (impairment.bandwidthKbit() == 0) {
       return nowNs;
@@ -151,7 +157,9 @@ final class Lane {
   }
 
   /**
-   * @param bytes its weight on a line with a bandwidth
+   * Takes a message.
+   *
+   * @param bytes size that the message takes on a line with limited bandwidth
    */
   void addMessage(Object message, int bytes, long nowNs) {
     Item item = new Item(NO_BYTES);
@@ -161,7 +169,10 @@ final class Lane {
     messages.add(item);
   }
 
-  /** When a message that is sent now arrives: never before an earlier one. */
+  /**
+   * Returns the arrival time of a message sent now, in nanoseconds. It is never before that of an
+   * earlier message.
+   */
   long messageDue(long nowNs) {
     long dueNs = nowNs + delayNs(random.unit());
     if (anyMessage && dueNs - lastMessageDueNs < 0) {
@@ -172,7 +183,7 @@ final class Lane {
     return dueNs;
   }
 
-  /** The earliest item that is due, taken out; null when none is. */
+  /** Removes and returns the earliest item that is due, or null if none is. */
   Item takeDue(long nowNs) {
     Item message = messages.peek();
     Item datagram = datagrams.peek();
@@ -184,7 +195,7 @@ final class Lane {
     return messageFirst ? messages.poll() : datagrams.poll();
   }
 
-  /** The next message whether due or not; null when there is none. */
+  /** Removes and returns the next message, due or not, or null if there is none. */
   Item takeMessage() {
     return messages.poll();
   }
