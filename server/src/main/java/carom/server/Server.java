@@ -6,10 +6,10 @@ import carom.physics.threads.WorkerThreads;
 import carom.server.config.ServerConfig;
 import carom.server.lobby.Lobby;
 import carom.server.metrics.Counter;
+import carom.server.recording.DelayedRecording;
 import carom.server.recording.RecordingFile;
 import carom.server.recording.RotatingRecording;
 import carom.server.recording.RotationLimit;
-import carom.server.recording.Showing;
 import carom.server.room.Room;
 import carom.server.session.Seats;
 import carom.sim.Game;
@@ -60,7 +60,7 @@ public final class Server implements AutoCloseable {
   private final List<Room> rooms;
   private final Lobby lobby;
   private final StatusLine status;
-  private final List<Showing> recordings = new ArrayList<>();
+  private final List<DelayedRecording> recordings = new ArrayList<>();
   private final List<RotatingRecording> rotations = new ArrayList<>();
   private final List<Worker> workers = new ArrayList<>();
   private final CountDownLatch ended = new CountDownLatch(1);
@@ -129,8 +129,8 @@ public final class Server implements AutoCloseable {
 
   /**
    * Records every room from its first tick on into one file after the other. Call it before the
-   * first {@link #tick} or {@link #start}, and not together with {@link #show}, which shows one
-   * file.
+   * first {@link #tick} or {@link #start}, and not together with {@link #allowSpectators}, which
+   * shows one file.
    *
    * @param folder where the files go
    * @param limit how much of a game each holds
@@ -150,7 +150,8 @@ public final class Server implements AutoCloseable {
   }
 
   private void record(Room room, Path path, boolean temporary) throws IOException {
-    Showing recording = new Showing(new RecordingFile(path), room.simulation()::tick, temporary);
+    DelayedRecording recording =
+        new DelayedRecording(new RecordingFile(path), room.simulation()::tick, temporary);
     recordings.add(recording);
     room.record(recording);
   }
@@ -163,7 +164,7 @@ public final class Server implements AutoCloseable {
    * @param delaySeconds how long spectators are told nothing of what happens, 1..3,600 s
    * @throws IOException when a file can't be created
    */
-  public void show(int delaySeconds) throws IOException {
+  public void allowSpectators(int delaySeconds) throws IOException {
     if (delaySeconds < 1 || delaySeconds > 3_600) {
       throw new IllegalArgumentException("delaySeconds=" + delaySeconds + " is outside 1..3600");
     }
@@ -177,7 +178,7 @@ public final class Server implements AutoCloseable {
       }
     }
     recordings.forEach(recording -> recording.delay(delaySeconds * config.tickRateHz()));
-    lobby.show(List.copyOf(recordings), delaySeconds);
+    lobby.allowSpectators(List.copyOf(recordings), delaySeconds);
   }
 
   /**
@@ -370,7 +371,7 @@ public final class Server implements AutoCloseable {
       helpers.close();
     }
     rooms.forEach(Room::awaitRecording);
-    recordings.forEach(Showing::close);
+    recordings.forEach(DelayedRecording::close);
     rotations.forEach(RotatingRecording::close);
     transport.close();
     ended.countDown();

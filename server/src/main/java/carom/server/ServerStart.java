@@ -114,7 +114,7 @@ final class ServerStart {
       return;
     }
     try {
-      server.show(flags.spectatorDelayS);
+      server.allowSpectators(flags.spectatorDelayS);
       log.info("spectators: let in, {} s late", flags.spectatorDelayS);
     } catch (IOException e) {
       throw new StartFailure("--spectator-delay: no file for the recording: " + e, e);

@@ -13,7 +13,7 @@ import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.net.transport.ServerTransport;
 import carom.server.config.ServerConfig;
-import carom.server.recording.Showing;
+import carom.server.recording.DelayedRecording;
 import carom.server.room.Admission;
 import carom.server.room.Room;
 import carom.server.session.PartingLinks;
@@ -51,7 +51,7 @@ public final class Lobby {
   private static final long ENTRANCE_WAIT_MS = 2_500;
 
   /** Seats that one address may hold without playing yet, or half of the free ones if more. */
-  private static final int MIN_UNREADY = 8;
+  private static final int MIN_LOADING = 8;
 
   private static final int MAX_ACCEPT = 32;
 
@@ -122,7 +122,7 @@ public final class Lobby {
       }
       work++;
       if (visitors.size() >= maxVisitors) {
-        refuse(link, RefusalReason.SERVER_FULL, "Too many connections are waiting to play.");
+        sendRefusal(link, RefusalReason.SERVER_FULL, "Too many connections are waiting to play.");
       } else {
         visitors.add(new Visitor(link));
       }
@@ -158,15 +158,15 @@ public final class Lobby {
       if (visitor.state == SessionState.LOADING) {
         // After Welcome a client expects a Goodbye; it is the same to the player.
         visitor.link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_STOPPING, ""));
-        part(visitor.link, "server stops");
+        closeLater(visitor.link, "server stops");
       } else {
-        refuse(visitor.link, RefusalReason.SHUTTING_DOWN, "");
+        sendRefusal(visitor.link, RefusalReason.SHUTTING_DOWN, "");
       }
       visitor.giveUpSeat();
     }
     visitors.clear();
     for (Link link; (link = transport.accept()) != null; ) {
-      refuse(link, RefusalReason.SHUTTING_DOWN, "");
+      sendRefusal(link, RefusalReason.SHUTTING_DOWN, "");
     }
   }
 
@@ -184,11 +184,11 @@ public final class Lobby {
   /**
    * Lets spectators in from now on.
    *
-   * @param showings one for each room, in their order
+   * @param recordings one for each room, in their order
    * @param delaySeconds how long spectators are told nothing of what happens
    */
-  public void show(List<Showing> showings, int delaySeconds) {
-    spectators.show(showings, delaySeconds);
+  public void allowSpectators(List<DelayedRecording> recordings, int delaySeconds) {
+    spectators.allow(recordings, delaySeconds);
   }
 
   /** Returns the number of links that wait to play. */
@@ -196,18 +196,18 @@ public final class Lobby {
     return visitors.size();
   }
 
-  private void refuse(Link link, RefusalReason reason, String text) {
+  private void sendRefusal(Link link, RefusalReason reason, String text) {
     LOG.info("refused: {}, {}{}", link.remote(), reason, text.isEmpty() ? "" : ", " + text);
     link.send(new ServerMessage.Refused(reason, text));
-    part(link, "refused: " + reason);
+    closeLater(link, "refused: " + reason);
   }
 
-  private void part(Link link, String why) {
+  private void closeLater(Link link, String why) {
     partings.add(link, why, nowNs + PARTING_MS * NS_PER_MS);
   }
 
   /** Counts the visitors of an address that hold a seat and don't play yet. */
-  private int unready(String address) {
+  private int countLoading(String address) {
     int count = 0;
     for (int i = 0; i < visitors.size(); i++) {
       Visitor v = visitors.get(i);
@@ -220,13 +220,13 @@ public final class Lobby {
    * Returns the visitor that gives up its seat first when seats are short, or null: the oldest of
    * the address that holds the most, at least two, and isn't the newcomer's.
    */
-  private Visitor oldestOfTheBusiest(String newcomer) {
+  private Visitor oldestOfBusiestAddress(String newcomer) {
     Visitor oldest = null;
     int most = 1;
     for (int i = 0; i < visitors.size(); i++) {
       Visitor v = visitors.get(i);
       if (!v.done && v.state == SessionState.LOADING && !v.address.equals(newcomer)) {
-        int held = unready(v.address);
+        int held = countLoading(v.address);
         if (held > most) { // the list is in order of arrival
           most = held;
           oldest = v;
@@ -285,7 +285,7 @@ public final class Lobby {
         end("left before playing");
       } else {
         String name = message == null ? "nothing" : message.getClass().getSimpleName();
-        refused(RefusalReason.BAD_REQUEST, name + " came while " + state + ".");
+        refuse(RefusalReason.BAD_REQUEST, name + " came while " + state + ".");
       }
     }
 
@@ -307,7 +307,7 @@ public final class Lobby {
       }
       String problem = spectators.add(link, watch.room(), nowNs);
       if (problem != null) {
-        refused(RefusalReason.BAD_REQUEST, problem);
+        refuse(RefusalReason.BAD_REQUEST, problem);
       }
       done = true;
     }
@@ -315,14 +315,14 @@ public final class Lobby {
     /** Refuses a client of another build, and returns whether the client may go on. */
     private boolean requireThisBuild(int protocolVersion, long physicsDigest) {
       if (protocolVersion != Protocol.VERSION) {
-        refused(
+        refuse(
             RefusalReason.PROTOCOL_VERSION,
             "This server speaks protocol %d, your game %d."
                 .formatted(Protocol.VERSION, protocolVersion));
         return false;
       }
       if (physicsDigest != Protocol.physicsDigest()) {
-        refused(
+        refuse(
             RefusalReason.PHYSICS_VERSION,
             "This server computes with %s.".formatted(Protocol.PHYSICS_VERSION));
         return false;
@@ -337,7 +337,7 @@ public final class Lobby {
       String name = hello.name().strip();
       String problem = PlayerName.problem(name);
       if (problem != null) {
-        refused(RefusalReason.NAME_INVALID, "Sorry, " + problem + ".");
+        refuse(RefusalReason.NAME_INVALID, "Sorry, " + problem + ".");
         return;
       }
       waiting = hello;
@@ -366,7 +366,7 @@ public final class Lobby {
           room = expecting;
           seat = room.seats().claim(waiting.resumeSecret(), nowNs);
         } else {
-          full = !place(waiting.name().strip()) && chooser.seatsLeft() == 0 && !askForPlaces();
+          full = !takeSeat(waiting.name().strip()) && chooser.seatsLeft() == 0 && !askForSeat();
         }
       }
       if (seat != null) {
@@ -376,16 +376,17 @@ public final class Lobby {
       } else if (full || (allowed && chooser.seatsLeft() == 0 && nowNs - waitsUntilNs >= 0)) {
         int places = config.places();
         String text = places == 1 ? "The only place is taken." : "All %d places are taken.";
-        refused(RefusalReason.SERVER_FULL, text.formatted(places));
+        refuse(RefusalReason.SERVER_FULL, text.formatted(places));
       } else if (nowNs - waitsUntilNs >= 0) {
-        refused(RefusalReason.TOO_MANY_CONNECTIONS, "");
+        refuse(RefusalReason.TOO_MANY_CONNECTIONS, "");
       }
     }
 
     /** Takes a seat in the fullest room that has one; returns whether it could. */
-    private boolean place(String name) {
+    private boolean takeSeat(String name) {
       Room fullest = chooser.fullestWithSeat();
-      if (fullest != null && unready(address) < Math.max(MIN_UNREADY, chooser.seatsLeft() / 2)) {
+      if (fullest != null
+          && countLoading(address) < Math.max(MIN_LOADING, chooser.seatsLeft() / 2)) {
         room = fullest;
         seat = room.seats().take(name);
       }
@@ -396,15 +397,15 @@ public final class Lobby {
      * Asks a room, or else the busiest other address, to give up a seat that isn't played in.
      * Returns false when all seats are.
      */
-    private boolean askForPlaces() {
+    private boolean askForSeat() {
       if (nowNs - askAgainNs < 0) {
         return true; // one seat is enough, and is soon free unless another visitor is faster
       }
       boolean asked = chooser.askToGiveWay();
-      Visitor hog = asked ? null : oldestOfTheBusiest(address);
-      if (hog != null) {
+      Visitor crowding = asked ? null : oldestOfBusiestAddress(address);
+      if (crowding != null) {
         asked = true;
-        hog.refused(RefusalReason.TOO_SLOW, "Others wait for the place.");
+        crowding.refuse(RefusalReason.TOO_SLOW, "Others wait for the place.");
       }
       askAgainNs = asked ? nowNs + ASK_AGAIN_MS * NS_PER_MS : nowNs;
       return asked;
@@ -431,7 +432,7 @@ public final class Lobby {
 
     private void sendLevel(int offset) {
       if (offset < 0 || offset >= packedLevel.length) {
-        refused(
+        refuse(
             RefusalReason.BAD_REQUEST,
             "LevelRequest.offset=%d is outside 0..%d.".formatted(offset, packedLevel.length - 1));
         return;
@@ -439,7 +440,7 @@ public final class Lobby {
       int end = Math.min(packedLevel.length, offset + Limits.MAX_LEVEL_CHUNK_BYTES);
       pulledBytes += end - offset;
       if (pulledBytes > (long) MAX_LEVEL_PULLS * packedLevel.length) {
-        refused(RefusalReason.BAD_REQUEST, "The level was requested again and again.");
+        refuse(RefusalReason.BAD_REQUEST, "The level was requested again and again.");
         return;
       }
       link.send(new ServerMessage.LevelChunk(offset, Arrays.copyOfRange(packedLevel, offset, end)));
@@ -450,14 +451,14 @@ public final class Lobby {
       if (!room.admit(new Admission(seat, link, datagramKey))) {
         LOG.warn("{} could not enter: too many enter at once, or the room failed", seat.name());
         link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_ERROR, "Try again in a moment."));
-        part(link, "room takes nobody");
+        closeLater(link, "room takes nobody");
         giveUpSeat();
       }
     }
 
     private void checkDeadline() {
       if (!done && waiting == null && nowNs - deadlineNs >= 0) {
-        refused(
+        refuse(
             RefusalReason.TOO_SLOW,
             state == SessionState.CONNECTED
                 ? "No greeting came within %d ms.".formatted(config.handshakeTimeoutMs())
@@ -465,9 +466,9 @@ public final class Lobby {
       }
     }
 
-    private void refused(RefusalReason reason, String text) {
+    private void refuse(RefusalReason reason, String text) {
       done = true;
-      refuse(link, reason, text);
+      sendRefusal(link, reason, text);
       giveUpSeat();
     }
 

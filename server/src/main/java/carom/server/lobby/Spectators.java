@@ -6,7 +6,7 @@ import carom.net.protocol.Limits;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
-import carom.server.recording.Showing;
+import carom.server.recording.DelayedRecording;
 import carom.server.room.Room;
 import carom.server.session.PartingLinks;
 import java.io.IOException;
@@ -39,10 +39,11 @@ final class Spectators implements LinkHandler {
   private static final class Spectator {
     private final Link link;
     private final Room room;
-    private final Showing showing;
+    private final DelayedRecording recording;
 
     /**
-     * Bytes this spectator needn't read, see {@link Showing#skippable}; constant while it stays.
+     * Bytes this spectator needn't read, see {@link DelayedRecording#skippableBytes}; constant
+     * while it stays.
      */
     private final long skipped;
 
@@ -50,11 +51,11 @@ final class Spectators implements LinkHandler {
     private long filledNs;
     private double bytes = BYTES_PER_S;
 
-    Spectator(Link link, Room room, Showing showing, long nowNs) {
+    Spectator(Link link, Room room, DelayedRecording recording, long nowNs) {
       this.link = link;
       this.room = room;
-      this.showing = showing;
-      skipped = showing.skippable(room.tick());
+      this.recording = recording;
+      skipped = recording.skippableBytes(room.tick());
       heardNs = nowNs;
       filledNs = nowNs;
     }
@@ -63,7 +64,7 @@ final class Spectators implements LinkHandler {
   private final List<Room> rooms;
   private final List<Spectator> spectators = new ArrayList<>();
   private final PartingLinks partings = new PartingLinks(MAX);
-  private List<Showing> showings = List.of();
+  private List<DelayedRecording> recordings = List.of();
   private int delaySeconds;
   private long nowNs;
   private Spectator speaking;
@@ -73,9 +74,9 @@ final class Spectators implements LinkHandler {
     this.rooms = rooms;
   }
 
-  /** Lets spectators in from now on; the showings are in the order of the rooms. */
-  void show(List<Showing> newShowings, int newDelaySeconds) {
-    showings = newShowings;
+  /** Lets spectators in from now on; the recordings are in the order of the rooms. */
+  void allow(List<DelayedRecording> newRecordings, int newDelaySeconds) {
+    recordings = newRecordings;
     delaySeconds = newDelaySeconds;
   }
 
@@ -86,16 +87,16 @@ final class Spectators implements LinkHandler {
    * @return null, or in words for the user why it can't watch
    */
   String add(Link link, int room, long timeNs) {
-    if (showings.isEmpty()) {
+    if (recordings.isEmpty()) {
       return "This server shows its games to nobody; it would need --spectator-delay.";
     }
-    if (room > showings.size()) {
-      return "There is no room=" + room + ", they are 1.." + showings.size() + ".";
+    if (room > recordings.size()) {
+      return "There is no room=" + room + ", they are 1.." + recordings.size() + ".";
     }
     if (spectators.size() >= MAX) {
       return MAX + " people watch already.";
     }
-    spectators.add(new Spectator(link, rooms.get(room - 1), showings.get(room - 1), timeNs));
+    spectators.add(new Spectator(link, rooms.get(room - 1), recordings.get(room - 1), timeNs));
     link.send(new ServerMessage.Watching(delaySeconds));
     LOG.info("watches room {}: {}, {} spectators", room, link.remote(), spectators.size());
     return null;
@@ -139,7 +140,7 @@ final class Spectators implements LinkHandler {
     s.filledNs = nowNs;
     try {
       int most = (int) Math.min(Limits.MAX_LEVEL_CHUNK_BYTES, s.bytes);
-      byte[] bytes = s.showing.read(s.skipped, offset, most, s.room.tick());
+      byte[] bytes = s.recording.read(s.skipped, offset, most, s.room.tick());
       s.bytes -= bytes.length;
       s.link.send(new ServerMessage.RecordingChunk(offset, bytes));
     } catch (IOException e) {

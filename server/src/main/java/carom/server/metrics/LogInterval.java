@@ -16,7 +16,7 @@ public final class LogInterval {
    *
    * @param nowNs monotonic time
    */
-  public boolean begins(long nowNs) {
+  public boolean tryBegin(long nowNs) {
     if (begun && nowNs - beginNs < LENGTH_NS) {
       return false;
     }

@@ -184,7 +184,7 @@ public final class Session implements LinkHandler {
       return;
     }
     counters.add(Counter.DIVERGENCES_UNEXPLAINED, 1);
-    if (divergenceLines.begins(nowNs)) {
+    if (divergenceLines.tryBegin(nowNs)) {
       LOG.warn(
           report.isOfSet()
               ? "diverged: {} predicted tick {} of what is near otherwise, though equal at tick"

@@ -17,7 +17,7 @@ import java.util.function.IntSupplier;
  *
  * <p>{@link #take} belongs to the room's thread, the rest to the lobby's.
  */
-public final class Showing implements BlockSink, AutoCloseable {
+public final class DelayedRecording implements BlockSink, AutoCloseable {
   private final RecordingFile file;
   private final IntSupplier tick;
   private final boolean temporary;
@@ -36,7 +36,7 @@ public final class Showing implements BlockSink, AutoCloseable {
 
   private int delayTicks = Integer.MAX_VALUE;
   private int shownBlocks;
-  private long shown;
+  private long shownBytes;
   private FileChannel channel;
 
   /**
@@ -46,7 +46,7 @@ public final class Showing implements BlockSink, AutoCloseable {
    * @param tick the room's present tick, read on its thread
    * @param temporary whether the file goes when this is closed
    */
-  public Showing(RecordingFile file, IntSupplier tick, boolean temporary) {
+  public DelayedRecording(RecordingFile file, IntSupplier tick, boolean temporary) {
     this.file = file;
     this.tick = tick;
     this.temporary = temporary;
@@ -79,26 +79,26 @@ public final class Showing implements BlockSink, AutoCloseable {
    *
    * @param now the room's tick
    */
-  public long shown(int now) {
+  public long shownBytes(int now) {
     synchronized (ticks) {
       while (shownBlocks < ticks.size()
           && now - ticks.get(shownBlocks) >= delayTicks
           && file.endOf(shownBlocks) >= 0) {
-        show(types.get(shownBlocks));
-        shown = file.endOf(shownBlocks);
+        noteState(types.get(shownBlocks));
+        shownBytes = file.endOf(shownBlocks);
         shownBlocks++;
       }
     }
-    return shown;
+    return shownBytes;
   }
 
   /** Before {@code shown} moves to the block's end. */
-  private void show(Block type) {
+  private void noteState(Block type) {
     boolean inState = shownBlocks > 0 && types.get(shownBlocks - 1) == Block.STATE;
     if (shownBlocks == 0) {
       headerEnd = file.endOf(0);
     } else if (type == Block.STATE && !inState) {
-      begunState = shown;
+      begunState = shownBytes;
     } else if (type != Block.STATE && inState) {
       lastState = begunState;
     }
@@ -110,21 +110,21 @@ public final class Showing implements BlockSink, AutoCloseable {
    *
    * @param now the room's tick
    */
-  public long skippable(int now) {
-    shown(now);
+  public long skippableBytes(int now) {
+    shownBytes(now);
     return Math.max(0, lastState - headerEnd);
   }
 
   /**
    * Reads bytes that may be seen.
    *
-   * @param skipped how many bytes behind the header are left out, as {@link #skippable} said
+   * @param skipped how many bytes behind the header are left out, as {@link #skippableBytes} said
    * @param offset in what is left, anything; behind what may be seen there is nothing
    * @param most largest number of bytes
    * @param now the room's tick
    */
   public byte[] read(long skipped, long offset, int most, int now) throws IOException {
-    int length = (int) Math.max(0, Math.min(most, shown(now) - skipped - offset));
+    int length = (int) Math.max(0, Math.min(most, shownBytes(now) - skipped - offset));
     byte[] bytes = new byte[length];
     if (length > 0) {
       if (channel == null) {
