@@ -57,7 +57,9 @@ public final class BigWorlds {
     return parse(json);
   }
 
-  /** A walled field of crates that paddles keep stirring, wider than what one player sees. */
+  /**
+   * Returns a walled field of crates that paddles keep stirring, wider than what one player sees.
+   */
   public static Level churn() {
     StringBuilder paddles = new StringBuilder();
     for (int i = 0; i < 10; i++) {
@@ -97,7 +99,7 @@ public final class BigWorlds {
             .formatted(paddles));
   }
 
-  /** A level that packs to some 150 kB, though there is little in it. */
+  /** Returns a level that packs to some 150 kB, though there is little in it. */
   public static Level heavy(long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     StringBuilder json =

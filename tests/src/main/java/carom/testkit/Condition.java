@@ -31,12 +31,12 @@ public enum Condition {
     this.impairment = impairment;
   }
 
-  /** The impairment, with a seed. */
+  /** Returns the impairment, with a seed. */
   public Impairment impairment(long seed) {
     return impairment.withSeed(seed);
   }
 
-  /** Whether the scenario should call {@link SimulatedClient#blackout} once. */
+  /** Returns whether the scenario should call {@link SimulatedClient#blackout} once. */
   public boolean hasBlackout() {
     return this == BLACKOUT_1_S;
   }

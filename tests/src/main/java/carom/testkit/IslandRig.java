@@ -72,7 +72,7 @@ public final class IslandRig {
             }));
   }
 
-  /** A wall of crates, each on two others, with a player on top. */
+  /** Returns a wall of crates, each on two others, with a player on top. */
   private static Level level(int crates) {
     int rows = crates / COLUMNS;
     StringBuilder bodies = new StringBuilder();
@@ -106,17 +106,17 @@ public final class IslandRig {
     }
   }
 
-  /** The truth. */
+  /** Returns the truth. */
   public Simulation server() {
     return server;
   }
 
-  /** The truth's player. */
+  /** Returns the truth's player. */
   public Player player() {
     return serverPlayer;
   }
 
-  /** What the client computes with. */
+  /** Returns what the client computes with. */
   public Simulation predicted() {
     return predicted;
   }
@@ -126,7 +126,7 @@ public final class IslandRig {
     return client;
   }
 
-  /** The island as it was told last. */
+  /** Returns the island as it was told last. */
   public Neighbourhood island() {
     return island;
   }

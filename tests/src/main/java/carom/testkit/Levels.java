@@ -52,12 +52,12 @@ public final class Levels {
             .formatted(name, ball));
   }
 
-  /** A floor between walls, a step, a one-way platform; the flag hangs out of reach. */
+  /** Returns a floor between walls, a step, a one-way platform; the flag hangs out of reach. */
   public static Level emptyPlatformer() {
     return platformer("floor.json", FOUR_PLAYERS, "");
   }
 
-  /** The same with a stack of three crates. */
+  /** Returns the same with a stack of three crates. */
   public static Level platformerWithCrates() {
     return platformer(
         "crates.json",
@@ -70,8 +70,8 @@ public final class Levels {
   }
 
   /**
-   * The same with one place for players, left of a row of twelve crates that touch each other, and
-   * a crate alone, five metres right of the row, in slot 12.
+   * Returns the same with one place for players, left of a row of twelve crates that touch each
+   * other, and a crate alone, five metres right of the row, in slot 12.
    */
   public static Level platformerWithRowOfCrates() {
     return platformer(

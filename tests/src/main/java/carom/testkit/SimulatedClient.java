@@ -209,17 +209,17 @@ public final class SimulatedClient {
 
   // ---- what can be seen
 
-  /** The name asked for; the server may have added a number. */
+  /** Returns the name asked for; the server may have added a number. */
   public String name() {
     return name;
   }
 
-  /** The client. */
+  /** Returns the client. */
   public GameClient game() {
     return client;
   }
 
-  /** What the player sees. */
+  /** Returns what the player sees. */
   public ClientView view() {
     return client.view();
   }

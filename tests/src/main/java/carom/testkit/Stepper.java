@@ -98,42 +98,42 @@ public final class Stepper implements AutoCloseable {
     server = null;
   }
 
-  /** The server that runs; null while it is stopped. */
+  /** Returns the server that runs; null while it is stopped. */
   public Server server() {
     return server;
   }
 
-  /** The server's first room. */
+  /** Returns the server's first room. */
   public Room room() {
     return server.rooms().get(0);
   }
 
-  /** A counter of the server. */
+  /** Returns a counter of the server. */
   public long count(Counter counter) {
     return server.count(counter);
   }
 
-  /** The server's quantised state after a tick; null when that was too long ago. */
+  /** Returns the server's quantised state after a tick; null when that was too long ago. */
   public FrameState frame(int tick) {
     return room().frames().at(tick);
   }
 
-  /** The server's newest quantised state. */
+  /** Returns the server's newest quantised state. */
   public FrameState frame() {
     return room().frames().newest();
   }
 
-  /** The server's last quantised states. */
+  /** Returns the server's last quantised states. */
   public FrameRing frames() {
     return room().frames();
   }
 
-  /** A player at the server, or null. */
+  /** Returns a player at the server, or null. */
   public Player player(SimulatedClient client) {
     return room().simulation().player(client.view().playerId());
   }
 
-  /** A player's body at the server, or null. */
+  /** Returns a player's body at the server, or null. */
   public Entity body(SimulatedClient client) {
     Player player = player(client);
     return player == null ? null : player.body();
@@ -195,12 +195,12 @@ public final class Stepper implements AutoCloseable {
         JOIN_SECONDS);
   }
 
-  /** All clients added, in order. */
+  /** Returns all clients added, in order. */
   public List<SimulatedClient> clients() {
     return clients;
   }
 
-  /** The clients' side of the network, for peers that are no clients. */
+  /** Returns the clients' side of the network, for peers that are no clients. */
   public ClientTransport transport() {
     return wire.client();
   }
@@ -222,7 +222,7 @@ public final class Stepper implements AutoCloseable {
 
   // ---- time
 
-  /** The present, nanoseconds. */
+  /** Returns the present, nanoseconds. */
   public long nowNs() {
     return nowNs;
   }
@@ -288,7 +288,10 @@ public final class Stepper implements AutoCloseable {
 
   // ---- verdicts
 
-  /** A number that tells this server's frames so far; equal runs in memory have equal hashes. */
+  /**
+   * Returns a number that tells this server's frames so far; equal runs in memory have equal
+   * hashes.
+   */
   public long hash() {
     return hash;
   }

@@ -21,7 +21,7 @@ public final class VirtualDisplay implements AutoCloseable {
     this.name = name;
   }
 
-  /** Whether this machine has Xvfb on its PATH. */
+  /** Returns whether this machine has Xvfb on its PATH. */
   public static boolean available() {
     String path = System.getenv().getOrDefault("PATH", "");
     return Stream.of(path.split(File.pathSeparator))
@@ -48,7 +48,7 @@ public final class VirtualDisplay implements AutoCloseable {
     return new VirtualDisplay(xvfb, ":" + number.strip());
   }
 
-  /** What the environment variable DISPLAY must say. */
+  /** Returns what the environment variable DISPLAY must say. */
   public String name() {
     return name;
   }

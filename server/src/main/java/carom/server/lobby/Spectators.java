@@ -17,17 +17,17 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Sends recordings to the spectators of all rooms. A spectator requests chunks of its room's
- * recording and computes the game itself. So it costs the server a few file reads a second, and the
- * room nothing. No spectator is told anything younger than the delay.
+ * recording and computes the game itself, so it costs the server a few file reads a second and the
+ * room nothing. No spectator receives anything younger than the delay.
  *
  * <p>Runs on the lobby's thread. Bounded: {@value #MAX} spectators, {@value #BYTES_PER_S} bytes per
- * second each; beyond that a chunk is empty, and the spectator asks again.
+ * second each. A spectator beyond its rate gets an empty chunk and asks again.
  */
 final class Spectators implements LinkHandler {
-  /** Most spectators at a time, of all rooms together. */
+  /** Most spectators of all rooms together at a time. */
   static final int MAX = 256;
 
-  /** Most bytes one spectator is sent per second: an hour of a busy match in half a minute. */
+  /** Most bytes per second for one spectator. An hour of a busy match takes half a minute. */
   static final int BYTES_PER_S = 512 * 1_024;
 
   private static final Logger LOG = LoggerFactory.getLogger(Spectators.class);
@@ -42,8 +42,8 @@ final class Spectators implements LinkHandler {
     private final DelayedRecording recording;
 
     /**
-     * Bytes this spectator needn't read, see {@link DelayedRecording#skippableBytes}; constant
-     * while it stays.
+     * Number of bytes that this spectator needn't read, see {@link
+     * DelayedRecording#skippableBytes}. Constant for the spectator's stay.
      */
     private final long skipped;
 
@@ -84,7 +84,7 @@ final class Spectators implements LinkHandler {
    * Adds a link whose versions are right.
    *
    * @param room number of the room, from 1
-   * @return null, or in words for the user why it can't watch
+   * @return null, or a text for the user that says why the link can't watch
    */
   String add(Link link, int room, long timeNs) {
     if (recordings.isEmpty()) {
@@ -98,11 +98,11 @@ final class Spectators implements LinkHandler {
     }
     spectators.add(new Spectator(link, rooms.get(room - 1), recordings.get(room - 1), timeNs));
     link.send(new ServerMessage.Watching(delaySeconds));
-    LOG.info("watches room {}: {}, {} spectators", room, link.remote(), spectators.size());
+    LOG.info("spectator of room {}: {}, now {}", room, link.remote(), spectators.size());
     return null;
   }
 
-  /** Answers requests and drops silent spectators; returns how much was done. */
+  /** Answers requests and drops silent spectators. Returns the amount of work done. */
   int doWork(long timeNs) {
     nowNs = timeNs;
     int work = partings.doWork(timeNs);
@@ -116,7 +116,7 @@ final class Spectators implements LinkHandler {
       if (end != null) {
         spectators.remove(i);
         partings.add(speaking.link, end, nowNs + PARTING_MS * NS_PER_MS);
-        LOG.info("watches no more: {}, {}", speaking.link.remote(), end);
+        LOG.info("spectator gone: {}, {}", speaking.link.remote(), end);
       }
     }
     return work;
@@ -130,7 +130,7 @@ final class Spectators implements LinkHandler {
     } else if (message instanceof ClientMessage.Leave) {
       end = "left";
     } else {
-      end = "said what spectators don't";
+      end = "sent a message that spectators must not send";
       from.send(new ServerMessage.Goodbye(GoodbyeReason.PROTOCOL_ERROR, ""));
     }
   }
@@ -152,7 +152,7 @@ final class Spectators implements LinkHandler {
 
   @Override
   public void datagram(Link from, byte[] bytes, int length) {
-    // Spectators have nothing to say by datagram.
+    // Spectators send no datagrams; one that arrives means nothing.
   }
 
   @Override

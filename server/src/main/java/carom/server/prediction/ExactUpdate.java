@@ -68,7 +68,7 @@ final class ExactUpdate {
     interference = simulation.interference();
   }
 
-  /** The list that places in the update refer to. */
+  /** Returns the list that places in the update refer to. */
   KeyList members() {
     return members;
   }
@@ -93,7 +93,7 @@ final class ExactUpdate {
     return underWay && simulation.tick() - baseTick > MAX_AGE;
   }
 
-  /** The tick at which the last update was sent as a whole, or -1. */
+  /** Returns the tick at which the last update was sent as a whole, or -1. */
   int sentTick() {
     return sentTick;
   }

@@ -200,7 +200,9 @@ public final class PredictedSet {
     }
   }
 
-  /** The exact state captured last, of which the client is told the hash. For reading only. */
+  /**
+   * Returns the exact state captured last, of which the client is told the hash. For reading only.
+   */
   public Neighbourhood state() {
     return state;
   }

@@ -120,7 +120,7 @@ final class LinkPace {
     return (int) Math.min(Integer.MAX_VALUE, tokens - HEADER_BYTES);
   }
 
-  /** The present pace, bytes on the wire per second. */
+  /** Returns the present pace, bytes on the wire per second. */
   int bytesPerSecond() {
     return (int) rate;
   }

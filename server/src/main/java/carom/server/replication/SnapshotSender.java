@@ -167,7 +167,7 @@ public final class SnapshotSender {
     }
   }
 
-  /** The most ticks between two snapshots. */
+  /** Returns the most ticks between two snapshots. */
   private int mostTicksWithout(boolean news, boolean late) {
     if (late) {
       return lateTicks;
@@ -255,7 +255,7 @@ public final class SnapshotSender {
     return pace.bytesPerSecond();
   }
 
-  /** The encoder, for inspection. */
+  /** Returns the encoder, for inspection. */
   public SnapshotEncoder encoder() {
     return encoder;
   }

@@ -91,7 +91,10 @@ final class RosterNews {
     }
   }
 
-  /** A session that comes in the midst of a round gets the state that the others reach by it. */
+  /**
+   * Returns the scores that a new session gets: the state that the others reach at the end of the
+   * round under way.
+   */
   private List<Broadcast> messagesFor(Session session) {
     if (session.knowsRoster()) {
       return changes;

@@ -119,12 +119,12 @@ public final class Seats {
     }
   }
 
-  /** Number of seats, free ones included. */
+  /** Returns the number of seats, free ones included. */
   public int count() {
     return taken.length;
   }
 
-  /** Number of seats that are taken. */
+  /** Returns the number of seats that are taken. */
   public synchronized int takenCount() {
     return takenCount;
   }
@@ -146,7 +146,10 @@ public final class Seats {
     return name;
   }
 
-  /** The longest beginning of a name that fits in some UTF-8 bytes and doesn't end in a space. */
+  /**
+   * Returns the longest beginning of a name that fits in some UTF-8 bytes and doesn't end in a
+   * space.
+   */
   private static String shortened(String name, int maxBytes) {
     String text = name;
     while (text.getBytes(StandardCharsets.UTF_8).length > maxBytes) {
@@ -171,12 +174,12 @@ public final class Seats {
       this.secret = secret;
     }
 
-    /** The player's id, 0..1,023. */
+    /** Returns the player's id, 0..1,023. */
     public int id() {
       return id;
     }
 
-    /** The player's name, unique in the room. */
+    /** Returns the player's name, unique in the room. */
     public String name() {
       return name;
     }

@@ -196,7 +196,7 @@ public final class BenchCommand implements Callable<Integer> {
   }
 
   /**
-   * All entrants of a job, in turns: each has its first slice, then each its second one.
+   * Returns all entrants of a job, in turns: each has its first slice, then each its second one.
    *
    * @return a row of each
    */

@@ -9,7 +9,7 @@ import carom.sim.scene.Scene;
  */
 public interface BenchEngine extends AutoCloseable {
   /**
-   * What it is called in flags and tables.
+   * Returns what it is called in flags and tables.
    *
    * @return small letters, digits and dashes
    */
@@ -27,14 +27,14 @@ public interface BenchEngine extends AutoCloseable {
   void step();
 
   /**
-   * The bodies as they are now, for the sanity figures.
+   * Returns the bodies as they are now, for the sanity figures.
    *
    * @return Carom's world, or a copy of the other engine's one
    */
   World<?> world();
 
   /**
-   * How many bodies are awake and not static now.
+   * Returns how many bodies are awake and not static now.
    *
    * @return a count
    */

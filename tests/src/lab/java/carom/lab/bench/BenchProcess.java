@@ -73,7 +73,7 @@ final class BenchProcess implements AutoCloseable {
     return false;
   }
 
-  /** What somebody else's program says amiss costs its row, not those of all others. */
+  /** Returns what somebody else's program says amiss costs its row, not those of all others. */
   private BenchRow rowOf(String json) {
     try {
       return BenchRow.ofJson(json);
@@ -82,12 +82,12 @@ final class BenchProcess implements AutoCloseable {
     }
   }
 
-  /** The result, once a {@link #turn} was the last one. */
+  /** Returns the result, once a {@link #turn} was the last one. */
   BenchRow row() {
     return row;
   }
 
-  /** The first line that looks like an exception. */
+  /** Returns the first line that looks like an exception. */
   private String fault(int status) throws IOException {
     return Files.readAllLines(errors.toPath()).stream()
         .filter(line -> line.contains("Exception") || line.contains("Error"))

@@ -62,7 +62,7 @@ record BenchScene(
   }
 
   /**
-   * How the scene of a name is measured; any scene of the library will do.
+   * Returns how the scene of a name is measured; any scene of the library will do.
    *
    * @throws IllegalArgumentException if there is none, naming the nearest
    */
@@ -79,12 +79,14 @@ record BenchScene(
     return scenes.get();
   }
 
-  /** Whether all of it is awake: what mostly sleeps has nothing that threads could share. */
+  /**
+   * Returns whether all of it is awake: what mostly sleeps has nothing that threads could share.
+   */
   boolean isBusy() {
     return gate.maxAwake() == Integer.MAX_VALUE;
   }
 
-  /** The same with a quarter of the timed steps. */
+  /** Returns the same with a quarter of the timed steps. */
   BenchScene quick() {
     return new BenchScene(name, warm, Math.max(10, measured / 4), gate, peers, scenes);
   }

@@ -92,7 +92,7 @@ final class BenchTable {
     return List.of("scene", "engine", LAB_HEADER, "hash", "fault").contains(header);
   }
 
-  /** What was measured; what no server or client uses is in a table of its own. */
+  /** Returns what was measured; what no server or client uses is in a table of its own. */
   private static List<List<String>> results(List<BenchRow> rows, boolean lab) {
     List<String> headers = new ArrayList<>(HEADERS);
     headers.set(1, lab ? LAB_HEADER : headers.get(1));
@@ -139,7 +139,7 @@ final class BenchTable {
     return row.counts() ? "" : "!";
   }
 
-  /** A line per scene: the first row's time, what the others take of it, and Box2D v3. */
+  /** Returns a line per scene: the first row's time, what the others take of it, and Box2D v3. */
   private static List<List<String>> ratios(List<BenchRow> rows) {
     Map<String, BenchRow> firsts = firsts(rows);
     Set<String> others = new LinkedHashSet<>();
@@ -186,7 +186,7 @@ final class BenchTable {
     return firsts;
   }
 
-  /** What several threads gain beside what they could, for rows that have it. */
+  /** Returns what several threads gain beside what they could, for rows that have it. */
   private static List<List<String>> scaling(List<BenchRow> rows) {
     List<List<String>> lines = new ArrayList<>();
     lines.add(List.of("scene", "engine", "speed-up", "ceiling", "share"));

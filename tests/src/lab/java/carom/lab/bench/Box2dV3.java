@@ -28,7 +28,8 @@ final class Box2dV3 {
   private Box2dV3() {}
 
   /**
-   * A row's time as a multiple of v3's, carried over by the other engines' rows of the same run.
+   * Returns a row's time as a multiple of v3's, carried over by the other engines' rows of the same
+   * run.
    *
    * @param row of Carom, with ratios
    * @return for instance {@code 0.83 by gdx-box2d, 0.71 by jbox2d}; empty if it can't be told

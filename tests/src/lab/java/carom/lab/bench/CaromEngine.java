@@ -47,12 +47,12 @@ final class CaromEngine implements BenchEngine {
     return run.world();
   }
 
-  /** The hash of the world, and of particles if there are any. */
+  /** Returns the hash of the world, and of particles if there are any. */
   long stateHash() {
     return run.particles().isEmpty() ? run.world().stateHash() : run.stateHash();
   }
 
-  /** How many there are in all systems together. */
+  /** Returns how many there are in all systems together. */
   int particles() {
     return run.particles().stream().mapToInt(some -> some.particles().count()).sum();
   }

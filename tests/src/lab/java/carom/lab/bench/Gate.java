@@ -35,18 +35,18 @@ record Gate(
     return new Gate(1.05 * energy, 0.95 * energy, 0.25, ANY, maxCoordinate, Integer.MAX_VALUE);
   }
 
-  /** The same with hinges that hold. */
+  /** Returns the same with hinges that hold. */
   Gate joined(double gap) {
     return new Gate(maxEnergy, minEnergy, maxPenetration, gap, maxCoordinate, maxAwake);
   }
 
-  /** The same with most bodies asleep. */
+  /** Returns the same with most bodies asleep. */
   Gate asleepBut(int awake) {
     return new Gate(maxEnergy, minEnergy, maxPenetration, maxJointGap, maxCoordinate, awake);
   }
 
   /**
-   * Whether a run counts.
+   * Returns whether a run counts.
    *
    * @param end its last state
    * @param awake how many bodies are awake in it

@@ -114,7 +114,7 @@ public abstract class PeerEngine<B> implements BenchEngine {
   protected abstract void step(float dtSeconds);
 
   /**
-   * Whether a body is awake and not static.
+   * Returns whether a body is awake and not static.
    *
    * @param peer the engine's body
    * @return true if steps move it

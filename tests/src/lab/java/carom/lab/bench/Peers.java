@@ -46,7 +46,7 @@ final class Peers {
     return names;
   }
 
-  /** The class path for a process that measures. */
+  /** Returns the class path for a process that measures. */
   static String classPath() {
     StringBuilder path = new StringBuilder(Lab.classPath());
     jars().forEach(jar -> path.append(File.pathSeparator).append(jar));
@@ -54,7 +54,7 @@ final class Peers {
   }
 
   /**
-   * The engine of a name, in a process that measures.
+   * Returns the engine of a name, in a process that measures.
    *
    * @throws IllegalArgumentException if it isn't on the class path
    */

@@ -143,7 +143,7 @@ final class ScalingMeter implements AutoCloseable {
     return sorted[sorted.length / 2];
   }
 
-  /** The medians of the slices; {@link Scaling#NONE} if there was none. */
+  /** Returns the medians of the slices; {@link Scaling#NONE} if there was none. */
   Scaling result() {
     return shares.length == 0
         ? Scaling.NONE

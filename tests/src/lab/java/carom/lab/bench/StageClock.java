@@ -47,8 +47,8 @@ final class StageClock implements StageListener {
   }
 
   /**
-   * What each stage takes, in the order of the stages: the median over the steps, ms. Stages that
-   * take no time worth telling (less than a microsecond) are left out.
+   * Returns what each stage takes, in the order of the stages: the median over the steps, ms.
+   * Stages that take no time worth telling (less than a microsecond) are left out.
    */
   Map<StepStage, Double> medianMs() {
     Map<StepStage, Double> medians = new EnumMap<>(StepStage.class);

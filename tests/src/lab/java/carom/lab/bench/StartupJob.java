@@ -90,7 +90,7 @@ record StartupJob() implements BenchJob {
     return command;
   }
 
-  /** Where the start script is if this class is in a jar of an installation. */
+  /** Returns where the start script is if this class is in a jar of an installation. */
   private static Path installed() {
     try {
       URL mine = StartupJob.class.getProtectionDomain().getCodeSource().getLocation();

@@ -110,7 +110,7 @@ record StateJob(String name, Supplier<Work> work) implements BenchJob {
     return new Work(() -> newest[0] = null, () -> newest[0] = pile(0), null);
   }
 
-  /** The step in which the trees are built and all pairs are found. */
+  /** Returns the step in which the trees are built and all pairs are found. */
   private static Work firstStep() {
     SceneRun[] newest = {null};
     return new Work(() -> newest[0] = pile(0), () -> newest[0].step(), null);
@@ -121,7 +121,7 @@ record StateJob(String name, Supplier<Work> work) implements BenchJob {
     return wanted.kernels().stream().map(k -> new Entrant(Entrant.CAROM, k, 1)).toList();
   }
 
-  /** How many steps warm-up has depends on the clock, so each ends with another state. */
+  /** Returns how many steps warm-up has depends on the clock, so each ends with another state. */
   @Override
   public boolean mustAgree(Entrant entrant) {
     return false;

@@ -36,7 +36,7 @@ public record BroadphaseJob(String name, int boxes, boolean clustered) implement
     return jobs;
   }
 
-  /** The engine's tree first, under the engine's name. */
+  /** Returns the engine's tree first, under the engine's name. */
   @Override
   public List<Entrant> entrants(Choice wanted) {
     List<Entrant> all = new ArrayList<>();

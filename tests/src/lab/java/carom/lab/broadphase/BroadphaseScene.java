@@ -54,7 +54,7 @@ public final class BroadphaseScene {
   }
 
   /**
-   * The boxes as they are now; the same object for good.
+   * Returns the boxes as they are now; the same object for good.
    *
    * @return the boxes, owned by the scene
    */
@@ -63,7 +63,7 @@ public final class BroadphaseScene {
   }
 
   /**
-   * The ids of all boxes.
+   * Returns the ids of all boxes.
    *
    * @return 0 to n - 1, owned by the scene
    */
@@ -105,7 +105,7 @@ public final class BroadphaseScene {
   }
 
   /**
-   * The finaliser of splitmix64: spreads a number over all bits.
+   * Returns the finaliser of splitmix64: spreads a number over all bits.
    *
    * @param number any
    * @return another, bijectively

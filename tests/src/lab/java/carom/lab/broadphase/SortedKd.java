@@ -24,7 +24,7 @@ final class SortedKd {
   }
 
   /**
-   * The box at a place in the order of the leaves, after a build.
+   * Returns the box at a place in the order of the leaves, after a build.
    *
    * @return its id
    */

@@ -28,22 +28,22 @@ record Figure(
     NONE
   }
 
-  /** A figure that must not be larger. */
+  /** Returns a figure that must not be larger. */
   static Figure atMost(double reach, String what, double value, String unit) {
     return new Figure("", what, value, unit, Goal.AT_MOST, reach, "");
   }
 
-  /** A figure that must not be smaller. */
+  /** Returns a figure that must not be smaller. */
   static Figure atLeast(double reach, String what, double value, String unit) {
     return new Figure("", what, value, unit, Goal.AT_LEAST, reach, "");
   }
 
-  /** A figure to compare others with. */
+  /** Returns a figure to compare others with. */
   static Figure shown(String what, double value, String unit) {
     return new Figure("", what, value, unit, Goal.NONE, Double.NaN, "");
   }
 
-  /** A job that came to nothing: counts as missed. */
+  /** Returns a job that came to nothing: counts as missed. */
   static Figure failed(String job, String why) {
     return new Figure(job, job, Double.NaN, "", Goal.AT_LEAST, Double.NaN, why);
   }
@@ -57,7 +57,7 @@ record Figure(
     return new Figure(newJob, what, value, unit, goal, reach, note);
   }
 
-  /** Whether the limit is kept; true where there is none. */
+  /** Returns whether the limit is kept; true where there is none. */
   boolean reached() {
     return switch (goal) {
       case AT_MOST -> value <= reach;
@@ -71,7 +71,7 @@ record Figure(
     return goal == Goal.NONE ? "" : reached() ? "reached" : "missed";
   }
 
-  /** The limit for people. */
+  /** Returns the limit for people. */
   String limit() {
     return switch (goal) {
       case AT_MOST -> "<= " + number(reach);
@@ -80,7 +80,7 @@ record Figure(
     };
   }
 
-  /** A number with three digits that mean something. */
+  /** Returns a number with three digits that mean something. */
   static String number(double value) {
     if (!Double.isFinite(value)) {
       return "";
@@ -108,7 +108,7 @@ record Figure(
   }
 
   /**
-   * What {@link #toJson} wrote.
+   * Returns what {@link #toJson} wrote.
    *
    * @throws IOException if it is something else
    */

@@ -21,7 +21,7 @@ final class PredictionFigures {
 
   private PredictionFigures() {}
 
-  /** A bot alone among the platformer's crates. */
+  /** Returns a bot alone among the platformer's crates. */
   static List<Figure> perfect(boolean quick) {
     return List.of(
         perfect(PredictionMode.ISLAND, "what the own body touches", quick),
@@ -45,8 +45,8 @@ final class PredictionFigures {
   }
 
   /**
-   * A wanderer in an empty arena, on every network of the table. An input that the server never got
-   * in time, with all its copies, excuses a correction: nobody can foresee that.
+   * Returns a wanderer in an empty arena, on every network of the table. An input that the server
+   * never got in time, with all its copies, excuses a correction: nobody can foresee that.
    */
   static List<Figure> alone(boolean quick) {
     long unexcused = 0;
@@ -79,7 +79,7 @@ final class PredictionFigures {
                 compared, corrections - unexcused, missing));
   }
 
-  /** The server kicks an idle player. */
+  /** Returns the server kicks an idle player. */
   static List<Figure> push(boolean quick) {
     double worst = 0;
     int pushes = 0;

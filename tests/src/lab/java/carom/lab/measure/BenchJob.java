@@ -5,7 +5,7 @@ import java.util.List;
 
 /** Something to measure: one {@code scene} of the table, done by several entrants. */
 public interface BenchJob {
-  /** The name in flags and tables, small letters, digits and underscores. */
+  /** Returns the name in flags and tables, small letters, digits and underscores. */
   String name();
 
   /**
@@ -15,7 +15,7 @@ public interface BenchJob {
    */
   List<Entrant> entrants(Choice wanted);
 
-  /** Whether an entrant must end with the very hash of the first one. */
+  /** Returns whether an entrant must end with the very hash of the first one. */
   default boolean mustAgree(Entrant entrant) {
     return entrant.isCarom();
   }

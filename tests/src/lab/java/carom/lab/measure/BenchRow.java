@@ -40,7 +40,7 @@ public record BenchRow(
     Scaling scaling,
     Map<String, Double> ratios,
     String fault) {
-  /** A row about so many bodies without a world to look at. */
+  /** Returns a row about so many bodies without a world to look at. */
   public static BenchRow of(String scene, Entrant entrant, int bodies, Times times) {
     return new BenchRow(
         scene,
@@ -60,12 +60,12 @@ public record BenchRow(
         "");
   }
 
-  /** A run that gave no figures. */
+  /** Returns a run that gave no figures. */
   public static BenchRow failed(String scene, Entrant entrant, String fault) {
     return of(scene, entrant, 0, Times.NONE).withFault(fault);
   }
 
-  /** The same with what the end state looks like. */
+  /** Returns the same with what the end state looks like. */
   public BenchRow withEnd(int jointCount, int awakeCount, SceneReport end) {
     return new BenchRow(
         scene,
@@ -134,12 +134,12 @@ public record BenchRow(
         newFault);
   }
 
-  /** Whether there are figures at all, good or bad. */
+  /** Returns whether there are figures at all, good or bad. */
   public boolean isMeasured() {
     return times.steps() > 0;
   }
 
-  /** Whether its figures are results. */
+  /** Returns whether its figures are results. */
   public boolean counts() {
     return isMeasured() && fault.isEmpty();
   }
@@ -180,7 +180,7 @@ public record BenchRow(
   }
 
   /**
-   * What {@link #toJson} wrote.
+   * Returns what {@link #toJson} wrote.
    *
    * @throws IOException if it is something else
    */

@@ -19,12 +19,12 @@ public record Entrant(String engine, String kernels, int threads) {
     return new Entrant(engine, "", 1);
   }
 
-  /** Whether it is a method that no server or client uses. */
+  /** Returns whether it is a method that no server or client uses. */
   public boolean isLab() {
     return engine.startsWith(LAB);
   }
 
-  /** Whether it is Carom, however set up. */
+  /** Returns whether it is Carom, however set up. */
   public boolean isCarom() {
     return engine.equals(CAROM);
   }

@@ -157,7 +157,7 @@ public final class JsonLine {
   }
 
   /**
-   * A field's text; of numbers, truths and null as JSON spells them.
+   * Returns a field's text; of numbers, truths and null as JSON spells them.
    *
    * @param name of the field
    * @return the text
@@ -172,7 +172,7 @@ public final class JsonLine {
   }
 
   /**
-   * A number.
+   * Returns a number.
    *
    * @param name of the field
    * @return NaN for null
@@ -188,7 +188,7 @@ public final class JsonLine {
   }
 
   /**
-   * A number that not everybody tells.
+   * Returns a number that not everybody tells.
    *
    * @param name of the field
    * @return NaN for null, and if there is no such field
@@ -199,7 +199,7 @@ public final class JsonLine {
   }
 
   /**
-   * A whole number.
+   * Returns a whole number.
    *
    * @param name of the field
    * @return the number
@@ -215,7 +215,7 @@ public final class JsonLine {
   }
 
   /**
-   * An object of numbers.
+   * Returns an object of numbers.
    *
    * @param name of the field
    * @return by the names of their fields, in their order; empty if there is none

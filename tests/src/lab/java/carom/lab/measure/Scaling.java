@@ -13,7 +13,7 @@ public record Scaling(double speedUp, double ceiling, double share) {
   /** Not measured. */
   public static final Scaling NONE = new Scaling(Double.NaN, Double.NaN, Double.NaN);
 
-  /** Whether it was measured. */
+  /** Returns whether it was measured. */
   public boolean isMeasured() {
     return !Double.isNaN(share);
   }

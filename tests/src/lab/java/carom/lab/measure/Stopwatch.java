@@ -67,38 +67,41 @@ public final class Stopwatch {
     return byClock ? wall : cpu;
   }
 
-  /** How many pieces were timed. */
+  /** Returns how many pieces were timed. */
   public int count() {
     return count;
   }
 
-  /** How long they took together, s. */
+  /** Returns how long they took together, s. */
   public double spent() {
     return spent;
   }
 
-  /** How many it can time. */
+  /** Returns how many it can time. */
   public int most() {
     return cpu.length;
   }
 
-  /** What the pieces from one on took by the clock, ms. */
+  /** Returns what the pieces from one on took by the clock, ms. */
   public double[] wallMs(int from) {
     return Arrays.stream(wall, from, count).map(seconds -> seconds * 1e3).toArray();
   }
 
-  /** Whether it can time no more. */
+  /** Returns whether it can time no more. */
   public boolean isFull() {
     return count == cpu.length;
   }
 
-  /** The result; times are sorted by it, so ask once, and before threads end that were left out. */
+  /**
+   * Returns the result; times are sorted by it, so ask once, and before threads end that were left
+   * out.
+   */
   public Times times() {
     long allocated = byClock ? bytes + byOthers() - othersBegin : bytes;
     return Times.of(seconds().clone(), wall, count, allocated);
   }
 
-  /** What threads other than the calling one have allocated. */
+  /** Returns what threads other than the calling one have allocated. */
   private static long byOthers() {
     long me = Thread.currentThread().getId();
     long[] ids = THREADS.getAllThreadIds();

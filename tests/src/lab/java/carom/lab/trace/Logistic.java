@@ -25,12 +25,12 @@ final class Logistic {
 
   private Logistic() {}
 
-  /** The probability, 1..65,535, of any log odds. */
+  /** Returns the probability, 1..65,535, of any log odds. */
   static int squash(int odds) {
     return SQUASH[Math.max(-MAX, Math.min(MAX, odds)) + MAX];
   }
 
-  /** The log odds of a probability in 1/4,096. */
+  /** Returns the log odds of a probability in 1/4,096. */
   static int stretch(int probability12) {
     return STRETCH[probability12];
   }

@@ -40,7 +40,7 @@ final class Regression {
     factor = new double[inputs * inputs];
   }
 
-  /** The answer to expect. */
+  /** Returns the answer to expect. */
   double predict(double[] x) {
     double sum = 0;
     for (int i = 0; i < inputs; i++) {

@@ -119,17 +119,17 @@ public final class Trace {
     Files.write(file, bytes.array());
   }
 
-  /** How many bodies. */
+  /** Returns how many bodies. */
   public int bodies() {
     return bodies;
   }
 
-  /** How many ticks. */
+  /** Returns how many ticks. */
   public int ticks() {
     return ticks;
   }
 
-  /** Ticks per second. */
+  /** Returns the ticks per second. */
   public int hz() {
     return hz;
   }

@@ -273,7 +273,7 @@ public final class TraceCodec {
     };
   }
 
-  /** A snapshot of the ring. Angles are unwrapped there: they go on past a turn. */
+  /** Returns a snapshot of the ring. Angles are unwrapped there: they go on past a turn. */
   private int[][] at(int snapshot) {
     return ring[Math.max(snapshot, 0) % ring.length];
   }
@@ -515,7 +515,9 @@ public final class TraceCodec {
     }
   }
 
-  /** Which of the regressions serves a body: by what touches it and how long it flew freely. */
+  /**
+   * Returns which of the regressions serves a body: by what touches it and how long it flew freely.
+   */
   private int group(int f, int i) {
     int touch = neighbours[i] == 0 ? 0 : pushX[i] == 0 && pushY[i] == 0 ? 1 : 2;
     return touch + TOUCHES * (record.still[i] >= HISTORY ? 0 : 1 + phase(f, i));
@@ -735,7 +737,7 @@ public final class TraceCodec {
 
   private static final int LEVELS = 32;
 
-  /** A logarithmic scale in half octaves: 0 below 1, then 1, 2, 3, ... */
+  /** Returns a logarithmic scale in half octaves: 0 below 1, then 1, 2, 3, ... */
   private static int level(double value) {
     return level((int) Math.min(32_767, value));
   }
@@ -748,7 +750,7 @@ public final class TraceCodec {
     return 2 * width - 1 + (value >> width - 2 & 1);
   }
 
-  /** The scale of octaves with a sign: 0..14, 7 in the middle. */
+  /** Returns the scale of octaves with a sign: 0..14, 7 in the middle. */
   private static int signed(int value) {
     int size = Math.min(7, 32 - Integer.numberOfLeadingZeros(Math.abs(value)));
     return value < 0 ? 7 - size : 7 + size;
