@@ -98,7 +98,7 @@ final class Spectators implements LinkHandler {
     }
     spectators.add(new Spectator(link, rooms.get(room - 1), recordings.get(room - 1), timeNs));
     link.send(new ServerMessage.Watching(delaySeconds));
-    LOG.info("spectator of room {}: {}, now {}", room, link.remote(), spectators.size());
+    LOG.info("spectator joined room {}: {}, {} in all", room, link.remote(), spectators.size());
     return null;
   }
 

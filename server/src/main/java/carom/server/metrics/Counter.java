@@ -48,7 +48,7 @@ public enum Counter {
   INPUTS_LATE,
   /** Inputs refused because their tick was too far ahead. */
   INPUTS_EARLY,
-  /** Exact updates begun because a predicted set changed. */
+  /** Exact updates begun because a predicted set changed or the game interfered. */
   NEAR_UPDATES,
   /** Exact updates begun because a client had predicted another state than the server's. */
   NEAR_DISAGREEMENTS,

@@ -92,8 +92,8 @@ final class RosterNews {
   }
 
   /**
-   * Returns the scores that a new session gets: the state that the others reach at the end of the
-   * round under way.
+   * Returns the messages of this round for a session. A session that joined during the round gets
+   * the whole roster, as the others know it after the round.
    */
   private List<Broadcast> messagesFor(Session session) {
     if (session.knowsRoster()) {
