@@ -98,7 +98,7 @@ final class ExactUpdate {
     return sentTick;
   }
 
-  /** Rows that are still to be sent, lost ones included. */
+  /** Returns the number of rows that are still to be sent, lost ones included. */
   int waitingRows() {
     return underWay ? delivery.dueRows() : 0;
   }

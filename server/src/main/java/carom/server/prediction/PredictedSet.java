@@ -216,17 +216,20 @@ public final class PredictedSet {
     return hasOutsideCause;
   }
 
-  /** Rows of the update under way that are still to be sent, lost ones included. */
+  /** Returns the number of rows of the update that are still to be sent, lost ones included. */
   public int waitingRows() {
     return update.waitingRows();
   }
 
-  /** Updates begun because an entity entered or left the set, or the game interfered. */
+  /**
+   * Returns the number of updates begun because an entity entered or left the set, or the game
+   * interfered.
+   */
   public long updates() {
     return updates;
   }
 
-  /** Updates begun because the client had another state. */
+  /** Returns the number of updates begun because the client had another state. */
   public long disagreements() {
     return disagreements;
   }

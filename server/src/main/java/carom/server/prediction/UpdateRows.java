@@ -124,7 +124,7 @@ final class UpdateRows {
     return toldCount;
   }
 
-  /** Place in the list of a told entity. */
+  /** Returns the place in the list of a told entity. */
   int told(int index) {
     return told[index];
   }

@@ -33,6 +33,8 @@ final class Departures {
   private final AtomicInteger seatsAskedFor = new AtomicInteger();
 
   /**
+   * Creates an object that has nobody to remove.
+   *
    * @param partings takes the links
    */
   Departures(

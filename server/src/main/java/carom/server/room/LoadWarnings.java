@@ -23,6 +23,8 @@ final class LoadWarnings {
   private long untold;
 
   /**
+   * Creates an object that has warned of nothing.
+   *
    * @param label begins each log line
    */
   LoadWarnings(String label, Counters counters, int tickRateHz) {

@@ -187,10 +187,11 @@ public final class Room {
   }
 
   /**
-   * One turn: takes what has arrived and runs the ticks that are due, at most {@code catchUpTicks}.
+   * Does one turn: takes what has arrived and runs the ticks that are due, at most {@code
+   * catchUpTicks}.
    *
    * @param nowNs monotonic time
-   * @return how much was done; 0 when the caller may wait until {@link #nextDeadlineNs}
+   * @return the amount of work done; 0 when the caller may wait until {@link #nextDeadlineNs}
    */
   public int doWork(long nowNs) {
     operator.serve();
@@ -359,7 +360,7 @@ public final class Room {
     return number;
   }
 
-  /** Start of this room's random numbers; from any thread. */
+  /** Returns the seed of this room's random numbers; from any thread. */
   public long seed() {
     return seed;
   }

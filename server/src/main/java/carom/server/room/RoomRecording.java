@@ -54,7 +54,7 @@ final class RoomRecording {
     this.counters = counters;
   }
 
-  /** Begins, see {@link Room#record(BlockSink)}. */
+  /** Begins to record to a sink; see {@link Room#record(BlockSink)}. */
   void begin(BlockSink newSink) {
     recorder =
         new Recorder(
@@ -65,7 +65,7 @@ final class RoomRecording {
     simulation.journal(recorder);
   }
 
-  /** Begins, see {@link Room#record(RotatingRecording)}. */
+  /** Begins to record to a sequence of files; see {@link Room#record(RotatingRecording)}. */
   void begin(RotatingRecording files) throws IOException {
     if (simulation.game().keepsMore()) {
       throw new IllegalArgumentException(

@@ -39,8 +39,10 @@ final class RosterNews {
   private int nextSeat;
 
   /**
-   * @param seats of the room
-   * @param intervalMs between the beginnings of two rounds
+   * Creates the news of a room without players.
+   *
+   * @param seats number of seats of the room
+   * @param intervalMs shortest time between the beginnings of two rounds, ms
    */
   RosterNews(int seats, int intervalMs) {
     names = new String[seats];

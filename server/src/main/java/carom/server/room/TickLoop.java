@@ -26,6 +26,8 @@ public final class TickLoop {
   private int droppedNow;
 
   /**
+   * Creates a loop whose clock doesn't run yet.
+   *
    * @param rateHz ticks per second, at least 1
    * @param catchUpTicks the most ticks that one call of {@link #due} hands out, at least 1
    */
@@ -79,7 +81,7 @@ public final class TickLoop {
     return startNs + next / rateHz * NS_PER_S + (next % rateHz * NS_PER_S + rateHz - 1) / rateHz;
   }
 
-  /** Nominal length of a tick in nanoseconds, rounded down. */
+  /** Returns the nominal length of a tick, ns, rounded down. */
   public long periodNs() {
     return periodNs;
   }

@@ -64,6 +64,8 @@ public final class InputBuffer {
   private long tooEarly;
 
   /**
+   * Creates an empty buffer.
+   *
    * @param windowTicks how far ahead of the last consumed tick an input may lie, 1..64
    * @param holdTicks how many missing ticks repeat the last input before it turns neutral
    */

@@ -25,6 +25,8 @@ public final class Seats {
   private final LongSupplier secrets;
 
   /**
+   * Creates free seats.
+   *
    * @param count number of seats, 1..1,024
    * @param secrets unpredictable numbers, for session secrets
    */
@@ -100,7 +102,7 @@ public final class Seats {
     seat.occupied = true;
   }
 
-  /** The player is gone. The seat becomes free unless a link claims it. */
+  /** Notes that the player is gone. The seat becomes free unless a link claims it. */
   public synchronized void vacate(Seat seat) {
     seat.occupied = false;
     freeIfUnused(seat);

@@ -304,7 +304,7 @@ public final class Session implements LinkHandler {
     return link != null && link.send(message);
   }
 
-  /** As {@link #send(ServerMessage)}, a message for many sessions. */
+  /** Sends a message that many sessions share, as {@link #send(ServerMessage)} does. */
   public boolean send(Broadcast message) {
     return link != null && link.send(message);
   }

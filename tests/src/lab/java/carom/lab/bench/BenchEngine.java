@@ -4,26 +4,26 @@ import carom.physics.World;
 import carom.sim.scene.Scene;
 
 /**
- * A physics engine that can be measured. Other engines than Carom are found by {@link
- * java.util.ServiceLoader}, see {@link Peers}. One thread at a time.
+ * A physics engine that the benchmark can measure. {@link java.util.ServiceLoader} finds engines
+ * other than Carom; see {@link Peers}. One thread at a time.
  */
 public interface BenchEngine extends AutoCloseable {
   /**
-   * Returns what it is called in flags and tables.
+   * Returns the engine's name in flags and tables.
    *
    * @return small letters, digits and dashes
    */
   String name();
 
   /**
-   * Makes the bodies of a scene, and forgets those made before.
+   * Builds the bodies of a scene, in place of those built before.
    *
    * @param scene what to build
    * @throws UnsupportedOperationException if this engine lacks something the scene needs
    */
   void start(Scene scene);
 
-  /** Makes one step of the scene's length. This alone is timed. */
+  /** Does one step of the scene's time step. Only this is timed. */
   void step();
 
   /**
@@ -40,7 +40,7 @@ public interface BenchEngine extends AutoCloseable {
    */
   int awake();
 
-  /** Gives back what no collector does. */
+  /** Frees the resources that the garbage collector doesn't. */
   @Override
   void close();
 }

@@ -9,11 +9,11 @@ import carom.sim.scene.Scenes;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What the benchmark measures, by name. */
+/** Finds the jobs of the benchmark by name. */
 final class Jobs {
   private Jobs() {}
 
-  /** Returns all jobs that run unless flags say otherwise, in the order of the table. */
+  /** Returns the jobs that run by default, in the order of the table. */
   static List<BenchJob> all() {
     List<BenchJob> jobs = new ArrayList<>();
     BenchScene.ALL.forEach(scene -> jobs.add(new SceneJob(scene)));
