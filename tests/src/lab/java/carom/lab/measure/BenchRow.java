@@ -20,7 +20,7 @@ import java.util.Map;
  * @param jointGap worst distance between the anchors of a hinge, m
  * @param stages time of each stage by name, ms per step; empty if not measured
  * @param scaling gain of several threads; only in Carom's rows with several threads
- * @param ratios other entrants' times divided by this one, by entrant; above 1 this one is faster.
+ * @param ratios other engines' times divided by this one, by engine; above 1 this one is faster.
  *     Only in Carom's rows
  * @param fault why the run doesn't count, or empty
  */

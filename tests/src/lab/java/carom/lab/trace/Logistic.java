@@ -6,7 +6,7 @@ package carom.lab.trace;
  */
 final class Logistic {
 
-  /** Largest log odds: beyond it a probability is no longer told from 0 or 1. */
+  /** Largest log odds. Beyond it a probability can't be told from 0 or 1. */
   static final int MAX = 2_815;
 
   private static final char[] SQUASH = new char[2 * MAX + 1];

@@ -7,10 +7,10 @@ import carom.net.codec.RangeEncoder;
 import java.util.Arrays;
 
 /**
- * Snapshots of many moving bodies as few bytes, without a world: arrays in, bytes out. Each
+ * Codes snapshots of many moving bodies as few bytes, without a world: arrays in, bytes out. Each
  * snapshot is coded against what the receiver has acknowledged: all snapshots up to the one {@code
- * lag} before, and what can be learnt from them. Whoever receives runs the same class over the same
- * bytes; one object either encodes or decodes.
+ * lag} before, and what can be learnt from them. The receiver runs the same class over the same
+ * bytes. One object either encodes or decodes.
  *
  * <p>How: bodies go in order of their speed, each followed by those that it may have touched. A bit
  * says whether a body is as it was. If not, a linear prediction is made from its past and from how
@@ -227,7 +227,7 @@ public final class TraceCodec {
     return length;
   }
 
-  /** Bytes that any snapshot fits in. */
+  /** Returns the number of bytes that any snapshot fits in. */
   public int maxBytes() {
     // No bit costs more than 16 of them, no number has more than 56 in its tree.
     return 16 + 2 * bodies * (1 + 56 * fields);
@@ -291,8 +291,8 @@ public final class TraceCodec {
   // ---------------------------------------------------------------- without a baseline
 
   /**
-   * A snapshot of which nothing is known: each body against the one before, in contexts of the
-   * steps before. What is learnt is forgotten at its end.
+   * Codes a snapshot without a baseline: each body against the body before, in contexts of the
+   * steps before. The codec forgets what it learnt at the end of the snapshot.
    */
   private void walkAlone() {
     alone.reset();
@@ -366,7 +366,7 @@ public final class TraceCodec {
     }
   }
 
-  /** What can be seen of each body without any prediction. */
+  /** Updates the features of each body that need no prediction. */
   private void observe(int[][] now, int[][] before, int[][] older) {
     moving = 0;
     for (int i = 0; i < bodies; i++) {
@@ -469,7 +469,7 @@ public final class TraceCodec {
     }
   }
 
-  /** The inputs of a prediction that the past alone decides. */
+  /** Sets the inputs of a prediction that depend on the past alone. */
   private void past(int f, int i) {
     int now = base[f][i];
     for (int s = 0; s < SPANS.length; s++) {
@@ -490,7 +490,7 @@ public final class TraceCodec {
     }
   }
 
-  /** The inputs that this snapshot adds. */
+  /** Sets the inputs of a prediction that depend on this snapshot. */
   private void present(int f, int i) {
     double share = 1.0 / Math.max(1, neighbours[i]);
     input[AROUND] = surprises[f][i] * share;
@@ -670,7 +670,7 @@ public final class TraceCodec {
     model.situation(Math.min(PHASES - 1, phase));
   }
 
-  /** Tells those around a body, which are still to come, what became of it. */
+  /** Tells the neighbours of a body that aren't coded yet how it moved. */
   private void scatter(int j, boolean moved) {
     int x = base[0][j];
     int y = base[1][j];

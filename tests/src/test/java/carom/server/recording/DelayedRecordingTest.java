@@ -19,7 +19,10 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Goal: who watches late need not fetch the past. Method: play what is shown from there on. */
+/**
+ * Goal: a spectator that comes late need not fetch the past. Method: the test replays the bytes
+ * that the recording shows from there on.
+ */
 final class DelayedRecordingTest {
   private static final int DELAY = 60;
   private static final int PIECE = 1_000;
