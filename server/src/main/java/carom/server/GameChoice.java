@@ -19,10 +19,10 @@ final class GameChoice {
   private static final String DEFAULT_GAME = "arena";
 
   /**
-   * Most bodies of a level that the rehearsal plays. For a larger level it plays the default level
-   * of the game.
+   * Most bodies of a level that the warm-up plays. For a larger level it plays the default level of
+   * the game.
    */
-  private static final int MAX_REHEARSED_BODIES = 1_000;
+  private static final int MAX_WARM_UP_BODIES = 1_000;
 
   private final ServerFlags flags;
   private final Level level;
@@ -56,11 +56,11 @@ final class GameChoice {
   }
 
   /**
-   * Returns the level for the rehearsal. A large level would take longer to build and step than the
-   * rehearsal may last, so the default level of the game replaces it.
+   * Returns the level for the warm-up. A large level would take longer to build and step than the
+   * warm-up may last, so the default level of the game replaces it.
    */
-  Level rehearsalLevel() {
-    if (level.bodies().size() <= MAX_REHEARSED_BODIES || flags.scene != null) {
+  Level warmUpLevel() {
+    if (level.bodies().size() <= MAX_WARM_UP_BODIES || flags.scene != null) {
       return level;
     }
     try {

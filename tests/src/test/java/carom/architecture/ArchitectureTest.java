@@ -48,7 +48,7 @@ final class ArchitectureTest {
           c ->
               !c.getName()
                   .matches(
-                      "carom\\.physics\\.(threads\\.WorkerThreads|dynamics\\.parallel\\.DomainPhases)(\\$.*)?"));
+                      "carom\\.physics\\.(threads\\.WorkerThreads|dynamics\\.domain\\.DomainPhases)(\\$.*)?"));
 
   /** What needs the Vector API, in a source folder of its own. */
   private static final String VECTORS =
@@ -61,69 +61,104 @@ final class ArchitectureTest {
     allow("carom.physics.math");
     allow("carom.physics.archive");
     allow("carom.physics.geometry", "carom.physics.math", "carom.physics.archive");
-    allow("carom.physics.collision", "carom.physics.math", "carom.physics.geometry");
+    allow("carom.physics.collision.distance", "carom.physics.math", "carom.physics.geometry");
+    allow(
+        "carom.physics.collision",
+        "carom.physics.math",
+        "carom.physics.geometry",
+        "carom.physics.collision.distance");
     allow("carom.physics.threads");
-    allow("carom.physics.broadphase", "carom.physics.math", "carom.physics.threads");
+    allow("carom.physics.broadphase.index", "carom.physics.math");
+    allow("carom.physics.broadphase.kd", "carom.physics.math", "carom.physics.broadphase.index");
+    allow(
+        "carom.physics.broadphase",
+        "carom.physics.math",
+        "carom.physics.broadphase.index",
+        "carom.physics.broadphase.kd");
     allow("carom.physics.simd");
+    allow("carom.physics.settings");
     allow("carom.physics.profile");
-    stage("store", "archive", "math", "simd");
+    stage("store", "archive", "math", "simd", "dynamics.parallel");
     stage("parallel", "threads");
-    stage("body", "archive", "math", "geometry", "broadphase", "dynamics.store");
+    stage("body", "settings", "archive", "math", "geometry", "broadphase.index", "dynamics.store");
     stage(
         "contact",
+        "settings",
         "archive",
         "math",
         "geometry",
         "collision",
-        "broadphase",
+        "broadphase.index",
         "simd",
         "dynamics.store",
         "dynamics.parallel",
         "dynamics.body");
     stage(
         "pairs",
+        "settings",
         "math",
         "geometry",
-        "broadphase",
+        "broadphase.index",
+        "broadphase.kd",
         "dynamics.store",
         "dynamics.parallel",
         "dynamics.body",
         "dynamics.contact");
     stage(
         "narrow",
+        "settings",
         "math",
         "geometry",
         "collision",
-        "broadphase",
+        "broadphase.index",
         "simd",
         "dynamics.parallel",
         "dynamics.body",
         "dynamics.contact");
+    stage("domain", "threads", "dynamics.body", "dynamics.contact", "dynamics.pairs");
     stage(
         "solver",
+        "settings",
         "simd",
         "dynamics.parallel",
+        "dynamics.domain",
         "dynamics.body",
         "dynamics.contact",
         "dynamics.pairs");
+    stage("joint", "settings", "archive", "math", "dynamics.store", "dynamics.body");
     stage(
-        "joint",
-        "archive",
+        "jointsolver",
+        "settings",
         "math",
         "simd",
-        "dynamics.store",
         "dynamics.parallel",
         "dynamics.body",
-        "dynamics.solver");
+        "dynamics.solver",
+        "dynamics.joint");
     stage(
         "sleep",
+        "settings",
         "math",
-        "broadphase",
+        "broadphase.index",
+        "broadphase.kd",
         "dynamics.store",
         "dynamics.body",
         "dynamics.contact",
         "dynamics.pairs",
         "dynamics.joint");
+    stage(
+        "continuous",
+        "settings",
+        "math",
+        "geometry",
+        "collision.distance",
+        "broadphase.index",
+        "broadphase.kd",
+        "dynamics.store",
+        "dynamics.body",
+        "dynamics.contact",
+        "dynamics.pairs",
+        "dynamics.solver");
     stage(
         "simd",
         "math",
@@ -133,8 +168,12 @@ final class ArchitectureTest {
         "dynamics.contact",
         "dynamics.narrow",
         "dynamics.solver",
-        "dynamics.joint");
-    allow("carom.physics.dynamics", "carom.physics.*", "carom.physics.dynamics.*");
+        "dynamics.jointsolver");
+    allow(
+        "carom.physics.dynamics",
+        "carom.physics.*",
+        "carom.physics.broadphase.*",
+        "carom.physics.dynamics.*");
     allow("carom.physics", "carom.physics..");
     allow("carom.physics.effects", "carom.physics..");
     allow("carom.physics.particles", "carom.physics..");
@@ -143,7 +182,7 @@ final class ArchitectureTest {
     allow("carom.sim", "carom.physics..", "carom.sim.level", "carom.sim.event");
     allow("carom.sim.scene", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.event");
     allow("carom.game", "carom.physics..", "carom.sim..");
-    allow("carom.net.codec");
+    allow("carom.net.codec", "carom.physics.simd");
     allow("carom.net.snapshot.event", "carom.net.codec", "carom.net.protocol");
     allow(
         "carom.net.snapshot.frame",

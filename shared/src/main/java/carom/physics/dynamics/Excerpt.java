@@ -289,7 +289,7 @@ public final class Excerpt {
         order[unique++] = order[i];
       }
     }
-    to.insert(rows, order, unique);
+    to.order().insert(rows, order, unique);
   }
 
   /** Makes rows of the contacts; answers how many. */

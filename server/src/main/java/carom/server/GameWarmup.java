@@ -1,0 +1,137 @@
+package carom.server;
+
+import carom.net.protocol.ClientMessage;
+import carom.net.protocol.InputDatagram;
+import carom.net.protocol.Limits;
+import carom.net.protocol.Protocol;
+import carom.net.protocol.ServerMessage;
+import carom.net.snapshot.SnapshotDecoder;
+import carom.net.transport.InProcessNetwork;
+import carom.net.transport.Link;
+import carom.net.transport.LinkHandler;
+import carom.net.transport.MessageCodec;
+import carom.server.config.ServerConfig;
+import carom.sim.Game;
+import carom.sim.Input;
+import carom.sim.level.Level;
+import java.util.function.Supplier;
+
+/**
+ * Warms up a server before it opens: plays the game for a moment in virtual time, with a few
+ * clients inside this process, so that the JVM has loaded and compiled what a tick and a join need.
+ * Without it, the first player of a fresh server on a busy machine waits up to several hundred
+ * milliseconds.
+ *
+ * <p>This covers the whole server, and reaches vector kernels only through the worlds that it
+ * steps. {@code carom.physics.simd.KernelWarmup} covers these kernels, at any time, in any program.
+ */
+final class GameWarmup {
+  private static final int CLIENTS = 4;
+  private static final int MAX_TICKS = 600;
+  private static final long MAX_NS = 400_000_000L;
+
+  private long virtualNs;
+
+  private GameWarmup() {}
+
+  /**
+   * Plays until enough ticks or 0.4 s have passed. Writes log lines, which the caller may mute.
+   *
+   * @param games gives an instance, which is thrown away afterwards
+   */
+  static void play(ServerConfig config, Supplier<Game> games, Level level, MessageCodec codec) {
+    new GameWarmup().run(config.withRooms(1).withStatusIntervalS(0), games, level, codec);
+  }
+
+  private void run(ServerConfig config, Supplier<Game> games, Level level, MessageCodec codec) {
+    long beginNs = System.nanoTime();
+    InProcessNetwork network = new InProcessNetwork(codec);
+    try (Server server = new Server(config, games, level, network.server(), () -> virtualNs)) {
+      Extra[] extras = new Extra[Math.min(CLIENTS, config.maxPlayers())];
+      for (int i = 0; i < extras.length; i++) {
+        extras[i] = new Extra(network.client().connect("", 0, 0), i, level);
+      }
+      for (int i = 0; i < MAX_TICKS && System.nanoTime() - beginNs < MAX_NS; i++) {
+        virtualNs += config.tickNs() + 1;
+        for (Extra extra : extras) {
+          extra.turn(server.rooms().get(0).tick());
+        }
+        server.tick(virtualNs);
+      }
+      for (Extra extra : extras) {
+        extra.link.send(new ClientMessage.Leave());
+      }
+      for (int i = 0; i < 3; i++) {
+        virtualNs += config.tickNs() + 1;
+        server.tick(virtualNs);
+      }
+    }
+  }
+
+  /** A client that walks about. */
+  private static final class Extra implements LinkHandler {
+    private static final int LEAD_TICKS = 2;
+
+    private final Link link;
+    private final int number;
+    private final Level level;
+    private final Input input = new Input();
+    private final InputDatagram datagram = new InputDatagram();
+    private final byte[] buffer = new byte[InputDatagram.MAX_BYTES];
+    private SnapshotDecoder decoder;
+    private boolean playing;
+
+    Extra(Link link, int number, Level level) {
+      this.link = link;
+      this.number = number;
+      this.level = level;
+      link.send(
+          new ClientMessage.Hello(Protocol.VERSION, Protocol.physicsDigest(), "extra" + number, 0));
+    }
+
+    void turn(int serverTick) {
+      link.poll(this, Integer.MAX_VALUE);
+      if (!playing) {
+        return;
+      }
+      int tick = serverTick + LEAD_TICKS;
+      boolean right = (tick / 40 + number) % 2 == 0;
+      input.move(right ? 1 : -1, tick / 25 % 3 - 1).hold(Input.JUMP, tick % 30 < 5);
+      datagram.sequence = datagram.sequence + 1 & 0xffff;
+      datagram.hasAck = decoder.hasAck();
+      datagram.ackSequence = decoder.hasAck() ? decoder.ackSequence() : 0;
+      datagram.ackBits = decoder.hasAck() ? decoder.ackBits() : 0;
+      datagram.newestTick = tick;
+      datagram.count = 1;
+      datagram.inputs[0] = input.pack();
+      link.sendDatagram(buffer, 0, datagram.encode(buffer, 0));
+    }
+
+    @Override
+    public void message(Link from, Object message) {
+      if (message instanceof ServerMessage.Welcome welcome) {
+        datagram.key = welcome.datagramKey();
+        decoder =
+            new SnapshotDecoder(
+                Limits.MAX_ENTITIES, welcome.datagramKey(), welcome.tick(), welcome.tickRate());
+        decoder.gravity(level.gravityX(), level.gravityY());
+        link.send(new ClientMessage.LevelRequest(0));
+      } else if (message instanceof ServerMessage.LevelChunk) {
+        link.send(new ClientMessage.Ready());
+        playing = true;
+      }
+    }
+
+    @Override
+    public void datagram(Link from, byte[] bytes, int length) {
+      if (decoder != null) {
+        decoder.decode(bytes, 0, length);
+      }
+    }
+
+    @Override
+    public void closed(Link from, String reason) {
+      playing = false;
+    }
+  }
+}

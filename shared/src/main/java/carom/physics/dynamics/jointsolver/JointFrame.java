@@ -1,0 +1,81 @@
+package carom.physics.dynamics.jointsolver;
+
+import static carom.physics.dynamics.solver.SolverBodies.STRIDE;
+
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.joint.JointStore;
+import carom.physics.dynamics.solver.SolverBodies;
+
+/** A joint and its two bodies as a step begins: the scratch of one worker that packs joints. */
+final class JointFrame {
+  /** Slot of the joint. */
+  int slot;
+
+  /** Offsets of the bodies in {@link SolverBodies#state}, 0 for the world. */
+  int offsetA;
+
+  int offsetB;
+
+  float massA;
+  float massB;
+  float inertiaA;
+  float inertiaB;
+
+  /** Rotations of the bodies. */
+  float cosA;
+
+  float sinA;
+  float cosB;
+  float sinB;
+
+  /** Lever arms of the anchors, m. */
+  float armAx;
+
+  float armAy;
+  float armBx;
+  float armBy;
+
+  /** Centre of B relative to that of A, or to the anchor of the world, m. */
+  float gapX;
+
+  float gapY;
+
+  /** Loads a joint. */
+  void load(int joint, JointStore j, BodyStore bodies, int[] slotOf) {
+    slot = joint;
+    int one = j.bodyA[slot];
+    int two = j.bodyB[slot];
+    cosB = bodies.cos[two];
+    sinB = bodies.sin[two];
+    float bx = j.anchorBx[slot] - bodies.localX[two];
+    float by = j.anchorBy[slot] - bodies.localY[two];
+    offsetB = slotOf[two] * STRIDE;
+    massB = bodies.invMass[two];
+    inertiaB = bodies.invInertia[two];
+    armBx = cosB * bx - sinB * by;
+    armBy = sinB * bx + cosB * by;
+    if (one < 0) {
+      offsetA = 0;
+      massA = 0;
+      inertiaA = 0;
+      cosA = 1;
+      sinA = 0;
+      armAx = 0;
+      armAy = 0;
+      gapX = bodies.x[two] - j.anchorAx[slot];
+      gapY = bodies.y[two] - j.anchorAy[slot];
+      return;
+    }
+    offsetA = slotOf[one] * STRIDE;
+    massA = bodies.invMass[one];
+    inertiaA = bodies.invInertia[one];
+    cosA = bodies.cos[one];
+    sinA = bodies.sin[one];
+    float ax = j.anchorAx[slot] - bodies.localX[one];
+    float ay = j.anchorAy[slot] - bodies.localY[one];
+    armAx = cosA * ax - sinA * ay;
+    armAy = sinA * ax + cosA * ay;
+    gapX = bodies.x[two] - bodies.x[one];
+    gapY = bodies.y[two] - bodies.y[one];
+  }
+}
