@@ -8,7 +8,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
-/** {@code carom}: tools around games that were played, and the benchmark. */
+/** Runs {@code carom}: the tools for recorded games, and the benchmark. */
 @Command(
     name = "carom",
     mixinStandardHelpOptions = true,
@@ -20,12 +20,14 @@ public final class CaromMain implements Runnable {
 
   private CaromMain() {}
 
-  /** Entry point; exits with the command's code, 2 on bad flags. */
+  /** Runs the command and exits the JVM with its exit code, which is 2 for bad flags. */
   public static void main(String[] args) {
     System.exit(commandLine().execute(args));
   }
 
-  /** As {@link #main}, but writes elsewhere and returns the exit code. */
+  /**
+   * Runs the command as {@link #main} does, but writes to the given writers and returns the code.
+   */
   public static int run(PrintWriter out, PrintWriter err, String... args) {
     return commandLine().setOut(out).setErr(err).execute(args);
   }

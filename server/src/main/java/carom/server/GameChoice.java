@@ -14,13 +14,14 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 
-/**
- * What {@code --game}, {@code --level} and {@code --scene} choose: a game and where it is played.
- */
+/** Holds what {@code --game}, {@code --level} and {@code --scene} choose: a game and its level. */
 final class GameChoice {
   private static final String DEFAULT_GAME = "arena";
 
-  /** Most bodies of a level to warm up with; for a larger one, the game's own level is taken. */
+  /**
+   * Most bodies of a level that the warm-up plays. For a larger level it plays the default level of
+   * the game.
+   */
   private static final int MAX_WARM_UP_BODIES = 1_000;
 
   private final ServerFlags flags;
@@ -28,9 +29,10 @@ final class GameChoice {
   private final String gameName;
 
   /**
-   * Chooses by the flags.
+   * Reads the flags and loads the level.
    *
-   * @throws carom.options.BadFlag when they name no game, level or scene, or ones that don't fit
+   * @throws carom.options.BadFlag when a flag names an unknown game, level or scene, or when the
+   *     flags don't fit together
    */
   GameChoice(ServerFlags flags) {
     this.flags = flags;
@@ -38,7 +40,7 @@ final class GameChoice {
     gameName = chooseGame().name();
   }
 
-  /** Returns where the game is played. */
+  /** Returns the level. */
   Level level() {
     return level;
   }
@@ -54,8 +56,8 @@ final class GameChoice {
   }
 
   /**
-   * Returns the level for the warm-up: a large one would take longer to build and step than the
-   * warm-up may last.
+   * Returns the level for the warm-up. A large level would take longer to build and step than the
+   * warm-up may last, so the default level of the game replaces it.
    */
   Level warmUpLevel() {
     if (level.bodies().size() <= MAX_WARM_UP_BODIES || flags.scene != null) {
@@ -64,11 +66,11 @@ final class GameChoice {
     try {
       return Level.builtIn(newGame().defaultLevel());
     } catch (LevelException e) {
-      throw new IllegalStateException(e); // it comes with the program
+      throw new IllegalStateException(e); // a built-in level can always be read
     }
   }
 
-  /** Returns the scene that was asked for; its actions are made for its own tick rate. */
+  /** Returns the scene of {@code --scene}. A scene runs at its own tick rate only. */
   private Scene chooseScene() {
     String scene = flags.scene;
     if (flags.game != null || flags.level != null) {

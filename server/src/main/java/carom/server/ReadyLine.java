@@ -6,8 +6,8 @@ import java.net.InetAddress;
 import java.net.UnknownHostException;
 
 /**
- * The line {@code ready tcp=54555 udp=54777} on standard output, for programs that wait for it, and
- * a few hints below it when a person reads them.
+ * Prints the line {@code ready tcp=54555 udp=54777} to standard output, for programs that wait for
+ * it. On a terminal a few hints for people follow.
  */
 final class ReadyLine {
   private static final String TERMINAL_PROPERTY = "carom.terminal";
@@ -16,7 +16,7 @@ final class ReadyLine {
 
   private ReadyLine() {}
 
-  /** Prints that players can join at these ports. */
+  /** Prints the line, with the ports at which players can join. */
   static void print(PrintStream out, int tcp, int udp) {
     out.println("ready tcp=" + tcp + " udp=" + udp);
     if (isOnTerminal()) {
@@ -49,9 +49,9 @@ final class ReadyLine {
   }
 
   /**
-   * Returns whether a person reads standard output. Behind Gradle the terminal can't be seen from
-   * here; gradlew sets a property instead. From Java 22 on there is a console object without a
-   * terminal, which says so itself.
+   * Returns whether standard output is a terminal. Under Gradle this process can't see the
+   * terminal, so gradlew sets a property instead. From Java 22 on there is a console object even
+   * without a terminal; its {@code isTerminal} tells.
    */
   private static boolean isOnTerminal() {
     if (Boolean.getBoolean(TERMINAL_PROPERTY)) {

@@ -18,7 +18,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code carom replay FILE}: computes a recorded game again and compares every tick. */
+/** Runs {@code carom replay FILE}, which computes a recorded game again and compares every tick. */
 @Command(
     name = "replay",
     sortOptions = false,
@@ -108,7 +108,10 @@ final class ReplayCommand implements Callable<Integer> {
     return replay.divergence() == null ? 0 : DIVERGED;
   }
 
-  /** Whether no whole state can come from which to go on after a divergence. */
+  /**
+   * Returns whether the replay ends at a divergence: the recording of this game has no later whole
+   * state to go on from.
+   */
   private static boolean isOver(Replay replay) {
     return replay.isDecided() && replay.simulation().game().keepsMore();
   }

@@ -10,7 +10,7 @@ import javax.management.ObjectName;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Shows a room to JMX tools. */
+/** Exposes a room to JMX tools. */
 final class RoomInspector implements RoomMXBean {
   private static final Logger LOG = LoggerFactory.getLogger(RoomInspector.class);
 
@@ -21,8 +21,8 @@ final class RoomInspector implements RoomMXBean {
   }
 
   /**
-   * Shows a room, in place of one of the same number that was shown before; a server goes on
-   * without if that fails.
+   * Registers a room with JMX. It replaces a registered room of the same number. If JMX refuses,
+   * the server logs a warning and goes on.
    */
   static void show(Room room) {
     try {

@@ -1,46 +1,46 @@
 package carom.server;
 
 /**
- * What an operator can ask a running room with any JMX tool, such as {@code jconsole}, under the
- * name {@code carom:type=Room,number=1}. Public, because JMX wants it so.
+ * The operations of a running room that an operator can call with any JMX tool, such as {@code
+ * jconsole}, under the name {@code carom:type=Room,number=1}. Public, because JMX requires it.
  */
 public interface RoomMXBean {
-  /** The last tick that was computed. */
+  /** Returns the last tick that was computed. */
   int getTick();
 
   /**
-   * Why a player was not sent an entity, or that it was: reason, baseline, priority collected and
-   * needed.
+   * Explains why the server did not send an entity to a player, or that it did: the reason, the
+   * baseline, the priority collected and the priority needed.
    *
-   * @param player a player's id, see the log's lines about who joined
+   * @param player a player's id, see the log's lines about joins
    * @param entity an entity's id
    */
   String why(int player, int entity);
 
   /**
-   * Removes a player, who may join again.
+   * Removes a player. The player may join again.
    *
-   * @param player a player's id, see the log's lines about who joined
-   * @param text for the player, may be empty
+   * @param player a player's id, see the log's lines about joins
+   * @param text a message to the player, may be empty
    */
   String kick(int player, String text);
 
   /**
-   * Begins to record the game, from now on.
+   * Begins to record the game.
    *
-   * @param target a file that is not there yet, or a folder, which then gets a file with a name of
-   *     its own; relative to the folder the server was started in
-   * @return which file, or why there is none: recorded already, the file exists or can't be
-   *     created, a game that can be recorded from its start on only
+   * @param target a new file, or a folder in which the server creates one; relative to the server's
+   *     working directory
+   * @return the file, or why there is none: the room is being recorded already, the file exists or
+   *     can't be created, or the game can be recorded from its start on only
    */
   String record(String target);
 
   /**
-   * Ends the recording, also one by {@code --record} or {@code --record-rotate}, and waits until
-   * the file is whole, for at most 5 s. One that spectators watch goes on.
+   * Ends the recording, also one begun by {@code --record} or {@code --record-rotate}, and waits
+   * until the file is complete, for at most 5 s. A recording that spectators watch goes on.
    *
-   * @return which file and up to which tick, and whether the disk takes longer; or why there is
-   *     none
+   * @return the file and its last tick, and whether the disk takes longer; or why no recording
+   *     ended
    */
   String stopRecording();
 }

@@ -6,10 +6,10 @@ import carom.physics.threads.WorkerThreads;
 import carom.server.config.ServerConfig;
 import carom.server.lobby.Lobby;
 import carom.server.metrics.Counter;
+import carom.server.recording.DelayedRecording;
 import carom.server.recording.RecordingFile;
 import carom.server.recording.RotatingRecording;
 import carom.server.recording.RotationLimit;
-import carom.server.recording.Showing;
 import carom.server.room.Room;
 import carom.server.session.Seats;
 import carom.sim.Game;
@@ -28,22 +28,28 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A Carom server: a lobby and one or more rooms behind a transport. Rooms have nothing in common
- * but the lobby, the transport and the level, which never changes; one that fails leaves the others
- * alone.
+ * A Carom server: a lobby and one or more rooms behind a transport. Rooms share only the lobby, the
+ * transport, the helper threads and the level, which never changes. A room that fails does not
+ * affect the others.
  *
- * <p>Drive it in one of two ways. By hand: call {@link #tick} again and again with a time of your
- * choice; everything happens on the calling thread, nothing sleeps, and a test runs an hour in
- * seconds. By threads: {@link #start} gives each room a thread that keeps the tick rate ({@code
- * carom-room-1} and so on) and the lobby one of its own ({@code carom-lobby}); {@link #awaitStop}
- * waits for the end.
+ * <p>Drive the server in one of two ways.
  *
- * <p>{@link #close} tells the players and ends all threads; it owns and closes the transport.
+ * <ul>
+ *   <li><b>By hand.</b> Call {@link #tick} again and again with times of your choice. Everything
+ *       happens on the calling thread and nothing sleeps, so a test runs an hour of play in
+ *       seconds.
+ *   <li><b>By threads.</b> {@link #start} gives each room a thread that keeps the tick rate ({@code
+ *       carom-room-1} and so on) and the lobby its own ({@code carom-lobby}). {@link #awaitStop}
+ *       waits for the end.
+ * </ul>
+ *
+ * <p>{@link #close} tells the players, ends all threads and closes the transport, which the server
+ * owns.
  */
 public final class Server implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Server.class);
 
-  /** The longest nap of a room's thread, because it empties inboxes between ticks, too. */
+  /** Longest nap of a room's thread, ns. The thread also empties the inboxes between ticks. */
   private static final long ROOM_NAP_NS = TimeUnit.MILLISECONDS.toNanos(4);
 
   private static final long LOBBY_NAP_NS = TimeUnit.MILLISECONDS.toNanos(5);
@@ -60,7 +66,7 @@ public final class Server implements AutoCloseable {
   private final List<Room> rooms;
   private final Lobby lobby;
   private final StatusLine status;
-  private final List<Showing> recordings = new ArrayList<>();
+  private final List<DelayedRecording> recordings = new ArrayList<>();
   private final List<RotatingRecording> rotations = new ArrayList<>();
   private final List<Worker> workers = new ArrayList<>();
   private final CountDownLatch ended = new CountDownLatch(1);
@@ -76,9 +82,9 @@ public final class Server implements AutoCloseable {
    * Builds the level and sets up the games. The server accepts no link before it is driven.
    *
    * @param config all settings
-   * @param games gives each room a new instance; called once for each room, here
-   * @param level where they are played
-   * @param transport owned by the server from now on
+   * @param games creates a game; the constructor calls it once for each room
+   * @param level the level of every room
+   * @param transport accepts links; owned by the server from now on
    * @param clock monotonic nanoseconds, {@code System::nanoTime} or virtual; read by every thread
    *     to measure durations and, with threads, to know the time
    */
@@ -110,7 +116,7 @@ public final class Server implements AutoCloseable {
    * Records every room from its first tick on. Call it before the first {@link #tick} or {@link
    * #start}.
    *
-   * @param target a file that is not there yet, or a folder, which then gets one file for each room
+   * @param target a new file, or a folder in which the server creates one file for each room
    * @return the files
    * @throws IOException when a file can't be created
    * @throws IllegalArgumentException when the target is a file and there are several rooms
@@ -128,13 +134,13 @@ public final class Server implements AutoCloseable {
   }
 
   /**
-   * Records every room from its first tick on into one file after the other. Call it before the
-   * first {@link #tick} or {@link #start}, and not together with {@link #show}, which shows one
-   * file.
+   * Records every room from its first tick on into a sequence of files. Call it before the first
+   * {@link #tick} or {@link #start}, and not together with {@link #allowSpectators}, which shows
+   * one file.
    *
-   * @param folder where the files go
-   * @param limit how much of a game each holds
-   * @param keep how many are kept of each room; 0 = all
+   * @param folder the folder of the files
+   * @param limit how much of a game each file holds
+   * @param keep how many files of each room are kept; 0 = all
    * @throws IOException when a file can't be created
    * @throws IllegalArgumentException when the game can be recorded from tick 0 on only
    */
@@ -150,20 +156,21 @@ public final class Server implements AutoCloseable {
   }
 
   private void record(Room room, Path path, boolean temporary) throws IOException {
-    Showing recording = new Showing(new RecordingFile(path), room.simulation()::tick, temporary);
+    DelayedRecording recording =
+        new DelayedRecording(new RecordingFile(path), room.simulation()::tick, temporary);
     recordings.add(recording);
     room.record(recording);
   }
 
   /**
-   * Lets spectators watch every room some time later. Call it before the first {@link #tick} or
-   * {@link #start}, and after {@link #record} if that is called. Without {@link #record},
-   * recordings go to the system's folder for temporary files.
+   * Lets spectators watch every room with a delay. Call it before the first {@link #tick} or {@link
+   * #start}, and after {@link #record} if that is called. Without {@link #record}, recordings go to
+   * the system's folder for temporary files.
    *
-   * @param delaySeconds how long spectators are told nothing of what happens, 1..3,600 s
+   * @param delaySeconds age at which spectators see what happens, 1..3,600 s
    * @throws IOException when a file can't be created
    */
-  public void show(int delaySeconds) throws IOException {
+  public void allowSpectators(int delaySeconds) throws IOException {
     if (delaySeconds < 1 || delaySeconds > 3_600) {
       throw new IllegalArgumentException("delaySeconds=" + delaySeconds + " is outside 1..3600");
     }
@@ -177,14 +184,14 @@ public final class Server implements AutoCloseable {
       }
     }
     recordings.forEach(recording -> recording.delay(delaySeconds * config.tickRateHz()));
-    lobby.show(List.copyOf(recordings), delaySeconds);
+    lobby.allowSpectators(List.copyOf(recordings), delaySeconds);
   }
 
   /**
    * Does one turn of the lobby and then of each room, by hand.
    *
    * @param nowNs monotonic time in nanoseconds, not before the previous turn's
-   * @return how much was done; 0 when nothing was due
+   * @return the amount of work done; 0 when nothing was due
    * @throws IllegalStateException when threads drive the server
    */
   public int tick(long nowNs) {
@@ -228,7 +235,7 @@ public final class Server implements AutoCloseable {
     troublesLoggedNs = nowNs;
   }
 
-  /** Starts the threads; they are ordinary ones, which keep the JVM alive. */
+  /** Starts the threads. They aren't daemon threads, so they keep the JVM alive. */
   public synchronized void start() {
     if (started || closed) {
       throw new IllegalStateException(closed ? "the server is closed" : "already started");
@@ -237,7 +244,7 @@ public final class Server implements AutoCloseable {
     workers.add(new Worker("carom-lobby", new LobbyDuty(), clock, this::workerEnded));
     long nowNs = clock.getAsLong();
     for (Room room : rooms) {
-      // One after the other within a tick's time: at once, they would wait for each other's cores.
+      // The rooms' ticks are spread over a tick's time, so that they don't compete for the cores.
       long beginNs = nowNs + (room.number() - 1) * config.tickNs() / rooms.size();
       String name = "carom-room-" + room.number();
       workers.add(new Worker(name, new RoomDuty(room, beginNs), clock, this::workerEnded));
@@ -249,7 +256,8 @@ public final class Server implements AutoCloseable {
   }
 
   /**
-   * Ends the server when no room, or no lobby, is left. Runs on the thread of the worker that ends.
+   * Ends the server when all rooms or the lobby have failed. Runs on the thread of the worker that
+   * ends.
    */
   private void workerEnded() {
     if (hasFailed()) {
@@ -258,7 +266,7 @@ public final class Server implements AutoCloseable {
     }
   }
 
-  /** The work of a room's thread, from a moment on. */
+  /** The work of a room's thread, which begins at {@code beginNs}. */
   private record RoomDuty(Room room, long beginNs) implements Worker.Duty {
     @Override
     public void turn(long nowNs) {
@@ -339,15 +347,15 @@ public final class Server implements AutoCloseable {
     }
   }
 
-  /** Waits until the server has ended, by {@link #close} or because it has failed. */
+  /** Waits until the server has ended, because of {@link #close} or a failure. */
   public void awaitStop() throws InterruptedException {
     ended.await();
   }
 
   /**
-   * Tells the players of all rooms at once that the server stops, waits up to {@value
-   * Worker#FAREWELL_MS} ms for them to hear it (by hand: not at all), and closes the transport.
-   * Closing twice does nothing.
+   * Tells all players that the server stops and closes the transport. A server driven by threads
+   * first waits up to {@value Worker#FAREWELL_MS} ms for the messages to arrive; one driven by hand
+   * doesn't wait. Closing twice does nothing.
    */
   @Override
   public synchronized void close() {
@@ -370,15 +378,15 @@ public final class Server implements AutoCloseable {
       helpers.close();
     }
     rooms.forEach(Room::awaitRecording);
-    recordings.forEach(Showing::close);
+    recordings.forEach(DelayedRecording::close);
     rotations.forEach(RotatingRecording::close);
     transport.close();
     ended.countDown();
   }
 
   /**
-   * Returns whether the server ended by itself because of errors, which are in the log: all rooms
-   * have failed, or the lobby has.
+   * Returns whether errors, which are in the log, have ended the server: all rooms or the lobby
+   * have failed.
    */
   public boolean hasFailed() {
     return lobbyFailed || rooms.stream().allMatch(Room::hasFailed);
@@ -407,14 +415,14 @@ public final class Server implements AutoCloseable {
     return rooms;
   }
 
-  /** Returns what all rooms together have counted; from any thread. */
+  /** Returns the sum of a counter over all rooms. Any thread. */
   public long count(Counter counter) {
     return rooms.stream().mapToLong(room -> room.counters().get(counter)).sum();
   }
 
   /**
-   * Returns a report of the time since the start in lines for people: one for each room, and one
-   * about all when there are several. From any thread.
+   * Returns a report of the time since the start, for people: one line for each room, and one for
+   * all rooms together if there are several. Any thread.
    */
   public List<String> status() {
     return status.sinceStart(clock.getAsLong());

@@ -20,8 +20,8 @@ import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
 
 /**
- * The flags of {@code carom-server}. Picocli fills them in; {@link #check} refuses what doesn't fit
- * together, and {@link #config} turns the rest into the server's settings.
+ * The flags of {@code carom-server}. Picocli fills them in, {@link #check} refuses flags that don't
+ * fit together, and {@link #config} turns the rest into the server's settings.
  */
 final class ServerFlags {
   private static final int MAX_PORT = 65_535;
@@ -207,7 +207,7 @@ final class ServerFlags {
   @SuppressWarnings("unused") // picocli shows the version
   private boolean version;
 
-  /** How much is logged, the values of {@code --log-level}. */
+  /** The values of {@code --log-level}, from nothing to everything. */
   enum LogLevel {
     OFF,
     ERROR,
@@ -231,7 +231,7 @@ final class ServerFlags {
     }
   }
 
-  /** Names of all games for the help text. */
+  /** The names of all games, for the help text. */
   static final class GameNames implements Iterable<String> {
     @Override
     public Iterator<String> iterator() {
@@ -240,7 +240,7 @@ final class ServerFlags {
   }
 
   /**
-   * Checks the flags that no setting of {@link ServerConfig} checks.
+   * Checks the flags that {@link ServerConfig} doesn't check.
    *
    * @throws BadFlag for the first flag that can't be used
    */
@@ -310,15 +310,15 @@ final class ServerFlags {
   }
 
   /**
-   * Returns what the network lets strangers use. Half-open links count, too. One address may hold
-   * all seats, as behind a school's router.
+   * Returns the transport's limits for connections, half-open ones included. A single address may
+   * hold all seats, because a whole school may be behind one router.
    */
   KryoLimits limits() {
     int places = rooms * maxPlayers;
     return KryoLimits.DEFAULT.withConnections(2 * places + 64, places + 32);
   }
 
-  /** Returns how much each file of {@code --record-rotate} holds. */
+  /** Returns the limit of {@code --record-rotate} for each file. */
   RotationLimit rotation() {
     try {
       return RotationLimit.parse(recordRotate);
@@ -327,12 +327,12 @@ final class ServerFlags {
     }
   }
 
-  /** Returns the bad network that was asked for, or null when none was. */
+  /** Returns the impairment that the flags ask for, or null if they ask for none. */
   Impairment impairment() {
     return network.isBad() ? network.impairment() : null;
   }
 
-  /** Returns a refusal to throw: one line on standard error, and exit code 2. */
+  /** Returns an exception for the caller to throw: one line on standard error and exit code 2. */
   BadFlag bad(String message) {
     return new BadFlag(program.commandLine(), message);
   }

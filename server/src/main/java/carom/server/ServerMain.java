@@ -22,11 +22,13 @@ import picocli.CommandLine.TypeConversionException;
 /**
  * Starts the dedicated server.
  *
- * <p>Standard output carries exactly one line for programs, {@code ready tcp=54555 udp=54777}, once
- * players can join, and a few hints when a person reads it. The log goes to standard error. Exit
- * codes: 0 after {@code --help} and {@code --version}, 1 when a port is not available or the server
- * failed, 2 for flags or a level file that can't be used; a signal ends it with the shell's usual
- * number (143 for SIGTERM, 130 for Ctrl-C). Standard input is never read.
+ * <p>When players can join, the program writes one line for other programs to standard output,
+ * {@code ready tcp=54555 udp=54777}, and on a terminal a few hints. The log goes to standard error.
+ * The program never reads standard input.
+ *
+ * <p>Exit codes: 0 after {@code --help} and {@code --version}; 1 when a port is not available or
+ * the server failed; 2 for flags or a level file that can't be used; 143 after SIGTERM and 130
+ * after Ctrl-C, as is usual in shells.
  */
 @Command(
     name = "carom-server",
@@ -50,7 +52,7 @@ public final class ServerMain implements Callable<Integer> {
 
   @Mixin private final ServerFlags flags = new ServerFlags();
 
-  /** Tells picocli the text of {@code --version}. */
+  /** Provides the text of {@code --version}. */
   static final class Version implements CommandLine.IVersionProvider {
     @Override
     public String[] getVersion() {
@@ -62,7 +64,7 @@ public final class ServerMain implements Callable<Integer> {
     }
   }
 
-  /** Completes when the log's configuration is read. Until then nothing may ask for a logger. */
+  /** Completes when logback has read its configuration. No code may ask for a logger before. */
   private final CompletableFuture<LoggerContext> loggingSoon;
 
   private ServerMain(CompletableFuture<LoggerContext> loggingSoon) {
@@ -74,8 +76,8 @@ public final class ServerMain implements Callable<Integer> {
     if (System.getProperty(LOG_CONFIG_PROPERTY) == null) {
       System.setProperty(LOG_CONFIG_PROPERTY, LOG_CONFIG); // before the first logger
     }
-    // Reading the flags takes as long as logging takes to start, and one needs nothing of the
-    // other.
+    // Reading the flags takes as long as starting the log, and neither needs the other, so they run
+    // at the same time.
     CompletableFuture<LoggerContext> loggingSoon =
         CompletableFuture.supplyAsync(
             () -> (LoggerContext) LoggerFactory.getILoggerFactory(),
@@ -86,7 +88,8 @@ public final class ServerMain implements Callable<Integer> {
     commandLine.registerConverter(Long.class, ServerMain::longNumber);
     commandLine.registerConverter(ServerFlags.LogLevel.class, ServerFlags.LogLevel::of);
     commandLine.setCaseInsensitiveEnumValuesAllowed(true);
-    // After a signal this waits for the end of the shutdown hook, and the signal's exit code wins.
+    // After a signal, exit() waits for the shutdown hook, and the process ends with the signal's
+    // exit code.
     System.exit(commandLine.execute(args));
   }
 
@@ -168,14 +171,14 @@ public final class ServerMain implements Callable<Integer> {
               log.info("stop: asked to");
               server.close();
               server.status().forEach(line -> log.info("stopped: {}", line));
-              logging.stop(); // writes what still waits in the queue
+              logging.stop(); // writes the lines that are still queued
             },
             "carom-stop");
     Runtime.getRuntime().addShutdownHook(hook);
     server.start();
     server.rooms().forEach(RoomInspector::show);
     while (server.count(Counter.TICKS) == 0 && !server.hasFailed()) {
-      Thread.sleep(1); // a large level's first tick takes as long as many others
+      Thread.sleep(1); // the first tick of a large level takes as long as many later ones
     }
     ReadyLine.print(System.out, server.tcpPort(), server.udpPort());
     log.info("ready: tcp {} udp {}", server.tcpPort(), server.udpPort());
@@ -183,7 +186,7 @@ public final class ServerMain implements Callable<Integer> {
     if (server.hasFailed()) {
       log.error("the server ended because of the errors above");
     }
-    return FAILED; // reached without a signal only when something failed
+    return FAILED; // without a signal, only a failure leads here
   }
 
   private static String version() {

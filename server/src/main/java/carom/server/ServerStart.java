@@ -32,7 +32,7 @@ final class ServerStart {
   }
 
   /**
-   * Plays the game for a moment without a network, see {@link GameWarmup}.
+   * Plays the game for a moment without a network; see {@link GameWarmup}.
    *
    * @throws BadFlag when the game can't be played in the level
    */
@@ -45,7 +45,7 @@ final class ServerStart {
   }
 
   /**
-   * Returns a server that is ready to be started.
+   * Opens the ports and the recordings and returns a server that the caller can start.
    *
    * @throws BadFlag when a flag can't be used
    * @throws StartFailure when a port or a file is not available
@@ -114,7 +114,7 @@ final class ServerStart {
       return;
     }
     try {
-      server.show(flags.spectatorDelayS);
+      server.allowSpectators(flags.spectatorDelayS);
       log.info("spectators: let in, {} s late", flags.spectatorDelayS);
     } catch (IOException e) {
       throw new StartFailure("--spectator-delay: no file for the recording: " + e, e);

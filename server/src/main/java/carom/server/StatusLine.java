@@ -11,8 +11,8 @@ import java.util.Locale;
 import java.util.function.Function;
 
 /**
- * The rooms' counters for an operator: one line for each room, and one about all when there are
- * several.
+ * Writes the rooms' counters for an operator: one line for each room, and one for all rooms
+ * together if there are several.
  */
 final class StatusLine {
   private static final double NS_PER_S = 1e9;
@@ -22,7 +22,7 @@ final class StatusLine {
   private final List<Reading> start = new ArrayList<>();
   private List<Reading> last;
 
-  /** All counters at one moment. */
+  /** The values of all counters at one moment. */
   private static final class Reading {
     private final long timeNs;
     private final long[] values = new long[Counter.values().length];
@@ -52,7 +52,7 @@ final class StatusLine {
     }
   }
 
-  /** From one reading to a later one. */
+  /** The time between two readings. */
   private record Span(Reading from, Reading to) {
     long grew(Counter counter) {
       return to.get(counter) - from.get(counter);
@@ -94,14 +94,14 @@ final class StatusLine {
     this.last = start;
   }
 
-  /** About the time since this method was last called. */
+  /** Returns the lines for the time since the last call of this method. */
   synchronized List<String> next(long nowNs) {
     List<Reading> from = last;
     last = read(nowNs);
     return lines(from, last, Counters::takeInterval);
   }
 
-  /** About the whole time since the start; changes nothing. */
+  /** Returns the lines for the whole time since the start. Doesn't affect {@link #next}. */
   synchronized List<String> sinceStart(long nowNs) {
     return lines(start, read(nowNs), Counters::total);
   }

@@ -7,39 +7,39 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A thread of the server, for the lobby or for one room: a turn, a nap, and so on, until it is
- * stopped or its duty has failed; then a farewell. An exception that gets through every inner guard
- * is a bug: it is logged, and the thread goes on unless it happens each time.
+ * A thread of the server, for the lobby or for one room. It alternates turns and naps until it is
+ * stopped or its duty has failed, and then says farewell. An exception that reaches this class is a
+ * bug. The thread logs it and goes on, unless {@value #MAX_FAILURES_IN_A_ROW} turns in a row fail.
  */
 final class Worker {
-  /** The longest farewell: links stay open so long that the last message arrives. */
+  /** Longest farewell, ms. Links stay open for so long that the last message arrives. */
   static final long FAREWELL_MS = 400;
 
   private static final Logger LOG = LoggerFactory.getLogger(Worker.class);
   private static final long FAREWELL_NAP_NS = TimeUnit.MILLISECONDS.toNanos(4);
   private static final int MAX_FAILURES_IN_A_ROW = 100;
 
-  /** What a worker does. Its thread calls every method. */
+  /** The work of a worker. The worker's thread calls every method. */
   interface Duty {
-    /** Does what is due. */
+    /** Does the work that is due. */
     void turn(long nowNs);
 
-    /** How long the thread may sleep now, nanoseconds. */
+    /** Returns how long the thread may sleep now, nanoseconds. */
     long napNs(long nowNs);
 
-    /** Whether it can't go on. */
+    /** Returns whether the duty can't go on. */
     boolean hasFailed();
 
-    /** Makes it fail, because of what is in the log. */
+    /** Makes the duty fail and logs why. */
     void fail(String why);
 
-    /** Tells everybody that this is the end; without effect after {@link #fail}. */
+    /** Says goodbye to all clients. Does nothing after {@link #fail}. */
     void close(long nowNs);
 
-    /** Whether nobody is left who must hear the farewell. */
+    /** Returns whether no link is left. */
     boolean isDeserted();
 
-    /** Closes the links that are left. */
+    /** Closes the remaining links. */
     void closeLinks();
   }
 
@@ -50,7 +50,9 @@ final class Worker {
   private volatile boolean stopping;
 
   /**
-   * @param name the thread's
+   * Creates a worker whose thread doesn't run yet.
+   *
+   * @param name name of the thread
    * @param onEnd called as the thread's last act, however it ends
    */
   Worker(String name, Duty duty, LongSupplier clock, Runnable onEnd) {
@@ -60,19 +62,19 @@ final class Worker {
     this.thread = new Thread(this::run, name);
   }
 
-  /** Starts the thread: an ordinary one, which keeps the JVM alive. */
+  /** Starts the thread. It is no daemon thread, so it keeps the JVM alive. */
   void start(int priority) {
     thread.setPriority(priority);
     thread.start();
   }
 
-  /** Asks for the end; doesn't wait for it. */
+  /** Asks the thread to end and doesn't wait. */
   void stop() {
     stopping = true;
     LockSupport.unpark(thread);
   }
 
-  /** Waits for the end until a moment of {@link System#nanoTime}. */
+  /** Waits until the thread ends, or until {@code endNs} in the time of {@link System#nanoTime}. */
   void join(long endNs) {
     try {
       thread.join(Math.max(1, TimeUnit.NANOSECONDS.toMillis(endNs - System.nanoTime())));

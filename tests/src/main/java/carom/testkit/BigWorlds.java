@@ -6,7 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.SplittableRandom;
 
-/** Arenas with many crates that lie about and don't move by themselves. */
+/** Builds arena levels with many crates. */
 public final class BigWorlds {
   private static final int IN_A_ROW = 10;
   private static final double ROW_METRES = 1.8;
@@ -14,10 +14,11 @@ public final class BigWorlds {
   private BigWorlds() {}
 
   /**
-   * Rows of ten crates, each row with a place and an angle of its own; nothing touches.
+   * Returns a level with rows of ten crates. Each row has a random place and angle; no crates
+   * touch.
    *
-   * @param crates how many, a multiple of ten
-   * @param halfWidth of the arena, metres; the crates keep clear of the middle
+   * @param crates number of crates, a multiple of ten
+   * @param halfWidth half width of the arena, m; the crates keep clear of the middle
    */
   public static Level crates(int crates, int halfWidth, long seed) {
     SplittableRandom random = new SplittableRandom(seed);
@@ -57,7 +58,9 @@ public final class BigWorlds {
     return parse(json);
   }
 
-  /** A walled field of crates that paddles keep stirring, wider than what one player sees. */
+  /**
+   * Returns a walled field of crates that paddles keep stirring, wider than what one player sees.
+   */
   public static Level churn() {
     StringBuilder paddles = new StringBuilder();
     for (int i = 0; i < 10; i++) {
@@ -97,7 +100,7 @@ public final class BigWorlds {
             .formatted(paddles));
   }
 
-  /** A level that packs to some 150 kB, though there is little in it. */
+  /** Returns a level of ten crates with so much white space that it packs to about 150 kB. */
   public static Level heavy(long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     StringBuilder json =

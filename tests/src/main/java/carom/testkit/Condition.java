@@ -2,27 +2,29 @@ package carom.testkit;
 
 import carom.net.transport.Impairment;
 
-/** The networks every scenario should survive; delays are one way, losses in both directions. */
+/**
+ * The networks that every scenario should survive. Delays are one way, losses in both directions.
+ */
 public enum Condition {
-  /** Nothing is lost, nothing takes time. */
+  /** A perfect network: no loss, no delay. */
   CLEAN(Impairment.NONE),
   /** An ordinary wireless network. */
   LOSS_2_PERCENT(Impairment.NONE.withLoss(2)),
-  /** A bad one. */
+  /** A bad wireless network. */
   LOSS_10_PERCENT(Impairment.NONE.withLoss(10)),
-  /** Almost a third lost, ten datagrams in a row. */
+  /** A network that loses 30 % of the datagrams in bursts of ten. */
   BURSTS_30_PERCENT(Impairment.NONE.withBursts(30, 10)),
-  /** Far and wobbling: datagrams overtake each other. */
+  /** A distant network whose delay varies, so that datagrams overtake each other. */
   LATENCY_100_JITTER_50(Impairment.NONE.withLatency(100, 50)),
-  /** The other side of the world, and back through a satellite. */
+  /** A connection to the other side of the world by satellite. */
   LATENCY_300(Impairment.NONE.withLatency(300, 0)),
-  /** A fifth of the datagrams is overtaken. */
+  /** A network on which a fifth of the datagrams is overtaken. */
   REORDER_20_PERCENT(Impairment.NONE.withLatency(30, 10).withReorder(20, 0)),
-  /** A fifth of the datagrams comes twice. */
+  /** A network on which a fifth of the datagrams arrives twice. */
   DUPLICATES_20_PERCENT(Impairment.NONE.withLatency(30, 10).withReorder(0, 20)),
-  /** Clean but for one second without any datagram; see {@link #hasBlackout}. */
+  /** A network with a short delay and one second without any datagram; see {@link #hasBlackout}. */
   BLACKOUT_1_S(Impairment.NONE.withLatency(20, 0)),
-  /** A bit of everything. */
+  /** A network with bursts of losses, a varying delay, overtaking and duplicates. */
   MIXED(Impairment.NONE.withBursts(10, 5).withLatency(60, 30).withReorder(5, 5));
 
   private final Impairment impairment;
@@ -31,12 +33,12 @@ public enum Condition {
     this.impairment = impairment;
   }
 
-  /** The impairment, with a seed. */
+  /** Returns the impairment with a seed. */
   public Impairment impairment(long seed) {
     return impairment.withSeed(seed);
   }
 
-  /** Whether the scenario should call {@link SimulatedClient#blackout} once. */
+  /** Returns whether the scenario should call {@link SimulatedClient#blackout} once. */
   public boolean hasBlackout() {
     return this == BLACKOUT_1_S;
   }

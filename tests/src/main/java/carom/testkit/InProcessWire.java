@@ -6,7 +6,7 @@ import carom.net.transport.InProcessNetwork;
 import carom.net.transport.Link;
 import carom.net.transport.ServerTransport;
 
-/** Memory and virtual time: real bytes, no sockets, no threads, no sleep. */
+/** A wire in memory and virtual time: real bytes, but no sockets, no threads and no sleep. */
 final class InProcessWire implements Wire {
   private static final long SLICE_NS = 2_000_000;
 

@@ -20,14 +20,15 @@ import java.util.Locale;
 import java.util.function.LongSupplier;
 
 /**
- * A server's simulation and a client's {@link Prediction} of a wall of crates with a player on top,
- * without a network: the client hears what it is told at once, and its clock runs ahead.
+ * A server's simulation of a wall of crates with a player on top, and a client's {@link Prediction}
+ * of it. There is no network: the client receives the server's state at once, and its clock runs
+ * ahead.
  */
 public final class IslandRig {
-  /** Crates in a row of the wall. */
+  /** Number of crates in a row of the wall. */
   public static final int COLUMNS = 20;
 
-  /** Where the floats of a contact begin. */
+  /** Index of a contact's first float among its ints. */
   private static final int CONTACT_FLOATS = 6;
 
   private final Simulation server;
@@ -39,11 +40,11 @@ public final class IslandRig {
   private final OwnState own = new OwnState();
 
   /**
-   * Builds the wall; the client doesn't know of it yet.
+   * Builds the wall. The client doesn't know of it yet.
    *
-   * @param crates a multiple of {@value #COLUMNS}, at most 240
-   * @param maxReplayNs bound of the client's replays
-   * @param stopwatch measures them
+   * @param crates number of crates, a multiple of {@value #COLUMNS}, at most 240
+   * @param maxReplayNs bound of the time of the client's replays, ns
+   * @param stopwatch measures the replays, ns
    */
   public IslandRig(int crates, long maxReplayNs, LongSupplier stopwatch) {
     Level level = level(crates);
@@ -72,7 +73,7 @@ public final class IslandRig {
             }));
   }
 
-  /** A wall of crates, each on two others, with a player on top. */
+  /** Returns a wall of crates, each on two others, with a player on top. */
   private static Level level(int crates) {
     int rows = crates / COLUMNS;
     StringBuilder bodies = new StringBuilder();
@@ -106,32 +107,35 @@ public final class IslandRig {
     }
   }
 
-  /** The truth. */
+  /** Returns the server's simulation. */
   public Simulation server() {
     return server;
   }
 
-  /** The truth's player. */
+  /** Returns the player in the server's simulation. */
   public Player player() {
     return serverPlayer;
   }
 
-  /** What the client computes with. */
+  /** Returns the client's simulation. */
   public Simulation predicted() {
     return predicted;
   }
 
-  /** Tested or measured. */
+  /** Returns the client's prediction. */
   public Prediction client() {
     return client;
   }
 
-  /** The island as it was told last. */
+  /** Returns the island as the client was told it last. */
   public Neighbourhood island() {
     return island;
   }
 
-  /** Tells the client all of this tick; whether it now has that state in every bit. */
+  /**
+   * Tells the client the whole island at the server's tick. Returns whether the client now has that
+   * state in every bit.
+   */
   public boolean tellAll() {
     readOwn();
     return tellIsland();
@@ -147,7 +151,10 @@ public final class IslandRig {
     return client.agreement().agreedTick() == server.tick();
   }
 
-  /** Like {@link #tellAll}, but all floats of the contacts are another number. */
+  /**
+   * Tells the client the island as {@link #tellAll} does, but with one number for all floats of
+   * contacts.
+   */
   public boolean tellContactsOf(float number) {
     readOwn();
     int[] contacts = island.contacts();
@@ -159,7 +166,10 @@ public final class IslandRig {
     return tellIsland();
   }
 
-  /** Tells the client its own state and the hash of all; whether it has that in every bit. */
+  /**
+   * Tells the client its own body and the hash of the island. Returns whether the client has that
+   * state in every bit.
+   */
   public boolean tellOwn() {
     readOwn();
     list();

@@ -4,7 +4,7 @@ import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import java.nio.charset.StandardCharsets;
 
-/** Small levels in which nothing moves by itself. */
+/** Builds small levels in which nothing moves by itself. */
 public final class Levels {
   private static final String FOUR_PLAYERS =
       """
@@ -14,12 +14,12 @@ public final class Levels {
 
   private Levels() {}
 
-  /** Walls and a post; the ball lies outside of the walls, where nobody gets at it. */
+  /** Returns an arena with walls and a post. The ball lies outside the walls, out of reach. */
   public static Level emptyArena() {
     return arena("empty.json", "[19, 11]");
   }
 
-  /** Walls and a post; the ball lies below the post, in the middle. */
+  /** Returns an arena with walls and a post. The ball lies in the middle, below the post. */
   public static Level arenaWithBall() {
     return arena("ball.json", "[0, -2]");
   }
@@ -52,12 +52,15 @@ public final class Levels {
             .formatted(name, ball));
   }
 
-  /** A floor between walls, a step, a one-way platform; the flag hangs out of reach. */
+  /**
+   * Returns a platformer level with a floor between walls, a step and a one-way platform. The flag
+   * hangs out of reach.
+   */
   public static Level emptyPlatformer() {
     return platformer("floor.json", FOUR_PLAYERS, "");
   }
 
-  /** The same with a stack of three crates. */
+  /** Returns the level of {@link #emptyPlatformer} with a stack of three crates. */
   public static Level platformerWithCrates() {
     return platformer(
         "crates.json",
@@ -70,8 +73,8 @@ public final class Levels {
   }
 
   /**
-   * The same with one place for players, left of a row of twelve crates that touch each other, and
-   * a crate alone, five metres right of the row, in slot 12.
+   * Returns the level of {@link #emptyPlatformer} with one spawn for players, left of a row of twelve
+   * crates that touch each other. A single crate lies right of the row, in slot 12.
    */
   public static Level platformerWithRowOfCrates() {
     return platformer(

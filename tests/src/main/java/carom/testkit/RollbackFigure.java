@@ -6,23 +6,23 @@ import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 
 /**
- * What the dearest correction costs: a client is told the exact state of its whole island at a tick
- * some ticks ago, returns to it, takes everything over, and computes as many ticks again. The
- * client's own {@link Prediction} does it, whose hash must then be the server's.
+ * Measures the most expensive correction. The client receives the exact state of its whole island
+ * at a past tick, restores that tick, takes the state over, and resimulates the ticks since. The
+ * client's own {@link Prediction} does this; its hash must then equal the server's.
  */
 public final class RollbackFigure {
   private static final int SETTLING_TICKS = 60;
 
   /**
-   * A measurement.
+   * The result of a measurement.
    *
-   * @param bodies of the island, the own one included
-   * @param ticks computed again, each time
-   * @param contacts of the island at the end
-   * @param medianMs CPU time of one correction, restore included
-   * @param p95Ms CPU time that 95 % of the corrections stay below
-   * @param exact corrections after which the client had the server's state in every bit
-   * @param corrections how many were measured
+   * @param bodies number of bodies of the island, the player's included
+   * @param ticks number of ticks that each correction resimulates
+   * @param contacts number of contacts of the island at the end
+   * @param medianMs median CPU time of a correction, restore included, ms
+   * @param p95Ms 95th percentile of that time, ms
+   * @param exact number of corrections after which the client had the server's state in every bit
+   * @param corrections number of corrections measured
    */
   public record Result(
       int bodies,
@@ -36,12 +36,12 @@ public final class RollbackFigure {
   private RollbackFigure() {}
 
   /**
-   * Measures on the calling thread, by its CPU time.
+   * Measures corrections by the CPU time of the calling thread.
    *
-   * @param bodies of the island: a multiple of 20, at most 240, and the own one
-   * @param ticks to compute again, 1..100
-   * @param warmUp corrections before those that are measured
-   * @param corrections how many are measured, at least 1
+   * @param bodies number of crates of the island, rounded down to a multiple of 20, at most 240
+   * @param ticks number of ticks to resimulate, 1..100
+   * @param warmUp number of corrections before those that are measured
+   * @param corrections number of corrections to measure, at least 1
    */
   public static Result measure(int bodies, int ticks, int warmUp, int corrections) {
     var threads = ManagementFactory.getThreadMXBean();
@@ -85,7 +85,7 @@ public final class RollbackFigure {
         corrections);
   }
 
-  /** Prints one line; arguments: bodies, ticks, corrections. */
+  /** Measures and prints one line. The arguments are bodies, ticks and corrections. */
   public static void main(String[] args) {
     int[] n = {200, 24, 300};
     for (int i = 0; i < Math.min(args.length, n.length); i++) {

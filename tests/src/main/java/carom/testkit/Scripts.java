@@ -4,18 +4,18 @@ import carom.client.InputSource;
 import carom.sim.Input;
 import carom.sim.SimRandom;
 
-/** Players that follow a simple rule. */
+/** Input sources that follow a simple rule. */
 public final class Scripts {
   private Scripts() {}
 
-  /** Pushes the stick in one direction for ever. */
+  /** Returns a source that always pushes the stick in one direction. */
   public static InputSource hold(float moveX, float moveY) {
     return (view, tick, out) -> out.move(moveX, moveY);
   }
 
   /**
-   * Changes its mind several times a second: directions, jumps, actions. Looks at nothing, so that
-   * equal seeds give equal inputs however the picture differs.
+   * Returns a source that changes direction, jump and action at random several times a second. It
+   * ignores the view, so equal seeds give equal inputs whatever the client sees.
    */
   public static InputSource wander(long seed) {
     SimRandom random = new SimRandom(seed);

@@ -18,12 +18,15 @@ import carom.net.transport.Link;
 import java.util.function.LongSupplier;
 
 /**
- * One player of a {@link Stepper}: a real {@link GameClient} behind a network of its own, played by
- * a script. After each update everything it has newly decoded is compared with the server's frame
- * states, to the last quantum.
+ * A client of a {@link Stepper}: a real {@link GameClient} behind its own simulated network, played
+ * by a script. After each update the class compares every newly decoded state with the server's
+ * frame states; they must be equal.
  */
 public final class SimulatedClient {
-  /** States may be inserted behind the newest when datagrams overtake each other. */
+  /**
+   * Number of ticks before the newest one that each check covers again. Datagrams that overtake
+   * each other insert states behind the newest.
+   */
   private static final int RECHECKED_TICKS = 32;
 
   private final String name;
@@ -102,7 +105,7 @@ public final class SimulatedClient {
       for (int i = 0; history != null && i < history.size() && history.tick(i) > from; i++) {
         FrameState frame = truth.at(history.tick(i));
         if (history.outOfSight(i)) {
-          continue; // says nothing about the entity
+          continue; // an entry out of sight holds no state of the entity
         }
         if (frame == null) {
           unverified++;
@@ -142,8 +145,8 @@ public final class SimulatedClient {
   }
 
   /**
-   * Requires that the newest state known of each slot is what the server has in a frame; true of a
-   * world at rest, and of a moving one over a perfect network.
+   * Requires that the newest known state of each slot equals a frame of the server. This holds in a
+   * world at rest, and in a moving one over a perfect network.
    */
   public void requireSame(FrameState frame) {
     SnapshotDecoder decoder = client.decoder();
@@ -165,17 +168,17 @@ public final class SimulatedClient {
 
   // ---- what may happen to a player
 
-  /** Plays by another script from now on. */
+  /** Replaces the script. */
   public void play(InputSource next) {
     script = next;
   }
 
-  /** Changes both directions of the network from now on. */
+  /** Changes both directions of the network. */
   public void impair(Impairment next) {
     link.impair(next, next);
   }
 
-  /** Changes the two directions of the network from now on. */
+  /** Changes the two directions of the network separately. */
   public void impair(Impairment up, Impairment down) {
     link.impair(up, down);
   }
@@ -186,55 +189,60 @@ public final class SimulatedClient {
     impair(impairment.withLoss(100));
   }
 
-  /** Stops the process, or lets it go on: nothing is sent, read or closed meanwhile. */
+  /**
+   * Stops the client's process, or lets it go on. A stopped client sends, reads and closes nothing.
+   */
   public void freeze(boolean stopped) {
     frozen = stopped;
   }
 
-  /** The line breaks; the client notices and may come back. */
+  /** Breaks the connection. The client notices and may come back. */
   public void cut() {
     link.close("the line was cut");
   }
 
-  /** The process dies: the system closes its sockets, nobody says goodbye. Not to be revived. */
+  /**
+   * Kills the client's process for good. The system closes its sockets, and the client says no
+   * goodbye.
+   */
   public void kill() {
     dead = true;
     link.close("the process died");
   }
 
-  /** Leaves as a player does who closes the window. */
+  /** Leaves as a player who closes the window does. */
   public void leave() {
     client.close();
   }
 
   // ---- what can be seen
 
-  /** The name asked for; the server may have added a number. */
+  /** Returns the requested name. The server may have added a number. */
   public String name() {
     return name;
   }
 
-  /** The client. */
+  /** Returns the client. */
   public GameClient game() {
     return client;
   }
 
-  /** What the player sees. */
+  /** Returns what the player sees. */
   public ClientView view() {
     return client.view();
   }
 
-  /** Numbers about the connection. */
+  /** Returns figures about the connection. */
   public NetStats stats() {
     return client.stats();
   }
 
-  /** States compared with the server's, and found equal. */
+  /** Returns the number of states compared with the server's; all were equal. */
   public long compared() {
     return compared;
   }
 
-  /** States so late that the server had forgotten its own by then. */
+  /** Returns the number of states that came after the server had forgotten their tick. */
   public long unverified() {
     return unverified;
   }

@@ -6,7 +6,7 @@ import carom.net.transport.ClientTransport;
 import carom.net.transport.ServerTransport;
 import java.util.concurrent.locks.LockSupport;
 
-/** KryoNet over loopback, on ports the system has free, in real time. */
+/** A wire of KryoNet over loopback, on free ports and in real time. */
 final class SocketWire implements Wire {
   private static final long NAP_NS = 1_000_000;
 

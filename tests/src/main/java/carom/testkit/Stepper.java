@@ -20,16 +20,16 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 
 /**
- * Owns one server, any number of clients and the clock, and moves all of them on in slices of two
- * milliseconds on the calling thread. In memory nothing sleeps and two equal runs end in equal
- * {@linkplain #hash hashes}; the same scenario runs {@linkplain #overSockets over sockets} too,
- * where time is real.
+ * Runs a scenario: it owns one server, any number of clients and the clock, and advances them in
+ * slices of 2 ms on the calling thread. In memory nothing sleeps, and two equal runs end in equal
+ * {@linkplain #hash hashes}. The same scenario also runs {@linkplain #overSockets over sockets}, in
+ * real time.
  *
- * <p>Each state that any client decodes is compared with the server's on the way; {@link #close}
- * fails when the server counted something that should not happen.
+ * <p>The clients compare each state they decode with the server's. {@link #close} fails if the
+ * server counted errors.
  */
 public final class Stepper implements AutoCloseable {
-  /** Seed of everything random; set another one with {@code -Dcarom.seed=N}. */
+  /** Seed of all random numbers. {@code -Dcarom.seed=N} sets another. */
   public static final long SEED = Long.getLong("carom.seed", 42);
 
   private static final double JOIN_SECONDS = 8;
@@ -53,22 +53,22 @@ public final class Stepper implements AutoCloseable {
     startServer();
   }
 
-  /** In memory and virtual time, the level that a game starts with. */
+  /** Returns a stepper in memory and virtual time, with the default level of a game. */
   public static Stepper of(String game) {
     return of(builtIn(game), ServerConfig.defaults());
   }
 
-  /** In memory and virtual time. */
+  /** Returns a stepper in memory and virtual time. */
   public static Stepper of(Level level, ServerConfig config) {
     return new Stepper(new InProcessWire(), config, level, 1_000_000_000L);
   }
 
-  /** Over KryoNet on loopback and in real time, the level that a game starts with. */
+  /** Returns a stepper over KryoNet on loopback in real time, with the default level of a game. */
   public static Stepper overSockets(String game) {
     return overSockets(builtIn(game), ServerConfig.defaults());
   }
 
-  /** Over KryoNet on loopback and in real time. */
+  /** Returns a stepper over KryoNet on loopback in real time. */
   public static Stepper overSockets(Level level, ServerConfig config) {
     return new Stepper(new SocketWire(), config, level, System.nanoTime());
   }
@@ -91,55 +91,55 @@ public final class Stepper implements AutoCloseable {
     server.tick(nowNs);
   }
 
-  /** Stops the server as an operator does: it says goodbye to everybody. */
+  /** Stops the server as an operator does. The server says goodbye to all clients. */
   public void stopServer() {
     requireHealthy();
     server.close();
     server = null;
   }
 
-  /** The server that runs; null while it is stopped. */
+  /** Returns the running server, or null while it is stopped. */
   public Server server() {
     return server;
   }
 
-  /** The server's first room. */
+  /** Returns the server's first room. */
   public Room room() {
     return server.rooms().get(0);
   }
 
-  /** A counter of the server. */
+  /** Returns the value of a counter of the server. */
   public long count(Counter counter) {
     return server.count(counter);
   }
 
-  /** The server's quantised state after a tick; null when that was too long ago. */
+  /** Returns the server's quantised state after a tick, or null if that was too long ago. */
   public FrameState frame(int tick) {
     return room().frames().at(tick);
   }
 
-  /** The server's newest quantised state. */
+  /** Returns the server's newest quantised state. */
   public FrameState frame() {
     return room().frames().newest();
   }
 
-  /** The server's last quantised states. */
+  /** Returns the server's latest quantised states. */
   public FrameRing frames() {
     return room().frames();
   }
 
-  /** A player at the server, or null. */
+  /** Returns a client's player at the server, or null. */
   public Player player(SimulatedClient client) {
     return room().simulation().player(client.view().playerId());
   }
 
-  /** A player's body at the server, or null. */
+  /** Returns a client's body at the server, or null. */
   public Entity body(SimulatedClient client) {
     Player player = player(client);
     return player == null ? null : player.body();
   }
 
-  /** Says that this scenario makes the server expel somebody. */
+  /** Declares that this scenario makes the server expel clients. */
   public void expectExpulsions() {
     expulsionsExpected = true;
   }
@@ -154,7 +154,7 @@ public final class Stepper implements AutoCloseable {
         script);
   }
 
-  /** Adds a client with settings of its own; its address must be this server's. */
+  /** Adds a client with the given settings. Their address must be this server's. */
   public SimulatedClient add(ClientConfig settings, Impairment impairment, InputSource script) {
     SimulatedClient client =
         new SimulatedClient(
@@ -195,22 +195,22 @@ public final class Stepper implements AutoCloseable {
         JOIN_SECONDS);
   }
 
-  /** All clients added, in order. */
+  /** Returns all clients in the order in which they were added. */
   public List<SimulatedClient> clients() {
     return clients;
   }
 
-  /** The clients' side of the network, for peers that are no clients. */
+  /** Returns the clients' side of the network, for peers that aren't clients. */
   public ClientTransport transport() {
     return wire.client();
   }
 
-  /** TCP port of the server; 0 in memory. */
+  /** Returns the TCP port of the server; 0 in memory. */
   public int tcpPort() {
     return wire.tcpPort();
   }
 
-  /** UDP port of the server; 0 in memory. */
+  /** Returns the UDP port of the server; 0 in memory. */
   public int udpPort() {
     return wire.udpPort();
   }
@@ -222,19 +222,19 @@ public final class Stepper implements AutoCloseable {
 
   // ---- time
 
-  /** The present, nanoseconds. */
+  /** Returns the present time, ns. */
   public long nowNs() {
     return nowNs;
   }
 
-  /** One slice of time: the server first, then each client in order. */
+  /** Advances time by one slice: the server first, then each client in order. */
   public void step() {
     nowNs = wire.advance(nowNs);
     stepServer();
     stepClients();
   }
 
-  /** Moves time on by a slice, and only the server with it; {@link #stepClients} must follow. */
+  /** Advances time by one slice for the server only. {@link #stepClients} must follow. */
   public void stepTimeAndServer() {
     nowNs = wire.advance(nowNs);
     stepServer();
@@ -251,14 +251,14 @@ public final class Stepper implements AutoCloseable {
     }
   }
 
-  /** The clients' part of a slice. */
+  /** Advances the clients to the present time. */
   public void stepClients() {
     for (int i = 0; i < clients.size(); i++) {
       clients.get(i).update(nowNs, server == null ? null : room().frames());
     }
   }
 
-  /** Lets time pass. */
+  /** Runs for a number of seconds. */
   public void run(double seconds) {
     long endNs = nowNs + (long) (seconds * 1e9);
     while (nowNs - endNs < 0) {
@@ -266,7 +266,7 @@ public final class Stepper implements AutoCloseable {
     }
   }
 
-  /** Lets time pass for the clients only: the server's process stands still meanwhile. */
+  /** Runs the clients for a number of seconds while the server's process stands still. */
   public void stallServer(double seconds) {
     long endNs = nowNs + (long) (seconds * 1e9);
     while (nowNs - endNs < 0) {
@@ -275,7 +275,7 @@ public final class Stepper implements AutoCloseable {
     }
   }
 
-  /** Lets time pass until something holds, and fails when it takes too long. */
+  /** Runs until a condition holds, and fails when that takes too long. */
   public void runUntil(String what, BooleanSupplier condition, double maxSeconds) {
     long endNs = nowNs + (long) (maxSeconds * 1e9);
     while (!condition.getAsBoolean()) {
@@ -288,24 +288,24 @@ public final class Stepper implements AutoCloseable {
 
   // ---- verdicts
 
-  /** A number that tells this server's frames so far; equal runs in memory have equal hashes. */
+  /** Returns a hash of all frames of this server so far. Equal runs in memory have equal hashes. */
   public long hash() {
     return hash;
   }
 
-  /** States that the clients decoded, compared with the server's. */
+  /** Returns the number of states of all clients that were compared with the server's. */
   public long compared() {
     return clients.stream().mapToLong(SimulatedClient::compared).sum();
   }
 
-  /** Requires that every client has the server's newest state; for a world at rest. */
+  /** Requires that every client has the server's newest state. Holds in a world at rest. */
   public void requireAllSame() {
     for (SimulatedClient client : clients) {
       client.requireSame(frame());
     }
   }
 
-  /** Seed, server and clients, for messages. */
+  /** Returns the seed, the server's status and the clients, for messages. */
   public String describe() {
     return "seed="
         + SEED
@@ -329,7 +329,7 @@ public final class Stepper implements AutoCloseable {
     }
   }
 
-  /** Ends everything. */
+  /** Stops the server, checks its counters and closes the network. */
   @Override
   public void close() {
     try {

@@ -9,8 +9,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 
 /**
- * A screen nobody sees: an Xvfb of its own on a display number that it picks itself. Only where
- * Xvfb is installed; ask {@link #available} first.
+ * A virtual screen: an Xvfb process on a display number that it chooses. Needs Xvfb; call {@link
+ * #available} first.
  */
 public final class VirtualDisplay implements AutoCloseable {
   private final Process xvfb;
@@ -21,7 +21,7 @@ public final class VirtualDisplay implements AutoCloseable {
     this.name = name;
   }
 
-  /** Whether this machine has Xvfb on its PATH. */
+  /** Returns whether this machine has Xvfb on its PATH. */
   public static boolean available() {
     String path = System.getenv().getOrDefault("PATH", "");
     return Stream.of(path.split(File.pathSeparator))
@@ -48,7 +48,7 @@ public final class VirtualDisplay implements AutoCloseable {
     return new VirtualDisplay(xvfb, ":" + number.strip());
   }
 
-  /** What the environment variable DISPLAY must say. */
+  /** Returns the value for the environment variable DISPLAY. */
   public String name() {
     return name;
   }

@@ -3,21 +3,21 @@ package carom.testkit;
 import carom.net.transport.ClientTransport;
 import carom.net.transport.ServerTransport;
 
-/** What lies between a {@link Stepper}'s server and its clients, and whose time passes there. */
+/** The network between a {@link Stepper}'s server and its clients, and its clock. */
 interface Wire extends AutoCloseable {
-  /** Opens the server's side; may be called again once the side before is closed. */
+  /** Opens the server's side. It can be opened again after it was closed. */
   ServerTransport serve();
 
-  /** Opens links to the server that serves now; refused when there is none. */
+  /** Returns the clients' side, which opens links to the present server. Fails if there is none. */
   ClientTransport client();
 
-  /** TCP port for clients; 0 where there are none. */
+  /** Returns the TCP port for clients; 0 without sockets. */
   int tcpPort();
 
-  /** UDP port for clients; 0 where there are none. */
+  /** Returns the UDP port for clients; 0 without sockets. */
   int udpPort();
 
-  /** Lets a slice of time pass and tells the new time, nanoseconds. */
+  /** Lets a slice of time pass and returns the new time, ns. */
   long advance(long nowNs);
 
   @Override

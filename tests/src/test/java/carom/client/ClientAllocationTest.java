@@ -10,7 +10,10 @@ import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
 
-/** A hundred bots in a process are cheap only if a frame makes no garbage. */
+/**
+ * Goal: a frame of a client allocates next to nothing, so that a hundred bots in a process are
+ * cheap.
+ */
 final class ClientAllocationTest {
   private static final int WARM_UP_FRAMES = 3_000;
   private static final int FRAMES = 3_000;

@@ -18,7 +18,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 /**
- * What a player is told on the way into the game and out of it, against a server that plays along.
+ * Goal: a player is told why a connection succeeds, waits or ends. Method: the client against a
+ * scripted server.
  */
 final class ConnectionTest {
   private final InProcessNetwork network = new InProcessNetwork(new KryoMessageCodec());

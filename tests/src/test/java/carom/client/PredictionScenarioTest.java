@@ -20,8 +20,9 @@ import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 
 /**
- * Goal: the own body is foreseen to the bit when it is alone, and corrections are soft when it is
- * not. Method: a client and a scripted authority in virtual time, with and without a bad network.
+ * Goal: a client predicts its own body to the bit when it is alone, and corrections are smooth when
+ * it is not. Method: a client and a scripted authority in virtual time, with and without a bad
+ * network.
  */
 final class PredictionScenarioTest {
   private static final long MS = 1_000_000L;

@@ -26,8 +26,9 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Goal: whatever the network does, what a client holds of a tick is what the server had after it,
- * to the last quantum. Method: the stepper compares each decoded state; here are the networks.
+ * Goal: whatever the network does, the state that a client holds for a tick equals the server's, to
+ * the last quantum. Method: the stepper compares each decoded state; this class runs it on the
+ * networks.
  */
 class AgreementScenarioTest {
   static Stream<Arguments> gamesAndConditions() {

@@ -10,9 +10,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Goal: a room full of players costs no garbage. Method: twenty bots in a game that ships; the
- * bytes the thread allocates in the server's part of each slice, the smallest of several windows,
- * since a goal or a roster in one of them may cost a few objects.
+ * Goal: the tick of a room full of players allocates next to nothing. Method: twenty bots in a game
+ * that ships; the bytes the thread allocates in the server's part of each slice, the smallest of
+ * several windows, since a goal or a roster in one of them may cost a few objects.
  */
 class AllocationScenarioTest {
   private static final int PLAYERS = 20;

@@ -23,8 +23,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Goal: settings at their limits, numbers that wrap, machines that stall, and crowds at the door.
- * Method: as everywhere: real clients and server in virtual time, every decoded state compared.
+ * Goal: the game survives settings at their limits, numbers that wrap, machines that stall, and
+ * crowds that join at once. Method: real clients and server in virtual time, every decoded state
+ * compared.
  */
 class EdgeScenarioTest {
   private static final Impairment FAR = Impairment.NONE.withLatency(40, 5);

@@ -22,9 +22,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /**
- * Goal: on every line each event fires exactly once, none is lost, and those of others come in the
- * order of their ticks. Method: bots play, then everybody rests until all is told; what a client's
- * listener heard, less what was retracted, is held against the server's events, one by one.
+ * Goal: on every line each event fires exactly once, none is lost, and the events of others fire in
+ * the order of their ticks. Method: bots play and then rest until every event has arrived; the
+ * events that each client fired, less those it retracted, are compared with the server's one by
+ * one.
  */
 class EventScenarioTest {
   private static final double PLAY_SECONDS = 6;

@@ -24,8 +24,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Goal: predictions are right in every bit where they can be. Method: the real server and clients
- * in virtual time on bad networks; what the clients count is asserted.
+ * Goal: predictions are right in every bit where the client knows all inputs. Method: the real
+ * server and clients in virtual time on bad networks; what the clients count is asserted.
  */
 class FeelScenarioTest {
   private static final Impairment FAR = Impairment.NONE.withLatency(75, 0).withLoss(2);

@@ -26,8 +26,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Goal: whatever one peer sends, the others notice nothing. Method: the same game with and without
- * the offender; the others' numbers are equal, or equally good.
+ * Goal: whatever a hostile peer sends, the other clients notice nothing. Method: the same game with
+ * and without the offender; the others' numbers are equal, or equally good.
  */
 class HostileScenarioTest {
   /** What an honest player got out of a game. */

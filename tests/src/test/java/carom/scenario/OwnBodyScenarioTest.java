@@ -18,8 +18,8 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Goal: the own body is foreseen exactly, and what could not be foreseen is shown softly. Method:
- * real client and server in virtual time, the client's own count of corrections.
+ * Goal: the client predicts its own body exactly and shows corrections of mispredictions smoothly.
+ * Method: real client and server in virtual time, the client's own count of corrections.
  */
 class OwnBodyScenarioTest {
   static Stream<Arguments> levelsAndConditions() {

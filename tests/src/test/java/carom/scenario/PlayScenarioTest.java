@@ -22,7 +22,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 /**
  * Goal: what players do has the effect they expect, on their screen, at the server and on the
- * others' screens. Method: small levels, scripted sticks, real clients and server in virtual time.
+ * others' screens. Method: small levels, scripted inputs, real clients and server in virtual time.
  */
 class PlayScenarioTest {
   private static final float DISC_RADIUS = 0.6f;

@@ -25,8 +25,8 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Goal: bad networks are never taken for wrong computation, and wrong computation is seen. Method:
- * the server's counters while clients play in virtual time.
+ * Goal: the server never mistakes a bad network for a divergence, and it detects real divergences.
+ * Method: the server's counters while clients play in virtual time.
  */
 final class ProofScenarioTest {
   static Stream<Arguments> levelsAndConditions() {

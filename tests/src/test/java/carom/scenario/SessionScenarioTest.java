@@ -30,8 +30,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Goal: players come, go, get lost and come back, and what the others see is right. Method: real
- * clients in virtual time; the server's simulation is the truth.
+ * Goal: players join, leave, lose the connection and return, and the others see them correctly.
+ * Method: real clients in virtual time; the server's simulation is the truth.
  */
 class SessionScenarioTest {
   private static final Impairment FAR = Impairment.NONE.withLatency(30, 0);

@@ -24,9 +24,9 @@ import picocli.CommandLine;
 
 /**
  * Goal: the table of conditions and the way into a large world hold over real sockets, too. Method:
- * KryoNet on loopback in real time, networks made bad by the flags that users have; the oracle is
- * the server's frame of each tick that a client decodes ({@link SimulatedClient}). Nothing is
- * asserted about time, but that it comes to an end.
+ * KryoNet on loopback in real time, networks impaired by the flags that users have; the oracle is
+ * the server's frame of each tick that a client decodes ({@link SimulatedClient}). The test asserts
+ * nothing about time except that it ends.
  */
 @Timeout(60)
 class SocketConditionTest {

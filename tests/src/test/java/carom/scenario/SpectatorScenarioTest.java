@@ -85,7 +85,7 @@ class SpectatorScenarioTest {
     List<GameClient> players = new ArrayList<>();
     List<Spectator> spectators = new ArrayList<>();
     try (Server server = server(network.server())) {
-      server.show(DELAY_S);
+      server.allowSpectators(DELAY_S);
       for (int i = 0; i < 2; i++) {
         players.add(new GameClient(ClientConfig.of("bot" + i), transport, new Bot(i), () -> 0));
       }
@@ -156,7 +156,7 @@ class SpectatorScenarioTest {
     try (Server server =
             new Server(config, ArenaGame::new, Level.builtIn("arena"), sockets, System::nanoTime);
         KryoClientTransport transport = new KryoClientTransport()) {
-      server.show(1);
+      server.allowSpectators(1);
       server.start();
       ClientConfig address =
           ClientConfig.of("s").withServer("localhost", server.tcpPort(), server.udpPort());

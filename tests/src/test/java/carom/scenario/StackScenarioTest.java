@@ -17,10 +17,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /**
- * Goal: a stack that is partly near the own body looks at rest. Method: stand beside the top of the
- * platformer's crate tower, far from its foot, on a slow line, and compare every crate on the
- * screen with the server's. Once the upper crates alone were predicted, and hung half a metre deep
- * in the ones below.
+ * Goal: a stack that is partly in the predicted set looks at rest. Method: stand beside the top of
+ * the platformer's crate tower, far from its foot, on a slow line, and compare every crate on the
+ * screen with the server's. If the client predicted the upper crates alone, they would sink into
+ * the ones below.
  */
 final class StackScenarioTest {
   private static final Impairment FAR = Impairment.NONE.withLatency(100, 0);

@@ -14,8 +14,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Goal: what the scenarios stand on is itself sound. Method: the same run twice, another seed, and
- * a condition that never comes true.
+ * Goal: the stepper, on which the scenarios rely, is deterministic and sound. Method: the same run
+ * twice, another seed, and a condition that never comes true.
  */
 class StepperTest {
   @ParameterizedTest

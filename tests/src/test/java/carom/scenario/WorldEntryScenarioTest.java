@@ -20,9 +20,10 @@ import carom.testkit.Stepper;
 import org.junit.jupiter.api.Test;
 
 /**
- * Goal: who comes late into a world of 10,000 bodies plays within a second on a line of 2 Mbit/s
- * with a round trip of 100 ms, and a line that breaks while loading costs the rest of the level and
- * not all of it. Method: virtual time, a level in which each body has a line of its own.
+ * Goal: a player who joins a world of 10,000 bodies late plays within a second on a line of 2
+ * Mbit/s with a round trip of 100 ms, and after a connection breaks while loading, the client
+ * fetches only the rest of the level. Method: virtual time, a level in which each body has a line
+ * of its own.
  */
 class WorldEntryScenarioTest {
   private static final int BODIES = 10_000;

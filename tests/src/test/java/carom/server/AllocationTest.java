@@ -7,9 +7,9 @@ import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
 
 /**
- * The server's tick with players who play, without the clients' part: how many bytes the thread
- * allocates. Warm-up first, then the smallest of several windows, so that a roster or a growing
- * array in one of them doesn't count.
+ * Goal: the server's tick with active players allocates next to nothing. Method: the bytes that the
+ * thread allocates, without the clients' part; warm-up first, then the smallest of several windows,
+ * so that a roster or a growing array in one of them doesn't count.
  */
 class AllocationTest {
   private static final int PLAYERS = 20;

@@ -18,8 +18,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 /**
- * Goal: whom {@link carom.sim.Game#audience} hides from a player, its client isn't told about in
- * any way. Method: two teams that don't see each other play side by side on a whole server;
+ * Goal: a client receives nothing about entities that {@link carom.sim.Game#audience} hides from
+ * its player. Method: two teams that don't see each other play side by side on a whole server;
  * everything that a client decodes is searched for the others' bodies, inputs and events, and for
  * those of the own team, which must be there.
  */

@@ -23,8 +23,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /**
  * The games that ship, with clients that press random buttons over bad networks. Goal: whatever is
- * lost, what a client decodes is exactly the server's frame state of that tick, and nobody is
- * thrown out. Method: virtual time, and a comparison at each decoded datagram.
+ * lost, what a client decodes is exactly the server's frame state of that tick, and the server
+ * expels no client. Method: virtual time, and a comparison at each decoded datagram.
  */
 class BadNetworkTest {
   private static final int SECONDS = 20;

@@ -21,7 +21,10 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 
-/** The least client that can play: joins, loads, acks, sends inputs, keeps what it was told. */
+/**
+ * The smallest client that can play: it joins, loads, acks, sends inputs and keeps what it
+ * receives.
+ */
 final class FakeClient implements LinkHandler {
   private static final int REDUNDANCY = 4;
 

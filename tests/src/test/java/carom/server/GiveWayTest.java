@@ -7,7 +7,7 @@ import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import org.junit.jupiter.api.Test;
 
-/** One newcomer costs one absent player the place, however often the lobby looks. */
+/** Goal: one newcomer takes the seat of one absent player only, however often the lobby asks. */
 class GiveWayTest {
   private void probe(int rooms, int turnsPerTick) {
     try (Rig rig =

@@ -13,9 +13,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * A session's bits per second are one promise: exact state of what is near, the own body, events
- * and records share them. Method: a player in the middle of a pile that the game stirs all the
- * time, so that far more rows and records wait than the budget takes, in virtual time.
+ * Goal: the exact state of the predicted set, the own body, events and records share the budget of
+ * a session. Method: a player in the middle of a pile that the game stirs all the time, so that far
+ * more rows and records wait than the budget takes, in virtual time.
  */
 class NearBudgetTest {
   private static final int BALLS = 300;

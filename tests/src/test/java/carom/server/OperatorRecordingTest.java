@@ -139,7 +139,7 @@ final class OperatorRecordingTest {
   @Test
   void whatSpectatorsWatchGoesOn() throws Exception {
     try (Stepper stepper = Stepper.of("arena")) {
-      stepper.server().show(1);
+      stepper.server().allowSpectators(1);
       RoomInspector.show(stepper.room());
       stepper.run(1);
       String ended = stop(stepper);

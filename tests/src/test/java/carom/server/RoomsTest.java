@@ -27,7 +27,7 @@ import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Several rooms behind one lobby: who gets where, and that nothing leaks from room to room. */
+/** Goal: a lobby assigns players to several rooms, and nothing leaks from room to room. */
 class RoomsTest {
   private static final ServerConfig CONFIG = ServerConfig.defaults().withSeed(5);
 

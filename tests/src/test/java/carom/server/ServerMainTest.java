@@ -25,7 +25,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The program as an operator starts it: a process of its own, real ports, signals, exit codes. */
+/**
+ * Goal: the program works as an operator starts it. Method: its own process, real ports, signals
+ * and exit codes.
+ */
 @Timeout(60)
 class ServerMainTest {
   private static final Pattern READY = Pattern.compile("ready tcp=(\\d+) udp=(\\d+)");

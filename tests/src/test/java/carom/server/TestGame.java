@@ -17,7 +17,7 @@ import carom.sim.level.LevelException;
 import java.nio.charset.StandardCharsets;
 import java.util.Random;
 
-/** Balls without gravity; players steer one each; breaks on demand. */
+/** A game with balls without gravity, one of which each player steers. It fails on demand. */
 final class TestGame implements Game {
   static final float SPEED = 6;
 

@@ -11,9 +11,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * The least budget there is, 16 kbit/s, where everything moves all the time: all get their turn,
- * the important ones more often, the own body in each snapshot. Method: a player in the middle of a
- * pile that the game stirs, in virtual time; how old is what the client holds of each body?
+ * Goal: with the smallest budget, 16 kbit/s, in a world that moves all the time, every body gets
+ * its turn, important ones more often, and the own body is in each snapshot. Method: a player in
+ * the middle of a pile that the game stirs, in virtual time; the measure is the age of each body's
+ * newest state at the client.
  */
 class TightBudgetTest {
   private static final int LEAST_BITS_PER_SECOND = 16_000;

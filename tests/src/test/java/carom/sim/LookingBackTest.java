@@ -30,8 +30,8 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 
 /**
- * Goal: a look into the past sees what was there. Method: bodies that fly, spin, come and go; the
- * oracle is a world built anew with every body where it was at that tick.
+ * Goal: a query of the past sees the bodies of that tick. Method: bodies that fly, spin, come and
+ * go; the oracle is a world built anew with every body where it was at that tick.
  */
 final class LookingBackTest {
   private static final long SEED = Long.getLong("carom.seed", 42);

@@ -6,48 +6,48 @@ import carom.values.Records;
 import java.util.Objects;
 
 /**
- * Every setting of a server. Immutable; start from {@link #defaults()}. A value outside its range
- * is refused with a message that names the setting, the value, the limits and where to set it.
+ * The settings of a server. Immutable; start from {@link #defaults()}. The constructor refuses a
+ * value outside its range with a message that names the setting, the value, the limits and where to
+ * set it.
  *
  * @param gameName name of the game to run, one of those of {@code carom.game.Games}
  * @param serverName what players and log lines call this server, 1..40 characters
  * @param tickRateHz simulation steps per second, 10..240. 60 fits most games. Each session costs
  *     one datagram per tick in both directions
- * @param seed start of the first room's random numbers. Each further room's is one higher. The same
+ * @param seed seed of the first room's random numbers; each further room's is one higher. The same
  *     seed and the same inputs give the same game
- * @param rooms how many rooms play at once, 1..64. Each has a world, players and a thread of its
- *     own; all have the same game and level
- * @param threads how many threads may step one world together, 1..64: the room's own, and helpers
- *     that all rooms share. 1 has no helpers. Helpers pay for worlds of a thousand bodies and more,
- *     and change no result
+ * @param rooms number of rooms, 1..64. Each has its own world, players and thread; all have the
+ *     same game and level
+ * @param threads number of threads that may step one world together, 1..64: the room's own and
+ *     helpers that all rooms share. 1 means no helpers. Helpers pay off in worlds of a thousand
+ *     bodies and more, and change no result
  * @param maxPlayers seats of each room, 1..1,024 because the protocol numbers players in 10 bits;
- *     at most 4,096 in all rooms together. A player who finds all rooms full is politely refused
- * @param handshakeTimeoutMs how long a link may take from its opening to a valid Hello, and how
- *     long a refused one may stay open until its refusal is delivered, 100..60,000
- * @param loadTimeoutMs how long a player may take from Welcome to Ready, 100..600,000; a slow
- *     machine on a slow line receives the level in this time
+ *     at most 4,096 in all rooms together. The lobby refuses a player when all rooms are full
+ * @param handshakeTimeoutMs longest time from the opening of a link to a valid Hello, 100..60,000
+ * @param loadTimeoutMs longest time from Welcome to Ready, 100..600,000. A slow machine on a slow
+ *     line must be able to receive the level in this time
  * @param silenceTimeoutMs how long a playing session may stay silent (no datagram, no message)
- *     until its link counts as lost, 500..60,000. Dropped ticks and time for which the server
- *     itself stood still don't count
- * @param graceMs how long the body of a lost player waits for its owner, 0..600,000; 0 removes it
- *     at once
- * @param catchUpTicks ticks that may be caught up in one burst after a pause, 1..60. A quarter of a
- *     second bridges a pause of the garbage collector or of a busy machine. Older ticks are dropped
- *     and counted, so that a long pause can't snowball
- * @param inputWindowTicks how far ahead of the newest consumed tick an input may lie, 4..64. Inputs
- *     beyond are refused and counted
- * @param inputHoldTicks for how many ticks the last input is repeated when none arrives, 0..240.
- *     Then the player counts as neutral
+ *     until its link counts as lost, 500..60,000. Dropped ticks and pauses of the server itself
+ *     don't count
+ * @param graceMs how long the body of a player whose link was lost stays in the game, 0..600,000; 0
+ *     removes it at once
+ * @param catchUpTicks most ticks that a room runs in one burst after a pause, 1..60. A quarter of a
+ *     second bridges a pause of the garbage collector or of a busy machine. The room drops and
+ *     counts older ticks, so that a long pause doesn't cause a longer one
+ * @param inputWindowTicks how far ahead of the newest consumed tick an input may lie, 4..64. The
+ *     server refuses and counts inputs beyond
+ * @param inputHoldTicks number of ticks for which the server repeats the last input when none
+ *     arrives, 0..240. Then the input is neutral
  * @param snapshotRateHz snapshots per second and session while something moves, 1..240, at most one
  *     per tick
  * @param keepAliveRateHz datagrams per second and session while nothing is new, 1..60. Acks, the
  *     clock and the round trip time depend on them
- * @param snapshotBitsPerSecond budget of one session's snapshots, bits of payload, 16,000 to
- *     80,000,000. Entities that don't fit wait and collect priority
- * @param viewMetres largest half width and half height of what a player is told about, 0..4,096. In
- *     levels that are no larger everything is in sight. 0 = 64, and everything in small worlds
- * @param rosterIntervalMs shortest time between two rosters (names and scores), 0..10,000
- * @param statusIntervalS seconds between two status lines in the log, 0..86,400; 0 = none
+ * @param snapshotBitsPerSecond budget of one session's snapshots, bits of payload per second,
+ *     16,000..80,000,000. Entities that don't fit wait and collect priority
+ * @param viewMetres largest half width and half height of a player's view, m, 0..4,096. In levels
+ *     that are no larger the player sees everything. 0 = 64, and everything in small worlds
+ * @param rosterIntervalMs shortest time between two rosters (names and scores), ms, 0..10,000
+ * @param statusIntervalS time between two status lines in the log, s, 0..86,400; 0 = none
  */
 public record ServerConfig(
     String gameName,
@@ -77,7 +77,7 @@ public record ServerConfig(
   /**
    * Checks every setting.
    *
-   * @throws IllegalArgumentException names the first setting that is out of range
+   * @throws IllegalArgumentException if a setting is out of range; the message names the first
    */
   public ServerConfig {
     Objects.requireNonNull(gameName, "gameName");
@@ -151,12 +151,12 @@ public record ServerConfig(
         /* statusIntervalS= */ 60);
   }
 
-  /** Returns the nanoseconds of one tick, rounded down; use a tick loop for exact deadlines. */
+  /** Returns the length of one tick, ns, rounded down. Use a tick loop for exact deadlines. */
   public long tickNs() {
     return 1_000_000_000L / tickRateHz;
   }
 
-  /** Returns the seats of all rooms together. */
+  /** Returns the number of seats of all rooms together. */
   public int places() {
     return rooms * maxPlayers;
   }

@@ -1,5 +1,5 @@
 /**
- * What an operator or an embedding program decides: one immutable record, validated when built.
+ * The settings of a server: one immutable record, which checks itself when it is built.
  *
  * <p>Allowed imports: the JDK. Read first: {@link carom.server.config.ServerConfig}.
  */

@@ -4,10 +4,11 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * Limits how often clients of one address may join: {@value #LEAST_BURST} at once, or as many as
- * the server has seats if more, then {@value #PER_SECOND} per second. A crowd behind one address
- * joins unhindered. A client that joins and leaves in a loop can't flood the log and the screens of
- * others. For one thread; bounded.
+ * Limits how often clients of one address may join: {@value #LEAST_BURST} times at once, or as many
+ * times as the server has seats if that is more, then {@value #PER_SECOND} times per second. A
+ * crowd behind one address joins unhindered, but a client that joins and leaves in a loop can't
+ * flood the log and the screens of others. One thread; keeps at most {@value #MAX_ADDRESSES}
+ * addresses.
  */
 final class AdmissionRate {
   static final int LEAST_BURST = 256;
@@ -20,7 +21,7 @@ final class AdmissionRate {
   private final int burst;
 
   /**
-   * Creates one without any joins.
+   * Creates a limit that has counted no joins.
    *
    * @param places seats of the server
    */
@@ -28,7 +29,7 @@ final class AdmissionRate {
     burst = Math.max(LEAST_BURST, places);
   }
 
-  /** The joins an address has left. */
+  /** The number of joins that an address has left: a token bucket. */
   private final class Bucket {
     private double tokens = burst;
     private long sinceNs;
@@ -60,7 +61,7 @@ final class AdmissionRate {
     if (buckets.size() >= MAX_ADDRESSES && !buckets.containsKey(address)) {
       buckets.values().removeIf(b -> isFull(b, nowNs));
       if (buckets.size() >= MAX_ADDRESSES) {
-        buckets.clear(); // more addresses at work than any flood from one: forget, don't grow
+        buckets.clear(); // so many active addresses are no loop of one client: forget, don't grow
       }
     }
     Bucket bucket = buckets.computeIfAbsent(address, a -> new Bucket());

@@ -13,7 +13,7 @@ import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.net.transport.ServerTransport;
 import carom.server.config.ServerConfig;
-import carom.server.recording.Showing;
+import carom.server.recording.DelayedRecording;
 import carom.server.room.Admission;
 import carom.server.room.Room;
 import carom.server.session.PartingLinks;
@@ -27,16 +27,16 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Takes links from the handshake to their room: it greets or refuses them, chooses the room, and
- * sends the level. Each phase has a deadline, so that a half-open connection or a client that
- * stalls costs a slot for seconds only.
+ * Takes links from the handshake to their room. The lobby welcomes or refuses a link, chooses the
+ * room and sends the level. Each phase has a deadline, so a half-open connection or a client that
+ * stalls holds its slot only for seconds.
  *
- * <p>A player who returns with a session's secret goes to the room that holds the session. Everyone
- * else goes to the fullest room that still has a seat, because players want company; among equals
- * to the first. When no room has a seat, the newcomer is refused. Rooms that have failed count as
- * full.
+ * <p>A player who returns with a session's secret goes to the room that holds the session. Any
+ * other player goes to the fullest room that still has a seat, because players want company; among
+ * equals, to the first. If no room has a seat, the lobby refuses the newcomer. Rooms that have
+ * failed count as full.
  *
- * <p>One thread calls {@link #doWork}; it may be another one than the rooms'.
+ * <p>One thread calls {@link #doWork}. It need not be a room's thread.
  */
 public final class Lobby {
   private static final Logger LOG = LoggerFactory.getLogger(Lobby.class);
@@ -44,19 +44,23 @@ public final class Lobby {
   private static final long PARTING_MS = 1_000;
   private static final int MAX_POLL = 32;
 
-  /** How long a visitor of a full server waits for the seat it asked for, until it asks again. */
+  /** Time after which a visitor of a full server asks for a seat again, ms. */
   private static final long ASK_AGAIN_MS = 400;
 
-  /** How long a greeted visitor waits for a seat before it is refused. */
+  /** Time for which a visitor waits for a seat before the lobby refuses it, ms. */
   private static final long ENTRANCE_WAIT_MS = 2_500;
 
-  /** Seats that one address may hold without playing yet, or half of the free ones if more. */
-  private static final int MIN_UNREADY = 8;
+  /**
+   * Number of seats that visitors of one address may hold while they load the level, or half of the
+   * free seats if that is more.
+   */
+  private static final int MIN_LOADING = 8;
 
   private static final int MAX_ACCEPT = 32;
 
   /**
-   * How often one link may request the whole level. It bounds what a link can make a server send.
+   * Number of times that one link may request the whole level. It bounds the bytes that a link can
+   * make the server send.
    */
   private static final int MAX_LEVEL_PULLS = 3;
 
@@ -80,9 +84,9 @@ public final class Lobby {
    * Creates a lobby in front of rooms.
    *
    * @param config settings of the server
-   * @param transport where links come from
+   * @param transport accepts links
    * @param rooms at least one, all with the same game and level
-   * @param level sent to players who join
+   * @param level the level that joining players receive
    * @param secrets unpredictable numbers, for datagram keys
    */
   public Lobby(
@@ -107,10 +111,10 @@ public final class Lobby {
   }
 
   /**
-   * Does one turn: accepts new links, reads what visitors sent, checks deadlines.
+   * Does one turn: accepts new links, reads the messages of visitors and checks deadlines.
    *
    * @param timeNs monotonic time in nanoseconds
-   * @return how much was done; 0 when nothing was due
+   * @return the amount of work done; 0 when nothing was due
    */
   public int doWork(long timeNs) {
     nowNs = timeNs;
@@ -122,7 +126,7 @@ public final class Lobby {
       }
       work++;
       if (visitors.size() >= maxVisitors) {
-        refuse(link, RefusalReason.SERVER_FULL, "Too many connections are waiting to play.");
+        sendRefusal(link, RefusalReason.SERVER_FULL, "Too many connections are waiting to play.");
       } else {
         visitors.add(new Visitor(link));
       }
@@ -147,7 +151,7 @@ public final class Lobby {
   }
 
   /**
-   * Refuses all links that wait and all that still come.
+   * Refuses all visitors and all links that the transport still accepts.
    *
    * @param timeNs monotonic time in nanoseconds
    */
@@ -156,21 +160,21 @@ public final class Lobby {
     spectators.close(timeNs);
     for (Visitor visitor : visitors) {
       if (visitor.state == SessionState.LOADING) {
-        // After Welcome a client expects a Goodbye; it is the same to the player.
+        // After Welcome a client expects a Goodbye, not a Refused. The player sees the same.
         visitor.link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_STOPPING, ""));
-        part(visitor.link, "server stops");
+        closeLater(visitor.link, "server stops");
       } else {
-        refuse(visitor.link, RefusalReason.SHUTTING_DOWN, "");
+        sendRefusal(visitor.link, RefusalReason.SHUTTING_DOWN, "");
       }
       visitor.giveUpSeat();
     }
     visitors.clear();
     for (Link link; (link = transport.accept()) != null; ) {
-      refuse(link, RefusalReason.SHUTTING_DOWN, "");
+      sendRefusal(link, RefusalReason.SHUTTING_DOWN, "");
     }
   }
 
-  /** Returns whether no link is left here, not even a refused one that isn't closed yet. */
+  /** Returns whether the lobby has no open link, not even a refused one that isn't closed yet. */
   public boolean isDeserted() {
     return visitors.isEmpty() && partings.isEmpty() && spectators.isDeserted();
   }
@@ -184,11 +188,11 @@ public final class Lobby {
   /**
    * Lets spectators in from now on.
    *
-   * @param showings one for each room, in their order
-   * @param delaySeconds how long spectators are told nothing of what happens
+   * @param recordings one for each room, in the order of the rooms
+   * @param delaySeconds age at which spectators see what happens, s
    */
-  public void show(List<Showing> showings, int delaySeconds) {
-    spectators.show(showings, delaySeconds);
+  public void allowSpectators(List<DelayedRecording> recordings, int delaySeconds) {
+    spectators.allow(recordings, delaySeconds);
   }
 
   /** Returns the number of links that wait to play. */
@@ -196,18 +200,18 @@ public final class Lobby {
     return visitors.size();
   }
 
-  private void refuse(Link link, RefusalReason reason, String text) {
+  private void sendRefusal(Link link, RefusalReason reason, String text) {
     LOG.info("refused: {}, {}{}", link.remote(), reason, text.isEmpty() ? "" : ", " + text);
     link.send(new ServerMessage.Refused(reason, text));
-    part(link, "refused: " + reason);
+    closeLater(link, "refused: " + reason);
   }
 
-  private void part(Link link, String why) {
+  private void closeLater(Link link, String why) {
     partings.add(link, why, nowNs + PARTING_MS * NS_PER_MS);
   }
 
-  /** Counts the visitors of an address that hold a seat and don't play yet. */
-  private int unready(String address) {
+  /** Returns the number of visitors of an address that hold a seat and still load the level. */
+  private int countLoading(String address) {
     int count = 0;
     for (int i = 0; i < visitors.size(); i++) {
       Visitor v = visitors.get(i);
@@ -217,16 +221,17 @@ public final class Lobby {
   }
 
   /**
-   * Returns the visitor that gives up its seat first when seats are short, or null: the oldest of
-   * the address that holds the most, at least two, and isn't the newcomer's.
+   * Returns the visitor that must give up its seat when seats are short, or null. It is the oldest
+   * visitor of the address that holds the most seats while loading, at least two. The newcomer's
+   * address is exempt.
    */
-  private Visitor oldestOfTheBusiest(String newcomer) {
+  private Visitor oldestOfBusiestAddress(String newcomer) {
     Visitor oldest = null;
     int most = 1;
     for (int i = 0; i < visitors.size(); i++) {
       Visitor v = visitors.get(i);
       if (!v.done && v.state == SessionState.LOADING && !v.address.equals(newcomer)) {
-        int held = unready(v.address);
+        int held = countLoading(v.address);
         if (held > most) { // the list is in order of arrival
           most = held;
           oldest = v;
@@ -259,8 +264,8 @@ public final class Lobby {
     }
 
     /**
-     * Reads messages one by one: those behind a greeting wait with it, those behind Ready are for
-     * the room.
+     * Reads messages one by one. Messages behind Hello wait until it is answered, and messages
+     * behind Ready are for the room.
      */
     int poll() {
       int work = 0;
@@ -285,13 +290,13 @@ public final class Lobby {
         end("left before playing");
       } else {
         String name = message == null ? "nothing" : message.getClass().getSimpleName();
-        refused(RefusalReason.BAD_REQUEST, name + " came while " + state + ".");
+        refuse(RefusalReason.BAD_REQUEST, name + " came while " + state + ".");
       }
     }
 
     @Override
     public void datagram(Link from, byte[] bytes, int length) {
-      // Nothing in a datagram means anything before the player has a body.
+      // A datagram means nothing before the player has a body.
     }
 
     @Override
@@ -307,7 +312,7 @@ public final class Lobby {
       }
       String problem = spectators.add(link, watch.room(), nowNs);
       if (problem != null) {
-        refused(RefusalReason.BAD_REQUEST, problem);
+        refuse(RefusalReason.BAD_REQUEST, problem);
       }
       done = true;
     }
@@ -315,14 +320,14 @@ public final class Lobby {
     /** Refuses a client of another build, and returns whether the client may go on. */
     private boolean requireThisBuild(int protocolVersion, long physicsDigest) {
       if (protocolVersion != Protocol.VERSION) {
-        refused(
+        refuse(
             RefusalReason.PROTOCOL_VERSION,
             "This server speaks protocol %d, your game %d."
                 .formatted(Protocol.VERSION, protocolVersion));
         return false;
       }
       if (physicsDigest != Protocol.physicsDigest()) {
-        refused(
+        refuse(
             RefusalReason.PHYSICS_VERSION,
             "This server computes with %s.".formatted(Protocol.PHYSICS_VERSION));
         return false;
@@ -337,7 +342,7 @@ public final class Lobby {
       String name = hello.name().strip();
       String problem = PlayerName.problem(name);
       if (problem != null) {
-        refused(RefusalReason.NAME_INVALID, "Sorry, " + problem + ".");
+        refuse(RefusalReason.NAME_INVALID, "Sorry, " + problem + ".");
         return;
       }
       waiting = hello;
@@ -346,9 +351,9 @@ public final class Lobby {
     }
 
     /**
-     * Gives a greeted visitor a seat as soon as it may have one. An address that asks too often, or
-     * holds many seats without playing, waits. So do all visitors while a full room gives up the
-     * seat of a player who lost the connection.
+     * Gives a visitor that has sent Hello a seat as soon as it may have one. A visitor waits while
+     * its address joins too often or holds too many seats without playing, and while a full room
+     * gives up the seat of a player who lost the connection.
      */
     void tryToEnter() {
       if (done || waiting == null) {
@@ -366,7 +371,7 @@ public final class Lobby {
           room = expecting;
           seat = room.seats().claim(waiting.resumeSecret(), nowNs);
         } else {
-          full = !place(waiting.name().strip()) && chooser.seatsLeft() == 0 && !askForPlaces();
+          full = !takeSeat(waiting.name().strip()) && chooser.seatsLeft() == 0 && !askForSeat();
         }
       }
       if (seat != null) {
@@ -376,16 +381,17 @@ public final class Lobby {
       } else if (full || (allowed && chooser.seatsLeft() == 0 && nowNs - waitsUntilNs >= 0)) {
         int places = config.places();
         String text = places == 1 ? "The only place is taken." : "All %d places are taken.";
-        refused(RefusalReason.SERVER_FULL, text.formatted(places));
+        refuse(RefusalReason.SERVER_FULL, text.formatted(places));
       } else if (nowNs - waitsUntilNs >= 0) {
-        refused(RefusalReason.TOO_MANY_CONNECTIONS, "");
+        refuse(RefusalReason.TOO_MANY_CONNECTIONS, "");
       }
     }
 
-    /** Takes a seat in the fullest room that has one; returns whether it could. */
-    private boolean place(String name) {
+    /** Takes a seat in the fullest room that has one, and returns whether it got one. */
+    private boolean takeSeat(String name) {
       Room fullest = chooser.fullestWithSeat();
-      if (fullest != null && unready(address) < Math.max(MIN_UNREADY, chooser.seatsLeft() / 2)) {
+      if (fullest != null
+          && countLoading(address) < Math.max(MIN_LOADING, chooser.seatsLeft() / 2)) {
         room = fullest;
         seat = room.seats().take(name);
       }
@@ -393,18 +399,18 @@ public final class Lobby {
     }
 
     /**
-     * Asks a room, or else the busiest other address, to give up a seat that isn't played in.
-     * Returns false when all seats are.
+     * Asks a room, or else the busiest other address, to give up a seat that nobody plays in.
+     * Returns false if every seat is played in.
      */
-    private boolean askForPlaces() {
+    private boolean askForSeat() {
       if (nowNs - askAgainNs < 0) {
-        return true; // one seat is enough, and is soon free unless another visitor is faster
+        return true; // the seat asked for is soon free, unless another visitor takes it first
       }
       boolean asked = chooser.askToGiveWay();
-      Visitor hog = asked ? null : oldestOfTheBusiest(address);
-      if (hog != null) {
+      Visitor crowding = asked ? null : oldestOfBusiestAddress(address);
+      if (crowding != null) {
         asked = true;
-        hog.refused(RefusalReason.TOO_SLOW, "Others wait for the place.");
+        crowding.refuse(RefusalReason.TOO_SLOW, "Others wait for the place.");
       }
       askAgainNs = asked ? nowNs + ASK_AGAIN_MS * NS_PER_MS : nowNs;
       return asked;
@@ -431,7 +437,7 @@ public final class Lobby {
 
     private void sendLevel(int offset) {
       if (offset < 0 || offset >= packedLevel.length) {
-        refused(
+        refuse(
             RefusalReason.BAD_REQUEST,
             "LevelRequest.offset=%d is outside 0..%d.".formatted(offset, packedLevel.length - 1));
         return;
@@ -439,7 +445,7 @@ public final class Lobby {
       int end = Math.min(packedLevel.length, offset + Limits.MAX_LEVEL_CHUNK_BYTES);
       pulledBytes += end - offset;
       if (pulledBytes > (long) MAX_LEVEL_PULLS * packedLevel.length) {
-        refused(RefusalReason.BAD_REQUEST, "The level was requested again and again.");
+        refuse(RefusalReason.BAD_REQUEST, "The level was requested again and again.");
         return;
       }
       link.send(new ServerMessage.LevelChunk(offset, Arrays.copyOfRange(packedLevel, offset, end)));
@@ -450,14 +456,14 @@ public final class Lobby {
       if (!room.admit(new Admission(seat, link, datagramKey))) {
         LOG.warn("{} could not enter: too many enter at once, or the room failed", seat.name());
         link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_ERROR, "Try again in a moment."));
-        part(link, "room takes nobody");
+        closeLater(link, "room takes nobody");
         giveUpSeat();
       }
     }
 
     private void checkDeadline() {
       if (!done && waiting == null && nowNs - deadlineNs >= 0) {
-        refused(
+        refuse(
             RefusalReason.TOO_SLOW,
             state == SessionState.CONNECTED
                 ? "No greeting came within %d ms.".formatted(config.handshakeTimeoutMs())
@@ -465,9 +471,9 @@ public final class Lobby {
       }
     }
 
-    private void refused(RefusalReason reason, String text) {
+    private void refuse(RefusalReason reason, String text) {
       done = true;
-      refuse(link, reason, text);
+      sendRefusal(link, reason, text);
       giveUpSeat();
     }
 

@@ -44,7 +44,7 @@ final class RoomChooser {
     return left;
   }
 
-  /** Asks one room to give up a seat that isn't played in; returns whether one will. */
+  /** Asks the rooms in turn to give up a seat that nobody plays in. Returns whether one will. */
   boolean askToGiveWay() {
     for (Room room : rooms) {
       if (!room.hasFailed() && room.giveWay()) {

@@ -6,7 +6,7 @@ import carom.net.protocol.Limits;
 import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
-import carom.server.recording.Showing;
+import carom.server.recording.DelayedRecording;
 import carom.server.room.Room;
 import carom.server.session.PartingLinks;
 import java.io.IOException;
@@ -17,17 +17,17 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Sends recordings to the spectators of all rooms. A spectator requests chunks of its room's
- * recording and computes the game itself. So it costs the server a few file reads a second, and the
- * room nothing. No spectator is told anything younger than the delay.
+ * recording and computes the game itself, so it costs the server a few file reads a second and the
+ * room nothing. No spectator receives anything younger than the delay.
  *
  * <p>Runs on the lobby's thread. Bounded: {@value #MAX} spectators, {@value #BYTES_PER_S} bytes per
- * second each; beyond that a chunk is empty, and the spectator asks again.
+ * second each. A spectator beyond its rate gets an empty chunk and asks again.
  */
 final class Spectators implements LinkHandler {
-  /** Most spectators at a time, of all rooms together. */
+  /** Most spectators of all rooms together at a time. */
   static final int MAX = 256;
 
-  /** Most bytes one spectator is sent per second: an hour of a busy match in half a minute. */
+  /** Most bytes per second for one spectator. An hour of a busy match takes half a minute. */
   static final int BYTES_PER_S = 512 * 1_024;
 
   private static final Logger LOG = LoggerFactory.getLogger(Spectators.class);
@@ -39,10 +39,11 @@ final class Spectators implements LinkHandler {
   private static final class Spectator {
     private final Link link;
     private final Room room;
-    private final Showing showing;
+    private final DelayedRecording recording;
 
     /**
-     * Bytes this spectator needn't read, see {@link Showing#skippable}; constant while it stays.
+     * Number of bytes that this spectator needn't read, see {@link
+     * DelayedRecording#skippableBytes}. Constant for the spectator's stay.
      */
     private final long skipped;
 
@@ -50,11 +51,11 @@ final class Spectators implements LinkHandler {
     private long filledNs;
     private double bytes = BYTES_PER_S;
 
-    Spectator(Link link, Room room, Showing showing, long nowNs) {
+    Spectator(Link link, Room room, DelayedRecording recording, long nowNs) {
       this.link = link;
       this.room = room;
-      this.showing = showing;
-      skipped = showing.skippable(room.tick());
+      this.recording = recording;
+      skipped = recording.skippableBytes(room.tick());
       heardNs = nowNs;
       filledNs = nowNs;
     }
@@ -63,7 +64,7 @@ final class Spectators implements LinkHandler {
   private final List<Room> rooms;
   private final List<Spectator> spectators = new ArrayList<>();
   private final PartingLinks partings = new PartingLinks(MAX);
-  private List<Showing> showings = List.of();
+  private List<DelayedRecording> recordings = List.of();
   private int delaySeconds;
   private long nowNs;
   private Spectator speaking;
@@ -73,9 +74,9 @@ final class Spectators implements LinkHandler {
     this.rooms = rooms;
   }
 
-  /** Lets spectators in from now on; the showings are in the order of the rooms. */
-  void show(List<Showing> newShowings, int newDelaySeconds) {
-    showings = newShowings;
+  /** Lets spectators in from now on; the recordings are in the order of the rooms. */
+  void allow(List<DelayedRecording> newRecordings, int newDelaySeconds) {
+    recordings = newRecordings;
     delaySeconds = newDelaySeconds;
   }
 
@@ -83,25 +84,25 @@ final class Spectators implements LinkHandler {
    * Adds a link whose versions are right.
    *
    * @param room number of the room, from 1
-   * @return null, or in words for the user why it can't watch
+   * @return null, or a text for the user that says why the link can't watch
    */
   String add(Link link, int room, long timeNs) {
-    if (showings.isEmpty()) {
+    if (recordings.isEmpty()) {
       return "This server shows its games to nobody; it would need --spectator-delay.";
     }
-    if (room > showings.size()) {
-      return "There is no room=" + room + ", they are 1.." + showings.size() + ".";
+    if (room > recordings.size()) {
+      return "There is no room=" + room + ", they are 1.." + recordings.size() + ".";
     }
     if (spectators.size() >= MAX) {
       return MAX + " people watch already.";
     }
-    spectators.add(new Spectator(link, rooms.get(room - 1), showings.get(room - 1), timeNs));
+    spectators.add(new Spectator(link, rooms.get(room - 1), recordings.get(room - 1), timeNs));
     link.send(new ServerMessage.Watching(delaySeconds));
-    LOG.info("watches room {}: {}, {} spectators", room, link.remote(), spectators.size());
+    LOG.info("spectator joined room {}: {}, {} in all", room, link.remote(), spectators.size());
     return null;
   }
 
-  /** Answers requests and drops silent spectators; returns how much was done. */
+  /** Answers requests and drops silent spectators. Returns the amount of work done. */
   int doWork(long timeNs) {
     nowNs = timeNs;
     int work = partings.doWork(timeNs);
@@ -115,7 +116,7 @@ final class Spectators implements LinkHandler {
       if (end != null) {
         spectators.remove(i);
         partings.add(speaking.link, end, nowNs + PARTING_MS * NS_PER_MS);
-        LOG.info("watches no more: {}, {}", speaking.link.remote(), end);
+        LOG.info("spectator gone: {}, {}", speaking.link.remote(), end);
       }
     }
     return work;
@@ -129,7 +130,7 @@ final class Spectators implements LinkHandler {
     } else if (message instanceof ClientMessage.Leave) {
       end = "left";
     } else {
-      end = "said what spectators don't";
+      end = "sent a message that spectators must not send";
       from.send(new ServerMessage.Goodbye(GoodbyeReason.PROTOCOL_ERROR, ""));
     }
   }
@@ -139,7 +140,7 @@ final class Spectators implements LinkHandler {
     s.filledNs = nowNs;
     try {
       int most = (int) Math.min(Limits.MAX_LEVEL_CHUNK_BYTES, s.bytes);
-      byte[] bytes = s.showing.read(s.skipped, offset, most, s.room.tick());
+      byte[] bytes = s.recording.read(s.skipped, offset, most, s.room.tick());
       s.bytes -= bytes.length;
       s.link.send(new ServerMessage.RecordingChunk(offset, bytes));
     } catch (IOException e) {
@@ -151,7 +152,7 @@ final class Spectators implements LinkHandler {
 
   @Override
   public void datagram(Link from, byte[] bytes, int length) {
-    // Spectators have nothing to say by datagram.
+    // Spectators send no datagrams; one that arrives means nothing.
   }
 
   @Override

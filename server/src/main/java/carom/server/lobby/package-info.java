@@ -1,5 +1,6 @@
 /**
- * Where links wait until they play or watch: handshake, choice of a room, level, refusals.
+ * The lobby, where links wait until they play or watch: handshake, choice of a room, level,
+ * refusals.
  *
  * <p>Allowed imports: {@code carom.net.protocol}, {@code carom.net.transport}, {@code
  * carom.server.config}, {@code carom.server.room}, {@code carom.server.session}, {@code

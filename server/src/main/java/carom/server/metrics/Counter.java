@@ -1,6 +1,6 @@
 package carom.server.metrics;
 
-/** What a room counts. Every value only grows, except the gauges, which are marked as such. */
+/** The numbers that a room counts. Values only grow, except for those marked as gauges. */
 public enum Counter {
   /** Simulation steps run. */
   TICKS,
@@ -14,59 +14,63 @@ public enum Counter {
   PLAYERS,
   /** Gauge: players whose link was lost and whose body waits for them. */
   PLAYERS_IN_GRACE,
-  /** Players that came in, returning ones included. */
+  /** Players who joined, returning ones included. */
   JOINS,
-  /** Players that came back within their grace period. */
+  /** Players who came back within their grace period. */
   RESUMES,
-  /** Players that said they go. */
+  /** Players who left with a message. */
   LEAVES,
   /** Links lost or silent for too long. */
   LINKS_LOST,
-  /** Sessions closed because of what the client did: wrong message, too much data. */
+  /** Sessions closed because the client sent a wrong message or too much data. */
   SESSIONS_EXPELLED,
-  /** Sessions closed by an exception of ours while serving them; each is a bug. */
+  /** Sessions closed because the server threw an exception while serving them. Each is a bug. */
   SESSIONS_FAILED,
-  /** Input datagrams taken. */
+  /** Input datagrams accepted. */
   DATAGRAMS_IN,
   /** Payload bytes of input datagrams, dropped ones included. */
   BYTES_IN,
-  /** Datagrams dropped because they weren't an input datagram or had another key. */
+  /** Datagrams dropped because they weren't input datagrams or had another key. */
   DATAGRAMS_REFUSED,
   /** Snapshot datagrams sent. */
   DATAGRAMS_OUT,
   /** Payload bytes of snapshots sent. */
   SNAPSHOT_BYTES,
-  /** Snapshots that waited for the next tick because theirs took too long. */
+  /** Snapshots that the room sent a tick later because the tick took too long. */
   SNAPSHOTS_POSTPONED,
-  /** Snapshot datagrams that the transport didn't take. */
+  /** Snapshot datagrams that the transport didn't accept. */
   DATAGRAMS_UNSENT,
-  /** Ticks of a player that an input was due for. */
+  /** Inputs due: one per player and tick. */
   INPUTS_DUE,
-  /** Ticks of a player for which no input was there in time. */
+  /** Inputs due that had not arrived when their tick ran. */
   INPUTS_MISSING,
-  /** Inputs that came after their tick was consumed. */
+  /** Inputs that arrived after their tick was consumed. */
   INPUTS_LATE,
-  /** Inputs refused because they were for a tick too far ahead. */
+  /** Inputs refused because their tick was too far ahead. */
   INPUTS_EARLY,
-  /** Updates of exact states of what is near a player's body, because the list of them changed. */
+  /** Exact updates begun because a predicted set changed or the game interfered. */
   NEAR_UPDATES,
-  /** Further ones, because a client had computed another state: its prediction was wrong. */
+  /** Exact updates begun because a client had predicted another state than the server's. */
   NEAR_DISAGREEMENTS,
-  /** Events that players were to be told of, each player counted. */
+  /** Events offered to players, counted once per player. */
   EVENTS_OFFERED,
   /**
-   * Those that were never told, because too many waited for a client's acks; and those that the
-   * game told beyond the most of a tick, each once.
+   * Events that players never received: those beyond the most that may wait for a client's acks,
+   * counted once per player, and those that the game emitted beyond the most of a tick, counted
+   * once.
    */
   EVENTS_LOST,
   /** Exceptions thrown by the game's callbacks. */
   GAME_FAILURES,
   /**
-   * Predictions, of the own body or what is near it, that clients reported as wrong for no reason
-   * they knew.
+   * Mispredictions reported by clients, of the own body or of other predicted entities, for which
+   * the client knew no reason.
    */
   DIVERGENCES_REPORTED,
-  /** Those for which the server knows no reason either: somebody computes wrongly. */
+  /**
+   * Reported mispredictions for which the server knows no reason either: the client and the server
+   * disagree although they used the same inputs.
+   */
   DIVERGENCES_UNEXPLAINED,
   /** Recordings that ended early, because the disk was too slow or failed. */
   RECORDINGS_CUT

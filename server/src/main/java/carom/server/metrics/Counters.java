@@ -6,11 +6,11 @@ import org.HdrHistogram.Histogram;
 import org.HdrHistogram.SingleWriterRecorder;
 
 /**
- * A room's numbers: written by the room's thread without a lock or an allocation, read by any
- * other.
+ * A room's counters and tick times. The room's thread writes them without a lock or an allocation,
+ * and any other thread may read them.
  *
- * <p>Tick times go into an HdrHistogram from 1 microsecond to 10 seconds with two digits. They are
- * kept per interval: whoever takes an interval gets what was recorded since it was taken before.
+ * <p>Tick times go into an HdrHistogram from 1 microsecond to 10 seconds with two digits. An
+ * interval holds the times recorded since the last call of {@link #takeInterval} or {@link #total}.
  */
 public final class Counters {
   private static final Counter[] ALL = Counter.values();
@@ -36,7 +36,7 @@ public final class Counters {
     values.setRelease(gauge.ordinal(), value);
   }
 
-  /** The present value, from any thread. */
+  /** Returns the present value of a counter. Any thread. */
   public long get(Counter counter) {
     return values.getAcquire(counter.ordinal());
   }
@@ -46,14 +46,14 @@ public final class Counters {
     tickTimes.recordValue(Math.max(0, Math.min(HIGHEST_NS, durationNs)));
   }
 
-  /** Tick times since the last call of this method. Any thread, one at a time. */
+  /** Returns the tick times of the interval and begins another one. Any thread, one at a time. */
   public synchronized TickTimes takeInterval() {
     interval = tickTimes.getIntervalHistogram(interval);
     total.add(interval);
     return TickTimes.of(interval);
   }
 
-  /** Tick times since the start. Any thread, one at a time. */
+  /** Returns the tick times since the start. Any thread, one at a time. */
   public synchronized TickTimes total() {
     interval = tickTimes.getIntervalHistogram(interval);
     total.add(interval);
@@ -61,12 +61,12 @@ public final class Counters {
   }
 
   /**
-   * How long ticks took.
+   * The distribution of tick times.
    *
    * @param count number of ticks
-   * @param p50Ns half of them took at most this, nanoseconds
-   * @param p99Ns 99 % took at most this, nanoseconds
-   * @param maxNs the longest, nanoseconds
+   * @param p50Ns median, ns
+   * @param p99Ns 99th percentile, ns
+   * @param maxNs longest time, ns
    */
   public record TickTimes(long count, long p50Ns, long p99Ns, long maxNs) {
     private static TickTimes of(Histogram histogram) {
@@ -77,7 +77,7 @@ public final class Counters {
           histogram.getMaxValue());
     }
 
-    /** For log lines: {@code tick p50 0.21 p99 0.80 max 3.10 ms}. */
+    /** Returns a text for log lines: {@code tick p50 0.21 p99 0.80 max 3.10 ms}. */
     @Override
     public String toString() {
       return String.format(

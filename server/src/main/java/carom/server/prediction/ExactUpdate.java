@@ -68,7 +68,7 @@ final class ExactUpdate {
     interference = simulation.interference();
   }
 
-  /** The list that places in the update refer to. */
+  /** Returns the list that places in the update refer to. */
   KeyList members() {
     return members;
   }
@@ -93,12 +93,12 @@ final class ExactUpdate {
     return underWay && simulation.tick() - baseTick > MAX_AGE;
   }
 
-  /** The tick at which the last update was sent as a whole, or -1. */
+  /** Returns the tick at which the last update was sent as a whole, or -1. */
   int sentTick() {
     return sentTick;
   }
 
-  /** Rows that are still to be sent, lost ones included. */
+  /** Returns the number of rows that are still to be sent, lost ones included. */
   int waitingRows() {
     return underWay ? delivery.dueRows() : 0;
   }

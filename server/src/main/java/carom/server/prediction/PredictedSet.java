@@ -200,7 +200,9 @@ public final class PredictedSet {
     }
   }
 
-  /** The exact state captured last, of which the client is told the hash. For reading only. */
+  /**
+   * Returns the exact state captured last, of which the client is told the hash. For reading only.
+   */
   public Neighbourhood state() {
     return state;
   }
@@ -214,17 +216,20 @@ public final class PredictedSet {
     return hasOutsideCause;
   }
 
-  /** Rows of the update under way that are still to be sent, lost ones included. */
+  /** Returns the number of rows of the update that are still to be sent, lost ones included. */
   public int waitingRows() {
     return update.waitingRows();
   }
 
-  /** Updates begun because an entity entered or left the set, or the game interfered. */
+  /**
+   * Returns the number of updates begun because an entity entered or left the set, or the game
+   * interfered.
+   */
   public long updates() {
     return updates;
   }
 
-  /** Updates begun because the client had another state. */
+  /** Returns the number of updates begun because the client had another state. */
   public long disagreements() {
     return disagreements;
   }

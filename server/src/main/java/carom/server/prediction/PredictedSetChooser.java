@@ -61,7 +61,7 @@ final class PredictedSetChooser {
     this.mayKnow = mayKnow;
   }
 
-  /** The entities chosen last, in the order of the world. */
+  /** Returns the entities chosen last, in the order of the world. */
   EntityList chosen() {
     return chosen;
   }

@@ -199,7 +199,9 @@ public final class PredictionAudit {
     return inputMissing[slot] ? Finding.INPUT_MISSING : Finding.UNEXPLAINED;
   }
 
-  /** The place of the first number that differs, or -1; both lists are in the world's order. */
+  /**
+   * Returns the place of the first number that differs, or -1; both lists are in the world's order.
+   */
   private int firstDifferent(Diverged report) {
     int slot = slot(report.tick());
     int n = report.isOfSet() ? count[slot] * BODY_INTS : OWN_INTS;
@@ -211,7 +213,7 @@ public final class PredictionAudit {
     return -1;
   }
 
-  /** What the server has for a number of a report. */
+  /** Returns what the server has for a number of a report. */
   private int kept(Diverged report, int index) {
     int slot = slot(report.tick());
     return report.isOfSet() ? bodies[at(slot, 0) + index] : own[slot * OWN_INTS + index];

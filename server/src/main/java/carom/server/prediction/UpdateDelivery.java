@@ -166,8 +166,7 @@ final class UpdateDelivery {
         continue;
       }
       if (encoder.ownAckedTick() - sentTick[i] >= OVERTAKEN_TICKS) {
-        Arrays.fill(due, sentFirst[i], sentFirst[i] + sentRows[i], true);
-        dueRows += sentRows[i];
+        dueAgain(sentFirst[i], sentRows[i]);
         announced &= sentRows[i] > 0;
         continue;
       }
@@ -178,5 +177,13 @@ final class UpdateDelivery {
     }
     sentParts = open;
     return open == 0 && !isDue();
+  }
+
+  /** Marks the rows of a lost part as due. The loss of another copy may have marked some before. */
+  private void dueAgain(int first, int count) {
+    for (int row = first; row < first + count; row++) {
+      dueRows += due[row] ? 0 : 1;
+      due[row] = true;
+    }
   }
 }

@@ -52,7 +52,7 @@ final class UpdateLimits {
   private int gap = MIN_GAP;
   private int lastFullTick = -1;
 
-  /** The most entities that may be near now. */
+  /** Returns the most entities that may be near now. */
   int entities() {
     return most;
   }

@@ -96,7 +96,10 @@ final class UpdateRows {
     }
   }
 
-  /** An end is a place in the list, or negative for a static of the level. */
+  /**
+   * Returns whether an end of a contact is told. An end is a place in the list, or negative for a
+   * static body of the level.
+   */
   private boolean isTold(int end) {
     return end >= 0 && isTold[end];
   }
@@ -111,17 +114,17 @@ final class UpdateRows {
     contacts[contactCount++] = at;
   }
 
-  /** Number of all rows. */
+  /** Returns the number of rows. */
   int count() {
     return toldCount + contactCount;
   }
 
-  /** Number of entities told, whose rows come first. */
+  /** Returns the number of told entities. Their rows come first. */
   int toldCount() {
     return toldCount;
   }
 
-  /** Place in the list of a told entity. */
+  /** Returns the place in the list of a told entity. */
   int told(int index) {
     return told[index];
   }
@@ -130,7 +133,7 @@ final class UpdateRows {
     return row < toldCount;
   }
 
-  /** The array that holds a row, from {@link #at} on. */
+  /** Returns the array that holds a row, from {@link #at} on. */
   int[] source(int row) {
     return isEntity(row) ? base.entities() : base.contacts();
   }

@@ -19,23 +19,24 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A recording's file, written by a thread of its own so that no disk can hold up a tick: a block is
- * copied into a queue of {@value #QUEUE} and written as soon as the disk takes it. When the queue
- * is full, the disk fails or the file is too large, the recording is cut: it ends there, and its
- * last block says so if it still can be written.
+ * The file of a recording, written by its own thread so that no disk can hold up a tick. The room's
+ * thread copies a block into a queue of {@value #QUEUE}, and the file's thread writes it as soon as
+ * the disk is ready.
  *
- * <p>The file is closed after its last block, or by {@link #close}.
+ * <p>When the queue is full, the disk fails or the file is too large, the recording is cut: it ends
+ * there. Its last block then says so, if the disk still accepts it. The file closes after its last
+ * block, or by {@link #close}.
  *
- * <p>{@link #take} belongs to the room's thread, {@link #close} to anybody.
+ * <p>The room's thread calls {@link #take}; any thread may call {@link #close}.
  */
 public final class RecordingFile implements BlockSink, AutoCloseable {
   /** Ending of a recording's file name. */
   public static final String SUFFIX = ".carom";
 
-  /** Blocks that may wait for the disk; a room makes one or two a second. */
+  /** Number of blocks that may wait for the disk. A room makes one or two per second. */
   static final int QUEUE = 16;
 
-  /** Largest file: eleven days of a busy match. Then the recording is cut. */
+  /** Largest size of a file, bytes: eleven days of a busy match. A longer recording is cut. */
   static final long MAX_BYTES = 4L << 30;
 
   private static final Logger LOG = LoggerFactory.getLogger(RecordingFile.class);
@@ -58,20 +59,20 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
   private volatile String cut;
   private volatile long writtenBytes;
 
-  /** Where each block written so far ends; guarded by itself. */
+  /** Where each written block ends in the file, bytes. Guarded by itself. */
   private final List<Long> ends = new ArrayList<>();
 
   /**
    * Creates the file and starts the thread.
    *
-   * @throws FileAlreadyExistsException when there is such a file
+   * @throws FileAlreadyExistsException when the file exists already
    * @throws IOException when it can't be created
    */
   public RecordingFile(Path path) throws IOException {
     this(path, MAX_BYTES);
   }
 
-  /** As the other constructor, with another largest size in bytes. */
+  /** Creates the file with another largest size, in bytes. */
   RecordingFile(Path path, long limit) throws IOException {
     this.path = path;
     this.limit = limit;
@@ -84,9 +85,9 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
   }
 
   /**
-   * The file that a room records to.
+   * Returns the path of the file that a room records to.
    *
-   * @param target a file, or a folder, which then gets a file with a name of its own
+   * @param target a file, or a folder; in a folder the file is named after the game and the time
    * @param game name of the game
    * @param room the room's number; 0 when there is only one
    */
@@ -120,7 +121,7 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
     System.arraycopy(bytes, 0, item.bytes, 0, length);
     item.type = type;
     item.length = length;
-    waiting.add(item); // there is room: QUEUE items exist, and the one that stops
+    waiting.add(item); // never full: there are QUEUE items and the one that stops
     return true;
   }
 
@@ -149,39 +150,45 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
     }
   }
 
-  /** Where a block ends in the file, from 0 on; -1 while it isn't written. Any thread. */
+  /**
+   * Returns where a block ends in the file, in bytes from its start, or -1 while the block isn't
+   * written. Any thread.
+   */
   long endOf(int block) {
     synchronized (ends) {
       return block < ends.size() ? ends.get(block) : -1;
     }
   }
 
-  /** Why the recording ended early, or null when it didn't. Any thread. */
+  /** Returns why the recording ended early, or null when it didn't. Any thread. */
   public String cutReason() {
     return cut;
   }
 
-  /** How many bytes the disk has. Any thread. */
+  /** Returns the number of bytes written to the disk. Any thread. */
   long writtenBytes() {
     return writtenBytes;
   }
 
-  /** Where it is written to. */
+  /** Returns the path of the file. */
   public Path path() {
     return path;
   }
 
-  /** Whether nothing more will be written. Any thread. */
+  /** Returns whether the file is closed. Any thread. */
   public boolean isDone() {
     return !thread.isAlive();
   }
 
-  /** Has the file end after what waits, and waits for nothing. Any thread; twice does nothing. */
+  /**
+   * Ends the file after the queued blocks and returns at once. Calling it twice does nothing. Any
+   * thread.
+   */
   public void finish() {
-    waiting.offer(stop); // there is room, unless it has been told before
+    waiting.offer(stop); // refused only if an earlier call has filled the place
   }
 
-  /** Writes what waits, for at most 5 s, and closes the file. Closing twice does nothing. */
+  /** Writes the queued blocks, for at most 5 s, and closes the file. Closing twice does nothing. */
   @Override
   public void close() {
     if (thread.isAlive()) {

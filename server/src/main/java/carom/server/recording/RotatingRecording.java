@@ -9,11 +9,11 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * One file after the other for a room that runs for weeks, each playable by itself, of which the
- * last few are kept. Files that were there before are never touched.
+ * A sequence of recording files for a room that runs for weeks. Each file can be played by itself.
+ * The last few are kept and older ones deleted, but never a file that this object didn't create.
  *
- * <p>{@link #next} belongs to the room's thread; it creates and deletes a file, which takes a disk
- * about a millisecond. {@link #close} is for when that thread has ended.
+ * <p>The room's thread calls {@link #next}, which creates and deletes files; that takes a disk
+ * about a millisecond. Call {@link #close} after that thread has ended.
  */
 public final class RotatingRecording implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(RotatingRecording.class);
@@ -24,11 +24,11 @@ public final class RotatingRecording implements AutoCloseable {
   private final ArrayDeque<RecordingFile> files = new ArrayDeque<>();
 
   /**
-   * Creates no file yet.
+   * Creates a sequence without a file.
    *
-   * @param names another name for each file
-   * @param limit how long or large each gets
-   * @param keep how many files to keep, the one being written included; 0 = all
+   * @param names gives another path at each call
+   * @param limit length or size of each file
+   * @param keep number of files to keep, the newest one included; 0 = all
    */
   public RotatingRecording(Supplier<Path> names, RotationLimit limit, int keep) {
     this.names = names;
@@ -37,8 +37,8 @@ public final class RotatingRecording implements AutoCloseable {
   }
 
   /**
-   * Begins the next file, and deletes the oldest one beyond the limit. Whoever wrote to the one
-   * before has ended it.
+   * Creates the next file and deletes the oldest ones beyond the number to keep. The caller must
+   * have ended the file before.
    *
    * @throws IOException when it can't be created
    */
@@ -57,9 +57,9 @@ public final class RotatingRecording implements AutoCloseable {
   }
 
   /**
-   * Whether another file is due.
+   * Returns whether the newest file has reached the limit.
    *
-   * @param seconds of the game in the newest one
+   * @param seconds length of the game in the newest file, s
    */
   public boolean isFull(double seconds) {
     RecordingFile newest = files.peekLast();

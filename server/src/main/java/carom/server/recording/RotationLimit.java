@@ -4,27 +4,31 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * How much of a game goes into one file of a {@link RotatingRecording}: by time or by size.
+ * The length or size of one file of a {@link RotatingRecording}.
  *
- * @param seconds of the game, 0 = as long as it takes
- * @param bytes written to the disk, 0 = as large as it gets; a file exceeds it by what waits for
- *     the disk, about two seconds of the game
+ * @param seconds length of the game in a file, s; 0 = no limit
+ * @param bytes bytes written to the disk; 0 = no limit. A file may exceed it by the blocks that are
+ *     queued for the disk, about two seconds of the game, and always holds at least {@value
+ *     #LEAST_SECONDS} seconds
  */
 public record RotationLimit(int seconds, long bytes) {
-  /** One file, however long and large. */
+  /** The absence of a limit: a single file, however long and large. */
   public static final RotationLimit NEVER = new RotationLimit(0, 0);
 
   private static final int MAX_MINUTES = 1_440;
   private static final long MIB = 1L << 20;
   private static final long MAX_MIB = 2_048;
 
-  /** A file begins with the whole state, which may be larger than the limit. */
+  /**
+   * Shortest file that a limit by size can lead to, s. A file begins with the whole state, which
+   * may be larger than the limit.
+   */
   private static final int LEAST_SECONDS = 10;
 
   private static final Pattern TEXT = Pattern.compile("([0-9]{1,9})([MG]?)");
 
   /**
-   * Reads a limit as people write it.
+   * Parses a limit as an operator writes it.
    *
    * @param text minutes, 1..1440, or a size, 1M..2048M or 1G..2G; 0 is {@link #NEVER}
    * @throws IllegalArgumentException if it is none of these; the message says what is possible
@@ -48,7 +52,7 @@ public record RotationLimit(int seconds, long bytes) {
         text + " is neither minutes, 1..1440, nor a size, 1M..2048M or 1G..2G, nor 0 for never");
   }
 
-  /** Whether there is a limit at all. */
+  /** Returns whether there is a limit at all. */
   public boolean rotates() {
     return seconds > 0 || bytes > 0;
   }

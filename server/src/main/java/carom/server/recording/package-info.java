@@ -1,6 +1,6 @@
 /**
- * Recordings of rooms as files: blocks leave the room's thread by a bounded queue and are
- * compressed and written by a thread of their own.
+ * Recordings of rooms as files. Blocks leave the room's thread by a bounded queue, and another
+ * thread compresses and writes them.
  *
  * <p>Allowed imports: {@code carom.replay}, the JDK.
  *

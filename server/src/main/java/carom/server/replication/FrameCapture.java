@@ -181,7 +181,7 @@ public final class FrameCapture {
     ring.events().add(record, whom(e.audience(), team));
   }
 
-  /** The captured frames. */
+  /** Returns the captured frames. */
   public FrameRing frames() {
     return ring;
   }

@@ -115,12 +115,12 @@ final class LinkPace {
     sent = 0;
   }
 
-  /** Bytes of payload that may leave now; not positive when the line needs a rest. */
+  /** Returns the bytes of payload that may leave now. Not positive when the line needs a rest. */
   int allowance() {
     return (int) Math.min(Integer.MAX_VALUE, tokens - HEADER_BYTES);
   }
 
-  /** The present pace, bytes on the wire per second. */
+  /** Returns the present pace, bytes on the wire per second. */
   int bytesPerSecond() {
     return (int) rate;
   }

@@ -291,7 +291,10 @@ public final class SessionView implements Interest {
     return index.simulation().game().seesAll(index.simulation(), player);
   }
 
-  /** From the middle of the view to the entity's edge; 1 at the border of the view. */
+  /**
+   * Returns the distance from the middle of the view to the entity's edge; 1 at the border of the
+   * view.
+   */
   private float distance(FrameState frame, int slot) {
     float reach = index.reach(frame, slot);
     float dx = Math.abs(Quantizer.positionOf(frame.x(slot)) - x) - reach;

@@ -167,7 +167,7 @@ public final class SnapshotSender {
     }
   }
 
-  /** The most ticks between two snapshots. */
+  /** Returns the most ticks between two snapshots. */
   private int mostTicksWithout(boolean news, boolean late) {
     if (late) {
       return lateTicks;
@@ -193,7 +193,7 @@ public final class SnapshotSender {
     return (int) Math.max(0, Math.min(bucket / tickRateHz, pace.allowance()));
   }
 
-  /** Bytes of the last snapshot before exact state and records. */
+  /** Returns the bytes of the last snapshot before exact state and records. */
   private int overheadBytes() {
     return encoder.aheadBytes() - encoder.nearBytes();
   }
@@ -250,12 +250,12 @@ public final class SnapshotSender {
             : Math.max(-NEAR_CREDIT_BYTES, Math.min(NEAR_CREDIT_BYTES, credit));
   }
 
-  /** Estimate of what the client's line takes, bytes per second, headers included. */
+  /** Returns the estimated capacity of the client's line, bytes per second, headers included. */
   public int paceBytesPerSecond() {
     return pace.bytesPerSecond();
   }
 
-  /** The encoder, for inspection. */
+  /** Returns the encoder, for inspection. */
   public SnapshotEncoder encoder() {
     return encoder;
   }

@@ -37,6 +37,8 @@ final class Arrivals {
   private final ArrayBlockingQueue<Admission> queue;
 
   /**
+   * Creates an empty queue.
+   *
    * @param clock nanoseconds, to measure how long admissions take
    * @param replications creates what tells a player's client about the room
    */

@@ -33,6 +33,8 @@ final class Departures {
   private final AtomicInteger seatsAskedFor = new AtomicInteger();
 
   /**
+   * Creates an object that has nobody to remove.
+   *
    * @param partings takes the links
    */
   Departures(
@@ -71,7 +73,9 @@ final class Departures {
     }
   }
 
-  /** The session that has waited longest for its player, if its seat is asked for; or null. */
+  /**
+   * Returns the session that has waited longest for its player, if its seat is asked for; or null.
+   */
   private Session longestInGrace() {
     Session first = null;
     for (int i = 0; i < sessions.count() && seatsAskedFor.get() > 0; i++) {

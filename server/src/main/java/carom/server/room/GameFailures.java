@@ -22,7 +22,9 @@ final class GameFailures implements GuardedGame.Watch {
   private long nextLogged = 1;
 
   /**
-   * @param game its name
+   * Creates a log without failures.
+   *
+   * @param game name of the game
    * @param label begins each log line
    */
   GameFailures(String game, Counters counters, String label) {

@@ -23,6 +23,8 @@ final class LoadWarnings {
   private long untold;
 
   /**
+   * Creates an object that has warned of nothing.
+   *
    * @param label begins each log line
    */
   LoadWarnings(String label, Counters counters, int tickRateHz) {
@@ -40,7 +42,7 @@ final class LoadWarnings {
   void ticksDropped(int ticks, int tick, long nowNs) {
     counters.add(Counter.TICKS_DROPPED, ticks);
     untold += ticks;
-    if (untold > 0 && dropped.begins(nowNs)) {
+    if (untold > 0 && dropped.tryBegin(nowNs)) {
       LOG.warn(
           "{}can't keep up: {} ticks ({} ms) dropped up to tick {}; {}",
           label,
@@ -61,7 +63,7 @@ final class LoadWarnings {
    */
   void snapshotsPostponed(int snapshots, int sessions, int tick, long nowNs) {
     counters.add(Counter.SNAPSHOTS_POSTPONED, snapshots);
-    if (postponed.begins(nowNs)) {
+    if (postponed.tryBegin(nowNs)) {
       LOG.warn(
           "{}ticks take too long at tick {}: {} of {} snapshots wait for the next one; {}",
           label,

@@ -36,8 +36,10 @@ public final class OperatorCommands {
       new ArrayBlockingQueue<>(MAX_WAITING);
 
   /**
-   * @param number the room's
-   * @param entityCapacity entity ids are below
+   * Creates an empty queue of commands.
+   *
+   * @param number number of the room
+   * @param entityCapacity all entity ids are below this
    * @param closed returns whether the room is closed
    */
   OperatorCommands(

@@ -187,10 +187,11 @@ public final class Room {
   }
 
   /**
-   * One turn: takes what has arrived and runs the ticks that are due, at most {@code catchUpTicks}.
+   * Does one turn: takes what has arrived and runs the ticks that are due, at most {@code
+   * catchUpTicks}.
    *
    * @param nowNs monotonic time
-   * @return how much was done; 0 when the caller may wait until {@link #nextDeadlineNs}
+   * @return the amount of work done; 0 when the caller may wait until {@link #nextDeadlineNs}
    */
   public int doWork(long nowNs) {
     operator.serve();
@@ -229,7 +230,7 @@ public final class Room {
     }
   }
 
-  /** When the next tick is due; valid after the first {@link #doWork}. */
+  /** Returns when the next tick is due; valid after the first {@link #doWork}. */
   public long nextDeadlineNs() {
     return loop.nextDeadlineNs();
   }
@@ -342,7 +343,7 @@ public final class Room {
     partings.closeAll();
   }
 
-  /** What an operator may ask of the room; from any thread but the room's. */
+  /** Returns what an operator may ask of the room; from any thread but the room's. */
   public OperatorCommands operator() {
     return operator;
   }
@@ -354,17 +355,17 @@ public final class Room {
     recording.awaitEnd();
   }
 
-  /** The room's number, from 1 on; from any thread. */
+  /** Returns the room's number, from 1 on; from any thread. */
   public int number() {
     return number;
   }
 
-  /** Start of this room's random numbers; from any thread. */
+  /** Returns the seed of this room's random numbers; from any thread. */
   public long seed() {
     return seed;
   }
 
-  /** The last tick that was computed; from any thread. */
+  /** Returns the last tick that was computed; from any thread. */
   public int tick() {
     return tick;
   }
@@ -376,22 +377,22 @@ public final class Room {
     return failed;
   }
 
-  /** The seats, shared with the lobby. */
+  /** Returns the seats, shared with the lobby. */
   public Seats seats() {
     return context.seats();
   }
 
-  /** What the room counts; from any thread. */
+  /** Returns what the room counts; from any thread. */
   public Counters counters() {
     return counters;
   }
 
-  /** The world and its players, for reading. */
+  /** Returns the world and its players, for reading. */
   public Simulation simulation() {
     return simulation;
   }
 
-  /** The frame states of the last ticks, for reading. */
+  /** Returns the frame states of the last ticks, for reading. */
   public FrameRing frames() {
     return capture.frames();
   }
@@ -406,7 +407,7 @@ public final class Room {
     return simulation.asSeenBy(session.player());
   }
 
-  /** The session on a seat, or null. */
+  /** Returns the session on a seat, or null. */
   public Session session(int playerId) {
     return sessions.onSeat(playerId);
   }

@@ -6,9 +6,9 @@ import carom.replay.Recorder;
 import carom.replay.RecordingHeader;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
+import carom.server.recording.DelayedRecording;
 import carom.server.recording.RecordingFile;
 import carom.server.recording.RotatingRecording;
-import carom.server.recording.Showing;
 import carom.sim.Simulation;
 import java.io.IOException;
 import java.nio.file.FileAlreadyExistsException;
@@ -54,7 +54,7 @@ final class RoomRecording {
     this.counters = counters;
   }
 
-  /** Begins, see {@link Room#record(BlockSink)}. */
+  /** Begins to record to a sink; see {@link Room#record(BlockSink)}. */
   void begin(BlockSink newSink) {
     recorder =
         new Recorder(
@@ -65,7 +65,7 @@ final class RoomRecording {
     simulation.journal(recorder);
   }
 
-  /** Begins, see {@link Room#record(RotatingRecording)}. */
+  /** Begins to record to a sequence of files; see {@link Room#record(RotatingRecording)}. */
   void begin(RotatingRecording files) throws IOException {
     if (simulation.game().keepsMore()) {
       throw new IllegalArgumentException(
@@ -122,7 +122,7 @@ final class RoomRecording {
     if (recorder == null) {
       return "not recorded";
     }
-    if (sink instanceof Showing showing && showing.isShown()) {
+    if (sink instanceof DelayedRecording delayed && delayed.isShown()) {
       return "spectators watch this recording (--spectator-delay); it ends with the room";
     }
     String to = sink.toString();
@@ -189,8 +189,8 @@ final class RoomRecording {
 
   /** Returns the file that a sink writes to; null if it writes to none. */
   private static RecordingFile fileOf(BlockSink sink) {
-    if (sink instanceof Showing showing) {
-      return showing.file();
+    if (sink instanceof DelayedRecording delayed) {
+      return delayed.file();
     }
     return sink instanceof RecordingFile file ? file : null;
   }

@@ -46,7 +46,7 @@ final class RoomSessions {
     return id >= 0 && id < bySeat.length ? bySeat[id] : null;
   }
 
-  /** The sessions by seat, null where a seat is empty. The live array, for reading. */
+  /** Returns the live array of sessions by seat, null where a seat is empty. For reading only. */
   Session[] bySeat() {
     return bySeat;
   }

@@ -39,8 +39,10 @@ final class RosterNews {
   private int nextSeat;
 
   /**
-   * @param seats of the room
-   * @param intervalMs between the beginnings of two rounds
+   * Creates the news of a room without players.
+   *
+   * @param seats number of seats of the room
+   * @param intervalMs shortest time between the beginnings of two rounds, ms
    */
   RosterNews(int seats, int intervalMs) {
     names = new String[seats];
@@ -91,7 +93,10 @@ final class RosterNews {
     }
   }
 
-  /** A session that comes in the midst of a round gets the state that the others reach by it. */
+  /**
+   * Returns the messages of this round for a session. A session that joined during the round gets
+   * the whole roster, as the others know it after the round.
+   */
   private List<Broadcast> messagesFor(Session session) {
     if (session.knowsRoster()) {
       return changes;

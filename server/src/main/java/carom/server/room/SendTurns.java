@@ -29,7 +29,9 @@ final class SendTurns {
   private int late;
 
   /**
-   * @param snapshotRateHz of each session; more than one a tick counts as one
+   * Creates the turns of a room.
+   *
+   * @param snapshotRateHz snapshots per second and session; more than one per tick count as one
    */
   SendTurns(int tickRateHz, int snapshotRateHz) {
     this.tickRateHz = tickRateHz;

@@ -21,6 +21,8 @@ final class SnapshotRound {
   private final IdentityHashMap<Session, RuntimeException> broken = new IdentityHashMap<>();
 
   /**
+   * Creates the round of a room.
+   *
    * @param clock nanoseconds, to measure how long the tick takes
    * @param frames the room's frames
    */

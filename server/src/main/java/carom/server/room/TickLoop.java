@@ -26,6 +26,8 @@ public final class TickLoop {
   private int droppedNow;
 
   /**
+   * Creates a loop whose clock doesn't run yet.
+   *
    * @param rateHz ticks per second, at least 1
    * @param catchUpTicks the most ticks that one call of {@link #due} hands out, at least 1
    */
@@ -40,8 +42,8 @@ public final class TickLoop {
   }
 
   /**
-   * The number of ticks to run now, 0..catchUpTicks. The first call starts the clock and hands out
-   * nothing; the first tick is due one period later.
+   * Returns the number of ticks to run now, 0..catchUpTicks. The first call starts the clock and
+   * hands out nothing; the first tick is due one period later.
    *
    * @param nowNs monotonic time in nanoseconds; a value before the previous one hands out nothing
    */
@@ -72,29 +74,29 @@ public final class TickLoop {
     return run;
   }
 
-  /** When the next tick is due, in the time of {@link #due}; valid after its first call. */
+  /** Returns when the next tick is due, in the time of {@link #due}; valid after its first call. */
   public long nextDeadlineNs() {
     long next = scheduled + 1;
     // Rounded up, so that a wait until this moment is never a nanosecond short.
     return startNs + next / rateHz * NS_PER_S + (next % rateHz * NS_PER_S + rateHz - 1) / rateHz;
   }
 
-  /** Nominal length of a tick in nanoseconds, rounded down. */
+  /** Returns the nominal length of a tick, ns, rounded down. */
   public long periodNs() {
     return periodNs;
   }
 
-  /** Ticks that ran at least one period after their deadline since the start. */
+  /** Returns the number of ticks since the start that ran at least one period late. */
   public long lateTicks() {
     return lateTicks;
   }
 
-  /** Ticks that never ran because the loop was too far behind. */
+  /** Returns the number of ticks that never ran because the loop was too far behind. */
   public long droppedTicks() {
     return droppedTicks;
   }
 
-  /** Ticks dropped by the latest call of {@link #due}. */
+  /** Returns the number of ticks that the latest call of {@link #due} dropped. */
   public int droppedNow() {
     return droppedNow;
   }

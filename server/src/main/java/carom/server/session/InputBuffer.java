@@ -64,6 +64,8 @@ public final class InputBuffer {
   private long tooEarly;
 
   /**
+   * Creates an empty buffer.
+   *
    * @param windowTicks how far ahead of the last consumed tick an input may lie, 1..64
    * @param holdTicks how many missing ticks repeat the last input before it turns neutral
    */
@@ -160,7 +162,7 @@ public final class InputBuffer {
   }
 
   /**
-   * The input of the next tick, which must be the one after the last consumed.
+   * Returns the input of the next tick, which must be the one after the last consumed.
    *
    * @param tick {@code lastConsumedTick() + 1}
    * @return the packed input: the player's, the repeated last one, or 0
@@ -202,7 +204,7 @@ public final class InputBuffer {
     return tick - lastConsumedTick > 0 && tickOf[tick & (SIZE - 1)] == tick;
   }
 
-  /** The packed input of a tick that {@linkplain #isWaiting waits}. */
+  /** Returns the packed input of a tick that {@linkplain #isWaiting waits}. */
   public long waiting(int tick) {
     return packed[tick & (SIZE - 1)];
   }
@@ -219,28 +221,31 @@ public final class InputBuffer {
     return lastMissing;
   }
 
-  /** The tick that was consumed last. */
+  /** Returns the tick that was consumed last. */
   public int lastConsumedTick() {
     return lastConsumedTick;
   }
 
-  /** The newest tick an input arrived for, in time or too late; see {@link #marginTicks}. */
+  /**
+   * Returns the newest tick an input arrived for, in time or too late; see {@link #marginTicks}.
+   */
   public int newestTick() {
     return newestTick;
   }
 
   /**
-   * How many ticks the newest input lay ahead of the first tick that was consumed after it came:
-   * the number the client steers its clock by. Negative when it came too late, by that many ticks;
-   * 0 when none arrived yet. Other than {@link #marginTicks}, it doesn't fall while nothing comes.
+   * Returns how many ticks the newest input lay ahead of the first tick that was consumed after it
+   * came: the number the client steers its clock by. Negative when it came too late, by that many
+   * ticks; 0 when none arrived yet. Other than {@link #marginTicks}, it doesn't fall while nothing
+   * comes.
    */
   public int arrivalMarginTicks() {
     return arrivalMargin;
   }
 
   /**
-   * How many ticks the newest input lies ahead of the last consumed tick. Negative when it is past,
-   * by that many ticks; 0 when none arrived yet.
+   * Returns how many ticks the newest input lies ahead of the last consumed tick. Negative when it
+   * is past, by that many ticks; 0 when none arrived yet.
    */
   public int marginTicks() {
     return anyArrived ? newestTick - lastConsumedTick : 0;
@@ -251,12 +256,12 @@ public final class InputBuffer {
     return anyArrived;
   }
 
-  /** Ticks consumed, missing ones included. */
+  /** Returns the number of ticks consumed, those without an input included. */
   public long consumed() {
     return consumed;
   }
 
-  /** Ticks without an input of their own, counted from the first input on. */
+  /** Returns the number of ticks without an input of their own, counted from the first input on. */
   public long missing() {
     return missing;
   }

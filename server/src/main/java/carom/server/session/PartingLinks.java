@@ -34,6 +34,8 @@ public final class PartingLinks {
   private record Parting(Link link, String reason, long deadlineNs) {}
 
   /**
+   * Creates an empty list.
+   *
    * @param capacity how many links may linger; one more closes the oldest at once
    */
   public PartingLinks(int capacity) {

@@ -25,6 +25,8 @@ public final class Seats {
   private final LongSupplier secrets;
 
   /**
+   * Creates free seats.
+   *
    * @param count number of seats, 1..1,024
    * @param secrets unpredictable numbers, for session secrets
    */
@@ -100,7 +102,7 @@ public final class Seats {
     seat.occupied = true;
   }
 
-  /** The player is gone. The seat becomes free unless a link claims it. */
+  /** Notes that the player is gone. The seat becomes free unless a link claims it. */
   public synchronized void vacate(Seat seat) {
     seat.occupied = false;
     freeIfUnused(seat);
@@ -119,12 +121,12 @@ public final class Seats {
     }
   }
 
-  /** Number of seats, free ones included. */
+  /** Returns the number of seats, free ones included. */
   public int count() {
     return taken.length;
   }
 
-  /** Number of seats that are taken. */
+  /** Returns the number of seats that are taken. */
   public synchronized int takenCount() {
     return takenCount;
   }
@@ -146,7 +148,10 @@ public final class Seats {
     return name;
   }
 
-  /** The longest beginning of a name that fits in some UTF-8 bytes and doesn't end in a space. */
+  /**
+   * Returns the longest beginning of a name that fits in some UTF-8 bytes and doesn't end in a
+   * space.
+   */
   private static String shortened(String name, int maxBytes) {
     String text = name;
     while (text.getBytes(StandardCharsets.UTF_8).length > maxBytes) {
@@ -171,12 +176,12 @@ public final class Seats {
       this.secret = secret;
     }
 
-    /** The player's id, 0..1,023. */
+    /** Returns the player's id, 0..1,023. */
     public int id() {
       return id;
     }
 
-    /** The player's name, unique in the room. */
+    /** Returns the player's name, unique in the room. */
     public String name() {
       return name;
     }

@@ -184,7 +184,7 @@ public final class Session implements LinkHandler {
       return;
     }
     counters.add(Counter.DIVERGENCES_UNEXPLAINED, 1);
-    if (divergenceLines.begins(nowNs)) {
+    if (divergenceLines.tryBegin(nowNs)) {
       LOG.warn(
           report.isOfSet()
               ? "diverged: {} predicted tick {} of what is near otherwise, though equal at tick"
@@ -304,7 +304,7 @@ public final class Session implements LinkHandler {
     return link != null && link.send(message);
   }
 
-  /** As {@link #send(ServerMessage)}, a message for many sessions. */
+  /** Sends a message that many sessions share, as {@link #send(ServerMessage)} does. */
   public boolean send(Broadcast message) {
     return link != null && link.send(message);
   }
@@ -328,17 +328,17 @@ public final class Session implements LinkHandler {
     knowsRoster = true;
   }
 
-  /** The place in the room: id, name, secret. */
+  /** Returns the place in the room: id, name, secret. */
   public Seats.Seat seat() {
     return seat;
   }
 
-  /** The player in the room's simulation. */
+  /** Returns the player in the room's simulation. */
   public Player player() {
     return player;
   }
 
-  /** The present state: playing, in grace or closed. */
+  /** Returns the present state: playing, in grace or closed. */
   public SessionState state() {
     return state;
   }
@@ -353,7 +353,7 @@ public final class Session implements LinkHandler {
     return offence;
   }
 
-  /** When the grace period is over; meaningful in {@link SessionState#GRACE}. */
+  /** Returns when the grace period is over; meaningful in {@link SessionState#GRACE}. */
   public long graceEndNs() {
     return graceEndNs;
   }
@@ -363,7 +363,7 @@ public final class Session implements LinkHandler {
     return linkLost;
   }
 
-  /** Why the link has closed. */
+  /** Returns why the link has closed. */
   public String linkLostReason() {
     return linkLostReason;
   }
@@ -381,7 +381,7 @@ public final class Session implements LinkHandler {
     return timeNs - graceEndNs >= 0;
   }
 
-  /** The peer for log lines. */
+  /** Returns the peer for log lines. */
   public String remote() {
     return link == null ? "no link" : link.remote();
   }
@@ -391,7 +391,7 @@ public final class Session implements LinkHandler {
     return replication;
   }
 
-  /** The input buffer, for inspection. */
+  /** Returns the input buffer, for inspection. */
   public InputBuffer inputs() {
     return inputs;
   }

@@ -10,14 +10,15 @@ import java.io.FileInputStream;
 import java.io.PrintStream;
 
 /**
- * The process in which one entrant does one job: what another compiled or collected never matters.
- * It measures only while it has the turn, and its last line of standard output is the row.
+ * The program of a process in which one entrant does one job. Each entrant has its own JVM, so what
+ * another one compiled or collected doesn't matter. The program measures only while it has the
+ * turn, and its last line on standard output is the row.
  */
 final class BenchChild {
   private BenchChild() {}
 
   /**
-   * Measures.
+   * Runs the job and prints its row.
    *
    * @param args engine, kernels, threads, job, seconds of warm-up, seconds of the cap, whether
    *     quick

@@ -24,12 +24,12 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /**
- * {@code carom bench}, {@code carom-server bench}: measures the engine, each row in a process of
- * its own, the entrants of a scene in turns.
+ * Runs {@code carom bench} and {@code carom-server bench}, which measure the engine. Each row is
+ * measured in its own process, and the entrants of a scene take turns.
  *
- * <p>The tables go to standard output, progress to standard error; with {@code --json} and no file
- * the rows go to standard output and the tables to standard error. Exit codes: 0 even if rows have
- * faults, which they tell; 1 if a file can't be written; 2 for bad flags.
+ * <p>The tables go to standard output and the progress to standard error. With {@code --json} and
+ * no file, the rows go to standard output and the tables to standard error. Exit codes: 0, also if
+ * rows have faults, which the rows state; 1 if a file can't be written; 2 for bad flags.
  */
 @Command(
     name = "bench",
@@ -149,7 +149,7 @@ public final class BenchCommand implements Callable<Integer> {
   public BenchCommand() {}
 
   /**
-   * Runs it alone, as {@code ./gradlew bench} does.
+   * Runs the command alone, as {@code ./gradlew bench} does.
    *
    * @param args see {@code --help}
    */
@@ -167,7 +167,7 @@ public final class BenchCommand implements Callable<Integer> {
     PrintWriter err = spec.commandLine().getErr();
     Runtime.getRuntime().addShutdownHook(new Thread(this::endProcesses, "bench-stop"));
     try {
-      write(); // a file that can't be written is told before the work, not after
+      write(); // so that a file that can't be written ends the command before the work
       for (int i = 0; i < jobs.size(); i++) {
         BenchJob job = jobs.get(i);
         String progress = "[" + (i + 1) + "/" + jobs.size() + "] " + job.name();
@@ -196,9 +196,9 @@ public final class BenchCommand implements Callable<Integer> {
   }
 
   /**
-   * All entrants of a job, in turns: each has its first slice, then each its second one.
+   * Measures all entrants of a job in turns: each does its first slice, then each its second one.
    *
-   * @return a row of each
+   * @return the row of each entrant
    */
   private List<BenchRow> measure(
       BenchJob job, BenchJob.Choice wanted, String progress, PrintWriter err)
@@ -235,7 +235,7 @@ public final class BenchCommand implements Callable<Integer> {
     return (time + row.fault()).strip();
   }
 
-  /** Gives Carom's rows of a job the ratios, and finds out who should have agreed. */
+  /** Adds the ratios to Carom's rows of a job, and finds entrants that should have agreed. */
   private static void compare(BenchJob job, List<BenchRow> ofJob) {
     BenchRow first = ofJob.get(0);
     for (int i = 0; i < ofJob.size(); i++) {

@@ -13,7 +13,7 @@ import java.io.OutputStream;
 import java.nio.file.Files;
 import java.util.List;
 
-/** One entrant's process, seen from the command that lets them take turns; see {@link Turns}. */
+/** The process of one entrant, for the command that hands out the turns; see {@link Turns}. */
 final class BenchProcess implements AutoCloseable {
   private final String job;
   private final Entrant entrant;
@@ -24,11 +24,11 @@ final class BenchProcess implements AutoCloseable {
   private BenchRow row;
 
   /**
-   * Starts it. It does nothing until it gets its first {@link #turn}.
+   * Starts the process. It does nothing until its first {@link #turn}.
    *
-   * @param job what it measures
-   * @param entrant who it is
-   * @param command to run
+   * @param job the job that it measures
+   * @param entrant the entrant that it measures
+   * @param command the command to run
    * @throws IOException if there is no such program
    */
   BenchProcess(String job, Entrant entrant, List<String> command) throws IOException {
@@ -50,16 +50,16 @@ final class BenchProcess implements AutoCloseable {
   }
 
   /**
-   * Lets it measure a slice, and waits until it passes its turn on or ends.
+   * Lets the process measure a slice, and waits until it gives the turn back or ends.
    *
-   * @return whether it has more to do; if not, there is a {@link #row}
+   * @return whether it has more to measure; if not, {@link #row} returns the result
    */
   boolean turn() throws IOException, InterruptedException {
     try {
       turns.write('\n');
       turns.flush();
     } catch (IOException e) {
-      // It has ended; what it said before tells why.
+      // The process has ended; its output tells why.
     }
     String last = "";
     for (String line = answers.readLine(); line != null; line = answers.readLine()) {
@@ -73,7 +73,7 @@ final class BenchProcess implements AutoCloseable {
     return false;
   }
 
-  /** What somebody else's program says amiss costs its row, not those of all others. */
+  /** Returns the row in a process's last line. A malformed line costs this row only. */
   private BenchRow rowOf(String json) {
     try {
       return BenchRow.ofJson(json);
@@ -82,12 +82,12 @@ final class BenchProcess implements AutoCloseable {
     }
   }
 
-  /** The result, once a {@link #turn} was the last one. */
+  /** Returns the result, after the last {@link #turn}. */
   BenchRow row() {
     return row;
   }
 
-  /** The first line that looks like an exception. */
+  /** Returns the first line that looks like an exception. */
   private String fault(int status) throws IOException {
     return Files.readAllLines(errors.toPath()).stream()
         .filter(line -> line.contains("Exception") || line.contains("Error"))
@@ -96,7 +96,7 @@ final class BenchProcess implements AutoCloseable {
         .orElse("ended with status " + status);
   }
 
-  /** Ends it if it still runs. Any thread. */
+  /** Ends the process if it still runs. Any thread. */
   @Override
   public void close() {
     process.destroyForcibly();

@@ -7,18 +7,18 @@ import java.util.List;
 import java.util.function.Supplier;
 
 /**
- * How a scene is measured.
+ * A scene with the conditions of its measurement.
  *
- * @param name of the scene
- * @param warm steps before the measured ones, in the same world
- * @param measured steps that are timed
- * @param gate what the last state must be like
- * @param peers whether other engines do it, too
- * @param scenes gives its recipe
+ * @param name name of the scene
+ * @param warm number of steps before the measured ones, in the same world
+ * @param measured number of timed steps
+ * @param gate conditions on the last state
+ * @param peers whether other engines run the scene, too
+ * @param scenes creates the scene
  */
 record BenchScene(
     String name, int warm, int measured, Gate gate, boolean peers, Supplier<Scene> scenes) {
-  /** Those that are measured unless flags say otherwise. */
+  /** The scenes that are measured by default. */
   static final List<BenchScene> ALL =
       List.of(
           of("large_pyramid", 60, 200, Gate.still(500, 105)),
@@ -27,13 +27,13 @@ record BenchScene(
           of("pile_2k", 240, 240, Gate.still(20_000, 60)),
           of("pile_10k", 240, 240, Gate.still(200_000, 90)),
           of("joint_grid", 60, 240, Gate.FINITE.joined(1)),
-          // The block has 512 kg and 40 m/s.
+          // The block has a mass of 512 kg and a speed of 40 m/s.
           of("smash", 60, 200, new Gate(415_000, 0, 0.2, 1, 1000, Integer.MAX_VALUE)),
           gas(1),
           gas(10),
           gas(50),
-          // Time for other engines to send the sleepers, whom their first step wakes, to sleep
-          // again.
+          // The first step of other engines wakes the sleeping bodies, which need this time to fall
+          // asleep again.
           asleep("asleep_20k", 20_000, 50, 120, true),
           asleep("asleep_1m", 1_000_000, 1000, 30, false),
           new BenchScene(
@@ -53,7 +53,7 @@ record BenchScene(
     return of("gas_" + thousands + "k", 60, 240, Gate.elastic(energy, half + 0.5));
   }
 
-  /** Too large for the library of scenes, whose worlds people look at and tests run. */
+  /** Returns a scene that is too large for the library, whose scenes people watch and tests run. */
   private static BenchScene asleep(
       String name, int asleep, int awake, int warm, boolean withPeers) {
     Gate gate = Gate.FINITE.asleepBut(awake);
@@ -62,7 +62,7 @@ record BenchScene(
   }
 
   /**
-   * How the scene of a name is measured; any scene of the library will do.
+   * Returns the measured scene of a name, which may be any scene of the library.
    *
    * @throws IllegalArgumentException if there is none, naming the nearest
    */
@@ -79,12 +79,14 @@ record BenchScene(
     return scenes.get();
   }
 
-  /** Whether all of it is awake: what mostly sleeps has nothing that threads could share. */
+  /**
+   * Returns whether the whole scene is awake. Threads can hardly share a scene that mostly sleeps.
+   */
   boolean isBusy() {
     return gate.maxAwake() == Integer.MAX_VALUE;
   }
 
-  /** The same with a quarter of the timed steps. */
+  /** Returns a copy with a quarter of the timed steps. */
   BenchScene quick() {
     return new BenchScene(name, warm, Math.max(10, measured / 4), gate, peers, scenes);
   }

@@ -12,9 +12,9 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Results for people: the same tables on a terminal and in Markdown. The rows, those of the
- * laboratory apart, the other engines' times as multiples of Carom's, what threads gain, and where
- * Carom's time goes. A figure of a run that doesn't count has an exclamation mark.
+ * Writes results as tables for people, for a terminal or in Markdown: the rows, with those of the
+ * laboratory apart; the other engines' times as multiples of Carom's; the gain of threads; and the
+ * stages of Carom's steps. A figure of a run that doesn't count has an exclamation mark.
  */
 final class BenchTable {
   private static final List<String> HEADERS =
@@ -38,12 +38,12 @@ final class BenchTable {
 
   private BenchTable() {}
 
-  /** Aligned by blanks. */
+  /** Returns tables aligned by blanks. */
   static String plain(List<BenchRow> rows) {
     return tables(rows, "", "  ", "");
   }
 
-  /** Tables as GitHub shows them. */
+  /** Returns tables in Markdown. */
   static String markdown(List<BenchRow> rows) {
     return tables(rows, "| ", " | ", " |");
   }
@@ -92,7 +92,7 @@ final class BenchTable {
     return List.of("scene", "engine", LAB_HEADER, "hash", "fault").contains(header);
   }
 
-  /** What was measured; what no server or client uses is in a table of its own. */
+  /** Returns the rows; those of methods that no server or client uses form their own table. */
   private static List<List<String>> results(List<BenchRow> rows, boolean lab) {
     List<String> headers = new ArrayList<>(HEADERS);
     headers.set(1, lab ? LAB_HEADER : headers.get(1));
@@ -139,7 +139,7 @@ final class BenchTable {
     return row.counts() ? "" : "!";
   }
 
-  /** A line per scene: the first row's time, what the others take of it, and Box2D v3. */
+  /** Returns a line per scene: the first row's time, and the other rows and Box2D v3 beside it. */
   private static List<List<String>> ratios(List<BenchRow> rows) {
     Map<String, BenchRow> firsts = firsts(rows);
     Set<String> others = new LinkedHashSet<>();
@@ -175,7 +175,7 @@ final class BenchTable {
     return others.isEmpty() ? List.of(header) : lines;
   }
 
-  /** Per scene the row that others are compared with: the first that gave figures. */
+  /** Returns, for each scene, the row that others are compared with: the first with figures. */
   private static Map<String, BenchRow> firsts(List<BenchRow> rows) {
     Map<String, BenchRow> firsts = new LinkedHashMap<>();
     for (BenchRow row : rows) {
@@ -186,7 +186,7 @@ final class BenchTable {
     return firsts;
   }
 
-  /** What several threads gain beside what they could, for rows that have it. */
+  /** Returns the gain of several threads beside its ceiling, for rows that have both. */
   private static List<List<String>> scaling(List<BenchRow> rows) {
     List<List<String>> lines = new ArrayList<>();
     lines.add(List.of("scene", "engine", "speed-up", "ceiling", "share"));
@@ -205,7 +205,7 @@ final class BenchTable {
     return lines;
   }
 
-  /** Milliseconds per stage, for rows that have them. */
+  /** Returns the time of each stage, ms, for rows that have it. */
   private static List<List<String>> stages(List<BenchRow> rows) {
     List<String> header = new ArrayList<>(List.of("scene", "engine"));
     for (StepStage stage : StepStage.values()) {

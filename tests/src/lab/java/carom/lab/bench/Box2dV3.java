@@ -5,11 +5,11 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * How a time compares with Box2D v3, which no JVM runs: by the engines that were once measured
- * beside it on one machine (AVX2, one thread, CPU time, the same scenes).
+ * Compares times with Box2D v3, which doesn't run on a JVM. The comparison goes through engines
+ * that were measured beside v3 on one machine (AVX2, one thread, CPU time, the same scenes).
  */
 final class Box2dV3 {
-  /** How many times v3's time another engine takes. */
+  /** The times of other engines as multiples of v3's. */
   private record Factor(double gdx, double jbox2d) {}
 
   private static final Map<String, Factor> FACTORS =
@@ -28,7 +28,8 @@ final class Box2dV3 {
   private Box2dV3() {}
 
   /**
-   * A row's time as a multiple of v3's, carried over by the other engines' rows of the same run.
+   * Returns a row's time as a multiple of v3's, carried over by the other engines' rows of the same
+   * run.
    *
    * @param row of Carom, with ratios
    * @return for instance {@code 0.83 by gdx-box2d, 0.71 by jbox2d}; empty if it can't be told

@@ -6,7 +6,7 @@ import carom.physics.threads.WorkerThreads;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneRun;
 
-/** The engine of this program. */
+/** Carom as an engine of the benchmark. */
 final class CaromEngine implements BenchEngine {
   private final int threads;
 
@@ -16,9 +16,9 @@ final class CaromEngine implements BenchEngine {
   private SceneRun run;
 
   /**
-   * Makes one without a world.
+   * Creates an engine without a world.
    *
-   * @param threads how many step a world together, 1..64
+   * @param threads number of threads that step a world together, 1..64
    */
   CaromEngine(int threads) {
     this.threads = threads;
@@ -47,12 +47,12 @@ final class CaromEngine implements BenchEngine {
     return run.world();
   }
 
-  /** The hash of the world, and of particles if there are any. */
+  /** Returns the hash of the world, and of particles if there are any. */
   long stateHash() {
     return run.particles().isEmpty() ? run.world().stateHash() : run.stateHash();
   }
 
-  /** How many there are in all systems together. */
+  /** Returns the number of particles of all systems. */
   int particles() {
     return run.particles().stream().mapToInt(some -> some.particles().count()).sum();
   }

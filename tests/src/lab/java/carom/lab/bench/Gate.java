@@ -4,7 +4,7 @@ import carom.sim.scene.SceneReport;
 import java.util.Locale;
 
 /**
- * What the end state of a run must be like for its times to count.
+ * The conditions on the end state of a run. The times of a run that misses one don't count.
  *
  * @param maxEnergy largest kinetic energy of all bodies together, J
  * @param minEnergy least kinetic energy, J
@@ -22,35 +22,35 @@ record Gate(
     int maxAwake) {
   private static final double ANY = Double.POSITIVE_INFINITY;
 
-  /** Only that every number is finite. */
+  /** The gate that only requires finite numbers. */
   static final Gate FINITE = new Gate(ANY, 0, ANY, ANY, ANY, Integer.MAX_VALUE);
 
-  /** Bodies of about half a metre that come to rest, or nearly. */
+  /** Returns the gate of bodies of about 0.5 m that come to rest, or nearly. */
   static Gate still(double maxEnergy, double maxCoordinate) {
     return new Gate(maxEnergy, 0, 0.1, ANY, maxCoordinate, Integer.MAX_VALUE);
   }
 
-  /** Elastic discs: within 5 percent of the energy they started with. */
+  /** Returns the gate of elastic discs: within 5 % of their initial energy. */
   static Gate elastic(double energy, double maxCoordinate) {
     return new Gate(1.05 * energy, 0.95 * energy, 0.25, ANY, maxCoordinate, Integer.MAX_VALUE);
   }
 
-  /** The same with hinges that hold. */
+  /** Returns a copy that also requires the hinges to hold. */
   Gate joined(double gap) {
     return new Gate(maxEnergy, minEnergy, maxPenetration, gap, maxCoordinate, maxAwake);
   }
 
-  /** The same with most bodies asleep. */
+  /** Returns a copy that also requires most bodies to sleep. */
   Gate asleepBut(int awake) {
     return new Gate(maxEnergy, minEnergy, maxPenetration, maxJointGap, maxCoordinate, awake);
   }
 
   /**
-   * Whether a run counts.
+   * Checks the end state of a run.
    *
-   * @param end its last state
-   * @param awake how many bodies are awake in it
-   * @return why not, or the empty string
+   * @param end the last state
+   * @param awake number of bodies awake in it
+   * @return why the run doesn't count, or an empty text
    */
   String fault(SceneReport end, int awake) {
     if (end.nanCount() > 0) {

@@ -9,11 +9,11 @@ import carom.sim.scene.catalog.Scenes;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What the benchmark measures, by name. */
+/** Finds the jobs of the benchmark by name. */
 final class Jobs {
   private Jobs() {}
 
-  /** All jobs that run unless flags say otherwise, in the order of the table. */
+  /** Returns the jobs that run by default, in the order of the table. */
   static List<BenchJob> all() {
     List<BenchJob> jobs = new ArrayList<>();
     BenchScene.ALL.forEach(scene -> jobs.add(new SceneJob(scene)));
@@ -38,7 +38,7 @@ final class Jobs {
   }
 
   /**
-   * The jobs of the names.
+   * Returns the jobs of the names.
    *
    * @param names of jobs, groups, or any scene of the library
    * @throws IllegalArgumentException if there is none of a name, naming the nearest
@@ -57,7 +57,7 @@ final class Jobs {
   }
 
   /**
-   * The job of a name.
+   * Returns the job of a name.
    *
    * @throws IllegalArgumentException if there is none, naming the nearest
    */

@@ -10,8 +10,8 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * Another engine, given the bodies that Carom has before its first step: the same numbers, rounded
- * to the same floats.
+ * An engine that the benchmark compares with Carom. It gets the bodies that Carom has before its
+ * first step, with the same floats.
  *
  * @param <B> that engine's bodies
  */
@@ -26,7 +26,7 @@ public abstract class PeerEngine<B> implements BenchEngine {
   private World<String> copy;
   private float tickSeconds;
 
-  /** For subclasses; the engine is found by its class name, so it has no arguments. */
+  /** Creates an engine. The service loader calls subclasses' constructors without arguments. */
   protected PeerEngine() {}
 
   @Override
@@ -80,26 +80,26 @@ public abstract class PeerEngine<B> implements BenchEngine {
   }
 
   /**
-   * Makes an empty world, in place of the one before.
+   * Creates an empty world, in place of the one before.
    *
-   * @param start gravity and whether bodies may fall asleep are taken from it
+   * @param start gives the gravity and whether bodies may fall asleep
    */
   protected abstract void open(World<?> start);
 
   /**
-   * Makes a body.
+   * Creates a body.
    *
-   * @param body what to copy: type, pose, velocities, gravity scale, whether it sleeps, shapes with
-   *     material and filter
+   * @param body the body to copy: type, pose, velocities, gravity scale, whether it sleeps, shapes
+   *     with material and filter
    * @return the engine's own
    * @throws UnsupportedOperationException if a shape is neither circle, box nor polygon
    */
   protected abstract B add(Body<?> body);
 
   /**
-   * Makes a joint.
+   * Creates a joint.
    *
-   * @param joint what to copy
+   * @param joint the joint to copy
    * @param a the engine's body for {@code joint.bodyA()}
    * @param b the engine's body for {@code joint.bodyB()}
    * @throws UnsupportedOperationException if it isn't a hinge
@@ -107,14 +107,14 @@ public abstract class PeerEngine<B> implements BenchEngine {
   protected abstract void join(Joint<?> joint, B a, B b);
 
   /**
-   * Makes a step.
+   * Does a step.
    *
-   * @param dtSeconds its length
+   * @param dtSeconds length of the step, s
    */
   protected abstract void step(float dtSeconds);
 
   /**
-   * Whether a body is awake and not static.
+   * Returns whether a body is awake and not static.
    *
    * @param peer the engine's body
    * @return true if steps move it
@@ -125,7 +125,7 @@ public abstract class PeerEngine<B> implements BenchEngine {
    * Copies a dynamic body's pose and velocities back.
    *
    * @param from the engine's body
-   * @param into where to; takes the pose of the origin, not of the centre of mass
+   * @param into receives the pose of the origin, not of the centre of mass
    */
   protected abstract void read(B from, Body<?> into);
 }

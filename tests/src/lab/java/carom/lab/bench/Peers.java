@@ -16,16 +16,16 @@ import java.util.ServiceLoader;
 import java.util.stream.Stream;
 
 /**
- * The other engines: those on the class path, as in {@code ./gradlew bench}, and those whose jars
- * are in the folder {@code peers} next to the jar of this class, as in the distribution. Only the
- * processes that measure ever have them on their class path.
+ * Finds the other engines: those on the class path, as in {@code ./gradlew bench}, and those whose
+ * jars are in the folder {@code peers} next to the jar of this class, as in an installation. Only
+ * measuring processes have them on their class path.
  */
 final class Peers {
   private static final String FOLDER = "peers";
 
   private Peers() {}
 
-  /** Their names, sorted. */
+  /** Returns the names of the other engines, sorted. */
   static List<String> names() {
     List<String> names = new ArrayList<>();
     List<URL> urls = new ArrayList<>();
@@ -46,7 +46,7 @@ final class Peers {
     return names;
   }
 
-  /** The class path for a process that measures. */
+  /** Returns the class path of a measuring process. */
   static String classPath() {
     StringBuilder path = new StringBuilder(Lab.classPath());
     jars().forEach(jar -> path.append(File.pathSeparator).append(jar));
@@ -54,7 +54,7 @@ final class Peers {
   }
 
   /**
-   * The engine of a name, in a process that measures.
+   * Returns the engine of a name. For measuring processes only.
    *
    * @throws IllegalArgumentException if it isn't on the class path
    */

@@ -6,27 +6,27 @@ import carom.sim.scene.SceneRun;
 import java.util.Arrays;
 
 /**
- * Measures {@link Scaling} beside a world that several threads step: one more world stepped by the
- * calling thread alone, and one per thread that are stepped at once. They do as many steps as the
- * measured one, in the same turns. One thread at a time.
+ * Measures {@link Scaling} beside a world that several threads step. The meter steps one more world
+ * on the calling thread alone, and one world per thread at the same time. Each does as many steps
+ * as the measured world, in the same turns. One thread at a time.
  */
 final class ScalingMeter implements AutoCloseable {
-  /** How long helpers sleep between looks for work while others have the turn, ms. */
+  /** Time for which helpers sleep between two looks for work while others have the turn, ms. */
   private static final int IDLE_MS = 1;
 
   private final SceneRun alone;
   private final SceneRun[] together;
   private final Thread[] helpers;
 
-  /** How many steps the worlds that are stepped at once are to have done. */
+  /** Number of steps that each of the worlds stepped at the same time should reach. */
   private volatile int wanted;
 
-  /** Whether steps follow each other closely, so that helpers spin. */
+  /** Whether steps follow each other closely. Helpers spin then. */
   private volatile boolean busy;
 
   private volatile boolean closed;
 
-  /** Per helper: the steps it has done. */
+  /** The number of steps done, by helper. */
   private final Progress[] done;
 
   private double[] aloneMs = new double[0];
@@ -35,17 +35,17 @@ final class ScalingMeter implements AutoCloseable {
   private double[] ceilings = new double[0];
   private double[] shares = new double[0];
 
-  /** A counter that only its thread writes. */
+  /** A counter that only one thread writes. */
   private static final class Progress {
     private volatile int steps;
   }
 
   /**
-   * Makes the worlds.
+   * Builds the worlds and starts the helpers.
    *
-   * @param scene that is measured
-   * @param threads how many, at least 2
-   * @param warm steps to do before the first slice
+   * @param scene the measured scene
+   * @param threads number of threads, at least 2
+   * @param warm number of steps before the first slice
    */
   ScalingMeter(Scene scene, int threads, int warm) {
     alone = scene.start();
@@ -88,9 +88,9 @@ final class ScalingMeter implements AutoCloseable {
   }
 
   /**
-   * Steps the worlds after the measured one did the same.
+   * Steps the worlds as far as the measured world.
    *
-   * @param milliseconds of each of its steps, by the clock
+   * @param milliseconds clock time of each step of the measured world, ms
    */
   void slice(double[] milliseconds) {
     int steps = milliseconds.length;
@@ -143,14 +143,14 @@ final class ScalingMeter implements AutoCloseable {
     return sorted[sorted.length / 2];
   }
 
-  /** The medians of the slices; {@link Scaling#NONE} if there was none. */
+  /** Returns the medians over the slices, or {@link Scaling#NONE} if there was no slice. */
   Scaling result() {
     return shares.length == 0
         ? Scaling.NONE
         : new Scaling(median(speedUps), median(ceilings), median(shares));
   }
 
-  /** Ends the threads. */
+  /** Ends the helpers. */
   @Override
   public void close() {
     closed = true;

@@ -7,7 +7,7 @@ import carom.lab.measure.Measurement;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Steps a scene, by Carom and by other engines. */
+/** The job that steps a scene, with Carom and with other engines. */
 record SceneJob(BenchScene scene) implements BenchJob {
   @Override
   public String name() {

@@ -19,23 +19,25 @@ import java.util.Map;
 /**
  * Measures an engine on a scene, on the calling thread.
  *
- * <p>First the scene is repeated in fresh worlds until the compiler is done: for {@link
- * Measurement#warmUpSeconds} and {@value #LEAST_STEPS} steps at least, and until a repeat is hardly
- * faster than the one before. Then it runs once more, some steps untimed, then the timed ones in
- * slices, between which the other entrants have their turns. With several threads each slice is
- * followed by one of the worlds that tell {@link Scaling}. Carom runs a further time with its
- * stages told, which must end in the same bits.
+ * <ol>
+ *   <li>Warm-up: the scene runs in fresh worlds for at least {@link Measurement#warmUpSeconds} and
+ *       {@value #LEAST_STEPS} steps, until a run is hardly faster than the one before.
+ *   <li>Measurement: the scene runs once more, first untimed steps and then timed ones in slices,
+ *       between which the other entrants have their turns. With several threads, a slice of the
+ *       worlds of {@link ScalingMeter} follows each slice.
+ *   <li>Stages: Carom runs the scene once more with a stage listener. It must end in the same bits.
+ * </ol>
  */
 final class SceneMeasurement {
-  /** What the compiler needs to have seen, whatever the clock says. */
+  /** Fewest steps of a warm-up, so that the JIT compiler has seen enough on any machine. */
   private static final int LEAST_STEPS = 400;
 
-  /** A repeat that takes this part of the one before, or more, is no longer getting faster. */
+  /** The warm-up ends when a run takes at least this part of the time of the run before. */
   private static final double STEADY = 0.95;
 
   private SceneMeasurement() {}
 
-  /** Measures, and closes the engine. */
+  /** Measures the engine and closes it. */
   static BenchRow run(
       BenchScene given, BenchEngine engine, Entrant entrant, Measurement measurement) {
     BenchScene how = measurement.quick() ? given.quick() : given;
@@ -97,7 +99,7 @@ final class SceneMeasurement {
     double last = 0;
     double begin = Stopwatch.cpuSeconds();
     while (Stopwatch.cpuSeconds() - begin
-            < measurement.capSeconds() // the making of worlds counts here
+            < measurement.capSeconds() // building the worlds counts here
         && (spent < measurement.warmUpSeconds() || made < LEAST_STEPS || last < STEADY * before)) {
       before = last == 0 ? Double.POSITIVE_INFINITY : last;
       engine.start(scene);
@@ -105,7 +107,7 @@ final class SceneMeasurement {
       while (!watch.isFull() && Stopwatch.cpuSeconds() - begin < measurement.capSeconds()) {
         step(engine, watch);
       }
-      // A clock that stands still must not hang us.
+      // The least time per step ends the loop even if the clock stands still.
       last = Math.max(watch.spent(), 1e-6 * watch.count());
       spent += last;
       made += watch.count();
@@ -141,7 +143,7 @@ final class SceneMeasurement {
     return count[0];
   }
 
-  /** Of the dynamic bodies' poses, for engines that have no hash of their own. */
+  /** Returns a hash of the dynamic bodies' poses, for engines without a hash. */
   private static long hash(World<?> world) {
     long[] hash = {0};
     world.forEachBody(

@@ -20,9 +20,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The start of a server with a level of 10,000 bodies, from starting the process to the end of the
- * first tick, by the clock. Of an installation it starts {@code bin/carom-server}, as users do; of
- * a build, whose classes nobody prepared, the class.
+ * The job that times the start of a server with a level of 10,000 bodies, from the start of the
+ * process to the end of the first tick, by the clock. In an installation it starts {@code
+ * bin/carom-server}, as users do; in a build it starts the class.
  */
 record StartupJob() implements BenchJob {
   /** By name, as it uses this package. */
@@ -64,7 +64,7 @@ record StartupJob() implements BenchJob {
     return BenchRow.of(name(), entrant, COLUMNS * ROWS, times);
   }
 
-  /** Stacks of boxes on a floor. */
+  /** Returns a level with stacks of boxes on a floor. */
   private static String level() {
     return """
     {"name":"Crates","game":"platformer","gravity":[0,-10],
@@ -90,7 +90,7 @@ record StartupJob() implements BenchJob {
     return command;
   }
 
-  /** Where the start script is if this class is in a jar of an installation. */
+  /** Returns the path of the start script if this class is in a jar of an installation. */
   private static Path installed() {
     try {
       URL mine = StartupJob.class.getProtectionDomain().getCodeSource().getLocation();

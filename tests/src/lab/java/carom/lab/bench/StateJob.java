@@ -20,34 +20,34 @@ import java.util.List;
 import java.util.function.Supplier;
 
 /**
- * What can be done with a pile of 10,000 bodies between two steps, and making it. Only the call is
- * timed, not the step before it.
+ * A job that times work on the state of a pile of 10,000 bodies: saving, restoring, quantising or
+ * building it. Only the call is timed, not the step before it.
  *
- * @param name like {@code save_10k}
- * @param work makes what is repeated
+ * @param name name of the job, like {@code save_10k}
+ * @param work creates the work to repeat
  */
 record StateJob(String name, Supplier<Work> work) implements BenchJob {
   private static final int BODIES = 10_000;
 
-  /** By then the lower half of the pile lies. */
+  /** Number of steps after which the lower half of the pile lies still. */
   private static final int WARM = 120;
 
   private static final int TIMED = 200;
 
   /**
-   * By then every buffer was used (the ring of frames is the longest), and everything goes through
-   * vector kernels where there are any: for angles that takes 267 frames.
+   * Number of repetitions after which every buffer was used (the ring of frames is the longest) and
+   * all vector kernels are in use; those for angles need 267 frames.
    */
   private static final int LEAST_WARM_UP = FrameRing.SIZE + 240;
 
   private static final float DT = 1f / Scene.DEFAULT_TICK_RATE;
 
   /**
-   * What is repeated.
+   * The work that a job repeats.
    *
-   * @param before done before each timed call, untimed
-   * @param timed the call
-   * @param world whose hash the row shows at the end, null for none
+   * @param before runs before each timed call, untimed
+   * @param timed the timed call
+   * @param world the world whose hash the row shows, or null for none
    */
   private record Work(Runnable before, Runnable timed, World<?> world) {}
 
@@ -71,14 +71,14 @@ record StateJob(String name, Supplier<Work> work) implements BenchJob {
     return run;
   }
 
-  /** Copies the state out, into an object that was used before. */
+  /** Returns work that saves the state into a reused object. */
   private static Work save() {
     World<String> world = pile(WARM).world();
     WorldState reused = world.save(null);
     return new Work(() -> world.step(DT), () -> world.save(reused), world);
   }
 
-  /** Goes back by one step. */
+  /** Returns work that restores the state of one step before. */
   private static Work restore() {
     World<String> world = pile(WARM).world();
     WorldState state = world.save(null);
@@ -90,7 +90,10 @@ record StateJob(String name, Supplier<Work> work) implements BenchJob {
     return new Work(() -> world.step(DT), world::stateHash, world);
   }
 
-  /** Quantises the state for the wire, as a room does once per tick for all its players. */
+  /**
+   * Returns work that quantises the state for snapshots, as a room does once per tick for all its
+   * players.
+   */
   private static Work quantise() {
     Scene scene = pile();
     Simulation simulation =
@@ -104,13 +107,13 @@ record StateJob(String name, Supplier<Work> work) implements BenchJob {
     return new Work(simulation::step, () -> newest[0] = capture.capture(), simulation.world());
   }
 
-  /** Makes a world and its bodies. */
+  /** Returns work that builds a world and its bodies. */
   private static Work create() {
     SceneRun[] newest = {null};
     return new Work(() -> newest[0] = null, () -> newest[0] = pile(0), null);
   }
 
-  /** The step in which the trees are built and all pairs are found. */
+  /** Returns work that does a first step, which builds the trees and finds all pairs. */
   private static Work firstStep() {
     SceneRun[] newest = {null};
     return new Work(() -> newest[0] = pile(0), () -> newest[0].step(), null);
@@ -121,7 +124,7 @@ record StateJob(String name, Supplier<Work> work) implements BenchJob {
     return wanted.kernels().stream().map(k -> new Entrant(Entrant.CAROM, k, 1)).toList();
   }
 
-  /** How many steps warm-up has depends on the clock, so each ends with another state. */
+  /** Returns false, because the number of warm-up steps, and so the state, depends on the clock. */
   @Override
   public boolean mustAgree(Entrant entrant) {
     return false;

@@ -12,14 +12,14 @@ import java.util.Arrays;
 import java.util.Locale;
 
 /**
- * A small benchmark of structures for the broadphase alone: all boxes move, every overlapping pair
- * is reported. What the engine takes with them, {@link PairSearchJob} measures.
+ * A small benchmark of broadphase structures alone: all boxes move, and the structure reports every
+ * overlapping pair. {@link PairSearchJob} measures the engine's own search.
  *
  * <p>Times are CPU nanoseconds of the calling thread per box and tick, motion excluded. One row
  * takes about the seconds asked for.
  */
 public final class BroadphaseBench {
-  /** What is measured. */
+  /** The structures and methods to measure. */
   public enum Method {
     /** KD-tree, built anew every tick. */
     KD_REBUILD,
@@ -42,7 +42,7 @@ public final class BroadphaseBench {
   }
 
   /**
-   * One row of results.
+   * A row of results.
    *
    * @param method what was measured
    * @param boxes number of boxes
@@ -102,7 +102,7 @@ public final class BroadphaseBench {
 
   private static final int SLICES = 12;
 
-  /** Ticks that are measured at most; there is no limit to those of the warm-up. */
+  /** Most ticks measured. The warm-up has no limit. */
   private static final int MOST_TICKS = 100_000;
 
   private BroadphaseBench() {}

@@ -10,8 +10,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Structures for the broadphase alone: all boxes move, every overlapping pair is reported. Under
- * the engine's name goes its tree; {@link PairSearchJob} tells what the engine takes with it.
+ * The job that measures broadphase structures alone: all boxes move, and the structure reports
+ * every overlapping pair. The row with the engine's name is its tree; {@link PairSearchJob}
+ * measures the engine's own search.
  *
  * @param name like {@code bp_uniform_10k}
  * @param boxes how many
@@ -20,10 +21,10 @@ import java.util.List;
 public record BroadphaseJob(String name, int boxes, boolean clustered) implements BenchJob {
   private static final int[] THOUSANDS = {1, 10, 100, 1000};
 
-  /** Testing all against all takes a second for 100,000 boxes. */
+  /** Most boxes of the brute-force row. Testing all pairs of 100,000 boxes takes a second. */
   private static final int MOST_BRUTE = 10_000;
 
-  /** Returns all of them, in the order of the table. */
+  /** Returns all jobs of this kind in the order of the table. */
   public static List<BenchJob> all() {
     List<BenchJob> jobs = new ArrayList<>();
     for (boolean clustered : new boolean[] {false, true}) {
@@ -36,7 +37,7 @@ public record BroadphaseJob(String name, int boxes, boolean clustered) implement
     return jobs;
   }
 
-  /** The engine's tree first, under the engine's name. */
+  /** Returns the entrants: first the engine's tree, under the engine's name. */
   @Override
   public List<Entrant> entrants(Choice wanted) {
     List<Entrant> all = new ArrayList<>();
@@ -49,7 +50,7 @@ public record BroadphaseJob(String name, int boxes, boolean clustered) implement
     return all;
   }
 
-  /** Everybody finds the same pairs. */
+  /** Returns true, because all structures must find the same pairs. */
   @Override
   public boolean mustAgree(Entrant entrant) {
     return true;

@@ -21,7 +21,7 @@ public final class BroadphaseScene {
   private long random = 5;
 
   /**
-   * Makes the scene at time 0.
+   * Creates the scene at time 0.
    *
    * @param n number of boxes, ids 0 to n - 1
    * @param clustered true: nine in ten of the boxes in a hundredth of the area, with the density of
@@ -54,7 +54,7 @@ public final class BroadphaseScene {
   }
 
   /**
-   * The boxes as they are now; the same object for good.
+   * Returns the boxes as they are now, always in the same object.
    *
    * @return the boxes, owned by the scene
    */
@@ -63,7 +63,7 @@ public final class BroadphaseScene {
   }
 
   /**
-   * The ids of all boxes.
+   * Returns the ids of all boxes.
    *
    * @return 0 to n - 1, owned by the scene
    */
@@ -97,7 +97,7 @@ public final class BroadphaseScene {
     }
   }
 
-  /** Splitmix64, a float in [0, 1) scaled in double and rounded once. */
+  /** Returns a random float by splitmix64: from [0, 1), scaled in double and rounded once. */
   private float uniform(double low, double high) {
     random += 0x9E3779B97F4A7C15L;
     float unit = (mix(random) >>> 40) * 0x1p-24f;
@@ -105,7 +105,7 @@ public final class BroadphaseScene {
   }
 
   /**
-   * The finaliser of splitmix64: spreads a number over all bits.
+   * Returns a number spread over all bits, by the finaliser of splitmix64.
    *
    * @param number any
    * @return another, bijectively

@@ -23,12 +23,12 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The engine's own pair search, inside whole steps of a world as a server makes them: the stages
- * {@link StepStage#BOXES} and {@link StepStage#PAIRS}, all else untimed.
+ * The job that measures the engine's own pair search within whole steps of a world, as a server
+ * does them. Only the stages {@link StepStage#BOXES} and {@link StepStage#PAIRS} are timed.
  *
- * <p>The world is a closed square, without gravity, that boxes of 0.5 to 1 m cover by a quarter.
- * They begin with up to 3 m/s each way and bounce. Most steps are cheap and a few dear, when boxes
- * leave their fat ones; so the time of a row is the mean, not the median.
+ * <p>The world is a closed square without gravity, a quarter of which boxes of 0.5 to 1 m cover.
+ * They start with up to 3 m/s in each direction and bounce. Most steps are cheap and a few
+ * expensive, when boxes leave their fat boxes, so the time of a row is the mean, not the median.
  *
  * @param name like {@code pairs_10k}
  * @param boxes how many
@@ -41,13 +41,13 @@ public record PairSearchJob(String name, int boxes, int timed) implements BenchJ
   private static final float DT = 1 / 60f;
   private static final Material IDEAL = new Material(1, 0, 1);
 
-  /** By then the lattice is gone. */
+  /** Number of steps after which nothing is left of the initial lattice. */
   private static final int WARM = 60;
 
-  /** What the compiler needs to have seen, whatever the clock says. */
+  /** Fewest steps of a warm-up, so that the JIT compiler has seen enough on any machine. */
   private static final int LEAST_STEPS = 400;
 
-  /** Returns all of them, in the order of the table. */
+  /** Returns all jobs of this kind in the order of the table. */
   public static List<BenchJob> all() {
     return List.of(
         new PairSearchJob("pairs_1k", 1_000, 240),
@@ -78,7 +78,7 @@ public record PairSearchJob(String name, int boxes, int timed) implements BenchJ
         .withFault(steps.isFull() ? "" : Measurement.CUT);
   }
 
-  /** Repeats what is to be measured, so that the compiler is done; at least once. */
+  /** Repeats the measured work at least once, until the JIT compiler is done. */
   private void warmUp(int steps, Measurement measurement) {
     double begin = Stopwatch.cpuSeconds();
     double spent = 0;
@@ -97,7 +97,7 @@ public record PairSearchJob(String name, int boxes, int timed) implements BenchJ
     }
   }
 
-  /** Makes a square full of moving boxes. */
+  /** Returns a square full of moving boxes. */
   static World<Void> world(int boxes) {
     World<Void> world = new World<>(new WorldDef().withGravity(0, 0));
     int columns = (int) Math.ceil(Math.sqrt(boxes));
@@ -130,7 +130,7 @@ public record PairSearchJob(String name, int boxes, int timed) implements BenchJ
     return (float) (low + (high - low) * random.nextFloat());
   }
 
-  /** Adds up the processor time of the two stages, step by step. Allocates nothing meanwhile. */
+  /** Adds up the CPU time of the two stages, step by step, without allocating. */
   private static final class SearchClock implements StageListener {
     private final double[] boxesSeconds;
     private final double[] pairsSeconds;
@@ -165,7 +165,7 @@ public record PairSearchJob(String name, int boxes, int timed) implements BenchJ
       step++;
     }
 
-    /** Returns both stages together: the mean in place of the median. */
+    /** Returns the times of both stages together, with the mean in place of the median. */
     Times times(double allocatedBytes) {
       double[] seconds = new double[step];
       Arrays.setAll(seconds, i -> boxesSeconds[i] + pairsSeconds[i]);

@@ -11,8 +11,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * How many sorts it takes to build a KD-tree anew: one of all boxes per level, two in all, or none.
- * Only the building is timed; the boxes move in between.
+ * The job that compares ways to rebuild a KD-tree: with a sort of all boxes per level, with two
+ * sorts in all, or with none. Only the building is timed; the boxes move in between.
  *
  * @param name like {@code rebuild_10k}
  * @param boxes how many, in uniform distribution
@@ -20,13 +20,13 @@ import java.util.Locale;
 public record RebuildJob(String name, int boxes) implements BenchJob {
   private static final int TIMED = 100;
 
-  /** Ways to build it. */
+  /** The ways to build the tree. */
   enum Way {
-    /** The engine's tree: medians by selection, nothing is ever sorted. */
+    /** The engine's way: medians by selection, without sorting. */
     KD_NO_SORT,
-    /** Sorted once by x and once by y, then divided in linear time on each level. */
+    /** One sort by x and one by y, then a division in linear time on each level. */
     KD_TWO_SORTS,
-    /** Each level sorts its parts again, as it is taught. */
+    /** The textbook way: each level sorts its parts again. */
     KD_SORT_PER_LEVEL;
 
     @Override
@@ -35,7 +35,7 @@ public record RebuildJob(String name, int boxes) implements BenchJob {
     }
   }
 
-  /** Returns all of them, in the order of the table. */
+  /** Returns all jobs of this kind in the order of the table. */
   public static List<BenchJob> all() {
     return List.of(new RebuildJob("rebuild_10k", 10_000), new RebuildJob("rebuild_100k", 100_000));
   }

@@ -4,10 +4,10 @@ import carom.physics.broadphase.index.AabbArray;
 import java.util.Arrays;
 
 /**
- * The order of a KD-tree's leaves, found by sorting, as lectures have it: parts are cut at the
- * median of their wider extent until they hold at most {@value #LEAF} boxes. For comparison with
- * {@link carom.physics.broadphase.kd.KdTree}, which never sorts. Both ways give the same order of
- * parts. One thread at a time; allocates only to grow.
+ * The order of a KD-tree's leaves, found by sorting, as textbooks do: parts are cut at the median
+ * of their wider extent until they hold at most {@value #LEAF} boxes. It is compared with {@link
+ * carom.physics.broadphase.kd.KdTree}, which never sorts. Both ways give the same order of parts.
+ * One thread at a time; allocates only to grow.
  */
 final class SortedKd {
   static final int LEAF = 8;
@@ -18,13 +18,13 @@ final class SortedKd {
   private long[] spare = new long[0];
   private boolean[] isLow = new boolean[0];
 
-  /** Makes one for these boxes, whose ids are 0 to count - 1. */
+  /** Creates an order of these boxes, whose ids are 0 to count - 1. */
   SortedKd(AabbArray boxes) {
     this.boxes = boxes;
   }
 
   /**
-   * The box at a place in the order of the leaves, after a build.
+   * Returns the box at a place in the order of the leaves, after a build.
    *
    * @return its id
    */
@@ -119,7 +119,7 @@ final class SortedKd {
     return 0.5f * (boxes.minY(id) + boxes.maxY(id));
   }
 
-  /** Sorts as the coordinate does, and among equal ones by id. */
+  /** Returns a key that sorts by coordinate, and by id among equal coordinates. */
   private static long key(float coordinate, int id) {
     int bits = Float.floatToIntBits(coordinate);
     int ordered = bits >= 0 ? bits : bits ^ Integer.MAX_VALUE;

@@ -14,8 +14,8 @@ import java.nio.channels.Selector;
 import java.nio.channels.SocketChannel;
 
 /**
- * One client of a {@link CrowdTransport}: two sockets that the transport's thread reads, and
- * everybody writes. Speaks the frames of {@link Frame} without KryoNet's client.
+ * One client of a {@link CrowdTransport}: two sockets that the transport's thread reads and any
+ * thread writes. Speaks the frames of {@link Frame} without KryoNet's client.
  */
 final class CrowdLink extends ClientEnd {
   private static final long REGISTER_NANOS = 100_000_000L;
@@ -47,7 +47,9 @@ final class CrowdLink extends ClientEnd {
     this.selector = selector;
   }
 
-  /** Opens the sockets. The transport's thread, as all that follows unless it says otherwise. */
+  /**
+   * Opens the sockets. The transport's thread, as for the methods below unless they say otherwise.
+   */
   void begin() {
     try {
       InetSocketAddress address = new InetSocketAddress(host(), tcpPort());
@@ -76,14 +78,14 @@ final class CrowdLink extends ClientEnd {
     keepAliveAt = System.nanoTime() + KEEP_ALIVE_NANOS;
   }
 
-  /** One of the sockets is ready. */
+  /** Handles a socket that is ready. */
   void ready(SelectionKey key, ByteBuffer datagramIn) {
     if (isDisconnected()) {
       return;
     }
     try {
       if (key.channel() == udp) {
-        // Once per selection: what still waits is found by the next one.
+        // One datagram per selection; the next selection finds what still waits.
         if (udp.read(datagramIn.clear()) >= 0) {
           readDatagram(datagramIn.flip());
         }
@@ -140,14 +142,14 @@ final class CrowdLink extends ClientEnd {
     frames.compact();
   }
 
-  /** Tells the server our UDP address; until it has heard it. */
+  /** Tells the server this link's UDP address, again and again until the server confirms. */
   private void register(long now) {
     registerAt = now + REGISTER_NANOS;
     byte[] fields = ByteBuffer.allocate(12).putInt(id()).putLong(token()).array();
     transmitDatagram(Frame.REGISTER_UDP, fields, 0, fields.length);
   }
 
-  /** Looks after deadlines; some 20 times a second. */
+  /** Checks deadlines. Called about 20 times a second. */
   void sweep(long now) {
     if (state() == State.CLOSED) {
       closedSince = closedSince == 0 ? now : closedSince;
@@ -167,14 +169,14 @@ final class CrowdLink extends ClientEnd {
     }
     if (now - keepAliveAt >= 0) {
       keepAliveAt = now + KEEP_ALIVE_NANOS;
-      if (isUdpRegistered()) { // before that, a server takes no word over TCP
+      if (isUdpRegistered()) { // before that, a server accepts no message over TCP
         transmit(new Frame.Payload().set(Frame.KEEP_ALIVE, Frame.NO_FIELDS, 0, 0));
       }
     }
     checkDeadlines(now);
   }
 
-  /** Closes the sockets, whatever state they are in. */
+  /** Closes the sockets in any state. */
   void release() {
     lose("connection lost");
     try {
@@ -238,7 +240,7 @@ final class CrowdLink extends ClientEnd {
         datagramLeft();
         return channel.write(datagram) > 0;
       } catch (IOException | RuntimeException x) {
-        return false; // lost, and TCP will tell why if there is more to it
+        return false; // the datagram is lost; if the link is broken, TCP will tell
       }
     }
   }

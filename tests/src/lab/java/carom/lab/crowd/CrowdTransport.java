@@ -15,9 +15,9 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * Hundreds of clients in one process, such as bots: all links share one daemon thread and its
- * selector, where {@link KryoClientTransport} has a thread for each. On the wire there is no
- * difference. Any thread may connect; each link's {@code poll} belongs to its owner's.
+ * A transport for hundreds of clients in one process, such as bots. All links share one daemon
+ * thread and its selector, whereas {@link KryoClientTransport} has a thread for each link. On the
+ * wire there is no difference. Any thread may connect; only a link's owner calls its {@code poll}.
  */
 public final class CrowdTransport implements ClientTransport, Runnable {
   private static final int CONNECT_MILLIS = 8_000;
@@ -25,7 +25,10 @@ public final class CrowdTransport implements ClientTransport, Runnable {
   private static final long SWEEP_NANOS = 50_000_000L;
   private static final long CLOSE_MILLIS = 2_000;
 
-  /** As at a server: of a crowd's datagrams, the next ones may gather for a moment. */
+  /**
+   * Number of ready sockets from which the thread pauses after a selection, so that more datagrams
+   * gather, as at a server.
+   */
   private static final int CROWD = 4;
 
   private static final long GATHER_NANOS = 1_000_000L;
@@ -48,7 +51,7 @@ public final class CrowdTransport implements ClientTransport, Runnable {
     this(CONNECT_MILLIS);
   }
 
-  /** With another time until a server that doesn't answer is given up. */
+  /** Creates a transport with another connect timeout, ms. */
   CrowdTransport(int connectMillis) {
     this.connectMillis = connectMillis;
     try {

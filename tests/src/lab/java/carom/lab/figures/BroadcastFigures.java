@@ -10,9 +10,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Bytes per client and tick: the whole world as Kryo objects beside a snapshot of all of it, in a
- * gas of which every body moves and many collide, and in the same at rest. Payload, 60 Hz, acks
- * after 100 ms, everything in sight; the budget is one that only the first frames use up.
+ * Measures bytes per client and tick: the whole world as Kryo objects beside a snapshot of all of
+ * it, first in a gas of moving and colliding bodies, then with the same bodies at rest. Payload, 60
+ * Hz, acks after 100 ms, everything in sight. Only the first frames use up the budget.
  */
 final class BroadcastFigures {
   private static final int[] BODIES = {10, 100, 1_000, 10_000};

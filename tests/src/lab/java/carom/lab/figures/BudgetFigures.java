@@ -10,7 +10,7 @@ import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.util.List;
 
-/** Whether a session keeps to its budget, and to its line, where more moves than fits. */
+/** Measures whether a session keeps to its budget and to its line when more moves than fits. */
 final class BudgetFigures {
   private static final int BUDGET_KBIT = 200;
   private static final int LINE_KBIT = 64;
@@ -31,7 +31,7 @@ final class BudgetFigures {
       long bytes = stepper.count(Counter.SNAPSHOT_BYTES);
       stepper.run(seconds);
       bytes = stepper.count(Counter.SNAPSHOT_BYTES) - bytes;
-      // What the bucket held at the beginning may leave besides.
+      // The initial content of the bucket may leave in addition.
       double most = BUDGET_KBIT + 8e-3 * 4 * SnapshotEncoder.MAX_DATAGRAM_BYTES / seconds;
       return Figure.atMost(
               most,

@@ -8,20 +8,20 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Processes with the JVM, the flags and the class path of this one, the laboratory's included. */
+/** Starts processes with the JVM, the flags and the class path of this one, lab included. */
 final class Children {
   private Children() {}
 
   /**
    * Starts a program.
    *
-   * @param log takes what it writes; null: output is piped, errors go where ours go
+   * @param log receives the output; if null, output is piped and errors go to this process's stderr
    */
   static Process start(File log, Class<?> program, String... args) throws IOException {
     return start(log, List.of(), program, args);
   }
 
-  /** As the other one, with further flags for the JVM, which count more than this one's. */
+  /** Starts a program with further JVM flags, which override those of this process. */
   static Process start(File log, List<String> flags, Class<?> program, String... args)
       throws IOException {
     List<String> command = new ArrayList<>();

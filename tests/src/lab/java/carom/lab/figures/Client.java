@@ -8,8 +8,8 @@ import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
 
 /**
- * One client's snapshots without a network: each one arrives, and its ack is back after a fixed
- * number of sends.
+ * The snapshots of one client without a network. Each snapshot arrives, and its ack is back after a
+ * fixed number of sends.
  */
 final class Client {
   private static final int KEY = 1;
@@ -25,11 +25,11 @@ final class Client {
   private int sends;
 
   /**
-   * A client that knows nothing.
+   * Creates a client that knows nothing.
    *
-   * @param decodes whether it really decodes; if not, it acks all the same
-   * @param lag sends until an ack is back, at least 1
-   * @param budgetBytes for each send
+   * @param decodes whether the client decodes; if not, it acks all the same
+   * @param lag number of sends until an ack is back, at least 1
+   * @param budgetBytes budget of each send, bytes
    */
   Client(FrameRing ring, int tickRate, boolean decodes, int lag, int budgetBytes) {
     encoder = new SnapshotEncoder(ring, KEY, tickRate);
@@ -39,7 +39,7 @@ final class Client {
     budget = budgetBytes;
   }
 
-  /** Sends the newest frame, and answers its bytes: payload of all its datagrams. */
+  /** Sends the newest frame and returns the payload bytes of all its datagrams. */
   int send() {
     int at = sends % ackSequence.length;
     if (sends >= ackSequence.length) {

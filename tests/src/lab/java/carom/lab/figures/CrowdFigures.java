@@ -13,8 +13,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A server process and a process with 500 bots, over sockets of this machine, in real time; with
- * the flags of docs/BENCHMARKS.md, "A crowd", and the JVM's as the start scripts set them.
+ * Measures a server process and a process with 500 bots over loopback sockets in real time, with
+ * the flags of docs/BENCHMARKS.md, "A crowd", and the JVM flags of the start scripts.
  */
 final class CrowdFigures {
   private static final int BOTS = 500;

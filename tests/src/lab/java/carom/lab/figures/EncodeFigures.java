@@ -13,10 +13,10 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Processor time of one client's snapshot: 1,000 bodies in sight, a part of which moves, 600 of
- * them as in {@code churn} and 400 as in {@code gas_1k}. 60 ticks and 30 snapshots a second, acks
- * after 67 to 267 ms, all that changed is sent. Counted is all that a send takes: acks, selection,
- * encoding.
+ * Measures the CPU time of one client's snapshot. 1,000 bodies are in sight, a part of which moves:
+ * 600 as in {@code churn} and 400 as in {@code gas_1k}. There are 60 ticks and 30 snapshots a
+ * second, acks come after 67 to 267 ms, and every change is sent. The time includes acks, selection
+ * and encoding.
  */
 final class EncodeFigures {
   private static final int BODIES = 1_000;
@@ -26,7 +26,7 @@ final class EncodeFigures {
   private static final int TICKS_PER_SEND = 2;
   private static final int RUN_IN = 120;
 
-  /** Half a core for 200 clients at 30 Hz. */
+  /** Limit of the time: 200 clients at 30 Hz may take half a core. */
   private static final double REACH_US = 0.5e6 / 200 / 30;
 
   private EncodeFigures() {}
@@ -97,7 +97,7 @@ final class EncodeFigures {
             });
   }
 
-  /** Those that move are spread evenly over the slots. */
+  /** Captures a frame in which the moving bodies are spread evenly over the slots. */
   private static void put(FrameRing ring, int tick, List<Body<String>> bodies, int percent) {
     FrameState frame = ring.begin(tick);
     for (int i = 0; i < BODIES; i++) {

@@ -10,7 +10,7 @@ import carom.testkit.Scripts;
 import carom.testkit.Stepper;
 import java.util.List;
 
-/** How long a late joiner waits for a large world. Virtual time: the line, not the machine. */
+/** Measures how long a late joiner waits for a large world, on a slow line in virtual time. */
 final class EntryFigures {
   private static final int BODIES = 10_000;
   private static final Impairment LINE =

@@ -15,22 +15,24 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * What is wrong with the present as players in a busy arena see it, and why. What their clients
- * could have known is told apart from what nobody could: what others did while their inputs were on
- * the way. Virtual time.
+ * Measures the errors of the present that players in a busy arena see, and their causes. The
+ * figures separate errors that a client could have avoided from those that it could not, because
+ * another player's input was still on the way. Virtual time.
  */
 final class FeelFigures {
   private static final int PLAYERS = 12;
 
-  /** One game differs from another by more than anything that is to be seen here. */
+  /**
+   * Number of games. A single game is not enough: games differ by more than the effects measured.
+   */
   private static final int GAMES = 6;
 
   private static final double BESIDE_METRES = 2.5;
 
-  /** Farther off, metres, and it was put elsewhere meanwhile. */
+  /** An entity farther off than this, m, was teleported in the meantime and doesn't count. */
   private static final double CUT_METRES = 5;
 
-  /** Something drawn at a player's present, to be compared when the server gets there. */
+  /** An entity drawn at a player's present. It is compared when the server reaches that tick. */
   private record Look(int tick, int id, int generation, double x, double y, boolean own) {}
 
   private Stepper stepper;
@@ -43,7 +45,7 @@ final class FeelFigures {
     return new FeelFigures().figures(quick ? 1 : GAMES, quick ? 3 : 15);
   }
 
-  /** Plays another game: its bots and losses have seeds of their own. */
+  /** Plays a game. Its bots and losses have their own seeds. */
   private Sum play(int game, double seconds) {
     long seed = Stepper.SEED + 100_000L * game;
     Impairment line = Impairment.NONE.withLatency(50, 0).withLoss(2).withSeed(seed);

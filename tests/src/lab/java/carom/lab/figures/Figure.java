@@ -6,44 +6,44 @@ import java.util.Arrays;
 import java.util.Locale;
 
 /**
- * One line of the table.
+ * A figure: one line of the table.
  *
- * @param job that measured it
- * @param what was measured
- * @param value what came out; NaN if nothing did
- * @param unit of value and reach
- * @param goal how the two compare
- * @param reach the limit; NaN where there is none
- * @param note what else must be known, or empty
+ * @param job name of the job that measured it
+ * @param what description of the quantity
+ * @param value the measured value; NaN without one
+ * @param unit unit of value and reach
+ * @param goal how the value must compare with the reach
+ * @param reach the limit; NaN without one
+ * @param note conditions and further values, or empty
  */
 record Figure(
     String job, String what, double value, String unit, Goal goal, double reach, String note) {
-  /** What counts as reached. */
+  /** The comparison of a value with its limit. */
   enum Goal {
-    /** The value, or less. */
+    /** The value must not be larger than the limit. */
     AT_MOST,
-    /** The value, or more. */
+    /** The value must not be smaller than the limit. */
     AT_LEAST,
-    /** Nothing: the value is there to compare with. */
+    /** The value has no limit; other figures are compared with it. */
     NONE
   }
 
-  /** A figure that must not be larger. */
+  /** Returns a figure that must not be larger than a limit. */
   static Figure atMost(double reach, String what, double value, String unit) {
     return new Figure("", what, value, unit, Goal.AT_MOST, reach, "");
   }
 
-  /** A figure that must not be smaller. */
+  /** Returns a figure that must not be smaller than a limit. */
   static Figure atLeast(double reach, String what, double value, String unit) {
     return new Figure("", what, value, unit, Goal.AT_LEAST, reach, "");
   }
 
-  /** A figure to compare others with. */
+  /** Returns a figure without a limit. */
   static Figure shown(String what, double value, String unit) {
     return new Figure("", what, value, unit, Goal.NONE, Double.NaN, "");
   }
 
-  /** A job that came to nothing: counts as missed. */
+  /** Returns the figure of a job that failed. It counts as missed. */
   static Figure failed(String job, String why) {
     return new Figure(job, job, Double.NaN, "", Goal.AT_LEAST, Double.NaN, why);
   }
@@ -57,7 +57,7 @@ record Figure(
     return new Figure(newJob, what, value, unit, goal, reach, note);
   }
 
-  /** Whether the limit is kept; true where there is none. */
+  /** Returns whether the limit is kept; true where there is none. */
   boolean reached() {
     return switch (goal) {
       case AT_MOST -> value <= reach;
@@ -66,12 +66,12 @@ record Figure(
     };
   }
 
-  /** "reached", "missed", or nothing. */
+  /** Returns "reached", "missed", or an empty text without a limit. */
   String verdict() {
     return goal == Goal.NONE ? "" : reached() ? "reached" : "missed";
   }
 
-  /** The limit for people. */
+  /** Returns the limit as a text for people. */
   String limit() {
     return switch (goal) {
       case AT_MOST -> "<= " + number(reach);
@@ -80,7 +80,7 @@ record Figure(
     };
   }
 
-  /** A number with three digits that mean something. */
+  /** Returns a number as a text with three significant digits. */
   static String number(double value) {
     if (!Double.isFinite(value)) {
       return "";
@@ -93,7 +93,7 @@ record Figure(
     return String.format(Locale.ROOT, "%." + places + "f", value);
   }
 
-  /** One object in one line; what isn't a number is null. */
+  /** Returns the figure as one JSON object in one line. NaN is null. */
   String toJson() {
     return new JsonLine.Writer()
         .text("job", job)
@@ -108,7 +108,7 @@ record Figure(
   }
 
   /**
-   * What {@link #toJson} wrote.
+   * Returns the figure that {@link #toJson} wrote.
    *
    * @throws IOException if it is something else
    */

@@ -4,14 +4,15 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Something that measures some figures, in a process of its own. */
+/** A job that measures some figures in its own process. */
 @FunctionalInterface
 interface FigureJob {
   /** All jobs by name, in the order of the table. */
   Map<String, FigureJob> ALL = all();
 
   /**
-   * The job that only runs when asked for: two processes, sockets, a minute of the whole machine.
+   * The job that only runs on request, because its two processes use the whole machine for a
+   * minute.
    */
   String CROWD = "crowd";
 
@@ -19,9 +20,9 @@ interface FigureJob {
   String LAB_CODEC = "codec";
 
   /**
-   * Measures.
+   * Measures the figures.
    *
-   * @param quick whether a rough result will do, in a few seconds
+   * @param quick whether a rough result in a few seconds is enough
    */
   List<Figure> measure(boolean quick) throws Exception;
 

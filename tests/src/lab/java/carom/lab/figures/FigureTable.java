@@ -2,7 +2,7 @@ package carom.lab.figures;
 
 import java.util.List;
 
-/** Figures as tables in Markdown: those of the product, then the laboratory's own. */
+/** Writes figures as Markdown tables: those of the product, then those of the laboratory. */
 final class FigureTable {
   private FigureTable() {}
 

@@ -18,8 +18,8 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /**
- * {@code carom-bots figures}: runs the jobs one after the other, each in a process of its own, and
- * prints what they found as one table.
+ * Runs {@code carom-bots figures}: it runs the jobs one after the other, each in its own process,
+ * and prints their figures as a table.
  */
 @Command(
     name = "carom-bots figures",
@@ -68,12 +68,12 @@ public final class FiguresMain implements Callable<Integer> {
   /** Creates the command, for picocli. */
   public FiguresMain() {}
 
-  /** Entry point. */
+  /** Runs the command and exits the JVM with its exit code. */
   public static void main(String[] args) {
     System.exit(run(args));
   }
 
-  /** As {@link #main}, but returns the exit code. */
+  /** Runs the command as {@link #main} does, but returns the exit code. */
   public static int run(String... args) {
     return new CommandLine(new FiguresMain()).execute(args);
   }

@@ -11,7 +11,7 @@ final class Frames {
 
   private Frames() {}
 
-  /** The frame of a tick: body n in slot n. */
+  /** Captures the frame of a tick, with body n in slot n. */
   static void put(FrameRing ring, int tick, List<Body<String>> bodies) {
     FrameState frame = ring.begin(tick);
     for (int i = 0; i < bodies.size(); i++) {
@@ -20,7 +20,7 @@ final class Frames {
     ring.end();
   }
 
-  /** One body of a frame that was begun. */
+  /** Puts one body into a frame under construction. */
   static void put(FrameState frame, int slot, Body<String> body) {
     frame.put(
         slot,

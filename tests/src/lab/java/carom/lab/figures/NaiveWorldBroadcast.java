@@ -7,8 +7,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What one writes first: in each tick the whole world as a graph of objects, serialised by Kryo and
- * sent to everybody. A baseline to compare with, used by nothing else.
+ * The naive way to replicate a world: in each tick Kryo serialises the whole world as a graph of
+ * objects, and the server sends it to all clients. Only a baseline for comparisons.
  */
 final class NaiveWorldBroadcast {
   /** A point or a vector. */
@@ -16,7 +16,7 @@ final class NaiveWorldBroadcast {
     float x;
     float y;
 
-    /** For Kryo. */
+    /** Creates the vector (0, 0), for Kryo. */
     Vector() {}
 
     Vector(float x, float y) {
@@ -44,7 +44,7 @@ final class NaiveWorldBroadcast {
   private final Output output = new Output(1 << 12, -1);
 
   NaiveWorldBroadcast() {
-    // As kindly as a naive sender can be: names are known, and no object is looked for twice.
+    // The best that a naive sender can do: classes are registered and references are off.
     kryo.register(Vector.class);
     kryo.register(BodyObject.class);
     kryo.register(WorldObject.class);
@@ -52,7 +52,7 @@ final class NaiveWorldBroadcast {
     kryo.setReferences(false);
   }
 
-  /** Bytes of one message, without a frame around it. */
+  /** Returns the bytes of one message without framing. */
   int bytes(int tick, List<Body<String>> bodies) {
     WorldObject world = new WorldObject();
     world.tick = tick;

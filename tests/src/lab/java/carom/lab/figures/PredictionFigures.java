@@ -14,14 +14,14 @@ import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.util.List;
 
-/** How often clients foresee right, and how soon a surprise is over. Virtual time. */
+/** Measures how often clients predict right, and how soon a correction is over. Virtual time. */
 final class PredictionFigures {
   private static final Impairment FAR =
       Impairment.NONE.withLatency(75, 0).withLoss(2).withSeed(Stepper.SEED);
 
   private PredictionFigures() {}
 
-  /** A bot alone among the platformer's crates. */
+  /** Measures a bot alone among the platformer's crates. */
   static List<Figure> perfect(boolean quick) {
     return List.of(
         perfect(PredictionMode.ISLAND, "what the own body touches", quick),
@@ -45,8 +45,9 @@ final class PredictionFigures {
   }
 
   /**
-   * A wanderer in an empty arena, on every network of the table. An input that the server never got
-   * in time, with all its copies, excuses a correction: nobody can foresee that.
+   * Measures the corrections of a wandering player in an empty arena, on every network of the
+   * table. An input of which all copies were lost or late excuses a correction, because no client
+   * can predict that.
    */
   static List<Figure> alone(boolean quick) {
     long unexcused = 0;
@@ -79,7 +80,7 @@ final class PredictionFigures {
                 compared, corrections - unexcused, missing));
   }
 
-  /** The server kicks an idle player. */
+  /** Measures the visual error after the server pushes an idle player. */
   static List<Figure> push(boolean quick) {
     double worst = 0;
     int pushes = 0;

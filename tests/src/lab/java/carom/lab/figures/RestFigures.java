@@ -8,9 +8,9 @@ import carom.testkit.BigWorlds;
 import carom.testkit.Stepper;
 import java.util.List;
 
-/** What a player who does nothing costs in a world at rest, headers included. Virtual time. */
+/** Measures the traffic of an idle player in a world at rest, headers included. Virtual time. */
 final class RestFigures {
-  /** IPv4, UDP and the frame's tag. */
+  /** Size of the IPv4 and UDP headers and the frame's tag, bytes. */
   private static final int HEADER_BYTES = 29;
 
   private static final double REACH_KBIT = 3;

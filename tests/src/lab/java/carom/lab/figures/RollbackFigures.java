@@ -9,8 +9,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * A rollback as the engine does it: a pile of 200 bodies, all awake and touching, goes back 24
- * ticks and is computed again, each tick saved on the way. Processor time, one thread.
+ * Measures a rollback of the engine: a pile of 200 bodies, all awake and touching, is restored to
+ * 24 ticks before and resimulated, with each tick saved on the way. CPU time of one thread.
  */
 final class RollbackFigures {
   private static final int BODIES = 200;

@@ -16,19 +16,19 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What the snapshots cost that servers send: poses and velocities of all moving bodies, to one
- * client that only watches and sees everything. Round trip of 100 ms, so that is how old baselines
- * are; the client decodes, and what it gets is compared with what the server had. Virtual time.
+ * Measures the size of the snapshots that servers send: poses and velocities of all moving bodies,
+ * for one client that only watches and sees everything. The round trip takes 100 ms, so baselines
+ * are that old. The client decodes, and its states are compared with the server's. Virtual time.
  */
 final class SnapshotFigures {
-  /** IPv4, UDP and the frame's tag. */
+  /** Size of the IPv4 and UDP headers and the frame's tag, bytes. */
   private static final int HEADER_BYTES = 29;
 
   private static final int ONE_WAY_MS = 50;
   private static final int NO_LIMIT = 80_000_000;
   private static final int FAR_METRES = 4_096;
 
-  /** Until the client plays, and its acks have come back. */
+  /** Time until the client plays and its acks have come back, s. */
   private static final double RUN_IN_SECONDS = 2;
 
   private SnapshotFigures() {}

@@ -7,9 +7,9 @@ import carom.lab.trace.TraceReport;
 import java.util.List;
 
 /**
- * What recorded motion costs by the laboratory's codec, {@code carom-bots codec}, which no server
- * or client uses: baseline 100 ms old, poses only, payload. What snapshots cost, {@link
- * SnapshotFigures} measures.
+ * Measures the size of recorded motion by the laboratory's codec, {@code carom-bots codec}, which
+ * no server or client uses: baseline 100 ms old, poses only, payload. {@link SnapshotFigures}
+ * measures the snapshots that servers send.
  */
 final class TraceFigures {
   private static final String LABEL = "lab: TraceCodec, poses alone, ";

@@ -3,41 +3,41 @@ package carom.lab.measure;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Something to measure: one {@code scene} of the table, done by several entrants. */
+/** A piece of work to measure: one {@code scene} of the table, done by several entrants. */
 public interface BenchJob {
-  /** The name in flags and tables, small letters, digits and underscores. */
+  /** Returns the name in flags and tables, small letters, digits and underscores. */
   String name();
 
   /**
-   * Who can do it; the first one's time is what the others' are compared with.
+   * Returns the entrants of this job. The others' times are compared with that of the first.
    *
-   * @param wanted what the flags ask for
+   * @param wanted the choice of the flags
    */
   List<Entrant> entrants(Choice wanted);
 
-  /** Whether an entrant must end with the very hash of the first one. */
+  /** Returns whether an entrant must end with the same hash as the first entrant. */
   default boolean mustAgree(Entrant entrant) {
     return entrant.isCarom();
   }
 
   /**
-   * Measures it in this process.
+   * Measures an entrant in this process.
    *
    * @param entrant one of {@link #entrants}
-   * @param measurement how long
+   * @param measurement how long to measure
    * @throws UnsupportedOperationException if the engine lacks something
    */
   BenchRow run(Entrant entrant, Measurement measurement);
 
   /**
-   * What the flags ask for.
+   * The choice of entrants by the flags.
    *
-   * @param kernels of the solver: {@code vector}, {@code scalar}
+   * @param kernels kernels of the solver: {@code vector}, {@code scalar}
    * @param threads numbers of threads, ascending
-   * @param peers other engines by name
+   * @param peers names of other engines
    */
   record Choice(List<String> kernels, List<Integer> threads, List<String> peers) {
-    /** Carom with each kernel and number of threads, one thread first. */
+    /** Returns Carom with each kernel and number of threads, one thread first. */
     public List<Entrant> carom() {
       List<Entrant> all = new ArrayList<>();
       for (String kernel : kernels) {

@@ -5,23 +5,23 @@ import java.io.IOException;
 import java.util.Map;
 
 /**
- * One line of results.
+ * A row of results.
  *
  * @param scene name of the job
- * @param entrant who did it
+ * @param entrant the entrant that did the job
  * @param bodies dynamic bodies and particles, or boxes
  * @param joints number of joints
  * @param awake bodies that are awake at the end
- * @param times what a step cost
+ * @param times times of a step
  * @param hash of the last state, 16 hexadecimal digits; equal hashes mean equal bits
  * @param kineticEnergy of the last state, J; this and what follows is NaN where it has no meaning
  * @param maxPenetration deepest overlap in the last state, m
  * @param deepPairs overlaps deeper than 2 cm
  * @param jointGap worst distance between the anchors of a hinge, m
- * @param stages ms per step by name of the stage, empty if nobody looked
- * @param scaling what several threads gain; of Carom's rows with several threads only
- * @param ratios of other engines' times to this one, by who they are; above 1 this one is faster.
- *     Only Carom's rows have them
+ * @param stages time of each stage by name, ms per step; empty if not measured
+ * @param scaling gain of several threads; only in Carom's rows with several threads
+ * @param ratios other engines' times divided by this one, by engine; above 1 this one is faster.
+ *     Only in Carom's rows
  * @param fault why the run doesn't count, or empty
  */
 public record BenchRow(
@@ -40,7 +40,7 @@ public record BenchRow(
     Scaling scaling,
     Map<String, Double> ratios,
     String fault) {
-  /** A row about so many bodies without a world to look at. */
+  /** Returns a row about a number of bodies, without figures of a world. */
   public static BenchRow of(String scene, Entrant entrant, int bodies, Times times) {
     return new BenchRow(
         scene,
@@ -60,12 +60,12 @@ public record BenchRow(
         "");
   }
 
-  /** A run that gave no figures. */
+  /** Returns the row of a run that gave no figures. */
   public static BenchRow failed(String scene, Entrant entrant, String fault) {
     return of(scene, entrant, 0, Times.NONE).withFault(fault);
   }
 
-  /** The same with what the end state looks like. */
+  /** Returns a copy with the figures of the end state. */
   public BenchRow withEnd(int jointCount, int awakeCount, SceneReport end) {
     return new BenchRow(
         scene,
@@ -85,27 +85,27 @@ public record BenchRow(
         fault);
   }
 
-  /** Returns the same with the hash of the last state. */
+  /** Returns a copy with the hash of the last state. */
   public BenchRow withHash(long newHash) {
     return with("%016x".formatted(newHash), stages, scaling, ratios, fault);
   }
 
-  /** Returns the same with ms per step by name of the stage. */
+  /** Returns a copy with the time of each stage by name, ms per step. */
   public BenchRow withStages(Map<String, Double> newStages) {
     return with(hash, newStages, scaling, ratios, fault);
   }
 
-  /** Returns the same with what several threads gain. */
+  /** Returns a copy with the gain of several threads. */
   public BenchRow withScaling(Scaling newScaling) {
     return with(hash, stages, newScaling, ratios, fault);
   }
 
-  /** Returns the same with what others take, as multiples of this row's time. */
+  /** Returns a copy with other entrants' times as multiples of this row's. */
   public BenchRow withRatios(Map<String, Double> newRatios) {
     return with(hash, stages, scaling, newRatios, fault);
   }
 
-  /** Returns the same with why it doesn't count. */
+  /** Returns a copy with the reason why the run doesn't count. */
   public BenchRow withFault(String newFault) {
     return with(hash, stages, scaling, ratios, newFault);
   }
@@ -134,22 +134,22 @@ public record BenchRow(
         newFault);
   }
 
-  /** Whether there are figures at all, good or bad. */
+  /** Returns whether the row has figures, valid or not. */
   public boolean isMeasured() {
     return times.steps() > 0;
   }
 
-  /** Whether its figures are results. */
+  /** Returns whether the row's figures are valid results. */
   public boolean counts() {
     return isMeasured() && fault.isEmpty();
   }
 
-  /** Returns what half of the steps took no longer than, ms. */
+  /** Returns the median time of a step, ms. */
   public double medianMs() {
     return times.medianMs();
   }
 
-  /** One object in one line; what wasn't measured is null. */
+  /** Returns the row as one JSON object in one line. Values not measured are null. */
   public String toJson() {
     return new JsonLine.Writer()
         .text("scene", scene)
@@ -180,7 +180,7 @@ public record BenchRow(
   }
 
   /**
-   * What {@link #toJson} wrote.
+   * Returns the row that {@link #toJson} wrote.
    *
    * @throws IOException if it is something else
    */

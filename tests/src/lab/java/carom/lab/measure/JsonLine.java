@@ -11,8 +11,9 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * A result as one JSON object in one line: texts, numbers, truths, and maps of numbers. JSON has no
- * NaN, so a number that isn't finite is written as null, and null is read as NaN. Not thread-safe.
+ * A result as one JSON object in one line: texts, numbers, booleans and maps of numbers. JSON has
+ * no NaN, so a number that isn't finite is written as null, and null is read as NaN. Not
+ * thread-safe.
  */
 public final class JsonLine {
   private static final JsonFactory JSON = new JsonFactory();
@@ -22,7 +23,7 @@ public final class JsonLine {
 
   private JsonLine() {}
 
-  /** Writes one. Fields come in the order of the calls. */
+  /** Writes a line. The fields are in the order of the calls. */
   public static final class Writer {
     private final StringWriter text = new StringWriter();
     private final JsonGenerator out;
@@ -37,7 +38,7 @@ public final class JsonLine {
       }
     }
 
-    /** Something that a generator does to a StringWriter, which never fails. */
+    /** A call of the generator. It can't fail, because the target is a StringWriter. */
     @FunctionalInterface
     private interface Write {
       void run() throws IOException;
@@ -93,7 +94,7 @@ public final class JsonLine {
     }
 
     /**
-     * Adds a truth.
+     * Adds a boolean.
      *
      * @param name of the field
      * @param value any
@@ -129,7 +130,7 @@ public final class JsonLine {
   }
 
   /**
-   * Reads what a {@link Writer} wrote.
+   * Parses a line that a {@link Writer} wrote.
    *
    * @param json the line
    * @return its fields
@@ -157,7 +158,7 @@ public final class JsonLine {
   }
 
   /**
-   * A field's text; of numbers, truths and null as JSON spells them.
+   * Returns a field's text. Numbers, booleans and null are in JSON's spelling.
    *
    * @param name of the field
    * @return the text
@@ -172,7 +173,7 @@ public final class JsonLine {
   }
 
   /**
-   * A number.
+   * Returns a number.
    *
    * @param name of the field
    * @return NaN for null
@@ -188,7 +189,7 @@ public final class JsonLine {
   }
 
   /**
-   * A number that not everybody tells.
+   * Returns a number that may be absent.
    *
    * @param name of the field
    * @return NaN for null, and if there is no such field
@@ -199,7 +200,7 @@ public final class JsonLine {
   }
 
   /**
-   * A whole number.
+   * Returns a whole number.
    *
    * @param name of the field
    * @return the number
@@ -215,7 +216,7 @@ public final class JsonLine {
   }
 
   /**
-   * An object of numbers.
+   * Returns an object of numbers.
    *
    * @param name of the field
    * @return by the names of their fields, in their order; empty if there is none

@@ -3,40 +3,43 @@ package carom.lab.measure;
 import java.util.function.Consumer;
 
 /**
- * How long to measure, and in which slices: the other entrants have their turns in between.
+ * The length of a measurement and its slices, between which the other entrants have their turns.
  *
- * @param warmUpSeconds of work before the run that counts
- * @param capSeconds after which the warm-up, the timed part, and likewise the untimed part end
- *     early
- * @param quick whether to time a quarter of the steps only
- * @param turns whose turn it is; this process has it
+ * @param warmUpSeconds length of the work before the run that counts, s
+ * @param capSeconds time after which the warm-up, the timed part and the untimed part each end
+ *     early, s
+ * @param quick whether to time only a quarter of the steps
+ * @param turns hands over the turn, which this process has
  */
 public record Measurement(double warmUpSeconds, double capSeconds, boolean quick, Turns turns) {
-  /** What a row that was cut short by {@link #capSeconds} says. */
+  /** The fault of a row that {@link #capSeconds} cut short. */
   public static final String CUT = "cut short";
 
-  /** Enough that a slow minute of the machine is everybody's, few enough that caches are warm. */
+  /**
+   * Number of slices: enough that a slow minute of the machine affects all entrants, few enough
+   * that caches stay warm.
+   */
   private static final int SLICES = 12;
 
   /**
-   * Times repeated work in slices, until the watch is full or {@link #capSeconds} are spent; at
+   * Times repeated work in slices until the watch is full or {@link #capSeconds} are spent, at
    * least once.
    *
    * @param watch takes the times
-   * @param before done before each piece of work, untimed
-   * @param work what is timed
+   * @param before runs before each piece of work, untimed
+   * @param work the timed work
    */
   public void time(Stopwatch watch, Runnable before, Runnable work) {
     time(watch, before, work, slice -> {});
   }
 
   /**
-   * Times repeated work in slices, and does something else after each.
+   * Times repeated work in slices and does other work after each slice.
    *
    * @param watch takes the times
-   * @param before done before each piece of work, untimed
-   * @param work what is timed
-   * @param after done after each slice, and left out; gets the times of its pieces by the clock, ms
+   * @param before runs before each piece of work, untimed
+   * @param work the timed work
+   * @param after runs after each slice, untimed; gets the clock times of the slice's pieces, ms
    */
   public void time(Stopwatch watch, Runnable before, Runnable work, Consumer<double[]> after) {
     int slice = Math.max(1, (watch.most() + SLICES - 1) / SLICES);

@@ -1,19 +1,20 @@
 package carom.lab.measure;
 
 /**
- * What several threads gain, and what they could gain at best on this machine now: processors may
- * be threads of one core, or be shared with others.
+ * The gain of several threads, and the most that they could gain on this machine at this time.
+ * Processors may be threads of one core, or be shared with other programs.
  *
- * @param speedUp how many times as fast several threads step one world as one thread does, by the
- *     clock
- * @param ceiling how many times as much several threads do when each steps a world of its own
- * @param share part of the ceiling that is reached
+ * @param speedUp speed of several threads that step one world, as a multiple of one thread's, by
+ *     the clock
+ * @param ceiling throughput of several threads that each step their own world, as a multiple of one
+ *     thread's
+ * @param share the part of the ceiling that is reached
  */
 public record Scaling(double speedUp, double ceiling, double share) {
-  /** Not measured. */
+  /** The value of a gain that was not measured. */
   public static final Scaling NONE = new Scaling(Double.NaN, Double.NaN, Double.NaN);
 
-  /** Whether it was measured. */
+  /** Returns whether the gain was measured. */
   public boolean isMeasured() {
     return !Double.isNaN(share);
   }

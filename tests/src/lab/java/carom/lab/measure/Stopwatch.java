@@ -5,8 +5,7 @@ import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 
 /**
- * Times pieces of work one by one: CPU time of the calling thread, the clock, and what is
- * allocated.
+ * Times pieces of work one by one: CPU time of the calling thread, clock time and bytes allocated.
  */
 public final class Stopwatch {
   private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
@@ -23,11 +22,11 @@ public final class Stopwatch {
   private long wallBegin;
 
   /**
-   * Makes one that has measured nothing.
+   * Creates a stopwatch that has measured nothing.
    *
-   * @param most pieces it can time
-   * @param byClock whether several threads work: the clock counts instead of the CPU time of the
-   *     calling one, and what the others allocate, also between the pieces
+   * @param most most pieces that it can time
+   * @param byClock whether several threads work. Then clock time replaces the calling thread's CPU
+   *     time, and the other threads' allocations count, also those between the pieces
    */
   public Stopwatch(int most, boolean byClock) {
     this.byClock = byClock;
@@ -36,7 +35,7 @@ public final class Stopwatch {
     othersBegin = byOthers();
   }
 
-  /** CPU time of the calling thread since it began, s. */
+  /** Returns the CPU time of the calling thread since its start, s. */
   public static double cpuSeconds() {
     return THREADS.getCurrentThreadCpuTime() * 1e-9;
   }
@@ -48,7 +47,7 @@ public final class Stopwatch {
     cpuBegin = THREADS.getCurrentThreadCpuTime();
   }
 
-  /** Ends it. */
+  /** Ends the piece of work. */
   public void end() {
     cpu[count] = (THREADS.getCurrentThreadCpuTime() - cpuBegin) * 1e-9;
     wall[count] = (System.nanoTime() - wallBegin) * 1e-9;
@@ -56,7 +55,7 @@ public final class Stopwatch {
     spent += seconds()[count++];
   }
 
-  /** Does something between two pieces that isn't part of what is measured. */
+  /** Runs work between two pieces without measuring it. */
   public void leaveOut(Runnable work) {
     long before = byOthers();
     work.run();
@@ -67,38 +66,41 @@ public final class Stopwatch {
     return byClock ? wall : cpu;
   }
 
-  /** How many pieces were timed. */
+  /** Returns the number of pieces timed. */
   public int count() {
     return count;
   }
 
-  /** How long they took together, s. */
+  /** Returns the time of all pieces together, s. */
   public double spent() {
     return spent;
   }
 
-  /** How many it can time. */
+  /** Returns the most pieces that this stopwatch can time. */
   public int most() {
     return cpu.length;
   }
 
-  /** What the pieces from one on took by the clock, ms. */
+  /** Returns the clock times of the pieces from one on, ms. */
   public double[] wallMs(int from) {
     return Arrays.stream(wall, from, count).map(seconds -> seconds * 1e3).toArray();
   }
 
-  /** Whether it can time no more. */
+  /** Returns whether the stopwatch can time no more pieces. */
   public boolean isFull() {
     return count == cpu.length;
   }
 
-  /** The result; times are sorted by it, so ask once, and before threads end that were left out. */
+  /**
+   * Returns the result. Call it once, because it sorts the times, and before the other threads end,
+   * whose allocations it counts.
+   */
   public Times times() {
     long allocated = byClock ? bytes + byOthers() - othersBegin : bytes;
     return Times.of(seconds().clone(), wall, count, allocated);
   }
 
-  /** What threads other than the calling one have allocated. */
+  /** Returns the bytes that threads other than the calling one have allocated. */
   private static long byOthers() {
     long me = Thread.currentThread().getId();
     long[] ids = THREADS.getAllThreadIds();

@@ -3,27 +3,27 @@ package carom.lab.measure;
 import java.util.Arrays;
 
 /**
- * What steps, or other repeated work, cost.
+ * The cost of a step, or of other repeated work.
  *
- * @param steps how many were timed; 0 if nothing was measured
- * @param medianMs half of them took no longer, ms; CPU time of the thread that steps, or the time
- *     of the clock if several threads did
- * @param p99Ms 99 of 100 took no longer, ms
- * @param wallMs median by the clock, ms
- * @param allocatedBytes per step
+ * @param steps number of steps timed; 0 if nothing was measured
+ * @param medianMs median time, ms; CPU time of the stepping thread, or clock time if several
+ *     threads stepped
+ * @param p99Ms 99th percentile of that time, ms
+ * @param wallMs median clock time, ms
+ * @param allocatedBytes bytes allocated per step
  */
 public record Times(
     int steps, double medianMs, double p99Ms, double wallMs, double allocatedBytes) {
-  /** Nothing was measured. */
+  /** The value of times that were not measured. */
   public static final Times NONE = new Times(0, Double.NaN, Double.NaN, Double.NaN, Double.NaN);
 
   /**
-   * Sums up.
+   * Returns the percentiles of measured times.
    *
-   * @param seconds of each step, at least one; gets sorted
-   * @param wallSeconds of each step by the clock; gets sorted
-   * @param steps how many of both count
-   * @param allocated bytes by all of them
+   * @param seconds time of each step, at least one; sorted by this method
+   * @param wallSeconds clock time of each step; sorted by this method
+   * @param steps number of steps in both arrays
+   * @param allocated bytes that all steps together allocated
    */
   public static Times of(double[] seconds, double[] wallSeconds, int steps, double allocated) {
     Arrays.sort(seconds, 0, steps);

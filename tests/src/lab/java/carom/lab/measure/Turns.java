@@ -6,7 +6,7 @@ import java.io.PrintStream;
 import java.io.UncheckedIOException;
 
 /**
- * Whose turn it is to use the machine, seen from a process that measures.
+ * The turns of a measuring process to use the machine.
  *
  * <p>The entrants of a job are processes that live at the same time and take turns: all of them do
  * their first slice, then all their second one. What slows the machine for a second or a minute
@@ -21,10 +21,10 @@ public final class Turns {
   private final PrintStream out;
 
   /**
-   * Makes them for this process, which hasn't got the turn.
+   * Creates the turns of this process, which doesn't have the turn yet.
    *
-   * @param in where a byte gives the turn
-   * @param out where a line gives it back
+   * @param in a byte on it gives the turn
+   * @param out a line on it gives the turn back
    */
   public Turns(InputStream in, PrintStream out) {
     this.in = in;
@@ -34,7 +34,7 @@ public final class Turns {
   /**
    * Waits for the turn.
    *
-   * @throws UncheckedIOException if it will never come as the one who gives it has ended
+   * @throws UncheckedIOException if the process that gives the turn has ended
    */
   public void take() {
     try {

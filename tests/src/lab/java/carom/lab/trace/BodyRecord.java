@@ -2,28 +2,28 @@ package carom.lab.trace;
 
 import java.util.Arrays;
 
-/** What the snapshots up to one of them have shown of each body. */
+/** The features of each body that follow from the snapshots up to one of them. */
 final class BodyRecord {
 
-  /** For how many snapshots it has not changed. */
+  /** Number of snapshots for which the body has not changed. */
   final int[] still;
 
-  /** For how many snapshots it has moved as smoothly as rounding allows. */
+  /** Number of snapshots for which the body has moved as smoothly as rounding allows. */
   final int[] sinceJolt;
 
   /** Mean second difference, in 1/16 steps. */
   final int[][] trend;
 
-  /** Mean magnitude of its last residuals, in 1/16 steps. */
+  /** Mean magnitude of the last residuals, in 1/16 steps. */
   final int[][] error;
 
-  /** The same over a longer time, in 1/256 steps. */
+  /** Mean magnitude of the residuals over a longer time, in 1/256 steps. */
   final int[][] slowError;
 
-  /** Its last residual, in steps. */
+  /** The last residual, in steps. */
   final int[][] lastResidual;
 
-  /** Whether it was the same as in the baseline: a bit for each snapshot, the newest lowest. */
+  /** Whether the body equalled the baseline: one bit per snapshot, the newest in the lowest bit. */
   final int[] sameBefore;
 
   BodyRecord(int bodies, int fields, int atRest) {

@@ -11,8 +11,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /**
- * {@code carom-bots codec}: what recorded motion costs on the wire, by the codec of {@link
- * TraceCodec}. The last line of standard output is one JSON object, see {@link TraceReport}.
+ * Runs {@code carom-bots codec}, which measures the size of recorded motion coded by {@link
+ * TraceCodec}. The last line of standard output is one JSON object; see {@link TraceReport}.
  */
 @Command(
     name = "codec",

@@ -2,7 +2,7 @@ package carom.lab.trace;
 
 import java.util.Arrays;
 
-/** Points in the plane, found by place: a hashed grid, filled anew for each snapshot. */
+/** A hashed grid that finds points in the plane by place. It is filled anew for each snapshot. */
 final class Grid {
   private static final int MIN_SHIFT = 4;
   private static final int MAX_SHIFT = 22;
@@ -25,7 +25,7 @@ final class Grid {
     return shift;
   }
 
-  /** Takes the points, whose arrays must stay as they are while they are looked up. */
+  /** Fills the grid. The arrays of the points must not change while the grid is searched. */
   void fill(int[] newXs, int[] newYs) {
     xs = newXs;
     ys = newYs;
@@ -37,7 +37,9 @@ final class Grid {
     }
   }
 
-  /** Chooses the finest cells of which at most half as many are used as there are points. */
+  /**
+   * Chooses the smallest cells of which the points use at most half as many as there are points.
+   */
   void fit(int[] newXs, int[] newYs) {
     shift = MIN_SHIFT - 1;
     int used;
@@ -60,7 +62,7 @@ final class Grid {
    * Finds the points within a square, in no order that matters.
    *
    * @param out at least as long as there are points
-   * @return how many
+   * @return the number of points found
    */
   int query(int x, int y, int reach, int[] out) {
     int found = 0;
@@ -69,7 +71,7 @@ final class Grid {
     for (int cellY = y - reach >> shift; cellY <= y1; cellY++) {
       for (int cellX = x - reach >> shift; cellX <= x1; cellX++) {
         for (int i = head[hash(cellX, cellY)]; i >= 0; i = next[i]) {
-          // Other cells may share the list.
+          // Other cells may share the list, so the place is checked.
           if (xs[i] >> shift == cellX && ys[i] >> shift == cellY) {
             out[found++] = i;
           }

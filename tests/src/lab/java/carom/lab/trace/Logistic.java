@@ -6,7 +6,7 @@ package carom.lab.trace;
  */
 final class Logistic {
 
-  /** Largest log odds: beyond it a probability is no longer told from 0 or 1. */
+  /** Largest log odds. Beyond it a probability can't be told from 0 or 1. */
   static final int MAX = 2_815;
 
   private static final char[] SQUASH = new char[2 * MAX + 1];
@@ -25,12 +25,12 @@ final class Logistic {
 
   private Logistic() {}
 
-  /** The probability, 1..65,535, of any log odds. */
+  /** Returns the probability, 1..65,535, of any log odds. */
   static int squash(int odds) {
     return SQUASH[Math.max(-MAX, Math.min(MAX, odds)) + MAX];
   }
 
-  /** The log odds of a probability in 1/4,096. */
+  /** Returns the log odds of a probability in 1/4,096. */
   static int stretch(int probability12) {
     return STRETCH[probability12];
   }

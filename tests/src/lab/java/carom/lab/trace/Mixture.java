@@ -4,11 +4,11 @@ import carom.net.codec.BitCoder;
 import java.util.Arrays;
 
 /**
- * Estimates the probability of a bit from what followed in several contexts before. Each context
- * has a count of its own: the share of ones, and how many bits it has seen, so that new counts move
- * fast and old ones slowly. The log odds of all are added with weights that learn who is right; a
- * set of weights belongs to a situation. Integers only, so that both ends of a link compute the
- * same.
+ * Estimates the probability of a bit from the bits seen before in several contexts. Each context
+ * has a count: the share of ones and the number of bits seen, so that new counts move fast and old
+ * ones slowly. The log odds of all counts are added with weights that learn which contexts predict
+ * well. Each situation has its own set of weights. All numbers are integers, so both ends of a link
+ * compute the same.
  *
  * <p>Use: {@link #select} a count for each input, {@link #weights} for the situation, then {@link
  * #code}. One thread, no allocation.
@@ -40,10 +40,10 @@ public final class Mixture {
   /**
    * Creates a mixture that knows nothing.
    *
-   * @param inputs contexts per bit
-   * @param slots counts in all
-   * @param sets of weights
-   * @param memory how many bits a count averages over at most, 1..1023
+   * @param inputs number of contexts per bit
+   * @param slots number of counts
+   * @param sets number of sets of weights
+   * @param memory most bits that a count averages over, 1..1023
    */
   public Mixture(int inputs, int slots, int sets, int memory) {
     if (memory < 1 || memory > SEEN_MASK) {
@@ -61,7 +61,7 @@ public final class Mixture {
   /** Forgets everything. */
   public void reset() {
     Arrays.fill(counts, UNKNOWN);
-    // More than the mean: contexts that agree make each other surer.
+    // The sum weighs more than the mean: contexts that agree raise the certainty.
     Arrays.fill(weights, WEIGHT_ONE * 14 / (10 * inputs));
   }
 

@@ -3,9 +3,9 @@ package carom.lab.trace;
 import carom.net.codec.BitCoder;
 
 /**
- * Codes whole numbers that are mostly small as bits of an Exp-Golomb tree: zero or not, sign, how
- * many binary digits, the digits behind the first. Each node of the tree is a {@link Mixture} of
- * the given contexts; low digits of long numbers are noise and written plain. One thread, no
+ * Codes mostly small whole numbers as bits of an Exp-Golomb tree: zero or not, sign, number of
+ * binary digits, digits behind the first. Each node of the tree is a {@link Mixture} of the given
+ * contexts. The low digits of long numbers are noise and coded without a model. One thread, no
  * allocation.
  */
 public final class NumberModel {

@@ -1,17 +1,17 @@
 package carom.lab.trace;
 
 /**
- * Linear prediction that fits itself to what came before: weighted least squares that slowly
- * forget, held near a first guess as long as little is known (ridge regression, by Cholesky's
- * decomposition). Only the four operations and the square root on doubles, so the same everywhere.
- * One thread, no allocation.
+ * A linear prediction that fits itself to past samples: weighted least squares that slowly forget
+ * (ridge regression by Cholesky's decomposition). With few samples it stays near a first guess. It
+ * uses only the four operations and the square root on doubles, so results are the same on every
+ * machine. One thread, no allocation.
  */
 final class Regression {
 
-  /** What is left of the past at each {@link #solve}. */
+  /** The factor by which past samples count less after each {@link #solve}. */
   private static final double KEEP = 0.95;
 
-  /** How much the first guess weighs, in samples of unit size. */
+  /** Weight of the first guess, in samples of unit size. */
   private static final double HOLD = 20;
 
   private final int inputs;
@@ -40,7 +40,7 @@ final class Regression {
     factor = new double[inputs * inputs];
   }
 
-  /** The answer to expect. */
+  /** Returns the predicted answer. */
   double predict(double[] x) {
     double sum = 0;
     for (int i = 0; i < inputs; i++) {
@@ -49,7 +49,7 @@ final class Regression {
     return sum;
   }
 
-  /** Takes in a sample; its weight should be one over the square of the error to expect. */
+  /** Adds a sample. Its weight should be 1 over the square of the expected error. */
   void learn(double[] x, double answer, double importance) {
     learnt = true;
     for (int i = 0; i < inputs; i++) {
@@ -64,7 +64,7 @@ final class Regression {
     }
   }
 
-  /** Fits the weights to all samples so far, and forgets a little. */
+  /** Fits the weights to all samples so far, and lowers their weight a little. */
   void solve() {
     if (!learnt) {
       return;

@@ -8,7 +8,7 @@ import carom.sim.scene.catalog.Scenes;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Recordings of the library's scenes, for the codec. */
+/** Records scenes of the library as traces for the codec. */
 public final class SceneTrace {
   private SceneTrace() {}
 

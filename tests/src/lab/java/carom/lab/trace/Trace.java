@@ -90,7 +90,7 @@ public final class Trace {
   }
 
   /**
-   * Makes a trace.
+   * Creates a trace.
    *
    * @param bodies 1..{@link TraceCodec#MAX_BODIES}
    * @param hz ticks per second
@@ -111,7 +111,7 @@ public final class Trace {
     return new Trace(bodies, numbers.length / perTick, hz, copy);
   }
 
-  /** Writes the file, over what was there. */
+  /** Writes the file and replaces an existing one. */
   public void write(Path file) throws IOException {
     ByteBuffer bytes =
         ByteBuffer.allocate(HEADER_BYTES + numbers.capacity()).order(ByteOrder.LITTLE_ENDIAN);
@@ -119,23 +119,23 @@ public final class Trace {
     Files.write(file, bytes.array());
   }
 
-  /** How many bodies. */
+  /** Returns the number of bodies. */
   public int bodies() {
     return bodies;
   }
 
-  /** How many ticks. */
+  /** Returns the number of ticks. */
   public int ticks() {
     return ticks;
   }
 
-  /** Ticks per second. */
+  /** Returns the number of ticks per second. */
   public int hz() {
     return hz;
   }
 
   /**
-   * One of the six numbers of a body, in the file's order.
+   * Returns one of the six numbers of a body, in the file's order.
    *
    * @param number 0..5
    */

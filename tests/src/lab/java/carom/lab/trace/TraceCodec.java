@@ -7,10 +7,10 @@ import carom.net.codec.RangeEncoder;
 import java.util.Arrays;
 
 /**
- * Snapshots of many moving bodies as few bytes, without a world: arrays in, bytes out. Each
+ * Codes snapshots of many moving bodies as few bytes, without a world: arrays in, bytes out. Each
  * snapshot is coded against what the receiver has acknowledged: all snapshots up to the one {@code
- * lag} before, and what can be learnt from them. Whoever receives runs the same class over the same
- * bytes; one object either encodes or decodes.
+ * lag} before, and what can be learnt from them. The receiver runs the same class over the same
+ * bytes. One object either encodes or decodes.
  *
  * <p>How: bodies go in order of their speed, each followed by those that it may have touched. A bit
  * says whether a body is as it was. If not, a linear prediction is made from its past and from how
@@ -227,7 +227,7 @@ public final class TraceCodec {
     return length;
   }
 
-  /** Bytes that any snapshot fits in. */
+  /** Returns the number of bytes that any snapshot fits in. */
   public int maxBytes() {
     // No bit costs more than 16 of them, no number has more than 56 in its tree.
     return 16 + 2 * bodies * (1 + 56 * fields);
@@ -273,7 +273,7 @@ public final class TraceCodec {
     };
   }
 
-  /** A snapshot of the ring. Angles are unwrapped there: they go on past a turn. */
+  /** Returns a snapshot of the ring. Angles are unwrapped there: they go on past a turn. */
   private int[][] at(int snapshot) {
     return ring[Math.max(snapshot, 0) % ring.length];
   }
@@ -291,8 +291,8 @@ public final class TraceCodec {
   // ---------------------------------------------------------------- without a baseline
 
   /**
-   * A snapshot of which nothing is known: each body against the one before, in contexts of the
-   * steps before. What is learnt is forgotten at its end.
+   * Codes a snapshot without a baseline: each body against the body before, in contexts of the
+   * steps before. The codec forgets what it learnt at the end of the snapshot.
    */
   private void walkAlone() {
     alone.reset();
@@ -366,7 +366,7 @@ public final class TraceCodec {
     }
   }
 
-  /** What can be seen of each body without any prediction. */
+  /** Updates the features of each body that need no prediction. */
   private void observe(int[][] now, int[][] before, int[][] older) {
     moving = 0;
     for (int i = 0; i < bodies; i++) {
@@ -469,7 +469,7 @@ public final class TraceCodec {
     }
   }
 
-  /** The inputs of a prediction that the past alone decides. */
+  /** Sets the inputs of a prediction that depend on the past alone. */
   private void past(int f, int i) {
     int now = base[f][i];
     for (int s = 0; s < SPANS.length; s++) {
@@ -490,7 +490,7 @@ public final class TraceCodec {
     }
   }
 
-  /** The inputs that this snapshot adds. */
+  /** Sets the inputs of a prediction that depend on this snapshot. */
   private void present(int f, int i) {
     double share = 1.0 / Math.max(1, neighbours[i]);
     input[AROUND] = surprises[f][i] * share;
@@ -515,7 +515,9 @@ public final class TraceCodec {
     }
   }
 
-  /** Which of the regressions serves a body: by what touches it and how long it flew freely. */
+  /**
+   * Returns which of the regressions serves a body: by what touches it and how long it flew freely.
+   */
   private int group(int f, int i) {
     int touch = neighbours[i] == 0 ? 0 : pushX[i] == 0 && pushY[i] == 0 ? 1 : 2;
     return touch + TOUCHES * (record.still[i] >= HISTORY ? 0 : 1 + phase(f, i));
@@ -668,7 +670,7 @@ public final class TraceCodec {
     model.situation(Math.min(PHASES - 1, phase));
   }
 
-  /** Tells those around a body, which are still to come, what became of it. */
+  /** Tells the neighbours of a body that aren't coded yet how it moved. */
   private void scatter(int j, boolean moved) {
     int x = base[0][j];
     int y = base[1][j];
@@ -735,7 +737,7 @@ public final class TraceCodec {
 
   private static final int LEVELS = 32;
 
-  /** A logarithmic scale in half octaves: 0 below 1, then 1, 2, 3, ... */
+  /** Returns a logarithmic scale in half octaves: 0 below 1, then 1, 2, 3, ... */
   private static int level(double value) {
     return level((int) Math.min(32_767, value));
   }
@@ -748,7 +750,7 @@ public final class TraceCodec {
     return 2 * width - 1 + (value >> width - 2 & 1);
   }
 
-  /** The scale of octaves with a sign: 0..14, 7 in the middle. */
+  /** Returns the scale of octaves with a sign: 0..14, 7 in the middle. */
   private static int signed(int value) {
     int size = Math.min(7, 32 - Integer.numberOfLeadingZeros(Math.abs(value)));
     return value < 0 ? 7 - size : 7 + size;

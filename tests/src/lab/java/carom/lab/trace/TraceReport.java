@@ -6,11 +6,11 @@ import java.util.Arrays;
 import java.util.Locale;
 
 /**
- * What a trace costs on the wire: an encoder and a decoder of its own that gets nothing but the
- * bytes run over it, and what comes out is compared with what went in.
+ * The size and cost of a coded trace. An encoder and a separate decoder, which gets only the bytes,
+ * run over the trace, and the decoded snapshots are compared with the originals.
  *
- * @param bodies of the trace
- * @param snapshots how many were sent
+ * @param bodies number of bodies of the trace
+ * @param snapshots number of snapshots sent
  * @param kbitPerSecond of all snapshots, whole bytes, 1 kbit = 1000 bits, with those before the
  *     first acknowledgement
  * @param meanBytes per snapshot
@@ -97,7 +97,7 @@ public record TraceReport(
         exact);
   }
 
-  /** One line of JSON with the names of the components. */
+  /** Returns the report as one line of JSON with the names of the components. */
   public String toJson() {
     return String.format(
         Locale.ROOT,

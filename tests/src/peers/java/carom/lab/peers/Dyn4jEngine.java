@@ -20,7 +20,7 @@ import org.dyn4j.world.World;
 public final class Dyn4jEngine extends PeerEngine<org.dyn4j.dynamics.Body> {
   private World<org.dyn4j.dynamics.Body> world;
 
-  /** For the service loader. */
+  /** Creates the engine, for the service loader. */
   public Dyn4jEngine() {}
 
   @Override

@@ -26,7 +26,7 @@ import com.badlogic.gdx.utils.GdxNativesLoader;
 public final class GdxBox2dEngine extends PeerEngine<Body> {
   private World world;
 
-  /** For the service loader. */
+  /** Creates the engine, for the service loader. */
   public GdxBox2dEngine() {}
 
   @Override

@@ -20,7 +20,7 @@ import org.jbox2d.dynamics.joints.RevoluteJointDef;
 public final class Jbox2dEngine extends PeerEngine<org.jbox2d.dynamics.Body> {
   private World world;
 
-  /** For the service loader. */
+  /** Creates the engine, for the service loader. */
   public Jbox2dEngine() {}
 
   @Override

@@ -17,8 +17,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Goal: whoever stops a farm can start the next one at once. Method: a farm of its own process is
- * asked to end; the server must see its players leave, not wait for them to come back.
+ * Goal: after a bot farm has stopped, another one can start at once. Method: a farm in its own
+ * process is told to end; the server must see its players leave, not wait for them to come back.
  */
 final class BotsStopTest {
   @Test

@@ -10,9 +10,9 @@ import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
 
 /**
- * Goal: predicting makes no garbage. Method: bytes that the thread allocates while an island of two
- * hundred crates is predicted, told to be right, and drawn; nobody comes near. The smallest of many
- * windows counts: until the JIT compiles them, vectors are objects.
+ * Goal: prediction allocates nothing. Method: bytes that the thread allocates while an island of
+ * two hundred crates is predicted, confirmed by the server and drawn; no other body comes near. The
+ * smallest of many windows counts: until the JIT compiles them, vectors are objects.
  */
 class PredictionAllocationTest {
   private static final int WINDOWS = 150;

@@ -11,9 +11,9 @@ import carom.testkit.RollbackFigure;
 import org.junit.jupiter.api.Test;
 
 /**
- * Goal: a large island comes back right in every bit, and a client that is too slow for it leaves
- * out what it can't do instead of falling behind. Method: a wall of two hundred crates; a stopwatch
- * that counts computed ticks.
+ * Goal: a client restores and resimulates a large island exactly in every bit, and one that is too
+ * slow for it leaves out ticks instead of falling behind. Method: a wall of two hundred crates; a
+ * stopwatch that counts computed ticks.
  */
 class RollbackTest {
   private static final long MS = 1_000_000L;

@@ -19,7 +19,7 @@ import carom.sim.level.LevelException;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 
-/** Goal: moving about feels as designed. Method: one player, scripted input, a small level. */
+/** Goal: movement follows its design. Method: one player, scripted input, a small level. */
 class PlatformerGameTest {
   private static final float FEET = PlatformerGame.PLAYER_HEIGHT / 2;
 

@@ -30,8 +30,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /**
- * What strangers may try on the open ports. After each attempt a canary, a link that was there
- * before, still exchanges messages and datagrams, and a newcomer gets in.
+ * Goal: no attack on the open ports affects other clients. Method: after each attempt a canary, a
+ * link that was there before, still exchanges messages and datagrams, and a newcomer gets in.
  */
 @Timeout(30)
 final class KryoHostilityTest {

@@ -31,7 +31,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /**
- * What client and server promise each other; {@code CrowdTransportTest} asks it of a crowd, too.
+ * Tests the contract of a client's and a server's transport. {@code CrowdTransportTest} runs the
+ * same tests on a crowd.
  */
 @Timeout(30)
 public class KryoTransportTest {

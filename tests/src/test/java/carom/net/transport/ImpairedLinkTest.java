@@ -15,8 +15,8 @@ import java.util.concurrent.CyclicBarrier;
 import org.junit.jupiter.api.Test;
 
 /**
- * Goal: the bad network is as bad as asked, and the same for the same seed. Method: counts over
- * thousands of datagrams.
+ * Goal: an impaired link is as bad as configured, and the same for the same seed. Method: counts
+ * over thousands of datagrams.
  */
 class ImpairedLinkTest {
 

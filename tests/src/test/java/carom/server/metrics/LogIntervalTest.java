@@ -10,12 +10,12 @@ class LogIntervalTest {
   void letsALineThroughEveryTenSeconds() {
     for (long start : new long[] {0, -5, Long.MAX_VALUE - 3}) {
       LogInterval interval = new LogInterval();
-      assertTrue(interval.begins(start));
-      assertFalse(interval.begins(start));
-      assertFalse(interval.begins(start + LogInterval.LENGTH_NS - 1));
-      assertTrue(interval.begins(start + LogInterval.LENGTH_NS));
-      assertFalse(interval.begins(start + LogInterval.LENGTH_NS + 1));
-      assertTrue(interval.begins(start + 10 * LogInterval.LENGTH_NS));
+      assertTrue(interval.tryBegin(start));
+      assertFalse(interval.tryBegin(start));
+      assertFalse(interval.tryBegin(start + LogInterval.LENGTH_NS - 1));
+      assertTrue(interval.tryBegin(start + LogInterval.LENGTH_NS));
+      assertFalse(interval.tryBegin(start + LogInterval.LENGTH_NS + 1));
+      assertTrue(interval.tryBegin(start + 10 * LogInterval.LENGTH_NS));
     }
   }
 }

@@ -18,7 +18,7 @@ import java.util.Locale;
  * Would the simulation itself be a better predictor of snapshots? Run its {@code main}: it puts
  * what a client holds of a scene into the scene's world, computes it up to the present, and tells
  * what the differences to the truth take, beside today's {@link Predictor}. Each way of predicting
- * has a table of its own, counted over the scene itself, so that none is at an advantage.
+ * has a table of its own, counted over the scene itself, so that none has an advantage.
  */
 public final class SimulationTrial {
   private static final int[] AGES = {2, 6, 12};

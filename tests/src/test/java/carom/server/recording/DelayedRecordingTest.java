@@ -19,18 +19,21 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Goal: who watches late need not fetch the past. Method: play what is shown from there on. */
-final class ShowingTest {
+/**
+ * Goal: a spectator that comes late need not fetch the past. Method: the test replays the bytes
+ * that the recording shows from there on.
+ */
+final class DelayedRecordingTest {
   private static final int DELAY = 60;
   private static final int PIECE = 1_000;
 
   @TempDir private Path folder;
 
-  private static byte[] all(Showing showing, long skipped, int now) throws Exception {
+  private static byte[] all(DelayedRecording recording, long skipped, int now) throws Exception {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     byte[] piece;
     do {
-      piece = showing.read(skipped, out.size(), PIECE, now);
+      piece = recording.read(skipped, out.size(), PIECE, now);
       out.writeBytes(piece);
     } while (piece.length > 0);
     return out.toByteArray();
@@ -39,28 +42,30 @@ final class ShowingTest {
   @Test
   void whoComesLateBeginsWithTheLastStateShown() throws Exception {
     Simulation s = new Simulation(new ArenaGame(), Level.builtIn("arena"), 7, 60, Role.AUTHORITY);
-    Showing showing = new Showing(new RecordingFile(folder.resolve("all.carom")), s::tick, false);
-    showing.delay(DELAY);
-    Recorder recorder = new Recorder(s, RecordingHeader.of(s, 7, 99), showing);
+    DelayedRecording recording =
+        new DelayedRecording(new RecordingFile(folder.resolve("all.carom")), s::tick, false);
+    recording.delay(DELAY);
+    Recorder recorder = new Recorder(s, RecordingHeader.of(s, 7, 99), recording);
     s.journal(recorder);
     s.join(0, "Ann");
     int minute = Recorder.STATE_SECONDS * 60;
     for (int i = 0; i < minute + 200; i++) {
       s.step();
-      while (showing.file().endOf(i / 60) < 0) {
+      while (recording.file().endOf(i / 60) < 0) {
         Thread.sleep(1); // a block a second: the thread that writes must not fall behind
       }
     }
     recorder.end("STOPPED");
-    showing.file().close();
+    recording.file().close();
 
-    assertEquals(0, showing.skippable(minute + DELAY - 1), "the state is too young to be shown");
-    long skipped = showing.skippable(minute + DELAY + 120);
+    assertEquals(
+        0, recording.skippableBytes(minute + DELAY - 1), "the state is too young to be shown");
+    long skipped = recording.skippableBytes(minute + DELAY + 120);
     assertTrue(skipped > 10_000, "skipped=" + skipped);
     byte[] whole = Files.readAllBytes(folder.resolve("all.carom"));
     int late = s.tick() + DELAY;
-    assertArrayEquals(whole, all(showing, 0, late), "who was there before reads all");
-    byte[] rest = all(showing, skipped, late);
+    assertArrayEquals(whole, all(recording, 0, late), "who was there before reads all");
+    byte[] rest = all(recording, skipped, late);
     assertEquals(whole.length - skipped, rest.length);
     Path file = Files.write(folder.resolve("rest.carom"), rest);
     try (RecordingReader reader = RecordingReader.open(file)) {
@@ -73,6 +78,6 @@ final class ShowingTest {
       assertEquals(s.tick(), replay.simulation().tick());
       assertEquals(s.stateHash(), replay.simulation().stateHash());
     }
-    showing.close();
+    recording.close();
   }
 }

@@ -11,53 +11,56 @@ import java.util.List;
 import java.util.function.IntSupplier;
 
 /**
- * A room's recording as spectators may see it: each block from a delay after the last tick in it
- * on, never before. All of them read the same file, whose bytes exist once, whoever watches; who
- * comes late is spared what lies before the last whole state.
+ * A room's recording that shows each block to spectators after a delay, counted from the last tick
+ * in the block. All spectators read the same file. A spectator that comes late can skip what lies
+ * before the last whole state.
  *
- * <p>{@link #take} belongs to the room's thread, the rest to the lobby's.
+ * <p>The room's thread calls {@link #take}, the lobby's thread all other methods.
  */
-public final class Showing implements BlockSink, AutoCloseable {
+public final class DelayedRecording implements BlockSink, AutoCloseable {
   private final RecordingFile file;
   private final IntSupplier tick;
   private final boolean temporary;
 
-  /** The tick after which each block was made; guarded by itself. */
+  /** The tick after which each block was made. Guarded by itself. */
   private final List<Integer> ticks = new ArrayList<>();
 
-  /** What each block is; guarded by {@code ticks}, as what is derived from it below. */
+  /** The type of each block. {@code ticks} guards it and the fields derived from it below. */
   private final List<Block> types = new ArrayList<>();
 
-  /** Where the header ends, the last whole state begins, and one that may not be whole yet. */
+  /** Where the header ends in the file, bytes. */
   private long headerEnd;
 
+  /** Where the last whole state begins in the file, bytes. */
   private long lastState;
+
+  /** Where the newest state begins in the file, bytes. Its last blocks may be missing. */
   private long begunState;
 
   private int delayTicks = Integer.MAX_VALUE;
   private int shownBlocks;
-  private long shown;
+  private long shownBytes;
   private FileChannel channel;
 
   /**
-   * Shows nothing until {@link #delay} is set.
+   * Creates a recording that shows nothing until {@link #delay} is called.
    *
-   * @param file takes the blocks; closed with this
-   * @param tick the room's present tick, read on its thread
-   * @param temporary whether the file goes when this is closed
+   * @param file takes the blocks; {@link #close} closes it
+   * @param tick returns the room's present tick; called on the room's thread
+   * @param temporary whether {@link #close} deletes the file
    */
-  public Showing(RecordingFile file, IntSupplier tick, boolean temporary) {
+  public DelayedRecording(RecordingFile file, IntSupplier tick, boolean temporary) {
     this.file = file;
     this.tick = tick;
     this.temporary = temporary;
   }
 
-  /** Shows blocks so many ticks late, before the first is read. */
+  /** Sets the delay, in ticks. Call it before the first block is read. */
   public void delay(int newDelayTicks) {
     delayTicks = newDelayTicks;
   }
 
-  /** Whether spectators may see it, once it is old enough. Set before the room's first turn. */
+  /** Returns whether spectators may see the recording. Constant after the room's first turn. */
   public boolean isShown() {
     return delayTicks != Integer.MAX_VALUE;
   }
@@ -75,56 +78,56 @@ public final class Showing implements BlockSink, AutoCloseable {
   }
 
   /**
-   * How many bytes of the file may be seen.
+   * Returns the number of bytes at the start of the file that spectators may see.
    *
    * @param now the room's tick
    */
-  public long shown(int now) {
+  public long shownBytes(int now) {
     synchronized (ticks) {
       while (shownBlocks < ticks.size()
           && now - ticks.get(shownBlocks) >= delayTicks
           && file.endOf(shownBlocks) >= 0) {
-        show(types.get(shownBlocks));
-        shown = file.endOf(shownBlocks);
+        noteState(types.get(shownBlocks));
+        shownBytes = file.endOf(shownBlocks);
         shownBlocks++;
       }
     }
-    return shown;
+    return shownBytes;
   }
 
-  /** Before {@code shown} moves to the block's end. */
-  private void show(Block type) {
+  /** Notes where whole states begin. Called before {@code shownBytes} moves to the block's end. */
+  private void noteState(Block type) {
     boolean inState = shownBlocks > 0 && types.get(shownBlocks - 1) == Block.STATE;
     if (shownBlocks == 0) {
       headerEnd = file.endOf(0);
     } else if (type == Block.STATE && !inState) {
-      begunState = shown;
+      begunState = shownBytes;
     } else if (type != Block.STATE && inState) {
       lastState = begunState;
     }
   }
 
   /**
-   * How many bytes behind the header somebody who comes now needs not fetch: the header and what
-   * follows the last whole state are a recording by themselves.
+   * Returns the number of bytes behind the header that a new spectator can skip. The header and the
+   * blocks from the last whole state on are a recording by themselves.
    *
    * @param now the room's tick
    */
-  public long skippable(int now) {
-    shown(now);
+  public long skippableBytes(int now) {
+    shownBytes(now);
     return Math.max(0, lastState - headerEnd);
   }
 
   /**
-   * Reads bytes that may be seen.
+   * Reads bytes that spectators may see.
    *
-   * @param skipped how many bytes behind the header are left out, as {@link #skippable} said
-   * @param offset in what is left, anything; behind what may be seen there is nothing
-   * @param most largest number of bytes
+   * @param skipped number of bytes behind the header to leave out, from {@link #skippableBytes}
+   * @param offset offset in the rest, any value; the result is empty behind the visible bytes
+   * @param most largest number of bytes to read
    * @param now the room's tick
    */
   public byte[] read(long skipped, long offset, int most, int now) throws IOException {
-    int length = (int) Math.max(0, Math.min(most, shown(now) - skipped - offset));
+    int length = (int) Math.max(0, Math.min(most, shownBytes(now) - skipped - offset));
     byte[] bytes = new byte[length];
     if (length > 0) {
       if (channel == null) {
@@ -147,12 +150,12 @@ public final class Showing implements BlockSink, AutoCloseable {
     }
   }
 
-  /** The file. */
+  /** Returns the file. */
   public RecordingFile file() {
     return file;
   }
 
-  /** Closes the file, and deletes it if it was made for this only. */
+  /** Closes the file and deletes it if it is temporary. */
   @Override
   public void close() {
     file.close();
@@ -164,7 +167,7 @@ public final class Showing implements BlockSink, AutoCloseable {
         Files.deleteIfExists(file.path());
       }
     } catch (IOException e) {
-      // It lies in the system's folder for such files, which is cleared without us.
+      // The system clears its folder for temporary files by itself.
       return;
     }
   }
