@@ -1,12 +1,14 @@
 package carom.sim;
 
+import carom.physics.rows.BodyRow;
+
 /**
  * Someone who plays: a name, an input, a score, perhaps a body. Belongs to one {@link Simulation}
  * and its thread.
  */
 public final class Player {
   /** Ints of {@link #memory}. */
-  public static final int MEMORY_SIZE = 4;
+  public static final int MEMORY_SIZE = BodyRow.MEMORY_INTS;
 
   /** Parts of a tick in which {@link #viewDelay} counts. */
   public static final int VIEW_STEPS = 16;

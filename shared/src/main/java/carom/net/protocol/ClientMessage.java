@@ -1,5 +1,6 @@
 package carom.net.protocol;
 
+import carom.physics.rows.BodyRow;
 import java.util.List;
 
 /** What a client sends reliably and in order. Encoded by {@link ClientMessageCodec}. */
@@ -55,11 +56,11 @@ public sealed interface ClientMessage {
    */
   record Diverged(int tick, int equalTick, List<Integer> bodies, List<Integer> memory)
       implements ClientMessage {
-    /** Numbers of a body. */
-    public static final int BODY_INTS = 8;
+    /** Numbers of a body: the head of its row. */
+    public static final int BODY_INTS = BodyRow.HEAD_INTS;
 
     /** Numbers of the memory. */
-    public static final int MEMORY_INTS = 4;
+    public static final int MEMORY_INTS = BodyRow.MEMORY_INTS;
 
     /** Most bodies told: as many as a message has room for. */
     public static final int MAX_BODIES = 31;

@@ -154,7 +154,7 @@ public final class NearCodec {
     }
     w.write(near.totalRows, ROW_BITS);
     w.write(near.firstRow, ROW_BITS);
-    w.write(near.partRows, PART_BITS);
+    w.write(near.partRows(), PART_BITS);
   }
 
   private static void readPart(BitReader r, NearState near) {
@@ -168,10 +168,7 @@ public final class NearCodec {
     near.totalRows = r.read(ROW_BITS);
     near.firstRow = r.read(ROW_BITS);
     for (int n = r.read(PART_BITS); n > 0; n--) {
-      int at = near.growRow();
-      if (near.isEntity(near.partRows - 1)) {
-        near.rows[at] = near.key(near.told[near.firstRow + near.partRows - 1]);
-      }
+      near.growRow();
     }
   }
 }

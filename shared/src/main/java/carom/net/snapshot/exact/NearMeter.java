@@ -1,6 +1,8 @@
 package carom.net.snapshot.exact;
 
 import carom.net.codec.Surprise;
+import carom.physics.rows.RowKind;
+import carom.physics.rows.Rows;
 
 /**
  * Tells how much of a datagram rows of a near update take, before they are sent. One thread, no
@@ -11,7 +13,9 @@ public final class NearMeter {
 
   private final NearRowCodec codec = new NearRowCodec();
   private final Surprise surprise = new Surprise();
-  private final int[] row = new int[NearState.STRIDE];
+
+  /** One row, a copy: coding writes it. */
+  private final Rows row = Rows.mixed();
 
   /** Creates one; call {@link #begin}. */
   public NearMeter() {}
@@ -30,14 +34,13 @@ public final class NearMeter {
   /**
    * Adds the next row.
    *
-   * @param isEntity whether it is an entity's, not a contact's
    * @param from holds it; not changed
    * @param at where it begins
    */
-  public void add(boolean isEntity, int[] from, int at) {
-    int ints = isEntity ? NearState.ENTITY_INTS : NearState.CONTACT_INTS;
-    System.arraycopy(from, at, row, 0, ints);
-    codec.row(surprise, isEntity, row, 0);
+  public void add(RowKind kind, int[] from, int at) {
+    row.clear();
+    row.add(kind, from, at);
+    codec.row(surprise, kind, row.ints(), 0);
   }
 
   /** Bits of all rows since {@link #begin}, to within a few percent. */
