@@ -2,10 +2,10 @@ package carom.physics;
 
 import carom.physics.dynamics.Dynamics;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Checks;
 import carom.physics.dynamics.body.ShapeSpec;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
+import carom.physics.math.Limits;
 import carom.physics.math.StateHash;
 import carom.physics.math.Trig;
 import java.util.function.Consumer;
@@ -25,6 +25,9 @@ import java.util.function.Consumer;
  *
  * <p>Forces and impulses add up, act in the next step, and are then forgotten; on static and
  * kinematic bodies, and on disabled ones, they do nothing.
+ *
+ * <p><b>Length.</b> The class has one getter or setter per property of a body, each with its unit
+ * and range; none of them is longer than a few lines.
  *
  * @param <T> the user's type
  */
@@ -123,7 +126,7 @@ public final class Body<T> {
    */
   public void setType(BodyType newType) {
     check();
-    world.changes().changeType(this, newType);
+    world.edits().changeType(this, newType);
   }
 
   /**
@@ -147,7 +150,7 @@ public final class Body<T> {
    */
   public void setEnabled(boolean enabled) {
     check();
-    world.changes().enable(this, enabled);
+    world.edits().enable(this, enabled);
   }
 
   /**
@@ -343,7 +346,7 @@ public final class Body<T> {
    * @param angleRad rad
    */
   public void setPose(float x, float y, float angleRad) {
-    Checks.range("angle", angleRad, -1e5f, 1e5f);
+    Limits.range("angle", angleRad, -1e5f, 1e5f);
     setPose(x, y, Trig.cos(angleRad), Trig.sin(angleRad));
   }
 
@@ -402,8 +405,8 @@ public final class Body<T> {
    */
   public void setVelocity(float vx, float vy) {
     check();
-    Checks.velocity("velocityX", vx);
-    Checks.velocity("velocityY", vy);
+    Limits.velocity("velocityX", vx);
+    Limits.velocity("velocityY", vy);
     if (store.type[index] != BodyStore.STATIC) {
       if (vx != 0 || vy != 0) {
         rouse();
@@ -420,7 +423,7 @@ public final class Body<T> {
    */
   public void setAngularVelocity(float radPerSecond) {
     check();
-    Checks.velocity("angularVelocity", radPerSecond);
+    Limits.velocity("angularVelocity", radPerSecond);
     if (store.type[index] != BodyStore.STATIC) {
       if (radPerSecond != 0) {
         rouse();
@@ -437,8 +440,8 @@ public final class Body<T> {
    */
   public void applyForce(float fx, float fy) {
     check();
-    Checks.force("forceX", fx);
-    Checks.force("forceY", fy);
+    Limits.force("forceX", fx);
+    Limits.force("forceY", fy);
     if (acts() && (fx != 0 || fy != 0)) {
       dynamics().wake(index);
       store.forceX[index] += fx;
@@ -455,8 +458,8 @@ public final class Body<T> {
    * @param py point of application, m, world
    */
   public void applyForce(float fx, float fy, float px, float py) {
-    Checks.coordinate("px", px);
-    Checks.coordinate("py", py);
+    Limits.coordinate("px", px);
+    Limits.coordinate("py", py);
     applyForce(fx, fy);
     if (acts()) {
       store.torque[index] += (px - store.x[index]) * fy - (py - store.y[index]) * fx;
@@ -474,9 +477,9 @@ public final class Body<T> {
    */
   public void applyAmbientForce(float fx, float fy, float torque) {
     check();
-    Checks.force("forceX", fx);
-    Checks.force("forceY", fy);
-    Checks.force("torque", torque);
+    Limits.force("forceX", fx);
+    Limits.force("forceY", fy);
+    Limits.force("torque", torque);
     if (acts() && !store.asleep(index)) {
       store.forceX[index] += fx;
       store.forceY[index] += fy;
@@ -507,8 +510,8 @@ public final class Body<T> {
    */
   public void applyImpulse(float jx, float jy) {
     check();
-    Checks.force("impulseX", jx);
-    Checks.force("impulseY", jy);
+    Limits.force("impulseX", jx);
+    Limits.force("impulseY", jy);
     if (acts() && (jx != 0 || jy != 0)) {
       dynamics().wake(index);
       store.impulseX[index] += jx;
@@ -525,8 +528,8 @@ public final class Body<T> {
    * @param py point of application, m, world
    */
   public void applyImpulse(float jx, float jy, float px, float py) {
-    Checks.coordinate("px", px);
-    Checks.coordinate("py", py);
+    Limits.coordinate("px", px);
+    Limits.coordinate("py", py);
     applyImpulse(jx, jy);
     if (acts()) {
       store.impulseW[index] += (px - store.x[index]) * jy - (py - store.y[index]) * jx;
@@ -540,7 +543,7 @@ public final class Body<T> {
    */
   public void applyTorque(float torque) {
     check();
-    Checks.force("torque", torque);
+    Limits.force("torque", torque);
     if (acts() && torque != 0) {
       dynamics().wake(index);
       store.torque[index] += torque;
@@ -554,7 +557,7 @@ public final class Body<T> {
    */
   public void applyAngularImpulse(float j) {
     check();
-    Checks.force("angularImpulse", j);
+    Limits.force("angularImpulse", j);
     if (acts() && j != 0) {
       dynamics().wake(index);
       store.impulseW[index] += j;
@@ -573,7 +576,7 @@ public final class Body<T> {
    * @param dtSeconds the length of the next step, s
    */
   public void seekVelocity(float goalX, float goalY, float k, float dtSeconds) {
-    Checks.timeStep(dtSeconds);
+    Limits.timeStep(dtSeconds);
     seekVelocity(goalX, goalY, Math.min(k, mass() / dtSeconds));
   }
 
@@ -587,9 +590,9 @@ public final class Body<T> {
    */
   public void seekVelocity(float goalX, float goalY, float k) {
     check();
-    Checks.velocity("goalX", goalX);
-    Checks.velocity("goalY", goalY);
-    Checks.range("k", k, 0, 1e12f);
+    Limits.velocity("goalX", goalX);
+    Limits.velocity("goalY", goalY);
+    Limits.range("k", k, 0, 1e12f);
     applyForce(k * (goalX - store.vx[index]), k * (goalY - store.vy[index]));
   }
 
@@ -667,7 +670,7 @@ public final class Body<T> {
    */
   public void setMass(float kilograms, float inertia, float centerX, float centerY) {
     check();
-    world.changes().changeMass(this, BodyDef.checkedMass(kilograms, inertia, centerX, centerY));
+    world.edits().changeMass(this, BodyDef.checkedMass(kilograms, inertia, centerX, centerY));
   }
 
   /**
@@ -678,7 +681,7 @@ public final class Body<T> {
    */
   public void computeMass() {
     check();
-    world.changes().changeMass(this, null);
+    world.edits().changeMass(this, null);
   }
 
   /**
@@ -710,7 +713,7 @@ public final class Body<T> {
    */
   public void setFixedRotation(boolean fixed) {
     check();
-    world.changes().fixRotation(this, fixed);
+    world.edits().fixRotation(this, fixed);
   }
 
   /**
@@ -753,7 +756,7 @@ public final class Body<T> {
    */
   public void setMaterial(int i, Material newMaterial) {
     check();
-    world.changes().changeShape(this, i, shape -> shape.withMaterial(newMaterial));
+    world.edits().changeShape(this, i, shape -> shape.withMaterial(newMaterial));
   }
 
   /**
@@ -777,7 +780,7 @@ public final class Body<T> {
    */
   public void setFilter(int i, Filter newFilter) {
     check();
-    world.changes().changeShape(this, i, shape -> shape.withFilter(newFilter));
+    world.edits().changeShape(this, i, shape -> shape.withFilter(newFilter));
   }
 
   /**
@@ -801,7 +804,7 @@ public final class Body<T> {
    */
   public void setSensor(int i, boolean sensor) {
     check();
-    world.changes().changeShape(this, i, shape -> shape.withSensor(sensor));
+    world.edits().changeShape(this, i, shape -> shape.withSensor(sensor));
   }
 
   /**
@@ -831,7 +834,7 @@ public final class Body<T> {
    */
   public void setGravityScale(float factor) {
     check();
-    Checks.range("gravityScale", factor, -Checks.MAX_GRAVITY_SCALE, Checks.MAX_GRAVITY_SCALE);
+    Limits.range("gravityScale", factor, -Limits.MAX_GRAVITY_SCALE, Limits.MAX_GRAVITY_SCALE);
     if (store.gravityScale[index] != factor) {
       rouse();
       store.gravityScale[index] = factor;
@@ -856,7 +859,7 @@ public final class Body<T> {
    */
   public void setLinearDamping(float perSecond) {
     check();
-    store.linearDamping[index] = Checks.range("linearDamping", perSecond, 0, Checks.MAX_DAMPING);
+    store.linearDamping[index] = Limits.range("linearDamping", perSecond, 0, Limits.MAX_DAMPING);
     store.coldChanged();
   }
 
@@ -877,7 +880,7 @@ public final class Body<T> {
    */
   public void setAngularDamping(float perSecond) {
     check();
-    store.angularDamping[index] = Checks.range("angularDamping", perSecond, 0, Checks.MAX_DAMPING);
+    store.angularDamping[index] = Limits.range("angularDamping", perSecond, 0, Limits.MAX_DAMPING);
     store.coldChanged();
   }
 

@@ -1,8 +1,8 @@
 package carom.physics;
 
-import carom.physics.dynamics.body.Checks;
 import carom.physics.geometry.MassData;
 import carom.physics.geometry.Shape;
+import carom.physics.math.Limits;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -83,8 +83,8 @@ public final class BodyDef {
    * @return this
    */
   public BodyDef position(float newX, float newY) {
-    x = Checks.coordinate("x", newX);
-    y = Checks.coordinate("y", newY);
+    x = Limits.coordinate("x", newX);
+    y = Limits.coordinate("y", newY);
     return this;
   }
 
@@ -95,7 +95,7 @@ public final class BodyDef {
    * @return this
    */
   public BodyDef angle(float angleRad) {
-    angle = Checks.range("angle", angleRad, -1e5f, 1e5f);
+    angle = Limits.range("angle", angleRad, -1e5f, 1e5f);
     return this;
   }
 
@@ -107,8 +107,8 @@ public final class BodyDef {
    * @return this
    */
   public BodyDef velocity(float newVx, float newVy) {
-    vx = Checks.velocity("velocityX", newVx);
-    vy = Checks.velocity("velocityY", newVy);
+    vx = Limits.velocity("velocityX", newVx);
+    vy = Limits.velocity("velocityY", newVy);
     return this;
   }
 
@@ -119,7 +119,7 @@ public final class BodyDef {
    * @return this
    */
   public BodyDef angularVelocity(float radPerSecond) {
-    angularVelocity = Checks.velocity("angularVelocity", radPerSecond);
+    angularVelocity = Limits.velocity("angularVelocity", radPerSecond);
     return this;
   }
 
@@ -139,12 +139,12 @@ public final class BodyDef {
   }
 
   static MassData checkedMass(float kilograms, float inertia, float centerX, float centerY) {
-    Checks.range("mass", kilograms, 1e-9f, 1e15f);
+    Limits.range("mass", kilograms, 1e-9f, 1e15f);
     if (inertia != 0) {
-      Checks.range("inertia", inertia, 1e-20f, 1e20f);
+      Limits.range("inertia", inertia, 1e-20f, 1e20f);
     }
-    Checks.coordinate("centerX", centerX);
-    Checks.coordinate("centerY", centerY);
+    Limits.coordinate("centerX", centerX);
+    Limits.coordinate("centerY", centerY);
     return new MassData(kilograms, centerX, centerY, inertia);
   }
 
@@ -179,7 +179,7 @@ public final class BodyDef {
    * @return this
    */
   public BodyDef linearDamping(float perSecond) {
-    linearDamping = Checks.range("linearDamping", perSecond, 0, Checks.MAX_DAMPING);
+    linearDamping = Limits.range("linearDamping", perSecond, 0, Limits.MAX_DAMPING);
     return this;
   }
 
@@ -190,7 +190,7 @@ public final class BodyDef {
    * @return this
    */
   public BodyDef angularDamping(float perSecond) {
-    angularDamping = Checks.range("angularDamping", perSecond, 0, Checks.MAX_DAMPING);
+    angularDamping = Limits.range("angularDamping", perSecond, 0, Limits.MAX_DAMPING);
     return this;
   }
 
@@ -202,7 +202,7 @@ public final class BodyDef {
    */
   public BodyDef gravityScale(float factor) {
     gravityScale =
-        Checks.range("gravityScale", factor, -Checks.MAX_GRAVITY_SCALE, Checks.MAX_GRAVITY_SCALE);
+        Limits.range("gravityScale", factor, -Limits.MAX_GRAVITY_SCALE, Limits.MAX_GRAVITY_SCALE);
     return this;
   }
 

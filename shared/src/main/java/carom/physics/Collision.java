@@ -86,7 +86,7 @@ public final class Collision<T> {
    * @return in the body frame
    */
   public Shape selfShape() {
-    return self().shape(world.dynamics().shapeOf(table.partA(row)));
+    return self().shape(world.dynamics().queries().shapeOf(table.partA(row)));
   }
 
   /**
@@ -95,7 +95,7 @@ public final class Collision<T> {
    * @return its material
    */
   public Material selfMaterial() {
-    return self().material(world.dynamics().shapeOf(table.partA(row)));
+    return self().material(world.dynamics().queries().shapeOf(table.partA(row)));
   }
 
   /**
@@ -104,7 +104,7 @@ public final class Collision<T> {
    * @return its material
    */
   public Material otherMaterial() {
-    return other().material(world.dynamics().shapeOf(table.partB(row)));
+    return other().material(world.dynamics().queries().shapeOf(table.partB(row)));
   }
 
   /**
@@ -113,7 +113,7 @@ public final class Collision<T> {
    * @return in the body frame
    */
   public Shape otherShape() {
-    return other().shape(world.dynamics().shapeOf(table.partB(row)));
+    return other().shape(world.dynamics().queries().shapeOf(table.partB(row)));
   }
 
   /**

@@ -1,8 +1,8 @@
 package carom.physics;
 
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Checks;
 import carom.physics.dynamics.joint.JointStore;
+import carom.physics.math.Limits;
 import carom.physics.math.Trig;
 
 /**
@@ -16,6 +16,9 @@ import carom.physics.math.Trig;
  *
  * <p>What is set acts from the next step on, and wakes the bodies if it is another value than
  * before. Joints are solved in the order of their indices.
+ *
+ * <p><b>Length.</b> The class has one getter or setter per property of a joint, each with its unit
+ * and range; none of them is longer than a few lines.
  *
  * @param <T> the user's type of {@link Body#user()}
  */
@@ -429,8 +432,8 @@ public final class Joint<T> {
    */
   public void setMotor(float speed, float max) {
     refuseUnless(JointDef.hasMotor(type), "setMotor");
-    Checks.velocity("speed", speed);
-    Checks.range("max", max, 0, Checks.MAX_FORCE);
+    Limits.velocity("speed", speed);
+    Limits.range("max", max, 0, Limits.MAX_FORCE);
     set(store.motorSpeed, speed);
     set(store.motorMax, max);
     raise(JointStore.DRIVEN);
@@ -451,8 +454,8 @@ public final class Joint<T> {
    */
   public void setLimits(float lower, float upper) {
     refuseUnless(JointDef.hasLimits(type), "setLimits");
-    Checks.range("lower", lower, JointDef.least(type), JointDef.most(type));
-    Checks.range("upper", upper, lower, JointDef.most(type));
+    Limits.range("lower", lower, JointDef.least(type), JointDef.most(type));
+    Limits.range("upper", upper, lower, JointDef.most(type));
     set(store.lower, lower);
     set(store.upper, upper);
     wind(lower);
@@ -477,8 +480,8 @@ public final class Joint<T> {
    */
   public void setSpring(float hertz, float dampingRatio) {
     refuseUnless(JointDef.canSpring(type), "setSpring");
-    Checks.range("hertz", hertz, 0, Checks.MAX_HERTZ);
-    Checks.range("dampingRatio", dampingRatio, 0, Checks.MAX_DAMPING_RATIO);
+    Limits.range("hertz", hertz, 0, Limits.MAX_HERTZ);
+    Limits.range("dampingRatio", dampingRatio, 0, Limits.MAX_DAMPING_RATIO);
     set(store.hertz, hertz);
     set(store.damping, dampingRatio);
     if (JointDef.hasCoordinateSpring(type)) {
@@ -500,7 +503,7 @@ public final class Joint<T> {
    */
   public void setRest(float coordinate) {
     refuseUnless(JointDef.hasLimits(type), "setRest");
-    set(store.rest, Checks.range("rest", coordinate, JointDef.least(type), JointDef.most(type)));
+    set(store.rest, Limits.range("rest", coordinate, JointDef.least(type), JointDef.most(type)));
     wind(coordinate);
   }
 
@@ -522,8 +525,8 @@ public final class Joint<T> {
    */
   public void setTarget(float x, float y) {
     refuseUnless(type == JointType.MOTOR || type == JointType.MOUSE, "setTarget");
-    Checks.coordinate("x", x);
-    Checks.coordinate("y", y);
+    Limits.coordinate("x", x);
+    Limits.coordinate("y", y);
     set(store.anchorAx, x);
     set(store.anchorAy, y);
   }
@@ -535,7 +538,7 @@ public final class Joint<T> {
    */
   public void setTargetAngle(float angleRad) {
     refuseUnless(type == JointType.MOTOR, "setTargetAngle");
-    Checks.range("angle", angleRad, -1e5f, 1e5f);
+    Limits.range("angle", angleRad, -1e5f, 1e5f);
     set(store.refCos, Trig.cos(angleRad));
     set(store.refSin, Trig.sin(angleRad));
   }

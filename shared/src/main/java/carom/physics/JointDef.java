@@ -1,7 +1,7 @@
 package carom.physics;
 
-import carom.physics.dynamics.body.Checks;
 import carom.physics.dynamics.joint.JointStore;
+import carom.physics.math.Limits;
 import carom.physics.math.Trig;
 
 /**
@@ -70,10 +70,10 @@ public final class JointDef<T> {
   }
 
   private JointDef<T> anchors(float newAx, float newAy, float newBx, float newBy) {
-    ax = Checks.coordinate("anchorAX", newAx);
-    ay = Checks.coordinate("anchorAY", newAy);
-    bx = Checks.coordinate("anchorBX", newBx);
-    by = Checks.coordinate("anchorBY", newBy);
+    ax = Limits.coordinate("anchorAX", newAx);
+    ay = Limits.coordinate("anchorAY", newAy);
+    bx = Limits.coordinate("anchorBX", newBx);
+    by = Limits.coordinate("anchorBY", newBy);
     return this;
   }
 
@@ -206,8 +206,8 @@ public final class JointDef<T> {
   public static <T> JointDef<T> motor(
       Body<T> bodyA, Body<T> bodyB, float maxForce, float maxTorque) {
     JointDef<T> d = new JointDef<>(JointType.MOTOR, bodyA, bodyB);
-    d.maxForce = Checks.range("maxForce", maxForce, 0, Checks.MAX_FORCE);
-    d.maxTorque = Checks.range("maxTorque", maxTorque, 0, Checks.MAX_FORCE);
+    d.maxForce = Limits.range("maxForce", maxForce, 0, Limits.MAX_FORCE);
+    d.maxTorque = Limits.range("maxTorque", maxTorque, 0, Limits.MAX_FORCE);
     float x = bodyB.centerX();
     float y = bodyB.centerY();
     return d.anchors(x, y, x, y).spring(10, 1).angularSpring(10, 1);
@@ -227,7 +227,7 @@ public final class JointDef<T> {
    */
   public static <T> JointDef<T> mouse(Body<T> body, float x, float y, float maxForce) {
     JointDef<T> d = new JointDef<>(JointType.MOUSE, null, body);
-    d.maxForce = Checks.range("maxForce", maxForce, 0, Checks.MAX_FORCE);
+    d.maxForce = Limits.range("maxForce", maxForce, 0, Limits.MAX_FORCE);
     return d.anchors(x, y, x, y).spring(5, 1).collideConnected(true);
   }
 
@@ -300,12 +300,12 @@ public final class JointDef<T> {
       float groundBx,
       float groundBy,
       float ratio) {
-    Checks.range("ratio", ratio, 0, Checks.MAX_RATIO);
+    Limits.range("ratio", ratio, 0, Limits.MAX_RATIO);
     JointDef<T> d = coupled(JointType.PULLEY, bodyA, bodyB, ratio).anchors(ax, ay, bx, by);
-    d.baseAx = Checks.coordinate("groundAX", groundAx);
-    d.baseAy = Checks.coordinate("groundAY", groundAy);
-    d.baseBx = Checks.coordinate("groundBX", groundBx);
-    d.baseBy = Checks.coordinate("groundBY", groundBy);
+    d.baseAx = Limits.coordinate("groundAX", groundAx);
+    d.baseAy = Limits.coordinate("groundAY", groundAy);
+    d.baseBx = Limits.coordinate("groundBX", groundBx);
+    d.baseBy = Limits.coordinate("groundBY", groundBy);
     return d.collideConnected(true);
   }
 
@@ -314,10 +314,10 @@ public final class JointDef<T> {
     if (bodyA == null) {
       throw new IllegalArgumentException("bodyA=null; a joint of type=" + type + " needs two");
     }
-    Checks.range("ratio", ratio, -Checks.MAX_RATIO, Checks.MAX_RATIO);
-    if (Math.abs(ratio) < 1 / Checks.MAX_RATIO) {
+    Limits.range("ratio", ratio, -Limits.MAX_RATIO, Limits.MAX_RATIO);
+    if (Math.abs(ratio) < 1 / Limits.MAX_RATIO) {
       throw new IllegalArgumentException(
-          "ratio=" + ratio + " couples nothing, its size must be at least " + 1 / Checks.MAX_RATIO);
+          "ratio=" + ratio + " couples nothing, its size must be at least " + 1 / Limits.MAX_RATIO);
     }
     JointDef<T> d = new JointDef<>(type, bodyA, bodyB);
     d.ratio = ratio;
@@ -335,8 +335,8 @@ public final class JointDef<T> {
    */
   public JointDef<T> limits(float newLower, float newUpper) {
     refuseUnless(hasLimits(type), "limits");
-    lower = Checks.range("lower", newLower, least(type), most(type));
-    upper = Checks.range("upper", newUpper, lower, most(type));
+    lower = Limits.range("lower", newLower, least(type), most(type));
+    upper = Limits.range("upper", newUpper, lower, most(type));
     limited = true;
     return this;
   }
@@ -351,8 +351,8 @@ public final class JointDef<T> {
    */
   public JointDef<T> motor(float speed, float max) {
     refuseUnless(hasMotor(type), "motor");
-    motorSpeed = Checks.velocity("speed", speed);
-    motorMax = Checks.range("max", max, 0, Checks.MAX_FORCE);
+    motorSpeed = Limits.velocity("speed", speed);
+    motorMax = Limits.range("max", max, 0, Limits.MAX_FORCE);
     driven = true;
     return this;
   }
@@ -368,8 +368,8 @@ public final class JointDef<T> {
    */
   public JointDef<T> spring(float newHertz, float dampingRatio) {
     refuseUnless(canSpring(type), "spring");
-    hertz = Checks.range("hertz", newHertz, 0, Checks.MAX_HERTZ);
-    damping = Checks.range("dampingRatio", dampingRatio, 0, Checks.MAX_DAMPING_RATIO);
+    hertz = Limits.range("hertz", newHertz, 0, Limits.MAX_HERTZ);
+    damping = Limits.range("dampingRatio", dampingRatio, 0, Limits.MAX_DAMPING_RATIO);
     sprung = hasCoordinateSpring(type);
     return this;
   }
@@ -383,8 +383,8 @@ public final class JointDef<T> {
    */
   public JointDef<T> angularSpring(float newHertz, float dampingRatio) {
     refuseUnless(type == JointType.WELD || type == JointType.MOTOR, "angularSpring");
-    angularHertz = Checks.range("hertz", newHertz, 0, Checks.MAX_HERTZ);
-    angularDamping = Checks.range("dampingRatio", dampingRatio, 0, Checks.MAX_DAMPING_RATIO);
+    angularHertz = Limits.range("hertz", newHertz, 0, Limits.MAX_HERTZ);
+    angularDamping = Limits.range("dampingRatio", dampingRatio, 0, Limits.MAX_DAMPING_RATIO);
     return this;
   }
 
@@ -396,7 +396,7 @@ public final class JointDef<T> {
    */
   public JointDef<T> rest(float coordinate) {
     refuseUnless(hasLimits(type), "rest");
-    rest = Checks.range("rest", coordinate, least(type), most(type));
+    rest = Limits.range("rest", coordinate, least(type), most(type));
     restGiven = true;
     return this;
   }
@@ -410,8 +410,8 @@ public final class JointDef<T> {
    * @return this
    */
   public JointDef<T> breaksAt(float force, float torque) {
-    breakForce = Checks.range("force", force, 0, Float.POSITIVE_INFINITY);
-    breakTorque = Checks.range("torque", torque, 0, Float.POSITIVE_INFINITY);
+    breakForce = Limits.range("force", force, 0, Float.POSITIVE_INFINITY);
+    breakTorque = Limits.range("torque", torque, 0, Float.POSITIVE_INFINITY);
     return this;
   }
 

@@ -1,6 +1,6 @@
 package carom.physics;
 
-import carom.physics.dynamics.body.Checks;
+import carom.physics.math.Limits;
 
 /**
  * What a shape is made of. Two touching shapes mix: friction is {@code sqrt(f1 f2)}, restitution is
@@ -33,11 +33,11 @@ public record Material(
    * @throws IllegalArgumentException naming the value that is not finite or out of range
    */
   public Material {
-    Checks.range("density", density, 0, 1e9f);
-    Checks.range("friction", friction, 0, 100);
-    Checks.range("restitution", restitution, 0, 2);
-    Checks.range("rollingResistance", rollingResistance, 0, 10);
-    Checks.velocity("tangentSpeed", tangentSpeed);
+    Limits.range("density", density, 0, 1e9f);
+    Limits.range("friction", friction, 0, 100);
+    Limits.range("restitution", restitution, 0, 2);
+    Limits.range("rollingResistance", rollingResistance, 0, 10);
+    Limits.velocity("tangentSpeed", tangentSpeed);
   }
 
   /**

@@ -1,17 +1,17 @@
 package carom.physics;
 
-import carom.physics.broadphase.CastVisitor;
-import carom.physics.broadphase.IntVisitor;
-import carom.physics.collision.Cast;
-import carom.physics.collision.CastHit;
-import carom.physics.collision.ClosestPoints;
-import carom.physics.collision.Distance;
-import carom.physics.dynamics.Dynamics;
+import carom.physics.broadphase.index.CastVisitor;
+import carom.physics.broadphase.index.IntVisitor;
+import carom.physics.collision.distance.Cast;
+import carom.physics.collision.distance.CastHit;
+import carom.physics.collision.distance.ClosestPoints;
+import carom.physics.collision.distance.Distance;
+import carom.physics.dynamics.PartQueries;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Checks;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
+import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 import java.util.Arrays;
 
@@ -31,6 +31,9 @@ import java.util.Arrays;
  *
  * <p>Also in collision callbacks. One thread at a time, and not within another query's filter or
  * visitor. Allocates nothing once it has seen its largest answer. Coordinates are m, world axes.
+ *
+ * <p><b>Length.</b> All questions share one search and its scratch memory, which is why they are in
+ * one class; a third of it is doc comments.
  *
  * @param <T> the world's user type
  */
@@ -58,7 +61,7 @@ public final class Queries<T> {
 
   private final World<T> world;
   private final Poses poses;
-  private final Dynamics dynamics;
+  private final PartQueries parts;
   private final BodyStore store;
   private final Cast cast = new Cast();
   private final Distance distances = new Distance();
@@ -100,8 +103,8 @@ public final class Queries<T> {
   Queries(World<T> world, Poses poses) {
     this.world = world;
     this.poses = poses;
-    dynamics = world.dynamics();
-    store = dynamics.bodies();
+    parts = world.dynamics().queries();
+    store = world.dynamics().bodies();
   }
 
   // ---------------------------------------------------------------- rays
@@ -147,7 +150,7 @@ public final class Queries<T> {
   }
 
   private void askRay(Mode how, float x, float y, float wayX, float wayY, QueryFilter<T> whom) {
-    startBox.set(Checks.coordinate("x", x), Checks.coordinate("y", y), x, y);
+    startBox.set(Limits.coordinate("x", x), Limits.coordinate("y", y), x, y);
     castBox(Kind.RAY, how, wayX, wayY, whom);
   }
 
@@ -252,10 +255,10 @@ public final class Queries<T> {
       throw new IllegalArgumentException("area=" + area + " is empty, needs min <= max");
     }
     startBox.set(
-        Checks.coordinate("minX", area.minX),
-        Checks.coordinate("minY", area.minY),
-        Checks.coordinate("maxX", area.maxX),
-        Checks.coordinate("maxY", area.maxY));
+        Limits.coordinate("minX", area.minX),
+        Limits.coordinate("minY", area.minY),
+        Limits.coordinate("maxX", area.maxX),
+        Limits.coordinate("maxY", area.maxY));
     castBox(Kind.BOX, how, wayX, wayY, whom);
   }
 
@@ -301,13 +304,13 @@ public final class Queries<T> {
    * @return whether anything is within the radius
    */
   public boolean nearest(float x, float y, float radius, QueryFilter<T> whom, QueryHit<T> out) {
-    askPoint(x, y, Checks.range("radius", radius, 0, Checks.MAX_COORDINATE), Mode.CLOSEST, whom);
+    askPoint(x, y, Limits.range("radius", radius, 0, Limits.MAX_COORDINATE), Mode.CLOSEST, whom);
     return takeClosest(out);
   }
 
   private void askPoint(float x, float y, float radius, Mode how, QueryFilter<T> whom) {
-    Checks.coordinate("x", x);
-    Checks.coordinate("y", y);
+    Limits.coordinate("x", x);
+    Limits.coordinate("y", y);
     start.set(x, y, 1, 0);
     startBox.set(x, y, x, y).grow(radius);
     begin(Kind.NEAREST, how, whom);
@@ -318,8 +321,8 @@ public final class Queries<T> {
   // ---------------------------------------------------------------- how it works
 
   private void place(Shape moving, Transform from) {
-    Checks.coordinate("x", from.x);
-    Checks.coordinate("y", from.y);
+    Limits.coordinate("x", from.x);
+    Limits.coordinate("y", from.y);
     float square = from.cos * from.cos + from.sin * from.sin;
     if (!(Math.abs(square - 1) <= 0.01f)) {
       throw new IllegalArgumentException(
@@ -341,12 +344,12 @@ public final class Queries<T> {
   }
 
   private void castBox(Kind what, Mode how, float wayX, float wayY, QueryFilter<T> whom) {
-    dx = Checks.coordinate("wayX", wayX);
-    dy = Checks.coordinate("wayY", wayY);
+    dx = Limits.coordinate("wayX", wayX);
+    dy = Limits.coordinate("wayY", wayY);
     begin(what, how, whom);
     try {
       widen();
-      dynamics.cast(search.minX, search.minY, search.maxX, search.maxY, dx, dy, onCast);
+      parts.cast(search.minX, search.minY, search.maxX, search.maxY, dx, dy, onCast);
     } finally {
       world.endQuery();
     }
@@ -363,7 +366,7 @@ public final class Queries<T> {
   private void searchBox() {
     try {
       widen();
-      dynamics.query(search.minX, search.minY, search.maxX, search.maxY, onBox);
+      parts.query(search.minX, search.minY, search.maxX, search.maxY, onBox);
     } finally {
       world.endQuery();
     }
@@ -371,8 +374,8 @@ public final class Queries<T> {
 
   /** Looks at a part the trees found; answers where the search ends now. */
   private float candidate(int part, float unused) {
-    int slot = dynamics.bodyOf(part);
-    int number = dynamics.shapeOf(part);
+    int slot = parts.bodyOf(part);
+    int number = parts.shapeOf(part);
     Body<T> body = world.body(slot);
     boolean seen = filter == null ? !body.sensor(number) : filter.accepts(body, number);
     if (seen && measure(part, slot)) {
@@ -396,7 +399,7 @@ public final class Queries<T> {
 
   /** Where the question meets one part: fills {@link #hit}, the fraction being what sorts. */
   private boolean measure(int part, int slot) {
-    Convex convex = dynamics.convexOf(part);
+    Convex convex = parts.convexOf(part);
     if (poses == null) {
       pose.set(store.x[slot], store.y[slot], store.cos[slot], store.sin[slot]);
     } else if (!poses.place(slot, pose)) {
@@ -452,7 +455,7 @@ public final class Queries<T> {
   /** Two slabs; the one entered last tells the side. */
   private boolean measureBox(int part, Convex convex) {
     if (poses == null) {
-      dynamics.boxOf(part, false, box);
+      parts.boxOf(part, false, box);
     } else {
       convex.aabb(pose, box);
     }
@@ -509,7 +512,7 @@ public final class Queries<T> {
     float way = (float) Math.sqrt((double) dx * dx + (double) dy * dy);
     out.set(
         world.body(slot),
-        dynamics.shapeOf(part),
+        parts.shapeOf(part),
         moves ? from.fraction : 0,
         moves ? from.fraction * way : from.fraction,
         from);

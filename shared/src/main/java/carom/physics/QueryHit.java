@@ -1,6 +1,6 @@
 package carom.physics;
 
-import carom.physics.collision.CastHit;
+import carom.physics.collision.distance.CastHit;
 
 /**
  * What a query found. Mutable and reused; made by the caller or handed to a visitor.

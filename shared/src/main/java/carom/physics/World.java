@@ -2,11 +2,11 @@ package carom.physics;
 
 import carom.physics.archive.ArchiveException;
 import carom.physics.archive.ArchiveReader;
-import carom.physics.broadphase.CellVisitor;
-import carom.physics.broadphase.IntVisitor;
+import carom.physics.broadphase.index.CellVisitor;
+import carom.physics.broadphase.index.IntVisitor;
 import carom.physics.dynamics.Dynamics;
+import carom.physics.dynamics.PartQueries;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Checks;
 import carom.physics.dynamics.body.ShapeSpec;
 import carom.physics.dynamics.contact.BodyContacts;
 import carom.physics.dynamics.contact.ContactEvents;
@@ -15,6 +15,7 @@ import carom.physics.dynamics.joint.JointEvents;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.geometry.MassData;
 import carom.physics.math.Aabb;
+import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 import carom.physics.math.Trig;
 import carom.physics.profile.StageListener;
@@ -32,6 +33,10 @@ import java.util.function.IntFunction;
  * equal bits on every JVM, and {@link #stateHash} proves it. One thread at a time. A steady {@link
  * #step} allocates nothing.
  *
+ * <p><b>Length.</b> The class has one method per thing a program may ask of a world; half of it is
+ * doc comments. The work is elsewhere: {@code dynamics} steps, {@link Queries} answers, {@code
+ * EditQueue} changes bodies, {@code Handles} keeps their objects.
+ *
  * @param <T> what bodies stand for in the user's program, see {@link Body#user()}
  */
 public final class World<T> {
@@ -44,13 +49,14 @@ public final class World<T> {
 
   private final WorldDef def;
   private final Dynamics dynamics;
+  private final PartQueries parts;
   private final BodyStore store;
   private final Collision<T> collision;
   private final JointStore joints;
   private final Events events = new Events();
   private final Queries<T> queries;
   private final Handles<T> handles = new Handles<>();
-  private final Changes<T> changes;
+  private final EditQueue<T> edits;
   private long moves;
   private final JointEvents onBroke = this::broke;
 
@@ -75,11 +81,12 @@ public final class World<T> {
   public World(WorldDef def) {
     this.def = def;
     dynamics = new Dynamics(def);
+    parts = dynamics.queries();
     store = dynamics.bodies();
     joints = dynamics.joints();
     collision = new Collision<>(this, dynamics.contacts());
     queries = new Queries<>(this, null);
-    changes = new Changes<>(this, dynamics, handles);
+    edits = new EditQueue<>(this, dynamics, handles);
   }
 
   /**
@@ -122,7 +129,9 @@ public final class World<T> {
     refuseDuringQuery("createBody");
     ShapeDef[] given = bodyDef.shapes.toArray(new ShapeDef[0]);
     int slot =
-        dynamics.create(code(bodyDef.type), specs(given), bodyDef.mass, bodyDef.fixedRotation);
+        dynamics
+            .editor()
+            .create(code(bodyDef.type), specs(given), bodyDef.mass, bodyDef.fixedRotation);
     store.setOriginPose(
         slot, bodyDef.x, bodyDef.y, Trig.cos(bodyDef.angle), Trig.sin(bodyDef.angle));
     if (bodyDef.type != BodyType.STATIC) {
@@ -137,7 +146,7 @@ public final class World<T> {
     if (!bodyDef.sleepAllowed) {
       store.flags[slot] |= BodyStore.SLEEPLESS;
     }
-    dynamics.enter(slot, bodyDef.awake);
+    dynamics.editor().enter(slot, bodyDef.awake);
     Body<T> body = new Body<>(this, store, slot, store.generation(slot), bodyDef.type, given, user);
     handles.put(body, given, bodyDef.mass);
     return body;
@@ -182,7 +191,7 @@ public final class World<T> {
   public void destroyBody(Body<T> body) {
     refuseDuringQuery("destroyBody");
     own(body);
-    changes.destroy(body);
+    edits.destroy(body);
   }
 
   ShapeDef[] shapes(int slot) {
@@ -197,7 +206,7 @@ public final class World<T> {
     while (joints.firstEnd(slot) >= 0) {
       removeJoint(joints.firstEnd(slot) >> 1);
     }
-    dynamics.destroy(slot, contactEvents());
+    dynamics.editor().destroy(slot, contactEvents());
     handles.removeBody(slot);
   }
 
@@ -251,7 +260,7 @@ public final class World<T> {
     if (joint.world() != this) {
       throw new IllegalArgumentException("joint=" + joint + " belongs to another world");
     }
-    changes.destroy(joint);
+    edits.destroy(joint);
   }
 
   /**
@@ -311,7 +320,7 @@ public final class World<T> {
     if (jointListener != null) {
       jointListener.broke(joint);
     }
-    changes.destroy(joint);
+    edits.destroy(joint);
   }
 
   /**
@@ -323,17 +332,17 @@ public final class World<T> {
    * @param dtSeconds s, more than 0, at most 0.1; use the same in every step
    */
   public void step(float dtSeconds) {
-    Checks.timeStep(dtSeconds);
+    Limits.timeStep(dtSeconds);
     refuseDuringStep("step");
     refuseDuringQuery("step");
     stepping = true;
     try {
       moves++;
       dynamics.step(dtSeconds, contactEvents(), onBroke);
-      changes.carryOut();
+      edits.carryOut();
     } finally {
       stepping = false;
-      changes.forget();
+      edits.forget();
     }
   }
 
@@ -599,7 +608,7 @@ public final class World<T> {
     try {
       int last = -1;
       for (int i = 0; i < n; i++) {
-        int slot = dynamics.bodyOf(found[i]);
+        int slot = parts.bodyOf(found[i]);
         if (slot != last && !visitor.visit(body(slot))) {
           return;
         }
@@ -620,9 +629,9 @@ public final class World<T> {
   public Body<T> bodyAt(float x, float y) {
     int n = find(x, y, x, y);
     for (int i = 0; i < n; i++) {
-      int slot = dynamics.bodyOf(found[i]);
+      int slot = parts.bodyOf(found[i]);
       pose.set(store.x[slot], store.y[slot], store.cos[slot], store.sin[slot]);
-      if (dynamics.convexOf(found[i]).containsPoint(pose, x, y)) {
+      if (parts.convexOf(found[i]).containsPoint(pose, x, y)) {
         return body(slot);
       }
     }
@@ -633,15 +642,15 @@ public final class World<T> {
   private int find(float minX, float minY, float maxX, float maxY) {
     refuseDuringQuery("query");
     queryBox.set(
-        Checks.coordinate("minX", minX),
-        Checks.coordinate("minY", minY),
-        Checks.coordinate("maxX", maxX),
-        Checks.coordinate("maxY", maxY));
+        Limits.coordinate("minX", minX),
+        Limits.coordinate("minY", minY),
+        Limits.coordinate("maxX", maxX),
+        Limits.coordinate("maxY", maxY));
     foundCount = 0;
-    dynamics.query(minX, minY, maxX, maxY, collect);
+    parts.query(minX, minY, maxX, maxY, collect);
     for (int i = 1; i < foundCount; i++) {
       int part = found[i];
-      int slot = dynamics.bodyOf(part);
+      int slot = parts.bodyOf(part);
       int j = i - 1;
       while (j >= 0 && later(found[j], part, slot)) {
         found[j + 1] = found[j];
@@ -653,12 +662,12 @@ public final class World<T> {
   }
 
   private boolean later(int part, int than, int slot) {
-    int own = dynamics.bodyOf(part);
+    int own = parts.bodyOf(part);
     return own > slot || (own == slot && part > than);
   }
 
   private boolean collect(int part) {
-    dynamics.boxOf(part, false, box);
+    parts.boxOf(part, false, box);
     if (box.overlaps(queryBox)) {
       if (foundCount == found.length) {
         found = Arrays.copyOf(found, foundCount * 2);
@@ -703,7 +712,7 @@ public final class World<T> {
    * @param visitor receives boxes and depths
    */
   public void forEachTreeCell(CellVisitor visitor) {
-    dynamics.cells(visitor);
+    parts.cells(visitor);
   }
 
   /**
@@ -719,7 +728,7 @@ public final class World<T> {
       }
       int first = store.firstPart[slot];
       for (int part = first; part < first + store.partCount[slot]; part++) {
-        dynamics.boxOf(part, fat, box);
+        parts.boxOf(part, fat, box);
         visitor.aabb(box.minX, box.minY, box.maxX, box.maxY);
       }
     }
@@ -780,7 +789,7 @@ public final class World<T> {
     out.setEmpty();
     int first = store.firstPart[slot];
     for (int part = first; part < first + store.partCount[slot]; part++) {
-      dynamics.boxOf(part, false, box);
+      parts.boxOf(part, false, box);
       out.add(box);
     }
   }
@@ -788,7 +797,7 @@ public final class World<T> {
   void moved(int slot) {
     refuseDuringQuery("setPose");
     moves++;
-    dynamics.moved(slot);
+    dynamics.editor().moved(slot);
   }
 
   void sleep(int slot) {
@@ -834,8 +843,8 @@ public final class World<T> {
     return new Queries<>(this, poses);
   }
 
-  Changes<T> changes() {
-    return changes;
+  EditQueue<T> edits() {
+    return edits;
   }
 
   /** Who hears of contacts that end because a body goes or changes, null for nobody. */
@@ -844,13 +853,13 @@ public final class World<T> {
   }
 
   /** Begins what callbacks may not disturb; answers false if it has begun already. */
-  boolean beginChanges() {
+  boolean beginEdits() {
     boolean begins = !stepping;
     stepping = true;
     return begins;
   }
 
-  void endChanges() {
+  void endEdits() {
     stepping = false;
   }
 

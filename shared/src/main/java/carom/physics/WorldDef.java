@@ -1,7 +1,7 @@
 package carom.physics;
 
-import carom.physics.dynamics.body.Checks;
 import carom.physics.dynamics.body.Settings;
+import carom.physics.math.Limits;
 import java.util.function.Consumer;
 
 /**
@@ -26,8 +26,8 @@ public final class WorldDef extends Settings {
   public WorldDef withGravity(float x, float y) {
     return with(
         d -> {
-          d.gravityX = Checks.range("gravityX", x, -1e4f, 1e4f);
-          d.gravityY = Checks.range("gravityY", y, -1e4f, 1e4f);
+          d.gravityX = Limits.range("gravityX", x, -1e4f, 1e4f);
+          d.gravityY = Limits.range("gravityY", y, -1e4f, 1e4f);
         });
   }
 
@@ -36,7 +36,7 @@ public final class WorldDef extends Settings {
    * stacks stiffer and large mass ratios safer, and cost proportionally.
    */
   public WorldDef withSubsteps(int count) {
-    return with(d -> d.substeps = (int) Checks.range("substeps", count, 1, 32));
+    return with(d -> d.substeps = (int) Limits.range("substeps", count, 1, 32));
   }
 
   /**
@@ -48,7 +48,7 @@ public final class WorldDef extends Settings {
    * Stiffer ones make wide piles tremble: that pyramid has 6 J at 30, 18 J at 34, hundreds at 54.
    */
   public WorldDef withContactHertz(float hertz) {
-    return with(d -> d.contactHertz = Checks.range("contactHertz", hertz, 1, 1000));
+    return with(d -> d.contactHertz = Limits.range("contactHertz", hertz, 1, 1000));
   }
 
   /**
@@ -56,7 +56,7 @@ public final class WorldDef extends Settings {
    * default 10 removes overlap slowly and without a bounce.
    */
   public WorldDef withContactDampingRatio(float ratio) {
-    return with(d -> d.contactDampingRatio = Checks.range("contactDampingRatio", ratio, 0.1f, 100));
+    return with(d -> d.contactDampingRatio = Limits.range("contactDampingRatio", ratio, 0.1f, 100));
   }
 
   /**
@@ -64,7 +64,7 @@ public final class WorldDef extends Settings {
    * Lower values let resting bodies hop.
    */
   public WorldDef withRestitutionThreshold(float speed) {
-    return with(d -> d.restitutionThreshold = Checks.range("restitutionThreshold", speed, 0, 1e5f));
+    return with(d -> d.restitutionThreshold = Limits.range("restitutionThreshold", speed, 0, 1e5f));
   }
 
   /**
@@ -72,7 +72,7 @@ public final class WorldDef extends Settings {
    * 3. Higher values make deep overlaps explode.
    */
   public WorldDef withMaxPushSpeed(float speed) {
-    return with(d -> d.maxPushSpeed = Checks.range("maxPushSpeed", speed, 0, 1e3f));
+    return with(d -> d.maxPushSpeed = Limits.range("maxPushSpeed", speed, 0, 1e3f));
   }
 
   /**
@@ -80,7 +80,7 @@ public final class WorldDef extends Settings {
    * resting contacts closed.
    */
   public WorldDef withSlop(float metres) {
-    return with(d -> d.slop = Checks.range("slop", metres, 0, 1));
+    return with(d -> d.slop = Limits.range("slop", metres, 0, 1));
   }
 
   /**
@@ -88,7 +88,7 @@ public final class WorldDef extends Settings {
    * lets the solver stop bodies at the surface instead of behind it.
    */
   public WorldDef withSpeculativeDistance(float metres) {
-    return with(d -> d.speculativeDistance = Checks.range("speculativeDistance", metres, 0, 1));
+    return with(d -> d.speculativeDistance = Limits.range("speculativeDistance", metres, 0, 1));
   }
 
   /**
@@ -96,7 +96,7 @@ public final class WorldDef extends Settings {
    * 0.05. Larger boxes are updated less often, but find more pairs. It never changes a result.
    */
   public WorldDef withAabbMargin(float metres) {
-    return with(d -> d.aabbMargin = Checks.range("aabbMargin", metres, 0, 10));
+    return with(d -> d.aabbMargin = Limits.range("aabbMargin", metres, 0, 10));
   }
 
   /**
@@ -105,7 +105,7 @@ public final class WorldDef extends Settings {
    * through others.
    */
   public WorldDef withMaxSpeed(float speed) {
-    return with(d -> d.maxSpeed = Checks.range("maxSpeed", speed, 1, 1e5f));
+    return with(d -> d.maxSpeed = Limits.range("maxSpeed", speed, 1, 1e5f));
   }
 
   /**
@@ -114,7 +114,7 @@ public final class WorldDef extends Settings {
    * angular speeds end there whatever this value is.
    */
   public WorldDef withMaxAngularSpeed(float speed) {
-    return with(d -> d.maxAngularSpeed = Checks.range("maxAngularSpeed", speed, 1, 1e5f));
+    return with(d -> d.maxAngularSpeed = Limits.range("maxAngularSpeed", speed, 1, 1e5f));
   }
 
   /**
@@ -123,7 +123,7 @@ public final class WorldDef extends Settings {
    * slowly and stretch further: nets and cantilevers sag twice as far at 30 as at 60.
    */
   public WorldDef withJointHertz(float hertz) {
-    return with(d -> d.jointHertz = Checks.range("jointHertz", hertz, 1, 1000));
+    return with(d -> d.jointHertz = Limits.range("jointHertz", hertz, 1, 1000));
   }
 
   /**
@@ -132,7 +132,7 @@ public final class WorldDef extends Settings {
    * welded beams come to rest.
    */
   public WorldDef withJointDampingRatio(float ratio) {
-    return with(d -> d.jointDampingRatio = Checks.range("jointDampingRatio", ratio, 0.1f, 100));
+    return with(d -> d.jointDampingRatio = Limits.range("jointDampingRatio", ratio, 0.1f, 100));
   }
 
   /**
@@ -148,7 +148,7 @@ public final class WorldDef extends Settings {
    * m/s; default 0.05. Higher values freeze slow motion, lower ones let piles tremble for longer.
    */
   public WorldDef withSleepSpeed(float speed) {
-    return with(d -> d.sleepSpeed = Checks.range("sleepSpeed", speed, 0, 1e3f));
+    return with(d -> d.sleepSpeed = Limits.range("sleepSpeed", speed, 0, 1e3f));
   }
 
   /**
@@ -156,7 +156,7 @@ public final class WorldDef extends Settings {
    * 0.001..1000 s. The default 0.5 doesn't stop a body at the turning point of a slow motion.
    */
   public WorldDef withSleepDelay(float seconds) {
-    return with(d -> d.sleepDelay = Checks.range("sleepDelay", seconds, 1e-3f, 1e3f));
+    return with(d -> d.sleepDelay = Limits.range("sleepDelay", seconds, 1e-3f, 1e3f));
   }
 
   /**
@@ -173,7 +173,7 @@ public final class WorldDef extends Settings {
    * 0..1e5 m/s; default 1, an impact worth a sound. It never changes a result.
    */
   public WorldDef withHitSpeed(float speed) {
-    return with(d -> d.hitSpeed = Checks.range("hitSpeed", speed, 0, 1e5f));
+    return with(d -> d.hitSpeed = Limits.range("hitSpeed", speed, 0, 1e5f));
   }
 
   /**

@@ -61,24 +61,35 @@ final class ArchitectureTest {
     allow("carom.physics.math");
     allow("carom.physics.archive");
     allow("carom.physics.geometry", "carom.physics.math", "carom.physics.archive");
-    allow("carom.physics.collision", "carom.physics.math", "carom.physics.geometry");
+    allow("carom.physics.collision.distance", "carom.physics.math", "carom.physics.geometry");
+    allow(
+        "carom.physics.collision",
+        "carom.physics.math",
+        "carom.physics.geometry",
+        "carom.physics.collision.distance");
     allow("carom.physics.threads");
-    allow("carom.physics.broadphase", "carom.physics.math", "carom.physics.threads");
+    allow("carom.physics.broadphase.index", "carom.physics.math");
+    allow("carom.physics.broadphase.kd", "carom.physics.math", "carom.physics.broadphase.index");
+    allow(
+        "carom.physics.broadphase",
+        "carom.physics.math",
+        "carom.physics.broadphase.index",
+        "carom.physics.broadphase.kd");
     allow("carom.physics.simd");
     allow("carom.physics.profile");
     // The one layout of exact rows: the physics, the simulation and what carries rows over the wire
     // see it, and it sees none of them.
     allow("carom.physics.rows", "carom.physics.math");
-    stage("store", "archive", "math", "simd");
+    stage("store", "archive", "math", "simd", "dynamics.parallel");
     stage("parallel", "threads");
-    stage("body", "archive", "math", "geometry", "broadphase", "dynamics.store");
+    stage("body", "archive", "math", "geometry", "broadphase.index", "dynamics.store");
     stage(
         "contact",
         "archive",
         "math",
         "geometry",
         "collision",
-        "broadphase",
+        "broadphase.index",
         "simd",
         "dynamics.store",
         "dynamics.parallel",
@@ -87,7 +98,8 @@ final class ArchitectureTest {
         "pairs",
         "math",
         "geometry",
-        "broadphase",
+        "broadphase.index",
+        "broadphase.kd",
         "dynamics.store",
         "dynamics.parallel",
         "dynamics.body",
@@ -97,7 +109,7 @@ final class ArchitectureTest {
         "math",
         "geometry",
         "collision",
-        "broadphase",
+        "broadphase.index",
         "simd",
         "dynamics.parallel",
         "dynamics.body",
@@ -121,12 +133,25 @@ final class ArchitectureTest {
     stage(
         "sleep",
         "math",
-        "broadphase",
+        "broadphase.index",
+        "broadphase.kd",
         "dynamics.store",
         "dynamics.body",
         "dynamics.contact",
         "dynamics.pairs",
         "dynamics.joint");
+    stage(
+        "continuous",
+        "math",
+        "geometry",
+        "collision.distance",
+        "broadphase.index",
+        "broadphase.kd",
+        "dynamics.store",
+        "dynamics.body",
+        "dynamics.contact",
+        "dynamics.pairs",
+        "dynamics.solver");
     stage(
         "simd",
         "math",
@@ -137,7 +162,11 @@ final class ArchitectureTest {
         "dynamics.narrow",
         "dynamics.solver",
         "dynamics.joint");
-    allow("carom.physics.dynamics", "carom.physics.*", "carom.physics.dynamics.*");
+    allow(
+        "carom.physics.dynamics",
+        "carom.physics.*",
+        "carom.physics.broadphase.*",
+        "carom.physics.dynamics.*");
     allow("carom.physics", "carom.physics..");
     allow("carom.physics.effects", "carom.physics..");
     allow("carom.physics.particles", "carom.physics..");

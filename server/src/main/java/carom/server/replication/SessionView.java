@@ -7,7 +7,7 @@ import carom.net.snapshot.event.EventRecord;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.physics.BodyContactVisitor;
-import carom.physics.broadphase.IntVisitor;
+import carom.physics.broadphase.index.IntVisitor;
 import carom.sim.Entity;
 import carom.sim.Neighbourhood;
 import carom.sim.Player;

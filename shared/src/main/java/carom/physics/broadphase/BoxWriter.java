@@ -1,5 +1,7 @@
 package carom.physics.broadphase;
 
+import carom.physics.broadphase.index.AabbArray;
+
 /**
  * Knows where elements are, for a {@link SpatialCollection}.
  *

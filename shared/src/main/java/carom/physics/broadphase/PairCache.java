@@ -1,5 +1,11 @@
 package carom.physics.broadphase;
 
+import carom.physics.broadphase.index.AabbArray;
+import carom.physics.broadphase.index.IntVisitor;
+import carom.physics.broadphase.index.PairVisitor;
+import carom.physics.broadphase.index.SpatialIndex;
+import carom.physics.broadphase.kd.KdTree;
+
 /**
  * The overlapping pairs of many boxes that move a little from tick to tick, by two lists of pairs
  * that may overlap soon.
@@ -17,6 +23,9 @@ package carom.physics.broadphase;
  * so that the lists stay short. The few that leave early, as they changed their course, get larger
  * rooms one by one, until a list is twice as long as when it was made: then its rooms are made
  * anew. What moves its own size in a tick is better off with the tree alone.
+ *
+ * <p><b>Length.</b> Both lists of pairs and both kinds of rooms are one invariant, kept by one
+ * class.
  *
  * <p><b>Order, ownership, threads, errors</b> as for every {@link SpatialIndex}. <b>Cost.</b> O(n +
  * pairs) in most ticks. Boxes are kept in the order of the tree, so that all streams are local.

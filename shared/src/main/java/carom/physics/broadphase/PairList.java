@@ -1,15 +1,16 @@
 package carom.physics.broadphase;
 
+import carom.physics.broadphase.index.PairVisitor;
 import java.util.Arrays;
 
 /** A list of pairs of ids that takes what a search finds. */
-final class PairList implements PairVisitor {
+public final class PairList implements PairVisitor {
   private static final int MOST = 1 << 30;
 
   /** idA in the upper half, idB in the lower. */
-  long[] list = new long[64];
+  public long[] list = new long[64];
 
-  int count;
+  public int count;
 
   void clear() {
     count = 0;

@@ -1,5 +1,7 @@
 package carom.physics.collision;
 
+import carom.physics.collision.distance.Core;
+import carom.physics.collision.distance.Gjk;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.Segment;
 import carom.physics.math.Transform;
@@ -117,14 +119,16 @@ final class RoundCollider {
 
   // ---------------------------------------------------------------- one-sided segments
 
-  private enum Verdict {
+  /** What to do with a normal that isn't the front's: take it, take the front's, or drop it. */
+  private enum NormalUse {
     TAKE,
     FRONT,
     LEAVE
   }
 
-  /** What becomes of a normal (from the segment outwards) that isn't the front's. */
-  private static Verdict judge(Segment shape, Core segment, Normals normals, double nx, double ny) {
+  /** Decides what to do with a normal (from the segment outwards) that isn't the front's. */
+  private static NormalUse judge(
+      Segment shape, Core segment, Normals normals, double nx, double ny) {
     double ex = segment.x[1] - segment.x[0];
     double ey = segment.y[1] - segment.y[0];
     double lean = nx * ex + ny * ey;
@@ -133,10 +137,10 @@ final class RoundCollider {
     double fy = normals.y[0];
     double across = nx * fx + ny * fy;
     if (isStraight(segment, nx, ny) && across > 0) {
-      return Verdict.FRONT;
+      return NormalUse.FRONT;
     }
     if (!shape.isLinked(end)) {
-      return across > 0 ? Verdict.TAKE : Verdict.FRONT;
+      return across > 0 ? NormalUse.TAKE : NormalUse.FRONT;
     }
     // The neighbour's direction in the segment's own frame is turned by the same rotation as the
     // front's normal; in that frame the cross product decides.
@@ -150,14 +154,14 @@ final class RoundCollider {
     double bend = toward * (gx * oy - gy * ox);
     double size = Math.sqrt((gx * gx + gy * gy) * (ox * ox + oy * oy));
     if (!(bend > 1e-3 * size)) {
-      return Verdict.FRONT;
+      return NormalUse.FRONT;
     }
     // The neighbour's front normal, turned into world axes: right of its way, (gy, -gx).
     double cos = fx * shape.normalX(0) + fy * shape.normalY(0);
     double sin = fy * shape.normalX(0) - fx * shape.normalY(0);
     double hx = cos * gy + sin * gx;
     double hy = sin * gy - cos * gx;
-    return toward * (hx * ny - hy * nx) >= 0 ? Verdict.TAKE : Verdict.LEAVE;
+    return toward * (hx * ny - hy * nx) >= 0 ? NormalUse.TAKE : NormalUse.LEAVE;
   }
 
   // ---------------------------------------------------------------- discs
@@ -185,7 +189,7 @@ final class RoundCollider {
       if (atEnd && isStraight(segment, nx, ny)) {
         nx = sign * normals.x[0];
         ny = sign * normals.y[0];
-      } else if (atEnd && judge(front, segment, normals, sign * nx, sign * ny) != Verdict.TAKE) {
+      } else if (atEnd && judge(front, segment, normals, sign * nx, sign * ny) != NormalUse.TAKE) {
         // At a joint that isn't an outward corner, what is beyond the end is the neighbour's.
         return;
       }
@@ -230,11 +234,11 @@ final class RoundCollider {
     if (front != null && (corner || ofB == sign > 0)) {
       Core segment = sign > 0 ? a : b;
       Normals normals = sign > 0 ? normalsA : normalsB;
-      Verdict verdict = judge(front, segment, normals, sign * nx, sign * ny);
-      if (verdict == Verdict.LEAVE) {
+      NormalUse use = judge(front, segment, normals, sign * nx, sign * ny);
+      if (use == NormalUse.LEAVE) {
         return;
       }
-      if (verdict == Verdict.FRONT) {
+      if (use == NormalUse.FRONT) {
         corner = false;
         ofB = sign < 0;
       }

@@ -1,5 +1,6 @@
 package carom.physics.collision;
 
+import carom.physics.collision.distance.Distance;
 import carom.physics.geometry.Convex;
 
 /**

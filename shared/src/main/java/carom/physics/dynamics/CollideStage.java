@@ -4,14 +4,16 @@ import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.continuous.ContinuousCollision;
 import carom.physics.dynamics.narrow.NarrowPhase;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.sleep.Sleeping;
 import java.util.Arrays;
 
 /**
- * The stage of a step that renews the contacts: has the narrow phase look at each row, and decides
- * which rows concern a body that sleeps, what wakes it, and which bodies are pressed into others.
+ * The stage of a step that updates the contacts. The narrow phase updates each row; this class
+ * decides which rows with a sleeping body are left out, which bodies wake, and notes which bodies
+ * are pressed into others.
  *
  * <p>One thread at a time; the narrow phase itself shares its rows with other threads.
  */
@@ -49,7 +51,7 @@ final class CollideStage {
     narrowPhase = new NarrowPhase(settings, bodies, parts, contacts, parallel);
   }
 
-  /** How many rows had contact points in this step, or the last one. */
+  /** Returns the number of rows with contact points in this step, or the last one. */
   int touching() {
     return touching;
   }
@@ -63,9 +65,9 @@ final class CollideStage {
     if (all) {
       touching = 0;
       undecided = false;
-      continuous.begin();
+      continuous.forgetPressed();
     }
-    contacts.flagsChange();
+    contacts.beginUpdate();
     narrowPhase.begin();
     if (!all) {
       for (int row = 0; row < contacts.count(); row++) {
@@ -87,7 +89,7 @@ final class CollideStage {
     }
   }
 
-  /** Leaves the rows out in which nothing can have changed; lists those that had a veto. */
+  /** Excepts the rows in which nothing can have changed; lists those that had a veto. */
   private void leaveDormant() {
     for (int row = 0; row < contacts.count(); row++) {
       int sleeper = narrowPhase.isLeft(row) ? -1 : sleeper(row);
@@ -118,7 +120,7 @@ final class CollideStage {
     }
   }
 
-  /** Whether nothing can have changed between a sleeping body and one that isn't awake either. */
+  /** Returns whether nothing can have changed between a sleeping body and one not awake either. */
   private boolean dormant(int row, int sleeper) {
     byte flags = contacts.flags[row];
     boolean fresh = (flags & ContactTable.FRESH) != 0 && (flags & ContactTable.TOUCHING) == 0;
@@ -144,7 +146,7 @@ final class CollideStage {
     }
   }
 
-  /** Tells which dynamic bodies are in others that give no way. */
+  /** Notes the dynamic bodies that overlap static or kinematic ones. */
   private void notePressed() {
     for (int row = 0; row < contacts.count(); row++) {
       float overlap = -contacts.leastSeparation(row);
@@ -153,7 +155,7 @@ final class CollideStage {
         int b = contacts.bodyB(row);
         boolean dynamic = bodies.type[a] == BodyStore.DYNAMIC;
         if (dynamic != (bodies.type[b] == BodyStore.DYNAMIC)) {
-          continuous.pressed(dynamic ? a : b, overlap);
+          continuous.press(dynamic ? a : b, overlap);
         }
       }
     }
@@ -176,7 +178,7 @@ final class CollideStage {
     }
   }
 
-  /** The sleeping dynamic body of a row, -1 if there is none. */
+  /** Returns the sleeping dynamic body of a row, -1 if there is none. */
   private int sleeper(int row) {
     int a = contacts.bodyA(row);
     int b = contacts.bodyB(row);

@@ -1,27 +1,21 @@
 package carom.physics.dynamics;
 
-import carom.physics.broadphase.CastVisitor;
-import carom.physics.broadphase.CellVisitor;
-import carom.physics.broadphase.IntVisitor;
 import carom.physics.dynamics.body.ActiveBodies;
-import carom.physics.dynamics.body.BodyMaker;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.Settings;
-import carom.physics.dynamics.body.ShapeSpec;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.BodyContacts;
 import carom.physics.dynamics.contact.ContactEvents;
 import carom.physics.dynamics.contact.ContactKey;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.contact.SleepingContacts;
+import carom.physics.dynamics.continuous.ContinuousCollision;
 import carom.physics.dynamics.joint.JointEvents;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.pairs.PairFinder;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.sleep.Sleeping;
-import carom.physics.geometry.Convex;
-import carom.physics.geometry.MassData;
-import carom.physics.math.Aabb;
+import carom.physics.dynamics.store.IntList;
 import carom.physics.math.StateHash;
 import carom.physics.profile.StageListener;
 import carom.physics.profile.StepStage;
@@ -29,20 +23,38 @@ import carom.physics.rows.ExactRows;
 import carom.physics.threads.Workers;
 
 /**
- * Bodies, their shapes and contacts, and the step that moves them; the engine behind {@code
- * carom.physics.World}.
+ * The bodies, shapes, contacts and joints of a world, and the step that moves them; the engine
+ * behind {@code carom.physics.World}.
  *
- * <p><b>A step</b>: refresh fat boxes; search pairs if a box changed; one manifold per pair; wake
- * what is touched, and repeat for what came with it; tell the owner (end, begin, pre-solve); then
- * {@code substeps} times: integrate velocities, warm start, solve with bias, integrate positions,
- * relax (joints before contacts); bounce; write back; stop fast bodies at what they passed through
- * (see {@link ContinuousCollision}); tell the owner (post-solve and hit, broken joints); put to
- * sleep what rests; carry out what was deferred.
+ * <p><b>The step.</b> Each stage reads what the ones before it wrote. This is the one place that
+ * says in which order they run; a stage that is called out of turn fails an assertion or works on
+ * stale data.
  *
- * <p><b>Order.</b> Contacts are always visited by ascending {@link ContactKey}, joints by ascending
- * slot; the solver's colours follow from that order. Everything else in a step is independent per
- * body. So the result depends on the state alone, never on the shape of a tree or on when a pair
- * was found.
+ * <pre>
+ *   stage        class                  reads                    writes
+ *   BEGIN        Sleeping, Refilter     requests of callbacks    velocities (impulses), awake bodies,
+ *                                                                rows to ignore
+ *   BOXES        PairFinder.refresh     poses                    fat boxes, moved parts
+ *   PAIRS        PairFinder.find        fat boxes                trees, rows of the contact table
+ *   COLLIDE      CollideStage           poses, rows              manifolds, bodies that wake
+ *     (PAIRS and COLLIDE again, for new rows only, while bodies wake)
+ *   EVENTS       EventStage             manifolds                vetoes; callbacks: end, begin, preSolve
+ *   PREPARE..    Substeps               rows, joints, bodies     velocities, poses, impulses
+ *   CONTINUOUS   ContinuousCollision    motion in this step      poses of fast bodies
+ *   EVENTS       EventStage             impulses                 callbacks: postSolve, hit, broke
+ *   SLEEP        Sleeping               speeds, islands          sleeping bodies, rows that retire
+ * </pre>
+ *
+ * <p>After the step, {@code carom.physics.World} carries out what callbacks deferred.
+ *
+ * <p><b>Between steps</b> {@link BodyEditor} makes, changes and removes bodies. Bodies that wake
+ * between steps have their rows in no table until {@link Sleeping#mergeWoken}; therefore every
+ * method here that hands out or reads contacts calls it first.
+ *
+ * <p><b>Order of constraints.</b> Contacts are always visited by ascending {@link ContactKey},
+ * joints by ascending slot; the solver's colours follow from that order. Everything else in a step
+ * is independent per body. So the result depends on the state alone, never on the shape of a tree
+ * or on when a pair was found.
  *
  * <p><b>Sleep.</b> A step looks at the {@linkplain ActiveBodies active bodies} alone; see {@link
  * Sleeping}.
@@ -56,7 +68,6 @@ public final class Dynamics {
   private final Settings settings;
   private final BodyStore bodies = new BodyStore();
   private final ShapeTable parts = new ShapeTable();
-  private final BodyMaker maker = new BodyMaker(bodies, parts);
   private final ContactTable contacts = new ContactTable();
   private final JointStore joints = new JointStore();
   private final ParallelFor parallel = new ParallelFor();
@@ -66,17 +77,12 @@ public final class Dynamics {
   private final Sleeping sleeping;
   private final CollideStage collideStage;
   private final EventStage eventStage;
-
-  /** Whether a static body was ever moved by hand. */
-  private boolean staticMoved;
-
-  /** Whether it must be decided anew which pairs may touch. */
-  private boolean rulesStale;
+  private final Refilter refilter;
+  private final BodyEditor editor;
+  private final PartQueries queries;
 
   /** Whether any joint ever could break. */
   private boolean breakable;
-
-  private float lastStep = 1 / 60f;
 
   private final ActiveBodies active = new ActiveBodies();
 
@@ -84,6 +90,9 @@ public final class Dynamics {
   private final BodyContacts bodyContacts = new BodyContacts(contacts, sleepers);
   private final RowTransfer transfer =
       new RowTransfer(bodies, parts, contacts, sleepers, bodyContacts);
+
+  /** Scratch: the bodies of rows that sleep there. */
+  private final IntList asleepThere = new IntList();
 
   /** Null, unless somebody measures. */
   private StageListener stages;
@@ -95,17 +104,20 @@ public final class Dynamics {
    */
   public Dynamics(Settings settings) {
     this.settings = settings;
-    pairs = new PairFinder(settings, bodies, parts, contacts, joints::mayTouch, parallel);
+    pairs = new PairFinder(settings, bodies, active, parts, contacts, joints::mayTouch, parallel);
     continuous = new ContinuousCollision(pairs, settings, bodies, active, parts, contacts);
     sleeping = new Sleeping(settings, bodies, active, parts, contacts, sleepers, joints, pairs);
     collideStage =
         new CollideStage(sleeping, settings, bodies, parts, contacts, parallel, continuous);
     eventStage = new EventStage(settings, bodies, contacts);
+    refilter = new Refilter(contacts, pairs);
+    editor = new BodyEditor(settings, bodies, parts, active, contacts, pairs, sleeping, refilter);
+    queries = new PartQueries(pairs, parts);
     substeps = new Substeps(settings, bodies, active, contacts, joints, pairs, parallel);
   }
 
   /**
-   * Has steps share their work, or no longer.
+   * Sets what helps with the work of steps.
    *
    * @param workers null for the caller alone
    */
@@ -114,7 +126,8 @@ public final class Dynamics {
   }
 
   /**
-   * The bodies; poses may be read, and numbers that don't move shapes written, between steps.
+   * Returns the bodies. Between steps poses may be read, and numbers written that don't move
+   * shapes.
    *
    * @return the live store
    */
@@ -122,202 +135,18 @@ public final class Dynamics {
     return bodies;
   }
 
-  /**
-   * Makes a body at the origin. It takes part from {@link #enter} on.
-   *
-   * @param type one of {@link BodyStore}'s types
-   * @param shapes what it consists of
-   * @param own its mass, null to compute it from the shapes
-   * @param fixedRotation whether only {@code setAngularVelocity} turns it
-   * @return the slot
-   */
-  public int create(byte type, ShapeSpec[] shapes, MassData own, boolean fixedRotation) {
-    int body = maker.make(type, shapes, own, fixedRotation);
-    active.reserve(body + 1);
-    return body;
+  /** Returns what makes, changes and removes bodies. */
+  public BodyEditor editor() {
+    return editor;
+  }
+
+  /** Returns what answers where the parts of shapes are. */
+  public PartQueries queries() {
+    return queries;
   }
 
   /**
-   * Lets a new body take part, where it is now. A static one wakes what it overlaps.
-   *
-   * @param body the slot
-   * @param awake whether it starts awake; a static body doesn't care
-   */
-  public void enter(int body, boolean awake) {
-    boolean maySleep = (bodies.flags[body] & BodyStore.SLEEPLESS) == 0 && settings.sleeping();
-    if (!awake && maySleep && bodies.type[body] != BodyStore.STATIC) {
-      bodies.flags[body] |= BodyStore.ASLEEP;
-      bodies.vx[body] = 0;
-      bodies.vy[body] = 0;
-      bodies.w[body] = 0;
-      enter(body);
-      pairs.searchBody(body);
-    } else {
-      enter(body);
-      sleeping.wakeOverlapped(body);
-    }
-  }
-
-  /**
-   * Checks that a dynamic body could be made of some shapes.
-   *
-   * @param shapes what it would consist of
-   * @param own its mass, null to compute it from the shapes
-   * @throws IllegalArgumentException if they have no mass, or too much
-   */
-  public static void checkMass(ShapeSpec[] shapes, MassData own) {
-    BodyMaker.massOf(shapes, own);
-  }
-
-  /**
-   * Makes a body static, kinematic or dynamic. Its origin, and the velocity there, stay, except
-   * that a static body is at rest.
-   *
-   * @param body the slot
-   * @param type one of {@link BodyStore}'s types
-   * @param shapes what it consists of
-   * @param own its mass, null to compute it from the shapes
-   */
-  public void setType(int body, byte type, ShapeSpec[] shapes, MassData own) {
-    if (bodies.type[body] == type) {
-      return;
-    }
-    MassData total = BodyMaker.total(type, shapes, own);
-    disturb(body);
-    boolean enabled = !bodies.disabled(body);
-    if (enabled) {
-      leave(body);
-    }
-    bodies.type[body] = type;
-    maker.refill(body, shapes, own, total);
-    contacts.forgetManifolds(body);
-    if (type == BodyStore.STATIC) {
-      bodies.vx[body] = 0;
-      bodies.vy[body] = 0;
-      bodies.w[body] = 0;
-    }
-    bodies.clearForces(body);
-    if (enabled) {
-      enter(body);
-      sleeping.wakeOverlapped(body);
-    }
-    sleeping.refreshJoints(body);
-    rulesStale = true;
-  }
-
-  /**
-   * Takes a body out of the simulation, or back in. Its contacts end in the next step.
-   *
-   * @param body the slot
-   * @param enabled whether it takes part
-   */
-  public void setEnabled(int body, boolean enabled) {
-    if (bodies.disabled(body) != enabled) {
-      return;
-    }
-    disturb(body);
-    bodies.flags[body] ^= BodyStore.DISABLED;
-    bodies.clearForces(body);
-    if (enabled) {
-      enter(body);
-      sleeping.wakeOverlapped(body);
-    } else {
-      leave(body);
-    }
-    sleeping.refreshJoints(body);
-    rulesStale = true;
-  }
-
-  /**
-   * Gives a body other materials, filters, sensors or another mass; its shapes stay. Its origin,
-   * and the velocity there, stay, too.
-   *
-   * @param body the slot
-   * @param shapes what it consists of
-   * @param own its mass, null to compute it from the shapes
-   */
-  public void change(int body, ShapeSpec[] shapes, MassData own) {
-    MassData total = BodyMaker.total(bodies.type[body], shapes, own);
-    disturb(body);
-    sleeping.mergeWoken();
-    maker.refill(body, shapes, own, total);
-    contacts.forgetManifolds(body);
-    contacts.mixAgain(body, parts);
-    sleeping.wakeOverlapped(body);
-    rulesStale = true;
-    sleeping.doAsked(); // by those who heard of contacts that ended
-  }
-
-  /**
-   * Fixes a body's rotation, or frees it; {@link #change} must follow.
-   *
-   * @param body the slot
-   * @param fixed whether nothing but {@code setAngularVelocity} turns it; it then stops turning
-   */
-  public void setFixedRotation(int body, boolean fixed) {
-    if (fixed) {
-      bodies.flags[body] |= BodyStore.FIXED_ROTATION;
-      bodies.w[body] = 0;
-    } else {
-      bodies.flags[body] &= ~BodyStore.FIXED_ROTATION;
-    }
-  }
-
-  /** Makes the broadphase and the solver know a body. */
-  private void enter(int body) {
-    sleeping.enter(body);
-    pairs.enter(body);
-  }
-
-  /** Takes a body out again; nothing may rely on it any longer. */
-  private void leave(int body) {
-    sleeping.leave(body);
-    pairs.leave(body);
-  }
-
-  /**
-   * Ends a body's contacts now; what still touches begins again in the next step.
-   *
-   * @param body the slot
-   * @param events is told, null for nobody
-   */
-  public void endContacts(int body, ContactEvents events) {
-    disturb(body);
-    sleeping.mergeWoken();
-    if (events != null) {
-      sleeping.suspend();
-      try {
-        for (int row = 0; row < contacts.count(); row++) {
-          if (touches(row) && (contacts.bodyA(row) == body || contacts.bodyB(row) == body)) {
-            events.end(row);
-          }
-        }
-      } finally {
-        sleeping.resume();
-      }
-    }
-    contacts.removeBody(body);
-    pairs.searchAll();
-  }
-
-  /**
-   * Removes a body; its touching contacts end first.
-   *
-   * @param body the slot
-   * @param events is told, null for nobody
-   */
-  public void destroy(int body, ContactEvents events) {
-    endContacts(body, events);
-    if (!bodies.disabled(body)) {
-      leave(body);
-    }
-    parts.release(bodies.firstPart[body], bodies.partCount[body]);
-    bodies.release(body);
-    sleeping.doAsked();
-  }
-
-  /**
-   * The joints; their parameters may be written between steps.
+   * Returns the joints. Their parameters may be written between steps.
    *
    * @return the live store
    */
@@ -334,10 +163,10 @@ public final class Dynamics {
    * @return the joint's slot
    */
   public int createJoint(byte type, int bodyA, int bodyB) {
-    rulesStale = true;
+    refilter.markStale();
     int joint = joints.allocate(type, bodyA, bodyB);
     sleeping.wakeEnds(joint);
-    sleeping.refreshJoint(joint);
+    sleeping.jointActivity().refresh(joint);
     return joint;
   }
 
@@ -349,50 +178,17 @@ public final class Dynamics {
   public void destroyJoint(int joint) {
     sleeping.wakeEnds(joint);
     joints.release(joint);
-    rulesStale = true;
+    refilter.markStale();
   }
 
-  /** Must be called when a joint can break; before, nobody looks. */
+  /** Makes steps look for joints that break; the first joint that can calls it. */
   public void watchBreaking() {
     breakable = true;
   }
 
-  /** Decides for each row whether its parts still may touch, and has new pairs searched. */
-  private void refilter() {
-    if (!rulesStale) {
-      return;
-    }
-    rulesStale = false;
-    pairs.searchAll();
-    for (int row = 0; row < contacts.count(); row++) {
-      contacts.ignore(row, !pairs.mayStay(contacts, row));
-    }
-  }
-
   /**
-   * Must be called after a pose was changed by hand.
-   *
-   * @param body the slot
-   */
-  public void moved(int body) {
-    if (bodies.disabled(body)) {
-      return;
-    }
-    if (bodies.type[body] == BodyStore.STATIC) {
-      pairs.movedStatic(body);
-      staticMoved = true;
-      disturb(body);
-      sleeping.wakeOverlapped(body);
-    } else {
-      pairs.posesChanged();
-      wake(body);
-      sleeping.moved(body);
-    }
-  }
-
-  /**
-   * Must be called when a body gets a velocity, a force, or other numbers that decide how it moves:
-   * wakes it and all that it holds or leans on.
+   * Wakes a body with its island, because it gets a velocity, a force, or other numbers that decide
+   * how it moves.
    *
    * @param body the slot
    */
@@ -411,17 +207,7 @@ public final class Dynamics {
   }
 
   /**
-   * Must be called when what a body touches may lose its hold: before it is taken away, and when
-   * its shapes, mass, filters or joints change. Wakes it and all that touches it, static or not.
-   *
-   * @param body the slot
-   */
-  public void disturb(int body) {
-    sleeping.disturb(body);
-  }
-
-  /**
-   * Must be called when the parameters of a joint changed: wakes its bodies.
+   * Wakes the bodies of a joint, because its parameters changed.
    *
    * @param joint a slot in use
    */
@@ -438,7 +224,7 @@ public final class Dynamics {
    */
   public void step(float dt, ContactEvents events, JointEvents jointEvents) {
     begins(StepStage.BEGIN);
-    lastStep = dt;
+    pairs.setTimeStep(dt);
     sleeping.resume();
     contacts.reserve(ROWS_AHEAD * active.count);
     sleeping.doAsked();
@@ -452,7 +238,7 @@ public final class Dynamics {
     }
     sleeping.mergeWoken();
     pairs.posesChanged();
-    refilter();
+    refilter.run();
     begins(StepStage.BOXES);
     parallel.stepBegins(active.count);
     try {
@@ -463,7 +249,7 @@ public final class Dynamics {
     }
     pairs.posesChanged();
     begins(StepStage.CONTINUOUS);
-    stopFast();
+    continuous.run(substeps.solverBodies, dt);
     begins(StepStage.EVENTS);
     if (events != null) {
       eventStage.afterSolving(events);
@@ -484,7 +270,7 @@ public final class Dynamics {
 
   /** Renews boxes, pairs and contacts, and wakes what is touched. */
   private void findContacts(ContactEvents events) {
-    refreshBoxes();
+    pairs.refresh();
     boolean all = true;
     do {
       begins(StepStage.PAIRS);
@@ -503,7 +289,7 @@ public final class Dynamics {
   }
 
   /**
-   * Sets who is told of the stages of a step; not part of the state.
+   * Sets what is told of the stages of a step; not part of the state.
    *
    * @param listener null for nobody, as at the start
    */
@@ -529,121 +315,8 @@ public final class Dynamics {
     }
   }
 
-  private void refreshBoxes() {
-    pairs.refresh(active, lastStep);
-  }
-
-  /** Stops fast bodies at what they would have passed through. */
-  private void stopFast() {
-    if (!settings.continuous() || !continuous.collect(substeps.solverBodies, lastStep)) {
-      return;
-    }
-    if (continuous.prepare()) {
-      refreshBoxes();
-      continuous.widen();
-    }
-    pairs.refit();
-    continuous.settle(pairs.moving(), pairs.resting());
-    pairs.posesChanged();
-  }
-
   /**
-   * Calls back with every part whose tight box overlaps the given one.
-   *
-   * @param minX left edge, m
-   * @param minY lower edge, m
-   * @param maxX right edge, m
-   * @param maxY upper edge, m
-   * @param visitor receives parts in no particular order
-   */
-  public void query(float minX, float minY, float maxX, float maxY, IntVisitor visitor) {
-    refreshBoxes();
-    pairs.refit();
-    pairs.moving().query(minX, minY, maxX, maxY, visitor);
-    pairs.resting().query(minX, minY, maxX, maxY, visitor);
-  }
-
-  /**
-   * Calls back with every part whose fat box a moving box meets.
-   *
-   * @param minX left edge at the start, m
-   * @param minY lower edge, m
-   * @param maxX right edge, m
-   * @param maxY upper edge, m
-   * @param dx way along x, m
-   * @param dy way along y, m
-   * @param visitor receives parts in no particular order; the way it shortens must stay short, as
-   *     there are two trees
-   */
-  public void cast(
-      float minX, float minY, float maxX, float maxY, float dx, float dy, CastVisitor visitor) {
-    refreshBoxes();
-    pairs.refit();
-    pairs.moving().cast(minX, minY, maxX, maxY, dx, dy, 1, visitor);
-    pairs.resting().cast(minX, minY, maxX, maxY, dx, dy, 1, visitor);
-  }
-
-  /**
-   * The box of one part.
-   *
-   * @param part which
-   * @param fat whether with its margin, as the broadphase sees it
-   * @param out receives the box
-   */
-  public void boxOf(int part, boolean fat, Aabb out) {
-    if (fat) {
-      refreshBoxes();
-      out.set(
-          parts.fat.minX(part), parts.fat.minY(part), parts.fat.maxX(part), parts.fat.maxY(part));
-    } else {
-      pairs.tightBox(part, out);
-    }
-  }
-
-  /**
-   * Visits the nodes of both trees.
-   *
-   * @param visitor receives boxes and depths
-   */
-  public void cells(CellVisitor visitor) {
-    refreshBoxes();
-    pairs.refit();
-    pairs.moving().cells(visitor);
-    pairs.resting().cells(visitor);
-  }
-
-  /**
-   * The body a part belongs to.
-   *
-   * @param part which
-   * @return its slot
-   */
-  public int bodyOf(int part) {
-    return parts.body[part];
-  }
-
-  /**
-   * The geometry of a part.
-   *
-   * @param part which
-   * @return relative to its body's centre of mass
-   */
-  public Convex convexOf(int part) {
-    return parts.convex[part];
-  }
-
-  /**
-   * Which of its body's shapes a part belongs to.
-   *
-   * @param part which
-   * @return the shape's number
-   */
-  public int shapeOf(int part) {
-    return parts.shapeIndex[part];
-  }
-
-  /**
-   * The contacts of which a body is awake.
+   * Returns the contacts of which a body is awake.
    *
    * @return the live table
    */
@@ -653,7 +326,7 @@ public final class Dynamics {
   }
 
   /**
-   * The touching contacts of which no body is awake.
+   * Returns the touching contacts of which no body is awake.
    *
    * @return the live table; some rows are {@linkplain ContactTable#unused unused}
    */
@@ -663,7 +336,7 @@ public final class Dynamics {
   }
 
   /**
-   * What each body touches.
+   * Returns what looks up the contacts of one body.
    *
    * @return answers from both tables
    */
@@ -673,17 +346,7 @@ public final class Dynamics {
   }
 
   /**
-   * Whether the parts of a row touch; those of sensors do so without points.
-   *
-   * @param row which
-   * @return false if the parts are merely near
-   */
-  public boolean touches(int row) {
-    return (contacts.flags[row] & ContactTable.TOUCHING) != 0;
-  }
-
-  /**
-   * The number of touching contacts in the last step of which a body was awake.
+   * Returns the number of touching contacts of the last step of which a body was awake.
    *
    * @return contacts with points
    */
@@ -692,7 +355,7 @@ public final class Dynamics {
   }
 
   /**
-   * The number of bodies that are awake and not static.
+   * Returns the number of bodies that are awake and not static.
    *
    * @return bodies the next step looks at
    */
@@ -701,7 +364,7 @@ public final class Dynamics {
   }
 
   /**
-   * Hash of everything that influences the future.
+   * Returns a hash of everything that influences the future.
    *
    * @return 64 bits
    */
@@ -732,13 +395,13 @@ public final class Dynamics {
     transfer.writeBodies(rows);
     pairs.posesChanged();
     transfer.writeContacts(rows);
-    sleeping.gatherNone();
+    asleepThere.count = 0;
     for (int i = 0; i < rows.bodies().count(); i++) {
       if (rows.isAsleep(i)) {
-        sleeping.gatherAwake(rows.slot(i));
+        asleepThere.add(rows.slot(i));
       }
     }
-    sleeping.putToSleep();
+    sleeping.putToSleep(asleepThere);
   }
 
   /**
@@ -769,15 +432,17 @@ public final class Dynamics {
    */
   public void restore(DynamicsState from, boolean sameStructure) {
     sleeping.reset();
-    int misplaced =
-        sameStructure ? sleeping.gatherMisplaced(from.bodies, from.sleep, staticMoved) : 0;
+    IntList misplaced =
+        sameStructure
+            ? sleeping.listMisplaced(from.bodies, from.sleep, editor.staticMoved())
+            : null;
     from.bodies.copyTo(bodies);
     from.contacts.copyTo(contacts);
     from.joints.copyTo(joints);
     if (sameStructure) {
-      for (int i = 0; i < misplaced; i++) {
-        leave(sleeping.gathered(i));
-        enter(sleeping.gathered(i));
+      for (int i = 0; i < misplaced.count; i++) {
+        editor.leave(misplaced.values[i]);
+        editor.enter(misplaced.values[i]);
       }
     } else {
       contacts.forgetManifolds();
@@ -788,13 +453,13 @@ public final class Dynamics {
       sleeping.clear();
       for (int body = 0; body < bodies.slots(); body++) {
         if (bodies.type[body] != BodyStore.FREE && !bodies.disabled(body)) {
-          enter(body);
+          editor.enter(body);
         }
       }
     }
     sleeping.take(from.sleepers, from.sleep);
     breakable |= joints.anyBreakable();
-    rulesStale = true;
+    refilter.markStale();
     pairs.searchAll();
     pairs.posesChanged();
   }

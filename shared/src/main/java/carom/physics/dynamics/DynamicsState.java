@@ -120,7 +120,7 @@ public final class DynamicsState {
   }
 
   /**
-   * Must be called once everything is read: no copy of the world is equal to this state.
+   * Notes that everything was read, so that no copy of the world counts as equal to this state.
    *
    * @param world whose state this is
    */

@@ -6,8 +6,8 @@ import carom.physics.dynamics.contact.ContactEvents;
 import carom.physics.dynamics.contact.ContactTable;
 
 /**
- * What a step tells of its contacts, before and after they are solved; skipped where nobody
- * listens. Callbacks run here, on the caller's thread.
+ * The stages of a step that call the owner back about its contacts, before and after they are
+ * solved. Skipped where nobody listens. Callbacks run on the caller's thread.
  */
 final class EventStage {
   private final Settings settings;
@@ -23,13 +23,13 @@ final class EventStage {
     this.contacts = contacts;
   }
 
-  /** Tells what ended, what began, and asks who responds; then notes what may be an impact. */
+  /** Reports what ended and began, asks which contacts respond, and notes possible impacts. */
   void beforeSolving(ContactEvents events) {
     announce(events);
     measureHits();
   }
 
-  /** Tells what was solved, and what hit. */
+  /** Reports what was solved and what hit. */
   void afterSolving(ContactEvents events) {
     for (int row = 0; row < contacts.count(); row++) {
       if (contacts.points[row] > 0
@@ -62,7 +62,7 @@ final class EventStage {
     }
   }
 
-  /** Looks how fast the contacts approach that no impulse held in the step before. */
+  /** Measures how fast the contacts approach that no impulse held in the step before. */
   private void measureHits() {
     if (hitSpeeds.length < contacts.count()) {
       hitSpeeds = new float[Math.max(contacts.count(), hitSpeeds.length * 2)];
@@ -79,7 +79,7 @@ final class EventStage {
     }
   }
 
-  /** How fast the bodies of a row approach at a point relative to A, m/s. */
+  /** Returns how fast the bodies of a row approach at a point relative to A, m/s. */
   private float approach(int row, float ax, float ay) {
     int a = contacts.bodyA(row);
     int b = contacts.bodyB(row);

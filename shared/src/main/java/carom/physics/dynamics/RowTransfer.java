@@ -225,7 +225,7 @@ final class RowTransfer {
         order[unique++] = order[i];
       }
     }
-    awake.insert(arrived, order, unique);
+    awake.order().insert(arrived, order, unique);
   }
 
   private void writeContact(ExactRows rows, int[] row, int at) {

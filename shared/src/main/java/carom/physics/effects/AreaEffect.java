@@ -2,8 +2,8 @@ package carom.physics.effects;
 
 import carom.physics.Body;
 import carom.physics.World;
-import carom.physics.dynamics.body.Checks;
 import carom.physics.math.Aabb;
+import carom.physics.math.Limits;
 
 /**
  * A place where something pulls at bodies: a force, an acceleration, a wind, a drag. Call {@link
@@ -51,7 +51,7 @@ public final class AreaEffect {
    * @return the effect
    */
   public static AreaEffect force(Aabb area, float fx, float fy) {
-    return new AreaEffect(Kind.FORCE, area, Checks.force("fx", fx), Checks.force("fy", fy), 0, 0);
+    return new AreaEffect(Kind.FORCE, area, Limits.force("fx", fx), Limits.force("fy", fy), 0, 0);
   }
 
   /**
@@ -66,8 +66,8 @@ public final class AreaEffect {
     return new AreaEffect(
         Kind.ACCELERATION,
         area,
-        Checks.range("ax", ax, -1e5f, 1e5f),
-        Checks.range("ay", ay, -1e5f, 1e5f),
+        Limits.range("ax", ax, -1e5f, 1e5f),
+        Limits.range("ay", ay, -1e5f, 1e5f),
         0,
         0);
   }
@@ -86,9 +86,9 @@ public final class AreaEffect {
     return new AreaEffect(
         Kind.FLOW,
         area,
-        Checks.velocity("vx", vx),
-        Checks.velocity("vy", vy),
-        Checks.range("rate", rate, 0, 1e4f),
+        Limits.velocity("vx", vx),
+        Limits.velocity("vy", vy),
+        Limits.range("rate", rate, 0, 1e4f),
         0);
   }
 
@@ -106,8 +106,8 @@ public final class AreaEffect {
         area,
         0,
         0,
-        Checks.range("rate", rate, 0, 1e4f),
-        Checks.range("angularRate", angularRate, 0, 1e4f));
+        Limits.range("rate", rate, 0, 1e4f),
+        Limits.range("angularRate", angularRate, 0, 1e4f));
   }
 
   /**
@@ -128,7 +128,7 @@ public final class AreaEffect {
    * @param dtSeconds length of the next step, s
    */
   public void apply(World<?> world, float dtSeconds) {
-    Checks.timeStep(dtSeconds);
+    Limits.timeStep(dtSeconds);
     nearby.find(world, area);
     for (int i = 0; i < nearby.count(); i++) {
       Body<?> body = nearby.get(i);
@@ -149,7 +149,7 @@ public final class AreaEffect {
    * @param dtSeconds length of the next step, s
    */
   public void apply(Body<?> sensor, float dtSeconds) {
-    Checks.timeStep(dtSeconds);
+    Limits.timeStep(dtSeconds);
     nearby.findInside(sensor);
     for (int i = 0; i < nearby.count(); i++) {
       Body<?> body = nearby.get(i);

@@ -1,8 +1,8 @@
 package carom.physics.effects;
 
 import carom.physics.World;
-import carom.physics.dynamics.body.Checks;
 import carom.physics.math.Aabb;
+import carom.physics.math.Limits;
 
 /** What all areas have in common. */
 final class Areas {
@@ -12,10 +12,10 @@ final class Areas {
     if (area.isEmpty()) {
       throw new IllegalArgumentException("area=" + area + " is empty, needs min <= max");
     }
-    Checks.coordinate("minX", area.minX);
-    Checks.coordinate("minY", area.minY);
-    Checks.coordinate("maxX", area.maxX);
-    Checks.coordinate("maxY", area.maxY);
+    Limits.coordinate("minX", area.minX);
+    Limits.coordinate("minY", area.minY);
+    Limits.coordinate("maxX", area.maxX);
+    Limits.coordinate("maxY", area.maxY);
   }
 
   static void wake(Nearby nearby, World<?> world, Aabb area) {

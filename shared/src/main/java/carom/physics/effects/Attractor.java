@@ -2,8 +2,8 @@ package carom.physics.effects;
 
 import carom.physics.Body;
 import carom.physics.World;
-import carom.physics.dynamics.body.Checks;
 import carom.physics.math.Aabb;
+import carom.physics.math.Limits;
 
 /**
  * A point that draws bodies in, pushes them away, or swirls them round. Call {@link #apply} before
@@ -55,9 +55,9 @@ public final class Attractor {
    * @param range how far it reaches, 1e-3 to 1e6 m
    */
   public Attractor(float x, float y, float range) {
-    this.x = Checks.coordinate("x", x);
-    this.y = Checks.coordinate("y", y);
-    this.range = Checks.range("range", range, 1e-3f, 1e6f);
+    this.x = Limits.coordinate("x", x);
+    this.y = Limits.coordinate("y", y);
+    this.range = Limits.range("range", range, 1e-3f, 1e6f);
     area.set(x - range, y - range, x + range, y + range);
     Areas.check(area);
     minimum = 0.01f * range;
@@ -70,7 +70,7 @@ public final class Attractor {
    * @return this
    */
   public Attractor strength(float acceleration) {
-    strength = Checks.range("strength", acceleration, -1e5f, 1e5f);
+    strength = Limits.range("strength", acceleration, -1e5f, 1e5f);
     return this;
   }
 
@@ -82,7 +82,7 @@ public final class Attractor {
    * @return this
    */
   public Attractor swirl(float acceleration) {
-    swirl = Checks.range("swirl", acceleration, -1e5f, 1e5f);
+    swirl = Limits.range("swirl", acceleration, -1e5f, 1e5f);
     return this;
   }
 
@@ -96,7 +96,7 @@ public final class Attractor {
    */
   public Attractor falloff(Falloff how, float minimumRadius) {
     falloff = how;
-    minimum = Checks.range("minimumRadius", minimumRadius, 1e-4f, range);
+    minimum = Limits.range("minimumRadius", minimumRadius, 1e-4f, range);
     return this;
   }
 
@@ -118,7 +118,7 @@ public final class Attractor {
    * @param dtSeconds length of the next step, s
    */
   public void apply(World<?> world, float dtSeconds) {
-    Checks.timeStep(dtSeconds);
+    Limits.timeStep(dtSeconds);
     float ahead = Lookahead.seconds(world.def(), dtSeconds);
     nearby.find(world, area);
     for (int i = 0; i < nearby.count(); i++) {

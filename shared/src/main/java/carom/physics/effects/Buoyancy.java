@@ -2,9 +2,9 @@ package carom.physics.effects;
 
 import carom.physics.Body;
 import carom.physics.World;
-import carom.physics.dynamics.body.Checks;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
+import carom.physics.math.Limits;
 
 /**
  * A fluid: lifts what is in it, brakes it, and carries it along. Call {@link #apply} before every
@@ -61,7 +61,7 @@ public final class Buoyancy {
   public Buoyancy(Aabb area, float density) {
     Areas.check(area);
     this.area.set(area);
-    this.density = Checks.range("density", density, 0, 1e6f);
+    this.density = Limits.range("density", density, 0, 1e6f);
   }
 
   /**
@@ -74,10 +74,10 @@ public final class Buoyancy {
    * @return this
    */
   public Buoyancy surface(float x, float y, float upX, float upY) {
-    Checks.coordinate("x", x);
-    Checks.coordinate("y", y);
-    Checks.coordinate("upX", upX);
-    Checks.coordinate("upY", upY);
+    Limits.coordinate("x", x);
+    Limits.coordinate("y", y);
+    Limits.coordinate("upX", upX);
+    Limits.coordinate("upY", upY);
     double length = Math.sqrt((double) upX * upX + (double) upY * upY);
     if (!(length > 1e-6)) {
       throw new IllegalArgumentException(
@@ -99,7 +99,7 @@ public final class Buoyancy {
    * @return this
    */
   public Buoyancy drag(float perSecond) {
-    drag = Checks.range("drag", perSecond, 0, 1e4f);
+    drag = Limits.range("drag", perSecond, 0, 1e4f);
     return this;
   }
 
@@ -110,7 +110,7 @@ public final class Buoyancy {
    * @return this
    */
   public Buoyancy angularDrag(float perSecond) {
-    angularDrag = Checks.range("angularDrag", perSecond, 0, 1e4f);
+    angularDrag = Limits.range("angularDrag", perSecond, 0, 1e4f);
     return this;
   }
 
@@ -122,8 +122,8 @@ public final class Buoyancy {
    * @return this
    */
   public Buoyancy flow(float vx, float vy) {
-    flowX = Checks.velocity("flowX", vx);
-    flowY = Checks.velocity("flowY", vy);
+    flowX = Limits.velocity("flowX", vx);
+    flowY = Limits.velocity("flowY", vy);
     return this;
   }
 
@@ -145,7 +145,7 @@ public final class Buoyancy {
    * @param dtSeconds length of the next step, s
    */
   public void apply(World<?> world, float dtSeconds) {
-    Checks.timeStep(dtSeconds);
+    Limits.timeStep(dtSeconds);
     nearby.find(world, area);
     act(world, area, dtSeconds);
   }
@@ -160,7 +160,7 @@ public final class Buoyancy {
    * @param <T> the world's user type
    */
   public <T> void apply(World<T> world, Body<T> sensor, float dtSeconds) {
-    Checks.timeStep(dtSeconds);
+    Limits.timeStep(dtSeconds);
     sensor.aabb(box);
     nearby.findInside(sensor);
     act(world, box, dtSeconds);

@@ -4,12 +4,12 @@ import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.physics.QueryFilter;
 import carom.physics.World;
-import carom.physics.collision.ClosestPoints;
-import carom.physics.collision.Distance;
-import carom.physics.dynamics.body.Checks;
+import carom.physics.collision.distance.ClosestPoints;
+import carom.physics.collision.distance.Distance;
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
+import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 
 /**
@@ -53,9 +53,9 @@ public final class Explosion {
    * @param radius how far it reaches, 1e-3 to 1e6 m
    */
   public Explosion(float x, float y, float radius) {
-    this.x = Checks.coordinate("x", x);
-    this.y = Checks.coordinate("y", y);
-    this.radius = Checks.range("radius", radius, 1e-3f, 1e6f);
+    this.x = Limits.coordinate("x", x);
+    this.y = Limits.coordinate("y", y);
+    this.radius = Limits.range("radius", radius, 1e-3f, 1e6f);
     area.set(x - radius, y - radius, x + radius, y + radius);
     Areas.check(area);
   }
@@ -67,7 +67,7 @@ public final class Explosion {
    * @return this
    */
   public Explosion impulse(float perMetre) {
-    impulse = Checks.range("impulse", perMetre, -1e9f, 1e9f);
+    impulse = Limits.range("impulse", perMetre, -1e9f, 1e9f);
     return this;
   }
 

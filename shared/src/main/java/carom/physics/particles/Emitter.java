@@ -1,6 +1,6 @@
 package carom.physics.particles;
 
-import carom.physics.dynamics.body.Checks;
+import carom.physics.math.Limits;
 
 /**
  * A nozzle: adds rows of particles that fly off side by side, one spacing after the other. Holds
@@ -23,10 +23,10 @@ public final class Emitter {
    * @param dirY where it points
    */
   public Emitter(float x, float y, float dirX, float dirY) {
-    this.x = Checks.coordinate("x", x);
-    this.y = Checks.coordinate("y", y);
-    Checks.coordinate("dirX", dirX);
-    Checks.coordinate("dirY", dirY);
+    this.x = Limits.coordinate("x", x);
+    this.y = Limits.coordinate("y", y);
+    Limits.coordinate("dirX", dirX);
+    Limits.coordinate("dirY", dirY);
     double length = Math.sqrt((double) dirX * dirX + (double) dirY * dirY);
     if (!(length > 1e-6)) {
       throw new IllegalArgumentException("direction=" + dirX + " " + dirY + " has no length");
@@ -42,7 +42,7 @@ public final class Emitter {
    * @return this
    */
   public Emitter width(float metres) {
-    width = Checks.range("width", metres, 0, 1e4f);
+    width = Limits.range("width", metres, 0, 1e4f);
     return this;
   }
 
@@ -53,7 +53,7 @@ public final class Emitter {
    * @return this
    */
   public Emitter speed(float metresPerSecond) {
-    speed = Checks.range("speed", metresPerSecond, 0, 1e3f);
+    speed = Limits.range("speed", metresPerSecond, 0, 1e3f);
     return this;
   }
 
@@ -66,7 +66,7 @@ public final class Emitter {
    * @return how many were added
    */
   public int emit(Particles particles, long tick, float dtSeconds) {
-    Checks.timeStep(dtSeconds);
+    Limits.timeStep(dtSeconds);
     double rows = (double) speed * dtSeconds / particles.spacing();
     long from = (long) Math.floor(tick * rows);
     long to = (long) Math.floor((tick + 1) * rows);

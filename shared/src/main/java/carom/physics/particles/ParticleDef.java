@@ -1,7 +1,7 @@
 package carom.physics.particles;
 
 import carom.physics.Filter;
-import carom.physics.dynamics.body.Checks;
+import carom.physics.math.Limits;
 
 /**
  * What particles are made of; mutable, fluent, reusable. {@link Particles} copies what it needs.
@@ -48,7 +48,7 @@ public final class ParticleDef {
       throw new IllegalArgumentException("kind=null must be WATER or SAND");
     }
     this.kind = kind;
-    this.spacing = Checks.range("spacing", spacing, 0.01f, 100);
+    this.spacing = Limits.range("spacing", spacing, 0.01f, 100);
     viscosity = kind == Kind.WATER ? 2 : 0;
     friction = kind == Kind.WATER ? 0 : 0.6f;
   }
@@ -60,7 +60,7 @@ public final class ParticleDef {
    * @return this
    */
   public ParticleDef density(float kgPerSquareMetre) {
-    density = Checks.range("density", kgPerSquareMetre, 1e-3f, 1e6f);
+    density = Limits.range("density", kgPerSquareMetre, 1e-3f, 1e6f);
     return this;
   }
 
@@ -71,7 +71,7 @@ public final class ParticleDef {
    * @return this
    */
   public ParticleDef viscosity(float perSecond) {
-    viscosity = Checks.range("viscosity", perSecond, 0, 1e4f);
+    viscosity = Limits.range("viscosity", perSecond, 0, 1e4f);
     return this;
   }
 
@@ -82,7 +82,7 @@ public final class ParticleDef {
    * @return this
    */
   public ParticleDef cohesion(float acceleration) {
-    cohesion = Checks.range("cohesion", acceleration, 0, 1e3f);
+    cohesion = Limits.range("cohesion", acceleration, 0, 1e3f);
     return this;
   }
 
@@ -94,7 +94,7 @@ public final class ParticleDef {
    * @return this
    */
   public ParticleDef friction(float coefficient) {
-    friction = Checks.range("friction", coefficient, 0, 10);
+    friction = Limits.range("friction", coefficient, 0, 10);
     return this;
   }
 
@@ -105,7 +105,7 @@ public final class ParticleDef {
    * @return this
    */
   public ParticleDef gravityScale(float factor) {
-    gravityScale = Checks.range("gravityScale", factor, -1e3f, 1e3f);
+    gravityScale = Limits.range("gravityScale", factor, -1e3f, 1e3f);
     return this;
   }
 
@@ -116,7 +116,7 @@ public final class ParticleDef {
    * @return this
    */
   public ParticleDef lifetime(float seconds) {
-    lifetime = Checks.range("lifetime", seconds, Float.MIN_VALUE, Float.POSITIVE_INFINITY);
+    lifetime = Limits.range("lifetime", seconds, Float.MIN_VALUE, Float.POSITIVE_INFINITY);
     return this;
   }
 

@@ -1,7 +1,7 @@
 package carom.physics.particles;
 
 import carom.physics.archive.Archive;
-import carom.physics.dynamics.body.Checks;
+import carom.physics.math.Limits;
 import carom.physics.math.StateHash;
 import java.util.Arrays;
 
@@ -167,10 +167,10 @@ final class ParticleStore {
     a.integers("generation of particle", generation, n, 0, Integer.MAX_VALUE);
     count = a.count("particles", count, n, Integer.BYTES + 5 * Float.BYTES);
     a.integers("slot of particle", slot, count, 0, n - 1);
-    a.numbers("particle x", x, count, Checks.MAX_COORDINATE);
-    a.numbers("particle y", y, count, Checks.MAX_COORDINATE);
-    a.numbers("particle velocity", vx, count, 3 * Checks.MAX_VELOCITY);
-    a.numbers("particle velocity", vy, count, 3 * Checks.MAX_VELOCITY);
+    a.numbers("particle x", x, count, Limits.MAX_COORDINATE);
+    a.numbers("particle y", y, count, Limits.MAX_COORDINATE);
+    a.numbers("particle velocity", vx, count, 3 * Limits.MAX_VELOCITY);
+    a.numbers("particle velocity", vy, count, 3 * Limits.MAX_VELOCITY);
     a.numbers("particle age", age, count, Float.MAX_VALUE);
     freeCount = a.count("free particle slots", freeCount, n, Integer.BYTES);
     a.integers("free particle slot", free, freeCount, 0, n - 1);

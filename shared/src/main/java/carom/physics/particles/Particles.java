@@ -2,9 +2,9 @@ package carom.physics.particles;
 
 import carom.physics.World;
 import carom.physics.archive.ArchiveReader;
-import carom.physics.dynamics.body.Checks;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
+import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 
 /**
@@ -45,7 +45,7 @@ public final class Particles {
   private final ParticleDef def;
   private final ParticleStore store;
   private final Neighbours neighbours = new Neighbours();
-  private final BodyContacts contacts = new BodyContacts();
+  private final ParticleContacts contacts = new ParticleContacts();
   private final PairSolver pairs;
   private float[] oldX = new float[0];
   private float[] oldY = new float[0];
@@ -98,10 +98,10 @@ public final class Particles {
    * @return its id, or {@link #NONE} if there are as many as there may be
    */
   public long add(float x, float y, float vx, float vy) {
-    Checks.coordinate("x", x);
-    Checks.coordinate("y", y);
-    Checks.velocity("vx", vx);
-    Checks.velocity("vy", vy);
+    Limits.coordinate("x", x);
+    Limits.coordinate("y", y);
+    Limits.velocity("vx", vx);
+    Limits.velocity("vy", vy);
     return store.count < def.maxCount ? store.add(x, y, vx, vy, def.maxCount) : NONE;
   }
 
@@ -276,8 +276,8 @@ public final class Particles {
    */
   public void setVelocity(int i, float vx, float vy) {
     check(i);
-    store.vx[i] = Checks.velocity("vx", vx);
-    store.vy[i] = Checks.velocity("vy", vy);
+    store.vx[i] = Limits.velocity("vx", vx);
+    store.vy[i] = Limits.velocity("vy", vy);
   }
 
   /**
@@ -324,7 +324,7 @@ public final class Particles {
    * @param dtSeconds s, more than 0, at most 0.1; use the world's
    */
   public void step(World<?> world, float dtSeconds) {
-    Checks.timeStep(dtSeconds);
+    Limits.timeStep(dtSeconds);
     retire(dtSeconds);
     if (store.count == 0) {
       return;
@@ -371,8 +371,8 @@ public final class Particles {
     for (int i = 0; i < store.count; i++) {
       store.age[i] += dt;
       boolean here =
-          Math.abs(store.x[i]) + Math.abs(store.y[i]) < 0.5f * Checks.MAX_COORDINATE
-              && Math.abs(store.vx[i]) + Math.abs(store.vy[i]) < 3 * Checks.MAX_VELOCITY;
+          Math.abs(store.x[i]) + Math.abs(store.y[i]) < 0.5f * Limits.MAX_COORDINATE
+              && Math.abs(store.vx[i]) + Math.abs(store.vy[i]) < 3 * Limits.MAX_VELOCITY;
       if (here && store.age[i] <= def.lifetime) {
         store.move(i, kept++);
       } else {

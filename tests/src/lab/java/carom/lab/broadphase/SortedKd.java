@@ -1,12 +1,12 @@
 package carom.lab.broadphase;
 
-import carom.physics.broadphase.AabbArray;
+import carom.physics.broadphase.index.AabbArray;
 import java.util.Arrays;
 
 /**
  * The order of a KD-tree's leaves, found by sorting, as lectures have it: parts are cut at the
  * median of their wider extent until they hold at most {@value #LEAF} boxes. For comparison with
- * {@link carom.physics.broadphase.KdTree}, which never sorts. Both ways give the same order of
+ * {@link carom.physics.broadphase.kd.KdTree}, which never sorts. Both ways give the same order of
  * parts. One thread at a time; allocates only to grow.
  */
 final class SortedKd {

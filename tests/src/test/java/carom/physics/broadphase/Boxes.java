@@ -1,12 +1,13 @@
 package carom.physics.broadphase;
 
+import carom.physics.broadphase.index.AabbArray;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 
 /** A seeded world of boxes that move, come and go. */
-final class Boxes {
+public final class Boxes {
   /** How the boxes lie. */
-  enum Layout {
+  public enum Layout {
     UNIFORM,
     CLUSTERED,
     IDENTICAL,
@@ -20,14 +21,14 @@ final class Boxes {
     EXTREME
   }
 
-  final AabbArray array;
+  public final AabbArray array;
   final Layout layout;
   final long seed;
   private final SplittableRandom random;
   private final boolean[] present;
   private int[] ids;
 
-  Boxes(Layout layout, int capacity, long seed) {
+  public Boxes(Layout layout, int capacity, long seed) {
     this.layout = layout;
     this.seed = seed;
     array = new AabbArray(capacity);
@@ -44,16 +45,16 @@ final class Boxes {
     return "layout=" + layout + " n=" + array.capacity() + " seed=" + seed;
   }
 
-  float between(double low, double high) {
+  public float between(double low, double high) {
     return (float) (low + (high - low) * random.nextDouble());
   }
 
-  int below(int bound) {
+  public int below(int bound) {
     return random.nextInt(bound);
   }
 
   /** Gives a box a new place and size. */
-  void place(int id) {
+  public void place(int id) {
     double side = 1.5 * Math.sqrt(array.capacity());
     switch (layout) {
       case UNIFORM -> at(id, between(0, side), between(0, side), 0.75);
@@ -89,22 +90,22 @@ final class Boxes {
   }
 
   /** Shifts every box by up to this much. */
-  void drift(double reach) {
+  public void drift(double reach) {
     for (int id = 0; id < array.capacity(); id++) {
       shift(id, between(-reach, reach), between(-reach, reach));
     }
   }
 
-  void shift(int id, float dx, float dy) {
+  public void shift(int id, float dx, float dy) {
     array.set(
         id, array.minX(id) + dx, array.minY(id) + dy, array.maxX(id) + dx, array.maxY(id) + dy);
   }
 
-  boolean isPresent(int id) {
+  public boolean isPresent(int id) {
     return present[id];
   }
 
-  void setPresent(int id, boolean there) {
+  public void setPresent(int id, boolean there) {
     present[id] = there;
   }
 
@@ -113,7 +114,7 @@ final class Boxes {
   }
 
   /** The ids that are present, ascending. */
-  int[] ids() {
+  public int[] ids() {
     ids = new int[capacity()];
     int count = 0;
     for (int id = 0; id < capacity(); id++) {

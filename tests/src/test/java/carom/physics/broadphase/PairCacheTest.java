@@ -7,6 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.lab.broadphase.BroadphaseScene;
 import carom.physics.broadphase.Boxes.Layout;
+import carom.physics.broadphase.index.BruteForce;
+import carom.physics.broadphase.index.PairVisitor;
+import carom.physics.broadphase.kd.KdTree;
 import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

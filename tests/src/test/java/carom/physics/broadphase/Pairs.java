@@ -1,25 +1,27 @@
 package carom.physics.broadphase;
 
+import carom.physics.broadphase.index.PairVisitor;
+import carom.physics.broadphase.index.SpatialIndex;
 import java.util.Arrays;
 import java.util.function.Consumer;
 
 /** Collected pairs or ids in canonical order. */
-final class Pairs {
+public final class Pairs {
   private long[] found = new long[64];
   private int count;
 
   /** Collects what a search reports; pairs that come twice stay twice. */
-  static long[] of(Consumer<PairVisitor> search) {
+  public static long[] of(Consumer<PairVisitor> search) {
     Pairs pairs = new Pairs();
     search.accept((a, b) -> pairs.add(((long) a << 32) + b));
     return pairs.sorted();
   }
 
-  static long[] of(SpatialIndex index) {
+  public static long[] of(SpatialIndex index) {
     return of(index::pairs);
   }
 
-  static long[] query(SpatialIndex index, float x0, float y0, float x1, float y1) {
+  public static long[] query(SpatialIndex index, float x0, float y0, float x1, float y1) {
     Pairs ids = new Pairs();
     index.query(
         x0,

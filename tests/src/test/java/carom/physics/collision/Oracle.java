@@ -10,18 +10,18 @@ import carom.physics.math.Transform;
 import java.util.SplittableRandom;
 
 /** Slow and obvious answers, and random questions. */
-final class Oracle {
+public final class Oracle {
   /** Kinds of shapes {@link #shape} makes. */
-  static final int KINDS = 6;
+  public static final int KINDS = 6;
 
   private Oracle() {}
 
-  static Convex shape(int kind, SplittableRandom random) {
+  public static Convex shape(int kind, SplittableRandom random) {
     return shape(kind, random, 1);
   }
 
   /** A shape of about a given size, m. */
-  static Convex shape(int kind, SplittableRandom random, double size) {
+  public static Convex shape(int kind, SplittableRandom random, double size) {
     float cx = (float) (size * random.nextDouble(-0.3, 0.3));
     float cy = (float) (size * random.nextDouble(-0.3, 0.3));
     float w = (float) (size * random.nextDouble(0.2, 1));
@@ -45,7 +45,7 @@ final class Oracle {
     return kind == 5 ? Polygon.rounded(0.2f * w, xy) : Polygon.of(xy);
   }
 
-  static Transform pose(SplittableRandom random, double spread) {
+  public static Transform pose(SplittableRandom random, double spread) {
     return new Transform(
         (float) random.nextDouble(-spread, spread),
         (float) random.nextDouble(-spread, spread),
@@ -76,12 +76,12 @@ final class Oracle {
   }
 
   /** Largest gap over all directions from A to B: the distance, or minus the least overlap. */
-  static double separation(Convex a, Transform ta, Convex b, Transform tb) {
+  public static double separation(Convex a, Transform ta, Convex b, Transform tb) {
     return separation(a, ta, b, tb, 1);
   }
 
   /** The same for shapes of about a given size, m. */
-  static double separation(Convex a, Transform ta, Convex b, Transform tb, double size) {
+  public static double separation(Convex a, Transform ta, Convex b, Transform tb, double size) {
     int steps = 1440;
     double step = 2 * Math.PI / steps;
     double[] gaps = new double[steps];
@@ -116,7 +116,7 @@ final class Oracle {
    * Signed distance of a point from a shape's border, exact outside; inside minus the distance to
    * the nearest face.
    */
-  static double distance(Convex s, Transform t, double px, double py) {
+  public static double distance(Convex s, Transform t, double px, double py) {
     int n = s.vertexCount();
     double inside = n <= 2 ? 1 : Double.NEGATIVE_INFINITY;
     double nearest = Double.POSITIVE_INFINITY;

@@ -12,14 +12,15 @@ public final class ActiveBodies {
   /** The slots of the bodies, the first {@link #count} entries. */
   public int[] list = new int[FIRST_CAPACITY];
 
-  /** Per slot: where the body is in the list, -1 if it isn't. */
+  /** The place of each slot's body in the list, -1 if it isn't there. */
   public int[] index = new int[0];
 
+  /** Number of bodies in the list. */
   public int count;
 
   private int version;
 
-  /** Changes with every body that comes or goes. */
+  /** Returns a number that changes with every body that comes or goes. */
   public int version() {
     return version;
   }
@@ -33,10 +34,12 @@ public final class ActiveBodies {
     }
   }
 
+  /** Returns whether a body is in the list. */
   public boolean contains(int body) {
     return index[body] >= 0;
   }
 
+  /** Adds a body, which must not be in the list. */
   public void add(int body) {
     if (count == list.length) {
       list = Arrays.copyOf(list, count * 2);
@@ -46,6 +49,7 @@ public final class ActiveBodies {
     version++;
   }
 
+  /** Removes a body, which must be in the list; the last one takes its place. */
   public void remove(int body) {
     int at = index[body];
     int last = list[--count];

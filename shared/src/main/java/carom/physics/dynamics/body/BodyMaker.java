@@ -2,7 +2,10 @@ package carom.physics.dynamics.body;
 
 import carom.physics.geometry.Convex;
 import carom.physics.geometry.MassData;
+import carom.physics.geometry.Segment;
+import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
+import carom.physics.math.Limits;
 import carom.physics.math.StateHash;
 import carom.physics.math.Transform;
 
@@ -19,6 +22,7 @@ public final class BodyMaker {
   private final Transform identity = new Transform();
   private final Aabb box = new Aabb();
 
+  /** Makes bodies in these stores. */
   public BodyMaker(BodyStore bodies, ShapeTable parts) {
     this.bodies = bodies;
     this.parts = parts;
@@ -62,16 +66,16 @@ public final class BodyMaker {
     return (int) count;
   }
 
-  /** What a body of a type weighs; nothing, unless it is dynamic. */
+  /** Returns the mass of a body of a type: none, unless it is dynamic. */
   public static MassData total(byte type, ShapeSpec[] shapes, MassData own) {
     return type == BodyStore.DYNAMIC ? massOf(shapes, own) : NO_MASS;
   }
 
-  /** Mass of a dynamic body, in its frame; refuses what none can be made of. */
+  /** Returns the mass of a dynamic body, in its frame; refuses shapes without mass. */
   public static MassData massOf(ShapeSpec[] shapes, MassData own) {
     if (own != null) {
       for (ShapeSpec spec : shapes) {
-        Checks.refuseLines(spec.shape());
+        refuseLines(spec.shape());
       }
       return own;
     }
@@ -82,13 +86,13 @@ public final class BodyMaker {
     double mx = 0;
     double my = 0;
     for (ShapeSpec spec : shapes) {
-      Checks.refuseLines(spec.shape());
+      refuseLines(spec.shape());
       MassData m = spec.shape().mass(spec.density());
       mass += m.mass();
       mx += (double) m.mass() * m.centerX();
       my += (double) m.mass() * m.centerY();
     }
-    Checks.range("mass", (float) mass, 1e-9f, 1e15f);
+    Limits.range("mass", (float) mass, 1e-9f, 1e15f);
     float x = (float) (mx / mass);
     float y = (float) (my / mass);
     double inertia = 0;
@@ -101,7 +105,20 @@ public final class BodyMaker {
     return new MassData((float) mass, x, y, (float) inertia);
   }
 
-  /** Takes mass and shapes over where the body is: its origin, and the velocity there, stay. */
+  /** Refuses segments and chains, for bodies that move by forces. */
+  private static void refuseLines(Shape shape) {
+    for (Convex part : shape.parts()) {
+      if (part instanceof Segment) {
+        throw new IllegalArgumentException(
+            "shape="
+                + part
+                + " has no mass, which a dynamic body needs; make the body static or kinematic, or"
+                + " the line a thin capsule");
+      }
+    }
+  }
+
+  /** Gives a body other mass and shapes; its origin, and the velocity there, stay. */
   public void refill(int body, ShapeSpec[] shapes, MassData own, MassData total) {
     float oldX = bodies.x[body];
     float oldY = bodies.y[body];
@@ -118,7 +135,7 @@ public final class BodyMaker {
     bodies.vy[body] += bodies.w[body] * (bodies.x[body] - oldX);
   }
 
-  /** Takes mass and shapes over. */
+  /** Writes mass and shapes to the stores. */
   private void fill(int body, ShapeSpec[] shapes, MassData own, MassData total) {
     boolean dynamic = bodies.type[body] == BodyStore.DYNAMIC;
     boolean turns = dynamic && (bodies.flags[body] & BodyStore.FIXED_ROTATION) == 0;

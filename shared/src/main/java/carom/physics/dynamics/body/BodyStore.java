@@ -2,8 +2,10 @@ package carom.physics.dynamics.body;
 
 import carom.physics.archive.Archive;
 import carom.physics.dynamics.store.ColumnHash;
+import carom.physics.dynamics.store.IntList;
 import carom.physics.dynamics.store.Slots;
 import carom.physics.dynamics.store.Stamp;
+import carom.physics.math.Limits;
 import carom.physics.math.StateHash;
 import java.util.Arrays;
 
@@ -18,11 +20,33 @@ import java.util.Arrays;
  * <p>Slots are reused last in, first out; each reuse has another generation. The free list is part
  * of the state, so that a restored world gives out the same slots again.
  *
- * <p><b>Hot</b> numbers may change in every step: pose, velocity, what was applied, flags, sleep
- * time. They are copied whenever the state is. All others are <b>cold</b> and only copied if one of
- * them changed, which whoever writes them must tell by {@link #coldChanged}.
+ * <p><b>Hot</b> numbers may change in every step. They are copied whenever the state is. All others
+ * are <b>cold</b> and only copied if one of them changed; code that writes one calls {@link
+ * #coldChanged} in the same method.
  *
- * <p>The arrays are public to the solver and the API; they are replaced when the store grows.
+ * <p>The arrays are public, because kernels read them by the thousand, and are replaced when the
+ * store grows: nobody keeps one across stages. All stages read them. Who writes what, and when:
+ *
+ * <pre>
+ *   arrays                          kind   written in a step by       between steps by
+ *   x y cos sin                     hot    solver (FINISH),           setCenterPose, setOriginPose,
+ *                                          continuous collision       BodyMaker, Excerpt
+ *   vx vy w                         hot    applyImpulses (BEGIN),     Body, Excerpt
+ *                                          solver (FINISH), sleep
+ *   force* torque impulse*          hot    useForces, applyImpulses   Body, effects, Excerpt
+ *   flags                           hot    sleep (ASLEEP)             BodyEditor, Body
+ *   sleepTime                       hot    sleep                      sleep, Excerpt
+ *   type firstPart partCount        cold   nobody                     allocate, release, BodyEditor
+ *   mass inertia local* reach ...   cold   nobody                     BodyMaker
+ *   damping gravityScale            cold   nobody                     Body
+ * </pre>
+ *
+ * <p><b>Length.</b> A third of the class declares the arrays with their units, another third makes
+ * them grow, copies and hashes them and passes them through archives. Holders in between would cost
+ * every kernel a load per array, and the pose of a body isn't used without its velocity and mass.
+ *
+ * <p>In a step, workers write different slots side by side; that is why methods below that find
+ * nothing to do write nothing.
  */
 public final class BodyStore {
   /** Type of a free slot. */
@@ -66,10 +90,10 @@ public final class BodyStore {
 
   private static final int FIRST_CAPACITY = 64;
 
-  /** The first of the float arrays are hot. */
+  /** Number of float arrays that are hot; they come first. */
   private static final int HOT = 13;
 
-  /** Numbers of larger size are in no archive: a world that has them has blown up. */
+  /** Largest number that an archive accepts; a world with larger ones has blown up. */
   public static final float MOST = 1e30f;
 
   private static final int HOT_BYTES = Float.BYTES * (HOT + 1) + 1;
@@ -77,7 +101,7 @@ public final class BodyStore {
   /** {@link #FREE}, {@link #STATIC}, {@link #KINEMATIC} or {@link #DYNAMIC}. */
   public byte[] type = new byte[FIRST_CAPACITY];
 
-  /** Flags, added up. */
+  /** The flags of the body, added up. */
   public byte[] flags = new byte[FIRST_CAPACITY];
 
   /** First of the body's shape parts in {@link ShapeTable}; the others follow it. */
@@ -169,7 +193,7 @@ public final class BodyStore {
   private final Slots slots = new Slots();
   private final Stamp cold = new Stamp();
 
-  /** Of what is cold, as it was at this stamp. */
+  /** The hash of the cold numbers, as of {@link #hashed}. */
   private long coldHash = hashCold();
 
   private final Stamp hashed = new Stamp();
@@ -179,7 +203,7 @@ public final class BodyStore {
   public BodyStore() {}
 
   /**
-   * The number of bodies.
+   * Returns the number of bodies.
    *
    * @return slots in use
    */
@@ -188,7 +212,7 @@ public final class BodyStore {
   }
 
   /**
-   * One more than the largest slot ever used.
+   * Returns one more than the largest slot ever used.
    *
    * @return the bound of loops over all slots, free ones included
    */
@@ -197,7 +221,7 @@ public final class BodyStore {
   }
 
   /**
-   * How often a slot was given back, for handles.
+   * Returns how often a slot was given back, for handles.
    *
    * @param slot below {@link #slots}
    * @return what {@link #alive} expects of a handle made now
@@ -260,13 +284,25 @@ public final class BodyStore {
     sleepTime[slot] = 0;
   }
 
-  /** Must be called when a number was written that steps don't change; see the class. */
+  /** Notes that a cold number was written, so that copies and hashes take it over. */
   public void coldChanged() {
     cold.change();
   }
 
+  /** Replaces a list by all parts of some bodies. */
+  public void listParts(int[] which, int n, IntList to) {
+    to.count = 0;
+    for (int i = 0; i < n; i++) {
+      int first = firstPart[which[i]];
+      int end = first + partCount[which[i]];
+      for (int part = first; part < end; part++) {
+        to.add(part);
+      }
+    }
+  }
+
   /**
-   * Whether this is the body of that handle, still alive.
+   * Returns whether this is the body of that handle, still alive.
    *
    * @param slot any slot a handle holds
    * @param expected the handle's generation
@@ -277,7 +313,7 @@ public final class BodyStore {
   }
 
   /**
-   * Whether a body is taken out of the simulation.
+   * Returns whether a body is taken out of the simulation.
    *
    * @param slot a slot in use
    * @return true if it neither moves nor collides
@@ -287,7 +323,7 @@ public final class BodyStore {
   }
 
   /**
-   * Whether a body sleeps.
+   * Returns whether a body sleeps.
    *
    * @param slot a slot in use
    * @return true if no step looks at it
@@ -296,13 +332,13 @@ public final class BodyStore {
     return (flags[slot] & ASLEEP) != 0;
   }
 
-  /** Whether steps look at a body. */
+  /** Returns whether steps look at a body. */
   public boolean active(int slot) {
     return type[slot] != STATIC && !asleep(slot) && !disabled(slot);
   }
 
   /**
-   * Whether a body is a bullet.
+   * Returns whether a body is a bullet.
    *
    * @param slot a slot in use
    * @return true if it is stopped at dynamic bodies, too
@@ -331,8 +367,8 @@ public final class BodyStore {
    * @param s sine
    */
   public void setCenterPose(int slot, float newX, float newY, float c, float s) {
-    Checks.coordinate("x", newX);
-    Checks.coordinate("y", newY);
+    Limits.coordinate("x", newX);
+    Limits.coordinate("y", newY);
     setRotation(slot, c, s);
     x[slot] = newX;
     y[slot] = newY;
@@ -348,15 +384,15 @@ public final class BodyStore {
    * @param s sine
    */
   public void setOriginPose(int slot, float originX, float originY, float c, float s) {
-    Checks.coordinate("x", originX);
-    Checks.coordinate("y", originY);
+    Limits.coordinate("x", originX);
+    Limits.coordinate("y", originY);
     setRotation(slot, c, s);
     x[slot] = originX + (cos[slot] * localX[slot] - sin[slot] * localY[slot]);
     y[slot] = originY + (sin[slot] * localX[slot] + cos[slot] * localY[slot]);
   }
 
   /**
-   * The body's origin.
+   * Returns a coordinate of the body's origin.
    *
    * @param slot which
    * @return x, m
@@ -366,13 +402,21 @@ public final class BodyStore {
   }
 
   /**
-   * The body's origin.
+   * Returns a coordinate of the body's origin.
    *
    * @param slot which
    * @return y, m
    */
   public float originY(int slot) {
     return y[slot] - (sin[slot] * localX[slot] + cos[slot] * localY[slot]);
+  }
+
+  /** Returns whether a body is at the same pose in another store, bit for bit. */
+  public boolean samePose(BodyStore other, int slot) {
+    return x[slot] == other.x[slot]
+        && y[slot] == other.y[slot]
+        && cos[slot] == other.cos[slot]
+        && sin[slot] == other.sin[slot];
   }
 
   private void setRotation(int slot, float c, float s) {
@@ -391,8 +435,8 @@ public final class BodyStore {
   }
 
   /**
-   * Velocity changes by pending impulses, which are then gone. Where there is none nothing is
-   * written, as bodies beside this one may be another thread's.
+   * Adds pending impulses to the velocity and clears them. Writes nothing if there are none,
+   * because the neighbouring slots may be another thread's.
    */
   public void applyImpulses(int slot) {
     if (impulseX[slot] == 0 && impulseY[slot] == 0 && impulseW[slot] == 0) {
@@ -406,7 +450,7 @@ public final class BodyStore {
     impulseW[slot] = 0;
   }
 
-  /** Forgets forces, which were used; writes nothing where there are none. */
+  /** Clears the forces of a step; writes nothing if there are none. */
   public void useForces(int slot) {
     if (forceX[slot] != 0 || forceY[slot] != 0 || torque[slot] != 0) {
       forceX[slot] = 0;
@@ -415,7 +459,7 @@ public final class BodyStore {
     }
   }
 
-  /** Whether a force or an impulse waits. */
+  /** Returns whether a force or an impulse is pending. */
   public boolean pushed(int slot) {
     return forceX[slot] != 0
         || forceY[slot] != 0
@@ -425,7 +469,7 @@ public final class BodyStore {
         || impulseW[slot] != 0;
   }
 
-  /** Forgets what was applied. */
+  /** Clears all pending forces and impulses. */
   public void clearForces(int slot) {
     forceX[slot] = 0;
     forceY[slot] = 0;
@@ -435,7 +479,7 @@ public final class BodyStore {
     impulseW[slot] = 0;
   }
 
-  /** Bits of everything that influences the future. */
+  /** Adds everything that influences the future to a hash. */
   public long hash(long h) {
     if (!cold.same(hashed)) {
       coldHash = hashCold();
@@ -448,7 +492,7 @@ public final class BodyStore {
     return columns.mix(h, sleepTime, slots());
   }
 
-  /** Bits of what no step changes. */
+  /** Returns a hash of the cold numbers. */
   private long hashCold() {
     long h = slots.hash();
     for (int i = 0; i < slots(); i++) {
@@ -540,9 +584,9 @@ public final class BodyStore {
       a.numbers("velocity or force", floats[f], slots(), MOST);
     }
     a.numbers("time of rest", sleepTime, slots(), MOST);
-    a.numbers("linear damping", linearDamping, slots(), Checks.MAX_DAMPING);
-    a.numbers("angular damping", angularDamping, slots(), Checks.MAX_DAMPING);
-    a.numbers("gravity scale", gravityScale, slots(), Checks.MAX_GRAVITY_SCALE);
+    a.numbers("linear damping", linearDamping, slots(), Limits.MAX_DAMPING);
+    a.numbers("angular damping", angularDamping, slots(), Limits.MAX_DAMPING);
+    a.numbers("gravity scale", gravityScale, slots(), Limits.MAX_GRAVITY_SCALE);
     for (int slot = 0; a.reads() && slot < slots(); slot++) {
       if (type[slot] == FREE) {
         rest(slot);
@@ -592,7 +636,7 @@ public final class BodyStore {
     floats = gather();
   }
 
-  /** All float arrays, for copying and clearing; the hot ones first. */
+  /** Returns all float arrays, for copying and clearing; the hot ones first. */
   private float[][] gather() {
     return new float[][] {
       x,

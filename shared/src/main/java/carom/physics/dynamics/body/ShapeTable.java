@@ -1,6 +1,6 @@
 package carom.physics.dynamics.body;
 
-import carom.physics.broadphase.AabbArray;
+import carom.physics.broadphase.index.AabbArray;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Convex;
@@ -17,7 +17,7 @@ import java.util.Arrays;
  * ticks and the broadphase has nothing to do for quiet bodies.
  */
 public final class ShapeTable {
-  /** How many values {@link #kind} has. */
+  /** Number of values of {@link #kind}. */
   public static final int KINDS = 4;
 
   private static final int FIRST_CAPACITY = 64;
@@ -25,48 +25,53 @@ public final class ShapeTable {
   /** The part, relative to its body's centre of mass. */
   public Convex[] convex = new Convex[FIRST_CAPACITY];
 
-  /** Whether it is a disc, a box, another polygon with sharp corners, or anything else. */
+  /** The kind of each part: 0 a disc, 1 a box, 2 another sharp polygon, 3 anything else. */
   public byte[] kind = new byte[FIRST_CAPACITY];
 
   /** Floats per part in {@link #box}. */
   public static final int BOX = 4;
 
-  /** Of boxes: half width, half height, x and y of the centre in the body's frame, m. */
+  /** The half width, half height and centre x, y of each box in its body's frame, m. */
   public float[] box = new float[BOX * FIRST_CAPACITY];
 
   /** The body that owns it, -1 if free. */
   public int[] body = new int[FIRST_CAPACITY];
 
-  /** Which of the body's shapes, as the user gave them, it belongs to. */
+  /** The number of the shape, as the user gave them, that each part belongs to. */
   public int[] shapeIndex = new int[FIRST_CAPACITY];
 
+  /** The Coulomb coefficient of each part. */
   public float[] friction = new float[FIRST_CAPACITY];
+
+  /** The restitution of each part, 0..1. */
   public float[] restitution = new float[FIRST_CAPACITY];
+
+  /** The rolling resistance of each part, as a fraction of its radius. */
   public float[] rolling = new float[FIRST_CAPACITY];
+
+  /** The speed of each part's surface, m/s. */
   public float[] tangentSpeed = new float[FIRST_CAPACITY];
 
-  /** Whom the part meets; see {@code carom.physics.Filter}. */
+  /** The part's category; see {@code carom.physics.Filter}. */
   int[] category = new int[FIRST_CAPACITY];
 
   int[] mask = new int[FIRST_CAPACITY];
   int[] group = new int[FIRST_CAPACITY];
 
-  /** Whether the part only notices. */
+  /** Whether each part is a sensor. */
   public boolean[] sensor = new boolean[FIRST_CAPACITY];
 
-  /** Whether any part ever was a sensor or had a filter; spares the look at them. */
+  /** Whether any part ever was a sensor or had a filter; if not, nobody looks at them. */
   private boolean selective;
 
   /** Whether the box changed since pairs were last searched. */
   public boolean[] moved = new boolean[FIRST_CAPACITY];
 
-  /**
-   * Whether it changed together with those of most neighbours, so that these are searched as one.
-   */
+  /** Whether the box changed together with those of most neighbours, which are searched as one. */
   public boolean[] together = new boolean[FIRST_CAPACITY];
 
-  /** Whether the part waits to be put into a tree. */
-  public boolean[] expected = new boolean[FIRST_CAPACITY];
+  /** Whether the part is queued for insertion into a tree. */
+  public boolean[] pending = new boolean[FIRST_CAPACITY];
 
   /** The boxes in the broadphase; never restored, only widened when they no longer contain. */
   public final AabbArray fat = new AabbArray(FIRST_CAPACITY);
@@ -84,17 +89,18 @@ public final class ShapeTable {
   private int[] nextFree = new int[FIRST_CAPACITY];
   private int used;
 
+  /** Makes an empty table. */
   public ShapeTable() {
     Arrays.fill(freeBlocks, -1);
   }
 
-  /** One more than the largest part ever used. */
+  /** Returns one more than the largest part ever used. */
   public int used() {
     return used;
   }
 
   /**
-   * The rule of filters, the same either way round.
+   * Decides whether two filters let their parts meet; the same either way round.
    *
    * @param categoryA what A is
    * @param maskA what A meets
@@ -112,7 +118,7 @@ public final class ShapeTable {
     return (maskA & categoryB) != 0 && (maskB & categoryA) != 0;
   }
 
-  /** Whether the filters of two parts let them meet, and not both are sensors. */
+  /** Returns whether the filters of two parts let them meet, and not both are sensors. */
   public boolean meet(int p, int q) {
     return !selective
         || (!(sensor[p] && sensor[q])
@@ -148,22 +154,22 @@ public final class ShapeTable {
     return (byte) (part instanceof Circle ? 0 : part instanceof Box ? 1 : 2);
   }
 
-  /** Whether a part is a disc. */
+  /** Returns whether a part is a disc. */
   public boolean isDisc(int part) {
     return kind[part] == 0;
   }
 
-  /** Whether a part is a box. */
+  /** Returns whether a part is a box. */
   public boolean isBox(int part) {
     return kind[part] == 1;
   }
 
-  /** Whether a part is a box or another polygon with sharp corners. */
+  /** Returns whether a part is a box or another polygon with sharp corners. */
   public boolean isPolygon(int part) {
     return kind[part] == 1 || kind[part] == 2;
   }
 
-  /** Takes a block of parts for a body; answers the first. */
+  /** Takes a block of parts for a body; returns the first. */
   int allocate(int owner, int parts) {
     if (parts == 0) {
       return 0;
@@ -184,6 +190,7 @@ public final class ShapeTable {
     return first;
   }
 
+  /** Gives a block of parts back. */
   public void release(int first, int parts) {
     if (parts == 0) {
       return;
@@ -198,6 +205,7 @@ public final class ShapeTable {
     freeBlocks[parts] = first;
   }
 
+  /** Copies everything but boxes into another table, which grows as needed. */
   public void copyTo(ShapeTable to) {
     to.ensure(used);
     System.arraycopy(convex, 0, to.convex, 0, used);
@@ -243,7 +251,7 @@ public final class ShapeTable {
       sensor = Arrays.copyOf(sensor, grown);
       moved = Arrays.copyOf(moved, grown);
       together = Arrays.copyOf(together, grown);
-      expected = Arrays.copyOf(expected, grown);
+      pending = Arrays.copyOf(pending, grown);
       nextFree = Arrays.copyOf(nextFree, grown);
     }
     fat.ensureCapacity(body.length);

@@ -5,9 +5,9 @@ import java.util.Arrays;
 /**
  * Answers what one body touches, in canonical order, whether it is awake or not.
  *
- * <p>The rows of the contact table are linked by body once they changed and somebody asks; that
- * costs as much as there are rows. Answers are copies, so whoever reads them may change the world.
- * Several may be open, the last one is closed first.
+ * <p>The rows of the contact table are linked by body at the first question after they changed,
+ * which costs time in proportion to the rows. Answers are copies, so their reader may change the
+ * world. Several may be open; the last one opened is closed first.
  */
 public final class BodyContacts {
   private static final int FIRST_CAPACITY = 32;
@@ -34,6 +34,7 @@ public final class BodyContacts {
   private float[] impulse = new float[FIRST_CAPACITY];
   private int size;
 
+  /** Makes a look-up in the tables of awake and sleeping bodies. */
   public BodyContacts(ContactTable contacts, SleepingContacts sleepers) {
     this.contacts = contacts;
     this.sleepers = sleepers;

@@ -1,9 +1,7 @@
 package carom.physics.dynamics.contact;
 
-import carom.physics.dynamics.Dynamics;
-
 /**
- * What {@link Dynamics#step} tells its owner. The argument is a row of the contact table, valid
+ * What {@code Dynamics.step} tells its owner. The argument is a row of the contact table, valid
  * during the call; order and rules are those of {@code carom.physics.CollisionListener}.
  */
 public interface ContactEvents {

@@ -5,11 +5,12 @@ import carom.physics.collision.Manifold;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Convex;
 import carom.physics.math.Transform;
-import java.util.Arrays;
 
 /**
  * Manifolds of polygons, kept while their shapes hardly move relative to each other, and distances
  * of all shapes that don't touch.
+ *
+ * <p>Each row of the contact table has one kept manifold; {@link KeptRows} holds them.
  *
  * <p>The pose of B in A's frame is rounded to a grid of {@value #CELL} m and rad. The manifold is
  * that of the rounded pose; from there to the true pose the gaps follow by {@code n . m}, with the
@@ -45,8 +46,9 @@ public final class KeptManifolds {
 
   private static final float RELATIVE_DOUBT = 1e-5f;
 
-  // What is kept of a row: the rounded pose before and after its rotation was made a unit,
-  private static final int COS = 0;
+  // What is kept of a row: the rounded pose of B in A's frame, before and after its rotation was
+  // made a unit.
+  private static final int COS = KeptRows.COS;
   private static final int SIN = 1;
   private static final int X = 2;
   private static final int Y = 3;
@@ -54,15 +56,16 @@ public final class KeptManifolds {
   private static final int UNIT_SIN = 5;
 
   /**
-   * bits of an integer: number of points or CORNERS; + OF_B if the normal is B's; + CLOSE for
-   * corners so close that the true pose may turn their direction round; + id of the first point,
+   * Place of the bits of an integer: number of points or {@link #CORNERS}; + {@link #OF_B} if the
+   * normal is B's; + {@link #CLOSE} for corners so close that the true pose may turn their
+   * direction round; + id of the first point, shifted.
    */
   private static final int KIND = 6;
 
-  /** if there are none, how far the shapes may move before there can be some, m; */
+  /** Place of the way that shapes without points may move before there can be some, m. */
   private static final int CLEARANCE = 7;
 
-  // else the manifold in A's frame.
+  // The manifold in A's frame, if there are points.
   private static final int NX = 7;
   private static final int NY = 8;
   private static final int X0 = 9;
@@ -72,14 +75,12 @@ public final class KeptManifolds {
   private static final int Y1 = 13;
   private static final int GAP1 = 14;
 
-  /** Bits of an integer. */
+  /** Place of the second point's id, as the bits of an integer. */
   private static final int ID1 = 15;
 
-  private static final int STRIDE = 16;
-
   /**
-   * In place of the number of points: one between two corners, that of A, in its frame, the first
-   * place and that of B, in its own, the second.
+   * Number of points that stands for one point between two corners. The corner of A, in A's frame,
+   * is in the place of the first point, that of B, in B's frame, in the place of the second.
    */
   private static final int CORNERS = 3;
 
@@ -88,114 +89,25 @@ public final class KeptManifolds {
   private static final int CLOSE = 8;
   private static final int ID_SHIFT = 4;
 
-  /** A cosine that none is: the row is not known. */
-  private static final float UNKNOWN = 2;
+  private final KeptRows rows = new KeptRows();
 
-  private float[] rows = new float[0];
-
-  /** The pairs these are of, if the table has taken others over since; else null. */
-  private RowArrays before;
-
-  private int beforeCount;
-
-  /** Makes room for so many rows, if any were ever kept. */
-  void grow(int count) {
-    if (rows.length > 0) {
-      ensure(count);
-    }
+  /** Returns the storage, which moves as the table's rows do. */
+  KeptRows rows() {
+    return rows;
   }
 
   /** Makes room for so many rows. */
   public void ensure(int count) {
-    int old = rows.length / STRIDE;
-    if (count > old) {
-      rows = Arrays.copyOf(rows, Math.max(count, 2 * old) * STRIDE);
-      for (int row = old; row < rows.length / STRIDE; row++) {
-        forget(row);
-      }
-    }
+    rows.ensure(count);
   }
 
-  /** Forgets a row; nothing happens if there is no room for it yet. */
+  /** Forgets a row. Does nothing if there is no room for it yet. */
   public void forget(int row) {
-    if (row * STRIDE < rows.length) {
-      rows[row * STRIDE + COS] = UNKNOWN;
-    }
+    rows.forget(row);
   }
 
-  /** Forgets everything. */
-  void clear() {
-    if (before != null) {
-      before.release();
-      before = null;
-    }
-    for (int at = 0; at < rows.length; at += STRIDE) {
-      rows[at + COS] = UNKNOWN;
-    }
-  }
-
-  /** Plans to move rows, for all of which there must be room. */
-  void move(RowMoves moves) {
-    if (rows.length > 0) {
-      moves.plan(rows, rows, STRIDE);
-    }
-  }
-
-  /**
-   * Must be called before the table takes other rows over, of the same shapes. What is kept finds
-   * its rows when it is next needed ({@link #realign}): who restores and steps on finds most of the
-   * same pairs in much the same poses.
-   *
-   * @param pairs who the rows so far are of, as in {@link ContactTable}
-   */
-  void rowsReplaced(RowArrays pairs, int count) {
-    if (rows.length > 0 && before == null) {
-      before = pairs.share();
-      beforeCount = count;
-    }
-  }
-
-  /** Rows there must be room for before {@link #realign}. */
-  int rowsBefore() {
-    return before == null ? 0 : beforeCount;
-  }
-
-  /**
-   * Takes what is kept to the rows that the table has now. Must be called before rows move, or what
-   * is kept of one is asked for or forgotten.
-   *
-   * @param key of each row, ascending
-   * @param moves scratch
-   */
-  void realign(long[] key, int count, RowMoves moves) {
-    if (before == null) {
-      return;
-    }
-    long[] old = (long[]) before.array(0);
-    moves.clear(false);
-    int from = 0;
-    int fresh = 0;
-    for (int row = 0; row < count; row++) {
-      while (from < beforeCount && old[from] < key[row]) {
-        from++;
-      }
-      if (from < beforeCount && old[from] == key[row]) {
-        moves.keep(from++, row);
-      } else {
-        moves.insert(fresh++, row);
-      }
-    }
-    move(moves);
-    moves.carryOut(null);
-    for (int i = 0; i < fresh; i++) {
-      forget(moves.inserted[i]);
-    }
-    before.release();
-    before = null;
-  }
-
-  /** What one worker needs. */
-  public static final class Desk {
+  /** The memory that one worker needs. */
+  public static final class Scratch {
     private final Collider collider = new Collider();
     private final Transform identity = new Transform();
     private final Transform pose = new Transform();
@@ -204,31 +116,28 @@ public final class KeptManifolds {
 
     private int boxMakes;
 
-    /** How many manifolds of two boxes weren't kept, but made. */
+    /** Returns how many manifolds of two boxes weren't kept, but made. */
     public int boxMakes() {
       return boxMakes;
     }
   }
 
-  /** Whether a manifold is kept of a relative pose that is rounded to the same. */
+  /** Returns whether a manifold is kept of a relative pose that is rounded to the same. */
   public boolean holds(int row, float x, float y, float cos, float sin) {
-    float[] r = rows;
-    int at = row * STRIDE;
+    float[] r = rows.numbers;
+    int at = row * KeptRows.STRIDE;
     float way = Math.abs(round(x) - r[at + X]) + Math.abs(round(y) - r[at + Y]);
     float turn = Math.abs(round(cos) - r[at + COS]) + Math.abs(round(sin) - r[at + SIN]);
     return way + turn == 0;
   }
 
-  /**
-   * Whether what is kept is a face, with so many points of such ids; if not there may be none, or
-   * they are made otherwise.
-   */
+  /** Returns whether the kept manifold is one of a face, with points of just these ids. */
   public boolean ofFace(int row, int points, int id0, int id1) {
-    int at = row * STRIDE;
-    int kind = Float.floatToRawIntBits(rows[at + KIND]);
+    int at = row * KeptRows.STRIDE;
+    int kind = Float.floatToRawIntBits(rows.numbers[at + KIND]);
     return (kind & (COUNT | CLOSE)) == points
         && kind >>> ID_SHIFT == id0
-        && (points == 1 || Float.floatToRawIntBits(rows[at + ID1]) == id1);
+        && (points == 1 || Float.floatToRawIntBits(rows.numbers[at + ID1]) == id1);
   }
 
   /**
@@ -255,8 +164,8 @@ public final class KeptManifolds {
       float sin,
       float[] to,
       int into) {
-    float[] r = rows;
-    int at = row * STRIDE;
+    float[] r = rows.numbers;
+    int at = row * KeptRows.STRIDE;
     // From the rounded pose to the true one B turns by (1 + c, s) and moves.
     float c = cos * r[at + UNIT_COS] + sin * r[at + UNIT_SIN] - 1;
     float s = sin * r[at + UNIT_COS] - cos * r[at + UNIT_SIN];
@@ -290,7 +199,7 @@ public final class KeptManifolds {
       float ny,
       float[] to,
       int into) {
-    float[] r = rows;
+    float[] r = rows.numbers;
     float px = r[at + point];
     float py = r[at + point + 1];
     float armX = px - r[at + X];
@@ -328,7 +237,7 @@ public final class KeptManifolds {
       float reach,
       float speculative,
       int[] hints,
-      Desk desk,
+      Scratch scratch,
       Manifold out) {
     float worldX = tb.x - ta.x;
     float worldY = tb.y - ta.y;
@@ -340,8 +249,8 @@ public final class KeptManifolds {
     float cellY = round(y);
     float cellCos = round(cos);
     float cellSin = round(sin);
-    float[] r = rows;
-    int at = row * STRIDE;
+    float[] r = rows.numbers;
+    int at = row * KeptRows.STRIDE;
     float wayX = cellX - r[at + X];
     float wayY = cellY - r[at + Y];
     float wayCos = cellCos - r[at + COS];
@@ -349,7 +258,9 @@ public final class KeptManifolds {
     float way = Math.abs(wayX) + Math.abs(wayY);
     float turn = Math.abs(wayCos) + Math.abs(waySin);
     if (way + turn != 0) {
-      if (kind(at) == 0 && r[at + COS] != UNKNOWN && way + turn * reach < r[at + CLEARANCE]) {
+      if (kind(at) == 0
+          && r[at + COS] != KeptRows.UNKNOWN
+          && way + turn * reach < r[at + CLEARANCE]) {
         out.count = 0;
         return;
       }
@@ -357,7 +268,7 @@ public final class KeptManifolds {
       r[at + SIN] = cellSin;
       r[at + X] = cellX;
       r[at + Y] = cellY;
-      make(at, a, b, reach, speculative, hints, row, desk);
+      make(at, a, b, reach, speculative, hints, row, scratch);
     }
     int kind = kind(at);
     int count = kind & COUNT;
@@ -370,10 +281,10 @@ public final class KeptManifolds {
       return;
     }
     if ((kind & CLOSE) != 0) {
-      desk.collider.collide(a, ta, b, tb, speculative, hints[row], out);
+      scratch.collider.collide(a, ta, b, tb, speculative, hints[row], out);
       return;
     }
-    float[] f = desk.followed;
+    float[] f = scratch.followed;
     if (follow(row, ta.cos, ta.sin, x, y, cos, sin, f, 0) > speculative) {
       // Close enough in the rounded pose alone; whether such a row exists depends on fat boxes.
       out.count = 0;
@@ -393,7 +304,7 @@ public final class KeptManifolds {
     }
   }
 
-  /** One point midway between two corners, if they are close enough. */
+  /** Makes one point midway between two corners, if they are close enough. */
   private void corners(
       int at,
       Transform ta,
@@ -403,7 +314,7 @@ public final class KeptManifolds {
       float sin,
       float speculative,
       Manifold out) {
-    float[] r = rows;
+    float[] r = rows.numbers;
     float px = r[at + X0];
     float py = r[at + Y0];
     float qx = x + (cos * r[at + X1] - sin * r[at + Y1]);
@@ -429,7 +340,8 @@ public final class KeptManifolds {
   }
 
   /**
-   * Whether two shapes are known not to touch; for pairs that {@link #collide} isn't asked about.
+   * Returns whether two shapes are known not to touch; for pairs that {@link #collide} isn't asked
+   * about.
    *
    * @param row where it was kept
    * @param ta A's pose
@@ -438,8 +350,8 @@ public final class KeptManifolds {
    * @return true if they haven't moved far enough since {@link #keepApart}
    */
   public boolean apart(int row, Transform ta, Transform tb, float reach) {
-    float[] r = rows;
-    int at = row * STRIDE;
+    float[] r = rows.numbers;
+    int at = row * KeptRows.STRIDE;
     float worldX = tb.x - ta.x;
     float worldY = tb.y - ta.y;
     float wayX = ta.cos * worldX + ta.sin * worldY - r[at + X];
@@ -448,7 +360,7 @@ public final class KeptManifolds {
     float waySin = ta.cos * tb.sin - ta.sin * tb.cos - r[at + SIN];
     float way = Math.abs(wayX) + Math.abs(wayY);
     float turn = Math.abs(wayCos) + Math.abs(waySin);
-    return r[at + COS] != UNKNOWN && way + turn * reach < r[at + CLEARANCE];
+    return r[at + COS] != KeptRows.UNKNOWN && way + turn * reach < r[at + CLEARANCE];
   }
 
   /**
@@ -461,8 +373,8 @@ public final class KeptManifolds {
    * @param speculative points up to this far apart count, m
    */
   public void keepApart(int row, Transform ta, Transform tb, float gap, float speculative) {
-    float[] r = rows;
-    int at = row * STRIDE;
+    float[] r = rows.numbers;
+    int at = row * KeptRows.STRIDE;
     setKind(at, 0);
     float worldX = tb.x - ta.x;
     float worldY = tb.y - ta.y;
@@ -473,17 +385,17 @@ public final class KeptManifolds {
     r[at + CLEARANCE] = clearance(gap, speculative, r[at + X], r[at + Y]);
   }
 
-  /** How far shapes may move before they can touch, m; rounding is taken off. */
+  /** Returns how far shapes may move before they can touch, m, less rounding. */
   private static float clearance(float gap, float speculative, float x, float y) {
     return gap - speculative - (DOUBT + RELATIVE_DOUBT * (Math.abs(x) + Math.abs(y)));
   }
 
   private int kind(int at) {
-    return Float.floatToRawIntBits(rows[at + KIND]);
+    return Float.floatToRawIntBits(rows.numbers[at + KIND]);
   }
 
   private void setKind(int at, int kind) {
-    rows[at + KIND] = Float.intBitsToFloat(kind);
+    rows.numbers[at + KIND] = Float.intBitsToFloat(kind);
   }
 
   private static float round(float value) {
@@ -491,7 +403,7 @@ public final class KeptManifolds {
   }
 
   /**
-   * How far two surfaces may seem closer in the rounded pose than they are in the true one, m.
+   * Returns how much closer two surfaces may seem in the rounded pose than in the true one, m.
    *
    * @param reach no point of B is further from B's position, m
    */
@@ -501,28 +413,35 @@ public final class KeptManifolds {
 
   /** Computes what is kept of the rounded pose. */
   private void make(
-      int at, Convex a, Convex b, float reach, float speculative, int[] hints, int row, Desk desk) {
-    desk.boxMakes += a instanceof Box && b instanceof Box ? 1 : 0;
-    float[] r = rows;
+      int at,
+      Convex a,
+      Convex b,
+      float reach,
+      float speculative,
+      int[] hints,
+      int row,
+      Scratch scratch) {
+    scratch.boxMakes += a instanceof Box && b instanceof Box ? 1 : 0;
+    float[] r = rows.numbers;
     float cos = r[at + COS];
     float sin = r[at + SIN];
     float unit = 1 / (float) Math.sqrt(cos * cos + sin * sin);
     r[at + UNIT_COS] = cos * unit;
     r[at + UNIT_SIN] = sin * unit;
-    Transform pose = desk.pose.set(r[at + X], r[at + Y], r[at + UNIT_COS], r[at + UNIT_SIN]);
-    Manifold m = desk.made;
-    desk.collider.collide(a, desk.identity, b, pose, speculative, hints[row], m);
-    hints[row] = desk.collider.hint();
+    Transform pose = scratch.pose.set(r[at + X], r[at + Y], r[at + UNIT_COS], r[at + UNIT_SIN]);
+    Manifold m = scratch.made;
+    scratch.collider.collide(a, scratch.identity, b, pose, speculative, hints[row], m);
+    hints[row] = scratch.collider.hint();
     if (m.count == 0) {
       setKind(at, 0);
-      r[at + CLEARANCE] = clearance(desk.collider.gap(), speculative, pose.x, pose.y);
+      r[at + CLEARANCE] = clearance(scratch.collider.gap(), speculative, pose.x, pose.y);
       return;
     }
-    if (desk.collider.ofCorners() && m.separation0 <= slack(reach)) {
+    if (scratch.collider.ofCorners() && m.separation0 <= slack(reach)) {
       setKind(at, 1 + CLOSE);
       return;
     }
-    if (desk.collider.ofCorners()) {
+    if (scratch.collider.ofCorners()) {
       int cornerA = m.id0 >> 8;
       int cornerB = m.id0 & 0xff;
       setKind(at, CORNERS + (m.id0 << ID_SHIFT));
@@ -532,7 +451,7 @@ public final class KeptManifolds {
       r[at + Y1] = b.vertexY(cornerB);
       return;
     }
-    setKind(at, m.count + (desk.collider.ofB() ? OF_B : 0) + (m.id0 << ID_SHIFT));
+    setKind(at, m.count + (scratch.collider.ofB() ? OF_B : 0) + (m.id0 << ID_SHIFT));
     r[at + NX] = m.normalX;
     r[at + NY] = m.normalY;
     r[at + X0] = m.x0;

@@ -3,32 +3,36 @@ package carom.physics.dynamics.contact;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.parallel.ParallelFor;
+import carom.physics.dynamics.store.RowMoves;
 import java.util.Arrays;
 
 /**
- * Finds out how the rows of a contact table move when pairs are merged in: which rows leave, as
- * they neither touch nor have overlapping fat boxes, and where new ones come in between.
+ * Plans how the rows of a contact table move when pairs are merged in: which rows leave, because
+ * they neither touch nor have overlapping fat boxes, and where new rows come in between.
  *
- * <p>Little of that happens in a step, but all rows must be looked at. So workers list what happens
- * in a range of rows each, with the pairs whose keys belong there; then moves are made of what they
- * list, by one thread.
+ * <p>Few rows come or go in a step, but all must be looked at. So each worker lists the changes in
+ * a range of rows, together with the pairs whose keys belong there. One thread then turns the lists
+ * into moves.
  */
 final class RowMerge {
-  /** Rows that make a piece of work for a worker, and new ones. */
+  /** Number of rows in a piece of a worker's work. */
   private static final int GRAIN = 512;
 
+  /** Number of new rows in a piece of a worker's work. */
   private static final int START_GRAIN = 64;
 
-  // What is known of a range, by its first row.
+  // What is known of a range; the range that begins at a row is at RANGE * (row / GRAIN).
   private static final int END = 0;
 
-  /** How many rows leave. */
+  /** Place of the number of rows that leave. */
   private static final int LEAVING = 1;
 
-  /** The first place of its new pairs among the candidates, and how many. */
+  /** Place of the first candidate that is a new pair of the range. */
   private static final int FIRST_NEW = 2;
 
+  /** Place of the number of new pairs. */
   private static final int NEW = 3;
+
   private static final int RANGE = 4;
 
   private final ContactTable table;
@@ -42,7 +46,7 @@ final class RowMerge {
 
   private int rowCount;
 
-  // What the merge is of.
+  // The merge at present.
   private long[] candidates;
   private int candidateCount;
   private ShapeTable parts;
@@ -92,7 +96,7 @@ final class RowMerge {
     return note();
   }
 
-  /** Starts the rows of new pairs, once the others have moved. */
+  /** Fills in the rows of new pairs, after the others have moved. */
   void startNew(int count, BodyStore of, ParallelFor parallel) {
     bodies = of;
     parallel.run(0, count, START_GRAIN, starting);
@@ -104,7 +108,7 @@ final class RowMerge {
     }
   }
 
-  /** How many rows there will be. */
+  /** Returns the number of rows after the merge. */
   int rowCount() {
     return rowCount;
   }
@@ -148,7 +152,7 @@ final class RowMerge {
     return fresh + 1;
   }
 
-  /** The first candidate that belongs behind the row before this one. */
+  /** Returns the first candidate that belongs behind the row before this one. */
   private int firstAfter(int row) {
     if (row == 0) {
       return 0;
@@ -174,7 +178,7 @@ final class RowMerge {
     return !(all || parts.moved[a] || parts.moved[b]) || parts.fat.overlaps(a, b);
   }
 
-  /** Notes what ranges list, in their order; answers how many pairs are new. */
+  /** Turns the lists of the ranges into moves; returns the number of new pairs. */
   private int note() {
     int rows = table.count();
     int to = 0;

@@ -7,15 +7,19 @@ import carom.physics.math.StateHash;
 import java.util.Arrays;
 
 /**
- * The touching pairs of bodies that sleep, so that they wake as they fell asleep.
+ * The touching contacts of sleeping bodies, kept so that the bodies wake as they fell asleep.
  *
- * <p>A contact is here if neither of its bodies is awake and one sleeps; the other does, too, or is
- * static. Nothing looks at these rows from step to step, however many there are; each body has a
- * list of its own, so that waking some bodies costs as much as they have contacts. The ends of the
- * row r are the entries 2 r (of body A) and 2 r + 1 (of body B), linked both ways.
+ * <p>A contact is here if one of its bodies sleeps and the other one sleeps, too, or is static. No
+ * step looks at these rows, however many there are. Each body has a list of its contacts, so waking
+ * a body costs time in proportion to its own.
  *
- * <p>Rows are slots that are used again. Their numbers and the order of the lists depend on
- * history, so whoever takes rows out sorts them by {@link ContactKey}.
+ * <pre>
+ *   body 3:  first --&gt; end 8 --&gt; end 5 --&gt; -1        row r has two ends:
+ *   body 7:  first --&gt; end 9 --&gt; -1                  2r in the list of body A, 2r + 1 in that of B
+ * </pre>
+ *
+ * <p>Rows are slots that are reused. Their numbers and the order of the lists depend on the past,
+ * so code that takes rows out sorts them by {@link ContactKey}.
  */
 public final class SleepingContacts {
   /** Key of a free row. */
@@ -23,6 +27,7 @@ public final class SleepingContacts {
 
   private static final int FIRST_CAPACITY = 64;
 
+  /** The rows; some are unused. */
   public final ContactTable rows = new ContactTable();
 
   /** Per end: its neighbours in the list of its body, -1 for none. */
@@ -36,7 +41,7 @@ public final class SleepingContacts {
   private int[] freeRows = new int[FIRST_CAPACITY];
   private int freeCount;
 
-  /** Bits of the rows, as they were at this version of them. */
+  /** The hash of the rows, as of {@link #hashedVersion}. */
   private long hash;
 
   private int hashedVersion = -1;
@@ -44,38 +49,38 @@ public final class SleepingContacts {
   /** Scratch: rows that are given out. */
   private int[] taken = new int[0];
 
-  /** Whether this is the place of the contacts of two bodies. */
+  /** Returns whether the contacts of two bodies belong here. */
   public static boolean belongs(BodyStore bodies, int a, int b) {
     return !bodies.active(a) && !bodies.active(b) && (bodies.asleep(a) || bodies.asleep(b));
   }
 
-  /** One more than the largest row ever used. */
+  /** Returns one more than the largest row ever used. */
   int slots() {
     return rows.count();
   }
 
-  /** The first end of a body, -1 for none. */
+  /** Returns the first end of a body, -1 for none. */
   public int first(int body) {
     return body < first.length ? first[body] : -1;
   }
 
-  /** The next end of the same body, -1 for none. */
+  /** Returns the next end of the same body, -1 for none. */
   public int next(int end) {
     return next[end];
   }
 
-  /** The body at the other end. */
+  /** Returns the body at the other end. */
   public int other(int end) {
     return (end & 1) == 0 ? rows.bodyB(end >> 1) : rows.bodyA(end >> 1);
   }
 
-  /** Whether the row of an end ties its bodies together. */
+  /** Returns whether the row of an end ties its bodies together. */
   public boolean solid(int end) {
     int row = end >> 1;
     return rows.points[row] > 0 && (rows.flags[row] & ContactTable.VETOED) == 0;
   }
 
-  /** Takes copies of rows. */
+  /** Adds copies of another table's rows. */
   void put(ContactTable from, int[] which, int n) {
     if (taken.length < n) {
       taken = new int[n + (n >> 1)];
@@ -84,7 +89,7 @@ public final class SleepingContacts {
     for (int i = 0; i < n; i++) {
       taken[i] = freeCount > 0 ? freeRows[--freeCount] : rows.append();
     }
-    rows.rowsChange();
+    rows.beginRowChange();
     rows.copyRows(from, which, taken, n);
     if (2 * slots() > next.length) {
       next = Arrays.copyOf(next, Math.max(2 * slots(), 2 * next.length));
@@ -130,9 +135,9 @@ public final class SleepingContacts {
     }
   }
 
-  /** Forgets an unlinked row. */
+  /** Frees an unlinked row. */
   public void release(int row) {
-    rows.rowsChange();
+    rows.beginRowChange();
     rows.key[row] = FREE;
     rows.flags[row] = 0;
     if (freeCount == freeRows.length) {
@@ -141,7 +146,7 @@ public final class SleepingContacts {
     freeRows[freeCount++] = row;
   }
 
-  /** Bits of all rows, whatever their numbers are; nothing without any. */
+  /** Adds all rows to a hash, whatever their numbers are; without any, returns it as it is. */
   public long hash(long h) {
     if (freeCount == slots()) {
       return h;

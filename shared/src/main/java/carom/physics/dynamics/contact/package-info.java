@@ -3,7 +3,7 @@
  * kept from step to step.
  *
  * <p>May import {@code dynamics.body}, {@code store} and {@code parallel}, and the packages of
- * shapes and collision. Read first: {@code ContactKey}, {@code ContactTable}, {@code
- * KeptManifolds}.
+ * shapes and collision. Read first: {@code ContactKey}, {@code ContactColumns} (the layout of a
+ * row), {@code ContactTable}, {@code RowOrder}, {@code KeptManifolds}.
  */
 package carom.physics.dynamics.contact;

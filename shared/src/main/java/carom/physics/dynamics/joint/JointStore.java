@@ -2,10 +2,10 @@ package carom.physics.dynamics.joint;
 
 import carom.physics.archive.Archive;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Checks;
 import carom.physics.dynamics.store.ColumnHash;
 import carom.physics.dynamics.store.Slots;
 import carom.physics.dynamics.store.Stamp;
+import carom.physics.math.Limits;
 import carom.physics.math.StateHash;
 import java.util.Arrays;
 
@@ -667,15 +667,15 @@ public final class JointStore {
               && (grounded || (bodyA[j] >= 0 && bodies.type[bodyA[j]] != BodyStore.FREE)),
           "joint=" + j + " of body=" + bodyA[j] + " with body=" + bodyB[j]);
       a.require(lower[j] <= upper[j], "joint=" + j + " has limits in the wrong order");
-      range(a, j, "hertz", hertz[j], Checks.MAX_HERTZ);
-      range(a, j, "angular hertz", angularHertz[j], Checks.MAX_HERTZ);
-      range(a, j, "damping ratio", damping[j], Checks.MAX_DAMPING_RATIO);
-      range(a, j, "angular damping ratio", angularDamping[j], Checks.MAX_DAMPING_RATIO);
-      range(a, j, "motor speed", Math.abs(motorSpeed[j]), Checks.MAX_VELOCITY);
-      range(a, j, "most of the motor", motorMax[j], Checks.MAX_FORCE);
-      range(a, j, "most force", maxForce[j], Checks.MAX_FORCE);
-      range(a, j, "most torque", maxTorque[j], Checks.MAX_FORCE);
-      range(a, j, "ratio", Math.abs(ratio[j]), Checks.MAX_RATIO);
+      range(a, j, "hertz", hertz[j], Limits.MAX_HERTZ);
+      range(a, j, "angular hertz", angularHertz[j], Limits.MAX_HERTZ);
+      range(a, j, "damping ratio", damping[j], Limits.MAX_DAMPING_RATIO);
+      range(a, j, "angular damping ratio", angularDamping[j], Limits.MAX_DAMPING_RATIO);
+      range(a, j, "motor speed", Math.abs(motorSpeed[j]), Limits.MAX_VELOCITY);
+      range(a, j, "most of the motor", motorMax[j], Limits.MAX_FORCE);
+      range(a, j, "most force", maxForce[j], Limits.MAX_FORCE);
+      range(a, j, "most torque", maxTorque[j], Limits.MAX_FORCE);
+      range(a, j, "ratio", Math.abs(ratio[j]), Limits.MAX_RATIO);
       range(a, j, "breaking force", breakForce[j], Float.POSITIVE_INFINITY);
       range(a, j, "breaking torque", breakTorque[j], Float.POSITIVE_INFINITY);
     }

@@ -12,24 +12,27 @@ import carom.physics.simd.VectorModule;
  * <p>All work is on a scratch array: quantities one after the other, of each those of all lanes.
  */
 public abstract class BoxLanes extends RehearsedLanes {
+  /** Number of pairs that a kernel does side by side. */
   public static final int LANES = VectorModule.LANES;
 
-  // In: from A's position to B's, world axes, m;
+  // Input.
+
+  /** Place of the x of the way from A's position to B's, world axes, m; the y follows. */
   public static final int WAY_X = APART;
 
   public static final int WAY_Y = WAY_X + LANES;
 
-  /** how both are turned; */
+  /** Place of the cosine of A's angle; A's sine and those of B follow. */
   public static final int COS_A = WAY_Y + LANES;
 
   public static final int SIN_A = COS_A + LANES;
   public static final int COS_B = SIN_A + LANES;
   public static final int SIN_B = COS_B + LANES;
 
-  /** no point of B is further from B's position, m; */
+  /** Place of the distance from B's position that no point of B exceeds, m. */
   public static final int REACH = SIN_B + LANES;
 
-  /** half sizes and centres of the boxes in their bodies' frames, m. */
+  /** Place of A's half width; half height and centre, and those of B, follow; body frames, m. */
   public static final int HALF_WIDTH_A = REACH + LANES;
 
   public static final int HALF_HEIGHT_A = HALF_WIDTH_A + LANES;
@@ -40,18 +43,20 @@ public abstract class BoxLanes extends RehearsedLanes {
   public static final int CENTER_X_B = HALF_HEIGHT_B + LANES;
   public static final int CENTER_Y_B = CENTER_X_B + LANES;
 
+  // Output.
+
   /**
-   * Out: number of points or {@link #CORNERS}, and {@link #LOOK} or not; ids and this are {@link
-   * #integer integers};
+   * Place of the number of points or {@link #CORNERS}, plus {@link #LOOK} or not. This and the ids
+   * are {@link #integer integers}.
    */
   public static final int COUNT = CENTER_Y_B + LANES;
 
-  /** normal, world axes; */
+  /** Place of the x of the normal, world axes; the y follows. */
   public static final int NX = COUNT + LANES;
 
   public static final int NY = NX + LANES;
 
-  /** of each point, where it is relative to A's position, world axes, m; its gap, m; its id. */
+  /** Place of point 0's x, relative to A's position, world axes, m; y, gap, m, and id follow. */
   public static final int X0 = NY + LANES;
 
   static final int Y0 = X0 + LANES;
@@ -62,28 +67,29 @@ public abstract class BoxLanes extends RehearsedLanes {
   public static final int GAP1 = Y1 + LANES;
   public static final int ID1 = GAP1 + LANES;
 
-  /** In and out: the least gap of all points so far, m. */
+  /** Place of the least gap of all points so far, m; input and output. */
   public static final int LEAST = ID1 + LANES;
 
-  /** What else a kernel notes begins here. */
+  /** Place where a kernel's own scratch begins. */
   public static final int OWN = LEAST + LANES;
 
-  /** In place of the number of points: two corners face each other, which the kernel can't do. */
+  /** Number of points that stands for two corners facing each other, which no kernel can do. */
   public static final int CORNERS = 3;
 
-  /** The points are so far apart that the boxes around the boxes may not overlap. */
+  /** Added if the gap is so wide that the tight boxes of the parts may not overlap. */
   public static final int LOOK = 4;
 
-  /** A float to which an integer from 0 to 2^23 was added has it as its lower bits. */
+  /** The float whose lower bits an integer from 0 to 2^23 fills when it is added. */
   public static final float INTEGER = 1 << 23;
 
   private static final LaneTrust TRUST = new LaneTrust();
 
+  /** Makes a kernel. */
   public BoxLanes() {
     super(TRUST);
   }
 
-  /** An integer in a scratch array. */
+  /** Reads an integer in a scratch array. */
   static int integer(float[] scratch, int at) {
     return Float.floatToRawIntBits(scratch[at]) - Float.floatToRawIntBits(INTEGER);
   }

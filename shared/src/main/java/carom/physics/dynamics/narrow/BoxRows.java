@@ -8,8 +8,8 @@ import carom.physics.dynamics.contact.ContactTable;
 import java.util.Arrays;
 
 /**
- * Rows of two boxes, updated {@link BoxLanes#LANES} at a time. One per worker; it tells a kernel
- * which rows, and writes to them what it found.
+ * Collects rows of two boxes and updates {@link BoxLanes#LANES} of them at a time: gathers their
+ * numbers for a kernel, and writes what the kernel found back to the rows. One per worker.
  */
 final class BoxRows {
   private final BodyStore bodies;
@@ -36,12 +36,12 @@ final class BoxRows {
     Arrays.fill(scratch, BoxLanes.LEAST, BoxLanes.LEAST + BoxLanes.LANES, 0);
   }
 
-  /** How many rows were updated that touch now. */
+  /** Returns the number of updated rows that touch now. */
   int touching() {
     return touching;
   }
 
-  /** The deepest overlap of all of them, m. */
+  /** Returns the deepest overlap of the updated rows, m. */
   float deepest() {
     float least = 0;
     for (int lane = 0; lane < BoxLanes.LANES; lane++) {
@@ -50,7 +50,7 @@ final class BoxRows {
     return -least;
   }
 
-  /** Takes a row; answers whether that was the last there is room for. */
+  /** Adds a row; returns whether there is no room for another one. */
   boolean add(int row) {
     int lane = count;
     count = lane + 1;
@@ -83,12 +83,12 @@ final class BoxRows {
     s[to + 3 * BoxLanes.LANES] = boxes[box + 3];
   }
 
-  /** How many rows it has. */
+  /** Returns the number of collected rows. */
   int count() {
     return count;
   }
 
-  /** One of the rows it has, or that {@link #update} left. */
+  /** Returns one of the collected rows, or of those that {@link #update} left. */
   int row(int i) {
     return rows[i];
   }
@@ -99,7 +99,7 @@ final class BoxRows {
   }
 
   /**
-   * Updates the rows, all but those that the kernel can't do, and has none then.
+   * Updates the rows, except those that the kernel can't do, and forgets them all.
    *
    * @param speculative points up to this far apart count, m
    * @return how many are left to do

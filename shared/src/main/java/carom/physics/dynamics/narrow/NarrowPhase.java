@@ -12,7 +12,7 @@ import carom.physics.math.Transform;
 import java.util.Arrays;
 
 /**
- * Updates the rows of the contact table: one manifold per pair of parts.
+ * The narrow phase: updates the rows of the contact table, one manifold per pair of parts.
  *
  * <p>Each row depends on the poses and on what it said before, and writes to itself alone. So the
  * order doesn't matter, and workers may share the rows. Within a block of {@value #BLOCK} rows,
@@ -24,16 +24,16 @@ import java.util.Arrays;
 public final class NarrowPhase {
   private static final int BLOCK = 128;
 
-  /** Rows of which the first block tells whether manifolds of all of them are worth keeping, */
+  /** Number of rows in a group. The first block of a group tells whether to keep manifolds. */
   private static final int GROUP = 8 * BLOCK;
 
-  /** or were faster made anew by the kernel: if more than one in so many was, of two boxes. */
+  /** A group goes to the kernel if more than one of so many manifolds was made anew, of boxes. */
   private static final int KEPT = 8;
 
-  /** With fewer rows of boxes the kernel is idle in too many lanes. */
+  /** Number of rows of boxes below which the kernel would be idle in too many lanes. */
   private static final int FEW_BOXES = 4;
 
-  /** Rows that make a piece of work for a worker. */
+  /** Number of rows in a piece of a worker's work. */
   private static final int GRAIN = 64;
 
   private final Settings settings;
@@ -53,12 +53,12 @@ public final class NarrowPhase {
    */
   private boolean[] restless = new boolean[0];
 
-  private Desk[] desks = new Desk[0];
+  private Scratch[] scratches = new Scratch[0];
 
-  /** What one worker needs. */
-  private static final class Desk {
+  /** The memory that one worker needs, and what it counts. */
+  private static final class Scratch {
     private final Collider collider = new Collider();
-    private final KeptManifolds.Desk keeping = new KeptManifolds.Desk();
+    private final KeptManifolds.Scratch keeping = new KeptManifolds.Scratch();
     private final Manifold manifold = new Manifold();
     private final Transform poseA = new Transform();
     private final Transform poseB = new Transform();
@@ -107,6 +107,7 @@ public final class NarrowPhase {
     }
   }
 
+  /** Makes the narrow phase of a world without bodies. */
   public NarrowPhase(
       Settings settings,
       BodyStore bodies,
@@ -120,7 +121,7 @@ public final class NarrowPhase {
     this.parallel = parallel;
   }
 
-  /** Begins: all rows are to be updated that aren't {@link #leave left} as they are. */
+  /** Begins an update of all rows, from which {@link #leave} excepts some. */
   public void begin() {
     int count = contacts.count();
     if (left.length < count) {
@@ -131,32 +132,32 @@ public final class NarrowPhase {
     contacts.keepManifolds();
   }
 
-  /** Has a row stay as it is. */
+  /** Excepts a row from the update. */
   public void leave(int row) {
     left[row] = true;
   }
 
-  /** Whether a row stays, or stayed, as it is. */
+  /** Returns whether a row is, or was, excepted from the update. */
   public boolean isLeft(int row) {
     return left[row];
   }
 
-  /** Updates the rows; answers how many of them have contact points. */
+  /** Updates the rows; returns how many of them have contact points. */
   public int run() {
-    furnish();
+    ensureCapacity();
     int rows = contacts.count();
     int blocks = rows / BoxLanes.LANES;
     int trusted = lanes == null || !isRestless() ? 0 : lanes.trusted(blocks, rows);
-    for (Desk desk : desks) {
-      desk.begin(trusted < blocks ? trusted / desks.length : Integer.MAX_VALUE);
+    for (Scratch scratch : scratches) {
+      scratch.begin(trusted < blocks ? trusted / scratches.length : Integer.MAX_VALUE);
     }
     parallel.run(0, contacts.count(), GRAIN, updating);
     int touching = 0;
     int used = 0;
-    for (Desk desk : desks) {
-      desk.end(settings.slop());
-      touching += desk.touching;
-      used += desk.used;
+    for (Scratch scratch : scratches) {
+      scratch.end(settings.slop());
+      touching += scratch.touching;
+      used += scratch.used;
     }
     if (used > 0) {
       lanes.used(used);
@@ -177,21 +178,21 @@ public final class NarrowPhase {
     return 2 * count >= groups;
   }
 
-  private void furnish() {
-    int old = desks.length;
+  private void ensureCapacity() {
+    int old = scratches.length;
     if (old < parallel.count()) {
-      desks = Arrays.copyOf(desks, parallel.count());
-      for (int i = old; i < desks.length; i++) {
-        desks[i] = new Desk();
-        desks[i].boxes = lanes == null ? null : new BoxRows(bodies, parts, contacts, lanes);
+      scratches = Arrays.copyOf(scratches, parallel.count());
+      for (int i = old; i < scratches.length; i++) {
+        scratches[i] = new Scratch();
+        scratches[i].boxes = lanes == null ? null : new BoxRows(bodies, parts, contacts, lanes);
       }
     }
   }
 
-  /** Whether any row updated overlaps by more than the slop. */
+  /** Returns whether any updated row overlaps by more than the slop. */
   public boolean pressed() {
-    for (Desk desk : desks) {
-      if (desk.pressed) {
+    for (Scratch scratch : scratches) {
+      if (scratch.pressed) {
         return true;
       }
     }
@@ -199,43 +200,43 @@ public final class NarrowPhase {
   }
 
   private void update(int from, int to, int worker) {
-    Desk desk = desks[worker];
+    Scratch scratch = scratches[worker];
     int end;
     for (int start = from; start < to; start = end) {
       end = Math.min(start - start % BLOCK + BLOCK, to);
-      int before = desk.keeping.boxMakes();
+      int before = scratch.keeping.boxMakes();
       int group = start / GROUP;
       boolean sample = start % GROUP < BLOCK;
-      boolean kernel = !sample && restless[group] && desk.trusted > 0;
-      int n = kernel ? handBoxes(start, end, desk) : follow(start, end, desk);
-      sort(n, desk);
+      boolean kernel = !sample && restless[group] && scratch.trusted > 0;
+      int n = kernel ? handBoxes(start, end, scratch) : follow(start, end, scratch);
+      sort(n, scratch);
       for (int i = 0; i < n; i++) {
-        update(desk.rows[i], desk);
+        update(scratch.rows[i], scratch);
       }
       if (sample) {
-        restless[group] = (desk.keeping.boxMakes() - before) * KEPT > end - start;
+        restless[group] = (scratch.keeping.boxMakes() - before) * KEPT > end - start;
       }
     }
-    if (desk.boxes != null) {
-      finishBoxes(desk);
+    if (scratch.boxes != null) {
+      finishBoxes(scratch);
     }
   }
 
   /**
    * Has a kernel update the rows of boxes of a block, whenever there are enough of them.
    *
-   * @return how many rows are left to do, listed at the desk
+   * @return how many rows are left to do, listed in the scratch
    */
-  private int handBoxes(int from, int to, Desk desk) {
+  private int handBoxes(int from, int to, Scratch scratch) {
     int rest = 0;
     for (int row = from; row < to; row++) {
       if (left[row]) {
         continue;
       }
-      if (desk.used >= desk.trusted || !isOfBoxes(row)) {
-        desk.rest[rest++] = row;
-      } else if (desk.boxes.add(row)) {
-        updateBoxes(desk);
+      if (scratch.used >= scratch.trusted || !isOfBoxes(row)) {
+        scratch.rest[rest++] = row;
+      } else if (scratch.boxes.add(row)) {
+        updateBoxes(scratch);
       }
     }
     return rest;
@@ -247,23 +248,23 @@ public final class NarrowPhase {
         && parts.isBox(contacts.part[2 * row + 1]);
   }
 
-  private void updateBoxes(Desk desk) {
-    desk.used++;
-    int n = desk.boxes.update(settings.speculativeDistance());
+  private void updateBoxes(Scratch scratch) {
+    scratch.used++;
+    int n = scratch.boxes.update(settings.speculativeDistance());
     for (int i = 0; i < n; i++) {
-      update(desk.boxes.row(i), desk);
+      update(scratch.boxes.row(i), scratch);
     }
   }
 
   /** Updates the rows of boxes that are left of a worker's piece. */
-  private void finishBoxes(Desk desk) {
-    if (desk.used < desk.trusted && desk.boxes.count() >= FEW_BOXES) {
-      updateBoxes(desk);
+  private void finishBoxes(Scratch scratch) {
+    if (scratch.used < scratch.trusted && scratch.boxes.count() >= FEW_BOXES) {
+      updateBoxes(scratch);
     }
-    for (int i = 0; i < desk.boxes.count(); i++) {
-      update(desk.boxes.row(i), desk);
+    for (int i = 0; i < scratch.boxes.count(); i++) {
+      update(scratch.boxes.row(i), scratch);
     }
-    desk.boxes.clear();
+    scratch.boxes.clear();
   }
 
   /**
@@ -271,9 +272,9 @@ public final class NarrowPhase {
    * still holds: most rows of a heap at rest. Little enough is done with a row that the processor
    * reads the next ones from memory meanwhile.
    *
-   * @return how many rows are left to do, listed at the desk
+   * @return how many rows are left to do, listed in the scratch
    */
-  private int follow(int from, int to, Desk desk) {
+  private int follow(int from, int to, Scratch scratch) {
     ContactTable t = contacts;
     KeptManifolds kept = t.kept;
     BodyStore s = bodies;
@@ -286,7 +287,7 @@ public final class NarrowPhase {
         continue;
       }
       if (!t.responds(row)) {
-        desk.rest[rest++] = row;
+        scratch.rest[rest++] = row;
         continue;
       }
       int a = t.bodyA(row);
@@ -301,32 +302,32 @@ public final class NarrowPhase {
       float sin = aCos * s.sin[b] - aSin * s.cos[b];
       if (!kept.holds(row, x, y, cos, sin)
           || !kept.ofFace(row, t.points[row], t.id[2 * row], t.id[2 * row + 1])) {
-        desk.rest[rest++] = row;
+        scratch.rest[rest++] = row;
         continue;
       }
       float gap =
           kept.follow(row, aCos, aSin, x, y, cos, sin, t.contact, row * ContactTable.CONTACT);
       // The boxes of parts so close overlap, so nobody needs to look.
       if (gap > speculative - KeptManifolds.slack(s.reach[b])) {
-        desk.rest[rest++] = row;
+        scratch.rest[rest++] = row;
         continue;
       }
       t.touchOn(row);
       followed++;
       deepest = Math.min(deepest, gap);
     }
-    desk.touching += followed;
-    desk.pressed |= -deepest > settings.slop();
+    scratch.touching += followed;
+    scratch.pressed |= -deepest > settings.slop();
     return rest;
   }
 
   /** Puts the listed rows in order, the same kinds of pairs together. */
-  private void sort(int n, Desk desk) {
-    int[] next = desk.next;
-    byte[] kinds = desk.kinds;
+  private void sort(int n, Scratch scratch) {
+    int[] next = scratch.next;
+    byte[] kinds = scratch.kinds;
     Arrays.fill(next, 0);
     for (int i = 0; i < n; i++) {
-      int row = desk.rest[i];
+      int row = scratch.rest[i];
       int kind =
           parts.kind[contacts.part[2 * row]] * ShapeTable.KINDS
               + parts.kind[contacts.part[2 * row + 1]];
@@ -340,63 +341,63 @@ public final class NarrowPhase {
       sum += size;
     }
     for (int i = 0; i < n; i++) {
-      desk.rows[next[kinds[i]]++] = desk.rest[i];
+      scratch.rows[next[kinds[i]]++] = scratch.rest[i];
     }
   }
 
-  private void update(int row, Desk desk) {
-    Manifold manifold = desk.manifold;
+  private void update(int row, Scratch scratch) {
+    Manifold manifold = scratch.manifold;
     boolean sensor = contacts.sensor(row);
     if ((contacts.flags[row] & ContactTable.IGNORED) != 0
         || !parts.tight.overlaps(contacts.part[2 * row], contacts.part[2 * row + 1])) {
       manifold.count = 0;
     } else {
-      collide(row, sensor, desk);
+      collide(row, sensor, scratch);
     }
     contacts.update(row, manifold);
     if (!sensor) {
-      desk.note(manifold, settings.slop());
+      scratch.note(manifold, settings.slop());
     }
   }
 
-  private void collide(int row, boolean sensor, Desk desk) {
+  private void collide(int row, boolean sensor, Scratch scratch) {
     int partA = contacts.part[2 * row];
     int partB = contacts.part[2 * row + 1];
     int b = contacts.bodyB(row);
-    place(contacts.bodyA(row), desk.poseA);
-    place(b, desk.poseB);
+    place(contacts.bodyA(row), scratch.poseA);
+    place(b, scratch.poseB);
     if (!sensor && parts.isPolygon(partA) && parts.isPolygon(partB)) {
       contacts.kept.collide(
           row,
           parts.convex[partA],
-          desk.poseA,
+          scratch.poseA,
           parts.convex[partB],
-          desk.poseB,
+          scratch.poseB,
           bodies.reach[b],
           settings.speculativeDistance(),
           contacts.hint,
-          desk.keeping,
-          desk.manifold);
+          scratch.keeping,
+          scratch.manifold);
       return;
     }
     float speculative = sensor ? 0 : settings.speculativeDistance();
     boolean quick = parts.isDisc(partA) && parts.isDisc(partB);
-    if (!quick && contacts.kept.apart(row, desk.poseA, desk.poseB, bodies.reach[b])) {
-      desk.manifold.count = 0;
+    if (!quick && contacts.kept.apart(row, scratch.poseA, scratch.poseB, bodies.reach[b])) {
+      scratch.manifold.count = 0;
       return;
     }
-    Collider collider = desk.collider;
+    Collider collider = scratch.collider;
     collider.collide(
         parts.convex[partA],
-        desk.poseA,
+        scratch.poseA,
         parts.convex[partB],
-        desk.poseB,
+        scratch.poseB,
         speculative,
         contacts.hint[row],
-        desk.manifold);
+        scratch.manifold);
     contacts.hint[row] = collider.hint();
-    if (!quick && desk.manifold.count == 0) {
-      contacts.kept.keepApart(row, desk.poseA, desk.poseB, collider.gap(), speculative);
+    if (!quick && scratch.manifold.count == 0) {
+      contacts.kept.keepApart(row, scratch.poseA, scratch.poseB, collider.gap(), speculative);
     } else if (!quick) {
       contacts.kept.forget(row);
     }

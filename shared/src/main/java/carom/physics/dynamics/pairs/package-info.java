@@ -3,6 +3,6 @@
  * search for pairs.
  *
  * <p>May import {@code dynamics.body}, {@code contact}, {@code store} and {@code parallel}. Read
- * first: {@code PairFinder}, {@code PairRule}.
+ * first: {@code PairFinder}, whose drawing shows the parts, {@code FatBoxes}, {@code PartTrees}.
  */
 package carom.physics.dynamics.pairs;

@@ -1,8 +1,8 @@
 package carom.physics.dynamics.sleep;
 
 /**
- * Which awake bodies hold each other, directly or through others: a forest over the active list, in
- * which two bodies are in the same tree if they are in the same island.
+ * A union-find structure over the active list: two bodies are in the same tree if they are in the
+ * same island, because they hold each other directly or through others.
  */
 final class Islands {
   private int[] parent = new int[0];
@@ -10,7 +10,7 @@ final class Islands {
   /** Per root: whether something keeps its island awake. */
   private boolean[] restless = new boolean[0];
 
-  /** Starts with every body alone. */
+  /** Starts with an island per body. */
   void reset(int count) {
     if (parent.length < count) {
       int capacity = Math.max(count, 2 * parent.length);
@@ -23,7 +23,7 @@ final class Islands {
     }
   }
 
-  /** The root of a body's island. */
+  /** Returns the root of a body's island. */
   int find(int i) {
     while (parent[i] != i) {
       parent[i] = parent[parent[i]];
@@ -32,6 +32,7 @@ final class Islands {
     return i;
   }
 
+  /** Makes one island of two. */
   void join(int i, int j) {
     int a = find(i);
     int b = find(j);
@@ -46,6 +47,7 @@ final class Islands {
     restless[find(i)] = true;
   }
 
+  /** Returns whether something keeps a body's island awake. */
   boolean keptAwake(int i) {
     return restless[find(i)];
   }

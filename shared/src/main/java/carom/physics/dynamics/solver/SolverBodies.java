@@ -2,12 +2,12 @@ package carom.physics.dynamics.solver;
 
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Checks;
 import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.pairs.PairFinder;
 import carom.physics.dynamics.parallel.DomainPhases;
 import carom.physics.dynamics.parallel.ParallelFor;
+import carom.physics.math.Limits;
 import java.util.Arrays;
 
 /**
@@ -439,11 +439,11 @@ public final class SolverBodies {
   }
 
   private static float inside(BodyStore b, int body, float coordinate) {
-    if (Math.abs(coordinate) <= Checks.MAX_COORDINATE) {
+    if (Math.abs(coordinate) <= Limits.MAX_COORDINATE) {
       return coordinate;
     }
     b.vx[body] = 0;
     b.vy[body] = 0;
-    return coordinate > 0 ? Checks.MAX_COORDINATE : -Checks.MAX_COORDINATE;
+    return coordinate > 0 ? Limits.MAX_COORDINATE : -Limits.MAX_COORDINATE;
   }
 }

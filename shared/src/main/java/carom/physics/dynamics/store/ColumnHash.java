@@ -56,14 +56,14 @@ public final class ColumnHash {
     return StateHash.mix(h, sum);
   }
 
-  /** Two numbers as one word, scrambled. */
+  /** Returns two numbers as one scrambled word. */
   public static long scramble(int low, int high) {
     return scramble(low & 0xffffffffL | (long) high << 32);
   }
 
   /**
-   * Has every bit of a word change low bits, too, as the product to come spreads upwards only; and
-   * no few bits change the topmost alone, which two words would change alike.
+   * Spreads every bit of a word to low bits, too, because the product to come spreads upwards only.
+   * No few bits change the topmost one alone, which would let two words cancel out.
    */
   private static long scramble(long word) {
     long spread = word * SPREAD;

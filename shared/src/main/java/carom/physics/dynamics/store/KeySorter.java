@@ -9,7 +9,7 @@ import java.util.Arrays;
 public final class KeySorter {
   private static final int FEW = 32;
 
-  /** Bits of a digit. */
+  /** Number of bits of a digit. */
   private static final int DIGIT = 11;
 
   private static final int RADIX = 1 << DIGIT;
@@ -19,7 +19,7 @@ public final class KeySorter {
   private final int[] counts = new int[RADIX];
 
   /**
-   * Sorts the first n keys; answers the array that holds them now, the other one becomes scratch.
+   * Sorts the first n keys. Returns the array that holds them now; the other one becomes scratch.
    */
   public long[] sort(long[] keys, int n) {
     if (n <= FEW) {

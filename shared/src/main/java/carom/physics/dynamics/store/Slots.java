@@ -5,9 +5,9 @@ import carom.physics.math.StateHash;
 import java.util.Arrays;
 
 /**
- * Which slots of a table are in use. They are given out again last in, first out, each time with
- * another generation, so that a handle of what was destroyed is known to be one. The list of free
- * ones is part of a world's state, so that a restored world gives out the same slots again.
+ * Allocates the slots of a table. Free slots are reused last in, first out, each time with another
+ * generation, so that a handle of something destroyed can be told. The list of free slots is part
+ * of a world's state, so that a restored world gives out the same slots again.
  */
 public final class Slots {
   private static final int FIRST_CAPACITY = 64;
@@ -17,17 +17,17 @@ public final class Slots {
   private int freeCount;
   private int bound;
 
-  /** One more than the largest slot ever used. */
+  /** Returns one more than the largest slot ever used. */
   public int bound() {
     return bound;
   }
 
-  /** Slots in use. */
+  /** Returns the number of slots in use. */
   public int count() {
     return bound - freeCount;
   }
 
-  /** How often a slot was given back. */
+  /** Returns how often a slot was given back. */
   public int generation(int slot) {
     return generation[slot];
   }
@@ -56,7 +56,7 @@ public final class Slots {
     }
   }
 
-  /** Bits of which are free, and in which order. */
+  /** Returns a hash of the free slots and their order. */
   public long hash() {
     long h = StateHash.mix(StateHash.SEED, (long) bound << 32 | freeCount);
     for (int i = 0; i < freeCount; i++) {

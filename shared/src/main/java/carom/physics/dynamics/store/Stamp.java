@@ -14,13 +14,13 @@ public final class Stamp {
   /** Makes the stamp of something empty. */
   public Stamp() {}
 
-  /** Must be called whenever the contents change. */
+  /** Notes a change of the contents. */
   public void change() {
     value = next++;
   }
 
   /**
-   * Whether nothing changed since.
+   * Returns whether nothing changed between the two.
    *
    * @param other the stamp of a copy, or of the original
    * @return true if the contents are equal
@@ -30,7 +30,7 @@ public final class Stamp {
   }
 
   /**
-   * Must be called when the contents were copied.
+   * Notes that the contents were copied.
    *
    * @param to the stamp of the copy
    */

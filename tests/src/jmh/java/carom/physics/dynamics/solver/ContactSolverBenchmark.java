@@ -88,9 +88,9 @@ public class ContactSolverBenchmark {
 
   private void add(byte type, Shape shape, float x, float y) {
     ShapeSpec spec = new ShapeSpec(shape, 1, 0.6f, 0, 0, 0, 1, -1, 0, false);
-    int body = world.create(type, new ShapeSpec[] {spec}, null, false);
+    int body = world.editor().create(type, new ShapeSpec[] {spec}, null, false);
     world.bodies().setOriginPose(body, x, y, 1, 0);
-    world.enter(body, true);
+    world.editor().enter(body, true);
   }
 
   /** Starts over, so that every iteration solves the same. */

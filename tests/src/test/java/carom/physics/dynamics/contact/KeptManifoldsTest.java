@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.physics.collision.Collider;
 import carom.physics.collision.Manifold;
+import carom.physics.dynamics.store.RowArrays;
+import carom.physics.dynamics.store.RowMoves;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Capsule;
 import carom.physics.geometry.Circle;
@@ -19,7 +21,7 @@ import org.junit.jupiter.api.Test;
 final class KeptManifoldsTest {
   private static final float SPECULATIVE = 0.02f;
 
-  private final KeptManifolds.Desk desk = new KeptManifolds.Desk();
+  private final KeptManifolds.Scratch scratch = new KeptManifolds.Scratch();
   private final int[] hints = new int[1];
   private final Manifold m = new Manifold();
   private final Manifold fresh = new Manifold();
@@ -199,15 +201,15 @@ final class KeptManifoldsTest {
     for (int row = 0; row < 5; row++) {
       kept.keepApart(row, here, there(row), row + 1, 0);
     }
-    kept.rowsReplaced(first, 5);
+    kept.rows().rowsReplaced(first, 5);
     first.release();
     RowArrays second = pairs(1, 2);
-    kept.rowsReplaced(second, 2);
-    assertEquals(5, kept.rowsBefore());
+    kept.rows().rowsReplaced(second, 2);
+    assertEquals(5, kept.rows().rowsBefore());
     long[] now = {4, 5, 7, 9, 11, 12, 20};
     int[] then = {-1, 1, -1, 3, -1, 4, -1};
-    kept.realign(now, now.length, new RowMoves());
-    assertEquals(0, kept.rowsBefore());
+    kept.rows().realign(now, now.length, new RowMoves());
+    assertEquals(0, kept.rows().rowsBefore());
     for (int row = 0; row < now.length; row++) {
       Transform b = there(then[row]);
       assertEquals(then[row] >= 0, kept.apart(row, here, b, 1), "row=" + row);
@@ -237,7 +239,7 @@ final class KeptManifoldsTest {
 
   private void find(
       KeptManifolds kept, Convex a, Transform ta, Convex b, Transform tb, Manifold out) {
-    kept.collide(0, a, ta, b, tb, 1.5f, SPECULATIVE, hints, desk, out);
+    kept.collide(0, a, ta, b, tb, 1.5f, SPECULATIVE, hints, scratch, out);
   }
 
   private static Convex anyShape(SplittableRandom random) {

@@ -21,7 +21,7 @@ final class BoxLanesTest {
   private final Box[] boxB = new Box[LANES];
   private final Transform[] poseA = new Transform[LANES];
   private final Transform[] poseB = new Transform[LANES];
-  private final KeptManifolds.Desk desk = new KeptManifolds.Desk();
+  private final KeptManifolds.Scratch scratch = new KeptManifolds.Scratch();
   private final Manifold expected = new Manifold();
 
   private int faces;
@@ -184,7 +184,16 @@ final class BoxLanesTest {
     int[] hints = new int[1];
     Box b = boxB[lane];
     kept.collide(
-        0, boxA[lane], poseA[lane], b, poseB[lane], reach(b), SPECULATIVE, hints, desk, expected);
+        0,
+        boxA[lane],
+        poseA[lane],
+        b,
+        poseB[lane],
+        reach(b),
+        SPECULATIVE,
+        hints,
+        scratch,
+        expected);
     return expected.count > 0 && !kept.ofFace(0, expected.count, expected.id0, expected.id1);
   }
 }

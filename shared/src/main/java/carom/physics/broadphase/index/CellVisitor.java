@@ -1,0 +1,16 @@
+package carom.physics.broadphase.index;
+
+/** Receives the nodes of a spatial index, for debug drawing and statistics. */
+@FunctionalInterface
+public interface CellVisitor {
+  /**
+   * Called once per node that holds at least one box.
+   *
+   * @param minX left edge of the node's tight bounds, m
+   * @param minY lower edge, m
+   * @param maxX right edge, m
+   * @param maxY upper edge, m
+   * @param depth distance from the root, 0 for the root itself
+   */
+  void cell(float minX, float minY, float maxX, float maxY, int depth);
+}

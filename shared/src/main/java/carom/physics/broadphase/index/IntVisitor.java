@@ -1,0 +1,13 @@
+package carom.physics.broadphase.index;
+
+/** Receives ids, one by one, and may stop the search. */
+@FunctionalInterface
+public interface IntVisitor {
+  /**
+   * Called once per id found.
+   *
+   * @param id the caller's id of a box
+   * @return true to go on, false to stop the search
+   */
+  boolean visit(int id);
+}

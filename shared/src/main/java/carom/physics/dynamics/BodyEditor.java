@@ -1,0 +1,276 @@
+package carom.physics.dynamics;
+
+import carom.physics.dynamics.body.ActiveBodies;
+import carom.physics.dynamics.body.BodyMaker;
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.body.Settings;
+import carom.physics.dynamics.body.ShapeSpec;
+import carom.physics.dynamics.body.ShapeTable;
+import carom.physics.dynamics.contact.ContactEvents;
+import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.pairs.PairFinder;
+import carom.physics.dynamics.sleep.Sleeping;
+import carom.physics.geometry.MassData;
+
+/**
+ * Makes, changes and removes bodies between steps, and makes all stages follow: each method leaves
+ * the world so that it can be stepped.
+ */
+public final class BodyEditor {
+  private final Settings settings;
+  private final BodyStore bodies;
+  private final ShapeTable parts;
+  private final ActiveBodies active;
+  private final ContactTable contacts;
+  private final PairFinder pairs;
+  private final Sleeping sleeping;
+  private final Refilter refilter;
+  private final BodyMaker maker;
+
+  /** Whether a static body was ever moved by hand. */
+  private boolean staticMoved;
+
+  BodyEditor(
+      Settings settings,
+      BodyStore bodies,
+      ShapeTable parts,
+      ActiveBodies active,
+      ContactTable contacts,
+      PairFinder pairs,
+      Sleeping sleeping,
+      Refilter refilter) {
+    this.settings = settings;
+    this.bodies = bodies;
+    this.parts = parts;
+    this.active = active;
+    this.contacts = contacts;
+    this.pairs = pairs;
+    this.sleeping = sleeping;
+    this.refilter = refilter;
+    maker = new BodyMaker(bodies, parts);
+  }
+
+  /**
+   * Makes a body at the origin. It takes part from {@link #enter} on.
+   *
+   * @param type one of {@link BodyStore}'s types
+   * @param shapes what it consists of
+   * @param own its mass, null to compute it from the shapes
+   * @param fixedRotation whether only {@code setAngularVelocity} turns it
+   * @return the slot
+   */
+  public int create(byte type, ShapeSpec[] shapes, MassData own, boolean fixedRotation) {
+    int body = maker.make(type, shapes, own, fixedRotation);
+    active.reserve(body + 1);
+    return body;
+  }
+
+  /**
+   * Adds a new body at its pose. A static one wakes what it overlaps.
+   *
+   * @param body the slot
+   * @param awake whether it starts awake; means nothing for a static body
+   */
+  public void enter(int body, boolean awake) {
+    boolean maySleep = (bodies.flags[body] & BodyStore.SLEEPLESS) == 0 && settings.sleeping();
+    if (!awake && maySleep && bodies.type[body] != BodyStore.STATIC) {
+      bodies.flags[body] |= BodyStore.ASLEEP;
+      bodies.vx[body] = 0;
+      bodies.vy[body] = 0;
+      bodies.w[body] = 0;
+      enter(body);
+      pairs.searchBody(body);
+    } else {
+      enter(body);
+      sleeping.wakeOverlapped(body);
+    }
+  }
+
+  /**
+   * Checks that a dynamic body could be made of some shapes.
+   *
+   * @param shapes what it would consist of
+   * @param own its mass, null to compute it from the shapes
+   * @throws IllegalArgumentException if they have no mass, or too much
+   */
+  public static void checkMass(ShapeSpec[] shapes, MassData own) {
+    BodyMaker.massOf(shapes, own);
+  }
+
+  /**
+   * Makes a body static, kinematic or dynamic. Its origin, and the velocity there, stay, except
+   * that a static body is at rest.
+   *
+   * @param body the slot
+   * @param type one of {@link BodyStore}'s types
+   * @param shapes what it consists of
+   * @param own its mass, null to compute it from the shapes
+   */
+  public void setType(int body, byte type, ShapeSpec[] shapes, MassData own) {
+    if (bodies.type[body] == type) {
+      return;
+    }
+    MassData total = BodyMaker.total(type, shapes, own);
+    sleeping.disturb(body);
+    boolean enabled = !bodies.disabled(body);
+    if (enabled) {
+      leave(body);
+    }
+    bodies.type[body] = type;
+    maker.refill(body, shapes, own, total);
+    contacts.forgetManifolds(body);
+    if (type == BodyStore.STATIC) {
+      bodies.vx[body] = 0;
+      bodies.vy[body] = 0;
+      bodies.w[body] = 0;
+    }
+    bodies.clearForces(body);
+    if (enabled) {
+      enter(body);
+      sleeping.wakeOverlapped(body);
+    }
+    sleeping.jointActivity().refreshBody(body);
+    refilter.markStale();
+  }
+
+  /**
+   * Takes a body out of the simulation, or back in. Its contacts end in the next step.
+   *
+   * @param body the slot
+   * @param enabled whether it takes part
+   */
+  public void setEnabled(int body, boolean enabled) {
+    if (bodies.disabled(body) != enabled) {
+      return;
+    }
+    sleeping.disturb(body);
+    bodies.flags[body] ^= BodyStore.DISABLED;
+    bodies.clearForces(body);
+    if (enabled) {
+      enter(body);
+      sleeping.wakeOverlapped(body);
+    } else {
+      leave(body);
+    }
+    sleeping.jointActivity().refreshBody(body);
+    refilter.markStale();
+  }
+
+  /**
+   * Gives a body other materials, filters, sensors or another mass; its shapes stay. Its origin,
+   * and the velocity there, stay, too.
+   *
+   * @param body the slot
+   * @param shapes what it consists of
+   * @param own its mass, null to compute it from the shapes
+   */
+  public void change(int body, ShapeSpec[] shapes, MassData own) {
+    MassData total = BodyMaker.total(bodies.type[body], shapes, own);
+    sleeping.disturb(body);
+    sleeping.mergeWoken();
+    maker.refill(body, shapes, own, total);
+    contacts.forgetManifolds(body);
+    contacts.mixAgain(body, parts);
+    sleeping.wakeOverlapped(body);
+    refilter.markStale();
+    sleeping.doAsked(); // by those who heard of contacts that ended
+  }
+
+  /**
+   * Fixes a body's rotation, or frees it.
+   *
+   * @param body the slot
+   * @param fixed whether nothing but {@code setAngularVelocity} turns it; it then stops turning
+   * @param shapes what it consists of
+   * @param own its mass, null to compute it from the shapes
+   */
+  public void setFixedRotation(int body, boolean fixed, ShapeSpec[] shapes, MassData own) {
+    if (fixed) {
+      bodies.flags[body] |= BodyStore.FIXED_ROTATION;
+      bodies.w[body] = 0;
+    } else {
+      bodies.flags[body] &= ~BodyStore.FIXED_ROTATION;
+    }
+    change(body, shapes, own);
+  }
+
+  /** Adds a body to the active or sleeping ones and to the broadphase. */
+  void enter(int body) {
+    sleeping.enter(body);
+    pairs.enter(body);
+  }
+
+  /** Removes a body from the active or sleeping ones and from the broadphase. */
+  void leave(int body) {
+    sleeping.leave(body);
+    pairs.leave(body);
+  }
+
+  /**
+   * Ends a body's contacts now; what still touches begins again in the next step.
+   *
+   * @param body the slot
+   * @param events is told, null for nobody
+   */
+  public void endContacts(int body, ContactEvents events) {
+    sleeping.disturb(body);
+    sleeping.mergeWoken();
+    if (events != null) {
+      sleeping.suspend();
+      try {
+        for (int row = 0; row < contacts.count(); row++) {
+          if (contacts.touches(row)
+              && (contacts.bodyA(row) == body || contacts.bodyB(row) == body)) {
+            events.end(row);
+          }
+        }
+      } finally {
+        sleeping.resume();
+      }
+    }
+    contacts.order().removeBody(body);
+    pairs.searchAll();
+  }
+
+  /**
+   * Removes a body; its touching contacts end first.
+   *
+   * @param body the slot
+   * @param events is told, null for nobody
+   */
+  public void destroy(int body, ContactEvents events) {
+    endContacts(body, events);
+    if (!bodies.disabled(body)) {
+      leave(body);
+    }
+    parts.release(bodies.firstPart[body], bodies.partCount[body]);
+    bodies.release(body);
+    sleeping.doAsked();
+  }
+
+  /**
+   * Makes the world follow a body whose pose was changed by hand: boxes, pairs and sleep.
+   *
+   * @param body the slot
+   */
+  public void moved(int body) {
+    if (bodies.disabled(body)) {
+      return;
+    }
+    if (bodies.type[body] == BodyStore.STATIC) {
+      pairs.moveStatic(body);
+      staticMoved = true;
+      sleeping.disturb(body);
+      sleeping.wakeOverlapped(body);
+    } else {
+      pairs.posesChanged();
+      sleeping.wake(body);
+      sleeping.moved(body);
+    }
+  }
+
+  /** Returns whether a static body was ever moved by hand. */
+  boolean staticMoved() {
+    return staticMoved;
+  }
+}

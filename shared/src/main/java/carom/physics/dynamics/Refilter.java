@@ -1,0 +1,33 @@
+package carom.physics.dynamics;
+
+import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.pairs.PairFinder;
+
+/** Decides anew which parts may touch, at the next step after types, filters or joints changed. */
+final class Refilter {
+  private final ContactTable contacts;
+  private final PairFinder pairs;
+  private boolean stale;
+
+  Refilter(ContactTable contacts, PairFinder pairs) {
+    this.contacts = contacts;
+    this.pairs = pairs;
+  }
+
+  /** Notes that types, filters or joints changed. */
+  void markStale() {
+    stale = true;
+  }
+
+  /** Decides for each row whether its parts still may touch, and requests a search of all pairs. */
+  void run() {
+    if (!stale) {
+      return;
+    }
+    stale = false;
+    pairs.searchAll();
+    for (int row = 0; row < contacts.count(); row++) {
+      contacts.ignore(row, !pairs.mayStay(contacts, row));
+    }
+  }
+}

@@ -1,0 +1,114 @@
+package carom.physics.dynamics.contact;
+
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.body.ShapeTable;
+import carom.physics.dynamics.parallel.ParallelFor;
+import carom.physics.dynamics.store.RowMoves;
+
+/**
+ * Adds and removes rows of a {@link ContactTable} and keeps them in the order of their keys.
+ *
+ * <pre>
+ *   rows            2  5  6  9            the parts of 6 are no longer close
+ *   candidates      3  5  11              from the broadphase; 5 has a row
+ *                    \      \
+ *   rows            2  3  5  9  11        each row moves at most once, neighbours together
+ * </pre>
+ *
+ * <p>Every change is planned first ({@link RowMoves}) and then carried out array by array, in place
+ * unless a copy shares the arrays.
+ */
+public final class RowOrder {
+  private final ContactTable table;
+  private final RowMoves moves;
+  private final RowMerge merge;
+
+  RowOrder(ContactTable table) {
+    this.table = table;
+    moves = table.moves;
+    merge = new RowMerge(table);
+  }
+
+  /**
+   * Removes the rows that neither touch nor have overlapping fat boxes, and adds rows for new
+   * pairs.
+   *
+   * @param candidates keys in ascending order; those already present and repetitions are skipped;
+   *     new ones are brought to the front
+   * @param candidateCount number of keys
+   * @param all whether to look at every row, or only at those of parts that {@link
+   *     ShapeTable#moved}
+   * @param parallel shares the work
+   */
+  public void merge(
+      long[] candidates,
+      int candidateCount,
+      BodyStore bodies,
+      ShapeTable parts,
+      boolean all,
+      ParallelFor parallel) {
+    table.beginMoves();
+    int fresh = merge.find(candidates, candidateCount, parts, all, parallel, moves);
+    if (fresh == 0 && merge.rowCount() == table.count()) {
+      return;
+    }
+    table.moveRows(merge.rowCount(), parallel);
+    merge.startNew(fresh, bodies, parallel);
+  }
+
+  /**
+   * Adds copies of another table's rows, which this table must not have yet.
+   *
+   * @param from the other table
+   * @param which rows of it, by ascending key
+   * @param n how many
+   */
+  public void insert(ContactTable from, int[] which, int n) {
+    table.beginMoves();
+    int count = table.count();
+    int next = 0;
+    for (int row = 0; row <= count; row++) {
+      for (; next < n && (row == count || from.key[which[next]] < table.key[row]); next++) {
+        moves.insert(next, row + next);
+      }
+      if (row < count) {
+        moves.keep(row, row + next);
+      }
+    }
+    table.moveRows(count + n, null);
+    table.copyRows(from, which, moves.inserted, n);
+    for (int i = 0; i < n; i++) {
+      int to = moves.inserted[i];
+      table.flags[to] = (byte) ((table.flags[to] & ~ContactTable.DORMANT) | ContactTable.FRESH);
+    }
+  }
+
+  /** Moves the touching rows of sleeping bodies to another store, and removes their other rows. */
+  public void retire(BodyStore bodies, SleepingContacts to) {
+    table.beginMoves();
+    int[] retired = table.rowNumbers();
+    int gone = 0;
+    int kept = 0;
+    for (int row = 0; row < table.count(); row++) {
+      if (!SleepingContacts.belongs(bodies, table.bodyA(row), table.bodyB(row))) {
+        moves.keep(row, kept++);
+      } else if ((table.flags[row] & ContactTable.TOUCHING) != 0) {
+        retired[gone++] = row;
+      }
+    }
+    to.put(table, retired, gone);
+    table.moveRows(kept, null);
+  }
+
+  /** Removes all rows of a body. */
+  public void removeBody(int body) {
+    table.beginMoves();
+    int kept = 0;
+    for (int row = 0; row < table.count(); row++) {
+      if (table.bodyA(row) != body && table.bodyB(row) != body) {
+        moves.keep(row, kept++);
+      }
+    }
+    table.moveRows(kept, null);
+  }
+}

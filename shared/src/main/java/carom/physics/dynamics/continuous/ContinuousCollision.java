@@ -1,0 +1,225 @@
+package carom.physics.dynamics.continuous;
+
+import carom.physics.broadphase.kd.KdTree;
+import carom.physics.collision.distance.Sweep;
+import carom.physics.dynamics.body.ActiveBodies;
+import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.body.Settings;
+import carom.physics.dynamics.body.ShapeTable;
+import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.pairs.PairFinder;
+import carom.physics.dynamics.solver.SolverBodies;
+import carom.physics.math.Transform;
+
+/**
+ * Stops fast bodies at what they would pass through within a step. Runs when the solver is done:
+ * the motion of each fast body, from its pose at the start of the step to that at the end, is swept
+ * against what is in its way, and the body is put where it first comes close. It keeps its
+ * velocity; the contact of the next step answers the impact.
+ *
+ * <p><b>Who is swept.</b> Dynamic bodies that move farther in the step than {@link #GATE} times
+ * their inner radius, turning included: against static and kinematic parts; bullets against dynamic
+ * ones, too. Who pushes through something slowly is the solver's business.
+ *
+ * <p><b>What counts.</b> A body that touches something, or lies in it a little, must slide on
+ * freely. So the question is first put with a <b>core</b>, the shape without its rim of {@link
+ * #RIM} times its size: only when the core reaches the other surface the body is stopped, and then
+ * where the whole shape came close, at half the speculative distance, or, if it was close from the
+ * start, where the core arrives. If even the core is inside from the start, smaller ones are tried,
+ * down to the middle of the shape, which must not pass. Contacts that a callback refused in this
+ * step, sensors, filtered pairs and the back of chains don't count.
+ *
+ * <p><b>Targets that move.</b> Both motions are followed. The target stays where it ends, so the
+ * body is put where it was relative to the target at the impact, but not through static parts.
+ * Bullets are settled after all others and in the order of their slots, each against the corrected
+ * motion of those before.
+ *
+ * <p>A sensor that a body crosses within one step hears nothing of it: only what is inside at the
+ * start of a step counts.
+ *
+ * <p>The result depends on the state alone: candidates are tested in the order in which their boxes
+ * can be met, which has nothing to do with the trees. Nothing is allocated in a steady world.
+ */
+public final class ContinuousCollision {
+  /**
+   * Motion in one step up to which a body isn't swept, in inner radii of its thinnest part; 0.5: it
+   * then is still on the near side of what it runs into, and contacts push it back.
+   */
+  public static final float GATE = 0.5f;
+
+  /**
+   * Overlap with something static or kinematic, in inner radii, from which a body is swept however
+   * slow it is; 0.25, but at least the slop. With {@link #GATE} on top the middle is still outside.
+   */
+  public static final float DEEP = 0.25f;
+
+  /**
+   * Thickness of the rim that may overlap, in sizes; 0.25. The size is the inner radius of the part
+   * or half of the other one's length, whichever is less, so that nothing fits into the rim. The
+   * slop comes on top, up to twice as much. Without a rim, bodies that slide or roll would stop at
+   * every seam of the ground.
+   */
+  public static final float RIM = 0.25f;
+
+  /** How near the core comes to a surface, in rims; 0.25. */
+  public static final float CORE_GAP = 0.25f;
+
+  /**
+   * How near a body comes to what it is stopped at, in speculative distances; 0.5, so that the next
+   * step has a contact, with room for rounding.
+   */
+  public static final float GAP = 0.5f;
+
+  /** How many rims a core may lack that has got into something; 3. Beyond is the middle. */
+  public static final int MOST_RIMS = 3;
+
+  /** How near the middle of a shape comes to a surface, in inner radii; 0.1, if need be nearer. */
+  public static final float CENTRE_GAP = 0.1f;
+
+  private final PairFinder pairs;
+  private final Settings settings;
+  private final BodyStore bodies;
+  private final ShapeTable parts;
+  private final FastBodies fast;
+  private final TargetMotion target;
+  private final ImpactSearch search;
+  private final SweptBox swept;
+
+  // Scratch.
+  private final Sweep ride = new Sweep();
+  private final Transform hitPose = new Transform();
+  private final Transform targetPose = new Transform();
+  private final Transform targetEnd = new Transform();
+  private final Transform endPose = new Transform();
+
+  /** Makes the stage of a world without bodies. */
+  public ContinuousCollision(
+      PairFinder pairs,
+      Settings settings,
+      BodyStore bodies,
+      ActiveBodies active,
+      ShapeTable parts,
+      ContactTable contacts) {
+    this.pairs = pairs;
+    this.settings = settings;
+    this.bodies = bodies;
+    this.parts = parts;
+    swept = new SweptBox(parts);
+    fast = new FastBodies(bodies, active, parts);
+    target = new TargetMotion(bodies, active, fast);
+    search = new ImpactSearch(pairs, settings, bodies, parts, contacts, fast, target, swept);
+  }
+
+  /** Forgets which bodies were pressed in, when a step begins to find contacts. */
+  public void forgetPressed() {
+    fast.forgetPressed();
+  }
+
+  /**
+   * Notes that a dynamic body overlaps a static or kinematic one when the step begins. One that is
+   * pressed in deep is swept however slow it is, or it could be squeezed through bit by bit.
+   *
+   * @param overlap how deep, m
+   */
+  public void press(int body, float overlap) {
+    fast.press(body, overlap);
+  }
+
+  /**
+   * Stops the fast bodies of a step at what they would have passed through.
+   *
+   * @param solved the step's bodies as the solver left them, written back already
+   * @param dt length of the step, s
+   */
+  public void run(SolverBodies solved, float dt) {
+    if (!settings.continuous() || !fast.collect(solved, dt)) {
+      return;
+    }
+    fast.sort();
+    if (fast.movingTargets()) {
+      pairs.refresh();
+      widen();
+    }
+    pairs.refit();
+    for (int i = 0; i < fast.count(); i++) {
+      settle(fast.inOrder(i), pairs.moving(), pairs.resting());
+    }
+    fast.clear();
+    pairs.posesChanged();
+  }
+
+  /** Makes the boxes of fast bodies contain all of their way, so that the tree finds them. */
+  private void widen() {
+    for (int k = 0; k < fast.count(); k++) {
+      int body = fast.flight(k).body;
+      int first = bodies.firstPart[body];
+      for (int part = first; part < first + bodies.partCount[body]; part++) {
+        swept.setEmpty();
+        swept.add(part, fast.flight(k).whole);
+        pairs.cover(part, swept.box());
+      }
+    }
+  }
+
+  private void settle(Flight f, KdTree movingParts, KdTree fixedParts) {
+    search.find(f.body, f.whole, fast.movingTargets() ? movingParts : null, fixedParts);
+    if (!search.found()) {
+      return;
+    }
+    float split = search.time();
+    f.whole.at(split, hitPose);
+    int body = parts.body[search.part()];
+    target.of(body);
+    endPose.set(hitPose);
+    if (target.moves()) {
+      target.at(split, targetPose);
+      targetEnd.set(bodies.x[body], bodies.y[body], bodies.cos[body], bodies.sin[body]);
+      carry();
+      ride.between(hitPose, endPose);
+      search.find(f.body, ride, null, fixedParts);
+      if (search.found()) {
+        ride.at(search.time(), endPose);
+      }
+    }
+    f.first.part(f.whole, 0, split);
+    f.second.between(hitPose, endPose);
+    f.split = split;
+    bodies.x[f.body] = endPose.x;
+    bodies.y[f.body] = endPose.y;
+    float inverse = 1 / (float) Math.sqrt(endPose.cos * endPose.cos + endPose.sin * endPose.sin);
+    bodies.cos[f.body] = endPose.cos * inverse;
+    bodies.sin[f.body] = endPose.sin * inverse;
+    if (fast.movingTargets()) {
+      strayed(f);
+    }
+  }
+
+  /** Widens later searches if a body that was carried along left the box the tree knows of it. */
+  private void strayed(Flight f) {
+    int first = bodies.firstPart[f.body];
+    for (int part = first; part < first + bodies.partCount[f.body]; part++) {
+      swept.setEmpty();
+      swept.add(part, f.second);
+      fast.widenDrift(parts.fat.minX(part) - swept.minX());
+      fast.widenDrift(parts.fat.minY(part) - swept.minY());
+      fast.widenDrift(swept.maxX() - parts.fat.maxX(part));
+      fast.widenDrift(swept.maxY() - parts.fat.maxY(part));
+    }
+  }
+
+  /**
+   * Computes the end pose: the pose of the impact, moved along with the target from the impact to
+   * the end of the step.
+   */
+  private void carry() {
+    float c = targetEnd.cos * targetPose.cos + targetEnd.sin * targetPose.sin;
+    float n = targetEnd.sin * targetPose.cos - targetEnd.cos * targetPose.sin;
+    float x = hitPose.x - targetPose.x;
+    float y = hitPose.y - targetPose.y;
+    endPose.set(
+        targetEnd.x + (c * x - n * y),
+        targetEnd.y + (n * x + c * y),
+        c * hitPose.cos - n * hitPose.sin,
+        n * hitPose.cos + c * hitPose.sin);
+  }
+}

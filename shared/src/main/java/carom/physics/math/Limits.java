@@ -1,0 +1,118 @@
+package carom.physics.math;
+
+/**
+ * The ranges of the numbers that a world accepts, and the checks that refuse others in the words of
+ * the caller.
+ *
+ * <p>Every number that enters a world passes one of these checks, so that inside there are no NaNs
+ * and no values whose products overflow. Programs may use the same limits for their own input.
+ */
+public final class Limits {
+  /** Largest distance from the origin, m: floats are 1 m apart there. */
+  public static final float MAX_COORDINATE = 1e7f;
+
+  /** Largest speed that may be asked for, m/s or rad/s. */
+  public static final float MAX_VELOCITY = 1e5f;
+
+  /** Largest force, torque or impulse that may be asked for, N, N m, N s. */
+  public static final float MAX_FORCE = 1e20f;
+
+  /** Largest frequency of a joint's spring, 1/s. */
+  public static final float MAX_HERTZ = 1e3f;
+
+  /** Largest damping ratio of a joint's spring. */
+  public static final float MAX_DAMPING_RATIO = 100;
+
+  /** Largest ratio of gears, racks and pulleys. */
+  public static final float MAX_RATIO = 1e4f;
+
+  /** Largest damping of a body, 1/s. */
+  public static final float MAX_DAMPING = 1e4f;
+
+  /** Largest factor on the world's gravity. */
+  public static final float MAX_GRAVITY_SCALE = 1e3f;
+
+  /** Longest time step, s. */
+  public static final float MAX_TIME_STEP = 0.1f;
+
+  private Limits() {}
+
+  /**
+   * Checks a closed range.
+   *
+   * @param name how the caller calls the value
+   * @param value the value
+   * @param min smallest allowed
+   * @param max largest allowed
+   * @return the value
+   * @throws IllegalArgumentException if it is NaN or outside
+   */
+  public static float range(String name, float value, float min, float max) {
+    if (!(value >= min && value <= max)) {
+      throw refused(name, value, min + ".." + max);
+    }
+    return value;
+  }
+
+  /**
+   * Checks a coordinate in metres.
+   *
+   * @param name how the caller calls the value
+   * @param value the value
+   * @return the value
+   */
+  public static float coordinate(String name, float value) {
+    return magnitude(name, value, MAX_COORDINATE);
+  }
+
+  /**
+   * Checks a velocity component, m/s or rad/s.
+   *
+   * @param name how the caller calls the value
+   * @param value the value
+   * @return the value
+   */
+  public static float velocity(String name, float value) {
+    return magnitude(name, value, MAX_VELOCITY);
+  }
+
+  /**
+   * Checks a force, torque or impulse.
+   *
+   * @param name how the caller calls the value
+   * @param value the value
+   * @return the value
+   */
+  public static float force(String name, float value) {
+    return magnitude(name, value, MAX_FORCE);
+  }
+
+  /**
+   * Checks a time step: more than 0, at most {@link #MAX_TIME_STEP}.
+   *
+   * @param seconds the time step, s
+   * @return the time step
+   */
+  public static float timeStep(float seconds) {
+    if (!(seconds > 0 && seconds <= MAX_TIME_STEP)) {
+      throw new IllegalArgumentException(
+          "dtSeconds="
+              + seconds
+              + " is outside 0 (exclusive).."
+              + MAX_TIME_STEP
+              + "; step more often instead of further");
+    }
+    return seconds;
+  }
+
+  private static float magnitude(String name, float value, float limit) {
+    if (!(Math.abs(value) <= limit)) {
+      throw refused(name, value, -limit + ".." + limit);
+    }
+    return value;
+  }
+
+  private static IllegalArgumentException refused(String name, float value, String range) {
+    return new IllegalArgumentException(name + "=" + value + " is outside " + range);
+  }
+}
