@@ -20,8 +20,8 @@ import java.util.stream.Stream;
 final class GameChoice {
   private static final String DEFAULT_GAME = "arena";
 
-  /** Most bodies of a level that is rehearsed itself. For a larger one the game's own level is. */
-  private static final int MAX_REHEARSED_BODIES = 1_000;
+  /** Most bodies of a level to warm up with; for a larger one, the game's own level is taken. */
+  private static final int MAX_WARM_UP_BODIES = 1_000;
 
   private final ServerFlags flags;
   private final Level level;
@@ -54,11 +54,11 @@ final class GameChoice {
   }
 
   /**
-   * Returns the level for the rehearsal: a large one would take longer to build and step than the
-   * rehearsal may last.
+   * Returns the level for the warm-up: a large one would take longer to build and step than the
+   * warm-up may last.
    */
-  Level rehearsalLevel() {
-    if (level.bodies().size() <= MAX_REHEARSED_BODIES || flags.scene != null) {
+  Level warmUpLevel() {
+    if (level.bodies().size() <= MAX_WARM_UP_BODIES || flags.scene != null) {
       return level;
     }
     try {

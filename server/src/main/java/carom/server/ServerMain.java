@@ -131,7 +131,7 @@ public final class ServerMain implements Callable<Integer> {
     ServerStart start = new ServerStart(flags, choice, config, log);
     ch.qos.logback.classic.Logger root = logging.getLogger(Logger.ROOT_LOGGER_NAME);
     root.setLevel(ch.qos.logback.classic.Level.ERROR);
-    start.rehearse();
+    start.warmUp();
     root.setLevel(ch.qos.logback.classic.Level.toLevel(flags.logLevel.name()));
     logStart(log, config, choice.level().name());
     return start.open();

@@ -32,13 +32,13 @@ final class ServerStart {
   }
 
   /**
-   * Plays the game for a moment without a network, see {@link Rehearsal}.
+   * Plays the game for a moment without a network, see {@link GameWarmup}.
    *
    * @throws BadFlag when the game can't be played in the level
    */
-  void rehearse() {
+  void warmUp() {
     try {
-      Rehearsal.play(config, choice::newGame, choice.rehearsalLevel(), new KryoMessageCodec());
+      GameWarmup.play(config, choice::newGame, choice.warmUpLevel(), new KryoMessageCodec());
     } catch (IllegalArgumentException e) {
       throw flags.bad("--level: " + e.getMessage());
     }

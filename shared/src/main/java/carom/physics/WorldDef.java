@@ -1,7 +1,7 @@
 package carom.physics;
 
-import carom.physics.dynamics.body.Settings;
 import carom.physics.math.Limits;
+import carom.physics.settings.Settings;
 import java.util.function.Consumer;
 
 /**

@@ -24,7 +24,7 @@ final class HouseTest {
   private static final int MOST_LINES_OF_A_CLASS = 500;
 
   /** How a longer class begins the paragraph of its doc comment that says why it is long. */
-  private static final String REASON = "<b>Size.</b>";
+  private static final String REASON = "<b>Length.</b>";
 
   /** The face that users import: its names stay, whatever their number. */
   private static final String FACE = "carom/physics";

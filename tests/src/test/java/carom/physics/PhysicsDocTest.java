@@ -2,7 +2,7 @@ package carom.physics;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import carom.physics.dynamics.body.Settings;
+import carom.physics.settings.Settings;
 import java.lang.reflect.Field;
 import java.nio.file.Files;
 import java.nio.file.Path;

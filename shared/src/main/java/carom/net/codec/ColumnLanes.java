@@ -1,32 +1,22 @@
 package carom.net.codec;
 
+import carom.physics.simd.VectorKernels;
+import carom.physics.simd.VectorModule;
+
 /**
  * Kernels that quantise the numbers of a column side by side, bit for bit as {@link Quantizer} does
  * one after the other. How many go through them shows in no result.
  */
-abstract class ColumnLanes {
+abstract class ColumnLanes extends VectorKernels {
   /** The kernels made with the Vector API, null where the JVM was started without that module. */
-  static final ColumnLanes FOUND = find();
+  static final ColumnLanes FOUND =
+      VectorModule.find("carom.net.codec.VectorColumns", ColumnLanes.class);
 
-  /**
-   * Calls of a kernel before all numbers go through it: until then the JIT compiler may interpret
-   * it, hundreds of times slower.
-   */
-  private static final int WARM_UP = 8_000;
-
-  /** The share of a column's calls that are made until then. */
-  private static final int SHARE = 16;
-
-  /** How often each kernel was called. Rooms share these counts, which needn't be exact. */
-  private int stepped;
-
-  private int turned;
-
-  /** How many numbers a call of a kernel takes. */
+  /** Returns how many numbers a call of a kernel takes. */
   abstract int width();
 
   /**
-   * Numbers to steps, rounded as {@link Quantizer} does.
+   * Converts numbers to steps, rounded as {@link Quantizer} does.
    *
    * @param from the numbers, from {@code at} on
    * @param scale steps per unit, a power of two
@@ -37,7 +27,7 @@ abstract class ColumnLanes {
   abstract boolean round(float[] from, int at, float scale, float max, int[] to);
 
   /**
-   * Directions to angles, as {@link Quantizer#angleOfTurn} rounds those of {@code
+   * Converts directions to angles, as {@link Quantizer#angleOfTurn} rounds those of {@code
    * carom.physics.math.Trig.roughTurn}, by the same polynomial.
    *
    * @param error how far these may be off
@@ -52,8 +42,7 @@ abstract class ColumnLanes {
    */
   final int steps(float[] from, int n, int scale, int max, int[] to) {
     int width = width();
-    int calls = trusted(n, stepped);
-    stepped = seen(calls, stepped);
+    int calls = calls(n);
     float most = Math.min(max, 1 << 21);
     for (int at = 0; at < calls * width; at += width) {
       if (!round(from, at, scale, most, to)) {
@@ -63,35 +52,18 @@ abstract class ColumnLanes {
     return calls * width;
   }
 
-  /** Quantises the first directions of two columns, and tells how many. */
+  /** Quantises the first directions of two columns, and returns how many. */
   final int turns(float[] cos, float[] sin, int n, int error, int[] to) {
     int width = width();
-    int calls = trusted(n, turned);
-    turned = seen(calls, turned);
+    int calls = calls(n);
     for (int at = 0; at < calls * width; at += width) {
       turn(cos, sin, at, error, to);
     }
     return calls * width;
   }
 
-  /** How often a kernel may be called for a column, if it was so often before. */
-  private int trusted(int n, int before) {
-    int calls = n < Quantizer.LONG ? 0 : n / width();
-    return before >= WARM_UP ? calls : calls / SHARE;
-  }
-
-  private static int seen(int calls, int before) {
-    return Math.min(WARM_UP, before + calls);
-  }
-
-  private static ColumnLanes find() {
-    try {
-      return Class.forName(ColumnLanes.class.getPackageName() + ".VectorColumns")
-          .asSubclass(ColumnLanes.class)
-          .getDeclaredConstructor()
-          .newInstance();
-    } catch (ReflectiveOperationException | LinkageError e) {
-      return null;
-    }
+  /** Returns how often a kernel may be called for a column of n numbers. */
+  private int calls(int n) {
+    return n < Quantizer.LONG ? 0 : grant(n / width(), n);
   }
 }

@@ -43,12 +43,10 @@ import carom.physics.math.Transform;
  * of it, and at joints that aren't outward corners with its own normal only; the point of a circle
  * has id 0 here, too.
  *
- * <h2>Length</h2>
- *
- * The class is longer than others because the steps of one manifold hand each other a dozen numbers
- * in its fields; as parts they would pass them as arguments in the hottest loop of the engine.
- * Round shapes and pairs of boxes have classes of their own: {@link RoundCollider}, {@link
- * BoxCollider}.
+ * <p><b>Length.</b> The class is longer than others because the steps of one manifold hand each
+ * other a dozen numbers in its fields; as parts they would pass them as arguments in the hottest
+ * loop of the engine. Round shapes and pairs of boxes have classes of their own: {@link
+ * RoundCollider}, {@link BoxCollider}.
  */
 public final class Collider {
   /**

@@ -3,7 +3,6 @@ package carom.physics.dynamics;
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyMaker;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.body.ShapeSpec;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactEvents;
@@ -11,6 +10,7 @@ import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.pairs.PairFinder;
 import carom.physics.dynamics.sleep.Sleeping;
 import carom.physics.geometry.MassData;
+import carom.physics.settings.Settings;
 
 /**
  * Makes, changes and removes bodies between steps, and makes all stages follow: each method leaves

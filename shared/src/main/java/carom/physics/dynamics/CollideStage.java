@@ -1,13 +1,13 @@
 package carom.physics.dynamics;
 
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.continuous.ContinuousCollision;
 import carom.physics.dynamics.narrow.NarrowPhase;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.sleep.Sleeping;
+import carom.physics.settings.Settings;
 import java.util.Arrays;
 
 /**

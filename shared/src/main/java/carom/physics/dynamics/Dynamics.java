@@ -2,7 +2,6 @@ package carom.physics.dynamics;
 
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.BodyContacts;
 import carom.physics.dynamics.contact.ContactEvents;
@@ -20,6 +19,7 @@ import carom.physics.math.StateHash;
 import carom.physics.profile.StageListener;
 import carom.physics.profile.StepStage;
 import carom.physics.rows.ExactRows;
+import carom.physics.settings.Settings;
 import carom.physics.threads.Workers;
 
 /**

@@ -1,9 +1,9 @@
 package carom.physics.dynamics;
 
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.contact.ContactEvents;
 import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.settings.Settings;
 
 /**
  * The stages of a step that call the owner back about its contacts, before and after they are

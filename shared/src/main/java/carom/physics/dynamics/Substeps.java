@@ -2,24 +2,34 @@ package carom.physics.dynamics;
 
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.contact.ContactTable;
-import carom.physics.dynamics.joint.JointSolver;
+import carom.physics.dynamics.domain.DomainPhases;
 import carom.physics.dynamics.joint.JointStore;
-import carom.physics.dynamics.joint.RevoluteLanes;
+import carom.physics.dynamics.jointsolver.JointSolver;
+import carom.physics.dynamics.jointsolver.RevoluteLanes;
 import carom.physics.dynamics.pairs.PairFinder;
-import carom.physics.dynamics.parallel.DomainPhases;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.solver.ContactLanes;
 import carom.physics.dynamics.solver.ContactSolver;
 import carom.physics.dynamics.solver.SolverBodies;
 import carom.physics.profile.StageListener;
 import carom.physics.profile.StepStage;
+import carom.physics.settings.Settings;
 
 /**
- * The part of a step in which velocities and positions change: {@code substeps} times velocities
- * are integrated, joints and contacts solved with bias, positions integrated, joints and contacts
- * solved again without (relax); then contacts bounce, and what came out is written back.
+ * The part of a step in which velocities and positions change.
+ *
+ * <pre>
+ *   prepare    colours, blocks; bodies are loaded; contacts and joints are packed
+ *   substep    integrate velocities          v += h a; contacts start warm by the last substep
+ *    n times   joints: warm start            the impulses of the last substep
+ *              contacts: warm start          first substep only
+ *              joints, contacts: push        with bias: overlap and errors go away
+ *              integrate positions           x += h v
+ *              joints, contacts: relax       rigid, without bias: the speed of the bias goes
+ *   finish     restitution                   contacts bounce, once
+ *              store                         velocities, poses and impulses
+ * </pre>
  */
 final class Substeps {
   /** The active bodies as the solvers see them. */
@@ -34,10 +44,10 @@ final class Substeps {
   private final ParallelFor parallel;
   private final DomainPhases phases = new DomainPhases();
 
-  /** Null, unless somebody measures. */
+  /** Listens to stages; null unless they are measured. */
   private StageListener stages;
 
-  /** Moves the active bodies; contacts and joints are given their impulses. */
+  /** Makes the part for the bodies, contacts and joints of a world. */
   Substeps(
       Settings settings,
       BodyStore bodies,
@@ -52,11 +62,11 @@ final class Substeps {
     this.joints = joints;
     this.parallel = parallel;
     solverBodies = new SolverBodies(active, pairs, parallel);
-    contactSolver = new ContactSolver(ContactLanes.find(), parallel);
-    jointSolver = new JointSolver(RevoluteLanes.find(), parallel);
+    contactSolver = new ContactSolver(ContactLanes.FOUND, parallel);
+    jointSolver = new JointSolver(RevoluteLanes.FOUND, parallel);
   }
 
-  /** Sets who is told of the stages, null for nobody. */
+  /** Sets the listener that is told of the stages, null for none. */
   void stageListener(StageListener listener) {
     stages = listener;
   }
@@ -68,7 +78,7 @@ final class Substeps {
     begins(StepStage.PREPARE);
     solverBodies.begin(bodies, settings, h, contacts);
     contactSolver.prepare(contacts, bodies, solverBodies, settings, h);
-    parallel.divide(phases, solverBodies.domains.count());
+    phases.divide(solverBodies.domains.count(), parallel.workers());
     solverBodies.load(phases);
     contactSolver.pack(phases);
     begins(StepStage.JOINTS);
@@ -108,7 +118,7 @@ final class Substeps {
       contactSolver.relax(phases);
     }
     begins(StepStage.BOUNCE);
-    phases.run(); // only now it is known who bounces
+    phases.run(); // only now it is known which contacts bounce
     contactSolver.restitution(phases);
     begins(StepStage.FINISH);
     contactSolver.store(phases);
@@ -117,22 +127,24 @@ final class Substeps {
     phases.run();
   }
 
-  /** What joints do must not be repeated as the contacts' share of the next substep. */
+  /**
+   * Ends the phases so far, and remembers velocities: the changes by joints aren't the contacts'.
+   */
   private void beforeJoints() {
     phases.run();
     begins(StepStage.JOINTS);
     if (contactSolver.blocks() > 0) {
-      solverBodies.mark();
+      solverBodies.beforeJoints();
     }
   }
 
   private void afterJoints() {
     if (contactSolver.blocks() > 0) {
-      solverBodies.except();
+      solverBodies.afterJoints();
     }
   }
 
-  /** Somebody who measures stages has each of them end before the next one begins. */
+  /** Begins a stage. Where stages are measured, each ends before the next one begins. */
   private void begins(StepStage stage) {
     if (stages != null) {
       phases.run();

@@ -1,19 +1,21 @@
 package carom.physics.simd;
 
 /**
- * Loads what is made with the Vector API, an incubating module that the JVM only has if it was
+ * Finds the classes that use the Vector API. That module incubates: a JVM has it only if it was
  * started with {@code --add-modules jdk.incubator.vector}.
  */
 public final class VectorModule {
   /**
-   * Constraints that are solved side by side: 16 where vectors are that long, else 8, also without
-   * vectors. All kernels use vectors of this one length: code that sees several makes the JIT
-   * compiler box vectors, which costs ten times what they gain. It changes no bit of a result.
+   * Number of constraints that are solved side by side: 16 if the processor's vectors hold that
+   * many floats, else 8, also without vectors. All kernels use vectors of this one length, because
+   * a JIT compiler that has seen several lengths boxes vectors, which costs ten times what they
+   * gain. The number changes no bit of a result.
    */
   public static final int LANES = lanes();
 
-  /** How many floats this processor's vectors have; made with the Vector API. */
+  /** The length of this processor's vectors. Its implementation needs the Vector API. */
   interface Width {
+    /** Returns how many floats a vector holds. */
     int floats();
   }
 
@@ -27,8 +29,9 @@ public final class VectorModule {
   /**
    * Makes an object of a class that is loaded by name.
    *
-   * @param name full name
-   * @return null if the JVM has no such module, or if its vectors are too short to be worth it
+   * @param name the full name of a public class with a public constructor without parameters
+   * @param type what the object is used as
+   * @return null if the JVM lacks the module, or if its vectors are too short to be worth it
    */
   public static <T> T find(String name, Class<T> type) {
     try {

@@ -5,6 +5,7 @@
  * own ({@code shared/src/vector}) and are found by name, so that this package and the whole engine
  * also work on a JVM without that module, with the same bits.
  *
- * <p>Imports nothing. Read first: {@code VectorModule}, {@code RehearsedLanes}.
+ * <p>Imports nothing. Read first: {@code VectorModule}, {@code VectorKernels}, {@code
+ * KernelWarmup}.
  */
 package carom.physics.simd;

@@ -5,9 +5,9 @@ package carom.physics.threads;
  *
  * <p>Where more threads want a processor than there are, a helper loses its one in the midst of a
  * task and its caller waits for milliseconds, or the caller loses its own to a helper: a shared
- * step takes up to twice as long as one alone. Nobody sees that but in the time of whole steps. So
- * when a caller had to wait for long, half of the next steps are shared, and what was faster is
- * kept for a while: as long as nobody waits, every step is shared, and who steps alone tries again
+ * step takes up to twice as long as one alone. That shows only in the time of whole steps. So when
+ * a caller had to wait for long, half of the next steps are shared, and what was faster is kept for
+ * a while. As long as no caller waits, every step is shared. A caller that steps alone tries again
  * soon, then ever more rarely. Which half is told by the parity of the bits of the step's number
  * (the sequence of Thue and Morse): worlds that one caller steps by turns, and work that grows,
  * weigh on both sides alike.
@@ -15,7 +15,7 @@ package carom.physics.threads;
  * <p>Times come from the caller, in ns of any clock. One thread at a time.
  */
 final class Sharing {
-  /** Who waits longer than this at the end of a run waits for a thread that isn't running, ns. */
+  /** Wait at the end of a run, ns, beyond which the other thread seems not to be running. */
   static final long LONG_WAIT_NS = 300_000;
 
   /** Steps of a trial, half of them shared. */
@@ -24,26 +24,28 @@ final class Sharing {
   /** Steps until the next trial, if there is reason for one. */
   static final int STEPS_BETWEEN = 240;
 
-  /** The same after the first trial that told against sharing: it may have been chance. */
+  /** Steps until the next trial after the first one that told against sharing, by chance maybe. */
   private static final int STEPS_AT_FIRST = TRIAL_STEPS;
 
-  /** Steps of the trial at hand that are left; then of the time until the next one. */
+  /** Steps that are left of the trial at hand. */
   private int trial;
 
+  /** Steps that are left until the next trial. */
   private int left;
 
-  /** Whether steps are shared between trials, and whether the step at hand is. */
+  /** Tells whether steps are shared between trials. */
   private boolean pays = true;
 
+  /** Tells whether the step at hand is shared. */
   private boolean shared;
 
   /** Steps alone before the next trial. */
   private int rest = STEPS_AT_FIRST;
 
-  /** Whether a step is on. */
+  /** Tells whether a step is on. */
   private boolean on;
 
-  /** Whether a caller waited for long since the last trial. */
+  /** Tells whether a caller waited for long since the last trial. */
   private boolean waited;
 
   private long begin;
@@ -51,7 +53,7 @@ final class Sharing {
   private long aloneNs;
 
   /**
-   * A step begins.
+   * Begins a step.
    *
    * @param now ns
    * @return whether it is to be shared
@@ -68,13 +70,13 @@ final class Sharing {
     return shared;
   }
 
-  /** Whether a step is on that isn't shared. */
+  /** Returns whether a step is on that isn't shared. */
   boolean isAlone() {
     return on && !shared;
   }
 
   /**
-   * A run of the step ended.
+   * Notes that a run of the step ended.
    *
    * @param ns for which its caller waited for others
    */
@@ -83,7 +85,7 @@ final class Sharing {
   }
 
   /**
-   * The step ends. Does nothing when none is on.
+   * Ends the step. Does nothing when none is on.
    *
    * @param now ns
    */

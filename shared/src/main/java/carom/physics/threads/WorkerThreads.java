@@ -10,7 +10,7 @@ import java.util.function.LongSupplier;
 /**
  * {@link Workers} made of threads of its own. May be shared by worlds that are stepped by different
  * threads. A world whose step was {@linkplain #stepBegins announced} has the threads until that
- * step ends, any other one for a run; who finds them lent carries out its run alone.
+ * step ends, any other world for one run. A caller that finds them lent carries out its run alone.
  *
  * <p><b>How.</b> The tasks of a run are dealt out evenly, each worker's share as a range in one
  * atomic word; to take a task is to shorten the range. A worker begins at the front of its own
@@ -30,51 +30,51 @@ public final class WorkerThreads implements Workers, AutoCloseable {
   /** Most threads, the caller included. */
   public static final int MAX_COUNT = 64;
 
-  /** How often an idle thread looks for work, and a caller for the end, before it lets go. */
+  /** Looks of an idle thread for work, and of a caller for the end, before it lets go. */
   private static final int SPINS = 2000;
 
-  /** And within a step. */
+  /** Looks of an idle thread for work within an announced step. */
   private static final int SPINS_IN_STEP = 40_000;
 
-  /** Shares are that many longs apart: two cache lines each, as processors fetch them in pairs. */
+  /** Longs from one share to the next: two cache lines, because processors fetch them in pairs. */
   private static final int APART = 16;
 
   private final int count;
   private final Thread[] threads;
   private final AtomicBoolean[] parked;
 
-  /** Per worker: its first task that nobody took, in the upper half, and behind its last one. */
+  /** Per worker: its first task that isn't taken, in the upper half; the end of its tasks below. */
   private final AtomicLongArray shares;
 
-  /** Who has the threads: the caller of the run or of the announced step that is on. */
+  /** Thread that has the workers: the caller of the run or of the announced step that is on. */
   private final AtomicReference<Thread> holder = new AtomicReference<>();
 
-  /** Tasks of the run that nobody has reported as done. */
+  /** Number of tasks of the run that aren't reported as done. */
   private final AtomicInteger left = new AtomicInteger();
 
-  /** Whether a task waited for another one since a run began. */
+  /** Tells whether a task waited for another one since a run began. */
   private volatile boolean waited;
 
-  /** What a task threw first. */
+  /** First exception or error of a task. */
   private volatile Throwable failure;
 
-  /** Whether the holder has announced a step. */
+  /** Tells whether the holder has announced a step. */
   private volatile boolean inStep;
 
   private volatile boolean closed;
 
   private final LongSupplier clock;
 
-  /** Of each thread that announces steps. */
+  /** Decides about sharing, one object per thread that announces steps. */
   private final ThreadLocal<Sharing> sharings = ThreadLocal.withInitial(Sharing::new);
 
-  /** The holder's, while its step is on; null if it doesn't share that. */
+  /** Decides for the holder while its step is on; null if that step isn't shared. */
   private Sharing sharing;
 
-  /** Who waits for the end of the run, null if nobody sleeps over it. */
+  /** Thread that sleeps until the end of the run, null for none. */
   private volatile Thread waiting;
 
-  /** What the run does; read by those who took one of its tasks. */
+  /** Work of the run; read by threads that took one of its tasks. */
   private Task work;
 
   /**
@@ -239,7 +239,7 @@ public final class WorkerThreads implements Workers, AutoCloseable {
   }
 
   /**
-   * Takes tasks until none is free, its own first, then those of the others; answers how many. What
+   * Takes tasks until none is free, its own first, then those of the others. Returns how many. What
    * it takes is of the run that is on, even if it came to help with the one before: a run can't end
    * while one of its tasks isn't reported.
    */

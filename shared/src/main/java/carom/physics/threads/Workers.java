@@ -1,13 +1,13 @@
 package carom.physics.threads;
 
-import carom.physics.dynamics.parallel.DomainPhases;
+import carom.physics.dynamics.domain.DomainPhases;
 
 /**
  * Threads that carry out parts of a step side by side; given to a world by {@code World.workers}.
  * The engine makes no threads and decides nothing by them: every result is the same, bit for bit,
- * for any number of workers and whoever does which task when. Tasks of one run touch nothing in
- * common, or else see to it themselves who touches it first ({@link DomainPhases}); none needs
- * another one to be under way.
+ * for any number of workers, whichever does a task, and when. Tasks of one run touch nothing in
+ * common, or else decide themselves which one touches it first ({@link DomainPhases}). No task
+ * needs another one to be under way.
  *
  * <p>A step makes some ten to a hundred runs, many of a few microseconds: an implementation should
  * keep its threads spinning for a while between two runs, and from {@link #stepBegins} to {@link

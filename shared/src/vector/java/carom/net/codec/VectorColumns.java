@@ -23,7 +23,7 @@ import jdk.incubator.vector.VectorSpecies;
  * box vectors. For the same reason these have neither such calls on floats nor masks; {@code
  * lanewise} on a vector that was just loaded leaves no doubt.
  */
-final class VectorColumns extends ColumnLanes {
+public final class VectorColumns extends ColumnLanes {
   private static final VectorSpecies<Float> LANE = FloatVector.SPECIES_PREFERRED;
   private static final int WIDTH = LANE.length();
 
@@ -45,11 +45,24 @@ final class VectorColumns extends ColumnLanes {
   private static final int STEP_SHIFT = 16;
   private static final int STEP = 1 << STEP_SHIFT;
 
+  private final int[] warmUpSteps = new int[WIDTH];
+
   /** Loaded by name, see {@link ColumnLanes#FOUND}. */
-  VectorColumns() {
+  public VectorColumns() {
     if (FloatVector.SPECIES_PREFERRED.length() < WIDTH) {
       throw new UnsupportedOperationException("vectors have fewer than " + WIDTH + " lanes");
     }
+  }
+
+  @Override
+  protected int warmUpSize() {
+    return WIDTH;
+  }
+
+  @Override
+  protected void warmUp(float[] numbers) {
+    round(numbers, 0, 1, 1, warmUpSteps);
+    turn(numbers, numbers, 0, 0, warmUpSteps);
   }
 
   @Override

@@ -1,9 +1,9 @@
 package carom.lab.figures;
 
 import carom.client.ClientConfig;
-import carom.client.link.ConnectionPhase;
 import carom.client.InputSource;
 import carom.client.PredictionMode;
+import carom.client.link.ConnectionPhase;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;

@@ -1,5 +1,6 @@
 package carom.physics.dynamics.contact;
 
+import carom.physics.simd.VectorKernels;
 import carom.physics.simd.VectorModule;
 import java.util.Arrays;
 
@@ -7,7 +8,7 @@ import java.util.Arrays;
  * Kernels that hash the rows of a contact table side by side, bit for bit as {@link ContactHash}
  * does one after the other. How many rows go through them shows in no result.
  */
-public abstract class ContactHashLanes {
+public abstract class ContactHashLanes extends VectorKernels {
   /** The kernels made with the Vector API, null without; see {@link VectorModule}. */
   static final ContactHashLanes FOUND =
       VectorModule.find("carom.physics.dynamics.simd.VectorContactHash", ContactHashLanes.class);
@@ -18,25 +19,17 @@ public abstract class ContactHashLanes {
   /** Rows a kernel takes at a time: their flags are one word. */
   public static final int ROWS = 8;
 
-  /**
-   * Calls of a kernel before everything goes through it: until then the JIT compiler may interpret
-   * it, hundreds of times slower.
-   */
-  private static final int WARM_UP = 1_500;
+  /** Rows of a block. */
+  public static final int BLOCK = 32;
 
-  /** Pieces per hash until then, and how many numbers or rows they have. */
-  private static final int FEW = 8;
-
-  private static final int SMALL = 32;
-
-  /** Rows per call afterwards, so that their factors stay in the nearest cache. */
+  /** Rows per call, at most, so that their factors stay in the nearest cache. */
   static final int PIECE = 256;
 
   /** Shorter tables gain too little to be worth the calls. */
   private static final int LEAST = 512;
 
-  /** How often the kernels were called. Worlds share this count, which needn't be exact. */
-  private int calls;
+  /** Makes the kernels; they are found by name. */
+  protected ContactHashLanes() {}
 
   /**
    * Finds the factors of rows, zero for those that don't touch, and adds what the rows are called.
@@ -71,16 +64,13 @@ public abstract class ContactHashLanes {
    * @return how many were; the rest is left to the caller
    */
   final int rows(ContactTable t, long[] factors, long[] lanes, long[] sums) {
-    int whole = t.count() < LEAST ? 0 : t.count() & -ROWS;
-    boolean trusted = calls >= WARM_UP;
-    int piece = trusted ? PIECE : SMALL;
-    int done = trusted ? whole : Math.min(whole, FEW * SMALL);
+    int rows = t.count();
+    int done = rows < LEAST ? 0 : grant(rows / BLOCK, rows) * BLOCK;
     Arrays.fill(lanes, 0);
-    for (int at = 0; at < done; at += piece) {
-      int end = Math.min(at + piece, done);
+    for (int at = 0; at < done; at += PIECE) {
+      int end = Math.min(at + PIECE, done);
       names(t, at, end, factors, lanes);
       impulses(t.contact, at, end, factors, lanes);
-      calls += trusted ? 0 : 1;
     }
     for (int i = 0; i < SUMS; i++) {
       sums[ContactHash.STATE] += lanes[i];

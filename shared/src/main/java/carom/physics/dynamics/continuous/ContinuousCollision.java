@@ -4,12 +4,12 @@ import carom.physics.broadphase.kd.KdTree;
 import carom.physics.collision.distance.Sweep;
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.pairs.PairFinder;
 import carom.physics.dynamics.solver.SolverBodies;
 import carom.physics.math.Transform;
+import carom.physics.settings.Settings;
 
 /**
  * Stops fast bodies at what they would pass through within a step. Runs when the solver is done:

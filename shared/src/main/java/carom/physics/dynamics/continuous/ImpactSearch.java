@@ -9,7 +9,6 @@ import carom.physics.collision.distance.Sweep;
 import carom.physics.collision.distance.TimeOfImpact;
 import carom.physics.collision.distance.TimeOfImpact.State;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactKey;
 import carom.physics.dynamics.contact.ContactTable;
@@ -18,6 +17,7 @@ import carom.physics.geometry.Convex;
 import carom.physics.geometry.Segment;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
+import carom.physics.settings.Settings;
 import java.util.Arrays;
 
 /**

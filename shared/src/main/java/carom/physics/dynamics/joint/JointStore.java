@@ -5,7 +5,6 @@ import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.store.ColumnHash;
 import carom.physics.dynamics.store.Slots;
 import carom.physics.dynamics.store.Stamp;
-import carom.physics.math.Limits;
 import carom.physics.math.StateHash;
 import java.util.Arrays;
 
@@ -14,11 +13,14 @@ import java.util.Arrays;
  * order in which joints are solved.
  *
  * <p>Slots are reused last in, first out; each reuse has another generation. Each body has a list
- * of its joints: the ends of joint j are the entries 2 j (of body A) and 2 j + 1 (of body B). The
- * lists and the free list are part of the state, so that a restored world does the same again.
+ * of its joints ({@link JointLists}). The lists and the free list are part of the state, so that a
+ * restored world does the same again.
  *
  * <p>What a step changes, impulses and forces, is copied whenever the state is; all else only if
- * something of it changed, which whoever writes it must tell by {@link #coldChanged}.
+ * something of it changed; the code that writes it must call {@link #coldChanged}.
+ *
+ * <p><b>Length.</b> More than 500 lines, because it has 46 columns, each declared, documented,
+ * grown and copied.
  */
 public final class JointStore {
   /** Type of a free slot. */
@@ -73,9 +75,6 @@ public final class JointStore {
 
   private static final int FIRST_CAPACITY = 16;
 
-  /** Most joints in an archive. */
-  private static final int MAX_JOINTS = 1 << 22;
-
   /** The last of the float arrays change in every step: those from this one on. */
   private static final int HOT = 21;
 
@@ -112,7 +111,7 @@ public final class JointStore {
   /** Rotation of B relative to A that counts as angle 0. */
   public float[] refCos = new float[FIRST_CAPACITY];
 
-  /** Its imaginary part. */
+  /** Sine of that rotation. */
   public float[] refSin = new float[FIRST_CAPACITY];
 
   /** Coordinate where the spring is at ease: length, translation (m) or angle (rad). */
@@ -212,99 +211,64 @@ public final class JointStore {
 
   float[] lastB = new float[FIRST_CAPACITY];
 
-  private float[][] floats = gather();
+  /** All float arrays of archives, the cold ones first. */
+  float[][] floats = gather();
 
-  /** Per end: the next end of a joint of the same body, -1 for none. */
-  private int[] next = new int[2 * FIRST_CAPACITY];
-
-  /** Per body: the first end, -1 for none. */
-  private int[] first = new int[0];
+  /** Each body's joints. */
+  final JointLists lists = new JointLists(FIRST_CAPACITY);
 
   /** A bit per slot: whether the solver must look at the joint; follows from the bodies. */
   private long[] awake = new long[1];
 
-  private final Slots slots = new Slots();
+  final Slots slots = new Slots();
   private final Stamp cold = new Stamp();
   private int version;
 
-  /** Of what is cold, as it was at this stamp. */
+  /** Hash of what is cold, as it was at {@link #hashed}. */
   private long coldHash = hashCold();
 
   private final Stamp hashed = new Stamp();
   private final ColumnHash columns = new ColumnHash();
 
+  /** Makes an empty store. */
   public JointStore() {}
 
-  /**
-   * The number of joints.
-   *
-   * @return slots in use
-   */
+  /** Returns the number of joints. */
   public int count() {
     return slots.count();
   }
 
-  /**
-   * One more than the largest slot ever used.
-   *
-   * @return the bound of loops over all slots, free ones included
-   */
+  /** Returns one more than the largest slot ever used: the bound of loops over all slots. */
   public int slots() {
     return slots.bound();
   }
 
-  /**
-   * How often a slot was given back, for handles.
-   *
-   * @param slot below {@link #slots}
-   * @return what {@link #alive} expects of a handle made now
-   */
+  /** Returns how often a slot was given back: what {@link #alive} expects of a handle made now. */
   public int generation(int slot) {
     return slots.generation(slot);
   }
 
-  /**
-   * Whether this is the joint of that handle, still alive.
-   *
-   * @param slot any slot a handle holds
-   * @param expected the handle's generation
-   * @return false if the joint was destroyed
-   */
+  /** Returns whether the joint of a handle with this slot and generation is still alive. */
   public boolean alive(int slot, int expected) {
     return slot < slots.bound() && slots.generation(slot) == expected && type[slot] != FREE;
   }
 
-  /**
-   * The first end of a joint of a body.
-   *
-   * @param body its slot
-   * @return an end: its joint is the end divided by 2; -1 for none
-   */
+  /** Returns the first end of a joint of a body, -1 for none. The joint is the end divided by 2. */
   public int firstEnd(int body) {
-    return body < first.length ? first[body] : -1;
+    return lists.first(body);
   }
 
-  /**
-   * The next end of a joint of the same body.
-   *
-   * @param end one of them
-   * @return -1 for none
-   */
+  /** Returns the next end of a joint of the same body, -1 for none. */
   public int nextEnd(int end) {
-    return next[end];
+    return lists.next(end);
   }
 
-  /**
-   * The body at the other end of a joint.
-   *
-   * @param end one of them
-   * @return its slot, -1 for the world
-   */
+  /** Returns the slot of the body at the other end of a joint, -1 for the world. */
   public int other(int end) {
     return (end & 1) == 0 ? bodyB[end >> 1] : bodyA[end >> 1];
   }
 
-  /** Takes a slot; all numbers are zero. */
+  /** Takes a slot for a joint between two bodies; all its numbers are zero. */
   public int allocate(byte newType, int a, int b) {
     int slot = slots.take();
     if (slot == type.length) {
@@ -330,45 +294,44 @@ public final class JointStore {
     axisX[slot] = 1;
     breakForce[slot] = Float.POSITIVE_INFINITY;
     breakTorque[slot] = Float.POSITIVE_INFINITY;
-    link(2 * slot, a);
-    link(2 * slot + 1, b);
+    lists.link(2 * slot, a);
+    lists.link(2 * slot + 1, b);
     coldChanged();
     return slot;
   }
 
+  /** Gives the slot of a joint back. */
   public void release(int slot) {
     setAwake(slot, false);
-    unlink(2 * slot, bodyA[slot]);
-    unlink(2 * slot + 1, bodyB[slot]);
+    lists.unlink(2 * slot, bodyA[slot]);
+    lists.unlink(2 * slot + 1, bodyB[slot]);
     type[slot] = FREE;
-    rest(slot);
+    clearFree(slot);
     slots.release(slot);
     coldChanged();
   }
 
   /** Sets what is hot to what free slots hold, so that it is the same in equal states. */
-  private void rest(int slot) {
+  void clearFree(int slot) {
     forget(slot);
     flags[slot] = 0;
   }
 
-  /** Must be called when something was written that steps don't change. */
+  /** Notes that something was written that steps don't change. Must be called then. */
   public void coldChanged() {
     cold.change();
     version++;
   }
 
   /**
-   * Tells whether the solver may find other joints than before: others are awake, or their bodies
-   * or parameters changed.
-   *
-   * @return another number whenever that happened
+   * Returns a number that changes whenever the solver may find other joints than before: others are
+   * awake, or their bodies or parameters changed.
    */
-  int version() {
+  public int version() {
     return version;
   }
 
-  /** Says whether the solver must look at a joint. */
+  /** Sets whether the solver must look at a joint. */
   public void setAwake(int slot, boolean value) {
     version++;
     int word = slot >> 6;
@@ -382,7 +345,7 @@ public final class JointStore {
     }
   }
 
-  /** The first awake joint from a slot on, -1 if there is none. */
+  /** Returns the first awake joint from a slot on, -1 if there is none. */
   public int nextAwake(int from) {
     int word = from >> 6;
     if (word >= awake.length) {
@@ -398,39 +361,10 @@ public final class JointStore {
     return (word << 6) + Long.numberOfTrailingZeros(bits);
   }
 
-  /** Lets no joint be awake. */
+  /** Puts all joints to sleep. */
   public void clearAwake() {
     version++;
     Arrays.fill(awake, 0);
-  }
-
-  private void link(int end, int body) {
-    next[end] = -1;
-    if (body < 0) {
-      return;
-    }
-    if (body >= first.length) {
-      int old = first.length;
-      first = Arrays.copyOf(first, Math.max(body + 1, 2 * old));
-      Arrays.fill(first, old, first.length, -1);
-    }
-    next[end] = first[body];
-    first[body] = end;
-  }
-
-  private void unlink(int end, int body) {
-    if (body < 0) {
-      return;
-    }
-    if (first[body] == end) {
-      first[body] = next[end];
-      return;
-    }
-    int before = first[body];
-    while (next[before] != end) {
-      before = next[before];
-    }
-    next[before] = next[end];
   }
 
   /** Returns whether no joint keeps two bodies from colliding. */
@@ -438,7 +372,7 @@ public final class JointStore {
     if (count() == 0) {
       return true;
     }
-    for (int end = firstEnd(a); end >= 0; end = next[end]) {
+    for (int end = firstEnd(a); end >= 0; end = lists.next(end)) {
       int j = end >> 1;
       int other = (end & 1) == 0 ? bodyB[j] : bodyA[j];
       if (other == b && (flags[j] & COLLIDE) == 0) {
@@ -448,54 +382,55 @@ public final class JointStore {
     return true;
   }
 
-  /** Whether full turns are counted. */
-  boolean winds(int slot) {
+  /** Returns whether full turns of a joint are counted. */
+  public boolean winds(int slot) {
     return (flags[slot] & WINDS) != 0;
   }
 
-  /** Counts full turns of A; answers its angle over all of them. */
-  double windA(int slot, float angle) {
+  /** Counts full turns of A, and returns its angle over all of them, rad. */
+  public double windA(int slot, float angle) {
     turnsA[slot] += turn(lastA[slot], angle);
     lastA[slot] = angle;
     return angle + TWO_PI * turnsA[slot];
   }
 
-  /** Counts full turns of B; answers its angle over all of them. */
-  double windB(int slot, float angle) {
+  /** Counts full turns of B, and returns its angle over all of them, rad. */
+  public double windB(int slot, float angle) {
     turnsB[slot] += turn(lastB[slot], angle);
     lastB[slot] = angle;
     return angle + TWO_PI * turnsB[slot];
   }
 
   /**
-   * The angle of A over all turns, without counting.
+   * Returns the angle of A over all turns, rad, without counting.
    *
    * @param slot of a joint that counts turns
    * @param angle rad, -pi to pi
-   * @return rad
    */
   public double woundA(int slot, float angle) {
     return angle + TWO_PI * (turnsA[slot] + turn(lastA[slot], angle));
   }
 
   /**
-   * The angle of B, or of B relative to A, over all turns, without counting.
+   * Returns the angle of B, or of B relative to A, over all turns, rad, without counting.
    *
    * @param slot of a joint that counts turns
    * @param angle rad, -pi to pi
-   * @return rad
    */
   public double woundB(int slot, float angle) {
     return angle + TWO_PI * (turnsB[slot] + turn(lastB[slot], angle));
   }
 
-  /** Bodies turn less than half a turn between two looks; a larger jump is the seam at pi. */
+  /**
+   * Returns the full turns between two angles. Bodies turn less than half a turn between two looks,
+   * so a larger jump is the seam at pi.
+   */
   private static int turn(float before, float now) {
     double way = (double) now - before;
     return way > Math.PI ? -1 : way < -Math.PI ? 1 : 0;
   }
 
-  /** Whether any joint breaks under some force or torque. */
+  /** Returns whether any joint breaks under some force or torque. */
   public boolean anyBreakable() {
     for (int j = 0; j < slots(); j++) {
       if (type[j] != FREE
@@ -507,7 +442,7 @@ public final class JointStore {
     return false;
   }
 
-  /** Starts cold. */
+  /** Forgets the impulses of a joint, which then starts cold. */
   public void forget(int slot) {
     impulseX[slot] = 0;
     impulseY[slot] = 0;
@@ -521,7 +456,7 @@ public final class JointStore {
     torque[slot] = 0;
   }
 
-  /** Bits of everything that influences the future; nothing as long as there never was a joint. */
+  /** Mixes all that influences the future into a hash; nothing if there never was a joint. */
   public long hash(long h) {
     if (slots() == 0) {
       return h;
@@ -543,7 +478,7 @@ public final class JointStore {
     return h;
   }
 
-  /** Bits of what no step changes. */
+  /** Returns the hash of what no step changes. */
   private long hashCold() {
     long h = slots.hash();
     for (int i = 0; i < slots(); i++) {
@@ -562,12 +497,7 @@ public final class JointStore {
         h = StateHash.mix(h, baseBx[i], baseBy[i]);
       }
     }
-    for (int end : first) {
-      for (int e = end; e >= 0; e = next[e]) {
-        h = StateHash.mix(h, e);
-      }
-    }
-    return h;
+    return lists.hash(h);
   }
 
   /**
@@ -595,7 +525,6 @@ public final class JointStore {
     System.arraycopy(flags, 0, to.flags, 0, slots());
     System.arraycopy(bodyA, 0, to.bodyA, 0, slots());
     System.arraycopy(bodyB, 0, to.bodyB, 0, slots());
-    System.arraycopy(next, 0, to.next, 0, 2 * slots());
     System.arraycopy(ratio, 0, to.ratio, 0, slots());
     System.arraycopy(baseAx, 0, to.baseAx, 0, slots());
     System.arraycopy(baseAy, 0, to.baseAy, 0, slots());
@@ -604,48 +533,19 @@ public final class JointStore {
     for (int f = 0; f < HOT; f++) {
       System.arraycopy(floats[f], 0, to.floats[f], 0, slots());
     }
-    if (to.first.length < first.length) {
-      to.first = new int[first.length];
-    }
-    System.arraycopy(first, 0, to.first, 0, first.length);
-    Arrays.fill(to.first, first.length, to.first.length, -1);
-    long bytes = slots.copyTo(to.slots);
+    long bytes = slots.copyTo(to.slots) + lists.copyTo(to.lists, slots());
     cold.copyTo(to.cold);
     to.version++;
-    int perSlot = 2 + 4 * Integer.BYTES + Float.BYTES * (HOT + 5);
-    return bytes + (long) slots() * perSlot + (long) first.length * Integer.BYTES;
+    int perSlot = 2 + 2 * Integer.BYTES + Float.BYTES * (HOT + 5);
+    return bytes + (long) slots() * perSlot;
   }
 
   /** Passes all joints through an archive; reading begins with an empty store. */
   public void pass(Archive a, BodyStore bodies) {
-    int n = a.count("joint slots", slots(), MAX_JOINTS, 2 + Float.BYTES * floats.length);
-    while (type.length < n) {
-      grow();
-    }
-    a.bytes("type of joint", type, n, FREE, PULLEY);
-    a.bytes("flags of joint", flags, n, 0, COLLIDE | LIMITED | DRIVEN | SPRUNG | WINDS);
-    slots.passGenerations(a, "joint", n);
-    a.integers("body of joint", bodyA, n, -1, bodies.slots() - 1);
-    a.integers("body of joint", bodyB, n, -1, bodies.slots() - 1);
-    for (float[] field : floats) {
-      boolean unbounded = field == breakForce || field == breakTorque;
-      a.numbers("number of joint", field, n, unbounded ? Float.POSITIVE_INFINITY : BodyStore.MOST);
-    }
-    a.numbers("ratio of joint", ratio, n, BodyStore.MOST);
-    a.numbers("base of joint", baseAx, n, BodyStore.MOST);
-    a.numbers("base of joint", baseAy, n, BodyStore.MOST);
-    a.numbers("base of joint", baseBx, n, BodyStore.MOST);
-    a.numbers("base of joint", baseBy, n, BodyStore.MOST);
-    a.integers("turns of joint", turnsA, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
-    a.integers("turns of joint", turnsB, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
-    a.numbers("angle of joint", lastA, n, BodyStore.MOST);
-    a.numbers("angle of joint", lastB, n, BodyStore.MOST);
-    slots.passFree(a, "joint", n, type, FREE);
+    new JointArchive(this, a, bodies).pass();
     if (a.reads()) {
-      checkJoints(a, bodies);
       coldChanged();
     }
-    passLists(a, bodies);
   }
 
   /** Makes a copy that was read differ from all that were copied from this. */
@@ -653,90 +553,13 @@ public final class JointStore {
     cold.distinguish(copy.cold);
   }
 
-  private void checkJoints(Archive a, BodyStore bodies) {
-    for (int j = 0; j < slots(); j++) {
-      if (type[j] == FREE) {
-        rest(j);
-        continue;
-      }
-      boolean grounded = bodyA[j] < 0 && type[j] < GEAR;
-      a.require(
-          bodyB[j] >= 0
-              && bodies.type[bodyB[j]] != BodyStore.FREE
-              && bodyA[j] != bodyB[j]
-              && (grounded || (bodyA[j] >= 0 && bodies.type[bodyA[j]] != BodyStore.FREE)),
-          "joint=" + j + " of body=" + bodyA[j] + " with body=" + bodyB[j]);
-      a.require(lower[j] <= upper[j], "joint=" + j + " has limits in the wrong order");
-      range(a, j, "hertz", hertz[j], Limits.MAX_HERTZ);
-      range(a, j, "angular hertz", angularHertz[j], Limits.MAX_HERTZ);
-      range(a, j, "damping ratio", damping[j], Limits.MAX_DAMPING_RATIO);
-      range(a, j, "angular damping ratio", angularDamping[j], Limits.MAX_DAMPING_RATIO);
-      range(a, j, "motor speed", Math.abs(motorSpeed[j]), Limits.MAX_VELOCITY);
-      range(a, j, "most of the motor", motorMax[j], Limits.MAX_FORCE);
-      range(a, j, "most force", maxForce[j], Limits.MAX_FORCE);
-      range(a, j, "most torque", maxTorque[j], Limits.MAX_FORCE);
-      range(a, j, "ratio", Math.abs(ratio[j]), Limits.MAX_RATIO);
-      range(a, j, "breaking force", breakForce[j], Float.POSITIVE_INFINITY);
-      range(a, j, "breaking torque", breakTorque[j], Float.POSITIVE_INFINITY);
-    }
-  }
-
-  private static void range(Archive a, int joint, String what, float value, float most) {
-    if (!(value >= 0 && value <= most)) {
-      a.require(false, what + "=" + value + " of joint=" + joint + " is outside 0.." + most);
-    }
-  }
-
-  /** The ends of each body's joints in the order of its list, body after body. */
-  private void passLists(Archive a, BodyStore bodies) {
-    int[] ends = new int[2 * slots()];
-    int n = 0;
-    for (int body = 0; !a.reads() && body < first.length; body++) {
-      for (int end = first[body]; end >= 0; end = next[end]) {
-        ends[n++] = end;
-      }
-    }
-    n = a.count("ends of joints", n, 2 * slots(), Integer.BYTES);
-    a.integers("end of joint", ends, n, 0, 2 * slots() - 1);
-    if (!a.reads()) {
-      return;
-    }
-    first = new int[bodies.slots()];
-    Arrays.fill(first, -1);
-    boolean[] seen = new boolean[2 * slots()];
-    int listed = 0;
-    int last = -1;
-    for (int i = 0; i < n; i++) {
-      int end = ends[i];
-      int body = end(end);
-      a.require(type[end >> 1] != FREE && body >= 0 && !seen[end], "end=" + end + " of no joint");
-      seen[end] = true;
-      next[end] = -1;
-      if (last >= 0 && end(last) == body) {
-        next[last] = end;
-      } else {
-        a.require(first[body] < 0, "the joints of body=" + body + " are in two lists");
-        first[body] = end;
-      }
-      last = end;
-    }
-    for (int end = 0; end < 2 * slots(); end++) {
-      listed += type[end >> 1] != FREE && end(end) >= 0 ? 1 : 0;
-    }
-    a.require(listed == n, "listed ends of joints=" + n + " of " + listed);
-  }
-
-  private int end(int end) {
-    return (end & 1) == 0 ? bodyA[end >> 1] : bodyB[end >> 1];
-  }
-
-  private void grow() {
+  void grow() {
     int capacity = type.length * 2;
     type = Arrays.copyOf(type, capacity);
     flags = Arrays.copyOf(flags, capacity);
     bodyA = Arrays.copyOf(bodyA, capacity);
     bodyB = Arrays.copyOf(bodyB, capacity);
-    next = Arrays.copyOf(next, 2 * capacity);
+    lists.reserve(capacity);
     anchorAx = Arrays.copyOf(anchorAx, capacity);
     anchorAy = Arrays.copyOf(anchorAy, capacity);
     anchorBx = Arrays.copyOf(anchorBx, capacity);
@@ -780,7 +603,7 @@ public final class JointStore {
     floats = gather();
   }
 
-  /** All float arrays, for copying and clearing; the cold ones first. */
+  /** Returns all float arrays for copying and clearing, the cold ones first. */
   private float[][] gather() {
     return new float[][] {
       anchorAx,

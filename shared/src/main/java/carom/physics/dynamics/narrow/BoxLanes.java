@@ -1,8 +1,7 @@
 package carom.physics.dynamics.narrow;
 
 import carom.physics.dynamics.contact.KeptManifolds;
-import carom.physics.simd.LaneTrust;
-import carom.physics.simd.RehearsedLanes;
+import carom.physics.simd.VectorKernels;
 import carom.physics.simd.VectorModule;
 
 /**
@@ -11,7 +10,7 @@ import carom.physics.simd.VectorModule;
  *
  * <p>All work is on a scratch array: quantities one after the other, of each those of all lanes.
  */
-public abstract class BoxLanes extends RehearsedLanes {
+public abstract class BoxLanes extends VectorKernels {
   /** Number of pairs that a kernel does side by side. */
   public static final int LANES = VectorModule.LANES;
 
@@ -82,12 +81,18 @@ public abstract class BoxLanes extends RehearsedLanes {
   /** The float whose lower bits an integer from 0 to 2^23 fills when it is added. */
   public static final float INTEGER = 1 << 23;
 
-  private static final LaneTrust TRUST = new LaneTrust();
+  /**
+   * The kernel made with the Vector API, null without; see {@link VectorModule}. It stands behind
+   * the offsets, because its class reads them as it is loaded.
+   */
+  public static final BoxLanes FOUND =
+      VectorModule.find("carom.physics.dynamics.simd.VectorBoxes", BoxLanes.class);
 
-  /** Makes a kernel. */
-  public BoxLanes() {
-    super(TRUST);
-  }
+  /** Makes the kernel; it is found by name. */
+  protected BoxLanes() {}
+
+  /** Returns how long a worker's scratch array must be, {@link #APART} at both ends included. */
+  public abstract int scratchSize();
 
   /** Reads an integer in a scratch array. */
   static int integer(float[] scratch, int at) {
@@ -101,9 +106,4 @@ public abstract class BoxLanes extends RehearsedLanes {
    * @param speculative points up to this far apart count, m
    */
   public abstract void collide(float[] scratch, float speculative);
-
-  /** The kernel made with the Vector API, null without; see {@link VectorModule}. */
-  static BoxLanes find() {
-    return VectorModule.find("carom.physics.dynamics.simd.VectorBoxes", BoxLanes.class);
-  }
 }

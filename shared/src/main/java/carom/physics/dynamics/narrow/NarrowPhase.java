@@ -3,12 +3,12 @@ package carom.physics.dynamics.narrow;
 import carom.physics.collision.Collider;
 import carom.physics.collision.Manifold;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.contact.KeptManifolds;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.math.Transform;
+import carom.physics.settings.Settings;
 import java.util.Arrays;
 
 /**
@@ -41,7 +41,7 @@ public final class NarrowPhase {
   private final ShapeTable parts;
   private final ContactTable contacts;
   private final ParallelFor parallel;
-  private final BoxLanes lanes = BoxLanes.find();
+  private final BoxLanes lanes = BoxLanes.FOUND;
   private final ParallelFor.Range updating = this::update;
 
   /** Per row: whether it stays as it is. */
@@ -74,7 +74,7 @@ public final class NarrowPhase {
     private BoxRows boxes;
 
     /** How many times the kernel may be used in this step, and was. */
-    private int trusted;
+    private int granted;
 
     private int used;
 
@@ -84,7 +84,7 @@ public final class NarrowPhase {
     void begin(int kernelRuns) {
       touching = 0;
       pressed = false;
-      trusted = boxes == null ? 0 : kernelRuns;
+      granted = boxes == null ? 0 : kernelRuns;
       used = 0;
       if (boxes != null) {
         boxes.begin();
@@ -147,20 +147,15 @@ public final class NarrowPhase {
     ensureCapacity();
     int rows = contacts.count();
     int blocks = rows / BoxLanes.LANES;
-    int trusted = lanes == null || !isRestless() ? 0 : lanes.trusted(blocks, rows);
+    int granted = lanes == null || !isRestless() ? 0 : lanes.grant(blocks, rows);
     for (Scratch scratch : scratches) {
-      scratch.begin(trusted < blocks ? trusted / scratches.length : Integer.MAX_VALUE);
+      scratch.begin(granted < blocks ? granted / scratches.length : Integer.MAX_VALUE);
     }
     parallel.run(0, contacts.count(), GRAIN, updating);
     int touching = 0;
-    int used = 0;
     for (Scratch scratch : scratches) {
       scratch.end(settings.slop());
       touching += scratch.touching;
-      used += scratch.used;
-    }
-    if (used > 0) {
-      lanes.used(used);
     }
     return touching;
   }
@@ -207,7 +202,7 @@ public final class NarrowPhase {
       int before = scratch.keeping.boxMakes();
       int group = start / GROUP;
       boolean sample = start % GROUP < BLOCK;
-      boolean kernel = !sample && restless[group] && scratch.trusted > 0;
+      boolean kernel = !sample && restless[group] && scratch.granted > 0;
       int n = kernel ? handBoxes(start, end, scratch) : follow(start, end, scratch);
       sort(n, scratch);
       for (int i = 0; i < n; i++) {
@@ -233,7 +228,7 @@ public final class NarrowPhase {
       if (left[row]) {
         continue;
       }
-      if (scratch.used >= scratch.trusted || !isOfBoxes(row)) {
+      if (scratch.used >= scratch.granted || !isOfBoxes(row)) {
         scratch.rest[rest++] = row;
       } else if (scratch.boxes.add(row)) {
         updateBoxes(scratch);
@@ -258,7 +253,7 @@ public final class NarrowPhase {
 
   /** Updates the rows of boxes that are left of a worker's piece. */
   private void finishBoxes(Scratch scratch) {
-    if (scratch.used < scratch.trusted && scratch.boxes.count() >= FEW_BOXES) {
+    if (scratch.used < scratch.granted && scratch.boxes.count() >= FEW_BOXES) {
       updateBoxes(scratch);
     }
     for (int i = 0; i < scratch.boxes.count(); i++) {

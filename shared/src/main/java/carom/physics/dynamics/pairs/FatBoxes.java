@@ -2,11 +2,11 @@ package carom.physics.dynamics.pairs;
 
 import carom.physics.broadphase.index.AabbArray;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
+import carom.physics.settings.Settings;
 
 /**
  * Computes the two boxes of each part: the <b>tight</b> box at the pose of its body, with half the

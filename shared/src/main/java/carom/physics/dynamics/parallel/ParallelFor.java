@@ -19,7 +19,7 @@ public final class ParallelFor implements Workers.Task {
   private Workers workers;
   private int count = 1;
 
-  /** Whether a step is on that is worth sharing. */
+  /** Tells whether a step is on that is worth sharing. */
   private boolean sharing;
 
   // The run at hand.
@@ -32,7 +32,7 @@ public final class ParallelFor implements Workers.Task {
   @FunctionalInterface
   public interface Range {
     /**
-     * Does it.
+     * Does the stage for some elements.
      *
      * @param from first element
      * @param to behind the last
@@ -41,18 +41,18 @@ public final class ParallelFor implements Workers.Task {
     void run(int from, int to, int worker);
   }
 
-  /** Hires, or lets go with null. */
-  public void use(Workers hired) {
-    workers = hired;
-    count = hired == null ? 1 : hired.count();
+  /** Sets the threads that share the next steps, null for none. */
+  public void use(Workers threads) {
+    workers = threads;
+    count = threads == null ? 1 : threads.count();
   }
 
-  /** Threads, the caller included. */
+  /** Returns the number of threads, the caller included. */
   public int count() {
     return count;
   }
 
-  /** Has the workers ready for a step, if it is worth it. */
+  /** Announces a step to the workers, if it has enough moving bodies to be shared. */
   public void stepBegins(int bodies) {
     sharing = count > 1 && bodies >= FEWEST_BODIES;
     if (sharing) {
@@ -60,7 +60,7 @@ public final class ParallelFor implements Workers.Task {
     }
   }
 
-  /** Must be called when nothing of the step is left to share. */
+  /** Tells the workers that nothing of the step is left to share. Must follow each begin. */
   public void stepEnds() {
     if (sharing) {
       sharing = false;
@@ -68,12 +68,12 @@ public final class ParallelFor implements Workers.Task {
     }
   }
 
-  /** Whether a step is on that is shared. */
+  /** Returns whether a step is on that is shared. */
   public boolean isSharing() {
     return sharing;
   }
 
-  /** Whether a stage of some elements is shared at all. */
+  /** Returns whether a stage of some elements is shared at all. */
   public boolean shares(int size, int grain) {
     return sharing && size / grain >= FEWEST_PIECES;
   }
@@ -98,7 +98,7 @@ public final class ParallelFor implements Workers.Task {
     workers.run(pieces, this);
   }
 
-  /** Does so many pieces, large or small, where a step is shared by one worker each. */
+  /** Does a stage of a given number of pieces, each by one worker where the step is shared. */
   public void each(int number, Range stage) {
     if (!sharing || number == 1) {
       stage.run(0, number, 0);
@@ -111,9 +111,9 @@ public final class ParallelFor implements Workers.Task {
     workers.run(number, this);
   }
 
-  /** Has phases of the step done by the workers. */
-  public void divide(DomainPhases phases, int domains) {
-    phases.divide(domains, workers);
+  /** Returns the threads that share the steps, null for none. */
+  public Workers workers() {
+    return workers;
   }
 
   @Override

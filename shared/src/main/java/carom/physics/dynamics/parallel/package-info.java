@@ -1,7 +1,8 @@
 /**
- * How the threads of a world share a step, without showing in any result.
+ * Stages of a step cut into pieces that the threads of a world share, without showing in any
+ * result.
  *
- * <p>May import {@code carom.physics.threads}. Read first: {@code ParallelFor} (a stage cut into
- * pieces), {@code DomainPhases} (the solver's phases by domain).
+ * <p>May import {@code carom.physics.threads}. Read first: {@code docs/THREADS.md}. Phases by
+ * domain are in {@code dynamics.domain}.
  */
 package carom.physics.dynamics.parallel;

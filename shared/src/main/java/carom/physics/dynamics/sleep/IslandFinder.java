@@ -2,10 +2,10 @@ package carom.physics.dynamics.sleep;
 
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.pairs.PairFinder;
+import carom.physics.settings.Settings;
 
 /**
  * Finds the islands of the active bodies: dynamic bodies that hold each other by touching contacts

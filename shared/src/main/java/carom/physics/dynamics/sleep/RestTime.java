@@ -2,7 +2,7 @@ package carom.physics.dynamics.sleep;
 
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Settings;
+import carom.physics.settings.Settings;
 
 /**
  * Measures how long each active body has been at rest, in {@link BodyStore#sleepTime}, s. A

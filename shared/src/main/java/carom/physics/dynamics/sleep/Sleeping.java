@@ -2,7 +2,6 @@ package carom.physics.dynamics.sleep;
 
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.contact.SleepingContacts;
@@ -11,6 +10,7 @@ import carom.physics.dynamics.pairs.PairFinder;
 import carom.physics.dynamics.store.IntList;
 import carom.physics.dynamics.store.KeySorter;
 import carom.physics.dynamics.store.Stamp;
+import carom.physics.settings.Settings;
 
 /**
  * Decides which bodies fall asleep and wakes them, with all that belongs to them.

@@ -2,11 +2,11 @@ package carom.physics.dynamics.sleep;
 
 import carom.physics.broadphase.index.IntVisitor;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.body.ShapeTable;
 import carom.physics.dynamics.pairs.PairFinder;
 import carom.physics.dynamics.store.IntList;
 import carom.physics.math.Aabb;
+import carom.physics.settings.Settings;
 
 /** Finds the bodies that sleep within reach of a static body, which came, moved or changed. */
 final class StaticReach {

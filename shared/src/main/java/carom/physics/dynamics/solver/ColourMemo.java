@@ -2,24 +2,26 @@ package carom.physics.dynamics.solver;
 
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.domain.Domains;
 import java.util.Arrays;
 
 /**
- * What the colours of the last step followed from, to tell whether those of this step are the same:
- * rows, their numbers of points, which bodies are active, their domains, and their masses.
+ * Remembers what the colours of the last step followed from, to tell whether those of this step are
+ * the same: rows, their numbers of points, which bodies are active, their domains, and their
+ * masses.
  *
  * <p>A memo isn't state. It only says that colouring anew would give the same colours, since
  * everything that colouring reads is equal, number by number; so nothing of it is saved, hashed or
  * sent, and no bit depends on which steps came before. Comparing costs a tenth of colouring.
  */
 final class ColourMemo {
-  /** Flags with which a row isn't solved, or only looks as if; steps with any aren't remembered. */
+  /** Flags of rows that aren't solved, or only look so. Steps with any aren't remembered. */
   private static final int REFUSED = ContactTable.DORMANT | ContactTable.VETOED;
 
-  /** Where there are more bodies per row most of them sleep, and nothing of a step visits them. */
+  /** Most bodies per row of a step that is remembered. Where there are more, most of them sleep. */
   private static final int BODIES_PER_ROW = 4;
 
-  private boolean holds;
+  private boolean valid;
   private int rows;
   private int slots;
 
@@ -30,24 +32,22 @@ final class ColourMemo {
   private byte[] points = new byte[0];
   private float[] inverseMass = new float[0];
 
-  /** Whether the colours of what was {@link #note noted} are those of this step. */
+  /** Returns whether the colours of what was {@link #note noted} are those of this step. */
   boolean holds(ContactTable t, BodyStore b, int edition) {
-    holds =
-        holds
-            && this.edition == edition
-            && rows == t.count()
-            && slots == b.slots()
-            && Arrays.equals(points, 0, rows, t.points, 0, rows)
-            && plain(t)
-            && Arrays.equals(inverseMass, 0, slots, b.invMass, 0, slots)
-            && Arrays.equals(key, 0, rows, t.key, 0, rows);
-    return holds;
+    return valid
+        && this.edition == edition
+        && rows == t.count()
+        && slots == b.slots()
+        && Arrays.equals(points, 0, rows, t.points, 0, rows)
+        && plain(t)
+        && Arrays.equals(inverseMass, 0, slots, b.invMass, 0, slots)
+        && Arrays.equals(key, 0, rows, t.key, 0, rows);
   }
 
-  /** Notes what colours follow from. */
+  /** Notes what the colours of this step follow from. */
   void note(ContactTable t, BodyStore b, int edition) {
-    holds = b.slots() <= BODIES_PER_ROW * t.count() && plain(t);
-    if (!holds) {
+    valid = b.slots() <= BODIES_PER_ROW * t.count() && plain(t);
+    if (!valid) {
       return;
     }
     this.edition = edition;

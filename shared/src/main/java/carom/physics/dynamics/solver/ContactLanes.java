@@ -1,31 +1,32 @@
 package carom.physics.dynamics.solver;
 
-import carom.physics.simd.LaneTrust;
-import carom.physics.simd.RehearsedLanes;
+import carom.physics.simd.VectorKernels;
 import carom.physics.simd.VectorModule;
 
 /**
  * Kernels that solve the {@link ContactBlocks#LANES} contacts of a block side by side, bit for bit
  * as {@link ContactSolver} does one after the other.
  */
-public abstract class ContactLanes extends RehearsedLanes {
-  private static final LaneTrust TRUST = new LaneTrust();
+public abstract class ContactLanes extends VectorKernels {
+  /** The kernels made with the Vector API, null without; see {@link VectorModule}. */
+  public static final ContactLanes FOUND =
+      VectorModule.find("carom.physics.dynamics.simd.VectorContacts", ContactLanes.class);
 
-  public ContactLanes() {
-    super(TRUST);
-  }
+  /** Makes the kernels; they are found by name. */
+  protected ContactLanes() {}
+
+  /** Returns how long a worker's scratch array must be, {@link #APART} at both ends included. */
+  public abstract int scratchSize();
 
   /** Makes lever arms and masses of a full block that {@link ContactPacker} has copied together. */
-  public abstract void arms(float[] data, int at, boolean two);
+  public abstract void leverArms(float[] data, int at, boolean two);
 
-  public abstract void warm(ContactSolver solver, float[] v, float[] scratch, int block);
+  /** Applies the impulses that a block's contacts start with. */
+  public abstract void warmStart(ContactSolver solver, float[] v, float[] scratch, int block);
 
+  /** Visits a block's contacts once, with their springs. */
   public abstract void push(ContactSolver solver, float[] v, float[] scratch, int block);
 
+  /** Visits a block's contacts once, rigid. */
   public abstract void relax(ContactSolver solver, float[] v, float[] scratch, int block);
-
-  /** The kernels made with the Vector API, null without; see {@link VectorModule}. */
-  public static ContactLanes find() {
-    return VectorModule.find("carom.physics.dynamics.simd.VectorContacts", ContactLanes.class);
-  }
 }

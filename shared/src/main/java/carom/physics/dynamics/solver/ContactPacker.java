@@ -1,8 +1,6 @@
 package carom.physics.dynamics.solver;
 
-import static carom.physics.dynamics.solver.ContactBlocks.BOUNCES;
-import static carom.physics.dynamics.solver.ContactBlocks.BOUNCE_FIRST;
-import static carom.physics.dynamics.solver.ContactBlocks.BOUNCE_SECOND;
+import static carom.physics.dynamics.solver.ContactBlocks.CLOSING_ACCELERATION;
 import static carom.physics.dynamics.solver.ContactBlocks.CROSS;
 import static carom.physics.dynamics.solver.ContactBlocks.EXTRA;
 import static carom.physics.dynamics.solver.ContactBlocks.FIRST;
@@ -10,60 +8,71 @@ import static carom.physics.dynamics.solver.ContactBlocks.FRICTION;
 import static carom.physics.dynamics.solver.ContactBlocks.GAP;
 import static carom.physics.dynamics.solver.ContactBlocks.INERTIA_A;
 import static carom.physics.dynamics.solver.ContactBlocks.INERTIA_B;
+import static carom.physics.dynamics.solver.ContactBlocks.INVERSE_NORMAL_MASS;
 import static carom.physics.dynamics.solver.ContactBlocks.LANES;
 import static carom.physics.dynamics.solver.ContactBlocks.MASS_A;
 import static carom.physics.dynamics.solver.ContactBlocks.MASS_B;
 import static carom.physics.dynamics.solver.ContactBlocks.MOVING_SURFACE;
-import static carom.physics.dynamics.solver.ContactBlocks.NORMAL;
 import static carom.physics.dynamics.solver.ContactBlocks.NORMAL_ARM_A;
 import static carom.physics.dynamics.solver.ContactBlocks.NORMAL_ARM_B;
+import static carom.physics.dynamics.solver.ContactBlocks.NORMAL_IMPULSE;
 import static carom.physics.dynamics.solver.ContactBlocks.NX;
 import static carom.physics.dynamics.solver.ContactBlocks.NY;
-import static carom.physics.dynamics.solver.ContactBlocks.PULL;
+import static carom.physics.dynamics.solver.ContactBlocks.RADIUS_A;
+import static carom.physics.dynamics.solver.ContactBlocks.RADIUS_B;
 import static carom.physics.dynamics.solver.ContactBlocks.RECORD;
+import static carom.physics.dynamics.solver.ContactBlocks.RESTITUTION;
+import static carom.physics.dynamics.solver.ContactBlocks.RESTITUTION_FIRST;
+import static carom.physics.dynamics.solver.ContactBlocks.RESTITUTION_SECOND;
 import static carom.physics.dynamics.solver.ContactBlocks.ROLL;
 import static carom.physics.dynamics.solver.ContactBlocks.ROLLING;
 import static carom.physics.dynamics.solver.ContactBlocks.ROLLS;
 import static carom.physics.dynamics.solver.ContactBlocks.ROLL_MASS;
-import static carom.physics.dynamics.solver.ContactBlocks.ROUND;
-import static carom.physics.dynamics.solver.ContactBlocks.ROUND_A;
-import static carom.physics.dynamics.solver.ContactBlocks.ROUND_B;
+import static carom.physics.dynamics.solver.ContactBlocks.ROUNDED;
 import static carom.physics.dynamics.solver.ContactBlocks.SECOND;
 import static carom.physics.dynamics.solver.ContactBlocks.SEPARATION;
-import static carom.physics.dynamics.solver.ContactBlocks.SLIDE;
 import static carom.physics.dynamics.solver.ContactBlocks.SURFACE;
-import static carom.physics.dynamics.solver.ContactBlocks.TANGENT;
 import static carom.physics.dynamics.solver.ContactBlocks.TANGENT_ARM_A;
 import static carom.physics.dynamics.solver.ContactBlocks.TANGENT_ARM_B;
+import static carom.physics.dynamics.solver.ContactBlocks.TANGENT_IMPULSE;
 import static carom.physics.dynamics.solver.ContactBlocks.TANGENT_MASS;
-import static carom.physics.dynamics.solver.ContactBlocks.TOTAL;
+import static carom.physics.dynamics.solver.ContactBlocks.TOTAL_NORMAL;
+import static carom.physics.dynamics.solver.ContactBlocks.TOTAL_TANGENT;
 import static carom.physics.dynamics.solver.ContactBlocks.TWO;
 import static carom.physics.dynamics.solver.ContactBlocks.WIDE;
-import static carom.physics.dynamics.solver.ContactBlocks.YIELD;
 import static carom.physics.dynamics.solver.SolverBodies.STRIDE;
 
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.contact.ContactKey;
 import carom.physics.dynamics.contact.ContactTable;
-import carom.physics.dynamics.parallel.DomainPhases;
+import carom.physics.dynamics.domain.DomainPhases;
+import carom.physics.settings.Settings;
 
 /**
  * Carries contacts between the {@link ContactTable} and the blocks of the solver: what they are
  * when a step begins, and the impulses when it ends.
  */
 public final class ContactPacker {
-  /** Two points yield that much more, so that points in one place share the load. */
-  public static final float SHARE = 1 + 1 / 1024f;
+  /**
+   * Factor of both diagonal entries of a pair of points, so that its matrix is never singular:
+   * points in one place share the load.
+   */
+  public static final float DIAGONAL_SCALE = 1 + 1 / 1024f;
 
-  /** Where a point relative to A stands until arms are made of it, and, of the first, B's place. */
+  /** Place of a point relative to A, x, until lever arms are made of it. */
   public static final int ARM_X = NORMAL_ARM_A;
 
+  /** Place of a point relative to A, y. */
   public static final int ARM_Y = NORMAL_ARM_B;
-  public static final int APART_X = TANGENT_ARM_A;
-  public static final int APART_Y = TANGENT_ARM_B;
+
+  /** Position of B relative to A, x, in the record of the first point until then. */
+  public static final int OFFSET_X = TANGENT_ARM_A;
+
+  /** Position of B relative to A, y. */
+  public static final int OFFSET_Y = TANGENT_ARM_B;
 
   private final ContactBlocks blocks;
+  private final ScalarContacts scalar;
   private final ContactLanes lanes;
 
   // The stages, made once so that a step allocates nothing.
@@ -83,14 +92,15 @@ public final class ContactPacker {
    *
    * @param lanes kernels for whole blocks, null for none
    */
-  ContactPacker(ContactBlocks blocks, ContactLanes lanes) {
+  ContactPacker(ContactBlocks blocks, ScalarContacts scalar, ContactLanes lanes) {
     this.blocks = blocks;
+    this.scalar = scalar;
     this.lanes = lanes;
     packing = blocks.phase((from, to, worker) -> packBlocks(from, to));
     storing = blocks.phase((from, to, worker) -> storeBlocks(from, to));
   }
 
-  /** Says what the step is about. */
+  /** Begins a step. */
   void begin(
       ContactTable contacts,
       BodyStore bodyStore,
@@ -105,14 +115,14 @@ public final class ContactPacker {
     h = substep;
   }
 
-  /** Adds: the blocks, which are laid out, are filled. */
+  /** Adds the phase that fills the blocks. */
   void pack(DomainPhases phases) {
     blocks.addAll(phases, packing);
   }
 
   /**
-   * A block is copied together, lane by lane, before the one before it is worked out: vectors of
-   * what was just written number by number would have to wait for it.
+   * Fills blocks. Each block is copied together, lane by lane, before the one before it is
+   * finished: vectors of numbers that were just written one by one would have to wait for them.
    */
   private void packBlocks(int from, int to) {
     for (int block = from; block < to; block++) {
@@ -120,30 +130,30 @@ public final class ContactPacker {
         packContact(block, i);
       }
       if (block > from) {
-        workOut(block - 1);
+        finishBlock(block - 1);
       }
     }
     if (to > from) {
-      workOut(to - 1);
+      finishBlock(to - 1);
     }
   }
 
-  /** Makes lever arms and masses of what was copied; then bounces, which need them. */
-  private void workOut(int block) {
+  /** Makes lever arms and masses of what was copied, then restitution, which needs them. */
+  private void finishBlock(int block) {
     int used = blocks.used[block];
     boolean two = (blocks.traits[block] & TWO) != 0;
     if (used == LANES && (blocks.traits[block] & WIDE) != 0) {
-      lanes.arms(blocks.data, block * RECORD, two);
+      lanes.leverArms(blocks.data, block * RECORD, two);
     } else {
       for (int i = 0; i < used; i++) {
-        arms(block * RECORD + i, two);
+        leverArms(block * RECORD + i, two);
       }
     }
     for (int i = 0; i < used; i++) {
       int mixed = blocks.row[block * LANES + i] * ContactTable.MATERIAL;
       float restitution = table.material[mixed + ContactTable.RESTITUTION];
       if (restitution > 0) {
-        packBounce(block, i, restitution);
+        packRestitution(block, i, restitution);
       }
     }
   }
@@ -174,29 +184,29 @@ public final class ContactPacker {
     d[at + INERTIA_B] = b.invInertia[o];
     d[at + FIRST + ARM_X] = c[from + ContactTable.X0];
     d[at + FIRST + ARM_Y] = c[from + ContactTable.Y0];
-    d[at + FIRST + APART_X] = b.x[o] - b.x[a];
-    d[at + FIRST + APART_Y] = b.y[o] - b.y[a];
+    d[at + FIRST + OFFSET_X] = b.x[o] - b.x[a];
+    d[at + FIRST + OFFSET_Y] = b.y[o] - b.y[a];
     d[at + FIRST + SEPARATION] = c[from + ContactTable.GAP0];
-    d[at + FIRST + NORMAL] = c[from + ContactTable.NORMAL0];
-    d[at + FIRST + TANGENT] = c[from + ContactTable.TANGENT0];
+    d[at + FIRST + NORMAL_IMPULSE] = c[from + ContactTable.NORMAL0];
+    d[at + FIRST + TANGENT_IMPULSE] = c[from + ContactTable.TANGENT0];
     if ((blocks.traits[block] & TWO) != 0) {
       d[at + SECOND + ARM_X] = c[from + ContactTable.X1];
       d[at + SECOND + ARM_Y] = c[from + ContactTable.Y1];
       d[at + SECOND + SEPARATION] = c[from + ContactTable.GAP1];
-      d[at + SECOND + NORMAL] = c[from + ContactTable.NORMAL1];
-      d[at + SECOND + TANGENT] = c[from + ContactTable.TANGENT1];
+      d[at + SECOND + NORMAL_IMPULSE] = c[from + ContactTable.NORMAL1];
+      d[at + SECOND + TANGENT_IMPULSE] = c[from + ContactTable.TANGENT1];
     }
     if (m[mixed + ContactTable.SURFACE] != 0) {
-      blocks.has(block, MOVING_SURFACE, SURFACE, ROUND_A);
+      blocks.addTrait(block, MOVING_SURFACE, SURFACE, RADIUS_A);
       blocks.extra[block * EXTRA + i + SURFACE] = m[mixed + ContactTable.SURFACE];
     }
     if (m[mixed + ContactTable.ROUND_A] != 0 || m[mixed + ContactTable.ROUND_B] != 0) {
-      blocks.has(block, ROUND, ROUND_A, ROLLING);
-      blocks.extra[block * EXTRA + i + ROUND_A] = m[mixed + ContactTable.ROUND_A];
-      blocks.extra[block * EXTRA + i + ROUND_B] = m[mixed + ContactTable.ROUND_B];
+      blocks.addTrait(block, ROUNDED, RADIUS_A, ROLLING);
+      blocks.extra[block * EXTRA + i + RADIUS_A] = m[mixed + ContactTable.ROUND_A];
+      blocks.extra[block * EXTRA + i + RADIUS_B] = m[mixed + ContactTable.ROUND_B];
     }
     if (m[mixed + ContactTable.ROLLING] > 0) {
-      blocks.has(block, ROLLS, ROLLING, PULL);
+      blocks.addTrait(block, ROLLS, ROLLING, CLOSING_ACCELERATION);
       float turning = b.invInertia[a] + b.invInertia[o];
       blocks.extra[block * EXTRA + i + ROLLING] = m[mixed + ContactTable.ROLLING];
       blocks.extra[block * EXTRA + i + ROLL_MASS] = turning > 0 ? 1 / turning : 0;
@@ -205,20 +215,20 @@ public final class ContactPacker {
     }
   }
 
-  private void arms(int at, boolean two) {
+  private void leverArms(int at, boolean two) {
     float[] d = blocks.data;
-    float gapX = d[at + FIRST + APART_X];
-    float gapY = d[at + FIRST + APART_Y];
-    arms(at, at + FIRST, gapX, gapY);
+    float gapX = d[at + FIRST + OFFSET_X];
+    float gapY = d[at + FIRST + OFFSET_Y];
+    leverArms(at, at + FIRST, gapX, gapY);
     if (two) {
-      arms(at, at + SECOND, gapX, gapY);
+      leverArms(at, at + SECOND, gapX, gapY);
       d[at + CROSS] = cross(at);
-      d[at + FIRST + YIELD] *= SHARE;
-      d[at + SECOND + YIELD] *= SHARE;
+      d[at + FIRST + INVERSE_NORMAL_MASS] *= DIAGONAL_SCALE;
+      d[at + SECOND + INVERSE_NORMAL_MASS] *= DIAGONAL_SCALE;
     }
   }
 
-  private void arms(int at, int p, float gapX, float gapY) {
+  private void leverArms(int at, int p, float gapX, float gapY) {
     float[] d = blocks.data;
     float x = d[p + ARM_X];
     float y = d[p + ARM_Y];
@@ -239,10 +249,11 @@ public final class ContactPacker {
     d[p + TANGENT_ARM_A] = tangentA;
     d[p + TANGENT_ARM_B] = tangentB;
     d[p + GAP] = d[p + SEPARATION];
-    d[p + YIELD] = masses + inertiaA * normalA * normalA + inertiaB * normalB * normalB;
+    d[p + INVERSE_NORMAL_MASS] =
+        masses + inertiaA * normalA * normalA + inertiaB * normalB * normalB;
     d[p + TANGENT_MASS] = kt > 0 ? 1 / kt : 0;
-    d[p + TOTAL] = 0;
-    d[p + SLIDE] = 0;
+    d[p + TOTAL_NORMAL] = 0;
+    d[p + TOTAL_TANGENT] = 0;
   }
 
   private float cross(int at) {
@@ -255,43 +266,43 @@ public final class ContactPacker {
     return masses + d[at + INERTIA_A] * turnA + d[at + INERTIA_B] * turnB;
   }
 
-  private void packBounce(int block, int i, float restitution) {
+  private void packRestitution(int block, int i, float restitution) {
     int at = block * RECORD + i;
     int lane = block * LANES + i;
     int slotA = blocks.bodyA[lane] / STRIDE;
     int slotB = blocks.bodyB[lane] / STRIDE;
-    float pull =
+    float acceleration =
         (bodies.ax(slotA) - bodies.ax(slotB)) * blocks.data[at + NX]
             + (bodies.ay(slotA) - bodies.ay(slotB)) * blocks.data[at + NY];
-    float first = restitution * approach(lane, FIRST, pull);
+    float first = restitution * approach(lane, FIRST, acceleration);
     float second =
-        (blocks.traits[block] & TWO) == 0 ? 0 : restitution * approach(lane, SECOND, pull);
+        (blocks.traits[block] & TWO) == 0 ? 0 : restitution * approach(lane, SECOND, acceleration);
     if (first != 0 || second != 0) {
-      blocks.has(block, BOUNCES, PULL, EXTRA);
-      blocks.extra[block * EXTRA + i + PULL] = pull;
-      blocks.extra[block * EXTRA + i + BOUNCE_FIRST] = first;
-      blocks.extra[block * EXTRA + i + BOUNCE_SECOND] = second;
+      blocks.addTrait(block, RESTITUTION, CLOSING_ACCELERATION, EXTRA);
+      blocks.extra[block * EXTRA + i + CLOSING_ACCELERATION] = acceleration;
+      blocks.extra[block * EXTRA + i + RESTITUTION_FIRST] = first;
+      blocks.extra[block * EXTRA + i + RESTITUTION_SECOND] = second;
     }
   }
 
   /**
-   * Speed with which the surfaces will meet at a point, m/s: that of now, plus what the relative
-   * acceleration a adds over the gap, v^2 = v0^2 + 2 a s; 0 below the threshold. In symplectic
-   * Euler a velocity is that of half a substep ago, hence a h / 2 is added here and again after the
-   * bounce. Without these terms a perfectly elastic ball would lose 2 % of its height with every
-   * bounce.
+   * Returns the speed with which the surfaces will meet at a point, m/s: that of now, plus what the
+   * relative acceleration a adds over the gap, v^2 = v0^2 + 2 a s; 0 below the threshold. In
+   * symplectic Euler a velocity is that of half a substep ago, hence a h / 2 is added here and
+   * again after the bounce. Without these terms a perfectly elastic ball would lose 2 % of its
+   * height with every bounce.
    */
-  private float approach(int lane, int point, float pull) {
+  private float approach(int lane, int point, float acceleration) {
     int at = lane / LANES * RECORD + lane % LANES;
-    float closing = 0.5f * h * pull - blocks.normalSpeed(lane, point);
+    float closing = 0.5f * h * acceleration - scalar.normalSpeed(lane, point);
     if (!(closing > settings.restitutionThreshold())) {
       return 0;
     }
-    float square = closing * closing + 2 * pull * blocks.data[at + point + SEPARATION];
+    float square = closing * closing + 2 * acceleration * blocks.data[at + point + SEPARATION];
     return square > 0 ? (float) Math.sqrt(square) : 0;
   }
 
-  /** Adds: the impulses are handed back to the table, but for those that overflowed. */
+  /** Adds the phase that hands the impulses back to the table, but for those that overflowed. */
   void store(DomainPhases phases) {
     blocks.addAll(phases, storing);
   }
@@ -305,17 +316,17 @@ public final class ContactPacker {
         int at = block * RECORD + i;
         int r = blocks.row[block * LANES + i];
         int into = r * ContactTable.CONTACT;
-        float load = d[at + FIRST + NORMAL];
+        float load = d[at + FIRST + NORMAL_IMPULSE];
         c[into + ContactTable.NORMAL0] = load;
-        c[into + ContactTable.TANGENT0] = d[at + FIRST + TANGENT];
-        c[into + ContactTable.TOTAL0] = d[at + FIRST + TOTAL];
-        c[into + ContactTable.SLIDE0] = d[at + FIRST + SLIDE];
+        c[into + ContactTable.TANGENT0] = d[at + FIRST + TANGENT_IMPULSE];
+        c[into + ContactTable.TOTAL0] = d[at + FIRST + TOTAL_NORMAL];
+        c[into + ContactTable.SLIDE0] = d[at + FIRST + TOTAL_TANGENT];
         if ((blocks.traits[block] & TWO) != 0) {
-          c[into + ContactTable.NORMAL1] = d[at + SECOND + NORMAL];
-          c[into + ContactTable.TANGENT1] = d[at + SECOND + TANGENT];
-          c[into + ContactTable.TOTAL1] = d[at + SECOND + TOTAL];
-          c[into + ContactTable.SLIDE1] = d[at + SECOND + SLIDE];
-          load += d[at + SECOND + NORMAL];
+          c[into + ContactTable.NORMAL1] = d[at + SECOND + NORMAL_IMPULSE];
+          c[into + ContactTable.TANGENT1] = d[at + SECOND + TANGENT_IMPULSE];
+          c[into + ContactTable.TOTAL1] = d[at + SECOND + TOTAL_NORMAL];
+          c[into + ContactTable.SLIDE1] = d[at + SECOND + TOTAL_TANGENT];
+          load += d[at + SECOND + NORMAL_IMPULSE];
         }
         if ((blocks.traits[block] & ROLLS) != 0) {
           t.roll[r] = blocks.extra[block * EXTRA + i + ROLL];

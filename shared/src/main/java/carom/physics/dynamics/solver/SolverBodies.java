@@ -2,70 +2,102 @@ package carom.physics.dynamics.solver;
 
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.domain.DomainPhases;
+import carom.physics.dynamics.domain.Domains;
+import carom.physics.dynamics.domain.SolverSlots;
 import carom.physics.dynamics.pairs.PairFinder;
-import carom.physics.dynamics.parallel.DomainPhases;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.math.Limits;
+import carom.physics.settings.Settings;
 import java.util.Arrays;
 
 /**
- * What the solver touches of each moving body, packed to 32 bytes: velocity, and how far the body
- * has moved and turned since the step began.
+ * The moving bodies as the solver sees them: velocity, and how far a body has moved and turned
+ * since the step began, packed to 32 bytes.
+ *
+ * <pre>
+ *   state   | slot 0: static, zero  | unused | slot s                      | ...
+ *                                            | VX VY W  DX DY  COS SIN  -  |   floats
+ *                                             velocity  moved  turned
+ * </pre>
  *
  * <p>Slot 0 is the one static body of all constraints: without mass and at rest, it absorbs
  * whatever is added to it (which is zero). Moving bodies follow, see {@link SolverSlots}. Positions
  * are differences, so the solver works with small numbers wherever in the world it is.
  */
 public final class SolverBodies {
-  /** Floats per slot, and their order. */
+  /** Floats per slot. */
   public static final int STRIDE = 8;
 
+  /** Velocity, x, m/s. */
   public static final int VX = 0;
+
+  /** Velocity, y, m/s. */
   public static final int VY = 1;
+
+  /** Angular velocity, rad/s. */
   public static final int W = 2;
+
+  /** Distance moved since the step began, x, m. */
   public static final int DX = 3;
+
+  /** Distance moved since the step began, y, m. */
   public static final int DY = 4;
+
+  /** Cosine of the turn since the step began. */
   public static final int COS = 5;
+
+  /** Sine of that turn. */
   public static final int SIN = 6;
 
-  /** Furthest a body gets in a substep, m; a net under overflow, far above any sane speed. */
-  private static final float FURTHEST = 1e6f;
+  /** Most distance of a body in a substep, m: a net under overflow, far above any sane speed. */
+  private static final float MAX_TRANSLATION = 1e6f;
 
-  /** Furthest a body turns in a substep, rad; the series for the rotation is good up to here. */
-  private static final float MOST_TURN = 2;
+  /** Most turn of a body in a substep, rad; the series for the rotation is good up to here. */
+  private static final float MAX_ROTATION = 2;
 
+  /** Quantities of all slots. */
   public float[] state = new float[0];
 
   /**
-   * Velocities without what contacts did in this substep, {@value #PLAIN} floats per slot. What
-   * they did is what the next substep starts with: their impulses times the lever arms, which stay
-   * the same for a whole step, are known in sum, so nobody has to visit the contacts again.
+   * Velocities without the changes by contacts in this substep, {@link #VELOCITY} floats per slot.
+   * The next substep starts warm with these changes: they are the sum of the contacts' impulses
+   * times their lever arms, which stay the same for a whole step. So no contact has to be visited
+   * again.
    */
-  private float[] plain = new float[0];
+  private float[] withoutContacts = new float[0];
 
-  private static final int PLAIN = 4;
+  /** Floats per slot of arrays of velocities. */
+  private static final int VELOCITY = 4;
 
   /** Velocities before joints were solved, in the same places. */
-  private float[] marked = new float[0];
+  private float[] beforeJoints = new float[0];
 
-  /** Acceleration by gravity and forces, and the factor that damping leaves, per slot. */
+  /** Acceleration by gravity and forces, x, per slot, m/s^2. */
   private float[] ax = new float[0];
 
+  /** Acceleration by gravity and forces, y, per slot, m/s^2. */
   private float[] ay = new float[0];
-  private float[] aw = new float[0];
-  private float[] keep = new float[0];
-  private float[] keepW = new float[0];
 
-  /**
-   * Explicit Euler only, in the places of {@link #state}: velocity before and after a substep's
-   * acceleration, and after its constraints.
-   */
+  /** Angular acceleration by torques, per slot, rad/s^2. */
+  private float[] aw = new float[0];
+
+  /** Factor that damping leaves of the velocity, per slot. */
+  private float[] linearFactor = new float[0];
+
+  /** Factor that damping leaves of the angular velocity, per slot. */
+  private float[] angularFactor = new float[0];
+
+  /** Explicit Euler only: velocities before a substep's acceleration, as in {@link #state}. */
   private float[] before = new float[0];
 
+  /** Explicit Euler only: velocities after a substep's acceleration. */
   private float[] free = new float[0];
+
+  /** Explicit Euler only: velocities after a substep's constraints. */
   private float[] solved = new float[0];
+
   private boolean explicit;
 
   private int count;
@@ -92,14 +124,15 @@ public final class SolverBodies {
       (given, d, border, worker) -> move(from(d, border), to(d, border));
   private final DomainPhases.Phase storing =
       (given, d, border, worker) -> store(from(d, border), to(d, border), d % 2 != 0);
-  private final ParallelFor.Range marking = (from, to, worker) -> mark(from, to);
-  private final ParallelFor.Range excepting = (from, to, worker) -> except(from, to);
+  private final ParallelFor.Range remembering = (from, to, worker) -> rememberVelocities(from, to);
+  private final ParallelFor.Range addingJointChanges =
+      (from, to, worker) -> addJointChanges(from, to);
 
   /**
    * Makes it empty.
    *
-   * @param active whom it is of
-   * @param pairs tells who is near whom; null where no step is shared
+   * @param active the bodies
+   * @param pairs tells which bodies are near each other; null where no step is shared
    * @param parallel does the stages that joints need
    */
   public SolverBodies(ActiveBodies active, PairFinder pairs, ParallelFor parallel) {
@@ -109,22 +142,22 @@ public final class SolverBodies {
     slots = new SolverSlots(active, domains);
   }
 
-  /** The slot of a body, 0 if it doesn't move. */
+  /** Returns the slot of a body, 0 if it doesn't move. */
   public int slot(int body) {
     return slots.slotOf[body];
   }
 
-  /** Per body: its slot, 0 if it doesn't move; until the next step. */
+  /** Returns the slot of each body, 0 if it doesn't move. Holds until the next step. */
   public int[] slotOf() {
     return slots.slotOf;
   }
 
-  /** Slots there are, the static one and unused ones included. */
+  /** Returns how many slots there are, the static one and unused ones included. */
   public int count() {
     return count;
   }
 
-  /** Offset in {@link #state} of what a domain may write to where there is no body: it is zero. */
+  /** Returns the offset in {@link #state} of a domain's idle slot, which is zero. */
   int idle(int domain) {
     return slots.idle(domain) * STRIDE;
   }
@@ -145,7 +178,7 @@ public final class SolverBodies {
     return ay[slot];
   }
 
-  /** A step begins: finds domains. Contacts are laid next, which {@link #assignSlots}. */
+  /** Begins a step, and finds its domains. {@link ContactBlocks#build} comes next. */
   public void begin(BodyStore b, Settings s, float substep, ContactTable contacts) {
     bodies = b;
     settings = s;
@@ -154,28 +187,28 @@ public final class SolverBodies {
     domains.find(parallel.isSharing() ? parallel.count() : 1, contacts);
   }
 
-  /** Gives active bodies their slots, when it is known who is at the border of a domain. */
+  /** Gives active bodies their slots. Those at the border of a domain must be known by now. */
   void assignSlots() {
     slots.assign();
     count = slots.count();
     if (ax.length < count) {
       int capacity = Math.max(count, ax.length * 2);
       state = new float[capacity * STRIDE];
-      plain = new float[capacity * PLAIN];
+      withoutContacts = new float[capacity * VELOCITY];
       ax = new float[capacity];
       ay = new float[capacity];
       aw = new float[capacity];
-      keep = new float[capacity];
-      keepW = new float[capacity];
+      linearFactor = new float[capacity];
+      angularFactor = new float[capacity];
     }
-    rest(0);
+    resetSlot(0);
     for (int domain = 0; domain < domains.count(); domain++) {
-      rest(slots.idle(domain));
+      resetSlot(slots.idle(domain));
     }
   }
 
-  /** Has a slot stay where it is. */
-  private void rest(int slot) {
+  /** Sets a slot to rest. */
+  private void resetSlot(int slot) {
     Arrays.fill(state, slot * STRIDE, (slot + 1) * STRIDE, 0);
     state[slot * STRIDE + COS] = 1;
     ax[slot] = 0;
@@ -183,7 +216,7 @@ public final class SolverBodies {
     aw[slot] = 0;
   }
 
-  /** Adds: the moving bodies are loaded, speeds above the limits cut; their forces are used up. */
+  /** Adds the phase that loads the moving bodies, cuts speeds to the limits and uses up forces. */
   public void load(DomainPhases phases) {
     phases.add(loading, 0);
   }
@@ -210,25 +243,25 @@ public final class SolverBodies {
         ax[i] = b.gravityScale[body] * s.gravityX() + b.invMass[body] * b.forceX[body];
         ay[i] = b.gravityScale[body] * s.gravityY() + b.invMass[body] * b.forceY[body];
         aw[i] = b.invInertia[body] * b.torque[body];
-        keep[i] = 1 / (1 + h * b.linearDamping[body]);
-        keepW[i] = 1 / (1 + h * b.angularDamping[body]);
+        linearFactor[i] = 1 / (1 + h * b.linearDamping[body]);
+        angularFactor[i] = 1 / (1 + h * b.angularDamping[body]);
         b.useForces(body);
       } else {
         ax[i] = 0;
         ay[i] = 0;
         aw[i] = 0;
-        keep[i] = 1;
-        keepW[i] = 1;
+        linearFactor[i] = 1;
+        angularFactor[i] = 1;
       }
     }
   }
 
   /**
-   * Adds the first half of symplectic Euler: v += h a. Damping is implicit, v / (1 + h c), hence
-   * stable for any rate. Speeds above the limits are cut; what isn't a number becomes zero, so that
-   * one broken body stays one.
+   * Adds the phase of the first half of symplectic Euler: v += h a. Damping is implicit, v / (1 + h
+   * c), hence stable for any rate. Speeds above the limits are cut; what isn't a number becomes
+   * zero, so that one broken body stays one.
    *
-   * @param warm whether bodies also get what contacts did to them in the last substep
+   * @param warm whether the contacts' impulses of the last substep are applied, too
    */
   public void integrateVelocities(DomainPhases phases, boolean warm) {
     if (!explicit) {
@@ -248,64 +281,68 @@ public final class SolverBodies {
 
   private void accelerate(int from, int to, boolean warm) {
     float[] s = state;
-    float[] p = plain;
+    float[] p = withoutContacts;
     float maxSpeed = settings.maxSpeed();
-    float maxSpin = settings.maxAngularSpeed();
+    float maxAngularSpeed = settings.maxAngularSpeed();
     for (int i = from; i < to; i++) {
       int at = i * STRIDE;
-      int q = i * PLAIN;
+      int q = i * VELOCITY;
       float vx = s[at + VX];
       float vy = s[at + VY];
       float w = s[at + W];
-      float gotX = vx - p[q + VX];
-      float gotY = vy - p[q + VY];
-      float gotW = w - p[q + W];
-      s[at + VX] = (vx + h * ax[i]) * keep[i];
-      s[at + VY] = (vy + h * ay[i]) * keep[i];
-      s[at + W] = (w + h * aw[i]) * keepW[i];
-      limit(s, at, maxSpeed, maxSpin);
+      float byContactsX = vx - p[q + VX];
+      float byContactsY = vy - p[q + VY];
+      float byContactsW = w - p[q + W];
+      s[at + VX] = (vx + h * ax[i]) * linearFactor[i];
+      s[at + VY] = (vy + h * ay[i]) * linearFactor[i];
+      s[at + W] = (w + h * aw[i]) * angularFactor[i];
+      limit(s, at, maxSpeed, maxAngularSpeed);
       p[q + VX] = s[at + VX];
       p[q + VY] = s[at + VY];
       p[q + W] = s[at + W];
-      if (warm && Math.abs(gotX) + Math.abs(gotY) + Math.abs(gotW) <= Float.MAX_VALUE) {
-        s[at + VX] += gotX;
-        s[at + VY] += gotY;
-        s[at + W] += gotW;
+      if (warm
+          && Math.abs(byContactsX) + Math.abs(byContactsY) + Math.abs(byContactsW)
+              <= Float.MAX_VALUE) {
+        s[at + VX] += byContactsX;
+        s[at + VY] += byContactsY;
+        s[at + W] += byContactsW;
       }
     }
   }
 
-  /** Remembers velocities, before something other than contacts changes them. */
-  public void mark() {
-    if (marked.length < plain.length) {
-      marked = new float[plain.length];
+  /** Remembers velocities, because joints are going to change them. */
+  public void beforeJoints() {
+    if (beforeJoints.length < withoutContacts.length) {
+      beforeJoints = new float[withoutContacts.length];
     }
-    parallel.run(1, count, GRAIN, marking);
+    parallel.run(1, count, GRAIN, remembering);
   }
 
-  private void mark(int from, int to) {
+  private void rememberVelocities(int from, int to) {
     for (int i = from; i < to; i++) {
-      marked[i * PLAIN + VX] = state[i * STRIDE + VX];
-      marked[i * PLAIN + VY] = state[i * STRIDE + VY];
-      marked[i * PLAIN + W] = state[i * STRIDE + W];
+      beforeJoints[i * VELOCITY + VX] = state[i * STRIDE + VX];
+      beforeJoints[i * VELOCITY + VY] = state[i * STRIDE + VY];
+      beforeJoints[i * VELOCITY + W] = state[i * STRIDE + W];
     }
   }
 
-  /** Takes note that the changes since {@link #mark} weren't made by contacts. */
-  public void except() {
-    parallel.run(1, count, GRAIN, excepting);
+  /** Counts the changes since {@link #beforeJoints} as not made by contacts. */
+  public void afterJoints() {
+    parallel.run(1, count, GRAIN, addingJointChanges);
   }
 
-  private void except(int from, int to) {
+  private void addJointChanges(int from, int to) {
     for (int i = from; i < to; i++) {
-      plain[i * PLAIN + VX] += state[i * STRIDE + VX] - marked[i * PLAIN + VX];
-      plain[i * PLAIN + VY] += state[i * STRIDE + VY] - marked[i * PLAIN + VY];
-      plain[i * PLAIN + W] += state[i * STRIDE + W] - marked[i * PLAIN + W];
+      withoutContacts[i * VELOCITY + VX] +=
+          state[i * STRIDE + VX] - beforeJoints[i * VELOCITY + VX];
+      withoutContacts[i * VELOCITY + VY] +=
+          state[i * STRIDE + VY] - beforeJoints[i * VELOCITY + VY];
+      withoutContacts[i * VELOCITY + W] += state[i * STRIDE + W] - beforeJoints[i * VELOCITY + W];
     }
   }
 
   /**
-   * Adds the second half: bodies move.
+   * Adds the phase of the second half: bodies move.
    *
    * <p>Explicit Euler: with the velocity from before they were accelerated, {@code v}, and what
    * constraints changed since. Constraints so act on positions at once; else what overlaps would
@@ -336,7 +373,7 @@ public final class SolverBodies {
     return Math.abs(value) <= Float.MAX_VALUE ? value : 0;
   }
 
-  private static void limit(float[] s, int at, float maxSpeed, float maxSpin) {
+  private static void limit(float[] s, int at, float maxSpeed, float maxAngularSpeed) {
     float vx = s[at + VX];
     float vy = s[at + VY];
     float w = s[at + W];
@@ -346,14 +383,15 @@ public final class SolverBodies {
       s[at + VX] = cut > 0 ? vx * cut : 0;
       s[at + VY] = cut > 0 ? vy * cut : 0;
     }
-    if (!(Math.abs(w) <= maxSpin)) {
-      s[at + W] = w > 0 ? maxSpin : w < 0 ? -maxSpin : 0;
+    if (!(Math.abs(w) <= maxAngularSpeed)) {
+      s[at + W] = w > 0 ? maxAngularSpeed : w < 0 ? -maxAngularSpeed : 0;
     }
   }
 
   /**
-   * Second half: x += h v, and the rotation by the angle a = h w: (cos, sin) to the fourth order,
-   * then normalised; the error of the angle is below a^5 / 120, and no trigonometry is needed.
+   * Does the second half: x += h v, and the rotation by the angle a = h w: (cos, sin) to the fourth
+   * order, then normalised; the error of the angle is below a^5 / 120, and no trigonometry is
+   * needed.
    *
    * <p>Constraints that were torn far apart may ask for any speed here; what is absurd or not a
    * number is cut, so that it never gets into a pose.
@@ -364,20 +402,20 @@ public final class SolverBodies {
       int at = i * STRIDE;
       float moveX = h * s[at + VX];
       float moveY = h * s[at + VY];
-      if (!(Math.abs(moveX) + Math.abs(moveY) <= FURTHEST)) {
+      if (!(Math.abs(moveX) + Math.abs(moveY) <= MAX_TRANSLATION)) {
         moveX = 0;
         moveY = 0;
-        plain[i * PLAIN + VX] -= s[at + VX];
-        plain[i * PLAIN + VY] -= s[at + VY];
+        withoutContacts[i * VELOCITY + VX] -= s[at + VX];
+        withoutContacts[i * VELOCITY + VY] -= s[at + VY];
         s[at + VX] = 0;
         s[at + VY] = 0;
       }
       s[at + DX] += moveX;
       s[at + DY] += moveY;
       float a = h * s[at + W];
-      if (!(Math.abs(a) <= MOST_TURN)) {
-        a = a > 0 ? MOST_TURN : a < 0 ? -MOST_TURN : 0;
-        plain[i * PLAIN + W] += a / h - s[at + W];
+      if (!(Math.abs(a) <= MAX_ROTATION)) {
+        a = a > 0 ? MAX_ROTATION : a < 0 ? -MAX_ROTATION : 0;
+        withoutContacts[i * VELOCITY + W] += a / h - s[at + W];
         s[at + W] = a / h;
       }
       if (a != 0) {
@@ -396,16 +434,16 @@ public final class SolverBodies {
   }
 
   /**
-   * Adds: velocities, speeds above the limits cut, and poses are written back. A body at the edge
-   * of the world stops there.
+   * Adds the phase that writes velocities, cut to the limits, and poses back. A body at the edge of
+   * the world stops there.
    */
   public void store(DomainPhases phases) {
     phases.add(storing, 0);
   }
 
   /**
-   * Every other domain goes backwards: where domains have mixed, all their threads write to the
-   * same lines of memory, and are to do so at different times.
+   * Writes bodies back. Every other domain goes backwards, because threads of domains that have
+   * mixed write to the same lines of memory and should do so at different times.
    */
   private void store(int from, int to, boolean backwards) {
     for (int i = from; i < to && !backwards; i++) {

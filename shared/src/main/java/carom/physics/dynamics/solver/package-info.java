@@ -1,9 +1,9 @@
 /**
- * The contact solver: soft contacts with substeps, coloured into blocks that are solved side by
- * side.
+ * Contacts as constraints: coloured, packed, solved in lanes and by domains.
  *
- * <p>May import {@code dynamics.body}, {@code contact}, {@code pairs} and {@code parallel}. Read
- * first: {@code ContactSolver} (the model and its derivation), {@code ContactBlocks} (the layout),
- * {@code SolverBodies}.
+ * <p>May import {@code carom.physics.simd} and {@code dynamics.body}, {@code contact}, {@code
+ * pairs}, {@code domain} and {@code parallel}. Read first: {@code ContactSolver} (what is solved),
+ * {@code ContactColours} and {@code ContactBlocks} (in which order, and where it lies), {@code
+ * ScalarContacts} (the visits).
  */
 package carom.physics.dynamics.solver;

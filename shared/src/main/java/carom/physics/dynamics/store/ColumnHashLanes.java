@@ -1,12 +1,13 @@
 package carom.physics.dynamics.store;
 
+import carom.physics.simd.VectorKernels;
 import carom.physics.simd.VectorModule;
 
 /**
  * A kernel that hashes a column of numbers side by side, bit for bit as {@link ColumnHash} does one
  * after the other. How many numbers go through it shows in no result.
  */
-public abstract class ColumnHashLanes {
+public abstract class ColumnHashLanes extends VectorKernels {
   /** The kernel made with the Vector API, null without; see {@link VectorModule}. */
   static final ColumnHashLanes FOUND =
       VectorModule.find("carom.physics.dynamics.simd.VectorColumnHash", ColumnHashLanes.class);
@@ -14,28 +15,19 @@ public abstract class ColumnHashLanes {
   /** Longs per vector, at most. */
   public static final int SUMS = 8;
 
-  /**
-   * Number of calls before everything goes through the kernel. Until then the JIT compiler may
-   * interpret it, hundreds of times slower.
-   */
-  private static final int WARM_UP = 1_500;
-
-  /** Pieces per hash while warming up. */
-  private static final int FEW = 8;
-
-  /** Numbers per piece while warming up. */
-  private static final int SMALL = 32;
+  /** Numbers of a block. */
+  public static final int BLOCK = 32;
 
   /** Shorter columns gain too little to be worth the calls. */
   private static final int LEAST = 512;
 
-  /** How often the kernel was called. Worlds share this count, which needn't be exact. */
-  private int calls;
+  /** Makes the kernel; it is found by name. */
+  protected ColumnHashLanes() {}
 
   /**
    * Adds words of a column, multiplied by their factors, to sums that belong together.
    *
-   * @param from first number, a multiple of {@value #SMALL}, like the end
+   * @param from first number, a multiple of {@value #BLOCK}, like the end
    * @param sums {@link #SUMS} of them
    */
   public abstract void column(float[] column, long[] factors, int from, int to, long[] sums);
@@ -50,15 +42,8 @@ public abstract class ColumnHashLanes {
     if (n < LEAST) {
       return 0; // the compiled kernel, which knows long columns only, would box vectors for nothing
     }
-    int whole = n & -SMALL;
-    if (calls >= WARM_UP) {
-      column(column, factors, 0, whole, sums);
-      return whole;
-    }
-    int done = Math.min(whole, FEW * SMALL);
-    for (int at = 0; at < done; at += SMALL, calls++) {
-      column(column, factors, at, at + SMALL, sums);
-    }
-    return done;
+    int numbers = grant(n / BLOCK, n) * BLOCK;
+    column(column, factors, 0, numbers, sums);
+    return numbers;
   }
 }

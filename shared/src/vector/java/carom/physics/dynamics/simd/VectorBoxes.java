@@ -14,24 +14,28 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * Manifolds of two boxes with the Vector API: the operations of {@code BoxCollider}, at the rounded
- * relative pose, and of {@link KeptManifolds#follow}, in the same order, hence the same bits.
+ * Finds the manifolds of pairs of boxes with the Vector API: the operations of {@code BoxCollider},
+ * at the rounded relative pose, and of {@link KeptManifolds#follow}, in the same order, hence the
+ * same bits.
  *
  * <p>Where these choose, both are worked out and blended. Small methods that pass each other
  * arrays, never vectors: these would be boxed.
+ *
+ * <p><b>Length.</b> More than 500 lines, because one set of kernels shares one private scratch
+ * layout.
  */
 public final class VectorBoxes extends BoxLanes {
   private static final VectorSpecies<Float> LANE =
       LANES == 16 ? FloatVector.SPECIES_512 : FloatVector.SPECIES_256;
 
-  /** The true pose of B in A's frame, */
+  /** Pose of B in A's frame. */
   private static final int X = OWN;
 
   private static final int Y = X + LANES;
   private static final int COS = Y + LANES;
   private static final int SIN = COS + LANES;
 
-  /** and rounded. */
+  /** Rounded pose of B in A's frame. */
   private static final int CELL_X = SIN + LANES;
 
   private static final int CELL_Y = CELL_X + LANES;
@@ -120,7 +124,7 @@ public final class VectorBoxes extends BoxLanes {
 
   private static final int SCRATCH = TURN_SIN + LANES + APART;
 
-  /** Loaded by name, see {@link BoxLanes#find}. */
+  /** Loaded by name, see {@link BoxLanes#FOUND}. */
   public VectorBoxes() {
     if (FloatVector.SPECIES_PREFERRED.length() < LANES) {
       throw new UnsupportedOperationException("vectors have fewer than " + LANES + " lanes");
@@ -133,7 +137,7 @@ public final class VectorBoxes extends BoxLanes {
   }
 
   @Override
-  public int rehearsalSize() {
+  protected int warmUpSize() {
     return SCRATCH;
   }
 
@@ -144,7 +148,7 @@ public final class VectorBoxes extends BoxLanes {
    * them in that the compiler gave up within, and boxed vectors for good.
    */
   @Override
-  public void rehearse(float[] s) {
+  protected void warmUp(float[] s) {
     place(s);
     gaps(s);
     choose(s);
@@ -180,7 +184,7 @@ public final class VectorBoxes extends BoxLanes {
     limit(s, speculative);
   }
 
-  /** The pose of B in A's frame, and rounded. */
+  /** Finds the pose of B in A's frame, and the rounded one. */
   private static void place(float[] s) {
     FloatVector wayX = FloatVector.fromArray(LANE, s, WAY_X);
     FloatVector wayY = FloatVector.fromArray(LANE, s, WAY_Y);
@@ -239,7 +243,7 @@ public final class VectorBoxes extends BoxLanes {
     ey.abs().sub(bh).sub(n.mul(aw).add(c.mul(ah))).intoArray(s, GAP_BY);
   }
 
-  /** Which box is the reference, and which of its faces. */
+  /** Chooses the reference box, and its reference face. */
   private static void choose(float[] s) {
     FloatVector gapAx = FloatVector.fromArray(LANE, s, GAP_AX);
     FloatVector gapAy = FloatVector.fromArray(LANE, s, GAP_AY);
@@ -278,7 +282,7 @@ public final class VectorBoxes extends BoxLanes {
     minus.blend(one, y.compare(GT, 0)).blend(zero, sideways).intoArray(s, EDGE_Y);
   }
 
-  /** The reference box and the other one in its frame. */
+  /** Finds the reference box, and the other one in its frame. */
   private static void frame(float[] s) {
     VectorMask<Float> ofB = FloatVector.fromArray(LANE, s, SIGN).compare(LT, 0);
     VectorMask<Float> upright = FloatVector.fromArray(LANE, s, EDGE_X).compare(EQ, 0);
@@ -303,7 +307,7 @@ public final class VectorBoxes extends BoxLanes {
     y.blend(y.add(FloatVector.fromArray(LANE, s, DY)), ofB).intoArray(s, CENTER_Y);
   }
 
-  /** The edge of the other box that faces the reference face. */
+  /** Finds the edge of the other box that faces the reference face. */
   private static void face(float[] s) {
     FloatVector edgeX = FloatVector.fromArray(LANE, s, EDGE_X);
     FloatVector edgeY = FloatVector.fromArray(LANE, s, EDGE_Y);
@@ -324,7 +328,7 @@ public final class VectorBoxes extends BoxLanes {
     turnedSin.mul(facingX).add(turnedCos.mul(facingY)).intoArray(s, FACING_T);
   }
 
-  /** The ends of that edge, and of the part of it that is above the reference face. */
+  /** Finds the ends of that edge, and of its part above the reference face. */
   private static void clip(float[] s) {
     FloatVector edgeX = FloatVector.fromArray(LANE, s, EDGE_X);
     FloatVector edgeY = FloatVector.fromArray(LANE, s, EDGE_Y);
@@ -363,7 +367,7 @@ public final class VectorBoxes extends BoxLanes {
     heightHigh.add(slope.mul(position2.sub(high))).intoArray(s, GAP2ND);
   }
 
-  /** How many points there are. */
+  /** Counts the points. */
   private static void keep(float[] s, float speculative) {
     FloatVector none = FloatVector.zero(LANE);
     FloatVector one = FloatVector.broadcast(LANE, 1);
@@ -374,7 +378,7 @@ public final class VectorBoxes extends BoxLanes {
     first.add(second).intoArray(s, COUNT);
   }
 
-  /** Where corners face each other. */
+  /** Marks lanes in which corners face each other. */
   private static void corners(float[] s) {
     FloatVector low = FloatVector.fromArray(LANE, s, LOW);
     FloatVector high = FloatVector.fromArray(LANE, s, HIGH);
@@ -399,7 +403,7 @@ public final class VectorBoxes extends BoxLanes {
         .intoArray(s, COUNT);
   }
 
-  /** Normal and points in A's frame. */
+  /** Finds normal and points in A's frame. */
   private static void points(float[] s) {
     FloatVector edgeX = FloatVector.fromArray(LANE, s, EDGE_X);
     FloatVector edgeY = FloatVector.fromArray(LANE, s, EDGE_Y);
@@ -423,7 +427,7 @@ public final class VectorBoxes extends BoxLanes {
     ny.mul(sign).intoArray(s, FACE_NY);
   }
 
-  /** The ids of both points: the number of A's corner, times 256, plus that of B's. */
+  /** Finds the ids of both points: the number of A's corner, times 256, plus that of B's. */
   private static void ids(float[] s) {
     FloatVector edgeX = FloatVector.fromArray(LANE, s, EDGE_X);
     FloatVector edgeY = FloatVector.fromArray(LANE, s, EDGE_Y);
@@ -465,7 +469,7 @@ public final class VectorBoxes extends BoxLanes {
         .intoArray(s, COUNT);
   }
 
-  /** The turn from the rounded to the true pose; the normal there. */
+  /** Finds the turn from the rounded to the true pose, and the normal there. */
   private static void turn(float[] s) {
     FloatVector cos = FloatVector.fromArray(LANE, s, COS);
     FloatVector sin = FloatVector.fromArray(LANE, s, SIN);
@@ -494,7 +498,7 @@ public final class VectorBoxes extends BoxLanes {
     sinA.mul(nx).add(cosA.mul(ny)).intoArray(s, NY);
   }
 
-  /** A point and its gap at the true pose. */
+  /** Finds a point and its gap at the true pose. */
   private static void follow(float[] s, int point, int gap, int to) {
     FloatVector zero = FloatVector.zero(LANE);
     FloatVector x = FloatVector.fromArray(LANE, s, point);

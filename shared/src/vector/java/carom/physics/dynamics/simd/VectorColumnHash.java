@@ -7,7 +7,7 @@ import jdk.incubator.vector.LongVector;
 import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
-/** The hash of a column by vectors, with the Vector API. */
+/** Hashes a column by vectors, with the Vector API. */
 public final class VectorColumnHash extends ColumnHashLanes {
   private static final VectorSpecies<Long> LONGS = LongVector.SPECIES_PREFERRED;
   private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_PREFERRED;
@@ -16,11 +16,24 @@ public final class VectorColumnHash extends ColumnHashLanes {
   /** Longs that a vector must have: shorter ones gain nothing. */
   private static final int LEAST_WIDTH = 4;
 
+  private final long[] warmUpFactors = new long[BLOCK / 2];
+  private final long[] warmUpSums = new long[SUMS];
+
   /** Loaded by name, see {@link ColumnHashLanes#FOUND}. */
   public VectorColumnHash() {
     if (WIDTH < LEAST_WIDTH || WIDTH > SUMS) {
       throw new UnsupportedOperationException("vectors of " + WIDTH + " longs");
     }
+  }
+
+  @Override
+  protected int warmUpSize() {
+    return BLOCK;
+  }
+
+  @Override
+  protected void warmUp(float[] numbers) {
+    column(numbers, warmUpFactors, 0, BLOCK, warmUpSums);
   }
 
   @Override

@@ -15,9 +15,9 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * The hash of contact rows by vectors, with the Vector API. Small methods that pass each other
- * arrays, never vectors: these would be boxed. The impulses of a row are the second half of its
- * record: the last four longs of a vector that ends where the record does.
+ * Hashes contact rows by vectors, with the Vector API. Small methods that pass each other arrays,
+ * never vectors: these would be boxed. The impulses of a row are the second half of its record: the
+ * last four longs of a vector that ends where the record does.
  */
 public final class VectorContactHash extends ContactHashLanes {
   private static final VectorSpecies<Long> LONGS = LongVector.SPECIES_PREFERRED;
@@ -34,8 +34,17 @@ public final class VectorContactHash extends ContactHashLanes {
   /** Byte by byte. */
   private static final LongVector SHIFTS = LongVector.zero(LONGS).addIndex(Byte.SIZE);
 
-  /** All but the impulses of friction of the whole step. */
+  /** Mask of all but the friction impulses of the whole step. */
   private static final LongVector COUNTED = counted();
+
+  /** Rows of a warm-up call: few, because calls go on when the kernels are long compiled. */
+  private static final int WARM_UP_ROWS = 2 * ROWS;
+
+  private final long[] warmUpKeys = new long[WARM_UP_ROWS];
+  private final byte[] warmUpBytes = new byte[WARM_UP_ROWS];
+  private final int[] warmUpIds = new int[2 * WARM_UP_ROWS];
+  private final long[] warmUpFactors = new long[WARM_UP_ROWS];
+  private final long[] warmUpSums = new long[3 * SUMS];
 
   /** Loaded by name, see {@link ContactHashLanes#FOUND}. */
   public VectorContactHash() {
@@ -53,13 +62,26 @@ public final class VectorContactHash extends ContactHashLanes {
   }
 
   @Override
+  protected int warmUpSize() {
+    return WARM_UP_ROWS * ContactTable.CONTACT;
+  }
+
+  @Override
+  protected void warmUp(float[] numbers) {
+    findFactors(warmUpKeys, warmUpBytes, 0, WARM_UP_ROWS, warmUpFactors);
+    states(warmUpBytes, warmUpBytes, 0, WARM_UP_ROWS, warmUpFactors, warmUpSums);
+    ids(warmUpIds, 0, WARM_UP_ROWS, warmUpFactors, warmUpSums);
+    impulses(numbers, 0, WARM_UP_ROWS, warmUpFactors, warmUpSums);
+  }
+
+  @Override
   public void names(ContactTable t, int from, int to, long[] factors, long[] sums) {
     findFactors(t.key, t.flags, from, to, factors);
     states(t.flags, t.points, from, to, factors, sums);
     ids(t.id, from, to, factors, sums);
   }
 
-  /** As {@link ContactHash#factor}, zero where nothing touches. */
+  /** Finds the {@link ContactHash#factor} of rows, zero where nothing touches. */
   private static void findFactors(long[] key, byte[] flags, int from, int to, long[] factors) {
     for (int row = from; row < to; row += ROWS) {
       long eight = (long) BYTES.get(flags, row);

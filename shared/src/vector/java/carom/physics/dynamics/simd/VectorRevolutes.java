@@ -1,32 +1,32 @@
 package carom.physics.dynamics.simd;
 
-import static carom.physics.dynamics.joint.RevoluteSolver.ARM_AX;
-import static carom.physics.dynamics.joint.RevoluteSolver.ARM_AY;
-import static carom.physics.dynamics.joint.RevoluteSolver.ARM_BX;
-import static carom.physics.dynamics.joint.RevoluteSolver.ARM_BY;
-import static carom.physics.dynamics.joint.RevoluteSolver.BIAS_X;
-import static carom.physics.dynamics.joint.RevoluteSolver.BIAS_Y;
-import static carom.physics.dynamics.joint.RevoluteSolver.GAP_X;
-import static carom.physics.dynamics.joint.RevoluteSolver.GAP_Y;
-import static carom.physics.dynamics.joint.RevoluteSolver.INERTIA_A;
-import static carom.physics.dynamics.joint.RevoluteSolver.INERTIA_B;
-import static carom.physics.dynamics.joint.RevoluteSolver.LANES;
-import static carom.physics.dynamics.joint.RevoluteSolver.MASS_A;
-import static carom.physics.dynamics.joint.RevoluteSolver.MASS_B;
-import static carom.physics.dynamics.joint.RevoluteSolver.PX;
-import static carom.physics.dynamics.joint.RevoluteSolver.PY;
-import static carom.physics.dynamics.joint.RevoluteSolver.RAX;
-import static carom.physics.dynamics.joint.RevoluteSolver.RAY;
-import static carom.physics.dynamics.joint.RevoluteSolver.RBX;
-import static carom.physics.dynamics.joint.RevoluteSolver.RBY;
-import static carom.physics.dynamics.joint.RevoluteSolver.RECORD;
-import static carom.physics.dynamics.joint.RevoluteSolver.TORN;
-import static carom.physics.dynamics.joint.RevoluteSolver.XX;
-import static carom.physics.dynamics.joint.RevoluteSolver.XY;
-import static carom.physics.dynamics.joint.RevoluteSolver.YY;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.ARM_AX;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.ARM_AY;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.ARM_BX;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.ARM_BY;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.BIAS_X;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.BIAS_Y;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.GAP_X;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.GAP_Y;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.INERTIA_A;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.INERTIA_B;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.LANES;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.MASS_A;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.MASS_B;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.MAX_ERROR;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.PX;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.PY;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.RAX;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.RAY;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.RBX;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.RBY;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.RECORD;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.XX;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.XY;
+import static carom.physics.dynamics.jointsolver.RevoluteSolver.YY;
 
-import carom.physics.dynamics.joint.RevoluteLanes;
-import carom.physics.dynamics.joint.RevoluteSolver;
+import carom.physics.dynamics.jointsolver.RevoluteLanes;
+import carom.physics.dynamics.jointsolver.RevoluteSolver;
 import carom.physics.dynamics.solver.SolverBodies;
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorMask;
@@ -34,23 +34,26 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * The pins of a block at once, with the Vector API: the same operations in the same order as {@code
- * RevoluteSolver}'s, hence the same bits. In small methods that pass each other arrays; see {@code
- * VectorContacts} for why.
+ * Solves the revolute joints of a block at once, with the Vector API: the operations of {@code
+ * RevoluteSolver} in the same order, hence the same bits. In small methods that pass each other
+ * arrays; see {@code VectorContacts} for why.
  */
 public final class VectorRevolutes extends RevoluteLanes {
   private static final VectorSpecies<Float> LANE =
       LANES == 16 ? FloatVector.SPECIES_512 : FloatVector.SPECIES_256;
 
-  // Quantities of the scratch array: velocities of both bodies,
+  // Quantities of the scratch array.
+
+  /** Velocities of both bodies, m/s and rad/s. */
   private static final int AVX = APART;
+
   private static final int AVY = AVX + LANES;
   private static final int WA = AVY + LANES;
   private static final int BVX = WA + LANES;
   private static final int BVY = BVX + LANES;
   private static final int WB = BVY + LANES;
 
-  /** how far they have moved apart and turned, */
+  /** Distance by which B moved away from A, and the turns of both. */
   private static final int MOVED_X = WB + LANES;
 
   private static final int MOVED_Y = MOVED_X + LANES;
@@ -59,14 +62,14 @@ public final class VectorRevolutes extends RevoluteLanes {
   private static final int COS_B = SIN_A + LANES;
   private static final int SIN_B = COS_B + LANES;
 
-  /** impulse of this visit on B. */
+  /** Impulse of this visit on B, N s. */
   private static final int DPX = SIN_B + LANES;
 
   private static final int DPY = DPX + LANES;
 
   private static final int SCRATCH = DPY + LANES + APART;
 
-  /** Loaded by name, see {@code RevoluteLanes.find}. */
+  /** Loaded by name, see {@link RevoluteLanes#FOUND}. */
   public VectorRevolutes() {
     if (FloatVector.SPECIES_PREFERRED.length() < LANES) {
       throw new UnsupportedOperationException("vectors have fewer than " + LANES + " lanes");
@@ -79,19 +82,19 @@ public final class VectorRevolutes extends RevoluteLanes {
   }
 
   @Override
-  public int rehearsalSize() {
+  protected int warmUpSize() {
     return SCRATCH + RECORD;
   }
 
   @Override
-  public void rehearse(float[] n) {
-    turn(n, n, SCRATCH);
-    meet(n, n, SCRATCH, 1);
-    weigh(n, SCRATCH);
-    take(n, n, SCRATCH);
-    give(n, n, SCRATCH);
-    draw(n, n, SCRATCH, 1, 1);
-    hold(n, n, SCRATCH);
+  protected void warmUp(float[] n) {
+    rotateArms(n, n, SCRATCH);
+    bias(n, n, SCRATCH, 1);
+    effectiveMass(n, SCRATCH);
+    loadImpulses(n, n, SCRATCH);
+    applyImpulse(n, n, SCRATCH);
+    solveWithBias(n, n, SCRATCH, 1, 1);
+    solveRigid(n, n, SCRATCH);
   }
 
   @Override
@@ -99,18 +102,18 @@ public final class VectorRevolutes extends RevoluteLanes {
     float[] d = solver.data;
     int at = block * RECORD;
     gatherMotion(s, v, solver.bodyA, solver.bodyB, block * LANES);
-    turn(s, d, at);
-    meet(s, d, at, solver.biasRate);
-    weigh(d, at);
+    rotateArms(s, d, at);
+    bias(s, d, at, solver.biasRate);
+    effectiveMass(d, at);
   }
 
   @Override
-  public void warm(RevoluteSolver solver, float[] v, float[] s, int block) {
+  public void warmStart(RevoluteSolver solver, float[] v, float[] s, int block) {
     float[] d = solver.data;
     int at = block * RECORD;
     gather(s, v, solver.bodyA, solver.bodyB, block * LANES);
-    take(s, d, at);
-    give(s, d, at);
+    loadImpulses(s, d, at);
+    applyImpulse(s, d, at);
     scatter(s, v, solver, block);
   }
 
@@ -119,8 +122,8 @@ public final class VectorRevolutes extends RevoluteLanes {
     float[] d = solver.data;
     int at = block * RECORD;
     gather(s, v, solver.bodyA, solver.bodyB, block * LANES);
-    draw(s, d, at, solver.massScale, solver.impulseScale);
-    give(s, d, at);
+    solveWithBias(s, d, at, solver.massScale, solver.impulseScale);
+    applyImpulse(s, d, at);
     scatter(s, v, solver, block);
   }
 
@@ -130,8 +133,8 @@ public final class VectorRevolutes extends RevoluteLanes {
     int at = block * RECORD;
     gather(s, v, solver.bodyA, solver.bodyB, block * LANES);
     measure(solver, v, s, block);
-    hold(s, d, at);
-    give(s, d, at);
+    solveRigid(s, d, at);
+    applyImpulse(s, d, at);
     scatter(s, v, solver, block);
   }
 
@@ -201,14 +204,14 @@ public final class VectorRevolutes extends RevoluteLanes {
     }
   }
 
-  /** The impulse of the step before. */
-  private static void take(float[] s, float[] d, int at) {
+  /** Loads the impulse of the substep before. */
+  private static void loadImpulses(float[] s, float[] d, int at) {
     FloatVector.fromArray(LANE, d, at + PX).intoArray(s, DPX);
     FloatVector.fromArray(LANE, d, at + PY).intoArray(s, DPY);
   }
 
-  /** Lever arms where the bodies are now. */
-  private static void turn(float[] s, float[] d, int at) {
+  /** Turns lever arms to where the bodies are now. */
+  private static void rotateArms(float[] s, float[] d, int at) {
     FloatVector x = FloatVector.fromArray(LANE, d, at + ARM_AX);
     FloatVector y = FloatVector.fromArray(LANE, d, at + ARM_AY);
     FloatVector cos = FloatVector.fromArray(LANE, s, COS_A);
@@ -223,8 +226,8 @@ public final class VectorRevolutes extends RevoluteLanes {
     sin.mul(x).add(cos.mul(y)).intoArray(d, at + RBY);
   }
 
-  /** How far the anchors are apart; both impulses act at B's. */
-  private static void meet(float[] s, float[] d, int at, float biasRate) {
+  /** Finds the bias from the gap of the anchors. Both impulses act at B's anchor. */
+  private static void bias(float[] s, float[] d, int at, float biasRate) {
     FloatVector ax = FloatVector.fromArray(LANE, d, at + RAX);
     FloatVector ay = FloatVector.fromArray(LANE, d, at + RAY);
     FloatVector dx =
@@ -236,18 +239,18 @@ public final class VectorRevolutes extends RevoluteLanes {
             .add(FloatVector.fromArray(LANE, s, MOVED_Y))
             .add(FloatVector.fromArray(LANE, d, at + RBY).sub(ay));
     FloatVector far = dx.abs().add(dy.abs());
-    VectorMask<Float> near = far.compare(VectorOperators.LE, TORN);
+    VectorMask<Float> near = far.compare(VectorOperators.LE, MAX_ERROR);
     ax.blend(ax.add(dx), near).intoArray(d, at + RAX);
     ay.blend(ay.add(dy), near).intoArray(d, at + RAY);
     FloatVector plain = FloatVector.broadcast(LANE, biasRate);
-    FloatVector less = FloatVector.broadcast(LANE, biasRate * TORN).div(far);
-    FloatVector rate = plain.blend(less, far.compare(VectorOperators.GT, TORN));
+    FloatVector less = FloatVector.broadcast(LANE, biasRate * MAX_ERROR).div(far);
+    FloatVector rate = plain.blend(less, far.compare(VectorOperators.GT, MAX_ERROR));
     rate.mul(dx).intoArray(d, at + BIAS_X);
     rate.mul(dy).intoArray(d, at + BIAS_Y);
   }
 
-  /** The inverse of the mass matrix. */
-  private static void weigh(float[] d, int at) {
+  /** Finds the effective mass of the point. */
+  private static void effectiveMass(float[] d, int at) {
     FloatVector masses =
         FloatVector.fromArray(LANE, d, at + MASS_A)
             .add(FloatVector.fromArray(LANE, d, at + MASS_B));
@@ -270,9 +273,10 @@ public final class VectorRevolutes extends RevoluteLanes {
     yy.mul(inverse).intoArray(d, at + YY);
   }
 
-  /** The impulse of a visit that draws the anchors together. */
-  private static void draw(float[] s, float[] d, int at, float scale, float leak) {
-    part(s, d, at);
+  /** Finds the impulse of a visit with bias, which draws the anchors together. */
+  private static void solveWithBias(
+      float[] s, float[] d, int at, float massScale, float impulseScale) {
+    relativeVelocity(s, d, at);
     FloatVector x =
         FloatVector.fromArray(LANE, s, DPX).add(FloatVector.fromArray(LANE, d, at + BIAS_X));
     FloatVector y =
@@ -285,24 +289,24 @@ public final class VectorRevolutes extends RevoluteLanes {
             .mul(x)
             .add(xy.mul(y))
             .neg()
-            .mul(scale)
-            .sub(oldX.mul(leak));
+            .mul(massScale)
+            .sub(oldX.mul(impulseScale));
     FloatVector py =
         FloatVector.fromArray(LANE, d, at + XX)
             .mul(y)
             .add(xy.mul(x))
             .neg()
-            .mul(scale)
-            .sub(oldY.mul(leak));
+            .mul(massScale)
+            .sub(oldY.mul(impulseScale));
     oldX.add(px).intoArray(d, at + PX);
     oldY.add(py).intoArray(d, at + PY);
     px.intoArray(s, DPX);
     py.intoArray(s, DPY);
   }
 
-  /** The impulse of a rigid visit. */
-  private static void hold(float[] s, float[] d, int at) {
-    part(s, d, at);
+  /** Finds the impulse of a rigid visit. */
+  private static void solveRigid(float[] s, float[] d, int at) {
+    relativeVelocity(s, d, at);
     FloatVector x = FloatVector.fromArray(LANE, s, DPX);
     FloatVector y = FloatVector.fromArray(LANE, s, DPY);
     FloatVector xy = FloatVector.fromArray(LANE, d, at + XY);
@@ -314,8 +318,8 @@ public final class VectorRevolutes extends RevoluteLanes {
     py.intoArray(s, DPY);
   }
 
-  /** How fast the anchors part, in the place of the impulse. */
-  private static void part(float[] s, float[] d, int at) {
+  /** Finds how fast the anchors part, in the place of the impulse. */
+  private static void relativeVelocity(float[] s, float[] d, int at) {
     FloatVector wa = FloatVector.fromArray(LANE, s, WA);
     FloatVector wb = FloatVector.fromArray(LANE, s, WB);
     FloatVector.fromArray(LANE, s, BVX)
@@ -332,8 +336,8 @@ public final class VectorRevolutes extends RevoluteLanes {
         .intoArray(s, DPY);
   }
 
-  /** The new velocities. */
-  private static void give(float[] s, float[] d, int at) {
+  /** Applies the impulse to the velocities. */
+  private static void applyImpulse(float[] s, float[] d, int at) {
     FloatVector px = FloatVector.fromArray(LANE, s, DPX);
     FloatVector py = FloatVector.fromArray(LANE, s, DPY);
     FloatVector massA = FloatVector.fromArray(LANE, d, at + MASS_A);

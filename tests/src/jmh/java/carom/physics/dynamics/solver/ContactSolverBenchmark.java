@@ -4,12 +4,12 @@ import carom.physics.WorldDef;
 import carom.physics.dynamics.Dynamics;
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Settings;
 import carom.physics.dynamics.body.ShapeSpec;
-import carom.physics.dynamics.parallel.DomainPhases;
+import carom.physics.dynamics.domain.DomainPhases;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Shape;
+import carom.physics.settings.Settings;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -62,7 +62,7 @@ public class ContactSolverBenchmark {
   @Setup
   public void build() {
     solver =
-        new ContactSolver(kernels.equals("vector") ? ContactLanes.find() : null, new ParallelFor());
+        new ContactSolver(kernels.equals("vector") ? ContactLanes.FOUND : null, new ParallelFor());
     add(BodyStore.STATIC, new Box(100, 1), 0, -1);
     Box box = new Box(0.5f, 0.5f);
     for (int row = 0; row < ROWS; row++) {

@@ -16,7 +16,7 @@ final class BoxLanesTest {
   private static final int LANES = BoxLanes.LANES;
   private static final float SPECULATIVE = 0.02f;
 
-  private final BoxLanes lanes = BoxLanes.find();
+  private final BoxLanes lanes = BoxLanes.FOUND;
   private final Box[] boxA = new Box[LANES];
   private final Box[] boxB = new Box[LANES];
   private final Transform[] poseA = new Transform[LANES];

@@ -35,7 +35,7 @@ class VectorContactsTest {
 
     /** Prints the hash of the state after many steps. */
     public static void main(String[] args) {
-      System.out.println(ContactLanes.find() != null ? "vectors" : "scalar");
+      System.out.println(ContactLanes.FOUND != null ? "vectors" : "scalar");
       System.out.println(hash());
     }
 
@@ -97,14 +97,14 @@ class VectorContactsTest {
 
   @Test
   void vectorsAndScalarsAgree() throws Exception {
-    assumeTrue(ContactLanes.find() != null, "this JVM has no vectors of 8 floats");
+    assumeTrue(ContactLanes.FOUND != null, "this JVM has no vectors of 8 floats");
     assertEquals("scalar" + System.lineSeparator() + Heap.hash(), child());
   }
 
   /** As on a processor without longer ones. */
   @Test
   void vectorsOfEightAndSixteenAgree() throws Exception {
-    assumeTrue(ContactLanes.find() != null && VectorModule.LANES == 16, "no vectors of 16 floats");
+    assumeTrue(ContactLanes.FOUND != null && VectorModule.LANES == 16, "no vectors of 16 floats");
     String[] flags = {
       "-XX:+IgnoreUnrecognizedVMOptions", "-XX:UseAVX=2", "--add-modules=jdk.incubator.vector"
     };

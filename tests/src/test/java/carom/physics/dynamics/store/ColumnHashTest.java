@@ -86,6 +86,14 @@ class ColumnHashTest {
     private int numbers;
 
     @Override
+    protected int warmUpSize() {
+      return 1;
+    }
+
+    @Override
+    protected void warmUp(float[] made) {}
+
+    @Override
     public void column(float[] column, long[] factors, int from, int to, long[] sums) {
       calls++;
       numbers += to - from;

@@ -1,4 +1,4 @@
-package carom.physics.dynamics.parallel;
+package carom.physics.dynamics.domain;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;

@@ -1,4 +1,4 @@
-package carom.physics.dynamics.body;
+package carom.physics.settings;
 
 /**
  * The constants of a world, as the stages of a step read them.

@@ -7,11 +7,11 @@ import carom.net.kryo.KryoMessageCodec;
 import carom.server.config.ServerConfig;
 import org.junit.jupiter.api.Test;
 
-class RehearsalTest {
+class GameWarmupTest {
   @Test
   void everybodyJoinsPlaysAndLeaves() {
     TestGame game = new TestGame(3);
-    Rehearsal.play(
+    GameWarmup.play(
         ServerConfig.defaults().withRooms(3),
         () -> game,
         TestGame.shortLevel(),

@@ -1,47 +1,50 @@
-package carom.physics.dynamics.joint;
+package carom.physics.dynamics.jointsolver;
 
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.dynamics.body.Settings;
+import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.solver.SolverBodies;
+import carom.physics.settings.Settings;
 import java.util.Arrays;
 
 /**
- * Joints, solved by sequential impulses in the same substeps as contacts, before them. What a visit
- * of a joint does is in {@link JointVisit}; here is who is visited when, and by whom.
+ * Solves joints by sequential impulses in the same substeps as contacts, before them. {@link
+ * JointVisit} says what a visit of a joint does. This class says which joint is visited when, and
+ * by which worker.
  *
  * <p><b>Colours.</b> As contacts, joints are given colours, greedily in the order of their slots:
  * those of one colour share no body that can be moved, so their order changes no bit. Colours are
- * solved one after the other, of each first the plain hinges, in lanes (see {@link
- * RevoluteSolver}), then the others one by one; both are shared by threads. A body with more than
- * {@value #LAST_COLOUR} joints spills into a last colour without pins, which isn't shared. The
+ * solved one after the other: of each first the plain revolutes, in lanes (see {@link
+ * RevoluteSolver}), then the others one by one. Threads share both. A body with more than {@value
+ * #LAST_COLOUR} joints spills into a last colour without plain revolutes, which isn't shared. The
  * colouring depends on the awake joints alone, and is kept while these stay the same.
  */
 public final class JointSolver {
   private static final float TWO_PI = 6.2831855f;
 
-  /** Held coordinates correct themselves at most this fraction as fast as the substeps. */
+  /** Most frequency of rigid coordinates, as a fraction of the substeps per second. */
   private static final float MAX_HERTZ_PER_RATE = 0.25f;
 
   /** The last colour; it takes what found no other. */
   private static final int LAST_COLOUR = 63;
 
-  /** Every colour has a group of pins, and one of other joints. */
+  /** Number of groups: every colour has one of plain revolutes, and one of other joints. */
   private static final int GROUPS = 2 * (LAST_COLOUR + 1);
 
   /** Joints that make a piece of work for a worker. */
   private static final int GRAIN = 16;
 
-  private final RevoluteSolver pins;
+  private final RevoluteSolver revolutes;
 
-  /** The joints that are no pins. */
+  /** The joints that aren't plain revolutes. */
   private final JointRecords others = new JointRecords();
 
   private final ParallelFor parallel;
 
-  /** Of each worker. */
+  /** Visits, one per worker. */
   private JointVisit[] visits = new JointVisit[0];
 
+  /** Frames, one per worker. */
   private JointFrame[] frames = new JointFrame[0];
 
   private JointStore store;
@@ -50,28 +53,35 @@ public final class JointSolver {
   private float inverseH;
   private int count;
 
-  /** The joints to solve, by ascending slot, their groups, and their places in these. */
+  /** Slots of the joints to solve, ascending. */
   private int[] found = new int[0];
 
+  /** Groups of these joints. */
   private int[] group = new int[0];
+
+  /** Places of these joints in their groups. */
   private int[] place = new int[0];
 
   /** Colours that each slot of {@link SolverBodies} has. */
   private long[] taken = new long[0];
 
-  /** Per group: its joints; and, while they are placed, where the next one goes. */
+  /** Per group: how many joints it has. */
   private final int[] size = new int[GROUPS];
 
+  /** Per group, while joints are placed: where the next one goes. */
   private final int[] next = new int[GROUPS];
 
-  /** Per colour: its first block of pins, and its first other joint; colours in use. */
-  private final int[] pinStart = new int[LAST_COLOUR + 2];
+  /** Per colour: its first block of plain revolutes. */
+  private final int[] revoluteStart = new int[LAST_COLOUR + 2];
 
+  /** Per colour: its first other joint. */
   private final int[] start = new int[LAST_COLOUR + 2];
+
+  /** Number of colours in use. */
   private int colours;
 
-  /** Which {@link JointStore#version} the colours are of; they are kept until it changes. */
-  private int painted = -1;
+  /** {@link JointStore#version} that the colours are of. They are kept until it changes. */
+  private int colouredVersion = -1;
 
   // The stages, made once so that a step allocates nothing.
   private final ParallelFor.Range packing = this::packJoints;
@@ -86,15 +96,15 @@ public final class JointSolver {
   /**
    * Makes a solver.
    *
-   * @param lanes kernels for pins, null for none
-   * @param parallel does colours
+   * @param lanes kernels for plain revolutes, null for none
+   * @param parallel shares colours among workers
    */
   public JointSolver(RevoluteLanes lanes, ParallelFor parallel) {
     this.parallel = parallel;
-    pins = new RevoluteSolver(lanes, parallel);
+    revolutes = new RevoluteSolver(lanes, parallel);
   }
 
-  /** The number of joints to solve. */
+  /** Returns the number of joints to solve. */
   public int count() {
     return count;
   }
@@ -111,12 +121,12 @@ public final class JointSolver {
       found = new int[capacity];
       group = new int[capacity];
       place = new int[capacity];
-      painted = -1;
+      colouredVersion = -1;
     }
-    boolean anew = painted != j.version();
+    boolean anew = colouredVersion != j.version();
     if (anew) {
-      painted = j.version();
-      paint(solverBodies.count());
+      colouredVersion = j.version();
+      assignColours(solverBodies.count());
     }
     float omega = TWO_PI * Math.min(s.jointHertz(), MAX_HERTZ_PER_RATE / h);
     float twiceZeta = 2 * s.jointDampingRatio();
@@ -124,11 +134,11 @@ public final class JointSolver {
     float biasRate = omega / (twiceZeta + h * omega);
     float massScale = soft / (1 + soft);
     float impulseScale = 1 / (1 + soft);
-    gather();
+    ensureWorkers();
     for (JointVisit visit : visits) {
       visit.begin(j, bodies, solverBodies.state, h, biasRate, massScale, impulseScale);
     }
-    pins.begin(solverBodies.state, biasRate, massScale, impulseScale);
+    revolutes.begin(solverBodies.state, biasRate, massScale, impulseScale);
     layOut();
     if (anew) {
       for (int i = 0; i < count; i++) {
@@ -136,11 +146,11 @@ public final class JointSolver {
       }
     }
     parallel.run(0, count, GRAIN, packing);
-    pins.ready();
+    revolutes.ready();
   }
 
-  /** Sees that every worker has what it needs. */
-  private void gather() {
+  /** Makes what each worker needs. */
+  private void ensureWorkers() {
     int had = visits.length;
     if (had < parallel.count()) {
       visits = Arrays.copyOf(visits, parallel.count());
@@ -153,7 +163,7 @@ public final class JointSolver {
   }
 
   /** Finds the joints to solve and gives each its colour. */
-  private void paint(int slots) {
+  private void assignColours(int slots) {
     JointStore j = store;
     count = 0;
     colours = 0;
@@ -180,7 +190,7 @@ public final class JointSolver {
       taken[b] |= bit;
       taken[0] = 0;
       colours = Math.max(colours, colour + 1);
-      group[count] = 2 * colour + (colour < LAST_COLOUR && isPin(slot) ? 0 : 1);
+      group[count] = 2 * colour + (colour < LAST_COLOUR && isPlainRevolute(slot) ? 0 : 1);
       size[group[count]]++;
       found[count++] = slot;
     }
@@ -193,7 +203,7 @@ public final class JointSolver {
     Arrays.fill(taken, 0, slots, 0);
   }
 
-  private boolean isPin(int slot) {
+  private boolean isPlainRevolute(int slot) {
     int more = JointStore.LIMITED | JointStore.DRIVEN | JointStore.SPRUNG;
     return store.type[slot] == JointStore.REVOLUTE && (store.flags[slot] & more) == 0;
   }
@@ -202,13 +212,13 @@ public final class JointSolver {
   private void layOut() {
     int sum = 0;
     for (int c = 0; c < colours; c++) {
-      pinStart[c] = pins.blocks();
-      next[2 * c] = pins.reserve(size[2 * c]);
+      revoluteStart[c] = revolutes.blocks();
+      next[2 * c] = revolutes.reserve(size[2 * c]);
       start[c] = sum;
       next[2 * c + 1] = sum;
       sum += size[2 * c + 1];
     }
-    pinStart[colours] = pins.blocks();
+    revoluteStart[colours] = revolutes.blocks();
     start[colours] = sum;
     others.ensure(sum);
   }
@@ -216,9 +226,9 @@ public final class JointSolver {
   private void packJoints(int from, int to, int worker) {
     JointFrame frame = frames[worker];
     for (int i = from; i < to; i++) {
-      frame.look(found[i], store, bodies, slotOf);
+      frame.load(found[i], store, bodies, slotOf);
       if ((group[i] & 1) == 0) {
-        pins.pack(place[i], frame, store);
+        revolutes.pack(place[i], frame, store);
       } else {
         others.pack(place[i], frame, store);
       }
@@ -228,28 +238,28 @@ public final class JointSolver {
   /** Applies the impulses remembered from the last substep, or the last step. */
   public void warmStart() {
     for (int c = 0; c < colours; c++) {
-      pins.warmStart(pinStart[c], pinStart[c + 1]);
+      revolutes.warmStart(revoluteStart[c], revoluteStart[c + 1]);
       run(c, warming);
     }
   }
 
-  /** One visit of each joint before bodies move: errors are corrected and springs act. */
+  /** Visits each joint once before bodies move: errors are corrected and springs act. */
   public void push() {
     for (int c = 0; c < colours; c++) {
-      pins.push(pinStart[c], pinStart[c + 1]);
+      revolutes.push(revoluteStart[c], revoluteStart[c + 1]);
       run(c, pushing);
     }
   }
 
-  /** One visit of each joint after bodies moved, rigid. */
+  /** Visits each joint once after bodies moved, rigid. */
   public void relax() {
     for (int c = 0; c < colours; c++) {
-      pins.relax(pinStart[c], pinStart[c + 1]);
+      revolutes.relax(revoluteStart[c], revoluteStart[c + 1]);
       run(c, relaxing);
     }
   }
 
-  /** Does a stage for the joints of a colour that are no pins. */
+  /** Does a stage for the joints of a colour that aren't plain revolutes. */
   private void run(int colour, ParallelFor.Range stage) {
     if (colour == LAST_COLOUR) {
       stage.run(start[colour], start[colour + 1], 0);
@@ -258,9 +268,9 @@ public final class JointSolver {
     }
   }
 
-  /** Writes down what the joints exerted. */
+  /** Stores what the joints exerted. */
   public void store() {
-    pins.store(store, inverseH);
+    revolutes.store(store, inverseH);
     parallel.run(0, start[colours], GRAIN, storing);
   }
 }

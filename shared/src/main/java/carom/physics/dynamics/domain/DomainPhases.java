@@ -1,60 +1,61 @@
-package carom.physics.dynamics.parallel;
+package carom.physics.dynamics.domain;
 
 import carom.physics.threads.Workers;
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicIntegerArray;
 
 /**
- * Has {@link Workers} do the phases of a step side by side, each for a domain of the world, and
- * wait for each other only where domains meet.
+ * Runs the phases of a step side by side, each worker for its domain of the world. Workers wait for
+ * each other only where domains meet. {@code docs/THREADS.md} has a drawing.
  *
  * <p>A phase has two parts per domain. The <i>inner</i> part touches nothing that another domain
- * touches in any phase. The <i>border</i> part may touch what others do in theirs, though not in
- * the same phase: so it waits until all others have done their border part of the phase before. Who
- * is ahead by less than an inner part thus never waits, where a barrier after each phase would have
- * everybody wait for the slowest every time, and for lines of memory on their way between cores.
+ * touches in any phase. The <i>border</i> part may touch what others touch in theirs, though not in
+ * the same phase. So it waits until all others have done their border part of the phase before. A
+ * worker that is ahead by less than an inner part never waits. A barrier after each phase would
+ * make all wait for the slowest every time, and for lines of memory on their way between cores.
  *
- * <p>A worker does all phases of its own domain from when it comes, and until then others do them
- * one by one where they would have to wait. So all is done however few threads there are, and
- * whoever else wants them. Who has to wait for long, as another one lost its processor, offers his
- * own.
+ * <p>A worker does all phases of its own domain from when it comes. Until then, others do them one
+ * by one where they would have to wait. So all is done however few threads come. A worker that has
+ * to wait for long, because another one lost its processor, offers its own.
  *
  * <p>A phase costs a worker one store that the others see, and a look at each of them if it has a
- * border part. A claim per part would cost more, as it waits until all that was written before has
- * left for memory.
+ * border part. A claim per part would cost more, because it waits until all that was written before
+ * has left for memory.
  *
- * <p>Who does what when shows in no result. One thread adds and runs. Allocates only when there are
- * more phases or domains than ever before.
+ * <p>Which worker does what, and when, shows in no result. One thread adds and runs. Allocates only
+ * when there are more phases or domains than ever before.
  */
 public final class DomainPhases implements Workers.Task {
   /**
-   * Progress of domains is kept that many ints apart: two cache lines, as they come in pairs. The
-   * first ones stay unused, as everybody reads the array's length beside them.
+   * Ints between the progress of two domains: two cache lines, because they come in pairs. The
+   * first ones stay unused, because all threads read the array's length beside them.
    */
   private static final int APART = 32;
 
-  /** Looks for work before a thread offers its processor to others: some 100 microseconds. */
+  /** Looks for work before a thread offers its processor to others, some 100 us. */
   private static final int LOOKS_BEFORE_YIELD = 2_000;
 
   private Workers workers;
   private int domains = 1;
 
-  /** The phases: what is done, and its number there. */
+  /** What each phase does. */
   private Phase[] phase = new Phase[64];
 
+  /** The number that each phase was added with. */
   private int[] number = new int[64];
+
   private int phases;
 
   /** Per domain: how many phases somebody does or has done. */
   private AtomicIntegerArray claimed = new AtomicIntegerArray(2 * APART);
 
-  /** Per domain: how many are done. */
+  /** Per domain: how many phases are done. */
   private AtomicIntegerArray done = new AtomicIntegerArray(2 * APART);
 
-  /** Whether a part threw. */
+  /** Tells whether a part threw. */
   private volatile boolean failed;
 
-  /** What a phase does. */
+  /** Does the parts of a phase. */
   @FunctionalInterface
   public interface Phase {
     /**
@@ -68,7 +69,8 @@ public final class DomainPhases implements Workers.Task {
     void run(int number, int domain, boolean border, int worker);
 
     /**
-     * Whether a border part does anything. Who has none needn't wait for the others.
+     * Returns whether a border part does anything. A domain without one doesn't wait for the
+     * others.
      *
      * @param number what was added with it
      * @param domain from 0
@@ -80,10 +82,10 @@ public final class DomainPhases implements Workers.Task {
   }
 
   /**
-   * Sets how many domains there are; phases that were added and not run are forgotten.
+   * Sets how many domains there are, and forgets phases that were added and not run.
    *
    * @param count at least 1
-   * @param parallel who does them; not looked at for one domain, which the caller does
+   * @param parallel the threads that run them; may be null for one domain, which the caller runs
    */
   public void divide(int count, Workers parallel) {
     domains = count;
@@ -96,10 +98,10 @@ public final class DomainPhases implements Workers.Task {
   }
 
   /**
-   * Adds a phase, which is done by the next {@link #run} after all that were added before.
+   * Adds a phase. The next {@link #run} does it after all that were added before.
    *
    * @param what does it
-   * @param given handed on to it
+   * @param given number that is handed on to it
    */
   public void add(Phase what, int given) {
     if (phases == phase.length) {
@@ -133,8 +135,8 @@ public final class DomainPhases implements Workers.Task {
   }
 
   /**
-   * Does the phases of a domain, and helps where nobody else is, until nobody needs help. For
-   * {@link #run()} alone.
+   * Does the phases of a domain, and those of domains whose worker hasn't come, until all are done.
+   * Called by {@link #run()} alone.
    */
   @Override
   public void run(int own, int worker) {
@@ -171,7 +173,7 @@ public final class DomainPhases implements Workers.Task {
     }
   }
 
-  /** Does a phase of a domain whose worker hasn't come; answers whether there was one to do. */
+  /** Does a phase of a domain whose worker hasn't come. Returns whether there was one to do. */
   private boolean help(int own, int worker) {
     for (int k = 1; k < domains; k++) {
       int other = own + k < domains ? own + k : own + k - domains;
@@ -202,12 +204,12 @@ public final class DomainPhases implements Workers.Task {
     try {
       phase[i].run(number[i], domain, border, worker);
     } catch (RuntimeException | Error e) {
-      failed = true; // the part will never be done, and nobody is to wait for it
+      failed = true; // the part will never be done, so no worker may wait for it
       throw e;
     }
   }
 
-  /** Whether the others are as far as the border part of a phase needs them to be. */
+  /** Returns whether the others are as far as the border part of a phase needs them to be. */
   private boolean mayEnd(int i, int domain) {
     if (!phase[i].hasBorder(number[i], domain)) {
       return true;

@@ -1,18 +1,19 @@
-package carom.physics.dynamics.joint;
+package carom.physics.dynamics.jointsolver;
 
 import static carom.physics.dynamics.solver.SolverBodies.STRIDE;
 
 import carom.physics.dynamics.body.BodyStore;
+import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.solver.SolverBodies;
 
-/** A joint and its two bodies as a step begins: what one worker has at hand while it packs. */
+/** A joint and its two bodies as a step begins: the scratch of one worker that packs joints. */
 final class JointFrame {
-  /**
-   * Slot of the joint; offsets of the two bodies in {@link SolverBodies#state}, 0 for the world.
-   */
+  /** Slot of the joint. */
   int slot;
 
+  /** Offsets of the bodies in {@link SolverBodies#state}, 0 for the world. */
   int offsetA;
+
   int offsetB;
 
   float massA;
@@ -27,17 +28,20 @@ final class JointFrame {
   float cosB;
   float sinB;
 
-  /** Lever arms, and B's centre relative to A's, or to the anchor of the world, m. */
+  /** Lever arms of the anchors, m. */
   float armAx;
 
   float armAy;
   float armBx;
   float armBy;
+
+  /** Centre of B relative to that of A, or to the anchor of the world, m. */
   float gapX;
+
   float gapY;
 
-  /** Looks at a joint. */
-  void look(int joint, JointStore j, BodyStore bodies, int[] slotOf) {
+  /** Loads a joint. */
+  void load(int joint, JointStore j, BodyStore bodies, int[] slotOf) {
     slot = joint;
     int one = j.bodyA[slot];
     int two = j.bodyB[slot];

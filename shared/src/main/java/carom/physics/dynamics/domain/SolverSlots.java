@@ -1,16 +1,23 @@
-package carom.physics.dynamics.solver;
+package carom.physics.dynamics.domain;
 
 import carom.physics.dynamics.body.ActiveBodies;
 import java.util.Arrays;
 
 /**
- * Which slot of {@link SolverBodies} each active body has; all others have slot 0. Slots of a
- * domain follow each other, those of bodies at its border last. Before its first one it has an
- * <i>idle</i> slot of nobody, and between domains slots are unused, so that no line of memory to
- * which one domain's thread writes is read by another one, but for bodies at borders. No bit of a
- * result depends on slots. One thread at a time.
+ * Says which slot of the solver's state each active body has. All other bodies have slot 0.
+ *
+ * <pre>
+ *   slot  0       1-4      5     6 ...     ...          ...
+ *        static  unused  idle  inner      border      unused  idle  inner      border     unused
+ *                              |---- domain 0 -----|                |---- domain 1 -----|
+ * </pre>
+ *
+ * <p>Before its first slot a domain has an <i>idle</i> one that belongs to no body: lanes without a
+ * contact write there. The unused slots keep two domains a pair of cache lines apart, so threads
+ * share lines only where bodies are at borders. No bit of a result depends on slots. One thread at
+ * a time.
  */
-final class SolverSlots {
+public final class SolverSlots {
   /**
    * Unused slots between what different threads write to: two cache lines, as they come in pairs.
    */
@@ -20,45 +27,48 @@ final class SolverSlots {
   private final Domains domains;
 
   /** Per body: its slot. */
-  int[] slotOf = new int[0];
+  public int[] slotOf = new int[0];
 
   /** Per slot: its body. */
-  int[] body = new int[1];
+  public int[] body = new int[1];
 
   private int count = 1;
 
-  /** Per domain: its first slot, that of its border, and behind the last one. */
+  /** Per domain: its first slot. */
   private int[] first = new int[1];
 
+  /** Per domain: its first slot of a body at the border. */
   private int[] firstAtBorder = new int[1];
+
+  /** Per domain: the slot behind its last one. */
   private int[] end = new int[1];
 
-  /** {@link Domains#edition} that slots are of. */
+  /** {@link Domains#edition} that the slots are of. */
   private int edition = -1;
 
-  /** Gives these bodies slots. */
-  SolverSlots(ActiveBodies active, Domains domains) {
+  /** Makes slots for these bodies, by these domains. */
+  public SolverSlots(ActiveBodies active, Domains domains) {
     this.active = active;
     this.domains = domains;
   }
 
-  /** Slots there are, the static one and unused ones included. */
-  int count() {
+  /** Returns how many slots there are, the static one and unused ones included. */
+  public int count() {
     return count;
   }
 
-  /** First slot of a part of a domain. */
-  int from(int domain, boolean border) {
+  /** Returns the first slot of a part of a domain. */
+  public int from(int domain, boolean border) {
     return border ? firstAtBorder[domain] : first[domain];
   }
 
-  /** Behind the last slot of a part of a domain. */
-  int to(int domain, boolean border) {
+  /** Returns the slot behind the last one of a part of a domain. */
+  public int to(int domain, boolean border) {
     return border ? end[domain] : firstAtBorder[domain];
   }
 
-  /** The slot of a domain that no body has. */
-  int idle(int domain) {
+  /** Returns the slot of a domain that no body has. */
+  public int idle(int domain) {
     return first[domain] - 1;
   }
 
@@ -66,7 +76,7 @@ final class SolverSlots {
    * Gives every active body a slot and the others none, by domains and borders. While domains stay
    * the same only bodies change places that came to a border or left it.
    */
-  void assign() {
+  public void assign() {
     if (edition == domains.edition()) {
       for (int i = 0; i < domains.beforeCount; i++) {
         leaveBorder(domains.before[i]);
@@ -81,7 +91,8 @@ final class SolverSlots {
       slotOf = Arrays.copyOf(slotOf, active.index.length);
     }
     for (int i = 1; i < count; i++) {
-      slotOf[body[i]] = 0; // or that of whoever was in an unused slot once: all get theirs below
+      slotOf[body[i]] =
+          0; // or that of the body that was in an unused slot once: all get theirs below
     }
     int n = domains.count();
     if (firstAtBorder.length < n) {

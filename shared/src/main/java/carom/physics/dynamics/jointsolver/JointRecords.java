@@ -1,42 +1,59 @@
-package carom.physics.dynamics.joint;
+package carom.physics.dynamics.jointsolver;
 
+import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.solver.SolverBodies;
 
 /**
- * The joints that are no pins as the solver visits them: in the order of their colours, each with
- * what stays the same during a step as one record of {@value #RECORD} floats.
+ * The joints that aren't plain revolutes as the solver visits them: in the order of their colours,
+ * each with what stays the same during a step as one record of {@value #RECORD} floats.
  */
 final class JointRecords {
-  // Offsets in a record: of the bodies,
+  // Offsets in a record.
+
+  /** Inverse masses of the bodies, 1/kg. */
   static final int MASS_A = 0;
+
   static final int MASS_B = 1;
+
+  /** Inverse moments of inertia, 1/(kg m^2). */
   static final int INERTIA_A = 2;
+
   static final int INERTIA_B = 3;
 
-  /** lever arms when the step began, and B's centre relative to A's, m, */
+  /** Lever arms when the step began, m. */
   static final int ARM_AX = 4;
 
   static final int ARM_AY = 5;
   static final int ARM_BX = 6;
   static final int ARM_BY = 7;
+
+  /** Centre of B relative to that of A when the step began, m. */
   static final int GAP_X = 8;
+
   static final int GAP_Y = 9;
 
-  /** axis, and the joint's angle as a rotation, when the step began. */
+  /** Axis when the step began. */
   static final int AXIS_X = 10;
 
   static final int AXIS_Y = 11;
+
+  /** Angle of the joint as a rotation, when the step began. */
   static final int ANGLE_COS = 12;
+
   static final int ANGLE_SIN = 13;
 
-  /** A line of the cache. */
+  /** Floats of a record: a cache line. */
   static final int RECORD = 16;
 
-  /** Slot of the joint; offsets of the two bodies in {@link SolverBodies#state}. */
+  /** Per joint: its slot. */
   int[] joint = new int[0];
 
+  /** Per joint: offsets of its bodies in {@link SolverBodies#state}. */
   int[] bodyA = new int[0];
+
   int[] bodyB = new int[0];
+
+  /** Records of all joints. */
   float[] data = new float[0];
 
   /** Makes room; what was there is gone. */

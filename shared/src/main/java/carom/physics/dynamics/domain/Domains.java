@@ -1,4 +1,4 @@
-package carom.physics.dynamics.solver;
+package carom.physics.dynamics.domain;
 
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.contact.ContactKey;
@@ -7,8 +7,8 @@ import carom.physics.dynamics.pairs.PairFinder;
 import java.util.Arrays;
 
 /**
- * Which domain of the world each active body belongs to: one where a thread steps alone, else one
- * per thread, all with about as much to solve. Bodies of a domain are near each other, so that few
+ * Divides the active bodies into domains of the world: one where a thread steps alone, else one per
+ * thread, all with about as much to solve. Bodies of a domain are near each other, so that few
  * touch those of another.
  *
  * <p>Domains are cut from the list of active bodies as it is, while neighbours in it are neighbours
@@ -16,19 +16,20 @@ import java.util.Arrays;
  * phase, which goes by the same order. When bodies have mixed, domains are cut from the tree in
  * which pairs are searched.
  *
- * <p>Domains decide who does what when, and no bit of a result. They stay the same for {@value
+ * <p>Domains decide which thread does what, and no bit of a result. They stay the same for {@value
  * #LASTING} steps while the same bodies are active. One thread at a time.
  */
 public final class Domains {
-  /** So many steps domains stay the same while the same bodies are active. */
+  /** Number of steps that domains stay the same while the same bodies are active. */
   private static final int LASTING = 32;
 
-  /** Active bodies that a domain is worth having for. */
+  /** Fewest active bodies per domain: fewer aren't worth a thread. */
   private static final int LEAST_BODIES = 250;
 
-  /** What it takes to solve a body without contacts, and what each of its contacts adds. */
+  /** Cost of solving a body without contacts, in units of its own. */
   private static final int BODY_COST = 2;
 
+  /** Cost that each contact adds to its two bodies, in the same units. */
   private static final int CONTACT_COST = 3;
 
   /** Bodies have mixed when more than one contact in so many is between domains. */
@@ -37,65 +38,81 @@ public final class Domains {
   private final ActiveBodies active;
   private final PairFinder pairs;
 
-  /** Per body: its domain, from 0; means something for active ones. */
-  int[] of = new int[0];
+  /** Per body: its domain, from 0. Holds for active bodies only. */
+  public int[] of = new int[0];
 
   /** Per body: whether a contact touches it that belongs to another domain. */
   private boolean[] border = new boolean[0];
 
-  /** Those bodies, and those of the step before. */
+  /** Bodies at a border, {@link #borderCount} of them. */
   int[] atBorder = new int[0];
 
   int borderCount;
+
+  /** Bodies that were at a border in the step before, {@link #beforeCount} of them. */
   int[] before = new int[0];
+
   int beforeCount;
 
   private int count = 1;
 
-  /** What the domains are of, and for how many more steps. */
+  /** {@link ActiveBodies#version} that the domains are of. */
   private int version = -1;
 
-  private int most;
-  private int left;
+  /** Number of threads that the domains are for. */
+  private int threads;
 
-  /** Changes with the domains. */
+  /** For how many more steps the domains stay. */
+  private int stepsLeft;
+
   private int edition;
 
-  /** Scratch: bodies in the order of the tree, with one entry per part; what each costs. */
+  /** Scratch: bodies in the order of the tree, with one entry per part. */
   private int[] listed = new int[0];
 
+  /** Scratch: what each body costs. */
   private int[] cost = new int[0];
 
-  /** Finds domains by the tree of these pairs. */
-  Domains(ActiveBodies active, PairFinder pairs) {
+  /**
+   * Makes domains of these bodies.
+   *
+   * @param pairs has the tree that tells which bodies are near each other; null where no step is
+   *     shared
+   */
+  public Domains(ActiveBodies active, PairFinder pairs) {
     this.active = active;
     this.pairs = pairs;
   }
 
-  /** How many there are. */
+  /** Returns how many domains there are. */
   public int count() {
     return count;
   }
 
-  /** Changes whenever a body may have come to another domain, or become active or inactive. */
-  int edition() {
+  /**
+   * Returns a number that changes whenever a body may have come to another domain, or become active
+   * or inactive.
+   */
+  public int edition() {
     return edition;
   }
 
   /**
-   * Gives every active body a domain.
+   * Gives every active body a domain, unless the ones of the last step still serve.
    *
    * @param threads how many threads share the step
    * @param contacts tells what bodies cost
    */
-  void find(int threads, ContactTable contacts) {
-    left--;
-    if (version == active.version() && most == threads && (left >= 0 || threads == 1)) {
+  public void find(int threads, ContactTable contacts) {
+    stepsLeft--;
+    if (version == active.version()
+        && this.threads == threads
+        && (stepsLeft >= 0 || threads == 1)) {
       return;
     }
     version = active.version();
-    most = threads;
-    left = LASTING;
+    this.threads = threads;
+    stepsLeft = LASTING;
     edition++;
     count = Math.max(1, Math.min(threads, active.count / LEAST_BODIES));
     if (of.length < active.index.length) {
@@ -123,7 +140,7 @@ public final class Domains {
     }
   }
 
-  /** Finds what each active body costs; answers the sum. */
+  /** Finds what each active body costs, and returns the sum. */
   private long weigh(ContactTable t) {
     for (int i = 0; i < active.count; i++) {
       cost[active.list[i]] = BODY_COST;
@@ -174,8 +191,8 @@ public final class Domains {
     return between > all / MIXED_SHARE;
   }
 
-  /** Has no body touch another domain. */
-  void forgetBorders() {
+  /** Forgets which bodies are at a border; the step then tells again by {@link #touch}. */
+  public void forgetBorders() {
     for (int i = 0; i < borderCount; i++) {
       border[atBorder[i]] = false;
     }
@@ -186,8 +203,8 @@ public final class Domains {
     borderCount = 0;
   }
 
-  /** Takes note of a contact that belongs to a domain and touches this active body. */
-  void touch(int domain, int body) {
+  /** Notes a contact that belongs to a domain and touches this active body. */
+  public void touch(int domain, int body) {
     if (of[body] == domain || border[body]) {
       return;
     }
@@ -195,8 +212,8 @@ public final class Domains {
     atBorder[borderCount++] = body;
   }
 
-  /** Whether a contact touches a body that belongs to another domain. */
-  boolean isAtBorder(int body) {
+  /** Returns whether a contact of another domain touches this body. */
+  public boolean isAtBorder(int body) {
     return border[body];
   }
 }

@@ -1,4 +1,4 @@
-package carom.physics.dynamics.joint;
+package carom.physics.dynamics.jointsolver;
 
 import static carom.physics.dynamics.solver.SolverBodies.COS;
 import static carom.physics.dynamics.solver.SolverBodies.DX;
@@ -8,17 +8,18 @@ import static carom.physics.dynamics.solver.SolverBodies.VX;
 import static carom.physics.dynamics.solver.SolverBodies.VY;
 import static carom.physics.dynamics.solver.SolverBodies.W;
 
+import carom.physics.dynamics.joint.JointStore;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.solver.ContactBlocks;
 import carom.physics.simd.VectorModule;
 import java.util.Arrays;
 
 /**
- * Pins: hinges without limit, motor or spring, of which most chains, nets and figures are made. The
- * point constraint of {@link JointVisit} in blocks of {@link #LANES}, so that vectors can solve
- * them side by side and workers share them.
+ * Solves plain revolute joints (hinges): those without limit, motor or spring, of which most
+ * chains, nets and figures are made. They are the point constraint of {@link JointVisit} in blocks
+ * of {@link #LANES}, so that vectors solve them side by side and workers share them.
  *
- * <p>The pins of one block share no body that can be moved; {@link JointSolver} sees to it by
+ * <p>The joints of one block share no body that can be moved; {@link JointSolver} sees to it by
  * colours. Their lever arms are those after bodies last moved, so {@link #relax}, which comes right
  * after that, finds them, and {@link #warmStart} and {@link #push} of the next substep find them
  * where it left them, with the inverse of the mass; in the first substep {@link #ready} did.
@@ -27,52 +28,81 @@ import java.util.Arrays;
  * other, each for all its lanes.
  */
 public final class RevoluteSolver {
-  /** Pins in a block. */
+  /** Joints in a block. */
   public static final int LANES = VectorModule.LANES;
 
-  /** As in {@link JointVisit}: what is further apart than this, m, was torn. */
-  public static final float TORN = 4;
+  /** Most gap between anchors that counts, m, as in {@link JointRow#MAX_ERROR}. */
+  public static final float MAX_ERROR = 4;
 
-  // Offsets of the quantities of a block: of the bodies,
+  // Quantities of a joint: offsets in its block of data.
+
+  /** Inverse mass of A, 1/kg, 0 if it cannot be moved. */
   public static final int MASS_A = 0;
+
+  /** Inverse mass of B, 1/kg. */
   public static final int MASS_B = MASS_A + LANES;
+
+  /** Inverse moment of inertia of A, 1/(kg m^2). */
   public static final int INERTIA_A = MASS_B + LANES;
+
+  /** Inverse moment of inertia of B, 1/(kg m^2). */
   public static final int INERTIA_B = INERTIA_A + LANES;
 
-  /** impulse of the last substep on B, N s, */
+  /** Impulse of the last substep on B, x, N s. */
   public static final int PX = INERTIA_B + LANES;
 
+  /** Impulse of the last substep on B, y, N s. */
   public static final int PY = PX + LANES;
 
-  /** lever arms now, at which impulses act, m, */
+  /** Lever arm of A now, at which impulses act, x, m. */
   public static final int RAX = PY + LANES;
 
+  /** Lever arm of A now, y, m. */
   public static final int RAY = RAX + LANES;
+
+  /** Lever arm of B now, x, m. */
   public static final int RBX = RAY + LANES;
+
+  /** Lever arm of B now, y, m. */
   public static final int RBY = RBX + LANES;
 
-  /** speed at which the anchors are to be drawn together, m/s, */
+  /** Bias: speed at which the anchors are drawn together, x, m/s. */
   public static final int BIAS_X = RBY + LANES;
 
+  /** Bias, y, m/s. */
   public static final int BIAS_Y = BIAS_X + LANES;
 
-  /** inverse of the mass matrix: K = (YY, -XY; -XY, XX), kg, */
+  /** Effective mass of a point, xx / determinant of the 2x2 matrix of inverse masses, kg. */
   public static final int XX = BIAS_Y + LANES;
 
+  /** Effective mass of a point, xy / determinant, kg. */
   public static final int XY = XX + LANES;
+
+  /** Effective mass of a point, yy / determinant, kg. */
   public static final int YY = XY + LANES;
 
-  /** lever arms when the step began, and B's centre relative to A's, m. */
+  /** Lever arm of A when the step began, x, m. */
   public static final int ARM_AX = YY + LANES;
 
+  /** Lever arm of A when the step began, y, m. */
   public static final int ARM_AY = ARM_AX + LANES;
+
+  /** Lever arm of B when the step began, x, m. */
   public static final int ARM_BX = ARM_AY + LANES;
+
+  /** Lever arm of B when the step began, y, m. */
   public static final int ARM_BY = ARM_BX + LANES;
+
+  /** Centre of B relative to that of A when the step began, x, m. */
   public static final int GAP_X = ARM_BY + LANES;
+
+  /** Centre of B relative to that of A when the step began, y, m. */
   public static final int GAP_Y = GAP_X + LANES;
+
+  /** Floats of a block. */
   public static final int RECORD = GAP_Y + LANES;
 
-  /** Blocks with fewer pins are solved one by one. */
+  /** Blocks with fewer joints are solved one by one. */
   private static final int FEWEST = 1 + LANES / 4;
 
   /** Steps with fewer blocks don't use vectors. */
@@ -84,28 +114,42 @@ public final class RevoluteSolver {
   private final RevoluteLanes lanes;
   private final ParallelFor parallel;
 
-  /** Of each worker. */
+  /** Scratch arrays of the kernels, one per worker. */
   private float[][] scratch = new float[0][];
 
   private int blocks;
 
-  /** Per block: how many pins it has; whether all bodies can be moved; solved by vectors. */
+  /** Per block: how many joints it has. */
   private byte[] used = new byte[0];
 
+  /** Per block: whether all its bodies can be moved. */
   public boolean[] loose = new boolean[0];
+
+  /** Per block: whether vectors solve it. */
   private boolean[] wide = new boolean[0];
 
-  /** Per lane: slot of the joint; offsets of the two bodies in the solver's state. */
+  /** Per lane: slot of the joint. */
   private int[] joint = new int[0];
 
+  /** Per lane: offset of body A in the solver's state. */
   public int[] bodyA = new int[0];
+
+  /** Per lane: offset of body B in the solver's state. */
   public int[] bodyB = new int[0];
+
+  /** Quantities of all joints. */
   public float[] data = new float[0];
 
-  // Constants of the step.
+  /** State of the bodies. */
   private float[] v = new float[0];
+
+  /** Share of an error that goes away per second, 1/s. */
   public float biasRate;
+
+  /** Share of the effective mass that counts. */
   public float massScale;
+
+  /** Share of the impulse so far that is taken back. */
   public float impulseScale;
 
   // The stages, made once so that a step allocates nothing.
@@ -115,9 +159,10 @@ public final class RevoluteSolver {
   private final ParallelFor.Range relaxing = this::relaxBlocks;
   private final ParallelFor.Range storing = (from, to, worker) -> storeBlocks(from, to);
 
-  /** Where impulses are written when a step ends, and the inverse of its substeps' length, 1/s. */
+  /** Receives the impulses when a step ends. */
   private JointStore store;
 
+  /** Substeps per second. */
   private float inverseH;
 
   /**
@@ -131,32 +176,32 @@ public final class RevoluteSolver {
     this.parallel = parallel;
   }
 
-  /** Begins a step: no pins yet. */
-  void begin(float[] state, float rate, float scale, float leak) {
+  /** Begins a step, which has no joints yet. */
+  void begin(float[] state, float biasRate, float massScale, float impulseScale) {
     v = state;
-    biasRate = rate;
-    massScale = scale;
-    impulseScale = leak;
+    this.biasRate = biasRate;
+    this.massScale = massScale;
+    this.impulseScale = impulseScale;
     blocks = 0;
     if (lanes != null && scratch.length != parallel.count()) {
       scratch = new float[parallel.count()][lanes.scratchSize()];
     }
   }
 
-  /** The number of blocks so far. */
+  /** Returns the number of blocks so far. */
   int blocks() {
     return blocks;
   }
 
-  /** Adds blocks for some pins, all of one colour; answers the first lane. */
-  int reserve(int pins) {
+  /** Adds blocks for some joints of one colour, and returns the first lane. */
+  int reserve(int joints) {
     int first = blocks;
-    blocks += (pins + LANES - 1) / LANES;
+    blocks += (joints + LANES - 1) / LANES;
     if (used.length < blocks) {
       grow(Math.max(blocks, 2 * used.length));
     }
     for (int block = first; block < blocks; block++) {
-      int n = Math.min(pins - (block - first) * LANES, LANES);
+      int n = Math.min(joints - (block - first) * LANES, LANES);
       used[block] = (byte) n;
       loose[block] = n == LANES;
       if (n < LANES) {
@@ -178,12 +223,11 @@ public final class RevoluteSolver {
     data = Arrays.copyOf(data, capacity * RECORD);
   }
 
-  /** Must be called when all lanes are filled: decides what vectors solve, and finds lever arms. */
+  /** Decides what vectors solve, and finds lever arms. Must be called when all lanes are filled. */
   void ready() {
     int most = 0;
     if (lanes != null && blocks >= FEWEST_BLOCKS) {
-      most = lanes.trusted(blocks, blocks * LANES);
-      lanes.used(most);
+      most = lanes.grant(blocks, blocks * LANES);
     }
     for (int block = 0; block < blocks; block++) {
       wide[block] = block < most && used[block] >= FEWEST;
@@ -191,7 +235,7 @@ public final class RevoluteSolver {
     parallel.run(0, blocks, GRAIN, measuring);
   }
 
-  /** Fills a lane with a joint as the step begins, and what the last one left behind. */
+  /** Fills a lane with a joint as the step begins, and its impulse of the last step. */
   void pack(int lane, JointFrame f, JointStore j) {
     float[] d = data;
     int at = lane / LANES * RECORD + lane % LANES;
@@ -220,12 +264,12 @@ public final class RevoluteSolver {
     parallel.run(from, to, GRAIN, warming);
   }
 
-  /** One visit of each pin before bodies move, which draws anchors together. */
+  /** Visits each joint once before bodies move, with bias, which draws anchors together. */
   void push(int from, int to) {
     parallel.run(from, to, GRAIN, pushing);
   }
 
-  /** One visit of each pin after bodies moved, rigid. */
+  /** Visits each joint once after bodies moved, rigid. */
   void relax(int from, int to) {
     parallel.run(from, to, GRAIN, relaxing);
   }
@@ -246,12 +290,12 @@ public final class RevoluteSolver {
   private void warmBlocks(int from, int to, int worker) {
     for (int block = from; block < to; block++) {
       if (wide[block]) {
-        lanes.warm(this, v, scratch[worker], block);
+        lanes.warmStart(this, v, scratch[worker], block);
         continue;
       }
       for (int i = 0; i < used[block]; i++) {
         int at = block * RECORD + i;
-        give(block * LANES + i, at, data[at + PX], data[at + PY]);
+        applyImpulse(block * LANES + i, at, data[at + PX], data[at + PY]);
       }
     }
   }
@@ -285,9 +329,10 @@ public final class RevoluteSolver {
   }
 
   /**
-   * Lever arms, bias and mass with the bodies where they are now. Both impulses act at one point,
-   * B's anchor: at both ends of a gap they would be a torque out of nothing, which made overloaded
-   * nets tremble (the net of 10,000 opened by up to 1.07 m while it fell, and by 0.53 m like this).
+   * Finds lever arms, bias and mass with the bodies where they are now. Both impulses act at one
+   * point, B's anchor: at both ends of a gap they would be a torque out of nothing, which made
+   * overloaded nets tremble (the net of 10,000 opened by up to 1.07 m while it fell, and by 0.53 m
+   * like this).
    */
   private void measure(int at, int a, int b) {
     float[] d = data;
@@ -302,9 +347,9 @@ public final class RevoluteSolver {
     float dx = d[at + GAP_X] + (v[b + DX] - v[a + DX]) + (bx - ax);
     float dy = d[at + GAP_Y] + (v[b + DY] - v[a + DY]) + (by - ay);
     float far = Math.abs(dx) + Math.abs(dy);
-    float rate = far > TORN ? biasRate * TORN / far : biasRate;
-    ax = far <= TORN ? ax + dx : ax;
-    ay = far <= TORN ? ay + dy : ay;
+    float rate = far > MAX_ERROR ? biasRate * MAX_ERROR / far : biasRate;
+    ax = far <= MAX_ERROR ? ax + dx : ax;
+    ay = far <= MAX_ERROR ? ay + dy : ay;
     d[at + RAX] = ax;
     d[at + RAY] = ay;
     d[at + RBX] = bx;
@@ -338,11 +383,11 @@ public final class RevoluteSolver {
     float py = -(d[at + XX] * partY + d[at + XY] * partX) * scale - leak * oldY;
     d[at + PX] = oldX + px;
     d[at + PY] = oldY + py;
-    give(lane, at, px, py);
+    applyImpulse(lane, at, px, py);
   }
 
-  /** Gives B an impulse, and A its opposite. Writes nothing to what can't be moved. */
-  private void give(int lane, int at, float px, float py) {
+  /** Applies an impulse to B and its opposite to A. Writes nothing to what can't be moved. */
+  private void applyImpulse(int lane, int at, float px, float py) {
     float[] d = data;
     float massA = d[at + MASS_A];
     float massB = d[at + MASS_B];
@@ -360,7 +405,7 @@ public final class RevoluteSolver {
     }
   }
 
-  /** Writes down what the pins exerted; of what isn't a number nothing is kept. */
+  /** Stores what the joints exerted, and forgets what isn't a number. */
   void store(JointStore j, float rate) {
     store = j;
     inverseH = rate;

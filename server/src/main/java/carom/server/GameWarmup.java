@@ -17,27 +17,30 @@ import carom.sim.level.Level;
 import java.util.function.Supplier;
 
 /**
- * Plays the game for a moment in virtual time, with a few clients inside this process, before the
- * real server opens: so that the JVM has loaded and compiled what a tick and a join need. Without
- * it the first player of a fresh server on a busy machine paid for that with a stall of up to
- * several hundred milliseconds.
+ * Warms up a server before it opens: plays the game for a moment in virtual time, with a few
+ * clients inside this process, so that the JVM has loaded and compiled what a tick and a join need.
+ * Without it, the first player of a fresh server on a busy machine waits up to several hundred
+ * milliseconds.
+ *
+ * <p>This covers the whole server, and reaches vector kernels only through the worlds that it
+ * steps. {@code carom.physics.simd.KernelWarmup} covers these kernels, at any time, in any program.
  */
-final class Rehearsal {
+final class GameWarmup {
   private static final int CLIENTS = 4;
   private static final int MAX_TICKS = 600;
   private static final long MAX_NS = 400_000_000L;
 
   private long virtualNs;
 
-  private Rehearsal() {}
+  private GameWarmup() {}
 
   /**
-   * Plays until enough ticks or 0.4 s have passed. Its log lines are the caller's to mute.
+   * Plays until enough ticks or 0.4 s have passed. Writes log lines, which the caller may mute.
    *
-   * @param games gives an instance, thrown away afterwards
+   * @param games gives an instance, which is thrown away afterwards
    */
   static void play(ServerConfig config, Supplier<Game> games, Level level, MessageCodec codec) {
-    new Rehearsal().run(config.withRooms(1).withStatusIntervalS(0), games, level, codec);
+    new GameWarmup().run(config.withRooms(1).withStatusIntervalS(0), games, level, codec);
   }
 
   private void run(ServerConfig config, Supplier<Game> games, Level level, MessageCodec codec) {

@@ -1,4 +1,4 @@
-package carom.physics.dynamics.solver;
+package carom.physics.dynamics.domain;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.physics.dynamics.body.ActiveBodies;
 import carom.physics.dynamics.contact.ContactKey;
 import carom.physics.dynamics.contact.ContactTable;
+import carom.physics.dynamics.solver.SolverBodies;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -1,0 +1,378 @@
+package carom.physics.dynamics.jointsolver;
+
+import static carom.physics.dynamics.jointsolver.JointRecords.ANGLE_COS;
+import static carom.physics.dynamics.jointsolver.JointRecords.ANGLE_SIN;
+import static carom.physics.dynamics.jointsolver.JointRecords.ARM_AX;
+import static carom.physics.dynamics.jointsolver.JointRecords.ARM_AY;
+import static carom.physics.dynamics.jointsolver.JointRecords.ARM_BX;
+import static carom.physics.dynamics.jointsolver.JointRecords.ARM_BY;
+import static carom.physics.dynamics.jointsolver.JointRecords.AXIS_X;
+import static carom.physics.dynamics.jointsolver.JointRecords.AXIS_Y;
+import static carom.physics.dynamics.jointsolver.JointRecords.GAP_X;
+import static carom.physics.dynamics.jointsolver.JointRecords.GAP_Y;
+import static carom.physics.dynamics.jointsolver.JointRecords.INERTIA_A;
+import static carom.physics.dynamics.jointsolver.JointRecords.INERTIA_B;
+import static carom.physics.dynamics.jointsolver.JointRecords.MASS_A;
+import static carom.physics.dynamics.jointsolver.JointRecords.MASS_B;
+import static carom.physics.dynamics.jointsolver.JointRecords.RECORD;
+import static carom.physics.dynamics.solver.SolverBodies.COS;
+import static carom.physics.dynamics.solver.SolverBodies.DX;
+import static carom.physics.dynamics.solver.SolverBodies.DY;
+import static carom.physics.dynamics.solver.SolverBodies.SIN;
+import static carom.physics.dynamics.solver.SolverBodies.VX;
+import static carom.physics.dynamics.solver.SolverBodies.VY;
+import static carom.physics.dynamics.solver.SolverBodies.W;
+
+import carom.physics.dynamics.solver.ContactSolver;
+import carom.physics.dynamics.solver.SolverBodies;
+import carom.physics.math.Trig;
+
+/**
+ * One coordinate of a joint as a constraint row, with the two bodies at hand; one worker's scratch.
+ *
+ * <p><b>Rows.</b> Everything a joint does to one coordinate q (a length, a translation along an
+ * axis u, an angle) is a row: with the speed {@code q' = u . (vB - vA) + sB wB - sA wA} an impulse
+ * p changes velocities by {@code -p u / mA, -p sA / IA, p u / mB, p sB / IB}, hence q' by p / m
+ * with {@code 1 / m = 1/mA + 1/mB + sA^2 / IA + sB^2 / IB}. For an angle u = 0 and sA = sB = 1; for
+ * a direction u with the anchors' lever arms rA, rB and the gap d between them, {@code sA = (rA +
+ * d) x u, sB = rB x u}. Two coordinates that share a lever arm (a point, or the perpendicular and
+ * the angle of a slider) are one block with a 2x2 mass.
+ *
+ * <p><b>Rigid</b> coordinates (q = 0) are a rigid row. Before positions move, the error is fed back
+ * into the velocity as in contacts (see {@link ContactSolver}), {@code p = -m M (q' + b q) - I P},
+ * with the joint's own hertz; after that the row is solved again without (relax), so that no energy
+ * enters.
+ *
+ * <p><b>Limits</b> are contacts: {@code P >= 0}; a gap may just be closed in a substep.
+ *
+ * <p><b>Motors</b> drive q' to a speed, {@code |P| <= h max}.
+ *
+ * <p><b>Springs</b> are forces, so they act once per substep and are left alone by relaxing. With k
+ * = m o^2, c = 2 m z o (o = 2 pi hertz, z the damping ratio) and the velocity v' at the end of the
+ * substep, the impulse of the substep is
+ *
+ * <pre>
+ *   P = -h (k (q + t h v') + c v')
+ * </pre>
+ *
+ * and with v' = v + p / m one visit, which knows v and the sum so far, is
+ *
+ * <pre>
+ *   p = -(m (h o^2 q + a v) + P) / (1 + a)     a = h o (t h o + 2 z)
+ * </pre>
+ *
+ * With t = 0 the spring is symplectic: an undamped one keeps its amplitude for ever, its frequency
+ * is exact up to (o h)^2 / 24. That is stable while o h is well below 2; springs with o h beyond
+ * {@value #SYMPLECTIC_LIMIT} (19 hertz at 60 ticks and 4 substeps) use t = 1, implicit Euler, which
+ * is stable always and damps by itself.
+ *
+ * <p>The row for the spring follows Erin Catto's GDC 2011 talk; written from the algebra above.
+ */
+abstract class JointRow {
+  static final float TWO_PI = 6.2831855f;
+
+  /**
+   * Most error that counts, m. Anchors that are further apart were torn by a teleport or by absurd
+   * forces. They are drawn together as if they were that far apart, at some 100 m/s, and each
+   * impulse acts at its own anchor. At full speed and with arms that long, a chain of which one
+   * link is teleported by 80 m blows up instead of closing.
+   */
+  static final float MAX_ERROR = 4;
+
+  /** Most angle per substep of a spring, o h. Beyond it a spring is integrated implicitly. */
+  static final float SYMPLECTIC_LIMIT = 0.5f;
+
+  /** Joints to visit. */
+  final JointRecords joints;
+
+  /** State of the bodies: {@link SolverBodies#state}. */
+  float[] v = new float[0];
+
+  /** Length of a substep, s. */
+  float h;
+
+  /** Inverse of that length, 1/s. */
+  float inverseH;
+
+  /** Softness of rigid rows: the share of an error that goes away per second, 1/s. */
+  float biasRate;
+
+  /** Softness of rigid rows: the share of the effective mass that counts. */
+  float massScale;
+
+  /** Softness of rigid rows: the share of the impulse so far that is taken back. */
+  float impulseScale;
+
+  /** Offset of body A in {@link #v}. */
+  int a;
+
+  /** Offset of body B. */
+  int b;
+
+  /** Inverse masses, 1/kg. */
+  float mA;
+
+  float mB;
+
+  /** Inverse moments of inertia, 1/(kg m^2). */
+  float iA;
+
+  float iB;
+
+  /** Lever arm of A's anchor, m. */
+  float rAx;
+
+  float rAy;
+
+  /** Lever arm of B's anchor, m. */
+  float rBx;
+
+  float rBy;
+
+  /** Gap from A's anchor to B's, m. */
+  float dx;
+
+  float dy;
+
+  /** Direction of the row. */
+  float ux;
+
+  float uy;
+
+  /** Lever arms of the row, m or 1. */
+  float sA;
+
+  float sB;
+
+  /** Effective mass of the row. */
+  float mass;
+
+  /** Direction in which a pulley's row pushes A back; u is the one for B. */
+  private float wx;
+
+  private float wy;
+
+  /** Tells whether the row has a direction for A of its own. */
+  private boolean split;
+
+  /** Makes rows of these joints. */
+  JointRow(JointRecords joints) {
+    this.joints = joints;
+  }
+
+  /** Begins a step. */
+  final void beginRows(
+      float[] state, float substep, float biasRate, float massScale, float impulseScale) {
+    v = state;
+    h = substep;
+    inverseH = 1 / substep;
+    this.biasRate = biasRate;
+    this.massScale = massScale;
+    this.impulseScale = impulseScale;
+  }
+
+  /** Gives the row a direction for A of its own. */
+  final void splitRow(float x, float y) {
+    wx = x;
+    wy = y;
+    split = true;
+  }
+
+  final void row(float x, float y, float armA, float armB, float inverseMass) {
+    ux = x;
+    uy = y;
+    sA = armA;
+    sB = armB;
+    mass = inverseMass > 0 ? 1 / inverseMass : 0;
+    split = false;
+  }
+
+  final void angleRow() {
+    split = false;
+    ux = 0;
+    uy = 0;
+    sA = 1;
+    sB = 1;
+    float turning = iA + iB;
+    mass = turning > 0 ? 1 / turning : 0;
+  }
+
+  /** Makes the row along the line of the anchors, and returns their distance, m. */
+  final float lengthRow() {
+    float length = (float) Math.sqrt(dx * dx + dy * dy);
+    if (length > 1e-9f) {
+      direction(dx / length, dy / length);
+    } else {
+      direction(1, 0);
+    }
+    return length;
+  }
+
+  final void direction(float x, float y) {
+    split = false;
+    ux = x;
+    uy = y;
+    sA = (rAx + dx) * y - (rAy + dy) * x;
+    sB = rBx * y - rBy * x;
+    float inverse = mA + mB + iA * sA * sA + iB * sB * sB;
+    mass = inverse > 0 ? 1 / inverse : 0;
+  }
+
+  final float rowSpeed() {
+    if (split) {
+      return (ux * v[b + VX] + uy * v[b + VY])
+          - (wx * v[a + VX] + wy * v[a + VY])
+          + (sB * v[b + W] - sA * v[a + W]);
+    }
+    return ux * (v[b + VX] - v[a + VX])
+        + uy * (v[b + VY] - v[a + VY])
+        + (sB * v[b + W] - sA * v[a + W]);
+  }
+
+  /**
+   * Applies an impulse along the row. Writes nothing to what can't be moved: others may read it.
+   */
+  final void applyRowImpulse(float p) {
+    if (mA != 0) {
+      v[a + VX] -= mA * p * (split ? wx : ux);
+      v[a + VY] -= mA * p * (split ? wy : uy);
+      v[a + W] -= iA * p * sA;
+    }
+    if (mB != 0) {
+      v[b + VX] += mB * p * ux;
+      v[b + VY] += mB * p * uy;
+      v[b + W] += iB * p * sB;
+    }
+  }
+
+  /** Applies an angular impulse. */
+  final void applyAngularImpulse(float p) {
+    if (mA != 0) {
+      v[a + W] -= iA * p;
+    }
+    if (mB != 0) {
+      v[b + W] += iB * p;
+    }
+  }
+
+  /**
+   * Lets both impulses act at one point, B's anchor. At both ends of a gap they would be a torque
+   * out of nothing, which made overloaded nets tremble: the net of 10,000 opened by up to 1.07 m
+   * while it fell, and by 0.53 m like this (midway 0.62 m).
+   */
+  final void actAtOnePoint() {
+    if (Math.abs(dx) + Math.abs(dy) <= MAX_ERROR) {
+      rAx += dx;
+      rAy += dy;
+    }
+  }
+
+  /** Applies an impulse at the anchors. */
+  final void applyImpulse(float px, float py) {
+    if (mA != 0) {
+      v[a + VX] -= mA * px;
+      v[a + VY] -= mA * py;
+      v[a + W] -= iA * (rAx * py - rAy * px);
+    }
+    if (mB != 0) {
+      v[b + VX] += mB * px;
+      v[b + VY] += mB * py;
+      v[b + W] += iB * (rBx * py - rBy * px);
+    }
+  }
+
+  /** Solves the row as a rigid one, and returns the impulse of this visit. */
+  final float solveRigid(float error, float sum, boolean bias) {
+    float p;
+    if (bias) {
+      float near = Math.max(-MAX_ERROR, Math.min(error, MAX_ERROR));
+      p = -mass * massScale * (rowSpeed() + biasRate * near) - impulseScale * sum;
+    } else {
+      p = -mass * rowSpeed();
+    }
+    applyRowImpulse(p);
+    return p;
+  }
+
+  /** Keeps a gap open, seen in the direction of the sign. Returns the impulse of this visit. */
+  final float solveLimit(float gap, float sign, float sum, boolean bias) {
+    float target = 0;
+    float scale = 1;
+    float leak = 0;
+    if (gap > 0) {
+      target = gap * inverseH;
+    } else if (bias) {
+      target = biasRate * gap;
+      scale = massScale;
+      leak = impulseScale;
+    }
+    float p = -mass * scale * (sign * rowSpeed() + target) - leak * sum;
+    p = Math.max(sum + p, 0) - sum;
+    applyRowImpulse(sign * p);
+    return p;
+  }
+
+  /** Visits a spring on the row, and returns the impulse of this visit. */
+  final float solveSpring(float stretch, float hertz, float zeta, float sum, float maxForce) {
+    float oh = TWO_PI * hertz * h;
+    float soft = oh * ((oh > SYMPLECTIC_LIMIT ? oh : 0) + 2 * zeta);
+    float p = -(mass * (oh * oh * inverseH * stretch + soft * rowSpeed()) + sum) / (1 + soft);
+    float most = h * maxForce;
+    p = Math.max(-most, Math.min(sum + p, most)) - sum;
+    applyRowImpulse(p);
+    return p;
+  }
+
+  /** Loads a joint: masses, lever arms and the gap of the anchors as they are now. */
+  final void load(int k) {
+    float[] d = joints.data;
+    int at = k * RECORD;
+    a = joints.bodyA[k];
+    b = joints.bodyB[k];
+    mA = d[at + MASS_A];
+    mB = d[at + MASS_B];
+    iA = d[at + INERTIA_A];
+    iB = d[at + INERTIA_B];
+    float cA = v[a + COS];
+    float nA = v[a + SIN];
+    float cB = v[b + COS];
+    float nB = v[b + SIN];
+    rAx = cA * d[at + ARM_AX] - nA * d[at + ARM_AY];
+    rAy = nA * d[at + ARM_AX] + cA * d[at + ARM_AY];
+    rBx = cB * d[at + ARM_BX] - nB * d[at + ARM_BY];
+    rBy = nB * d[at + ARM_BX] + cB * d[at + ARM_BY];
+    dx = d[at + GAP_X] + (v[b + DX] - v[a + DX]) + (rBx - rAx);
+    dy = d[at + GAP_Y] + (v[b + DY] - v[a + DY]) + (rBy - rAy);
+  }
+
+  /** Returns the joint's angle now, -pi to pi. */
+  final float angle(int k) {
+    float[] d = joints.data;
+    int at = k * RECORD;
+    float c = v[b + COS] * v[a + COS] + v[b + SIN] * v[a + SIN];
+    float s = v[b + SIN] * v[a + COS] - v[b + COS] * v[a + SIN];
+    return Trig.atan2(
+        d[at + ANGLE_SIN] * c + d[at + ANGLE_COS] * s,
+        d[at + ANGLE_COS] * c - d[at + ANGLE_SIN] * s);
+  }
+
+  /** Makes the row along the axis, and returns the translation, m. */
+  final float axisRow(int k) {
+    float[] d = joints.data;
+    int at = k * RECORD;
+    float c = v[a + COS];
+    float s = v[a + SIN];
+    direction(c * d[at + AXIS_X] - s * d[at + AXIS_Y], s * d[at + AXIS_X] + c * d[at + AXIS_Y]);
+    return ux * dx + uy * dy;
+  }
+
+  /** Makes the row across the axis, turned left from it, and returns the error, m. */
+  final float acrossRow(int k) {
+    float[] d = joints.data;
+    int at = k * RECORD;
+    float c = v[a + COS];
+    float s = v[a + SIN];
+    direction(-(s * d[at + AXIS_X] + c * d[at + AXIS_Y]), c * d[at + AXIS_X] - s * d[at + AXIS_Y]);
+    return ux * dx + uy * dy;
+  }
+}

@@ -1,0 +1,8 @@
+/**
+ * How joints are solved: plain revolutes in lanes, all others one by one.
+ *
+ * <p>May import {@code carom.physics.math} and {@code simd}, and {@code dynamics.body}, {@code
+ * joint}, {@code solver} and {@code parallel}. Read first: {@code JointSolver}, {@code JointVisit},
+ * {@code JointRow}.
+ */
+package carom.physics.dynamics.jointsolver;

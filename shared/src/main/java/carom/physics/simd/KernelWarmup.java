@@ -1,0 +1,88 @@
+package carom.physics.simd;
+
+import java.util.Arrays;
+
+/**
+ * Warms up one set of vector kernels: calls them on made-up numbers until the JIT compiler is done
+ * with them, and grants them only a little of the real work until then.
+ *
+ * <p>A kernel that isn't compiled is interpreted, hundreds of times slower, and allocates an object
+ * for every vector. How often a world would call a kernel depends on what happens in that world, so
+ * its calls alone may warm a kernel up in a second or never. Warm-up calls reach all kernels of a
+ * set equally often, whatever the world holds. The real work that is granted meanwhile has the
+ * callers of the kernels compiled, too.
+ *
+ * <pre>
+ *   warm-up calls   0       1,000                      40,000                   200,000
+ *                   |         |                           |                        |
+ *   per grant       |    8    |            64, or one per 64 rows                  |  none
+ *   granted blocks  |       6, or a 32nd of them          |          all of them
+ * </pre>
+ *
+ * <p>Calls go on after the kernels are trusted, because a kernel that is no longer called often
+ * while it waits for the compiler loses its place in the queue. By then they are quick. {@code
+ * docs/lab/kernels.md} has the measurements.
+ *
+ * <p>How much the kernels do shows in no result. One object serves all worlds and threads of the
+ * JVM. It allocates its numbers once.
+ */
+final class KernelWarmup {
+  /** Warm-up calls after which the kernels are granted all of the work. */
+  private static final int TRUSTED_AFTER = 40_000;
+
+  /** Warm-up calls that are made in all. */
+  private static final int ALL_CALLS = 200_000;
+
+  /**
+   * Number of warm-up calls during which little of the Vector API is compiled. Each takes about ten
+   * times as long as a later one.
+   */
+  private static final int FIRST_CALLS = 1_000;
+
+  /** Warm-up calls per grant among the first ones. */
+  private static final int CALLS_AT_FIRST = 8;
+
+  /** Warm-up calls per grant later on, at least. */
+  private static final int CALLS_LATER = 64;
+
+  /** Rows of work that add one warm-up call to a grant: large steps take longer anyway. */
+  private static final int ROWS_PER_CALL = 64;
+
+  /** Blocks that are granted before the kernels are trusted, at least. */
+  private static final int FEW_BLOCKS = 6;
+
+  /** One block in so many is granted before the kernels are trusted. */
+  private static final int BLOCK_SHARE = 32;
+
+  /** Warm-up calls so far. */
+  private int calls;
+
+  /** What the kernels are called on; null until the first grant. */
+  private float[] numbers;
+
+  /** Grants kernels some of the work; see {@link VectorKernels#grant}. */
+  int grant(VectorKernels kernels, int blocks, int rows) {
+    if (calls < ALL_CALLS) {
+      warmUp(kernels, rows);
+    }
+    return calls >= TRUSTED_AFTER
+        ? blocks
+        : Math.min(blocks, Math.max(FEW_BLOCKS, blocks / BLOCK_SHARE));
+  }
+
+  /** Makes the warm-up calls of one grant. Threads of several worlds may ask at once. */
+  private synchronized void warmUp(VectorKernels kernels, int rows) {
+    if (numbers == null) {
+      numbers = new float[kernels.warmUpSize()];
+    }
+    int times = Math.max(CALLS_LATER, rows / ROWS_PER_CALL);
+    if (calls < FIRST_CALLS) {
+      times = times * CALLS_AT_FIRST / CALLS_LATER;
+    }
+    for (int i = 0; i < times; i++) {
+      Arrays.fill(numbers, 1);
+      kernels.warmUp(numbers);
+    }
+    calls += times;
+  }
+}
