@@ -7,7 +7,7 @@ import carom.sim.level.LevelException;
 import carom.sim.level.Suggestion;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneGame;
-import carom.sim.scene.Scenes;
+import carom.sim.scene.catalog.Scenes;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;

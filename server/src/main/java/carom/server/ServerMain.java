@@ -5,7 +5,7 @@ import carom.options.BadFlag;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.scene.SceneRun;
-import carom.sim.scene.Scenes;
+import carom.sim.scene.catalog.Scenes;
 import ch.qos.logback.classic.LoggerContext;
 import java.io.PrintWriter;
 import java.util.concurrent.Callable;

@@ -3,7 +3,7 @@ package carom.game;
 import carom.sim.Game;
 import carom.sim.level.Suggestion;
 import carom.sim.scene.SceneGame;
-import carom.sim.scene.Scenes;
+import carom.sim.scene.catalog.Scenes;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Iterator;
@@ -12,25 +12,25 @@ import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
 
 /**
- * Finds games by name. A game is listed by naming its class in {@code
- * META-INF/services/carom.sim.Game} of any jar on the class path, on which the installed programs
- * have the folder {@code games}; it needs a public constructor without parameters. One that can't
- * be loaded is passed over, and told when an unknown one is asked for. {@code scene:NAME} is the
- * scene of that name, to be watched.
+ * Finds games by name. A game is a class with a public constructor without parameters whose name is
+ * listed in {@code META-INF/services/carom.sim.Game} of a jar on the class path. The class path of
+ * the installed programs includes the jars in the folder {@code games}. A game that cannot be
+ * loaded is skipped, and reported when an unknown game is asked for. {@code scene:NAME} is the
+ * scene of that name as a game to watch.
  */
 public final class Games {
-  /** The game a server starts unless told otherwise. */
+  /** Name of the game that a server starts by default. */
   public static final String DEFAULT = "arena";
 
-  /** A jar that can't be read at all may fail at every question. */
+  /** Most errors before the search ends. A jar that cannot be read may fail at every question. */
   private static final int MAX_ERRORS = 100;
 
   private Games() {}
 
   /**
-   * A new instance, for one simulation.
+   * Returns a new instance, for one simulation.
    *
-   * @throws IllegalArgumentException when there is no such game; the message lists those there are
+   * @throws IllegalArgumentException when there is no such game; the message lists the known ones
    */
   public static Game create(String name) {
     if (name.startsWith(SceneGame.PREFIX)) {
@@ -54,7 +54,7 @@ public final class Games {
             + broken);
   }
 
-  /** The names of all games, sorted. */
+  /** Returns the names of all games, sorted. */
   public static List<String> names() {
     List<String> names = new ArrayList<>();
     all(new StringBuilder()).forEach(game -> names.add(game.name()));
@@ -63,10 +63,10 @@ public final class Games {
   }
 
   /**
-   * New instances of all games that can be loaded; a jar with a broken one mustn't keep the others
+   * Returns new instances of all games that can be loaded. A broken game does not keep the others
    * from being played.
    *
-   * @param broken receives what is wrong with the others
+   * @param broken receives what is wrong with the broken ones
    */
   private static List<Game> all(StringBuilder broken) {
     List<Game> games = new ArrayList<>();
@@ -85,7 +85,10 @@ public final class Games {
     return games;
   }
 
-  /** What a game's own constructor threw tells more than that it threw. */
+  /**
+   * Returns the message of an error, with its cause: an exception from a game's own constructor
+   * says most.
+   */
   private static String reason(Error e) {
     Throwable cause = e.getCause();
     return cause == null ? e.toString() : e.getMessage() + ": " + cause;

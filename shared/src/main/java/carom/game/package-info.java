@@ -1,11 +1,12 @@
 /**
- * The games that ship, which are also the examples to copy.
+ * The registry of games, and the guard that keeps a failing game from stopping a step.
  *
- * <p>Allowed imports: {@code carom.sim}, {@code carom.physics..}. The rules of the simulation hold
- * here too: no clock, no thread, no {@code Math.sin} or {@code java.util.Random}, no iteration over
- * a hash map.
+ * <p>Each game that ships has a package of its own below this one: {@code carom.game.arena} and
+ * {@code carom.game.platformer}. They are also the examples to copy. The registry finds games as
+ * services, so nothing here depends on them.
  *
- * <p>Read first: {@link carom.game.Games}, {@link carom.game.ArenaGame}, {@link
- * carom.game.PlatformerGame}; {@code docs/GAMES.md} is the tutorial.
+ * <p>Allowed imports: {@code carom.sim..}, {@code carom.physics..}.
+ *
+ * <p>Read first: {@link carom.game.Games}; {@code docs/GAMES.md} is the tutorial.
  */
 package carom.game;

@@ -1,7 +1,7 @@
 package carom.replay;
 
 import carom.game.Games;
-import carom.sim.GuardedGame;
+import carom.game.GuardedGame;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.level.Level;

@@ -1,23 +1,33 @@
 package carom.sim;
 
-/** Refuses calls of a simulation's methods in the wrong {@link Role} or during the physics. */
+/** Refuses calls of a simulation's methods in the wrong {@link Role} or during the physics step. */
 final class CallRules {
   private final Role role;
-  private boolean physicsRun;
+  private boolean inPhysics;
 
   CallRules(Role role) {
     this.role = role;
   }
 
-  /** Notes whether the physics runs now. */
-  void physicsRun(boolean now) {
-    physicsRun = now;
+  /** Sets whether the physics step runs now. */
+  void inPhysics(boolean now) {
+    inPhysics = now;
   }
 
+  /**
+   * Throws unless the role is {@link Role#AUTHORITY} and the physics step does not run.
+   *
+   * @param what the method that was called
+   */
   void requireAuthority(String what) {
     require(Role.AUTHORITY, what);
   }
 
+  /**
+   * Throws unless the role is {@link Role#PREDICTION} and the physics step does not run.
+   *
+   * @param what the method that was called
+   */
   void requirePrediction(String what) {
     require(Role.PREDICTION, what);
   }
@@ -27,14 +37,18 @@ final class CallRules {
       throw new IllegalStateException(
           what + " is for the " + wanted + " role only, this is " + role);
     }
-    requireQuiet(what);
+    requireOutsidePhysics(what);
   }
 
-  /** Refuses a call during the physics. */
-  void requireQuiet(String what) {
-    if (physicsRun) {
+  /**
+   * Throws while the physics step runs.
+   *
+   * @param what the method that was called
+   */
+  void requireOutsidePhysics(String what) {
+    if (inPhysics) {
       throw new IllegalStateException(
-          what + " can't happen while the physics step; do it in Game.afterStep");
+          what + " can't be called during the physics step; call it in Game.afterStep");
     }
   }
 }

@@ -5,17 +5,17 @@ import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 
 /**
- * One thing in the world: a body with an identity, a kind and perhaps an owner. The static geometry
- * of the level consists of entities too, with the id {@link #LEVEL}.
+ * A body with an identity, an archetype and perhaps an owner. The static geometry of the level
+ * consists of entities too, with the id {@link #LEVEL}.
  *
- * <p>A handle, valid until despawned; its id is then given to another entity with another
- * generation.
+ * <p>An entity is a handle that is valid until it is despawned. Its id is then given to another
+ * entity, with another generation.
  */
 public final class Entity {
-  /** The id of static level geometry, which never appears in snapshots. */
+  /** Id of static level geometry. It never appears in snapshots. */
   public static final int LEVEL = -1;
 
-  /** The owner id of an entity that belongs to no player. */
+  /** Owner id of an entity that belongs to no player. */
   public static final int NO_OWNER = Level.NO_OWNER;
 
   private final int id;
@@ -37,67 +37,69 @@ public final class Entity {
     tag = archetype.tag();
   }
 
-  /** The slot, 0..65534, or {@link #LEVEL}. */
+  /** Returns the slot, 0..65534, or {@link #LEVEL}. */
   public int id() {
     return id;
   }
 
-  /** How often the slot has been used before, modulo 256: tells two users of one slot apart. */
+  /**
+   * Returns how often the slot was used before, modulo 256. It tells two users of one slot apart.
+   */
   public int generation() {
     return generation;
   }
 
-  /** Its kind. */
+  /** Returns its archetype. */
   public Archetype archetype() {
     return archetype;
   }
 
-  /** The player it belongs to, or {@link #NO_OWNER}. */
+  /** Returns the id of the player it belongs to, or {@link #NO_OWNER}. */
   public int ownerId() {
     return ownerId;
   }
 
-  /** Its body; invalid once the entity is despawned. */
+  /** Returns its body, which becomes invalid when the entity is despawned. */
   public Body<Entity> body() {
     return body;
   }
 
-  /** Must be called once, before anybody sees the entity. */
+  /** Sets the body. It must be called once, before the entity is used. */
   void body(Body<Entity> made) {
     body = made;
     bodySlot = made.index();
   }
 
-  /** The index of its body, known without looking at that. */
+  /** Returns the index of its body without access to the body. */
   public int bodySlot() {
     return bodySlot;
   }
 
-  /** Whether this is static level geometry. */
+  /** Returns whether this is static level geometry. */
   public boolean isLevel() {
     return id == LEVEL;
   }
 
-  /** A number with a meaning of the game's own; starts as the archetype's tag. */
+  /** Returns a number with a meaning of the game's own. It starts as the archetype's tag. */
   public int tag() {
     return tag;
   }
 
   /**
-   * Changes the tag. It is hashed and saved, but not sent: what must look different on the clients
-   * needs another archetype.
+   * Sets the tag. It is hashed and saved, but not sent: an entity that must look different on
+   * clients needs another archetype.
    */
   public void tag(int value) {
     tag = value;
   }
 
   /**
-   * Puts the body somewhere else, as a respawn or a gate does: clients show it here and then there,
-   * and nothing between. {@link Body#setPose} alone says that it moved, fast.
+   * Puts the body somewhere else, as a respawn or a gate does. Clients show it here and then there,
+   * and nothing between. {@link Body#setPose} alone would look like a fast movement.
    *
-   * @param x origin, metres
-   * @param y origin, metres
-   * @param angle radians, counter-clockwise
+   * @param x position of the body's origin, metres
+   * @param y position of the body's origin, metres
+   * @param angle radians, counterclockwise
    */
   public void teleport(float x, float y, float angle) {
     body.setPose(x, y, angle);
@@ -105,7 +107,10 @@ public final class Entity {
     table.noteChange();
   }
 
-  /** How often it was {@linkplain #teleport teleported}. Saved, but decides nothing. */
+  /**
+   * Returns how often it was {@linkplain #teleport teleported}. The number is saved, but not
+   * hashed.
+   */
   public int teleports() {
     return teleports;
   }

@@ -3,28 +3,29 @@ package carom.sim;
 import carom.physics.Body;
 import carom.physics.BodyDef;
 import carom.physics.World;
+import carom.sim.history.TrackedBodies;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 import carom.sim.level.ScriptedMotion;
 import java.util.Arrays;
 
 /**
- * The entities of a simulation by id, the bodies that belong to them, and their part of its state.
- * An id that is free again keeps its generation, so that its next entity gets another one.
+ * The entities of a simulation by id, their bodies, and their part of its state. A free id keeps
+ * its generation, so that its next entity gets another one.
  */
-final class EntityTable {
+final class EntityTable implements TrackedBodies<Entity> {
   private final World<Entity> world;
   private final PlayerTable players;
   private final int tickRate;
   private Entity[] entities = new Entity[64];
   private byte[] generations = new byte[64];
 
-  /** All ids that were ever used are below. */
+  /** Number above all ids that were ever used. */
   private int capacity;
 
   private int count;
 
-  /** No id below is free. */
+  /** Lower bound of the free ids. */
   private int firstFree;
 
   private long version;
@@ -35,7 +36,7 @@ final class EntityTable {
     this.tickRate = tickRate;
   }
 
-  /** The entity under an id, or null when the id is free or out of range. */
+  /** Returns the entity under an id, or null when the id is free or out of range. */
   Entity get(int id) {
     return id >= 0 && id < capacity ? entities[id] : null;
   }
@@ -45,11 +46,12 @@ final class EntityTable {
     return get(entity.id()) == entity;
   }
 
-  /** All ids that were ever used are below. */
+  /** Returns a number above all ids that were ever used. */
   int capacity() {
     return capacity;
   }
 
+  /** Returns the number of entities. */
   int count() {
     return count;
   }
@@ -64,29 +66,52 @@ final class EntityTable {
     version++;
   }
 
-  /** Creates a static of the level, which is in no table. */
+  @Override
+  public int limit() {
+    return capacity;
+  }
+
+  @Override
+  public Body<Entity> body(int id) {
+    Entity entity = entities[id];
+    return entity == null ? null : entity.body();
+  }
+
+  @Override
+  public Archetype archetype(int id) {
+    return entities[id].archetype();
+  }
+
+  @Override
+  public boolean isTracked(Body<Entity> body) {
+    return body.user() != null && !body.user().isLevel();
+  }
+
+  /** Creates an entity of static level geometry. The table does not list it. */
   Entity createStatic(Archetype archetype, Level.Placement p) {
     Entity entity = new Entity(this, Entity.LEVEL, 0, archetype, Entity.NO_OWNER);
-    embody(entity, p.x(), p.y(), p.angle());
+    createBody(entity, p.x(), p.y(), p.angle());
     return entity;
   }
 
   /**
    * Creates an entity under the smallest free id.
    *
-   * @param tick where on its path a kinematic body begins
+   * @param tick determines where on its path a kinematic body begins
    */
   Entity spawn(Archetype archetype, float x, float y, float angle, int ownerId, int tick) {
     int id = takeFreeId(archetype);
     return add(new Entity(this, id, generations[id] & 0xff, archetype, ownerId), x, y, angle, tick);
   }
 
-  /** Creates an entity of no player under the smallest free id, with a body of its own. */
+  /**
+   * Creates an entity without an owner under the smallest free id, with a body from a definition.
+   */
   Entity spawn(Archetype archetype, BodyDef def) {
     int id = takeFreeId(archetype);
     Entity entity = new Entity(this, id, generations[id] & 0xff, archetype, Entity.NO_OWNER);
     entity.body(world.createBody(def, entity));
-    return enlist(entity);
+    return register(entity);
   }
 
   /** Creates an entity under a given id; see {@link Simulation#spawnAs}. */
@@ -136,21 +161,21 @@ final class EntityTable {
   private Entity add(Entity entity, float x, float y, float angle, int tick) {
     ScriptedMotion path = entity.archetype().motion();
     if (path == null) {
-      embody(entity, x, y, angle);
+      createBody(entity, x, y, angle);
     } else {
-      embody(entity, path.x(tick, tickRate), path.y(tick, tickRate), angle);
+      createBody(entity, path.x(tick, tickRate), path.y(tick, tickRate), angle);
     }
-    return enlist(entity);
+    return register(entity);
   }
 
-  /** Makes the body. Players' bodies never sleep: what games decide about them changes any time. */
-  private void embody(Entity entity, float x, float y, float angle) {
+  /** Creates the body. Players' bodies never sleep, because a game may act on them at any time. */
+  private void createBody(Entity entity, float x, float y, float angle) {
     BodyDef body = entity.archetype().body(x, y, angle);
     body.sleepAllowed(entity.ownerId() == Entity.NO_OWNER);
     entity.body(world.createBody(body, entity));
   }
 
-  private Entity enlist(Entity entity) {
+  private Entity register(Entity entity) {
     int id = entity.id();
     entities[id] = entity;
     noteChange();
@@ -180,8 +205,9 @@ final class EntityTable {
   }
 
   /**
-   * Puts every body with a path where the path was a tick ago, to the bit, and gives it the
-   * velocity that takes it on: a client that knows the tick computes the same.
+   * Moves every body with a path. It puts the body where the path was a tick ago, to the bit, and
+   * sets the velocity that leads to the path's present point. A client that knows the tick computes
+   * the same.
    */
   void followPaths(int tick) {
     for (int i = 0; i < capacity; i++) {
@@ -201,7 +227,7 @@ final class EntityTable {
     }
   }
 
-  /** Mixes all that decides the entities' future, but for their bodies, into a state hash. */
+  /** Mixes everything that decides the entities' future, except their bodies, into a state hash. */
   long hash(long hash) {
     long h = hash;
     for (int i = 0; i < capacity; i++) {
@@ -235,7 +261,7 @@ final class EntityTable {
     }
   }
 
-  /** Takes the entities' state over from a saved one. */
+  /** Takes the entities' state from a saved one. */
   void restore(SimState s) {
     int before = capacity;
     capacity = s.entityCapacity;

@@ -4,15 +4,16 @@ import carom.sim.event.Audience;
 import carom.sim.event.EventKind;
 
 /**
- * Something that happens at one moment and is worth a sound, a flash or a line: a hit, a goal, a
- * jump. A game makes one with {@link Simulation#emit} and fills it in; the server brings it to each
+ * An event happens at one moment and is worth a sound, a flash or a line of text: a hit, a goal, a
+ * jump. A game makes one with {@link Simulation#emit} and fills it in. The server sends it to each
  * client that may know of it, and each client shows it exactly once.
  *
- * <p>An event is told, never asked: it is no part of the state, isn't hashed or saved, and nothing
- * may depend on it. Mutable and reused: who hears one reads it and doesn't keep it.
+ * <p>Events are output only. They are no part of the state, are neither hashed nor saved, and
+ * nothing may depend on them. The object is mutable and reused: a listener reads it and does not
+ * keep it.
  */
 public final class Event {
-  /** No player, no entity. */
+  /** Stands for no player or no entity. */
   public static final int NONE = -1;
 
   EventKind kind;
@@ -26,7 +27,7 @@ public final class Event {
   int data;
   Audience audience = Audience.NEAR;
 
-  /** Creates an empty one, for {@link #set}. */
+  /** Creates an empty event, to be filled in by {@link #set}. */
   public Event() {
     begin(null, 0);
   }
@@ -46,50 +47,54 @@ public final class Event {
 
   // ---- filled in by the game
 
-  /** Where it happens, metres; (0, 0) unless said. */
+  /** Sets where it happens, in metres; (0, 0) by default. */
   public Event at(float newX, float newY) {
     x = newX;
     y = newY;
     return this;
   }
 
-  /** Whom it happens to; the level's statics are nobody. */
+  /** Sets the entity to which it happens. Static level geometry counts as {@link #NONE}. */
   public Event of(Entity entity) {
     first = key(entity);
     return this;
   }
 
-  /** Who else takes part; the level's statics are nobody. */
+  /** Sets the other entity that takes part. Static level geometry counts as {@link #NONE}. */
   public Event with(Entity entity) {
     second = key(entity);
     return this;
   }
 
-  /** Whose doing it is: that player's client shows it when it predicts it. */
-  public Event by(Player who) {
-    player = who == null ? NONE : who.id();
+  /**
+   * Sets the player who caused it, or null. That player's client shows the event when it predicts
+   * it.
+   */
+  public Event by(Player cause) {
+    player = cause == null ? NONE : cause.id();
     return this;
   }
 
-  /** How hard, in a unit of the kind's; clients are told eight significant bits. */
+  /** Sets how strong it is, in a unit of the kind's own. Clients receive eight significant bits. */
   public Event strength(float value) {
     strength = value;
     return this;
   }
 
-  /** A number of the kind's own, such as a team. */
+  /** Sets a number with a meaning of the kind's own, such as a team. */
   public Event data(int value) {
     data = value;
     return this;
   }
 
   /**
-   * Who is told; {@link Audience#NEAR} unless said: whoever looks at the place and may know of the
-   * entities and of the body of {@link #by}. {@link Audience#TEAM} and {@link Audience#OWNER} mean
-   * the team and the client of {@link #by}, who is told in any case but {@link Audience#NOBODY}.
+   * Sets the audience. The default is {@link Audience#NEAR}: clients that look at the place and may
+   * know the entities and the body of the player in {@link #by}. {@link Audience#TEAM} and {@link
+   * Audience#OWNER} mean the team and the client of that player. That client always receives the
+   * event, except for {@link Audience#NOBODY}.
    */
-  public Event to(Audience who) {
-    audience = who;
+  public Event to(Audience newAudience) {
+    audience = newAudience;
     return this;
   }
 
@@ -97,19 +102,23 @@ public final class Event {
     return entity == null || entity.isLevel() ? NONE : key(entity.id(), entity.generation());
   }
 
-  /** Names an entity: its id and, above 16 bits, its generation. */
+  /** Returns a key of an entity: its id and, above 16 bits, its generation. */
   public static int key(int id, int generation) {
     return id | generation << 16;
   }
 
   /**
-   * Fills all of it in, for whoever brings events from elsewhere.
+   * Sets all values but the audience, which becomes {@link Audience#NEAR}.
    *
-   * @param newKind what it is
-   * @param newTick when
+   * @param newKind its kind
+   * @param newTick the tick in which it happens
    * @param newPlayer 0..1,023 or {@link #NONE}
    * @param newFirst a {@link #key} or {@link #NONE}
    * @param newSecond a {@link #key} or {@link #NONE}
+   * @param newX metres
+   * @param newY metres
+   * @param newStrength in a unit of the kind's own
+   * @param newData a number of the kind's own
    */
   public Event set(
       EventKind newKind,
@@ -132,7 +141,7 @@ public final class Event {
     return this;
   }
 
-  /** Copies another one. */
+  /** Copies another event. */
   public Event set(Event other) {
     set(
         other.kind,
@@ -149,8 +158,8 @@ public final class Event {
   }
 
   /**
-   * Whether both may be the same happening, computed twice: same kind, player and entities. Where,
-   * when and how hard may differ.
+   * Returns whether two events may be the same happening, computed twice. Their kinds, players and
+   * entities are equal; place, tick and strength may differ.
    */
   public boolean isLike(Event other) {
     return kind == other.kind
@@ -159,54 +168,54 @@ public final class Event {
             || (first == other.second && second == other.first));
   }
 
-  // ---- read by whoever hears it
+  // ---- read by a listener
 
-  /** What it is. */
+  /** Returns its kind. */
   public EventKind kind() {
     return kind;
   }
 
-  /** The tick in which it happens. */
+  /** Returns the tick in which it happens. */
   public int tick() {
     return tick;
   }
 
-  /** Whose doing it is, or {@link #NONE}. */
+  /** Returns the id of the player who caused it, or {@link #NONE}. */
   public int player() {
     return player;
   }
 
-  /** {@link #key} of whom it happens to, or {@link #NONE}. */
+  /** Returns the {@link #key} of the entity to which it happens, or {@link #NONE}. */
   public int first() {
     return first;
   }
 
-  /** {@link #key} of who else takes part, or {@link #NONE}. */
+  /** Returns the {@link #key} of the other entity that takes part, or {@link #NONE}. */
   public int second() {
     return second;
   }
 
-  /** Where it happens, metres. */
+  /** Returns where it happens, in metres to the right. */
   public float x() {
     return x;
   }
 
-  /** Where it happens, metres. */
+  /** Returns where it happens, in metres upwards. */
   public float y() {
     return y;
   }
 
-  /** How hard, in a unit of the kind's. */
+  /** Returns how strong it is, in a unit of the kind's own. */
   public float strength() {
     return strength;
   }
 
-  /** A number of the kind's own. */
+  /** Returns a number with a meaning of the kind's own. */
   public int data() {
     return data;
   }
 
-  /** Who is told. */
+  /** Returns which clients receive it. */
   public Audience audience() {
     return audience;
   }

@@ -3,7 +3,10 @@ package carom.sim;
 import carom.sim.event.EventKind;
 import java.util.function.Consumer;
 
-/** The events of a simulation since somebody took them; one object per place, used again. */
+/**
+ * The events of a simulation that have not been drained yet. The places and their objects are
+ * reused.
+ */
 final class EventLog {
   private static final int MASK = Simulation.MAX_EVENTS - 1;
 
@@ -12,7 +15,7 @@ final class EventLog {
   private long taken;
   private long dropped;
 
-  /** The next one to fill in; when nobody takes them, the oldest goes. */
+  /** Returns the next event to fill in. If the log is full, it drops the oldest one. */
   Event add(EventKind kind, int tick) {
     int at = (int) made++ & MASK;
     if (events[at] == null) {
@@ -26,14 +29,16 @@ final class EventLog {
     return events[at];
   }
 
+  /** Passes all events on in the order they were added, and forgets them. */
   void drain(Consumer<Event> consumer) {
     while (taken < made) {
       consumer.accept(events[(int) taken++ & MASK]);
     }
-    made = 0; // the first places again: a steady tick makes no new objects
+    made = 0; // reuse the first places: a steady tick creates no objects
     taken = 0;
   }
 
+  /** Returns the number of events that were dropped because the log was full. */
   long dropped() {
     return dropped;
   }

@@ -6,127 +6,131 @@ import carom.sim.event.Audience;
 import carom.sim.level.Level;
 
 /**
- * The rules of a game. Write one, name it in a level file, list it as a service, and it is a
- * multiplayer game; {@code docs/GAMES.md} is the tutorial.
+ * The rules of a game. Implement it, name it in a level file and list it as a service, and it is a
+ * multiplayer game. {@code docs/GAMES.md} is the tutorial.
  *
  * <p>One instance serves one simulation. Fields may hold what {@link #setUp} found (archetypes,
- * zones, scratch objects); everything that changes while playing belongs into {@link
+ * zones, scratch objects). Everything that changes while playing belongs into {@link
  * Player#memory}, {@link Simulation#memory} or the world, where it is hashed, saved and restored.
  *
- * <p>All methods run on the simulation's thread. {@code setUp}, {@code input} and {@code collision}
- * run on server and client and must do the same there; the rest runs on {@link Role#AUTHORITY}
- * only.
+ * <p>All methods run on the simulation's thread. {@code setUp}, {@code input}, {@code collision}
+ * and {@code hit} run on server and client and must do the same there. The rest runs on {@link
+ * Role#AUTHORITY} only.
  */
 public interface Game {
-  /** The name under which it is found, lower case. */
+  /** Returns the name under which the game is found, in lower case. */
   String name();
 
-  /** The resource name of the level it starts with, such as {@code arena}. */
+  /** Returns the resource name of the level it starts with, such as {@code arena}. */
   String defaultLevel();
 
-  /** One line for people who choose a game. */
+  /** Returns one line for people who choose a game. */
   default String description() {
     return name();
   }
 
-  /** Settings of the world; the default takes the level's gravity. */
+  /** Returns the settings of the world. The default takes the level's gravity. */
   default WorldDef world(Level level) {
     return new WorldDef().withGravity(level.gravityX(), level.gravityY());
   }
 
-  /** Ints of {@link Simulation#memory} the game wants in that level, 0..65536. */
+  /** Returns how many ints of {@link Simulation#memory} the game needs in a level, 0..65536. */
   default int memorySize(Level level) {
     return 16;
   }
 
   /**
-   * Whether the game keeps anything that changes outside of {@link Simulation#memory}, players and
-   * entities. Its states aren't whole then: recordings of it begin at tick 0 and are computed from
-   * there. Better not.
+   * Returns whether the game keeps changing state outside of {@link Simulation#memory}, players and
+   * entities. A saved state of such a game is incomplete, so its recordings begin at tick 0 and are
+   * computed from there. Games should avoid this.
    */
   default boolean keepsMore() {
     return false;
   }
 
   /**
-   * Whether inputs that wait at the server for the next ticks are told to the clients of those near
-   * (seven ticks at most). Then these foresee what others do instead of guessing it, and the
-   * present they show is right; but a modified client can read it, and react before it happens.
-   * False tells inputs with their ticks only: each change of mind of others near shows as a
-   * correction as late as the round trip.
+   * Returns whether clients near a player receive the inputs that wait at the server for the next
+   * ticks, seven at most. If true, these clients predict other players exactly instead of guessing,
+   * and show their true present. But a modified client can read the inputs and react before they
+   * take effect. If false, inputs are sent with their ticks only, and each change of another
+   * player's input shows as a correction one round trip later.
    */
   default boolean relaysAhead() {
     return true;
   }
 
   /**
-   * Whether the game asks {@link Simulation#asSeenBy}: then every tick of the last quarter of a
-   * second is remembered.
+   * Returns whether the game calls {@link Simulation#asSeenBy}. If true, the simulation remembers
+   * all poses of the last quarter of a second.
    */
   default boolean looksBack() {
     return false;
   }
 
   /**
-   * Both roles, once: registers archetypes and remembers zones. The level's statics exist. On
-   * {@link Role#AUTHORITY} it may spawn entities after registering; the level's own bodies exist
-   * already.
+   * Registers archetypes and event kinds and remembers zones; both roles, once. The level's statics
+   * exist. On {@link Role#AUTHORITY} the level's bodies exist too, and the game may spawn entities
+   * after registering.
    *
-   * @throws IllegalArgumentException when the level lacks what the game needs; the message tells
-   *     what, and is all that a server which can't start with it says
+   * @throws IllegalArgumentException when the level lacks something that the game needs. The
+   *     message says what; it is all that a server prints when it cannot start the game
    */
   void setUp(Simulation s);
 
-  /** A player has joined and may get a body. */
+  /** Handles a player who has joined. It may give the player a body. */
   void join(Simulation s, Player p);
 
-  /** A player is about to leave. Afterwards the simulation despawns everything the player owns. */
+  /**
+   * Handles a player who is about to leave. Afterwards the simulation despawns everything the
+   * player owns.
+   */
   default void leave(Simulation s, Player p) {}
 
   /**
-   * Both roles, each tick before the world steps, for each player with a body in order of their
-   * ids: turns commands into forces. May touch only the player, its memory, its body, and read
-   * contacts.
+   * Turns a player's commands into forces; both roles, each tick before the world steps, for each
+   * player with a body, in order of ids. It may change only the player, its memory and its body,
+   * and may read contacts.
    */
   void input(Simulation s, Player p, Input in);
 
-  /** Each tick before the players' inputs. */
+  /** Applies the rules of a tick before the players' inputs. */
   default void beforeStep(Simulation s) {}
 
-  /** Each tick after the world has stepped: goals, scores, respawns. */
+  /** Applies the rules of a tick after the world has stepped: goals, scores, respawns. */
   default void afterStep(Simulation s) {}
 
   /**
-   * Both roles, during the step, for each touching pair: false refuses the response this tick. May
-   * read entities and the memory of their owners; must change nothing. The default lets one-way
-   * platforms pass what comes from below.
+   * Returns whether a touching pair collides in this tick; both roles, during the step. It may read
+   * entities and the memory of their owners, and must change nothing. The default lets bodies pass
+   * one-way platforms from below.
    */
   default boolean collision(Simulation s, Collision<Entity> c) {
     return OneWay.responds(s, c);
   }
 
   /**
-   * Both roles, during the step, for each pair that hits each other harder than {@link
-   * WorldDef#hitSpeed}, once per impact: the place to {@linkplain Simulation#emit tell} of it. May
-   * read; must change nothing.
+   * Handles an impact harder than {@link WorldDef#hitSpeed}; both roles, during the step, once per
+   * impact. It is the place to {@linkplain Simulation#emit emit} an event. It may read, and must
+   * change nothing else.
    *
-   * @param c with {@link Collision#hitSpeed}, where and how hard; valid during the call
+   * @param c with {@link Collision#hitSpeed}, place and strength; valid during the call
    */
   default void hit(Simulation s, Collision<Entity> c) {}
 
   /**
-   * {@link Role#AUTHORITY} only, after each tick for each entity: who is told about it. Players
-   * always know their own body. Who isn't told about an entity isn't told its exact state either,
-   * nor of events of what is near that it takes part in; of a player whose body it is, no input.
-   * What nobody is told about costs nothing, and no client can cheat it out of the wire.
+   * Returns which players are told about an entity; {@link Role#AUTHORITY} only, after each tick
+   * for each entity. Players always know their own body. A client that is not told about an entity
+   * receives neither its exact state nor the {@link Audience#NEAR} events in which it takes part,
+   * and no input of a player whose body it is. An entity that nobody is told about costs nothing,
+   * and no cheat can find it on the wire.
    */
   default Audience audience(Simulation s, Entity e) {
     return Audience.NEAR;
   }
 
   /**
-   * {@link Role#AUTHORITY} only, often: whether a player is told about everything everywhere, as a
-   * referee or a spectator may be. It costs as much as the whole world.
+   * Returns whether a player is told about everything everywhere, as a referee or a spectator may
+   * be; {@link Role#AUTHORITY} only, called often. It costs as much bandwidth as the whole world.
    */
   default boolean seesAll(Simulation s, Player p) {
     return false;

@@ -1,11 +1,10 @@
 package carom.sim;
 
 /**
- * One player's commands for one tick: an input frame.
+ * The commands of one player for one tick: an input frame.
  *
- * <p>Every value is quantised the moment it is set, so that the client that predicts and the server
- * that decides read the same numbers. Six bytes on the wire ({@link #pack}). Mutable, owned by one
- * thread.
+ * <p>Every value is quantised when it is set, so that the client that predicts and the server that
+ * decides read the same numbers. {@link #pack} makes six bytes of it. Mutable; one thread.
  */
 public final class Input {
   /** Jump, or the first face button of a controller. */
@@ -17,13 +16,13 @@ public final class Input {
   /** A second action. */
   public static final int SECOND = 1 << 2;
 
-  /** Down as a button of its own: drop through a one-way platform. */
+  /** Down as a button of its own, such as to drop through a one-way platform. */
   public static final int DOWN = 1 << 3;
 
   /** Up as a button of its own. */
   public static final int UP = 1 << 4;
 
-  /** Bits of a packed input that are in use. */
+  /** Number of bits of a packed input. */
   public static final int PACKED_BITS = 48;
 
   private static final int MOVE_STEPS = 127;
@@ -35,10 +34,10 @@ public final class Input {
   private int moveY;
   private int aim;
 
-  /** No button held, no movement, aim along +x. */
+  /** Creates an input with no button held, no movement, and an aim along +x. */
   public Input() {}
 
-  /** All buttons held during the tick, 16 bits. */
+  /** Returns all buttons that are held during the tick, 16 bits. */
   public int buttons() {
     return buttons;
   }
@@ -49,7 +48,7 @@ public final class Input {
     return this;
   }
 
-  /** Whether any button of the mask is held. */
+  /** Returns whether any button of the mask is held. */
   public boolean held(int mask) {
     return (buttons & mask) != 0;
   }
@@ -59,12 +58,12 @@ public final class Input {
     return buttons(down ? buttons | mask : buttons & ~mask);
   }
 
-  /** Movement to the right, -1..1 in steps of 1/127. */
+  /** Returns the movement to the right, -1..1 in steps of 1/127. */
   public float moveX() {
     return moveX / (float) MOVE_STEPS;
   }
 
-  /** Movement upwards, -1..1 in steps of 1/127. */
+  /** Returns the movement upwards, -1..1 in steps of 1/127. */
   public float moveY() {
     return moveY / (float) MOVE_STEPS;
   }
@@ -81,7 +80,10 @@ public final class Input {
     return this;
   }
 
-  /** Aim direction in radians, counterclockwise from +x, in [0, 2 pi) in steps of 1/65536 turn. */
+  /**
+   * Returns the aim direction in radians, counterclockwise from +x, in [0, 2 pi) in steps of
+   * 1/65536 turn.
+   */
   public float aim() {
     return aim * TURN_TO_RAD;
   }
@@ -97,7 +99,7 @@ public final class Input {
     return this;
   }
 
-  /** Releases everything. */
+  /** Releases all buttons, and sets movement and aim to 0. */
   public void clear() {
     unpack(0);
   }
@@ -107,14 +109,17 @@ public final class Input {
     unpack(other.pack());
   }
 
-  /** The input as {@value #PACKED_BITS} bits: buttons, moveX, moveY, aim from the lowest bit up. */
+  /**
+   * Returns the input as {@value #PACKED_BITS} bits: buttons, moveX, moveY, aim from the lowest bit
+   * up.
+   */
   public long pack() {
     return buttons | (moveX & 0xffL) << 16 | (moveY & 0xffL) << 24 | (long) aim << 32;
   }
 
   /**
-   * Reads what {@link #pack} wrote. Total: any 64 bits give a legal input (a movement of -128 steps
-   * becomes -127; bits above {@value #PACKED_BITS} are ignored).
+   * Takes all values from bits that {@link #pack} made. Any 64 bits give a legal input: a movement
+   * of -128 steps becomes -127, and bits above {@value #PACKED_BITS} are ignored.
    */
   public void unpack(long packed) {
     buttons = (int) packed & 0xffff;
@@ -124,10 +129,10 @@ public final class Input {
   }
 
   /**
-   * What to take for an input that isn't known, from the last one that is: who held a key probably
-   * still holds it, and who steered probably steers a little less each tick. Full for the first
-   * third of the time, then the movement shrinks in a straight line; buttons and aim stay. After
-   * that, neutral.
+   * Returns a guess at an unknown input from the last known one. A player who held a button
+   * probably still holds it, and a player who steered probably steers a little less each tick. The
+   * guess repeats the whole input for the first third of the time. Then the movement shrinks
+   * linearly, while buttons and aim stay. After the hold time it is 0.
    *
    * @param last the last known input, packed
    * @param ticks how long ago that was, at least 0

@@ -24,7 +24,7 @@ import java.util.Arrays;
  * is filled on {@link Role#AUTHORITY} only. One thread; allocates only to grow.
  */
 public final class InterferenceLog {
-  /** What is known of one entity or one player. */
+  /** Holds what is known of one entity or one player. */
   private static final class Mark {
     Object subject;
     boolean watched;
@@ -36,10 +36,10 @@ public final class InterferenceLog {
   private final EntityTable entities;
   private final PlayerTable players;
 
-  /** Marks by entity id. */
+  /** Marks of entities, by id. */
   private Mark[] ofEntities = new Mark[64];
 
-  /** Marks by player id. */
+  /** Marks of players, by id. */
   private Mark[] ofPlayers = new Mark[16];
 
   private Entity[] watched = new Entity[16];
@@ -75,8 +75,8 @@ public final class InterferenceLog {
 
   /**
    * Returns whether the game interfered before the physics of {@link #lastTick(Entity)}. Then the
-   * bodies that this one touches went another way in the same tick; otherwise nothing but this
-   * entity differs after that tick.
+   * bodies that this one touches are affected in the same tick. Otherwise nothing but this entity
+   * differs after that tick.
    */
   public boolean wasBeforeStep(Entity entity) {
     Mark mark = find(ofEntities, entity.id(), entity);

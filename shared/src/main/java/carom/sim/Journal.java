@@ -1,27 +1,27 @@
 package carom.sim;
 
 /**
- * Hears everything that enters a simulation and is not computed by it: who comes and goes, and what
- * each player does in a tick. Level, seed, tick rate and a journal of this are enough to compute
- * every state again, bit for bit; {@code carom.replay} writes one to a file.
+ * Receives everything that enters a simulation and is not computed by it: players who join and
+ * leave, and their inputs. Level, seed, tick rate and a journal are enough to compute every state
+ * again, bit for bit. {@code carom.replay} writes one to a file.
  *
- * <p>{@link Simulation} itself tells, so that nobody who drives it can forget to. Who changes its
- * world from outside of {@link Game} and of these calls leaves the journal. On the simulation's
- * thread; must change nothing.
+ * <p>{@link Simulation} itself calls it, so that no caller can forget to. A caller that changes the
+ * world outside of {@link Game} and of these calls makes the journal incomplete. All methods run on
+ * the simulation's thread and must change nothing.
  */
 public interface Journal {
-  /** A player is about to come in, before {@link Game#join}. */
+  /** Receives a player who is about to join, before {@link Game#join}. */
   void joining(Simulation s, int id, String name);
 
-  /** A player is about to go, before {@link Game#leave}. */
+  /** Receives a player who is about to leave, before {@link Game#leave}. */
   void leaving(Simulation s, int id);
 
   /**
-   * A step is about to begin: {@link Player#input} and {@link Player#viewDelay} of every player are
-   * what it will read; {@link Simulation#tick} is the tick before.
+   * Receives the simulation before a step. The step will read {@link Player#input} and {@link
+   * Player#viewDelay} of every player as they are now. {@link Simulation#tick} is the tick before.
    */
   void stepping(Simulation s);
 
-  /** The step has ended; not called when it threw. */
+  /** Receives the simulation after a step, unless the step threw. */
   void stepped(Simulation s);
 }

@@ -3,27 +3,27 @@ package carom.sim;
 import carom.physics.Collision;
 
 /**
- * One-way platforms: they hold what stands or lands on them, and let everything else pass, from
- * below and from the sides.
+ * The rule of one-way platforms: they carry bodies that stand or land on them, and let everything
+ * else pass, from below and from the sides.
  *
  * <p>The rule needs no memory of its own. A contact counts when the platform's surface points up
- * and either the contact carried something in the tick before, or the body was not yet in the
- * platform a tick ago: it is no deeper than it has just fallen. What rises through the platform, or
- * began to fall inside it, is deeper than that.
+ * and one of two things holds: the contact carried something in the tick before, or the body was
+ * not yet in the platform a tick ago, because it is no deeper than it has just fallen. A body that
+ * rises through the platform, or began to fall inside it, is deeper than that.
  */
 public final class OneWay {
-  /** Overlap that still counts as standing on top, metres: soft contacts sink in a little. */
+  /** Overlap that still counts as standing on top, in metres. Soft contacts sink in a little. */
   private static final float TOLERANCE = 0.03f;
 
-  /** Least upward part of the surface's normal: 45 degrees. */
+  /** Least upward part of the surface's normal, which is that of 45 degrees. */
   private static final float MIN_UP = 0.7f;
 
   private OneWay() {}
 
   /**
-   * Whether two touching bodies should push each other.
+   * Returns whether two touching bodies push each other.
    *
-   * @param s whose tick it is
+   * @param s the simulation that computes the tick
    * @param c a contact about to be solved
    * @return false when one of the two is a one-way platform that lets the other pass
    */
@@ -37,7 +37,11 @@ public final class OneWay {
     return true;
   }
 
-  /** Up is the upward part of the normal from the platform to the rider. */
+  /**
+   * Returns whether a platform carries the other body.
+   *
+   * @param up the upward part of the normal from the platform to the other body
+   */
   private static boolean holds(Simulation s, Collision<Entity> c, float up) {
     if (up < MIN_UP) {
       return false;

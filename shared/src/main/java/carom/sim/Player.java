@@ -1,19 +1,20 @@
 package carom.sim;
 
 import carom.physics.rows.BodyRow;
+import carom.sim.history.PoseHistory;
 
 /**
- * Someone who plays: a name, an input, a score, perhaps a body. Belongs to one {@link Simulation}
- * and its thread.
+ * A person or bot that plays: a name, an input, a score, perhaps a body. It belongs to one {@link
+ * Simulation} and its thread.
  */
 public final class Player {
-  /** Ints of {@link #memory}. */
+  /** Number of ints of {@link #memory}. */
   public static final int MEMORY_SIZE = BodyRow.MEMORY_INTS;
 
-  /** Parts of a tick in which {@link #viewDelay} counts. */
-  public static final int VIEW_STEPS = 16;
+  /** Number of parts of a tick in which {@link #viewDelay} counts. */
+  public static final int VIEW_STEPS = PoseHistory.STEPS_PER_TICK;
 
-  /** Largest {@link #viewDelay}: 255 ticks. */
+  /** Largest {@link #viewDelay}, which is 255 ticks. */
   public static final int MAX_VIEW_DELAY = 255 * VIEW_STEPS;
 
   private final Simulation simulation;
@@ -32,50 +33,56 @@ public final class Player {
     this.name = name;
   }
 
-  /** The slot, 0..1,023; free again once the player has left. */
+  /** Returns the slot, 0..1,023, which is free again once the player has left. */
   public int id() {
     return id;
   }
 
-  /** The name given at {@link Simulation#join}, any text. */
+  /** Returns the name given at {@link Simulation#join}, which is any text. */
   public String name() {
     return name;
   }
 
-  /** The body the player steers, or null while there is none. */
+  /** Returns the body the player steers, or null while there is none. */
   public Entity body() {
     return body;
   }
 
-  /** The commands for the next step; whoever drives the simulation sets them before each step. */
+  /**
+   * Returns the commands for the next step. The caller of {@link Simulation#step} sets them before
+   * each step.
+   */
   public Input input() {
     return input;
   }
 
   /**
-   * How old the picture of the others is that the player acts upon, in 1/{@value #VIEW_STEPS} of a
-   * tick behind the tick that the input is for: what travels from the server and waits to be
-   * interpolated on the client, and how far the client's inputs run ahead. Part of the input.
+   * Returns how far the picture on which the player acts is behind the tick of the input, in
+   * 1/{@value #VIEW_STEPS} tick. The delay covers the way from the server, the interpolation on the
+   * client, and how far the client's inputs run ahead. It is part of the input.
    */
   public int viewDelay() {
     return viewDelay;
   }
 
-  /** Sets how old the picture is; whoever drives the simulation does, clamped to 0..255 ticks. */
+  /**
+   * Sets the view delay, clamped to 0..255 ticks. The caller of {@link Simulation#step} sets it
+   * before each step.
+   */
   public void viewDelay(int steps) {
     viewDelay = Math.max(0, Math.min(MAX_VIEW_DELAY, steps));
   }
 
   /**
-   * Four ints for the game's own use in {@link Game#input}: cooldowns, buttons of the tick before.
-   * Hashed, saved, and sent to the player's own client, so that its prediction starts from the same
-   * numbers. The array is the live one.
+   * Returns four ints for the game's own use in {@link Game#input}, such as cooldowns or the
+   * buttons of the tick before. They are hashed, saved, and sent to the player's own client, so
+   * that its prediction starts from the same numbers. The array is the live one.
    */
   public int[] memory() {
     return memory;
   }
 
-  /** Points. */
+  /** Returns the points. */
   public int score() {
     return score;
   }
@@ -90,13 +97,16 @@ public final class Player {
     score = points;
   }
 
-  /** The side the player is on, a number of the game's own; 0 unless set. Not sent to clients. */
+  /**
+   * Returns the team, a number with a meaning of the game's own; 0 by default. It is not sent to
+   * clients.
+   */
   public int team() {
     return team;
   }
 
   /**
-   * Puts the player on a side.
+   * Sets the team.
    *
    * @throws IllegalStateException on {@link Role#PREDICTION}
    */

@@ -4,20 +4,20 @@ package carom.sim;
 final class PlayerTable {
   private final Player[] players = new Player[Simulation.MAX_PLAYERS];
 
-  /** Ids of all players are below. */
+  /** Number above all ids of players. */
   private int limit;
 
-  /** The player under an id, or null when the id is free or out of range. */
+  /** Returns the player under an id, or null when the id is free or out of range. */
   Player get(int id) {
     return id >= 0 && id < limit ? players[id] : null;
   }
 
-  /** Ids of all players are below. */
+  /** Returns a number above all ids of players. */
   int limit() {
     return limit;
   }
 
-  /** The smallest free id; {@link Simulation#MAX_PLAYERS} when there is none. */
+  /** Returns the smallest free id; {@link Simulation#MAX_PLAYERS} when there is none. */
   int freeId() {
     int id = 0;
     while (id < limit && players[id] != null) {
@@ -32,6 +32,7 @@ final class PlayerTable {
     limit = Math.max(limit, player.id() + 1);
   }
 
+  /** Removes the player under an id. */
   void remove(int id) {
     players[id] = null;
     while (limit > 0 && players[limit - 1] == null) {
@@ -39,7 +40,7 @@ final class PlayerTable {
     }
   }
 
-  /** Mixes all that decides the players' future into a state hash. */
+  /** Mixes everything that decides the players' future into a state hash. */
   long hash(long hash) {
     long h = hash;
     for (int i = 0; i < limit; i++) {
@@ -75,7 +76,7 @@ final class PlayerTable {
     }
   }
 
-  /** Takes the players' state over from a saved one. */
+  /** Takes the players' state from a saved one. */
   void restore(SimState s) {
     int before = limit;
     limit = s.playerLimit;

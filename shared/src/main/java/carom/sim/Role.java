@@ -1,14 +1,13 @@
 package carom.sim;
 
-/** What a simulation is for: to decide, or to foresee. */
+/** The purpose of a simulation: to decide or to predict. */
 public enum Role {
-  /** The server's simulation. It creates entities, moves balls back, keeps the score. */
+  /** A server's simulation. It creates entities, moves balls back and keeps the score. */
   AUTHORITY,
 
   /**
-   * A client's simulation. It moves the player's own body at once and is corrected by the server.
-   * It mirrors the server's entities under their ids and never creates, destroys or scores by
-   * itself.
+   * A client's simulation. It moves the player's own body at once, and the server corrects it. It
+   * mirrors the server's entities under their ids, and never creates, destroys or scores by itself.
    */
   PREDICTION
 }

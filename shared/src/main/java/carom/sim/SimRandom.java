@@ -1,23 +1,24 @@
 package carom.sim;
 
 /**
- * The simulation's own random numbers: splitmix64, whose whole state is one {@code long} that is
- * hashed, saved and restored with the simulation.
+ * A simulation's random numbers: splitmix64, whose whole state is one {@code long} that is hashed,
+ * saved and restored with the simulation.
  *
  * <p>Source: Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014.
- * Draw from it in {@link Role#AUTHORITY} only: a prediction can't know what the server drew.
+ * Games draw from it on {@link Role#AUTHORITY} only, because a prediction cannot know what the
+ * server drew.
  */
 public final class SimRandom {
   private static final long GAMMA = 0x9e3779b97f4a7c15L;
 
   private long state;
 
-  /** Starts the sequence that belongs to the seed. */
+  /** Starts the sequence of a seed. */
   public SimRandom(long seed) {
     state = seed;
   }
 
-  /** The whole state; {@link #state(long)} continues from it. */
+  /** Returns the whole state; {@link #state(long)} continues from it. */
   public long state() {
     return state;
   }
@@ -27,14 +28,14 @@ public final class SimRandom {
     this.state = state;
   }
 
-  /** The next 64 bits. */
+  /** Returns the next 64 bits. */
   public long nextLong() {
     state += GAMMA;
     return mix(state);
   }
 
   /**
-   * A number in 0..bound-1, each equally likely to within 2^-32.
+   * Returns a number in 0..bound-1, each equally likely to within 2^-32.
    *
    * @throws IllegalArgumentException when the bound is not positive
    */
@@ -45,12 +46,14 @@ public final class SimRandom {
     return (int) (((nextLong() >>> 32) * bound) >>> 32);
   }
 
-  /** A number in [0, 1) in steps of 2^-24. */
+  /** Returns a number in [0, 1) in steps of 2^-24. */
   public float nextFloat() {
     return (nextLong() >>> 40) * 0x1p-24f;
   }
 
-  /** A number between {@code low} (inclusive) and {@code high} (as good as exclusive). */
+  /**
+   * Returns a number between {@code low} (inclusive) and {@code high}, which rounding may reach.
+   */
   public float between(float low, float high) {
     return low + (high - low) * nextFloat();
   }
@@ -60,7 +63,9 @@ public final class SimRandom {
     return mix(hash * GAMMA ^ value);
   }
 
-  /** The finaliser of splitmix64: spreads every bit of the argument over all bits of the result. */
+  /**
+   * Spreads every bit of the argument over all bits of the result, as splitmix64 does at its end.
+   */
   static long mix(long z) {
     z = (z ^ (z >>> 30)) * 0xbf58476d1ce4e5b9L;
     z = (z ^ (z >>> 27)) * 0x94d049bb133111ebL;

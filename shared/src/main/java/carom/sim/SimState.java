@@ -5,13 +5,14 @@ import carom.physics.WorldState;
 import carom.physics.archive.Archive;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
+import carom.sim.history.PoseHistory;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 import java.util.Arrays;
 
 /**
- * A saved {@link Simulation}: arrays of its own, reused from save to save. Belongs to the
- * simulation that filled it; its contents are nobody else's business.
+ * A saved {@link Simulation}. Its arrays are its own and are reused from save to save. It belongs
+ * to the simulation that filled it, and its contents are internal.
  */
 public final class SimState {
   private static final int MAX_NAME = 1 << 16;
@@ -36,19 +37,22 @@ public final class SimState {
   int[] tags = {};
   int[] teleports = {};
   byte[] generations = {};
-  PoseHistory history;
+  PoseHistory<Entity> history;
 
-  /** While it is read or written: each entity's body, and the entities in the order of these. */
+  /** Body slot of each entity, by entity id; used while the state is read or written. */
   private int[] slots = {};
 
+  /** Body slots in use, sorted; used while the state is read. */
   private int[] slotsSorted = {};
+
+  /** Entity ids in the order of {@link #slotsSorted}. */
   private int[] bySlot = {};
 
   SimState(Simulation owner) {
     this.owner = owner;
   }
 
-  /** From now on the ids of all players are below a limit; who was above is forgotten. */
+  /** Sets a number above all ids of players, and forgets the players beyond it. */
   void limitPlayers(int limit) {
     if (limit > players.length) {
       int grown = Math.max(limit, 2 * players.length);
@@ -79,24 +83,25 @@ public final class SimState {
     System.arraycopy(memory, 0, toMemory, 0, toMemory.length);
   }
 
-  /** Copies what a simulation remembers of the past; null if nothing. */
-  void saveHistory(PoseHistory from) {
+  /** Copies the remembered poses of a simulation, if there are any. */
+  void saveHistory(PoseHistory<Entity> from) {
     if (from != null) {
       if (history == null) {
-        history = new PoseHistory(owner);
+        history = owner.newHistory();
       }
       from.copyTo(history);
     }
   }
 
-  /** The tick the state belongs to. */
+  /** Returns the tick of the state. */
   public int tick() {
     return tick;
   }
 
   /**
-   * Appends the state to an archive: all that {@link Simulation#stateHash} covers, names of
-   * players, and what {@link Simulation#asSeenBy} looks back at. {@link Simulation#read} reads it.
+   * Appends the state to an archive: everything that {@link Simulation#stateHash} covers, the names
+   * of players, and the past that {@link Simulation#asSeenBy} uses. {@link Simulation#read} reads
+   * it.
    *
    * @param archive receives it
    * @throws IllegalArgumentException if the world has blown up, see {@link WorldState#write}
@@ -106,13 +111,14 @@ public final class SimState {
     world.write(archive);
   }
 
+  /** Reads a state that {@link #write} has written, for a simulation of the same level and game. */
   static SimState read(Simulation owner, ArchiveReader archive) {
     SimState s = new SimState(owner);
     s.pass(archive);
     s.world = owner.world().read(archive, s::user);
     for (int id = 0; id < s.entityCapacity; id++) {
       if (s.entities[id] != null) {
-        s.embody(archive, id);
+        s.attachBody(archive, id);
       }
     }
     if (!archive.isEmpty()) {
@@ -124,10 +130,12 @@ public final class SimState {
   private void pass(Archive a) {
     Level level = owner.level();
     long hash = a.bits("level", level.contentHash());
-    a.require(hash == level.contentHash(), "it belongs to another level than " + level.name());
+    a.require(
+        hash == level.contentHash(), "the state belongs to another level than " + level.name());
     int rate = a.integer("tick rate", owner.tickRate(), 1, 1_000);
     a.require(
-        rate == owner.tickRate(), "tickRate=" + rate + " is not this one's " + owner.tickRate());
+        rate == owner.tickRate(),
+        "tickRate=" + rate + " is not this simulation's " + owner.tickRate());
     tick = a.integer("tick", tick, 0, Integer.MAX_VALUE);
     random = a.bits("random", random);
     int size = owner.memory().length;
@@ -145,7 +153,7 @@ public final class SimState {
     if (a.flag("looking back", owner.looksBack())) {
       a.require(owner.looksBack(), "this game doesn't look back");
       if (a.reads()) {
-        history = new PoseHistory(owner);
+        history = owner.newHistory();
       }
       history.pass(a, tick);
     } else {
@@ -211,7 +219,7 @@ public final class SimState {
     }
   }
 
-  /** The one that is there, or another. */
+  /** Returns the simulation's own entity if it is the same one, and a new one otherwise. */
   private Entity entity(int id, Archetype kind, int ownerId) {
     int generation = generations[id] & 0xff;
     Entity known = owner.entity(id);
@@ -245,13 +253,13 @@ public final class SimState {
     }
   }
 
-  /** The entity with the body in a slot; null for those of the level, which are known. */
+  /** Returns the entity with the body in a slot, or null for static level geometry. */
   private Entity user(int slot) {
     int i = Arrays.binarySearch(slotsSorted, slot);
     return i < 0 ? null : entities[bySlot[i]];
   }
 
-  private void embody(ArchiveReader archive, int id) {
+  private void attachBody(ArchiveReader archive, int id) {
     Body<Entity> body = owner.world().bodyIn(world, slots[id]);
     if (body == null || body.user() != entities[id]) {
       throw archive.refused("body=" + slots[id] + " isn't that of entity=" + id);

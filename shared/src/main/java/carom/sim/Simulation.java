@@ -8,6 +8,8 @@ import carom.physics.World;
 import carom.physics.archive.ArchiveReader;
 import carom.sim.event.EventKind;
 import carom.sim.event.EventKinds;
+import carom.sim.event.NoticeQueue;
+import carom.sim.history.PoseHistory;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Archetypes;
@@ -18,19 +20,20 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * A world, its entities and players, and the game that rules them: a pure function of (state,
- * inputs, tick). Equal levels, seeds, tick rates and inputs give equal {@linkplain #stateHash state
+ * A world, its entities and players, and the game that rules them. It is a pure function of (state,
+ * inputs, tick): equal levels, seeds, tick rates and inputs give equal {@linkplain #stateHash state
  * hashes} on every machine.
  *
  * <p>Tick 0 is the state after set-up. {@link #step} computes the next tick in this order: paths of
  * kinematic bodies, {@link Game#beforeStep}, each player's {@link Game#input} by player id, the
  * physics, {@link Game#afterStep}. While a step runs, {@link #tick} is the tick being computed.
  *
- * <p>Belongs to one thread. A step allocates nothing of its own once arrays have grown.
+ * <p>A simulation belongs to one thread. A step allocates nothing of its own once arrays have
+ * grown.
  *
- * <p>Longer than 500 lines because it is the one class that games call: more than half of it is
- * documentation, and its parts are classes of their own, {@link EntityTable}, {@link PlayerTable},
- * {@link EventLog}, {@link NoticeQueue}, {@link InterferenceLog}, {@link PoseHistory} and {@link
+ * <p><b>Length.</b> This is the one class that games call. More than half of it is documentation,
+ * and its parts are classes of their own: {@link EntityTable}, {@link PlayerTable}, {@link
+ * EventLog}, {@link NoticeQueue}, {@link InterferenceLog}, {@link PoseHistory} and {@link
  * SimState}.
  */
 public final class Simulation {
@@ -40,13 +43,13 @@ public final class Simulation {
   /** Most entities at a time; ids are 0..65534. */
   public static final int MAX_ENTITIES = 65_535;
 
-  /** Notices kept until somebody drains them; more are dropped and counted. */
+  /** Most notices that wait for {@link #drainNotices}. More are dropped and counted. */
   public static final int MAX_NOTICES = 16;
 
-  /** Longest notice, characters; the rest is cut. */
+  /** Longest notice, in characters. The rest is cut off. */
   public static final int MAX_NOTICE_LENGTH = 120;
 
-  /** Events kept until somebody drains them; beyond, the oldest are dropped and counted. */
+  /** Most events that wait for {@link #drainEvents}. Beyond, the oldest are dropped and counted. */
   public static final int MAX_EVENTS = 1 << 10;
 
   private final Game game;
@@ -63,7 +66,7 @@ public final class Simulation {
   private final PlayerTable players = new PlayerTable();
   private final EntityTable entities;
   private final InterferenceLog interference;
-  private final NoticeQueue notices = new NoticeQueue();
+  private final NoticeQueue notices = new NoticeQueue(MAX_NOTICES, MAX_NOTICE_LENGTH);
   private final EventKinds eventKinds = new EventKinds();
   private final EventLog events = new EventLog();
 
@@ -71,19 +74,19 @@ public final class Simulation {
   private boolean inTick;
   private Journal journal;
 
-  /** On AUTHORITY, if the game looks back; else null. */
-  private final PoseHistory history;
+  /** Past poses on AUTHORITY if the game looks back; otherwise null. */
+  private final PoseHistory<Entity> history;
 
   private final Queries<Entity> past;
 
   /**
-   * Builds the level and sets the game up, up to tick 0.
+   * Builds the level and sets the game up. The simulation is then at tick 0.
    *
-   * @param game an instance of its own, see {@link Game}
-   * @param level where it is played
-   * @param seed of {@link #random}
+   * @param game an instance for this simulation alone, see {@link Game}
+   * @param level the level to play
+   * @param seed the seed of {@link #random}
    * @param tickRate steps per second, 1..1000
-   * @param role to decide or to foresee
+   * @param role whether it decides or predicts
    * @throws IllegalArgumentException when a number is out of range
    */
   public Simulation(Game game, Level level, long seed, int tickRate, Role role) {
@@ -107,7 +110,7 @@ public final class Simulation {
     world.listener(new Listener());
     entities = new EntityTable(world, players, tickRate);
     interference = new InterferenceLog(entities, players);
-    history = role == Role.AUTHORITY && game.looksBack() ? new PoseHistory(this) : null;
+    history = role == Role.AUTHORITY && game.looksBack() ? newHistory() : null;
     past = history == null ? world.queries() : world.queries(history);
     for (ArchetypeDef def : level.archetypes()) {
       archetypes.add(def);
@@ -124,55 +127,54 @@ public final class Simulation {
     archetypes.close();
     eventKinds.close();
     if (history != null) {
-      history.capture();
+      history.capture(tick);
     }
   }
 
   /**
-   * Sets who hears what enters from now on; not part of the state.
+   * Sets the journal, which receives everything that enters from now on. It is not part of the
+   * state.
    *
-   * @param newJournal null for nobody
+   * @param newJournal null for none
    */
   public void journal(Journal newJournal) {
     journal = newJournal;
   }
 
-  /** The physics. */
+  /** Returns the physics world. */
   public World<Entity> world() {
     return world;
   }
 
   /**
-   * Questions about the world as a player saw it when it gave the input for this tick: each body
-   * where that player's screen showed it, {@link Player#viewDelay} ago, at most a quarter of a
-   * second; bodies that came since then are not there, those that went since aren't either. What
-   * the player steers itself was where it is now on its screen: leave it out by a filter.
+   * Returns queries about the world as a player saw it when it gave the input for this tick. Each
+   * body is where that player's screen showed it, {@link Player#viewDelay} ago, at most a quarter
+   * of a second. Bodies that came or went since then are not found. The player's own body was on
+   * its screen where it is now, so leave it out by a filter. On {@link Role#PREDICTION} the queries
+   * are about the predicted world.
    *
-   * <p>On {@link Role#PREDICTION} these are questions about the predicted world as it is: what the
-   * player sees, as far as it is predicted.
-   *
-   * @param player who saw it
+   * @param player the player who saw it
    * @return valid until the next call; allocates nothing
-   * @throws IllegalStateException on {@link Role#AUTHORITY}, when {@link Game#looksBack} says no
+   * @throws IllegalStateException on {@link Role#AUTHORITY}, when {@link Game#looksBack} is false
    */
   public Queries<Entity> asSeenBy(Player player) {
     if (history != null) {
-      history.look(player.viewDelay());
+      history.look(tick, player.viewDelay());
     } else if (role == Role.AUTHORITY) {
       throw new IllegalStateException(
-          "game " + game.name() + " doesn't look back; let Game.looksBack return true");
+          "game " + game.name() + " doesn't look back; make Game.looksBack return true");
     }
     return past;
   }
 
-  /** The tick whose state stands here; during a step, the tick being computed. */
+  /** Returns the tick of the present state, or during a step the tick being computed. */
   public int tick() {
     return tick;
   }
 
   /**
-   * Says which tick the mirrored state belongs to, so that paths of kinematic bodies and timers
-   * agree with the server's.
+   * Sets the tick of the mirrored state, so that paths of kinematic bodies and timers agree with
+   * the server's.
    *
    * @throws IllegalStateException on {@link Role#AUTHORITY}
    */
@@ -181,60 +183,61 @@ public final class Simulation {
     tick = value;
   }
 
-  /** Steps per second. */
+  /** Returns the number of steps per second. */
   public int tickRate() {
     return tickRate;
   }
 
-  /** Seconds from tick to tick. */
+  /** Returns the time from tick to tick, in seconds. */
   public float tickSeconds() {
     return tickSeconds;
   }
 
-  /** How many ticks a time takes: rounded, one at least. */
+  /** Returns a time in ticks, rounded, and at least 1. */
   public int ticks(float seconds) {
     return Math.max(1, Math.round(seconds * tickRate));
   }
 
-  /** To decide or to foresee. */
+  /** Returns whether the simulation decides or predicts. */
   public Role role() {
     return role;
   }
 
-  /** Where it is played. */
+  /** Returns the level that is played. */
   public Level level() {
     return level;
   }
 
-  /** The rules. */
+  /** Returns the rules. */
   public Game game() {
     return game;
   }
 
-  /** Random numbers; for {@link Role#AUTHORITY} only. */
+  /** Returns the random numbers, which only {@link Role#AUTHORITY} may draw. */
   public SimRandom random() {
     return random;
   }
 
   /**
-   * The game's own ints, as many as it asked for with {@link Game#memorySize}, 0 at first: timers,
-   * goals, whatever changes while playing. Hashed and saved, not sent to clients. The live array.
+   * Returns the game's own ints, as many as {@link Game#memorySize} says, 0 at first: timers,
+   * goals, anything that changes while playing. They are hashed and saved, but not sent to clients.
+   * The array is the live one.
    */
   public int[] memory() {
     return memory;
   }
 
-  /** The kinds of entities. */
+  /** Returns the registered archetypes. */
   public Archetypes archetypes() {
     return archetypes;
   }
 
-  /** The kinds of events. */
+  /** Returns the registered kinds of events. */
   public EventKinds eventKinds() {
     return eventKinds;
   }
 
-  /** The static geometry of the level, in file order; unmodifiable. */
+  /** Returns the static geometry of the level, in file order; unmodifiable. */
   public List<Entity> statics() {
     return Collections.unmodifiableList(statics);
   }
@@ -243,7 +246,7 @@ public final class Simulation {
    * Creates an entity under the smallest free id. An entity owned by a player without a body
    * becomes the player's body.
    *
-   * @param archetype its kind
+   * @param archetype its archetype
    * @param x position of the body's origin, metres
    * @param y position of the body's origin, metres
    * @param angle radians, counterclockwise
@@ -258,11 +261,11 @@ public final class Simulation {
   }
 
   /**
-   * Creates an entity of nobody under the smallest free id, whose body is more than its archetype
-   * says: filters, velocities, a bullet. Clients that foresee it know the archetype only.
+   * Creates an entity without an owner under the smallest free id. Its body may have more than the
+   * archetype says: filters, velocities, a bullet. Clients that predict it know the archetype only.
    *
-   * @param archetype its kind, with the same shapes; its path is ignored
-   * @param def what the body is made from
+   * @param archetype its archetype, with the same shapes; its path is ignored
+   * @param def the definition of the body
    * @throws IllegalStateException on {@link Role#PREDICTION}, during the physics, or beyond {@value
    *     #MAX_ENTITIES}
    */
@@ -278,7 +281,7 @@ public final class Simulation {
    *
    * @param id 0..65534
    * @param generation 0..255
-   * @param archetype its kind
+   * @param archetype its archetype
    * @param x position of the body's origin, metres
    * @param y position of the body's origin, metres
    * @param angle radians, counterclockwise
@@ -294,13 +297,13 @@ public final class Simulation {
   }
 
   /**
-   * Destroys an entity; if it was a player's body, the player has none then. Nothing happens when
-   * it is gone already.
+   * Destroys an entity. If it was a player's body, the player then has none. Nothing happens when
+   * the entity is gone already.
    *
    * @throws IllegalStateException during the physics
    */
   public void despawn(Entity entity) {
-    calls.requireQuiet("despawn");
+    calls.requireOutsidePhysics("despawn");
     if (!entities.holds(entity)) {
       return;
     }
@@ -310,14 +313,15 @@ public final class Simulation {
     entities.despawn(entity);
   }
 
-  /** All entity ids are below this number; it never shrinks, except by {@link #restore}. */
+  /** Returns a number above all entity ids. It never shrinks, except by {@link #restore}. */
   public int entityCapacity() {
     return entities.capacity();
   }
 
   /**
-   * A number that changes whenever an entity may have come, gone or been teleported, or the state
-   * was restored; all else of who is there, but for tags, stays as it is.
+   * Returns a number that changes whenever an entity may have come, gone or been teleported, and
+   * when the state is restored. While it stays the same, ids, archetypes and owners stay the same
+   * too; tags may change.
    *
    * @return meaningful only compared with an earlier one of this simulation; not part of the state
    */
@@ -329,33 +333,33 @@ public final class Simulation {
     return entities;
   }
 
-  /** How many entities there are. */
+  /** Returns the number of entities. */
   public int entityCount() {
     return entities.count();
   }
 
-  /** The entity under an id, or null when the id is free or out of range. */
+  /** Returns the entity under an id, or null when the id is free or out of range. */
   public Entity entity(int id) {
     return entities.get(id);
   }
 
-  /** All player ids are below this number. */
+  /** Returns a number above all player ids. */
   public int playerCapacity() {
     return players.limit();
   }
 
-  /** The player under an id, or null when the id is free or out of range. */
+  /** Returns the player under an id, or null when the id is free or out of range. */
   public Player player(int id) {
     return players.get(id);
   }
 
-  /** The player an entity belongs to, or null. */
+  /** Returns the player to whom an entity belongs, or null. */
   public Player owner(Entity entity) {
     return player(entity.ownerId());
   }
 
   /**
-   * Lets a player in under the smallest free id; the game gives it a body.
+   * Adds a player under the smallest free id. The game gives it a body.
    *
    * @throws IllegalStateException on {@link Role#PREDICTION}, or when {@value #MAX_PLAYERS} players
    *     play
@@ -369,9 +373,10 @@ public final class Simulation {
   }
 
   /**
-   * Lets a player in under an id that was promised to it; the game gives it a body.
+   * Adds a player under an id that was promised to it. The game gives it a body.
    *
    * @param id 0..1,023
+   * @param name any text
    * @throws IllegalStateException on {@link Role#PREDICTION}, or when the id is taken or out of
    *     range
    */
@@ -399,9 +404,12 @@ public final class Simulation {
     return newPlayer(id, name);
   }
 
-  /** Lets a player go; despawns all the player owns. Nothing happens when the player is gone. */
+  /**
+   * Removes a player and despawns everything the player owns. Nothing happens when the player is
+   * gone already.
+   */
   public void leave(Player player) {
-    calls.requireQuiet("leave");
+    calls.requireOutsidePhysics("leave");
     int id = player.id();
     if (players.get(id) != player) {
       return;
@@ -422,8 +430,8 @@ public final class Simulation {
   }
 
   /**
-   * Tells all players something short, such as who scored. The server sends it; it is not part of
-   * the state. On {@link Role#PREDICTION} nothing happens.
+   * Sends a short text to all players, such as who scored. It is not part of the state. On {@link
+   * Role#PREDICTION} nothing happens.
    *
    * @param text cut to {@value #MAX_NOTICE_LENGTH} characters
    */
@@ -433,35 +441,35 @@ public final class Simulation {
     }
   }
 
-  /** Hands over the notices since the last call, oldest first, and forgets them. */
+  /** Passes on the notices since the last call, oldest first, and forgets them. */
   public void drainNotices(Consumer<String> consumer) {
     notices.drain(consumer);
   }
 
-  /** How many notices were lost because nobody drained them. */
+  /** Returns the number of notices that were lost because {@value #MAX_NOTICES} waited. */
   public long droppedNotices() {
     return notices.dropped();
   }
 
   /**
-   * Tells that something happens, from anywhere in {@link Game}, {@code input} and {@code hit} of
-   * both roles included; between two steps it belongs to the next. Changes nothing that is hashed
-   * or saved. A client's own prediction tells it at once and again when it computes a tick again;
-   * who hears has it once.
+   * Emits an event. Any method of {@link Game} may call it, {@code input} and {@code hit} of both
+   * roles included; between two steps it belongs to the next one. It changes nothing that is hashed
+   * or saved. A client's prediction emits an event again when it computes a tick again; its
+   * listeners receive the event once.
    *
    * @param kind as registered in {@link Game#setUp}
-   * @return the event to fill in; used again once it was {@linkplain #drainEvents taken}
+   * @return the event to fill in; reused once it was {@linkplain #drainEvents drained}
    */
   public Event emit(EventKind kind) {
     return events.add(kind, inTick ? tick : tick + 1);
   }
 
-  /** Hands over the events since the last call in the order they were told, and forgets them. */
+  /** Passes on the events since the last call in the order they were emitted, and forgets them. */
   public void drainEvents(Consumer<Event> consumer) {
     events.drain(consumer);
   }
 
-  /** How many events were lost because {@value #MAX_EVENTS} were told and not drained. */
+  /** Returns the number of events that were lost because {@value #MAX_EVENTS} waited. */
   public long droppedEvents() {
     return events.dropped();
   }
@@ -481,7 +489,7 @@ public final class Simulation {
       inTick = false;
     }
     if (history != null) {
-      history.capture();
+      history.capture(tick);
     }
     if (journal != null) {
       journal.stepped(this);
@@ -501,11 +509,11 @@ public final class Simulation {
         game.input(this, player, player.input());
       }
     }
-    calls.physicsRun(true);
+    calls.inPhysics(true);
     try {
       world.step(tickSeconds);
     } finally {
-      calls.physicsRun(false);
+      calls.inPhysics(false);
     }
     if (role == Role.AUTHORITY) {
       interference.beginRules();
@@ -520,9 +528,9 @@ public final class Simulation {
   }
 
   /**
-   * A 64-bit number of everything that decides the future: tick, world, random numbers, memory,
-   * players with score, team, memory and input, entities with kind, owner and tag. Equal runs have
-   * equal hashes.
+   * Returns 64 bits of everything that decides the future: tick, world, random numbers, memory,
+   * players with score, team, memory and input, entities with archetype, owner and tag. Equal runs
+   * have equal hashes.
    */
   public long stateHash() {
     long h = SimRandom.mix(world.stateHash(), tick);
@@ -537,6 +545,7 @@ public final class Simulation {
    * Saves everything that {@link #stateHash} covers, and the handles.
    *
    * @param reuse a state of this simulation to overwrite, or null for a new one
+   * @return the saved state
    */
   public SimState save(SimState reuse) {
     SimState s = reuse == null ? new SimState(this) : reuse;
@@ -551,14 +560,14 @@ public final class Simulation {
   }
 
   /**
-   * Returns to a saved state; going on from there gives the same ticks bit by bit. Entities and
-   * players that have gone since are back under their old handles, those that came since are gone.
+   * Returns to a saved state. The ticks that follow are the same, bit by bit. Entities and players
+   * that have gone since are back under their old handles; those that came since are gone.
    *
    * @throws IllegalArgumentException when another simulation made the state
    */
   public void restore(SimState s) {
     requireOwn(s);
-    calls.requireQuiet("restore");
+    calls.requireOutsidePhysics("restore");
     world.restore(s.world);
     tick = s.tick;
     s.restoreNumbers(random, memory);
@@ -570,9 +579,9 @@ public final class Simulation {
   }
 
   /**
-   * Reads a state that {@link SimState#write} has written, of the same level, game and tick rate,
-   * to be taken over by {@link #restore}; this simulation isn't touched. Entities and players that
-   * are here already keep their objects. Trusts nothing, see {@link World#read}.
+   * Reads a state that {@link SimState#write} has written, of the same level, game and tick rate.
+   * {@link #restore} takes it over; until then this simulation is not touched. Entities and players
+   * that exist here already keep their objects. The bytes are not trusted, see {@link World#read}.
    *
    * @param archive read to its end
    * @return the state, of this simulation
@@ -582,7 +591,12 @@ public final class Simulation {
     return SimState.read(this, archive);
   }
 
-  /** Whether the past is remembered. */
+  /** Creates an empty history of this simulation's bodies. */
+  PoseHistory<Entity> newHistory() {
+    return new PoseHistory<>(world, entities, tickRate);
+  }
+
+  /** Returns whether past poses are remembered. */
   boolean looksBack() {
     return history != null;
   }

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.game.arena.ArenaGame;
+import carom.game.tag.TagGame;
 import carom.sim.Game;
 import carom.sim.Input;
 import carom.sim.Player;
@@ -85,7 +87,7 @@ class GameJarTest {
   }
 
   @Test
-  void aBrokenOneIsToldToWhoLooksForIt() throws Throwable {
+  void aBrokenGameIsReportedWhenAnUnknownOneIsAskedFor() throws Throwable {
     try (URLClassLoader program =
         program("missing.Game", Forgetful.class.getName(), TagGame.class.getName())) {
       assertEquals(ArenaGame.class.getName(), create(program, "arena"));

@@ -24,10 +24,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What every game that ships must do. */
-class GamesTest {
+public class GamesTest {
   private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
-  static Simulation start(String game, long seed, Role role) {
+  public static Simulation start(String game, long seed, Role role) {
     try {
       Level level = Level.builtIn(Games.create(game).defaultLevel());
       return new Simulation(Games.create(game), level, seed, 60, role);

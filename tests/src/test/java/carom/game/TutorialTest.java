@@ -3,6 +3,7 @@ package carom.game;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.game.tag.TagGame;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
@@ -17,7 +18,7 @@ import org.junit.jupiter.api.Test;
 
 /** Goal: what {@code docs/GAMES.md} shows compiles and plays. */
 class TutorialTest {
-  private static final String SOURCE = "tests/src/test/java/carom/game/TagGame.java";
+  private static final String SOURCE = "tests/src/test/java/carom/game/tag/TagGame.java";
 
   private static Path root() {
     Path here = Path.of("").toAbsolutePath();

@@ -14,7 +14,7 @@ import carom.net.protocol.Protocol;
 import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
-import carom.net.snapshot.Baseline;
+import carom.net.snapshot.BaselineReason;
 import carom.net.snapshot.DecodeStatus;
 import carom.net.snapshot.InputFeedback;
 import carom.net.snapshot.SnapshotDecoder;
@@ -368,7 +368,7 @@ class ProtocolDocTest {
   @Test
   void baselineReasonsAreThoseOfThePage() {
     assertEquals(
-        Arrays.stream(Baseline.values()).map(Enum::name).toList(),
+        Arrays.stream(BaselineReason.values()).map(Enum::name).toList(),
         table("| reason |").stream().map(row -> row.get(0)).toList());
   }
 

@@ -5,8 +5,8 @@ import carom.physics.geometry.Circle;
 import carom.physics.geometry.Compound;
 import carom.physics.geometry.Polygon;
 import carom.sim.SimRandom;
-import carom.sim.scene.BenchmarkScenes;
 import carom.sim.scene.Stage;
+import carom.sim.scene.catalog.BenchmarkScenes;
 
 /** Worlds that several tests step. */
 final class Scenes {

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 
-import carom.game.ArenaGame;
+import carom.game.arena.ArenaGame;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;

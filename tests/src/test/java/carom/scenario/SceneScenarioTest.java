@@ -11,7 +11,7 @@ import carom.physics.Body;
 import carom.server.config.ServerConfig;
 import carom.sim.Entity;
 import carom.sim.scene.SceneGame;
-import carom.sim.scene.Scenes;
+import carom.sim.scene.catalog.Scenes;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import org.junit.jupiter.params.ParameterizedTest;

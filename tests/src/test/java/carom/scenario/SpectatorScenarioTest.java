@@ -9,7 +9,7 @@ import carom.client.GameClient;
 import carom.client.bots.Bot;
 import carom.client.replay.ReplayClient;
 import carom.client.replay.Spectator;
-import carom.game.ArenaGame;
+import carom.game.arena.ArenaGame;
 import carom.net.kryo.KryoClientTransport;
 import carom.net.kryo.KryoMessageCodec;
 import carom.net.kryo.KryoServerTransport;

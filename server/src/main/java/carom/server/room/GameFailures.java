@@ -1,8 +1,8 @@
 package carom.server.room;
 
+import carom.game.GuardedGame;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
-import carom.sim.GuardedGame;
 import carom.sim.Simulation;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;

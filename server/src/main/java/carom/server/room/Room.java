@@ -1,5 +1,6 @@
 package carom.server.room;
 
+import carom.game.GuardedGame;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.Limits;
 import carom.net.protocol.SessionState;
@@ -20,7 +21,6 @@ import carom.server.session.Seats;
 import carom.server.session.Session;
 import carom.sim.Entity;
 import carom.sim.Game;
-import carom.sim.GuardedGame;
 import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.level.Level;

@@ -5,7 +5,7 @@ package carom.net.codec;
  * #code}, {@link #symbol} and {@link #even}; who is behind them decides whether that description
  * writes, reads, or only learns.
  */
-public abstract class BitCoder {
+public abstract class BitCoder implements PlainBits {
 
   /** One in the unit of probabilities. */
   public static final int ONE = 1 << 16;
@@ -44,6 +44,7 @@ public abstract class BitCoder {
   public abstract int even(int value, int count);
 
   /** Codes the lowest {@code count} bits of a value, highest first, as equally likely; 0..32. */
+  @Override
   public final int plain(int value, int count) {
     if (count <= MAX_EVEN) {
       return even(value, count);

@@ -9,7 +9,7 @@ import java.nio.ByteOrder;
  * #failed} instead of throwing, so that a decoder reads straight on and looks once. One thread, no
  * allocation.
  */
-public final class BitReader {
+public final class BitReader implements BitPass {
 
   private static final VarHandle LONGS =
       MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.LITTLE_ENDIAN);
@@ -65,6 +65,25 @@ public final class BitReader {
       position += take;
     }
     return (int) value;
+  }
+
+  /** Reads a number, as {@link #read}; the value given is ignored. */
+  @Override
+  public int plain(int value, int count) {
+    return read(count);
+  }
+
+  @Override
+  public boolean isReading() {
+    return true;
+  }
+
+  @Override
+  public boolean require(boolean holds) {
+    if (!holds) {
+      failed = true;
+    }
+    return holds;
   }
 
   /** Reads one bit. */

@@ -11,7 +11,7 @@ import java.nio.ByteOrder;
  * <p>Writing past the limit sets a sticky overflow and writes nothing more, so that a codec can
  * try, look and {@link #rewind}. One thread, no allocation.
  */
-public final class BitWriter {
+public final class BitWriter implements BitPass {
 
   private static final VarHandle LONGS =
       MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.LITTLE_ENDIAN);
@@ -75,6 +75,24 @@ public final class BitWriter {
       at += take;
       left -= take;
     }
+  }
+
+  /** Writes a number, as {@link #write(int, int)}. */
+  @Override
+  public int plain(int value, int count) {
+    write(value, count);
+    return (int) (value & (1L << count) - 1);
+  }
+
+  @Override
+  public boolean isReading() {
+    return false;
+  }
+
+  @Override
+  public boolean require(boolean holds) {
+    assert holds : "a value is outside of what its section allows";
+    return holds;
   }
 
   /** Writes one bit. */

@@ -54,23 +54,4 @@ public final class Bits {
   public static int readSized(BitReader r) {
     return unzigzag(r.read(r.read(5)));
   }
-
-  /**
-   * Writes a signed number that is mostly near zero: 1 bit "not zero", then its width and its
-   * zigzag form.
-   */
-  public static void writeDifference(BitWriter w, int difference) {
-    int z = zigzag(difference);
-    w.write(z != 0);
-    if (z != 0) {
-      int width = width(z);
-      w.write(width - 1, 5);
-      w.write(z, width);
-    }
-  }
-
-  /** Reads what {@link #writeDifference} wrote. */
-  public static int readDifference(BitReader r) {
-    return r.readBit() ? unzigzag(r.read(1 + r.read(5))) : 0;
-  }
 }

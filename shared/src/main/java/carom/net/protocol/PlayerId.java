@@ -1,8 +1,6 @@
 package carom.net.protocol;
 
-import carom.net.codec.BitCoder;
-import carom.net.codec.BitReader;
-import carom.net.codec.BitWriter;
+import carom.net.codec.PlainBits;
 
 /**
  * A player's id on the wire: 1 + 7 bits, or 1 + 10 from 128 on, which only large rooms have, since
@@ -17,18 +15,9 @@ public final class PlayerId {
 
   private PlayerId() {}
 
-  public static void write(BitWriter w, int id) {
-    boolean wide = id >> SHORT_BITS != 0;
-    w.write(wide);
-    w.write(id, wide ? LONG_BITS : SHORT_BITS);
-  }
-
-  public static int read(BitReader r) {
-    return r.read(r.readBit() ? LONG_BITS : SHORT_BITS);
-  }
-
-  public static int code(BitCoder c, int id) {
-    int wide = c.plain(id >> SHORT_BITS != 0 ? 1 : 0, 1);
-    return c.plain(id, wide != 0 ? LONG_BITS : SHORT_BITS);
+  /** Passes an id, 0..{@link #MAX}; a negative one is for readers, who ignore it. */
+  public static int code(PlainBits c, int id) {
+    boolean wide = c.flag(id >> SHORT_BITS != 0);
+    return c.plain(id, wide ? LONG_BITS : SHORT_BITS);
   }
 }

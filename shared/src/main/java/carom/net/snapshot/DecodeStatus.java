@@ -1,15 +1,17 @@
 package carom.net.snapshot;
 
-/** What {@link SnapshotDecoder#decode} did with a datagram. Only {@link #OK} changes anything. */
+/**
+ * Says what {@link SnapshotDecoder#decode} did with a datagram. Only {@link #OK} changes anything.
+ */
 public enum DecodeStatus {
-  /** Decoded, in the history, and from now on in the acks. */
+  /** The datagram was decoded: it is in the history, and from now on in the acks. */
   OK,
-  /** Received before. */
+  /** The datagram was received before. */
   DUPLICATE,
-  /** Too far behind the newest to be acked. */
+  /** The datagram is too far behind the newest to be acked. */
   STALE,
-  /** Cut, damaged, or not from this session. */
+  /** The datagram is cut, damaged, or not from this session. */
   DAMAGED,
-  /** Coded against a state that this client doesn't have (any more): as if lost. */
+  /** The datagram is coded against a state that this client doesn't hold: it counts as lost. */
   NO_BASELINE
 }

@@ -3,14 +3,14 @@ package carom.net.snapshot;
 import carom.net.snapshot.frame.Motion;
 
 /**
- * What a client has received of one entity slot: up to {@link #SIZE} states, each exactly the
+ * Holds what a client has received of one entity slot: up to {@link #SIZE} states, each exactly the
  * server's quantised state after its tick. Index 0 is the newest. An entity that rested has an
  * entry at the end of its rest too, so that between two neighbouring entries there is a movement
  * that really took that long.
  */
 public final class EntityHistory {
 
-  /** Most states kept. */
+  /** Number of states kept, at most. */
   public static final int SIZE = 64;
 
   private static final int FREE = -1;
@@ -36,17 +36,17 @@ public final class EntityHistory {
 
   EntityHistory() {}
 
-  /** States held, 1..{@link #SIZE}. */
+  /** Returns the number of states held, 1..{@link #SIZE}. */
   public int size() {
     return size;
   }
 
-  /** Whether the newest known state is a living entity. */
+  /** Returns whether the newest known state is a living entity. */
   public boolean alive() {
     return size > 0 && alive(0);
   }
 
-  /** Index of the newest entry at or before a tick, or -1. */
+  /** Returns the index of the newest entry at or before a tick, or -1. */
   public int indexAt(int tick) {
     for (int i = 0; i < size; i++) {
       if (tick(i) <= tick) {
@@ -56,82 +56,83 @@ public final class EntityHistory {
     return -1;
   }
 
-  /** As {@link #indexAt(int)}, at once if it is a guess. */
+  /** Returns the same as {@link #indexAt(int)}, at once if a guess is right. */
   int indexAt(int tick, int guess) {
     boolean right =
         guess >= 0 && guess < size && tick(guess) <= tick && (guess == 0 || tick(guess - 1) > tick);
     return right ? guess : indexAt(tick);
   }
 
-  /** Tick of an entry. */
+  /** Returns the tick of an entry. */
   public int tick(int index) {
     return data[at(index) + TICK];
   }
 
   /**
-   * Whether the slot held an entity in sight then; if not, the entry's other values mean nothing.
+   * Returns whether the slot held an entity in sight then. If not, the entry's other values mean
+   * nothing.
    */
   public boolean alive(int index) {
     return data[at(index) + KIND] >= 0;
   }
 
   /**
-   * Whether the server stopped telling about the slot then: an entity may be there, or not, and
+   * Returns whether the slot went out of the client's sight then. An entity may still be there, and
    * nothing has happened to it that a player should notice.
    */
   public boolean outOfSight(int index) {
     return data[at(index) + KIND] == OUT_OF_SIGHT;
   }
 
-  /** Generation: entries of different generations are different entities. */
+  /** Returns the generation: entries of different generations are different entities. */
   public int generation(int index) {
     return data[at(index) + KIND] & 0xff;
   }
 
-  /** Archetype index. */
+  /** Returns the archetype index. */
   public int archetype(int index) {
     return data[at(index) + KIND] >>> 8 & 0xffff;
   }
 
   /**
-   * How often the entity was put elsewhere, modulo 16: between entries with different numbers there
-   * is no way.
+   * Returns how often the entity was teleported, modulo 16. Between entries with different numbers
+   * it did not move through the space between.
    */
   public int teleports(int index) {
     return data[at(index) + KIND] >>> TELEPORT_SHIFT;
   }
 
-  /** Player id of the owner, or -1. */
+  /** Returns the player id of the owner, or -1. */
   public int owner(int index) {
     return data[at(index) + OWNER];
   }
 
-  /** Position in steps; {@code Quantizer.positionOf} gives metres. */
+  /** Returns the x of the position in steps; {@code Quantizer.positionOf} gives metres. */
   public int x(int index) {
     return data[at(index) + X];
   }
 
-  /** Position in steps. */
+  /** Returns the y of the position in steps. */
   public int y(int index) {
     return data[at(index) + Y];
   }
 
-  /** Angle in steps, 0..1,023; {@code Quantizer.angleOf} gives radians. */
+  /** Returns the angle in steps, 0..1,023; {@code Quantizer.angleOf} gives radians. */
   public int angle(int index) {
     return data[at(index) + ANGLE];
   }
 
-  /** Velocity in steps; {@code Quantizer.velocityOf} gives m/s. */
+  /** Returns the x of the velocity in steps; {@code Quantizer.velocityOf} gives m/s. */
   public int vx(int index) {
     return data[at(index) + VX];
   }
 
-  /** Velocity in steps. */
+  /** Returns the y of the velocity in steps. */
   public int vy(int index) {
     return data[at(index) + VY];
   }
 
-  /** Angular velocity in steps; {@code Quantizer.omegaOf} gives rad/s. */
+  /** Returns the angular velocity in steps; {@code Quantizer.omegaOf} gives rad/s. */
   public int omega(int index) {
     return data[at(index) + OMEGA];
   }
@@ -154,8 +155,8 @@ public final class EntityHistory {
   }
 
   /**
-   * The state known at a tick also holds at a later one: an entry there, unless there is one
-   * already.
+   * Adds an entry that repeats an older one at a later tick, unless that tick has one: the state
+   * held until then.
    */
   void hold(int index, int tick, Motion scratch) {
     if (tick(index) != tick) {
@@ -196,8 +197,8 @@ public final class EntityHistory {
   }
 
   /**
-   * Makes room for an entry in the order of ticks; -1 when the tick is there already or older than
-   * a full history.
+   * Makes room for an entry in the order of ticks and returns where it begins; -1 when the tick is
+   * there already or older than a full history.
    */
   private int open(int tick) {
     int newer = 0;

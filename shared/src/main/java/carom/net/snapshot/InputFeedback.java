@@ -1,28 +1,29 @@
 package carom.net.snapshot;
 
 /**
- * What the server tells a client about its inputs, for round-trip time and clock. Mutable, reused.
+ * Tells a client how its inputs arrive at the server, for round-trip time and clock. Mutable,
+ * reused.
  */
 public final class InputFeedback {
 
-  /** Whether the rest means anything: false before the server got the first input datagram. */
+  /** Whether the server got any input datagram; if not, the other fields mean nothing. */
   public boolean present;
 
   /** Sequence number of the newest input datagram received, 16 bits. */
   public int sequence;
 
   /**
-   * How long the server held it before it sent this snapshot, milliseconds, 0..255 (255 = or
-   * longer).
+   * Time from that datagram's arrival to the sending of this snapshot, ms, 0..255; 255 stands for
+   * anything longer.
    */
   public int holdMs;
 
-  /** Tick of the newest input that was consumed (a repeated one doesn't count). */
+  /** Tick of the newest input that was consumed; one repeated for want of another doesn't count. */
   public int consumedTick;
 
   /**
-   * How many ticks the newest buffered input is ahead of the snapshot's tick, -32..31, clamped.
-   * Negative: inputs come too late by that many ticks.
+   * Number of ticks that the newest buffered input is ahead of the snapshot's tick, -32..31. If
+   * negative, inputs come too late by that many ticks.
    */
   public int margin;
 

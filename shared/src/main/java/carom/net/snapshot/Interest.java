@@ -3,13 +3,13 @@ package carom.net.snapshot;
 import carom.net.snapshot.frame.FrameState;
 
 /**
- * What one client is told about, and what it is told first: the question a {@link SnapshotEncoder}
- * asks about each entity that it might send. Called on the room's thread, for entities that changed
- * and are known to the client or were offered by {@link SnapshotEncoder#notice}; must not allocate.
+ * Decides which entities one client sees, and which of them matter most. A {@link SnapshotEncoder}
+ * asks about each entity that changed and that the client knows, or that was offered by {@link
+ * SnapshotEncoder#notice}. Called on the room's thread; must not allocate.
  */
 public interface Interest {
 
-  /** Everything is in sight and everything matters the same. */
+  /** An interest in everything: all entities are in sight and matter the same. */
   Interest EVERYTHING =
       new Interest() {
         @Override
@@ -34,14 +34,14 @@ public interface Interest {
       };
 
   /**
-   * Whether {@link #sees} should be asked about every entity that changes. If not, entities that
-   * the client doesn't know are asked about only after {@link SnapshotEncoder#notice}, so that the
-   * cost of a client grows with what it sees.
+   * Returns whether {@link #sees} should be asked about every entity that changes. If not, the
+   * encoder asks about unknown entities only after {@link SnapshotEncoder#notice}, so that the cost
+   * of a client grows with what it sees.
    */
   boolean everything();
 
   /**
-   * Whether the client is told about an entity.
+   * Returns whether the client sees an entity.
    *
    * @param frame the newest frame; the slot is alive in it
    * @param slot the entity
@@ -51,7 +51,7 @@ public interface Interest {
   boolean sees(FrameState frame, int slot, boolean known);
 
   /**
-   * Which of 64 neighbouring entities stay in sight: {@link #sees} for many at once.
+   * Returns which of 64 neighbouring entities stay in sight: {@link #sees} for many at once.
    *
    * @param frame the newest frame; the slots are alive in it
    * @param word the slots from 64 {@code word} on
@@ -67,8 +67,8 @@ public interface Interest {
   }
 
   /**
-   * How much an entity matters, in any unit that is the same for all entities: what doesn't fit the
-   * budget collects its priority tick by tick, and who has most goes first.
+   * Returns how much an entity matters, in any unit that is the same for all entities. An entity
+   * that doesn't fit the budget collects its priority tick by tick; the highest sum goes first.
    *
    * @param frame the newest frame; the slot is alive in it
    * @param slot the entity

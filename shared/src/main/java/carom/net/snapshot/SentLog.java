@@ -5,11 +5,11 @@ import carom.net.snapshot.frame.FrameRing;
 import java.util.Arrays;
 
 /**
- * What went out in which datagram, until its ack comes or it is too old to matter. The slots of all
- * datagrams stand in one circular log, as sets of 64 neighbours; what was overwritten counts as
- * lost.
+ * Remembers what each datagram held until its ack comes or is too old to matter. The slots of all
+ * datagrams stand in one circular log, as sets of 64 neighbours. A datagram whose sets were
+ * overwritten counts as lost.
  */
-public final class SentLog {
+final class SentLog {
 
   /** Datagrams remembered. */
   static final int SIZE = 512;
@@ -34,7 +34,7 @@ public final class SentLog {
   /** The oldest datagram that is young enough to be acked in time. */
   private long oldest;
 
-  /** Begins the next datagram and answers its 16-bit sequence number. */
+  /** Begins the next datagram and returns its 16-bit sequence number. */
   int begin(int tickNow, boolean withOwn, boolean withNews) {
     newest++;
     int at = (int) newest & MASK;
@@ -52,7 +52,7 @@ public final class SentLog {
     return sequence();
   }
 
-  /** Notes some of 64 neighbouring slots as told in the datagram begun last. */
+  /** Notes that the datagram begun last holds some of 64 neighbouring slots. */
   void add(int word, long slots) {
     if (written - start[(int) oldest & MASK] == this.slots.length
         && this.slots.length < MAX_ENTRIES) {
@@ -65,7 +65,7 @@ public final class SentLog {
     count[(int) newest & MASK]++;
   }
 
-  /** Twice as long; what is in it keeps its number. */
+  /** Doubles the log; each entry keeps its number. */
   private void grow() {
     int length = slots.length;
     words = Arrays.copyOf(words, 2 * length);
@@ -83,7 +83,7 @@ public final class SentLog {
     return (int) newest & 0xffff;
   }
 
-  /** Forgets everything that is on its way. */
+  /** Forgets all datagrams that are on their way. */
   void forget() {
     Arrays.fill(open, false);
   }
@@ -123,17 +123,17 @@ public final class SentLog {
     return news[at];
   }
 
-  /** How many sets of slots the datagram told. */
+  /** Returns how many sets of slots the datagram held. */
   int countAt(int at) {
     return count[at];
   }
 
-  /** The word of one of them. */
+  /** Returns the word of a set of slots. */
   int wordAt(int at, int index) {
     return words[(int) (start[at] + index) & (words.length - 1)];
   }
 
-  /** The slots of that word. */
+  /** Returns the slots of a set, of its word. */
   long slotsAt(int at, int index) {
     return slots[(int) (start[at] + index) & (slots.length - 1)];
   }

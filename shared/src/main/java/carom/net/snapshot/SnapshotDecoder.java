@@ -11,6 +11,7 @@ import carom.net.protocol.PlayerId;
 import carom.net.snapshot.event.EventInbox;
 import carom.net.snapshot.exact.NearCodec;
 import carom.net.snapshot.exact.NearRowCodec;
+import carom.net.snapshot.exact.OwnCodec;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
@@ -26,18 +27,21 @@ import carom.net.snapshot.relay.RelayedInputs;
 import java.util.Arrays;
 
 /**
- * The client's side: datagrams in, a history per entity out, and the acks to send back.
+ * Reads the snapshots of one session: datagrams in, a history per entity out, and the acks to send
+ * back.
  *
- * <p>Total: any bytes give a {@link DecodeStatus}, never an exception, and a datagram counts as a
- * whole or not at all. Memory is bounded: at most 2.3 KiB for each slot ever seen. One thread;
- * allocates only while a slot's history grows to that, or when a datagram has more records than any
- * before.
+ * <p>Any bytes give a {@link DecodeStatus}, never an exception, and a datagram counts as a whole or
+ * not at all. Memory is bounded: at most 2.3 KiB for each slot ever seen. One thread; allocates
+ * only while a slot's history grows to that, or when a datagram has more records than any before.
  */
 public final class SnapshotDecoder {
 
   private static final int MIN_RECORDS = 64;
   private static final int HISTORY = FrameRing.SIZE;
   private static final int ACK_BITS = 64;
+
+  /** Bytes of check, sequence number and tick: no datagram is shorter. */
+  private static final int MIN_BYTES = 6;
 
   private final int capacity;
   private final int key;
@@ -46,6 +50,8 @@ public final class SnapshotDecoder {
   private final RangeDecoder range = new RangeDecoder();
   private final NearRowCodec nearRows = new NearRowCodec();
   private final RecordCodec records = new RecordCodec();
+  private final RelayCodec relay = new RelayCodec();
+  private final DatagramHead head = new DatagramHead();
   private final DeltaCodec deltas;
   private EntityHistory[] histories = {};
   private int slotLimit;
@@ -72,7 +78,6 @@ public final class SnapshotDecoder {
   private final byte[] readWaiting = new byte[PlayerId.MAX + 1];
   private final PlayerSet readKnown = new PlayerSet();
   private int readWindow;
-  private final InputFeedback readFeedback = new InputFeedback();
   private final SlotSet named = new SlotSet(); // a slot comes once at most
   private int[] slots = {};
   private byte[] kinds = {};
@@ -113,8 +118,8 @@ public final class SnapshotDecoder {
   }
 
   /**
-   * Takes over what the level file places, before the first datagram: each entity has its place in
-   * the level as its state of tick 0 until the server says otherwise.
+   * Takes over the entities of the level file, before the first datagram. Each has its place in the
+   * level as its state of tick 0 until the server says otherwise.
    *
    * @param state the same as the server's {@link FrameRing#level}
    */
@@ -129,7 +134,7 @@ public final class SnapshotDecoder {
   }
 
   /**
-   * Sets what falling bodies gain, m/s^2, before the first datagram; zero before.
+   * Sets gravity, m/s^2, before the first datagram; it is zero until then.
    *
    * @param x the same as the server's {@link FrameRing#gravity}
    */
@@ -138,20 +143,20 @@ public final class SnapshotDecoder {
   }
 
   /**
-   * Decodes a datagram. When it answers {@code OK}, the other methods tell what it held; else
-   * nothing has changed.
+   * Decodes a datagram. After {@code OK} the other methods return what it held; after any other
+   * status nothing has changed.
    */
   public DecodeStatus decode(byte[] bytes, int offset, int length) {
-    if (length < 6 || length > SnapshotEncoder.MAX_DATAGRAM_BYTES) {
+    if (length < MIN_BYTES || length > SnapshotEncoder.MAX_DATAGRAM_BYTES) {
       return DAMAGED;
     }
-    BitReader r = reader;
-    r.reset(bytes, offset, length);
-    if (r.read(16) != Crc16.of(key, bytes, offset + 2, length - 2)) {
+    reader.reset(bytes, offset, length);
+    head.code(reader, newestTick);
+    int covered = offset + DatagramHead.CHECK_BYTES;
+    if (head.check != Crc16.of(key, bytes, covered, length - DatagramHead.CHECK_BYTES)) {
       return DAMAGED;
     }
-    int sequence = r.read(16);
-    int ahead = hasAck ? Sequence.difference(sequence, ackSequence) : 1;
+    int ahead = hasAck ? Sequence.difference(head.sequence, ackSequence) : 1;
     if (ahead <= 0) {
       if (ahead < -ACK_BITS) {
         return DecodeStatus.STALE;
@@ -160,53 +165,45 @@ public final class SnapshotDecoder {
         return DecodeStatus.DUPLICATE;
       }
     }
-    int datagramTick = Sequence.expand(r.read(16), newestTick);
-    boolean news = r.readBit();
-    DecodeStatus status = read(r, datagramTick, bytes, offset + length);
+    DecodeStatus status = read(bytes, offset + length);
     if (status == OK) {
-      hasNews = news;
-      acknowledge(sequence, ahead);
-      keep(datagramTick);
+      acknowledge(head.sequence, ahead);
+      keep();
     }
     return status;
   }
 
-  private DecodeStatus read(BitReader r, int datagramTick, byte[] bytes, int end) {
-    if (datagramTick < 0) {
+  /** Reads what follows the head. */
+  private DecodeStatus read(byte[] bytes, int end) {
+    BitReader r = reader;
+    if (head.tick < 0) {
       return DAMAGED;
     }
-    HeaderCodec.readFeedback(r, readFeedback, datagramTick);
-    boolean withOwn = r.readBit();
-    if (withOwn) {
-      int age = r.read(FrameRing.AGE_BITS);
-      OwnState baseline = age == 0 ? nothing : ownAt(datagramTick - age);
+    if (head.hasOwn) {
+      OwnState baseline = head.ownAge == 0 ? nothing : ownAt(head.tick - head.ownAge);
       if (baseline == null) {
         return DecodeStatus.NO_BASELINE;
       }
-      HeaderCodec.readOwn(r, baseline, readOwn);
+      OwnCodec.code(r, baseline, readOwn);
       if (!readOwn.isSane()) {
         return DAMAGED;
       }
-      readWindow = RelayCodec.window(age);
+      readWindow = RelayCodec.window(head.ownAge);
       readKnown.set(baseline.relayed);
-      RelayCodec.read(
-          r, inputs, datagramTick, readWindow, readKnown, readOwn.relayed, readInputs, readWaiting);
-      NearCodec.read(r, baseline.near, readOwn.near);
+      PlayerSet players = readOwn.relayed;
+      relay.read(r, inputs, head.tick, readWindow, readKnown, players, readInputs, readWaiting);
+      NearCodec.code(r, baseline.near, readOwn.near);
     }
-    boolean sane = events.read(r, datagramTick);
+    events.read(r, head.tick);
     int at = r.align();
-    if (!sane || r.failed()) {
+    if (r.failed()) {
       return DAMAGED;
     }
     range.reset(bytes, at, end - at);
-    if (withOwn && readOwn.near.updating) {
+    if (head.hasOwn && readOwn.near.updating) {
       nearRows.part(range, readOwn);
     }
-    DecodeStatus status = readRecords(datagramTick);
-    if (status == OK) {
-      hasOwn = withOwn;
-    }
-    return status;
+    return readRecords(head.tick);
   }
 
   private OwnState ownAt(int wantedTick) {
@@ -283,7 +280,7 @@ public final class SnapshotDecoder {
     return OK;
   }
 
-  /** Begins the next record, unless there can be none like it. */
+  /** Begins the next record; returns false for a slot out of range, named twice, or too many. */
   private boolean open(int kind, int slot) {
     if (slot < 0 || slot >= capacity || named.has(slot) || count == RecordCodec.MAX_RECORDS) {
       return false;
@@ -298,7 +295,8 @@ public final class SnapshotDecoder {
   }
 
   /**
-   * Loads the state that the slot had at a tick into the next record; false when it isn't known.
+   * Loads the state that the slot had at a tick into the next record; returns false when it isn't
+   * known.
    */
   private boolean baseline(int slot, int wantedTick) {
     EntityHistory history = history(slot);
@@ -347,10 +345,13 @@ public final class SnapshotDecoder {
     }
   }
 
-  private void keep(int datagramTick) {
+  private void keep() {
+    int datagramTick = head.tick;
     tick = datagramTick;
+    hasNews = head.news;
+    hasOwn = head.hasOwn;
     newestTick = Math.max(newestTick, datagramTick);
-    feedback.set(readFeedback);
+    feedback.set(head.feedback);
     events.keep(datagramTick);
     if (hasOwn) {
       int at = datagramTick & (HISTORY - 1);
@@ -402,58 +403,58 @@ public final class SnapshotDecoder {
     return histories[slot];
   }
 
-  /** Tick of the last decoded datagram: its content is the state after this tick. */
+  /** Returns the tick of the last decoded datagram, which holds the state after this tick. */
   public int tick() {
     return tick;
   }
 
-  /** Newest tick of all datagrams so far; the tick of {@code Welcome} before the first. */
+  /** Returns the newest tick of all datagrams; before the first, that of {@code Welcome}. */
   public int newestTick() {
     return newestTick;
   }
 
-  /** Feedback of the last decoded datagram; {@code present} is false when it had none. */
+  /** Returns the feedback of the last decoded datagram; not {@code present} if it had none. */
   public InputFeedback feedback() {
     return feedback;
   }
 
   /**
-   * Whether the last decoded datagram told something new, as far as the server knows: then it waits
-   * for the ack.
+   * Returns whether the last decoded datagram held anything that the server didn't know the client
+   * to have. If so, the server waits for the ack.
    */
   public boolean hasNews() {
     return hasNews;
   }
 
-  /** Whether the last decoded datagram had the own section. */
+  /** Returns whether the last decoded datagram had an own section. */
   public boolean hasOwn() {
     return hasOwn;
   }
 
   /**
-   * Own section of the last decoded datagram, the exact state after {@link #tick}; valid when
-   * {@link #hasOwn}, until the next {@link #decode}.
+   * Returns the own section of the last decoded datagram: the exact state after {@link #tick}.
+   * Valid if {@link #hasOwn}, until the next {@link #decode}.
    */
   public OwnState own() {
     return own;
   }
 
-  /** Inputs of other players as far as the server told them. The same object for ever. */
+  /** Returns the inputs of other players that were received; always the same object. */
   public RelayedInputs inputs() {
     return inputs;
   }
 
-  /** What the server tells has happened. The same object for ever. */
+  /** Returns the events that were received; always the same object. */
   public EventInbox events() {
     return events;
   }
 
-  /** Records in the last decoded datagram. */
+  /** Returns the number of records in the last decoded datagram. */
   public int touchedCount() {
     return touched;
   }
 
-  /** Slot of a record of the last decoded datagram; index 0..touchedCount - 1. */
+  /** Returns the slot of a record of the last decoded datagram; index 0..touchedCount - 1. */
   public int touchedSlot(int index) {
     if (index < 0 || index >= touched) {
       throw new IndexOutOfBoundsException("index=" + index + " is outside 0.." + (touched - 1));
@@ -461,30 +462,30 @@ public final class SnapshotDecoder {
     return touchedSlots[index];
   }
 
-  /** One more than the highest slot ever seen: iterate {@link #history} below it. */
+  /** Returns one more than the highest slot ever seen: iterate {@link #history} below it. */
   public int slotLimit() {
     return slotLimit;
   }
 
   /**
-   * What is known of a slot, or null when nothing ever was. The same object for ever, changed by
-   * {@link #decode}.
+   * Returns what is known of a slot, or null when nothing ever was. Always the same object, which
+   * {@link #decode} changes.
    */
   public EntityHistory history(int slot) {
     return slot < histories.length ? histories[slot] : null;
   }
 
-  /** Whether any datagram was decoded: before that, there is nothing to ack. */
+  /** Returns whether any datagram was decoded: before that, there is nothing to ack. */
   public boolean hasAck() {
     return hasAck;
   }
 
-  /** Sequence number of the newest datagram decoded. */
+  /** Returns the sequence number of the newest datagram decoded. */
   public int ackSequence() {
     return ackSequence;
   }
 
-  /** Bit i = datagram {@code ackSequence() - 1 - i} was decoded. */
+  /** Returns the ack bits: bit i = datagram {@code ackSequence() - 1 - i} was decoded. */
   public long ackBits() {
     return ackBits;
   }

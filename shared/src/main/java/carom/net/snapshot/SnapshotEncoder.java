@@ -4,20 +4,16 @@ import carom.net.codec.BitWriter;
 import carom.net.codec.Crc16;
 import carom.net.codec.RangeEncoder;
 import carom.net.snapshot.event.EventOutbox;
-import carom.net.snapshot.exact.NearCodec;
 import carom.net.snapshot.exact.NearRowCodec;
+import carom.net.snapshot.exact.OwnAcks;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
-import carom.net.snapshot.frame.Motion;
-import carom.net.snapshot.frame.PlayerSet;
 import carom.net.snapshot.record.Deltas;
-import carom.net.snapshot.record.RecordCodec;
-import carom.net.snapshot.relay.RelayCodec;
-import java.util.Arrays;
+import carom.net.snapshot.record.RecordSizes;
 
 /**
- * One session's snapshots. Each send tick, after {@link FrameRing#end}:
+ * Writes the snapshots of one session. Each tick that sends calls, after {@link FrameRing#end}:
  *
  * <pre>{@code
  * encoder.receiveAck(ackSequence, ackBits);            // from each input datagram
@@ -26,63 +22,44 @@ import java.util.Arrays;
  * }</pre>
  *
  * <p>An entity whose quantised state hasn't changed since a tick that the client acked costs
- * nothing, neither bytes nor time. All others in sight are sent, who has collected most priority
- * first, as far as the budget goes. Loss is never repaired by sending again what was lost: the
- * newest state is sent until one of its records is acked.
+ * nothing, neither bytes nor time. All others in sight are sent as far as the budget goes, the
+ * highest collected priority first. A lost datagram is never sent again: the newest state is sent
+ * until one of its records is acked.
  *
  * <p>One thread, no allocation in the steady state.
  */
 public final class SnapshotEncoder {
-  /** So many younger datagrams may overtake one before it counts as lost. */
+  /** Number of younger datagrams that may overtake one before it counts as lost. */
   private static final int OVERTAKING = 3;
 
-  /** Largest datagram; the size of the array for {@link #next}. */
+  /** Size of the largest datagram, and of the array for {@link #next}, bytes. */
   public static final int MAX_DATAGRAM_BYTES = 1_200;
 
-  /** What the end of the records takes at most: the surprise of three nodes, and rounding twice. */
-  private static final int END_BITS = 35;
-
   /**
-   * A further datagram is not begun for less: headers on the path would cost more than it holds.
-   * Any record fits.
+   * Least budget that another datagram is begun for, bytes. With less, the headers on the path
+   * would cost more than the datagram holds. Any record fits.
    */
   private static final int MIN_FURTHER_BYTES = 64;
 
-  /**
-   * So many records or runs that don't fit into the rest of a datagram are passed over for shorter
-   * ones.
-   */
-  private static final int MAX_PASSED_OVER = 8;
-
-  /** What a short run takes besides its deltas: what it is, and which slots; mostly less. */
-  private static final int RUN_BITS = 40;
-
-  /** Events may take that part of the budget; the rest waits for the next datagram. */
+  /** Part of the budget that events may take, as a divisor; others wait for the next datagram. */
   private static final int EVENTS_SHARE = 4;
 
   private final FrameRing ring;
   private final int key;
-  private final Deltas deltas;
   private final RangeEncoder range = new RangeEncoder();
   private final NearRowCodec nearRows = new NearRowCodec();
-  private final RecordCodec records = new RecordCodec();
+  private final DatagramHead head = new DatagramHead();
   private final SentLog sent = new SentLog();
   private final BitWriter writer = new BitWriter();
-  private final Motion actual = new Motion();
 
+  private final ClientKnowledge client;
   private final Selection selection;
+  private final RecordsWriter records;
+  private final OwnAcks own;
   private final EventOutbox events;
 
   private final InputFeedback feedback = new InputFeedback();
-  private final OwnState[] ownSent = new OwnState[FrameRing.SIZE];
-  private final OwnState ownNow = new OwnState();
-  private final OwnState ownAcked = new OwnState();
-  private final OwnState nothing = new OwnState();
-  private int ownAckedTick = -1;
   private boolean hasLost;
-
-  /** By tick: the last one of which the own section was acked. */
-  private final int[] ownAckedTicks = new int[FrameRing.SIZE];
 
   private boolean sendOwn;
   private boolean news;
@@ -91,10 +68,6 @@ public final class SnapshotEncoder {
   private boolean first;
   private int budget;
   private int headerBytes;
-
-  // Of the datagram that is being written: its records, and what didn't fit.
-  private int written;
-  private int passedOver;
 
   // Of the last snapshot: its budget, and what of it went to anything but records.
   private int givenBytes;
@@ -127,13 +100,12 @@ public final class SnapshotEncoder {
   public SnapshotEncoder(Deltas deltas, int key, Interest interest) {
     ring = deltas.ring();
     events = new EventOutbox(ring.events(), SentLog.SIZE);
-    selection = new Selection(ring, interest);
+    RecordSizes sizes = new RecordSizes();
+    client = new ClientKnowledge(ring, interest, sizes);
+    selection = new Selection(ring, interest, sizes, client);
+    records = new RecordsWriter(deltas, selection, client, sent, range);
+    own = new OwnAcks(ring);
     this.key = key;
-    this.deltas = deltas;
-    for (int i = 0; i < ownSent.length; i++) {
-      ownSent[i] = new OwnState();
-    }
-    Arrays.fill(ownAckedTicks, -1);
   }
 
   /**
@@ -141,10 +113,10 @@ public final class SnapshotEncoder {
    * on.
    */
   public void reset() {
+    client.reset();
     selection.reset();
-    ownAckedTick = -1;
+    own.reset();
     hasLost = false;
-    Arrays.fill(ownAckedTicks, -1);
     sent.forget();
     events.clear();
   }
@@ -158,19 +130,19 @@ public final class SnapshotEncoder {
   }
 
   /**
-   * Tells what the client of another encoder of the same frames wasn't told, or hasn't acked; what
-   * it has of the oldest tick among these is told again.
+   * Offers the events that the client of another encoder of the same frames lacks: those not sent
+   * or not acked. All events of the oldest such tick are sent again.
    */
   public void takeOverEvents(SnapshotEncoder before) {
     events.takeOver(before.events);
   }
 
-  /** Events offered whose ack hasn't come yet. */
+  /** Returns the number of events offered that are not acked yet. */
   public int eventsWaiting() {
     return events.waiting();
   }
 
-  /** Events that were offered and never told, because too many waited. */
+  /** Returns the number of events that were dropped because too many waited. */
   public long eventsLost() {
     return events.lost();
   }
@@ -208,43 +180,39 @@ public final class SnapshotEncoder {
       ackDelayTicks = ackDelayTicks < 0 ? delay : Math.min(ackDelayTicks, delay);
     }
     for (int i = 0; i < sent.countAt(at); i++) {
-      selection.ack(sent.wordAt(at, i), sent.slotsAt(at, i), tick);
+      client.ack(sent.wordAt(at, i), sent.slotsAt(at, i), tick);
     }
     events.ack(at);
     if (sent.ownAt(at)) {
-      ownAckedTicks[tick & (FrameRing.SIZE - 1)] = tick;
-    }
-    if (sent.ownAt(at) && tick > ownAckedTick && ring.newest().tick() - tick < FrameRing.SIZE) {
-      ownAcked.setBaseline(ownSent[tick & (FrameRing.SIZE - 1)]);
-      ownAckedTick = tick;
+      own.ack(tick);
     }
   }
 
-  /** The slot's next record is absolute, whatever was acked. */
+  /** Makes the slot's next record absolute, whatever was acked. */
   public void force(int slot) {
     if (slot < 0 || slot >= ring.capacity()) {
       throw new IndexOutOfBoundsException(
           "slot=" + slot + " is outside 0.." + (ring.capacity() - 1));
     }
-    selection.force(slot);
+    client.force(slot);
   }
 
   /**
-   * Offers an entity that may have come into the client's view: if the {@link Interest} sees it, it
-   * is told about from the next {@link #begin} on. Needed for entities that the client doesn't
-   * know, unless everything is of interest.
+   * Offers an entity that may have come into the client's view. If the {@link Interest} sees it,
+   * its records are sent from the next {@link #begin} on. Only entities that the client doesn't
+   * know need this, and only if not everything is of interest.
    */
   public void notice(int slot) {
-    selection.notice(slot);
+    client.notice(slot);
   }
 
   /**
-   * Whether the client has, as far as the server knows, everything of the newest frame and this own
-   * state: then the replication may send less often.
+   * Returns whether the client has acked everything of the newest frame and this own state. If so,
+   * the server may send less often.
    *
-   * @param own as for {@link #begin}
+   * @param state as for {@link #begin}
    */
-  public boolean nothingNew(OwnState own) {
+  public boolean nothingNew(OwnState state) {
     FrameState newest = ring.newest();
     if (newest == null) {
       return true;
@@ -252,56 +220,34 @@ public final class SnapshotEncoder {
     if (events.isDue(newest.tick())) {
       return false;
     }
-    if (own != null && !isKnown(own, newest)) {
+    if (state != null && !own.isKnown(state, newest)) {
       return false;
     }
-    return selection.update(newest) == 0;
-  }
-
-  /** Whether the client has acked all of the own section, with the inputs that belong to it. */
-  private boolean isKnown(OwnState own, FrameState newest) {
-    if (ownAckedTick < 0
-        || !own.sameSection(ownAcked)
-        || !own.near.sameAs(ownAcked.near)
-        || own.near.updating) {
-      return false;
-    }
-    int window = newest.tick() - ownAckedTick;
-    PlayerSet relayed = own.relayed;
-    if (window > RelayCodec.MAX_WINDOW && relayed.next(0) >= 0) {
-      return false;
-    }
-    for (int p = relayed.next(0); p >= 0; p = relayed.next(p + 1)) {
-      if (!RelayCodec.isUnchanged(ring, newest, window, p)) {
-        return false;
-      }
-    }
-    return true;
+    return client.update(newest) == 0;
   }
 
   /**
-   * Starts the datagrams of the ring's newest frame. Entities that did not fit the budget wait; who
-   * waited longest goes first.
+   * Starts the datagrams of the ring's newest frame. Entities that do not fit the budget wait and
+   * collect priority.
    *
    * @param feedback about the client's inputs; copied
-   * @param own the player's exact state at the newest frame's tick, or null to send none; copied
+   * @param state the player's exact state at the newest frame's tick, or null to send none; copied
    * @param budgetBytes for all datagrams of this tick; the first one's header and own section are
    *     sent anyway
    * @throws IllegalStateException when the ring has no frame
    */
-  public void begin(InputFeedback feedback, OwnState own, int budgetBytes) {
+  public void begin(InputFeedback feedback, OwnState state, int budgetBytes) {
     frame = ring.newest();
     if (frame == null) {
       throw new IllegalStateException("begin() before the first frame was captured");
     }
     this.feedback.set(feedback);
-    sendOwn = own != null;
-    if (own != null) {
-      ownNow.set(own);
-      ownSent[frame.tick() & (FrameRing.SIZE - 1)].setBaseline(own);
+    sendOwn = state != null;
+    if (sendOwn) {
+      own.begin(state, frame.tick());
     }
-    int count = selection.updated(frame);
-    news = count > 0 || events.hasUnacked() || own != null && !isKnown(own, frame);
+    int count = client.updated(frame);
+    news = count > 0 || events.hasUnacked() || sendOwn && !own.isKnown(state, frame);
     selection.choose(frame, count, Math.max(0, budgetBytes - headerBytes));
     budget = budgetBytes;
     givenBytes = budgetBytes;
@@ -327,27 +273,18 @@ public final class SnapshotEncoder {
     w.reset(out, 0, MAX_DATAGRAM_BYTES);
     writeHeader(w, sent.begin(frame.tick(), withOwn, news), withOwn);
     int header = w.bytes();
-    int room = 8 * (Math.min(MAX_DATAGRAM_BYTES, Math.max(budget, 0)) - header) - END_BITS;
+    int room = 8 * (Math.min(MAX_DATAGRAM_BYTES, Math.max(budget, 0)) - header);
     range.reset(out, header, MAX_DATAGRAM_BYTES - header);
-    if (withOwn && ownNow.near.updating) {
-      nearRows.part(range, ownNow);
+    if (withOwn && own.now().near.updating) {
+      nearRows.part(range, own.now());
     }
     int rowBytes = range.bits() / Byte.SIZE;
     nearBytes += rowBytes;
     aheadBytes += header + rowBytes;
     headerBytes = first ? header + rowBytes : headerBytes;
-    records.begin();
-    written = 0;
-    passedOver = 0;
-    selection.rewind();
-    writeSingles(room);
-    writeRuns(room);
-    selection.toSpare();
-    writeSingles(room);
-    writeRuns(room);
-    records.kind(range, RecordCodec.END);
+    records.write(frame, room - RecordsWriter.END_BITS);
     int length = header + range.finish();
-    int check = Crc16.of(key, out, 2, length - 2);
+    int check = Crc16.of(key, out, DatagramHead.CHECK_BYTES, length - DatagramHead.CHECK_BYTES);
     out[0] = (byte) check;
     out[1] = (byte) (check >>> 8);
     sent.end(length);
@@ -357,144 +294,45 @@ public final class SnapshotEncoder {
   }
 
   private void writeHeader(BitWriter w, int sequence, boolean withOwn) {
-    w.write(0, 16);
-    w.write(sequence, 16);
-    w.write(frame.tick(), 16);
-    w.write(news);
-    if (first) {
-      HeaderCodec.writeFeedback(w, feedback, frame.tick());
-    } else {
-      w.write(false);
-    }
-    w.write(withOwn);
+    head.sequence = sequence;
+    head.tick = frame.tick();
+    head.news = news;
+    head.feedback.set(feedback);
+    head.feedback.present &= first;
+    head.hasOwn = withOwn;
+    head.ownAge = withOwn ? own.age(frame.tick()) : 0;
+    head.code(w, frame.tick());
     if (withOwn) {
-      int age = frame.tick() - ownAckedTick;
-      boolean known = ownAckedTick >= 0 && age > 0 && age < FrameRing.SIZE;
-      w.write(known ? age : 0, FrameRing.AGE_BITS);
-      OwnState baseline = known ? ownAcked : nothing;
-      OwnState own = ownNow;
-      HeaderCodec.writeOwn(w, baseline, own);
-      int window = known ? RelayCodec.window(age) : 0;
-      RelayCodec.write(w, ring, window, baseline.relayed, own.relayed);
-      int before = w.bytes();
-      NearCodec.write(w, baseline.near, own.near);
-      nearBytes = w.bytes() - before;
+      nearBytes = own.write(w, head.ownAge);
     }
     int share = Math.min(budget, MAX_DATAGRAM_BYTES) * Byte.SIZE / EVENTS_SHARE;
     events.write(w, frame.tick(), sequence, share);
   }
 
-  /** What is no delta. */
-  private void writeSingles(int room) {
-    for (int slot; mayTry(1) && (slot = selection.nextSingle(frame)) >= 0; ) {
-      int before = mark();
-      writeSingle(slot, selection.baseline(frame, slot));
-      int after = range.bits();
-      if (fits(after, room)) {
-        written++;
-        sent.add(slot >> 6, 1L << slot);
-        selection.wrote(slot, frame.tick(), after - before);
-      } else {
-        passOver();
-      }
-    }
-  }
-
-  private void writeRuns(int room) {
-    selection.toRuns();
-    for (int left;
-        mayTry(Long.SIZE)
-            && (left = room - range.bits() - RUN_BITS) > 0
-            && selection.nextRun(frame); ) {
-      int word = selection.runWord();
-      FrameState held = selection.held();
-      long slots = selection.runSlots();
-      if (!writeRun(word, slots, held, room)) {
-        writeRun(word, deltas.fitting(frame, held, word, slots, left), held, room);
-      }
-    }
-  }
-
-  private boolean writeRun(int word, long slots, FrameState held, int room) {
-    if (slots == 0) {
-      return false;
-    }
-    int before = mark();
-    deltas.writeRun(range, records, frame, held, word, slots);
-    int after = range.bits();
-    if (!fits(after, room)) {
-      passOver();
-      return false;
-    }
-    written += Long.bitCount(slots);
-    sent.add(word, slots);
-    selection.wroteRun(word, slots, frame.tick(), after - before);
-    return true;
-  }
-
-  /** Whether the datagram may get so many more records, and enough were not passed over. */
-  private boolean mayTry(int count) {
-    return passedOver <= MAX_PASSED_OVER && written + count <= RecordCodec.MAX_RECORDS;
-  }
-
-  private int mark() {
-    range.mark();
-    records.mark();
-    return range.bits();
-  }
-
-  private boolean fits(int bits, int room) {
-    return !range.overflow() && bits <= room;
-  }
-
-  private void passOver() {
-    range.rewind();
-    records.rewind();
-    passedOver++;
-  }
-
-  private void writeSingle(int slot, Baseline baseline) {
-    if (baseline == Baseline.OUT_OF_SIGHT || baseline == Baseline.GONE) {
-      boolean gone = baseline == Baseline.GONE;
-      records.kind(range, gone ? RecordCodec.GONE : RecordCodec.OUT_OF_SIGHT);
-      records.slot(range, slot);
-      return;
-    }
-    records.kind(range, RecordCodec.ABSOLUTE);
-    records.slot(range, slot);
-    records.generation(range, frame.generation(slot));
-    records.archetype(range, frame.archetype(slot));
-    records.owner(range, frame.owner(slot));
-    records.teleports(range, frame.teleports(slot));
-    frame.motion(slot, actual);
-    records.absolute(range, actual);
-  }
-
   /**
-   * What the slot's record would be coded against now, and why: the one place where that is
-   * decided.
+   * Returns what the slot's record would be coded against now, and why.
    *
    * @param slot 0..capacity - 1
    */
-  public Baseline baseline(int slot) {
+  public BaselineReason baseline(int slot) {
     FrameState newest = ring.newest();
     if (newest == null || slot >= newest.slotLimit()) {
-      return Baseline.QUIESCENT;
+      return BaselineReason.QUIESCENT;
     }
-    selection.update(newest);
-    return selection.baseline(newest, slot);
+    client.update(newest);
+    return client.baseline(newest, slot);
   }
 
   /**
-   * Why the slot's entity was sent with the last snapshot, or wasn't. For people and tests;
-   * allocates.
+   * Explains why the slot's entity was sent with the last snapshot, or was not. For operators and
+   * tests; allocates.
    *
    * @param slot 0..capacity - 1
    */
-  public Verdict explain(int slot) {
-    Baseline baseline = baseline(slot);
+  public Explanation explain(int slot) {
+    BaselineReason baseline = baseline(slot);
     FrameState newest = ring.newest();
-    return new Verdict(
+    return new Explanation(
         slot,
         reason(newest, slot, baseline),
         baseline,
@@ -510,99 +348,102 @@ public final class SnapshotEncoder {
         nearBytes);
   }
 
-  private Verdict.Reason reason(FrameState newest, int slot, Baseline baseline) {
+  private Explanation.Reason reason(FrameState newest, int slot, BaselineReason baseline) {
     if (sentTick(slot) >= 0 && sentTick(slot) == beganTick) {
-      return Verdict.Reason.SENT;
+      return Explanation.Reason.SENT;
     }
-    if (baseline == Baseline.QUIESCENT) {
+    if (baseline == BaselineReason.QUIESCENT) {
       if (newest == null || !newest.alive(slot)) {
-        return Verdict.Reason.FREE;
+        return Explanation.Reason.FREE;
       }
-      return selection.isInSight(slot) ? Verdict.Reason.UP_TO_DATE : Verdict.Reason.OUT_OF_SIGHT;
+      return client.isInSight(slot)
+          ? Explanation.Reason.UP_TO_DATE
+          : Explanation.Reason.OUT_OF_SIGHT;
     }
     if (ring.changedTick(slot) > beganTick) {
-      return Verdict.Reason.NOT_DUE;
+      return Explanation.Reason.NOT_DUE;
     }
     return sentTick(slot) >= ring.changedTick(slot)
-        ? Verdict.Reason.UNACKED
-        : Verdict.Reason.OVER_BUDGET;
+        ? Explanation.Reason.UNACKED
+        : Explanation.Reason.OVER_BUDGET;
   }
 
-  /** Newest tick of the slot that the client has acked since it came into sight, or -1. */
+  /** Returns the newest tick of the slot acked since it came into sight, or -1. */
   public int ackedTick(int slot) {
-    return selection.ackedTick(slot);
+    return client.ackedTick(slot);
   }
 
-  /** Last tick at which a record of the slot was sent, or -1. */
+  /** Returns the last tick at which a record of the slot was sent, or -1. */
   public int sentTick(int slot) {
-    return selection.sentTick(slot);
+    return client.sentTick(slot);
   }
 
   /**
-   * Entities that have changed and are not sent yet in this tick; after the last {@link #next},
-   * those that must wait.
+   * Returns how many changed entities are not sent yet in this tick. After the last {@link #next}
+   * these must wait.
    */
   public int waiting() {
     return selection.waiting();
   }
 
   /**
-   * Bytes of the last snapshot that weren't records: headers, the own body, what is near, events.
+   * Returns the bytes of the last snapshot that weren't records: headers, own and near sections,
+   * events.
    */
   public int aheadBytes() {
     return aheadBytes;
   }
 
-  /** Bytes of the last snapshot that told what is near, rounded; part of {@link #aheadBytes}. */
+  /** Returns the bytes of the last near section with its rows, part of {@link #aheadBytes}. */
   public int nearBytes() {
     return nearBytes;
   }
 
   /**
-   * Whether the snapshot begun last tells anything that the client isn't known to have: if so, it
-   * is asked to ack soon.
+   * Returns whether the snapshot begun last holds anything that the client isn't known to have. If
+   * so, the client is asked to ack soon.
    */
   public boolean hasNews() {
     return news;
   }
 
   /**
-   * Ticks from sending to ack of the quickest datagram with news that the last {@link #receiveAck}
-   * was the first to ack, or -1 when it acked none.
+   * Returns the ticks from sending to ack of the quickest datagram with news that the last {@link
+   * #receiveAck} was the first to ack, or -1 when it acked none.
    */
   public int ackDelayTicks() {
     return ackDelayTicks;
   }
 
-  /** The newest tick of which the client has acked the own section, or -1. */
+  /** Returns the newest tick of which the client has acked the own section, or -1. */
   public int ownAckedTick() {
-    return ownAckedTick;
+    return own.ackedTick();
   }
 
-  /** Whether the client has acked the own section of one of the last 64 ticks. */
+  /** Returns whether the client has acked the own section of one of the last 64 ticks. */
   public boolean hasAckedOwn(int tick) {
-    return tick >= 0 && ownAckedTicks[tick & (FrameRing.SIZE - 1)] == tick;
+    return own.hasAcked(tick);
   }
 
   /**
-   * Whether the client's last acks tell of a datagram that got lost, among the last {@value
-   * Long#SIZE}; the newest ones may yet arrive and don't count.
+   * Returns whether the client's last acks show a lost datagram among the last {@value Long#SIZE}.
+   * The newest ones may yet arrive and don't count.
    */
   public boolean hasLost() {
     return hasLost;
   }
 
-  /** Payload bytes of all datagrams acked. */
+  /** Returns the payload bytes of all datagrams acked. */
   public long ackedBytes() {
     return ackedBytes;
   }
 
-  /** Datagrams acked. */
+  /** Returns the number of datagrams acked. */
   public long ackedDatagrams() {
     return ackedDatagrams;
   }
 
-  /** Sequence number of the last datagram written. */
+  /** Returns the sequence number of the last datagram written, 16 bits. */
   public int sequence() {
     return sent.sequence();
   }

@@ -1,14 +1,28 @@
 /**
  * Snapshots: the world as integers once per tick, and per session the difference to what that
- * client is known to have. Acked deltas per entity: {@code docs/PROTOCOL.md} has the bytes and the
- * rules.
+ * client is known to have.
  *
- * <p>Each section of the datagram is a package of its own: {@code record}, {@code exact}, {@code
- * relay}, {@code event}; {@code frame} is what they describe. This package puts the sections
- * together and takes them apart, and chooses what a client is told. It sees arrays and bytes, no
- * worlds and no transport.
+ * <p>This package puts the sections of a datagram together, takes them apart, and chooses which
+ * entities a client is sent. Each section is described by one method that writes and reads:
  *
- * <p>Read first: {@link carom.net.snapshot.SnapshotEncoder}, {@link
- * carom.net.snapshot.SnapshotDecoder}, {@link carom.net.snapshot.Selection}.
+ * <pre>
+ *                 ┌─────────────── only if it has an own section ───────────────┐
+ * ┌──────────────┬─────────────┬────────────────┬──────────────────────────────┬────────┐
+ * │ head         │ own section │ relayed inputs │ near: list, hash, update     │ events │ plain
+ * │ DatagramHead │ OwnCodec    │ RelayCodec     │ NearCodec                    │ Event- │ bits:
+ * │              │ (exact)     │ (relay)        │ (exact)                      │ Codec  │ BitPass
+ * └──────────────┴─────────────┴────────────────┴──────────────────────────────┴────────┘
+ *   zeros up to a whole byte
+ * ┌─────────────────────┬───────────────────────────────────────────────────────────────┐
+ * │ rows of near update │ records: kind, slot, ...    RecordCodec (record)              │ arith-
+ * │ NearRowCodec        │ a run: its slots            SlotCodec                         │ metic:
+ * │ (exact)             │        a delta for each     DeltaCodec, shared by Deltas      │ BitCoder
+ * └─────────────────────┴───────────────────────────────────────────────────────────────┘
+ * </pre>
+ *
+ * <p>{@code docs/PROTOCOL.md} has the bytes and the rules. {@code frame} is what the sections
+ * describe. All of it sees arrays and bytes, no worlds and no transport. Read first: {@link
+ * carom.net.snapshot.SnapshotEncoder}, {@link carom.net.snapshot.SnapshotDecoder}, {@link
+ * carom.net.snapshot.ClientKnowledge}, {@link carom.net.snapshot.Selection}.
  */
 package carom.net.snapshot;

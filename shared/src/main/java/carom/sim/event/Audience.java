@@ -2,16 +2,16 @@ package carom.sim.event;
 
 import carom.sim.Game;
 
-/** Who is told that an entity exists, see {@link Game#audience}. */
+/** The players who are told about an entity or an event, see {@link Game#audience}. */
 public enum Audience {
-  /** Whoever looks at the place where it is. */
+  /** Players who look at the place where it is. */
   NEAR,
-  /** Everybody, wherever they look: the ball, the flag. */
+  /** All players, wherever they look: for the ball, the flag. */
   ALL,
-  /** The players on the team of its owner, wherever they look, and nobody else. */
+  /** The players on the team of its owner, wherever they look, and no others. */
   TEAM,
-  /** The player it belongs to, and nobody else. */
+  /** The player it belongs to, and no other. */
   OWNER,
-  /** Nobody but those who {@linkplain Game#seesAll see all}. */
+  /** Only players who {@linkplain Game#seesAll see everything}. */
   NOBODY
 }

@@ -5,7 +5,7 @@ import carom.sim.Game;
 
 /**
  * A kind of {@link Event}, such as a hit or a goal, registered in {@link Game#setUp} with {@link
- * EventKinds#add}. What it says is for eye and ear and never matters to the simulation.
+ * EventKinds#add}. It says how the event looks and sounds, and never matters to the simulation.
  */
 public final class EventKind {
   private final int index;
@@ -33,37 +33,39 @@ public final class EventKind {
     this.fullStrength = fullStrength;
   }
 
-  /** The place in {@link EventKinds}, 0..255; what the wire carries. */
+  /** Returns the index in {@link EventKinds}, 0..255, which the wire carries. */
   public int index() {
     return index;
   }
 
-  /** What the game calls it. */
+  /** Returns the name, for logs and tests. */
   public String name() {
     return name;
   }
 
-  /** Colour of the flash, 0xrrggbb. */
+  /** Returns the colour of the flash, 0xrrggbb. */
   public int rgb() {
     return rgb;
   }
 
-  /** Radius of the flash, metres; 0 = none. */
+  /** Returns the radius of the flash in metres, or 0 for no flash. */
   public float radius() {
     return radius;
   }
 
-  /** Short text that rises from the place, such as "+1"; empty = none. */
+  /** Returns a short text that rises from the place, such as "+1", or an empty one. */
   public String label() {
     return label;
   }
 
-  /** What it sounds like. */
+  /** Returns the sound. */
   public Sound sound() {
     return sound;
   }
 
-  /** {@link Event#strength} from which on it is as loud as can be; 0 = it always is. */
+  /**
+   * Returns the {@link Event#strength} from which on the sound is loudest, or 0 if it always is.
+   */
   public float fullStrength() {
     return fullStrength;
   }

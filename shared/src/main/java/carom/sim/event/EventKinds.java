@@ -7,34 +7,33 @@ import java.util.List;
 
 /**
  * The kinds of events of one simulation, in the order they were added. Server and client add the
- * same in the same order; closed once set-up is over.
+ * same kinds in the same order. No kind can be added after set-up.
  */
 public final class EventKinds {
-  /** Most kinds; an index fits 8 bits. */
+  /** Most kinds. An index fits 8 bits. */
   public static final int MAX = 256;
 
   private final List<EventKind> list = new ArrayList<>();
   private boolean closed;
 
+  /** Creates an empty list. */
   public EventKinds() {}
 
-  /**
-   * Registers a kind that is silent, see {@link #add(String, int, float, String, Sound, float)}.
-   */
+  /** Registers a silent kind, see {@link #add(String, int, float, String, Sound, float)}. */
   public EventKind add(String name, int rgb, float radius, String label) {
     return add(name, rgb, radius, label, Sound.NONE, 0);
   }
 
   /**
-   * Registers a kind; call it in {@link Game#setUp} only.
+   * Registers a kind. Call it in {@link Game#setUp} only.
    *
    * @param name for logs and tests
    * @param rgb colour of its flash, 0xrrggbb
-   * @param radius of its flash, metres, 0..100; 0 = it doesn't flash
-   * @param label short text that rises from where it happens; empty = none
-   * @param sound what it sounds like
-   * @param fullStrength {@link Event#strength} from which on it is as loud as can be, finite, 0 and
-   *     above; 0 = it always is
+   * @param radius of its flash, metres, 0..100; 0 for no flash
+   * @param label short text that rises from where it happens; empty for none
+   * @param sound its sound
+   * @param fullStrength {@link Event#strength} from which on the sound is loudest, finite, 0 and
+   *     above; 0 if it always is
    * @throws IllegalStateException after set-up, or beyond {@value #MAX}
    * @throws IllegalArgumentException when radius or fullStrength is outside its range
    */
@@ -42,7 +41,7 @@ public final class EventKinds {
       String name, int rgb, float radius, String label, Sound sound, float fullStrength) {
     if (closed) {
       throw new IllegalStateException(
-          "event kind=" + name + " comes after set-up; register it in Game.setUp");
+          "event kind=" + name + " is registered after set-up; register it in Game.setUp");
     }
     if (list.size() == MAX) {
       throw new IllegalStateException("event kind=" + name + " exceeds the limit of " + MAX);
@@ -64,16 +63,17 @@ public final class EventKinds {
     return kind;
   }
 
-  /** How many there are. */
+  /** Returns the number of kinds. */
   public int size() {
     return list.size();
   }
 
-  /** The kind at an index in 0..size-1, or null outside: an index may come from the wire. */
+  /** Returns the kind at an index, or null if there is none. The index may come from the wire. */
   public EventKind get(int index) {
     return index >= 0 && index < list.size() ? list.get(index) : null;
   }
 
+  /** Closes the list: no kind can be added any more. */
   public void close() {
     closed = true;
   }

@@ -1,21 +1,21 @@
 package carom.sim.event;
 
-/** What an {@link EventKind} sounds like. A client makes the sounds; a game only chooses. */
+/** The sound of an {@link EventKind}. A client makes the sounds; a game only chooses one. */
 public enum Sound {
-  /** Silence. */
+  /** No sound. */
   NONE,
-  /** Something hard hits something hard. */
+  /** Two hard bodies that hit each other. */
   KNOCK,
-  /** Something rushes off. */
+  /** A body that rushes off. */
   WHOOSH,
   /** A discharge: a shot, a jolt. */
   ZAP,
   /** A light jump. */
   HOP,
-  /** A small reward. */
+  /** A small reward, such as a coin. */
   CHIME,
-  /** A great one: a goal, a flag. */
+  /** A great reward, such as a goal or a flag. */
   FANFARE,
-  /** Something is lost. */
+  /** A loss, such as a fall. */
   DROP
 }

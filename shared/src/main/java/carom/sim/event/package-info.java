@@ -1,5 +1,6 @@
 /**
- * What kinds of events a game has, how each looks and sounds, and who is told.
+ * The kinds of events of a game, how each looks and sounds, and who is told; and the queue of
+ * notices.
  *
  * <p>Imports nothing. Read first: {@link carom.sim.event.EventKinds}, {@link
  * carom.sim.event.EventKind}.

@@ -1,44 +1,44 @@
 package carom.sim.level;
 
 /**
- * How an entity wants to be drawn. The simulation never reads it.
+ * The look of an entity. The simulation never reads it.
  *
  * @param rgb fill colour, 0xRRGGBB
  * @param outlineRgb colour of the edge, 0xRRGGBB
  * @param look a hint for details on top of the plain shape
  */
 public record Appearance(int rgb, int outlineRgb, Look look) {
-  /** Plain grey. */
+  /** Plain grey, the default. */
   public static final Appearance DEFAULT = of(0x8d99ae);
 
-  /** What a thing is, for a renderer that draws details. */
+  /** The kind of an entity, for a renderer that draws details. */
   public enum Look {
-    /** The bare shape. */
+    /** The shape without details. */
     PLAIN,
     /** Part of the level's frame. */
     WALL,
-    /** Somewhere to stand. */
+    /** A surface to stand on. */
     PLATFORM,
-    /** A player's body; belongs to the entity's owner. */
+    /** A player's body; it belongs to the entity's owner. */
     PLAYER,
-    /** Rolls. */
+    /** A ball that rolls. */
     BALL,
-    /** Made of planks. */
+    /** A crate made of planks. */
     CRATE,
-    /** Throws back what hits it. */
+    /** A bumper that throws back what hits it. */
     BUMPER,
-    /** Waits to be collected. */
+    /** A coin to be collected. */
     COIN,
-    /** Shines, or could. */
+    /** A lamp, on or off. */
     LAMP
   }
 
-  /** A fill colour with an edge of the same hue at 60 % of the brightness. */
+  /** Returns a plain appearance whose edge has 60 % of the fill's brightness. */
   public static Appearance of(int rgb) {
     return of(rgb, Look.PLAIN);
   }
 
-  /** A fill colour and a look, with an edge of the same hue at 60 % of the brightness. */
+  /** Returns an appearance whose edge has 60 % of the fill's brightness. */
   public static Appearance of(int rgb, Look look) {
     return new Appearance(rgb, darker(rgb), look);
   }

@@ -44,22 +44,22 @@ public final class Archetype {
     return reach;
   }
 
-  /** Position among the simulation's {@link Archetypes}, from 0. */
+  /** Returns its position among the simulation's {@link Archetypes}, from 0. */
   public int index() {
     return index;
   }
 
-  /** Its name, for people and for {@link Archetypes#find}. */
+  /** Returns its name, for people and for {@link Archetypes#find}. */
   public String name() {
     return def.name;
   }
 
-  /** Static, kinematic or dynamic. */
+  /** Returns whether its bodies are static, kinematic or dynamic. */
   public BodyType type() {
     return def.type;
   }
 
-  /** The shapes in the body's frame, unmodifiable. */
+  /** Returns the shapes in the body's frame, unmodifiable. */
   public List<Shape> shapes() {
     return shapes;
   }
@@ -69,42 +69,45 @@ public final class Archetype {
     return reach;
   }
 
-  /** The material of each shape, unmodifiable. */
+  /** Returns the material of each shape, unmodifiable. */
   public List<Material> materials() {
     return materials;
   }
 
-  /** Whether bodies hold only what comes from above; see {@link OneWay}. */
+  /** Returns whether its bodies carry only what comes from above; see {@link OneWay}. */
   public boolean oneWay() {
     return def.oneWay;
   }
 
-  /** Whether bodies touch nothing and only notice; see {@link ShapeDef}. */
+  /**
+   * Returns whether its bodies are sensors, which detect overlaps and collide with nothing; see
+   * {@link ShapeDef}.
+   */
   public boolean sensor() {
     return def.sensor;
   }
 
-  /** A number with a meaning of the game's own, the same on server and client. */
+  /** Returns a number with a meaning of the game's own, the same on server and client. */
   public int tag() {
     return def.tag;
   }
 
-  /** Constant turning speed of a kinematic body, rad/s, counterclockwise. */
+  /** Returns the constant angular velocity of a kinematic body, rad/s, counterclockwise. */
   public float spin() {
     return def.spin;
   }
 
-  /** The path of a kinematic body, or null. */
+  /** Returns the path of a kinematic body, or null. */
   public ScriptedMotion motion() {
     return def.motion;
   }
 
-  /** How it is drawn. */
+  /** Returns how its entities are drawn. */
   public Appearance appearance() {
     return def.appearance;
   }
 
-  /** A body definition of this kind at a place; angle in radians. Allocates. */
+  /** Returns a new body definition for a place; the angle is in radians. Allocates. */
   public BodyDef body(float x, float y, float angle) {
     BodyDef body =
         new BodyDef()

@@ -8,8 +8,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Describes an {@link Archetype} before it is registered; filled in fluently, then handed to {@link
- * Archetypes#add}, which copies it.
+ * Describes an {@link Archetype} before it is registered. It is filled in fluently and handed to
+ * {@link Archetypes#add}, which copies it.
  *
  * <pre>{@code
  * Archetype ball = simulation.archetypes().add(new ArchetypeDef("ball")
@@ -34,7 +34,10 @@ public final class ArchetypeDef {
   ScriptedMotion motion;
   Appearance appearance = Appearance.DEFAULT;
 
-  /** Starts a dynamic archetype without shapes. The name is for people and for {@code find}. */
+  /**
+   * Creates a dynamic archetype without shapes. The name is for people and for {@link
+   * Archetypes#find}.
+   */
   public ArchetypeDef(String name) {
     this.name = name;
   }
@@ -56,7 +59,7 @@ public final class ArchetypeDef {
     appearance = d.appearance;
   }
 
-  /** Static, kinematic or dynamic; dynamic unless set. */
+  /** Sets whether the bodies are static, kinematic or dynamic; dynamic by default. */
   public ArchetypeDef type(BodyType value) {
     type = value;
     return this;
@@ -69,61 +72,63 @@ public final class ArchetypeDef {
     return this;
   }
 
-  /** How fast movement dies away, 1/s; 0 unless set. */
+  /** Sets how fast the velocity decays, in 1/s; 0 by default. */
   public ArchetypeDef linearDamping(float perSecond) {
     linearDamping = perSecond;
     return this;
   }
 
-  /** How fast rotation dies away, 1/s; 0 unless set. */
+  /** Sets how fast the angular velocity decays, in 1/s; 0 by default. */
   public ArchetypeDef angularDamping(float perSecond) {
     angularDamping = perSecond;
     return this;
   }
 
-  /** Factor on the world's gravity; 1 unless set. */
+  /** Sets the factor on the world's gravity; 1 by default. */
   public ArchetypeDef gravityScale(float factor) {
     gravityScale = factor;
     return this;
   }
 
-  /** Whether contacts can't turn the body. */
+  /** Sets whether the bodies never turn; false by default. */
   public ArchetypeDef fixedRotation(boolean fixed) {
     fixedRotation = fixed;
     return this;
   }
 
-  /** Whether the body holds only what comes from above; see {@link OneWay}. */
+  /** Sets whether the bodies carry only what comes from above; see {@link OneWay}. */
   public ArchetypeDef oneWay(boolean value) {
     oneWay = value;
     return this;
   }
 
-  /** Whether the body touches nothing and only notices, as a sensor. */
+  /** Sets whether the bodies are sensors, which detect overlaps and collide with nothing. */
   public ArchetypeDef sensor(boolean value) {
     sensor = value;
     return this;
   }
 
-  /** A number with a meaning of the game's own, such as a team; 0 unless set. */
+  /** Sets a number with a meaning of the game's own, such as a team; 0 by default. */
   public ArchetypeDef tag(int value) {
     tag = value;
     return this;
   }
 
-  /** Constant turning speed of a kinematic body, rad/s, counterclockwise; 0 unless set. */
+  /**
+   * Sets the constant angular velocity of a kinematic body, rad/s, counterclockwise; 0 by default.
+   */
   public ArchetypeDef spin(float radPerSecond) {
     spin = radPerSecond;
     return this;
   }
 
-  /** The path of a kinematic body; the simulation keeps every such body on it. */
+  /** Sets the path of a kinematic body. The simulation keeps each such body on it. */
   public ArchetypeDef motion(ScriptedMotion value) {
     motion = value;
     return this;
   }
 
-  /** How it is drawn. */
+  /** Sets how the entities are drawn. */
   public ArchetypeDef appearance(Appearance value) {
     appearance = value;
     return this;

@@ -6,19 +6,20 @@ import java.util.List;
 
 /**
  * The archetypes of one simulation, in the order they were added: the level's statics and bodies in
- * file order, then what {@link Game#setUp} adds. Closed once set-up is over.
+ * file order, then those that {@link Game#setUp} adds. No archetype can be added after set-up.
  */
 public final class Archetypes {
-  /** Most archetypes a simulation can have; an index fits 12 bits. */
+  /** Most archetypes of a simulation. An index fits 12 bits. */
   public static final int MAX = 4096;
 
   private final List<Archetype> list = new ArrayList<>();
   private boolean closed;
 
+  /** Creates an empty list. */
   public Archetypes() {}
 
   /**
-   * Registers a kind of entity; call it in {@link Game#setUp} only.
+   * Registers an archetype. Call it in {@link Game#setUp} only.
    *
    * @throws IllegalStateException after set-up, or beyond {@value #MAX}
    * @throws IllegalArgumentException when the definition has no shape
@@ -26,7 +27,7 @@ public final class Archetypes {
   public Archetype add(ArchetypeDef def) {
     if (closed) {
       throw new IllegalStateException(
-          "archetype=" + def.name + " comes after set-up; register it in Game.setUp");
+          "archetype=" + def.name + " is registered after set-up; register it in Game.setUp");
     }
     if (list.size() == MAX) {
       throw new IllegalStateException("archetype=" + def.name + " exceeds the limit of " + MAX);
@@ -39,17 +40,22 @@ public final class Archetypes {
     return archetype;
   }
 
-  /** How many there are. */
+  /** Returns the number of archetypes. */
   public int size() {
     return list.size();
   }
 
-  /** The archetype at an index in 0..size-1, or null outside: an index may come from the wire. */
+  /**
+   * Returns the archetype at an index, or null if there is none. The index may come from the wire.
+   */
   public Archetype get(int index) {
     return index >= 0 && index < list.size() ? list.get(index) : null;
   }
 
-  /** The first archetype of that name, or null. Linear: for set-up, not for every tick. */
+  /**
+   * Returns the first archetype of a name, or null. The search is linear: for set-up, not for every
+   * tick.
+   */
   public Archetype find(String name) {
     for (Archetype archetype : list) {
       if (archetype.name().equals(name)) {
@@ -59,6 +65,7 @@ public final class Archetypes {
     return null;
   }
 
+  /** Closes the list: no archetype can be added any more. */
   public void close() {
     closed = true;
   }

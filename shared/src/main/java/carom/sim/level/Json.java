@@ -13,11 +13,11 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * A JSON document as a tree that remembers where everything stood, so that an error can name the
- * line. Strict: no comments, no NaN, no key twice, nothing after the end.
+ * A node of a JSON document that knows where it stood, so that an error can name the line. The
+ * reader is strict: no comments, no NaN, no key twice, nothing after the end.
  */
 public final class Json {
-  /** What a node is. */
+  /** The type of a node. */
   public enum Kind {
     OBJECT("an object"),
     ARRAY("a list"),
@@ -49,14 +49,14 @@ public final class Json {
   public final int line;
   final int column;
 
-  /** The text of a string or of a number as written. */
+  /** Text of a string, or of a number as written; empty otherwise. */
   public final String text;
 
   public final double number;
   final boolean truth;
   public final List<Json> items = new ArrayList<>();
 
-  /** In file order. */
+  /** Fields of an object, in file order. */
   public final Map<String, Json> fields = new LinkedHashMap<>();
 
   private Json(Kind kind, String path, JsonParser p) throws IOException {
@@ -94,7 +94,7 @@ public final class Json {
     }
   }
 
-  /** Jackson says where the object began as if it told of the file, which it doesn't. */
+  /** Removes where the object began from Jackson's message, because Jackson names no file there. */
   private static String withoutSource(String message) {
     int at = message.indexOf(" (start marker at [");
     return at < 0 ? message : message.substring(0, at);
@@ -137,7 +137,7 @@ public final class Json {
     return object;
   }
 
-  /** The value as an error message shows it, shortened. */
+  /** Returns the value as an error message shows it, shortened. */
   String shown() {
     return switch (kind) {
       case STRING -> '"' + shortened() + '"';

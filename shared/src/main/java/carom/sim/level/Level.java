@@ -9,18 +9,18 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A level: the static geometry, the bodies that stand in it, spawn points, zones and colours, read
- * from a JSON file. Immutable. {@code docs/LEVELS.md} describes the format.
+ * A level: static geometry, bodies, spawn points, zones and colours, read from a JSON file.
+ * Immutable. {@code docs/LEVELS.md} describes the format.
  */
 public final class Level {
-  /** Owner of what the level places: no player. */
+  /** Owner id of everything that the level places: no player. */
   public static final int NO_OWNER = -1;
 
-  /** Largest file, bytes. */
+  /** Largest level file, in bytes. */
   public static final int MAX_BYTES = 1 << 22;
 
   /**
-   * Where a body of an archetype stands.
+   * The place of a body.
    *
    * @param archetype index into {@link #archetypes}
    * @param x position of the body's origin, metres
@@ -32,7 +32,7 @@ public final class Level {
   /** Receives the bodies of a level as entities; see {@link Level#forEachBody}. */
   public interface BodyVisitor {
     /**
-     * Called once per body, by ascending id.
+     * Visits a body. The bodies come in order of their ids.
      *
      * @param id of the entity
      * @param generation of the entity
@@ -59,12 +59,12 @@ public final class Level {
   }
 
   /**
-   * A point with a purpose.
+   * A point where something may appear.
    *
    * @param name what may appear here, such as {@code player}
    * @param x metres
    * @param y metres
-   * @param team the side it belongs to, 0 for anyone
+   * @param team the team it belongs to, 0 for any
    */
   public record Spawn(String name, float x, float y, int team) {}
 
@@ -76,19 +76,19 @@ public final class Level {
    * @param minY lower edge, metres
    * @param maxX right edge, metres
    * @param maxY upper edge, metres
-   * @param team the side it belongs to, 0 for anyone
+   * @param team the team it belongs to, 0 for any
    * @param rgb colour for a light tint, 0xRRGGBB, or -1 for none
    */
   public record Zone(
       String name, float minX, float minY, float maxX, float maxY, int team, int rgb) {
-    /** Whether a point lies inside or on the edge. */
+    /** Returns whether a point lies inside or on the edge. */
     public boolean contains(float x, float y) {
       return x >= minX && x <= maxX && y >= minY && y <= maxY;
     }
   }
 
   /**
-   * The playing field, metres. What leaves it is out of the game.
+   * The bounds of the playing field, in metres. Whatever leaves them is out of the game.
    *
    * @param minX left edge
    * @param minY lower edge
@@ -103,7 +103,7 @@ public final class Level {
   }
 
   /**
-   * Colours of what is not a body, 0xRRGGBB.
+   * The colours of everything that is not a body, 0xRRGGBB.
    *
    * @param background behind everything, lower edge of the view
    * @param sky behind everything, upper edge of the view
@@ -156,7 +156,7 @@ public final class Level {
   /**
    * Reads a level file.
    *
-   * @throws LevelException when it can't be read or used
+   * @throws LevelException when it cannot be read or used
    */
   public static Level load(Path file) throws LevelException {
     String fileName = String.valueOf(file.getFileName());
@@ -170,7 +170,7 @@ public final class Level {
   /**
    * Reads a level that is packed with the program as {@code levels/NAME.json}.
    *
-   * @throws LevelException when there is none of that name, or when it can't be used
+   * @throws LevelException when there is none of that name, or when it cannot be used
    */
   public static Level builtIn(String name) throws LevelException {
     String fileName = name + ".json";
@@ -185,22 +185,22 @@ public final class Level {
     }
   }
 
-  /** The level's name, for people. */
+  /** Returns the level's name, for people. */
   public String name() {
     return name;
   }
 
-  /** The game it is made for. */
+  /** Returns the name of the game for which it is made. */
   public String gameName() {
     return gameName;
   }
 
-  /** A copy of the file's bytes, as {@link #parse} got them. */
+  /** Returns a copy of the bytes of the file, as {@link #parse} got them. */
   public byte[] source() {
     return source.clone();
   }
 
-  /** A 64-bit number of the file's bytes (FNV-1a): equal files, equal numbers. */
+  /** Returns a 64-bit hash of the file's bytes (FNV-1a). Equal files have equal hashes. */
   public long contentHash() {
     long hash = 0xcbf29ce484222325L;
     for (byte b : source) {
@@ -209,47 +209,48 @@ public final class Level {
     return hash;
   }
 
-  /** Gravity to the right, m/s^2. */
+  /** Returns the gravity to the right, m/s^2. */
   public float gravityX() {
     return gravityX;
   }
 
-  /** Gravity upwards, m/s^2: negative pulls down. */
+  /** Returns the gravity upwards, m/s^2; a negative value pulls down. */
   public float gravityY() {
     return gravityY;
   }
 
-  /** The playing field. */
+  /** Returns the bounds of the playing field. */
   public Bounds bounds() {
     return bounds;
   }
 
-  /** Colours of what is not a body. */
+  /** Returns the colours of everything that is not a body. */
   public Theme theme() {
     return theme;
   }
 
-  /** What the level is built of: one definition for each item in the file, statics first. */
+  /** Returns one archetype definition for each item in the file, statics first. */
   public List<ArchetypeDef> archetypes() {
     return archetypes;
   }
 
-  /** Static bodies in file order, repeats expanded; unmodifiable. */
+  /** Returns the static bodies in file order, repeats expanded; unmodifiable. */
   public List<Placement> statics() {
     return statics;
   }
 
   /**
-   * Dynamic and kinematic bodies in file order, repeats expanded; unmodifiable. On the server the
-   * entity with id n is the n-th of them for as long as the game doesn't despawn it.
+   * Returns the dynamic and kinematic bodies in file order, repeats expanded; unmodifiable. On the
+   * server, the entity with id n is the n-th of them for as long as the game does not despawn it.
    */
   public List<Placement> bodies() {
     return bodies;
   }
 
   /**
-   * Visits the dynamic ones of {@link #bodies} as the entities they become at tick 0, at rest, so
-   * that server and client agree on the beginning without a word. Kinematic ones are never at rest.
+   * Visits the dynamic ones of {@link #bodies} as the entities they become at tick 0, at rest.
+   * Server and client thus agree on the beginning without a byte on the wire. Kinematic bodies are
+   * left out, because they are never at rest.
    */
   public void forEachBody(BodyVisitor visitor) {
     for (int id = 0; id < bodies.size(); id++) {
@@ -261,12 +262,12 @@ public final class Level {
     }
   }
 
-  /** All spawn points in file order, unmodifiable. */
+  /** Returns all spawn points in file order, unmodifiable. */
   public List<Spawn> spawns() {
     return spawns;
   }
 
-  /** The spawn points of one name in file order. Allocates: for set-up. */
+  /** Returns the spawn points of one name in file order. Allocates: for set-up. */
   public List<Spawn> spawns(String spawnName) {
     List<Spawn> found = new ArrayList<>();
     for (Spawn spawn : spawns) {
@@ -277,12 +278,12 @@ public final class Level {
     return found;
   }
 
-  /** All zones in file order, unmodifiable. */
+  /** Returns all zones in file order, unmodifiable. */
   public List<Zone> zones() {
     return zones;
   }
 
-  /** The zones of one name in file order. Allocates: for set-up. */
+  /** Returns the zones of one name in file order. Allocates: for set-up. */
   public List<Zone> zones(String zoneName) {
     List<Zone> found = new ArrayList<>();
     for (Zone zone : zones) {

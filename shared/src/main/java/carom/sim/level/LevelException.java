@@ -1,6 +1,6 @@
 package carom.sim.level;
 
-/** A level file that can't be used, and where and why. */
+/** Says why a level file cannot be used, and where in the file. */
 public final class LevelException extends Exception {
   private static final long serialVersionUID = 1;
 
@@ -10,7 +10,7 @@ public final class LevelException extends Exception {
   private final String field;
 
   /**
-   * Describes what is wrong.
+   * Creates the exception.
    *
    * @param file name of the file as the user knows it
    * @param line line from 1, or 0 when the problem has no place in the file
@@ -26,22 +26,25 @@ public final class LevelException extends Exception {
     this.field = field;
   }
 
-  /** Name of the file as the user knows it. */
+  /** Returns the name of the file as the user knows it. */
   public String file() {
     return file;
   }
 
-  /** Line from 1, or 0 when the problem has no place in the file. */
+  /** Returns the line from 1, or 0 when the problem has no place in the file. */
   public int line() {
     return line;
   }
 
-  /** Column from 1, or 0. */
+  /** Returns the column from 1, or 0 when the problem has no place in the file. */
   public int column() {
     return column;
   }
 
-  /** Path of the field such as {@code bodies[3].shape.radius}; empty for the file as a whole. */
+  /**
+   * Returns the path of the field, such as {@code bodies[3].shape.radius}; empty for the file as a
+   * whole.
+   */
   public String field() {
     return field;
   }

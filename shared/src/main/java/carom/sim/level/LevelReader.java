@@ -18,9 +18,11 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * Turns the JSON tree into what a {@link Level} holds, and refuses everything else with a sentence
- * that names the place, the value and the limit. {@code levels/level.schema.json} says the same to
- * editors; a test compares the two.
+ * Turns a JSON tree into the contents of a {@link Level}, and refuses everything else with a
+ * sentence that names the place, the value and the limit. {@code levels/level.schema.json} gives
+ * editors the same rules; a test compares the two.
+ *
+ * <p><b>Length.</b> The class holds the whole grammar of the file format.
  */
 final class LevelReader {
   static final int MAX_STATIC_ITEMS = 2048;
@@ -596,7 +598,7 @@ final class LevelReader {
     return new LevelException(file, node.line, node.column, node.path, problem);
   }
 
-  /** 0.05 and 2000 rather than 2000.0. */
+  /** Returns a number as people write it: 0.05, but 2000 rather than 2000.0. */
   private static String plain(float value) {
     return value == Math.rint(value) ? String.valueOf((long) value) : String.valueOf(value);
   }

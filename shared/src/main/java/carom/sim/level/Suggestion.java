@@ -2,13 +2,13 @@ package carom.sim.level;
 
 import java.util.Collection;
 
-/** Finds what somebody probably meant. */
+/** Finds the known word that somebody probably meant. */
 public final class Suggestion {
   private Suggestion() {}
 
   /**
-   * The known word nearest to the given one, or null when none is near: at most a third of its
-   * letters, and two at least, may be wrong, missing, too many or swapped with their neighbour.
+   * Returns the known word nearest to the given one, or null when none is near. A third of its
+   * letters, and always two, may be wrong, missing, added or swapped with their neighbour.
    */
   public static String nearest(String word, Collection<String> known) {
     String best = null;
@@ -26,13 +26,13 @@ public final class Suggestion {
     return best;
   }
 
-  /** {@code ; did you mean "x"?}, or nothing when no known word is near. */
+  /** Returns {@code ; did you mean "x"?}, or an empty text when no known word is near. */
   public static String didYouMean(String word, Collection<String> known) {
     String nearest = nearest(word, known);
     return nearest == null ? "" : "; did you mean \"" + nearest + "\"?";
   }
 
-  /** Optimal string alignment distance, ignoring case. */
+  /** Returns the optimal string alignment distance, ignoring case. */
   private static int distance(String a, String b) {
     int[][] d = new int[a.length() + 1][b.length() + 1];
     for (int i = 0; i <= a.length(); i++) {

@@ -1,5 +1,5 @@
 /**
- * Levels and what they are made of: the file format and its reader, archetypes, looks.
+ * Levels: the file format and its reader, archetypes and appearances.
  *
  * <p>May import {@code carom.physics} and what it exports. Read first: {@link
  * carom.sim.level.Level}, {@link carom.sim.level.ArchetypeDef}, {@link

@@ -6,11 +6,11 @@ import java.util.function.Consumer;
 /**
  * A recipe for a world: everything that is needed to run it again, bit for bit. Immutable.
  *
- * @param name by which it is found, in small letters with underscores
- * @param description what there is to see, one line
+ * @param name small letters, digits and underscores
+ * @param description one line of what there is to see
  * @param def the world's constants
  * @param tickRate steps per second, 10 to 1000
- * @param view where to look
+ * @param view the part of the world to show
  * @param builder makes the bodies; called once per run
  */
 public record Scene(
@@ -20,11 +20,11 @@ public record Scene(
     int tickRate,
     View view,
     Consumer<Stage<?>> builder) {
-  /** Steps per second unless a scene says otherwise. */
+  /** Steps per second of most scenes. */
   public static final int DEFAULT_TICK_RATE = 60;
 
   /**
-   * Checks name and rate.
+   * Checks name and tick rate.
    *
    * @throws IllegalArgumentException naming what is wrong
    */
@@ -39,11 +39,11 @@ public record Scene(
   }
 
   /**
-   * A scene with {@link #DEFAULT_TICK_RATE} and the default constants.
+   * Creates a scene with {@link #DEFAULT_TICK_RATE} and the default constants.
    *
-   * @param name by which it is found
-   * @param description what there is to see, one line
-   * @param view where to look
+   * @param name small letters, digits and underscores
+   * @param description one line of what there is to see
+   * @param view the part of the world to show
    * @param builder makes the bodies
    */
   public Scene(String name, String description, View view, Consumer<Stage<?>> builder) {
@@ -51,7 +51,7 @@ public record Scene(
   }
 
   /**
-   * The same with other constants.
+   * Returns the scene with other constants.
    *
    * @param newDef the world's constants
    * @return a changed copy
@@ -61,10 +61,10 @@ public record Scene(
   }
 
   /**
-   * The same with another name.
+   * Returns the scene under another name.
    *
-   * @param newName by which it is found
-   * @param newDescription what there is to see, one line
+   * @param newName small letters, digits and underscores
+   * @param newDescription one line of what there is to see
    * @return a changed copy
    */
   public Scene named(String newName, String newDescription) {
@@ -72,7 +72,7 @@ public record Scene(
   }
 
   /**
-   * The same at another rate.
+   * Returns the scene at another tick rate.
    *
    * @param newTickRate steps per second
    * @return a changed copy
@@ -84,7 +84,7 @@ public record Scene(
   /**
    * Makes the bodies of the scene.
    *
-   * @param stage where; its world is empty and was made with {@link #def}
+   * @param stage receives them; its world is empty and was made with {@link #def}
    */
   public void build(Stage<?> stage) {
     builder.accept(stage);
@@ -93,7 +93,7 @@ public record Scene(
   /**
    * Makes the world of the scene.
    *
-   * @return before its first step
+   * @return a run before its first step
    */
   public SceneRun start() {
     return new SceneRun(this, def);

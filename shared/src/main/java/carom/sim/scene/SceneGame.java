@@ -29,35 +29,35 @@ import java.util.TreeMap;
  * The server's world is that of {@link Scene#start} with sleep and continuous collision, bit for
  * bit.
  *
- * <p>Every body is an entity; bodies that look the same share an archetype. Joints and particles
- * are not sent: one sees what they do. Both sides learn the archetypes by running the scene's
- * actions {@value #FORESEEN_TICKS} ticks ahead in a world that stands still; a body that looks like
- * none of those so far exists, but isn't seen.
+ * <p>Every body is an entity, and bodies that look the same share an archetype. Joints and
+ * particles are not sent; clients see their effects. Both sides learn the archetypes by running the
+ * scene's actions {@value #PREVIEW_TICKS} ticks ahead in a world that stands still. A body that
+ * first appears later, with a look of its own, exists but is not seen.
  */
 public final class SceneGame implements Game {
-  /** What the names of these games start with; the scene's name follows. */
+  /** Prefix of the names of these games; the scene's name follows. */
   public static final String PREFIX = "scene:";
 
-  private static final int FORESEEN_TICKS = 1800;
+  private static final int PREVIEW_TICKS = 1800;
 
   private final Scene scene;
   private final Map<String, Archetype> kinds = new TreeMap<>();
   private Stage<Entity> stage;
 
   /**
-   * A game to watch.
+   * Creates the game of a scene.
    *
-   * @param scene what there is to see
+   * @param scene the scene to watch
    */
   public SceneGame(Scene scene) {
     this.scene = scene;
   }
 
   /**
-   * The level that goes with a scene: empty, and as large as what should be seen.
+   * Returns the level of a scene: empty, and as large as the scene's view.
    *
-   * @param scene what there is to see
-   * @return made for the game of that scene
+   * @param scene the scene to watch
+   * @return a level for the game of that scene
    */
   public static Level level(Scene scene) {
     View v = scene.view();
@@ -78,7 +78,7 @@ public final class SceneGame implements Game {
     try {
       return Level.parse(scene.name() + ".json", json.getBytes(StandardCharsets.UTF_8));
     } catch (LevelException e) {
-      throw new IllegalStateException("scene=" + scene.name() + " makes no level", e);
+      throw new IllegalStateException("scene=" + scene.name() + " has no valid level", e);
     }
   }
 
@@ -87,7 +87,7 @@ public final class SceneGame implements Game {
     return PREFIX + scene.name();
   }
 
-  /** Scenes are built of actions that remember what they did. */
+  /** Returns true, because the actions of scenes keep state in fields. */
   @Override
   public boolean keepsMore() {
     return true;
@@ -110,7 +110,7 @@ public final class SceneGame implements Game {
 
   @Override
   public boolean seesAll(Simulation s, Player p) {
-    return true; // there is nothing to do but to look
+    return true; // a spectator
   }
 
   @Override
@@ -124,8 +124,8 @@ public final class SceneGame implements Game {
               return still.createBody(def, null);
             });
     scene.build(preview);
-    for (int tick = 0; tick < FORESEEN_TICKS; tick++) {
-      preview.act(tick);
+    for (int tick = 0; tick < PREVIEW_TICKS; tick++) {
+      preview.runActions(tick);
     }
     if (s.role() == Role.AUTHORITY) {
       stage = new Stage<>(s.world(), def -> enter(s, def), body -> leave(s, body));
@@ -146,7 +146,7 @@ public final class SceneGame implements Game {
     }
   }
 
-  /** Equal for bodies that look the same. */
+  /** Returns a text that is equal for bodies that look the same. */
   private static String look(BodyDef def) {
     StringBuilder key = new StringBuilder(def.type().name());
     for (ShapeDef shape : def.shapes()) {
@@ -164,12 +164,13 @@ public final class SceneGame implements Game {
   private ArchetypeDef kind(BodyDef def) {
     ShapeDef first = def.shapes().get(0);
     int tag = first.material().tag();
-    int rgb = tag == 0 ? Palette.untagged(def.type(), first.shape()) : tag;
+    int rgb = tag == 0 ? SceneColors.untagged(def.type(), first.shape()) : tag;
     boolean wall = def.type() == BodyType.STATIC && !first.sensor();
     Appearance appearance =
         wall
-            // Lines have nothing but their edge, which must be seen.
-            ? new Appearance(rgb, Palette.mix(rgb, Palette.STEEL, 0.5f), Appearance.Look.WALL)
+            // Lines have nothing but an edge, so the edge must be visible.
+            ? new Appearance(
+                rgb, SceneColors.mix(rgb, SceneColors.STEEL, 0.5f), Appearance.Look.WALL)
             : Appearance.of(rgb);
     ArchetypeDef kind =
         new ArchetypeDef(scene.name() + "." + kinds.size())
@@ -184,7 +185,7 @@ public final class SceneGame implements Game {
 
   @Override
   public void join(Simulation s, Player p) {
-    // Whoever comes has no body.
+    // A spectator has no body.
   }
 
   @Override

@@ -14,20 +14,20 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Whether a world is in a sane state, from the poses and velocities alone: a fast engine whose
- * bodies overlap, escape or gain energy has not done its work. Positions and speeds are those of
- * the dynamic bodies' centres of mass.
+ * Measures whether a world is in a sane state, from the poses and velocities alone. A fast engine
+ * whose bodies overlap, escape or gain energy has not done its work. Positions and speeds are those
+ * of the dynamic bodies' centres of mass.
  *
  * @param kineticEnergy of all dynamic bodies, J
  * @param lowestY m; positive infinity without dynamic bodies
  * @param maxCoordinate largest distance from an axis, m
  * @param topSpeed m/s
- * @param nanCount dynamic bodies with a pose or velocity that isn't finite
- * @param overlaps pairs of solid shapes that meet, at least one of them dynamic, and overlap
- * @param deepOverlaps those that overlap by more than {@link #DEEP}
+ * @param nanCount number of dynamic bodies with a pose or velocity that is not finite
+ * @param overlaps number of pairs of solid shapes that overlap, at least one of them dynamic
+ * @param deepOverlaps number of overlaps deeper than {@link #DEEP}
  * @param maxDepth deepest overlap, m
  * @param meanDepth mean depth of all overlaps, m; 0 without any
- * @param worstJointGap largest distance between the two anchors of a hinge or weld, m
+ * @param worstJointGap largest distance between the two anchors of a revolute joint or weld, m
  */
 public record SceneReport(
     double kineticEnergy,
@@ -40,14 +40,14 @@ public record SceneReport(
     float maxDepth,
     float meanDepth,
     float worstJointGap) {
-  /** An overlap that can be seen, m. */
+  /** Depth from which on an overlap can be seen, m. */
   public static final float DEEP = 0.02f;
 
   /**
-   * Looks at a world; takes longer than a step.
+   * Measures a world. This takes longer than a step.
    *
    * @param world between two steps; not changed
-   * @return what it found
+   * @return the report
    */
   public static SceneReport of(World<?> world) {
     return new Survey<>(world).report();
@@ -71,7 +71,7 @@ public record SceneReport(
         worstJointGap);
   }
 
-  /** One look at a world. */
+  /** Collects the figures of one report. */
   private static final class Survey<T> {
     private final World<T> world;
     private final Sat sat = new Sat();

@@ -5,7 +5,7 @@ import carom.physics.WorldDef;
 import java.util.List;
 
 /**
- * A scene that is running: its world and the number of steps made. One thread at a time; a steady
+ * A scene that is running: its world and the number of steps made. One thread at a time. A steady
  * step allocates nothing unless the scene makes bodies.
  */
 public final class SceneRun {
@@ -25,7 +25,7 @@ public final class SceneRun {
   }
 
   /**
-   * What is running.
+   * Returns the scene that is running.
    *
    * @return its recipe
    */
@@ -34,7 +34,7 @@ public final class SceneRun {
   }
 
   /**
-   * The world, to look at or to change. The users of its bodies are null.
+   * Returns the world, to look at or to change. The users of its bodies are null.
    *
    * @return always the same
    */
@@ -43,7 +43,7 @@ public final class SceneRun {
   }
 
   /**
-   * The scene's particles.
+   * Returns the scene's particles.
    *
    * @return in the order they were made, unmodifiable; none in most scenes
    */
@@ -52,7 +52,7 @@ public final class SceneRun {
   }
 
   /**
-   * The number of steps made.
+   * Returns the number of steps made.
    *
    * @return 0 at the start
    */
@@ -61,7 +61,7 @@ public final class SceneRun {
   }
 
   /**
-   * The length of a step.
+   * Returns the length of a step.
    *
    * @return s
    */
@@ -88,20 +88,20 @@ public final class SceneRun {
   }
 
   /**
-   * 64 bits of everything that decides the future: world, particles and tick.
+   * Returns 64 bits of everything that decides the future: world, particles and tick.
    *
    * @return equal for equal runs
    */
   public long stateHash() {
     long h = world.stateHash() ^ tick;
-    for (SceneParticles some : particles()) {
-      h = Long.rotateLeft(h * 0x9e3779b97f4a7c15L, 29) ^ some.particles().stateHash();
+    for (SceneParticles system : particles()) {
+      h = Long.rotateLeft(h * 0x9e3779b97f4a7c15L, 29) ^ system.particles().stateHash();
     }
     return h;
   }
 
   /**
-   * Copies the state out.
+   * Saves the state.
    *
    * @param reuseOrNull a state of this run to overwrite, or null for a new one
    * @return the state
@@ -117,7 +117,7 @@ public final class SceneRun {
   }
 
   /**
-   * Goes back (or forth) to a saved state.
+   * Returns to a saved state, earlier or later than the present one.
    *
    * @param state of this run; stays as it is
    */

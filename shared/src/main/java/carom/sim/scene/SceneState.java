@@ -4,8 +4,8 @@ import carom.physics.WorldState;
 import carom.physics.particles.ParticleState;
 
 /**
- * A run at one moment: world, particles and tick; made by {@link SceneRun#save} and taken over by
- * {@link SceneRun#restore}.
+ * The saved state of a {@link SceneRun}: world, particles and tick. {@link SceneRun#save} makes it
+ * and {@link SceneRun#restore} takes it over.
  */
 public final class SceneState {
   WorldState world;

@@ -15,9 +15,10 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
- * What a scene is built on: a world, and what is to happen in it. One thread at a time.
+ * The place where a scene is built: a world, and actions that run in it before each step. One
+ * thread at a time.
  *
- * @param <T> what the world's bodies stand for
+ * @param <T> the world's user type
  */
 public final class Stage<T> {
   private final World<T> world;
@@ -28,7 +29,7 @@ public final class Stage<T> {
   private CollisionListener<T> listener;
 
   /**
-   * A stage whose bodies stand for nothing.
+   * Creates a stage whose bodies have no users.
    *
    * @param world where to build
    */
@@ -37,21 +38,21 @@ public final class Stage<T> {
   }
 
   /**
-   * A stage from which bodies simply vanish.
+   * Creates a stage whose bodies are removed by destroying them.
    *
    * @param world where to build
-   * @param maker makes the bodies in that world, and gives them their users
+   * @param maker makes the bodies in that world and gives them their users
    */
   public Stage(World<T> world, Function<BodyDef, Body<T>> maker) {
     this(world, maker, world::destroyBody);
   }
 
   /**
-   * A stage.
+   * Creates a stage.
    *
    * @param world where to build
-   * @param maker makes the bodies in that world, and gives them their users
-   * @param remover takes them out of it again
+   * @param maker makes the bodies in that world and gives them their users
+   * @param remover removes them from it
    */
   public Stage(World<T> world, Function<BodyDef, Body<T>> maker, Consumer<Body<T>> remover) {
     this.world = world;
@@ -60,7 +61,7 @@ public final class Stage<T> {
   }
 
   /**
-   * Where the scene is built.
+   * Returns the world in which the scene is built.
    *
    * @return the world
    */
@@ -71,7 +72,7 @@ public final class Stage<T> {
   /**
    * Makes a body.
    *
-   * @param def what it is made from
+   * @param def its definition
    * @return its handle
    */
   public Body<T> body(BodyDef def) {
@@ -98,9 +99,9 @@ public final class Stage<T> {
   }
 
   /**
-   * Makes a system of particles, which moves by itself before every step, after the actions.
+   * Makes a system of particles. It moves by itself before every step, after the actions.
    *
-   * @param def what they are made of, copied
+   * @param def its definition, copied
    * @param rgb their colour, 0xRRGGBB
    * @return still empty
    */
@@ -111,7 +112,7 @@ public final class Stage<T> {
   }
 
   /**
-   * All systems of particles.
+   * Returns all systems of particles.
    *
    * @return in the order they were made, unmodifiable, live
    */
@@ -120,7 +121,7 @@ public final class Stage<T> {
   }
 
   /**
-   * Has something done before every step, after what was given earlier.
+   * Adds an action that runs before every step, after those added earlier.
    *
    * @param action what to do
    */
@@ -129,38 +130,38 @@ public final class Stage<T> {
   }
 
   /**
-   * Sets who hears about collisions; whoever runs the scene passes it on to the world.
+   * Sets the listener to collisions. The owner of the world passes it on to the world.
    *
-   * @param newListener null for nobody
+   * @param newListener null for none
    */
   public void listener(CollisionListener<T> newListener) {
     listener = newListener;
   }
 
   /**
-   * Who wants to hear about collisions.
+   * Returns the listener to collisions.
    *
-   * @return null for nobody
+   * @return null for none
    */
   public CollisionListener<T> listener() {
     return listener;
   }
 
   /**
-   * Does what the scene does by itself before a step: actions, then particles.
+   * Runs everything that the scene does by itself before a step: actions, then particles.
    *
    * @param tick number of the step that follows, 0 for the first
    * @param dtSeconds length of that step, s
    */
   public void beforeStep(int tick, float dtSeconds) {
-    act(tick);
+    runActions(tick);
     for (int i = 0; i < particles.size(); i++) {
       particles.get(i).particles().step(world, dtSeconds);
     }
   }
 
-  /** The actions without the particles. */
-  void act(int tick) {
+  /** Runs the actions without the particles. */
+  void runActions(int tick) {
     for (int i = 0; i < actions.size(); i++) {
       actions.get(i).run(tick);
     }

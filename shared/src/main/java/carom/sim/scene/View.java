@@ -1,7 +1,7 @@
 package carom.sim.scene;
 
 /**
- * The part of the world that a scene wants to be looked at.
+ * The part of the world that a scene shows.
  *
  * @param x its centre, m
  * @param y its centre, m

@@ -1,15 +1,14 @@
 /**
- * The scene library: worlds with a name, shared by tests, benchmark, viewer and server.
+ * Scenes and how they run: each is a world with a name, for tests, benchmark, viewer and server.
  *
- * <p>A {@link carom.sim.scene.Scene} is a recipe; {@link carom.sim.scene.Scene#start} makes a world
- * from it that is a pure function of the recipe and the number of ticks. {@link
- * carom.sim.scene.BenchmarkScenes} are those the engine is measured on, from exactly the numbers
- * that other engines get; the rest show one capability each.
+ * <p>A {@link carom.sim.scene.Scene} is a recipe. {@link carom.sim.scene.Scene#start} makes a world
+ * from it that is a pure function of the recipe and the number of ticks. The scenes themselves are
+ * in {@code carom.sim.scene.catalog}.
  *
- * <p>Allowed imports: {@code carom.physics..}, {@code carom.sim}, the JDK without threads, clocks
- * and randomness.
+ * <p>Allowed imports: {@code carom.physics..}, {@code carom.sim} and its levels, the JDK without
+ * threads, clocks and randomness.
  *
- * <p>Read first: {@link carom.sim.scene.Scenes}, {@link carom.sim.scene.Scene}, {@link
- * carom.sim.scene.Stage}.
+ * <p>Read first: {@link carom.sim.scene.Scene}, {@link carom.sim.scene.Stage}, {@link
+ * carom.sim.scene.SceneRun}.
  */
 package carom.sim.scene;

@@ -5,7 +5,7 @@ import carom.lab.broadphase.PairSearchJob;
 import carom.lab.broadphase.RebuildJob;
 import carom.lab.measure.BenchJob;
 import carom.sim.level.Suggestion;
-import carom.sim.scene.Scenes;
+import carom.sim.scene.catalog.Scenes;
 import java.util.ArrayList;
 import java.util.List;
 

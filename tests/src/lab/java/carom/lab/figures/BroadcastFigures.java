@@ -3,9 +3,9 @@ package carom.lab.figures;
 import carom.net.snapshot.frame.FrameRing;
 import carom.physics.Body;
 import carom.physics.BodyType;
-import carom.sim.scene.BenchmarkScenes;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneRun;
+import carom.sim.scene.catalog.BenchmarkScenes;
 import java.util.ArrayList;
 import java.util.List;
 

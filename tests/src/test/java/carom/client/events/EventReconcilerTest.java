@@ -3,7 +3,7 @@ package carom.client.events;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.game.ArenaGame;
+import carom.game.arena.ArenaGame;
 import carom.sim.Event;
 import carom.sim.Player;
 import carom.sim.Role;

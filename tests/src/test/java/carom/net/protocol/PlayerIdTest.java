@@ -20,13 +20,13 @@ class PlayerIdTest {
     writer.reset(bytes, 0, bytes.length);
     for (int id = 0; id <= PlayerId.MAX; id++) {
       int before = writer.bits();
-      PlayerId.write(writer, id);
+      PlayerId.code(writer, id);
       assertEquals(id < 128 ? 8 : 11, writer.bits() - before, "id=" + id);
     }
     BitReader reader = new BitReader();
     reader.reset(bytes, 0, bytes.length);
     for (int id = 0; id <= PlayerId.MAX; id++) {
-      assertEquals(id, PlayerId.read(reader));
+      assertEquals(id, PlayerId.code(reader, 0));
     }
   }
 

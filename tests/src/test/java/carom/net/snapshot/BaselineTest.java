@@ -43,23 +43,23 @@ class BaselineTest {
   @Test
   void firstSeenIsNewUntilAcked() {
     frame(1, -1, 0);
-    assertEquals(Baseline.NEW, encoder.baseline(3));
+    assertEquals(BaselineReason.NEW, encoder.baseline(3));
     send();
-    assertEquals(Baseline.NEW, encoder.baseline(3), "sent is not received");
+    assertEquals(BaselineReason.NEW, encoder.baseline(3), "sent is not received");
     ackNewest();
-    assertEquals(Baseline.QUIESCENT, encoder.baseline(3));
+    assertEquals(BaselineReason.QUIESCENT, encoder.baseline(3));
     assertEquals(tick, encoder.ackedTick(3));
     frame(1, -1, 5);
-    assertEquals(Baseline.ACKED, encoder.baseline(3));
+    assertEquals(BaselineReason.ACKED, encoder.baseline(3));
   }
 
   @Test
   void aNeverUsedSlotAndOneNeverSentCostNothing() {
     frame(-1, -1, 0);
-    assertEquals(Baseline.QUIESCENT, encoder.baseline(3));
+    assertEquals(BaselineReason.QUIESCENT, encoder.baseline(3));
     frame(1, -1, 0);
     frame(-1, -1, 0);
-    assertEquals(Baseline.QUIESCENT, encoder.baseline(3), "born and dead between two sends");
+    assertEquals(BaselineReason.QUIESCENT, encoder.baseline(3), "born and dead between two sends");
     int empty = send();
     assertEquals(empty, send());
   }
@@ -69,11 +69,11 @@ class BaselineTest {
     frame(1, -1, 0);
     send();
     frame(-1, -1, 0);
-    assertEquals(Baseline.GONE, encoder.baseline(3), "the client may have it, acked or not");
+    assertEquals(BaselineReason.GONE, encoder.baseline(3), "the client may have it, acked or not");
     send();
-    assertEquals(Baseline.GONE, encoder.baseline(3));
+    assertEquals(BaselineReason.GONE, encoder.baseline(3));
     ackNewest();
-    assertEquals(Baseline.QUIESCENT, encoder.baseline(3));
+    assertEquals(BaselineReason.QUIESCENT, encoder.baseline(3));
   }
 
   @Test
@@ -82,11 +82,11 @@ class BaselineTest {
     send();
     ackNewest();
     frame(1, 9, 0);
-    assertEquals(Baseline.IDENTITY, encoder.baseline(3));
+    assertEquals(BaselineReason.IDENTITY, encoder.baseline(3));
     send();
     ackNewest();
     frame(2, 9, 0);
-    assertEquals(Baseline.IDENTITY, encoder.baseline(3), "the slot was used again");
+    assertEquals(BaselineReason.IDENTITY, encoder.baseline(3), "the slot was used again");
   }
 
   @Test
@@ -97,15 +97,15 @@ class BaselineTest {
     for (int i = 0; i < 500; i++) {
       frame(1, -1, 0);
     }
-    assertEquals(Baseline.QUIESCENT, encoder.baseline(3));
+    assertEquals(BaselineReason.QUIESCENT, encoder.baseline(3));
     frame(1, -1, 1);
-    assertEquals(Baseline.ACKED, encoder.baseline(3), "coded against the end of its rest");
+    assertEquals(BaselineReason.ACKED, encoder.baseline(3), "coded against the end of its rest");
     for (int i = 0; i < FrameRing.SIZE - 2; i++) {
       frame(1, -1, 2 + i);
-      assertEquals(Baseline.ACKED, encoder.baseline(3), "moving since ticks=" + (i + 2));
+      assertEquals(BaselineReason.ACKED, encoder.baseline(3), "moving since ticks=" + (i + 2));
     }
     frame(1, -1, 1_000);
-    assertEquals(Baseline.TOO_OLD, encoder.baseline(3));
+    assertEquals(BaselineReason.TOO_OLD, encoder.baseline(3));
   }
 
   @Test
@@ -115,10 +115,10 @@ class BaselineTest {
     ackNewest();
     tick += 20;
     frame(1, -1, 4);
-    assertEquals(Baseline.ACKED, encoder.baseline(3));
+    assertEquals(BaselineReason.ACKED, encoder.baseline(3));
     tick += FrameRing.SIZE;
     frame(1, -1, 5);
-    assertEquals(Baseline.TOO_OLD, encoder.baseline(3));
+    assertEquals(BaselineReason.TOO_OLD, encoder.baseline(3));
   }
 
   @Test
@@ -128,11 +128,11 @@ class BaselineTest {
     ackNewest();
     int quiet = send();
     encoder.force(3);
-    assertEquals(Baseline.FORCED, encoder.baseline(3));
+    assertEquals(BaselineReason.FORCED, encoder.baseline(3));
     assertEquals(true, send() > quiet);
-    assertEquals(Baseline.QUIESCENT, encoder.baseline(3));
+    assertEquals(BaselineReason.QUIESCENT, encoder.baseline(3));
     encoder.force(15);
-    assertEquals(Baseline.QUIESCENT, encoder.baseline(15), "nobody there");
+    assertEquals(BaselineReason.QUIESCENT, encoder.baseline(15), "nobody there");
     assertThrows(IndexOutOfBoundsException.class, () -> encoder.force(16));
   }
 
@@ -142,7 +142,7 @@ class BaselineTest {
     send();
     encoder.reset();
     ackNewest();
-    assertEquals(Baseline.NEW, encoder.baseline(3));
+    assertEquals(BaselineReason.NEW, encoder.baseline(3));
     assertEquals(-1, encoder.sentTick(3));
     assertThrows(
         IllegalStateException.class,
@@ -194,8 +194,8 @@ class BaselineTest {
     int sentBoth = all(both, own, budget);
     assertTrue(sentAlone <= budget && sentBoth <= budget, sentAlone + " " + sentBoth);
     assertTrue(sentAlone > 0.9 * budget && sentBoth > 0.9 * budget, sentAlone + " " + sentBoth);
-    Verdict verdict = both.explain(bodies - 1);
-    assertEquals(Verdict.Reason.OVER_BUDGET, verdict.reason());
+    Explanation verdict = both.explain(bodies - 1);
+    assertEquals(Explanation.Reason.OVER_BUDGET, verdict.reason());
     assertEquals(budget, verdict.budgetBytes());
     assertTrue(verdict.aheadBytes() > 550, verdict.toString());
     assertTrue(alone.explain(bodies - 1).aheadBytes() < 40, "headers only");

@@ -140,14 +140,14 @@ class InterestTest {
     }
     assertEquals(records, channel.records, "nothing to say about what rests");
     assertTrue(channel.decoder.history(1).alive(), "still true");
-    assertEquals(Verdict.Reason.UP_TO_DATE, channel.encoder.explain(1).reason());
+    assertEquals(Explanation.Reason.UP_TO_DATE, channel.encoder.explain(1).reason());
     scene.bodies[1][3] += METRE;
     for (int i = 0; i < 20; i++) {
       step(channel, false);
     }
     assertFalse(channel.decoder.history(1).alive());
     assertTrue(channel.decoder.history(1).outOfSight(0));
-    assertEquals(Verdict.Reason.OUT_OF_SIGHT, channel.encoder.explain(1).reason());
+    assertEquals(Explanation.Reason.OUT_OF_SIGHT, channel.encoder.explain(1).reason());
     records = channel.records;
     scene.bodies[1][3] += METRE;
     for (int i = 0; i < 20; i++) {
@@ -214,9 +214,9 @@ class InterestTest {
     for (int i = 0; i < 300; i++) {
       step(channel, true);
       if (i >= 100) {
-        favourites += channel.encoder.explain(150).reason() == Verdict.Reason.SENT ? 1 : 0;
-        Verdict other = channel.encoder.explain(40);
-        if (other.reason() == Verdict.Reason.OVER_BUDGET) {
+        favourites += channel.encoder.explain(150).reason() == Explanation.Reason.SENT ? 1 : 0;
+        Explanation other = channel.encoder.explain(40);
+        if (other.reason() == Explanation.Reason.OVER_BUDGET) {
           overBudget++;
           assertTrue(other.collected() <= other.needed() * 1.2f, other.toString());
           assertTrue(other.waiting() > 0, other.toString());
@@ -270,11 +270,11 @@ class InterestTest {
     }
     channel.checkConverged();
     assertEquals(5, channel.touched.size(), "slots=" + channel.touched);
-    assertEquals(Baseline.QUIESCENT, channel.encoder.baseline(20));
+    assertEquals(BaselineReason.QUIESCENT, channel.encoder.baseline(20));
     scene.bodies[20][4] = 79;
     scene.tick++;
     scene.capture();
-    assertEquals(Baseline.ACKED, channel.encoder.baseline(20), "coded against the level");
+    assertEquals(BaselineReason.ACKED, channel.encoder.baseline(20), "coded against the level");
     channel.tick();
     for (int i = 0; i < 30; i++) {
       scene.tick++;

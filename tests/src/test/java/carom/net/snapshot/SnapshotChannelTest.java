@@ -146,9 +146,9 @@ class SnapshotChannelTest {
     for (int slot = 0; slot < channel.scene.slots; slot++) {
       if (channel.scene.bodies[slot] != null) {
         int age = channel.scene.tick - Math.max(0, channel.encoder.sentTick(slot));
-        Baseline baseline = channel.encoder.baseline(slot);
+        BaselineReason baseline = channel.encoder.baseline(slot);
         assertTrue(
-            baseline == Baseline.QUIESCENT || age < 40,
+            baseline == BaselineReason.QUIESCENT || age < 40,
             channel.name + " slot=" + slot + " waits for ticks=" + age);
       }
     }

@@ -23,7 +23,7 @@ import carom.physics.geometry.Polygon;
 import carom.sim.SimRandom;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneRun;
-import carom.sim.scene.Scenes;
+import carom.sim.scene.catalog.Scenes;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.game.ArenaGame;
+import carom.game.arena.ArenaGame;
 import carom.replay.Recorder;
 import carom.replay.RecordingHeader;
 import carom.replay.RecordingReader;

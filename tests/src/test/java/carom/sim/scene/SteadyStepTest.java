@@ -2,6 +2,7 @@ package carom.sim.scene;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.sim.scene.catalog.BenchmarkScenes;
 import java.lang.management.ManagementFactory;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -14,7 +14,7 @@ import carom.physics.geometry.Segment;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
 import carom.physics.particles.Particles;
-import carom.sim.scene.Palette;
+import carom.sim.scene.SceneColors;
 import carom.sim.scene.SceneParticles;
 import carom.sim.scene.SceneRun;
 import com.badlogic.gdx.graphics.Color;
@@ -23,7 +23,7 @@ import com.badlogic.gdx.math.MathUtils;
 
 /**
  * Draws the world of a scene, in metres: what the materials' tags say in colour, see {@link
- * Palette}. Render thread only.
+ * SceneColors}. Render thread only.
  */
 final class ScenePainter {
   private static final float SHADOW_X = 0.12f;
@@ -126,7 +126,7 @@ final class ScenePainter {
         continue;
       }
       float speed = Math.abs(all.velocityX(i)) + Math.abs(all.velocityY(i));
-      int rgb = Palette.mix(some.rgb(), Palette.PAPER, Math.min(0.6f, speed * FOAM));
+      int rgb = SceneColors.mix(some.rgb(), SceneColors.PAPER, Math.min(0.6f, speed * FOAM));
       Theme.shade(rgb, 1, 1, fill);
       if (small) {
         canvas.rect(x - size / 2, y - size / 2, size, size, fill);
@@ -163,7 +163,7 @@ final class ScenePainter {
     }
     boolean still = body.type() == BodyType.STATIC;
     if (body.type() == BodyType.DYNAMIC && !body.awake()) {
-      rgb = Palette.mix(rgb, ASLEEP, 0.5f);
+      rgb = SceneColors.mix(rgb, ASLEEP, 0.5f);
     }
     Theme.shade(rgb, 1, 1, fill);
     Theme.shade(rgb, still ? 1.25f : 0.62f, 1, edge);
@@ -251,9 +251,9 @@ final class ScenePainter {
 
   /** Returns a colour that tells neighbours apart, for bodies without one. */
   private static int untagged(Body<?> body) {
-    int rgb = Palette.untagged(body.type(), body.shape(0));
+    int rgb = SceneColors.untagged(body.type(), body.shape(0));
     return body.type() == BodyType.DYNAMIC
-        ? Palette.mix(rgb, Palette.PAPER, body.index() * 7 % 11 / 30f)
+        ? SceneColors.mix(rgb, SceneColors.PAPER, body.index() * 7 % 11 / 30f)
         : rgb;
   }
 

@@ -4,13 +4,13 @@ import carom.net.codec.BitReader;
 import carom.net.codec.Sequence;
 
 /**
- * The events that the server tells, each once and in order, whatever happens to datagrams on the
- * way. Take them with {@link #poll} after each datagram decoded.
+ * Receives the server's events, each once and in order, whatever happens to datagrams on the way.
+ * Take them with {@link #poll} after each datagram decoded.
  *
- * <p>Total: any bits are read without harm. One thread; allocates nothing after construction.
+ * <p>Any bits are read without harm. One thread; allocates nothing after construction.
  */
 public final class EventInbox {
-  private static final int WINDOW = EventOutbox.WINDOW;
+  private static final int WINDOW = EventCodec.WINDOW;
 
   /** Twice the window: those that wait for one before them, and those that wait to be taken. */
   private static final int SIZE = 2 * WINDOW;
@@ -25,12 +25,10 @@ public final class EventInbox {
   private long missed;
 
   // A datagram is read into these first and counts only when all of it was good.
+  private final EventCodec codec = new EventCodec();
   private final EventRecord[] read = new EventRecord[WINDOW];
   private final int[] readPlace = new int[WINDOW];
   private int readCount;
-  private boolean readAny;
-  private int readBase;
-  private int readOutstanding;
 
   public EventInbox() {
     for (int i = 0; i < SIZE; i++) {
@@ -41,42 +39,25 @@ public final class EventInbox {
     }
   }
 
-  /** Reads the event section of a datagram; false when it makes no sense. */
-  public boolean read(BitReader r, int tick) {
+  /** Reads the event section of a datagram; the reader fails when it makes no sense. */
+  public void read(BitReader r, int tick) {
     readCount = 0;
-    readAny = r.readBit();
-    if (!readAny) {
-      return true;
+    codec.begin(r, tick, 0, 0);
+    if (codec.outstanding() == 0) {
+      return;
     }
-    readBase = r.read(16);
-    readOutstanding = r.read(9) + 1;
-    int place = 0;
-    int eventTick = -1;
-    while (r.readBit()) {
-      place += r.readBit() ? 0 : 1 + r.read(EventCodec.WINDOW_BITS);
-      if (place >= Math.min(WINDOW, readOutstanding) || r.failed()) {
-        return false;
-      }
-      EventRecord e = read[readCount];
-      int ticks = EventCodec.read(r, e);
-      long when = readCount == 0 ? (long) tick - ticks : (long) eventTick + ticks;
-      if (when < 0 || when > tick || !EventCodec.isSane(e)) {
-        return false;
-      }
-      eventTick = (int) when;
-      e.tick = eventTick;
-      readPlace[readCount++] = place++;
+    while (codec.next(r, false, 0, read[Math.min(readCount, WINDOW - 1)])) {
+      readPlace[readCount++] = codec.place();
     }
-    return true;
   }
 
-  /** What was read last counts. */
+  /** Accepts what was read last: the whole datagram was good. */
   public void keep(int tick) {
-    if (!readAny) {
+    if (codec.outstanding() == 0) {
       completeTick = Math.max(completeTick, tick);
       return;
     }
-    long base = expected + Sequence.difference(readBase, (int) expected & 0xffff);
+    long base = expected + Sequence.difference(codec.sequence(), (int) expected & 0xffff);
     while (expected < base) { // the server has given up what we never got
       if (here[(int) expected & MASK]) {
         here[(int) expected & MASK] = false;
@@ -99,12 +80,12 @@ public final class EventInbox {
       expected++;
       makeRoom();
     }
-    if (expected >= base + readOutstanding) {
+    if (expected >= base + codec.outstanding()) {
       completeTick = Math.max(completeTick, tick);
     }
   }
 
-  /** One that never comes: an empty place, which {@link #poll} passes over. */
+  /** Passes over an event that never comes: its place stays empty for {@link #poll}. */
   private void skip() {
     missed++;
     events[(int) expected & MASK].tick = -1;
@@ -112,7 +93,7 @@ public final class EventInbox {
     makeRoom();
   }
 
-  /** Who doesn't take them loses the oldest. */
+  /** Drops the oldest events if a client doesn't take them. */
   private void makeRoom() {
     while (expected - taken > SIZE - WINDOW) {
       missed += events[(int) taken & MASK].tick >= 0 ? 1 : 0;
@@ -135,12 +116,12 @@ public final class EventInbox {
     return null;
   }
 
-  /** All events up to this tick have been received; -1 before that is known of any. */
+  /** Returns the tick up to which all events have been received; -1 before any is known. */
   public int completeTick() {
     return completeTick;
   }
 
-  /** Events that were lost because too many waited. */
+  /** Returns the number of events that were lost because too many waited. */
   public long missed() {
     return missed;
   }

@@ -1,39 +1,32 @@
 package carom.net.snapshot.event;
 
 import carom.net.codec.BitWriter;
-import carom.net.snapshot.SentLog;
 import java.util.Arrays;
 
 /**
- * The events that one client is told, and hasn't acked yet: reliable and in order over datagrams
- * that get lost. Each event has the session's next sequence number and is written into one snapshot
- * after the other until a datagram that had it is acked: twice at once, and then again whenever an
- * ack should have come.
+ * Sends events to one client, reliably and in order over datagrams that get lost. Each event gets
+ * the session's next sequence number. It is written into two snapshots in a row, and again whenever
+ * an ack should have come, until a datagram that held it is acked.
  *
- * <p>Bounded: {@value #CAPACITY} events wait at most, of which the oldest {@value #WINDOW} are
- * sent; what is too much, or has left the {@link EventRing}, is lost, the oldest first, and
- * counted. The client learns that from the number of the oldest that waits.
+ * <p>At most {@value #CAPACITY} events wait, of which the oldest {@value #WINDOW} are sent. The
+ * outbox drops the oldest beyond that, and those that have left the {@link EventRing}, and counts
+ * them. The client learns that from the number of the oldest event that waits.
  *
  * <p>One thread; allocates only until as many events have waited at once as ever will.
  */
 public final class EventOutbox {
-  /** Events that may wait for their ack. */
+  /** Number of events that may wait for their ack. */
   static final int CAPACITY = 512;
 
-  /** Events that may be on their way. */
-  static final int WINDOW = 1 << EventCodec.WINDOW_BITS;
+  private static final int WINDOW = EventCodec.WINDOW;
 
-  /** Most bits of events in a datagram. */
+  /** Number of bits that events may take of a datagram. */
   private static final int MAX_BITS = 2_400;
 
-  private static final int SEQUENCE_BITS = 16;
-  private static final int COUNT_BITS = 9;
-  private static final int END_BITS = 1;
-
-  /** So often an event goes out before anybody waits for an ack. */
+  /** Number of snapshots in a row that hold a new event, before its ack is waited for. */
   private static final int QUICK_SENDS = 2;
 
-  /** An ack is waited for that much longer than the quickest took, ticks. */
+  /** Time beyond the quickest ack that an ack is waited for, ticks. */
   private static final int PATIENCE = 3;
 
   private static final int MAX_WAIT = 60;
@@ -41,6 +34,7 @@ public final class EventOutbox {
 
   private final EventRing ring;
   private final int datagrams;
+  private final EventCodec codec = new EventCodec();
 
   // By the lowest bits of the event's number here: a ring that grows.
   private long[] numbers = {};
@@ -73,7 +67,7 @@ public final class EventOutbox {
     this.datagrams = datagrams;
   }
 
-  /** Tells the client of an event of the ring, soon. */
+  /** Adds an event of the ring to those that are sent. */
   public void offer(long number) {
     if (next - base == CAPACITY) {
       forget();
@@ -117,9 +111,9 @@ public final class EventOutbox {
   }
 
   /**
-   * Offers what another client lacks, from the first event of the tick on of which it lacks any:
-   * that client has become this one, and passes over as many of a tick as it has. So a tick whose
-   * first events don't fit, or have left the ring, isn't begun: the rest of it is lost.
+   * Offers what another outbox's client lacks, from the first event of the oldest tick on of which
+   * it lacks any. That client has become this one, and passes over as many events of a tick as it
+   * has. So a tick whose first events don't fit, or have left the ring, is dropped as a whole.
    */
   public void takeOver(EventOutbox before) {
     long from = before.kept;
@@ -135,7 +129,7 @@ public final class EventOutbox {
     }
   }
 
-  /** The first event that happened in a later tick than this one. */
+  /** Returns the first event that happened in a later tick than this one. */
   private long nextTick(long event) {
     long later = event + 1;
     while (later < next && ticks[at(later)] == ticks[at(event)]) {
@@ -144,7 +138,7 @@ public final class EventOutbox {
     return later;
   }
 
-  /** The oldest isn't told any more. */
+  /** Drops the oldest event. */
   private void forget() {
     if (ticks[at(base)] != ticks[at(kept)]) {
       kept = base;
@@ -156,12 +150,12 @@ public final class EventOutbox {
     return (int) event & numbers.length - 1;
   }
 
-  /** Whether the client hasn't acked everything it was told, or is to be told. */
+  /** Returns whether any event is not acked yet. */
   public boolean hasUnacked() {
     return base < next;
   }
 
-  /** Whether something would be written now. */
+  /** Returns whether any event would be written now. */
   public boolean isDue(int tick) {
     for (long i = base; i < Math.min(next, base + WINDOW); i++) {
       if (isDue(at(i), tick)) {
@@ -182,7 +176,7 @@ public final class EventOutbox {
    * Writes the event section of a datagram.
    *
    * @param tick the datagram's
-   * @param datagram its place in the {@link SentLog}
+   * @param datagram its sequence number
    * @param budgetBits for the events; one is written anyway if it fits the writer
    */
   public void write(BitWriter w, int tick, int datagram, int budgetBits) {
@@ -191,45 +185,33 @@ public final class EventOutbox {
       sentBase[datagram & datagrams - 1] = base;
       sentSet[datagram & datagrams - 1] = 0;
     }
-    w.write(hasUnacked());
+    codec.begin(w, tick, (int) base, waiting());
     if (!hasUnacked()) {
       return;
     }
-    w.write((int) base, SEQUENCE_BITS);
-    w.write((int) (next - base - 1), COUNT_BITS);
-    int room = Math.min(Math.min(budgetBits, MAX_BITS), w.room() - END_BITS);
+    int room = Math.min(Math.min(budgetBits, MAX_BITS), w.room() - EventCodec.END_BITS);
     int begin = w.bits();
     long set = 0;
-    long expected = base;
-    int lastTick = -1;
     for (long i = base; i < Math.min(next, base + WINDOW); i++) {
       int at = at(i);
       if (!isDue(at, tick)) {
         continue;
       }
       boolean fits = w.bits() - begin + EventCodec.MAX_BITS <= room;
-      boolean first = set == 0 && EventCodec.MAX_BITS + END_BITS <= w.room();
+      boolean first = set == 0 && EventCodec.MAX_BITS + EventCodec.END_BITS <= w.room();
       if (!fits && !first) {
         break;
       }
-      EventRecord e = ring.at(numbers[at]);
-      w.write(true);
-      w.write(i == expected);
-      if (i != expected) {
-        w.write((int) (i - expected - 1), EventCodec.WINDOW_BITS);
-      }
-      EventCodec.write(w, e, lastTick < 0 ? tick - e.tick : e.tick - lastTick);
-      lastTick = e.tick;
-      expected = i + 1;
+      codec.next(w, true, (int) (i - base), ring.at(numbers[at]));
       set |= 1L << (i - base);
       sends[at]++;
       sentTick[at] = tick;
     }
-    w.write(false);
+    codec.next(w, false, 0, null);
     sentSet[datagram & datagrams - 1] = set;
   }
 
-  /** What the ring has forgotten can't be told any more. */
+  /** Drops the oldest events that are acked, or that the ring no longer holds. */
   private void forgetLost() {
     while (base < next && (acked[at(base)] || !ring.holds(numbers[at(base)]))) {
       lost += acked[at(base)] ? 0 : 1;
@@ -237,7 +219,7 @@ public final class EventOutbox {
     }
   }
 
-  /** A datagram was acked. */
+  /** Takes the ack of a datagram. */
   public void ack(int datagram) {
     if (sentBase.length == 0) {
       return;
@@ -252,7 +234,7 @@ public final class EventOutbox {
     forgetLost();
   }
 
-  /** An ack took so long, in ticks. */
+  /** Takes how long the quickest ack took, ticks. */
   public void ackTook(int ticks) {
     waitTicks = Math.max(PATIENCE, Math.min(MAX_WAIT, ticks + PATIENCE));
   }
@@ -265,12 +247,12 @@ public final class EventOutbox {
     Arrays.fill(sentSet, 0);
   }
 
-  /** Events that were offered and never told. */
+  /** Returns the number of events that were dropped. */
   public long lost() {
     return lost;
   }
 
-  /** Events that wait for their ack. */
+  /** Returns the number of events that wait for their ack. */
   public int waiting() {
     return (int) (next - base);
   }

@@ -2,30 +2,27 @@ package carom.net.snapshot.event;
 
 import carom.net.codec.Quantizer;
 
-/**
- * An event as the wire tells it. Mutable, used again; the numbers mean what {@code carom.sim.Event}
- * says.
- */
+/** An event as it is sent. Mutable, reused; the numbers mean what {@code carom.sim.Event} says. */
 public final class EventRecord {
-  /** No player, no entity. */
+  /** Stands for no player or no entity. */
   public static final int NONE = -1;
 
-  /** Lowest bits of a float that aren't sent. */
+  /** Number of a float's lowest bits that aren't sent. */
   static final int STRENGTH_SHIFT = 16;
 
-  /** What happens: 0..255. */
+  /** Kind of the event, 0..255. */
   public int kind;
 
-  /** The tick in which it happens; not negative. */
+  /** Tick in which the event happens; not negative. */
   public int tick;
 
-  /** Whose doing it is: 0..1,023 or {@link #NONE}. */
+  /** Player who caused the event, 0..1,023, or {@link #NONE}. */
   public int player;
 
-  /** Whom it happens to: id, and generation above 16 bits; or {@link #NONE}. */
+  /** Entity that the event happens to: id, and generation above 16 bits; or {@link #NONE}. */
   public int first;
 
-  /** Who else takes part; as {@link #first}. */
+  /** Other entity that takes part, in the form of {@link #first}. */
   public int second;
 
   /** Position in {@link Quantizer#POSITION_STEPS} per metre. */
@@ -34,32 +31,32 @@ public final class EventRecord {
   /** Position in {@link Quantizer#POSITION_STEPS} per metre. */
   public int y;
 
-  /** The highest 16 bits of a finite float. */
+  /** Strength as the highest 16 bits of a finite float. */
   public int strength;
 
-  /** Any number. */
+  /** Number whose meaning depends on the kind. */
   public int data;
 
-  /** Creates an empty one. */
+  /** Creates an empty record. */
   public EventRecord() {}
 
-  /** Sets the place, metres. */
+  /** Sets the position, metres. */
   public void place(float metresX, float metresY) {
     x = Quantizer.position(metresX);
     y = Quantizer.position(metresY);
   }
 
-  /** Sets how hard; towards zero, eight significant bits. What isn't finite becomes 0. */
+  /** Sets the strength, rounded towards zero to eight significant bits; not finite becomes 0. */
   public void strength(float value) {
     strength = Float.isFinite(value) ? Float.floatToRawIntBits(value) >>> STRENGTH_SHIFT : 0;
   }
 
-  /** How hard. */
+  /** Returns the strength. */
   public float strengthOf() {
     return Float.intBitsToFloat(strength << STRENGTH_SHIFT);
   }
 
-  /** Copies another one. */
+  /** Copies another record into this one. */
   public void set(EventRecord other) {
     kind = other.kind;
     tick = other.tick;

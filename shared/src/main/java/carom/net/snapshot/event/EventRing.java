@@ -1,11 +1,11 @@
 package carom.net.snapshot.event;
 
 /**
- * The last {@value #SIZE} events of a room, numbered from 0 in the order they happened; shared by
- * all sessions. One thread; allocates nothing once it was full.
+ * Keeps the last {@value #SIZE} events of a room, numbered from 0 in the order they happened;
+ * shared by all sessions. One thread; allocates nothing once it was full.
  */
 public final class EventRing {
-  /** Events kept. */
+  /** Number of events kept. */
   public static final int SIZE = 1 << 12;
 
   private final EventRecord[] events = new EventRecord[SIZE];
@@ -16,37 +16,37 @@ public final class EventRing {
   public EventRing() {}
 
   /**
-   * Takes an event; the oldest goes.
+   * Adds an event and drops the oldest.
    *
    * @param event copied; its tick isn't before the last one's
-   * @param whom who is told, a number of the caller's
+   * @param audience a number of the caller's that stands for the clients that are told
    */
-  public void add(EventRecord event, int whom) {
+  public void add(EventRecord event, int audience) {
     int at = (int) limit & (SIZE - 1);
     if (events[at] == null) {
       events[at] = new EventRecord();
     }
     events[at].set(event);
-    audience[at] = whom;
+    this.audience[at] = audience;
     limit++;
   }
 
-  /** All numbers are below. */
+  /** Returns the number that the next event gets. */
   public long limit() {
     return limit;
   }
 
-  /** Whether an event is still kept. */
+  /** Returns whether an event is still kept. */
   public boolean holds(long number) {
     return number >= 0 && number < limit && number >= limit - SIZE;
   }
 
-  /** A kept event, for reading. */
+  /** Returns a kept event, for reading. */
   public EventRecord at(long number) {
     return events[(int) number & (SIZE - 1)];
   }
 
-  /** Who is told of a kept event, as {@link #add} was told. */
+  /** Returns the audience of a kept event, as {@link #add} got it. */
   public int audience(long number) {
     return audience[(int) number & (SIZE - 1)];
   }

@@ -1,12 +1,12 @@
 package carom.net.snapshot.exact;
 
-import carom.net.codec.BitReader;
-import carom.net.codec.BitWriter;
+import carom.net.codec.BitPass;
 import carom.net.snapshot.frame.FrameRing;
 
 /**
- * What is near, in bits, but for the rows of an update, which are {@link NearRowCodec}'s. Pairs of
- * write and read that mirror each other.
+ * The near section: which entities are near, the hash of their state, and what a part of an update
+ * holds. Described once for writing and reading. The rows of an update follow behind all plain
+ * sections and are {@link NearRowCodec}'s.
  */
 public final class NearCodec {
   private static final int PART_BITS = 6;
@@ -18,77 +18,69 @@ public final class NearCodec {
 
   private NearCodec() {}
 
-  /** Writes who is near, against an acked list, and a part of an update. */
-  public static void write(BitWriter w, NearState baseline, NearState near) {
-    w.write(near.present);
-    if (!near.present) {
+  /**
+   * Codes the section.
+   *
+   * @param baseline the acked list
+   * @param near what to write; a reader fills it
+   */
+  public static void code(BitPass c, NearState baseline, NearState near) {
+    boolean present = c.flag(near.present);
+    boolean changed = present && c.flag(!near.sameList(baseline));
+    if (c.isReading()) {
+      near.clear();
+    }
+    if (!present) {
       return;
     }
-    boolean same = near.sameList(baseline);
-    w.write(!same);
-    if (!same) {
-      writeList(w, baseline, near);
-    }
-    w.write(near.hash, 32);
-    w.write(near.updating);
-    if (near.updating) {
-      writePart(w, near);
-    }
-  }
-
-  public static void read(BitReader r, NearState baseline, NearState near) {
-    near.clear();
-    if (!r.readBit()) {
-      return;
-    }
-    if (r.readBit()) {
-      readList(r, baseline, near);
-    } else {
+    if (changed) {
+      list(c, baseline, near);
+    } else if (c.isReading()) {
       near.setList(baseline);
     }
     near.present = true;
-    near.hash = r.read(32);
-    if (r.readBit()) {
-      readPart(r, near);
+    near.hash = c.plain(near.hash, Integer.SIZE);
+    if (c.flag(near.updating)) {
+      part(c, near);
     }
   }
 
   /**
-   * The list as changes of the acked one, from front to back: the next of that stays, or goes, or
-   * somebody new comes before it.
+   * Codes the list as changes of the acked one, from front to back: the next entity of that stays,
+   * or goes, or a new one comes before it.
    */
-  private static void writeList(BitWriter w, NearState baseline, NearState near) {
+  private static void list(BitPass c, NearState baseline, NearState near) {
     int place = 0;
-    for (int i = 0; i < baseline.count; i++) {
-      int at = find(near, baseline.key(i), place);
-      for (; place < at; place++) {
-        writeInsert(w, near, place);
+    for (int next = 0; next < baseline.count; next++) {
+      int at = find(near, baseline.key(next), place);
+      boolean stays = !c.flag(at != place);
+      while (!stays && c.flag(at >= 0)) {
+        put(c, near, place, key(c, near, place));
+        place++;
+        stays = !c.flag(at != place);
       }
-      w.write(at < 0);
-      if (at < 0) {
-        w.write(false);
-      } else {
+      if (stays) {
+        put(c, near, place, baseline.key(next));
         place++;
       }
     }
-    for (; place < near.count; place++) {
-      w.write(true);
-      writeKey(w, before(near, place), near.key(place));
+    for (; c.flag(place < near.count); place++) {
+      put(c, near, place, key(c, near, place));
     }
-    w.write(false);
   }
 
-  private static void writeInsert(BitWriter w, NearState near, int place) {
-    w.write(true);
-    w.write(true);
-    writeKey(w, before(near, place), near.key(place));
+  /** Lets a reader add an entity at the end of the list, if there is room. */
+  private static void put(BitPass c, NearState near, int place, int key) {
+    if (c.require(place < NearState.MAX_ENTITIES) && c.isReading()) {
+      near.add(key);
+    }
   }
 
   private static int before(NearState near, int place) {
     return place == 0 ? 0 : near.key(place - 1);
   }
 
-  /** What {@link #writeInsert} takes for a key behind another. */
+  /** Returns how many bits a new entity takes between two that stay. */
   static int insertBits(int before, int key) {
     return 3 + (isClose(before, key) ? CLOSE_BITS : KEY_BITS);
   }
@@ -98,19 +90,13 @@ public final class NearCodec {
     return step >= 0 && step < 1 << CLOSE_BITS && (before & SLOT_MASK) + step + 1 <= SLOT_MASK;
   }
 
-  /** Bodies that were made together have slots in a row, and generations alike. */
-  private static void writeKey(BitWriter w, int before, int key) {
-    boolean close = isClose(before, key);
-    w.write(close);
-    if (close) {
-      w.write(key - before - 1, CLOSE_BITS);
-    } else {
-      w.write(key, KEY_BITS);
-    }
-  }
-
-  private static int readKey(BitReader r, int before) {
-    return r.readBit() ? before + 1 + r.read(CLOSE_BITS) & MAX_KEY : r.read(KEY_BITS);
+  /** Codes a key. Bodies that were made together have slots in a row, and generations alike. */
+  private static int key(BitPass c, NearState near, int place) {
+    int before = before(near, Math.min(place, near.count));
+    int key = place < near.count ? near.key(place) : 0;
+    return c.flag(isClose(before, key))
+        ? before + 1 + c.plain(key - before - 1, CLOSE_BITS) & MAX_KEY
+        : c.plain(key, KEY_BITS);
   }
 
   private static int find(NearState near, int key, int from) {
@@ -122,52 +108,32 @@ public final class NearCodec {
     return -1;
   }
 
-  private static void readList(BitReader r, NearState baseline, NearState near) {
-    int next = 0;
-    while (next < baseline.count && !r.failed()) {
-      if (!r.readBit()) {
-        put(near, baseline.key(next++));
-      } else if (!r.readBit()) {
-        next++;
-      } else {
-        put(near, readKey(r, before(near, near.count)));
-      }
+  /** Codes what a part of an update holds: its base, the entities told, and which rows follow. */
+  private static void part(BitPass c, NearState near) {
+    int age = c.plain(near.age, FrameRing.AGE_BITS);
+    if (c.isReading()) {
+      near.beginPart(age, 0, 0);
     }
-    while (r.readBit()) {
-      put(near, readKey(r, before(near, near.count)));
-    }
-  }
-
-  private static void put(NearState near, int key) {
-    if (near.count < NearState.MAX_ENTITIES) {
-      near.add(key);
-    }
-  }
-
-  private static void writePart(BitWriter w, NearState near) {
-    w.write(near.age, FrameRing.AGE_BITS);
     int told = 0;
     for (int i = 0; i < near.count; i++) {
-      boolean isTold = told < near.toldCount && near.told[told] == i;
-      w.write(isTold);
-      told += isTold ? 1 : 0;
-    }
-    w.write(near.totalRows, ROW_BITS);
-    w.write(near.firstRow, ROW_BITS);
-    w.write(near.partRows(), PART_BITS);
-  }
-
-  private static void readPart(BitReader r, NearState near) {
-    int age = r.read(FrameRing.AGE_BITS);
-    near.beginPart(age, 0, 0);
-    for (int i = 0; i < near.count; i++) {
-      if (r.readBit()) {
-        near.tell(i);
+      if (c.flag(told < near.toldCount && near.told[told] == i)) {
+        if (c.isReading()) {
+          near.tell(i);
+        }
+        told++;
       }
     }
-    near.totalRows = r.read(ROW_BITS);
-    near.firstRow = r.read(ROW_BITS);
-    for (int n = r.read(PART_BITS); n > 0; n--) {
+    near.totalRows = c.plain(near.totalRows, ROW_BITS);
+    near.firstRow = c.plain(near.firstRow, ROW_BITS);
+    int rows = c.plain(near.partRows(), PART_BITS);
+    if (c.isReading()) {
+      makeRows(near, rows);
+    }
+  }
+
+  /** Makes room for rows that {@link NearRowCodec} reads later; an entity's key is known now. */
+  private static void makeRows(NearState near, int rows) {
+    for (int n = 0; n < rows; n++) {
       near.growRow();
     }
   }

@@ -3,7 +3,7 @@ package carom.net.snapshot.frame;
 import carom.net.snapshot.event.EventRing;
 
 /**
- * The last {@link #SIZE} frame states of a room. The server captures each tick like this:
+ * Keeps the last {@link #SIZE} frame states of a room. The server captures each tick like this:
  *
  * <pre>{@code
  * FrameState frame = ring.begin(tick);
@@ -15,10 +15,10 @@ import carom.net.snapshot.event.EventRing;
  */
 public final class FrameRing {
 
-  /** Bits of a baseline's age, ticks. */
+  /** Number of bits of a baseline's age in ticks. */
   public static final int AGE_BITS = 6;
 
-  /** Frames kept; a baseline is at most {@code SIZE - 1} ticks old. */
+  /** Number of frames kept; a baseline is at most {@code SIZE - 1} ticks old. */
   public static final int SIZE = 1 << AGE_BITS;
 
   private static final int MASK = SIZE - 1;
@@ -28,7 +28,7 @@ public final class FrameRing {
   private final EventRing events = new EventRing();
   private final WaitingInputs waiting = new WaitingInputs();
   private final SlotSet asLevel = new SlotSet();
-  private final Changes changes = new Changes(this);
+  private final ChangedSlots changes = new ChangedSlots(this);
 
   /** When slots changed last, up to the newest frame, and up to those that have left the ring. */
   private final SlotTicks changedTicks = new SlotTicks();
@@ -58,8 +58,8 @@ public final class FrameRing {
   }
 
   /**
-   * Says what every client knows before the first datagram: the entities as the level file places
-   * them. Those that are so in the ring's first frame cost nothing until they move.
+   * Sets what every client knows before the first datagram: the entities as the level file places
+   * them. An entity that is so in the ring's first frame costs nothing until it moves.
    *
    * @param state made by {@link FrameState#of}; the clients' decoders must be given the same
    * @throws IllegalStateException after the first frame
@@ -72,7 +72,7 @@ public final class FrameRing {
   }
 
   /**
-   * Says what falling bodies gain, m/s^2, before the sessions' encoders are made; zero before.
+   * Sets gravity, m/s^2, before the sessions' encoders are made; it is zero until then.
    *
    * @param x the clients' decoders must be given the same
    */
@@ -89,32 +89,32 @@ public final class FrameRing {
     return gravityY;
   }
 
-  /** What has changed since an older frame. */
-  public Changes changes() {
+  /** Returns what has changed since each older frame. */
+  public ChangedSlots changes() {
     return changes;
   }
 
-  /** The state that all clients know from the level, or null. */
+  /** Returns the state that all clients know from the level, or null. */
   public FrameState level() {
     return level;
   }
 
-  /** Inputs of the ticks after the newest frame; empty when it begins. */
+  /** Returns the inputs of the ticks after the newest frame; empty when it begins. */
   public WaitingInputs waiting() {
     return waiting;
   }
 
-  /** The slots that were in the first frame as the level has them. */
+  /** Returns the slots that were in the first frame as the level has them. */
   public SlotSet asLevel() {
     return asLevel;
   }
 
-  /** Tick of the first frame that was ever ended; -1 before it. */
+  /** Returns the tick of the first frame that was ever ended; -1 before it. */
   public int firstTick() {
     return firstTick;
   }
 
-  /** Most entity slots of a frame. */
+  /** Returns the most entity slots of a frame. */
   public int capacity() {
     return capacity;
   }
@@ -166,15 +166,16 @@ public final class FrameRing {
   }
 
   /**
-   * The last tick at which anything of the newest frame's state of a slot changed, liveness and
-   * identity included. A slot never used has never changed: -1.
+   * Returns the last tick at which the state of a slot changed, liveness and identity included; -1
+   * for a slot that was never used.
    */
   public int changedTick(int slot) {
     return changedTicks.get(slot);
   }
 
   /**
-   * The newest frame in which a slot is as it was in a tick, or null when the ring has none.
+   * Returns the newest frame in which a slot is as it was in a tick, or null when the ring has
+   * none.
    *
    * @param tick of an older frame of the ring, or of one that has left it
    */
@@ -200,23 +201,23 @@ public final class FrameRing {
     }
   }
 
-  /** What has happened in the room. */
+  /** Returns the room's events. */
   public EventRing events() {
     return events;
   }
 
-  /** The newest ended frame, or null before the first. */
+  /** Returns the newest ended frame, or null before the first. */
   public FrameState newest() {
     return back(0);
   }
 
-  /** The frame of a tick, or null when the ring doesn't hold it. */
+  /** Returns the frame of a tick, or null when the ring doesn't hold it. */
   public FrameState at(int tick) {
     int back = backTo(tick);
     return back < 0 ? null : back(back);
   }
 
-  /** How many frames before the newest the frame of a tick is; -1 when the ring has none. */
+  /** Returns how many frames before the newest the frame of a tick is; -1 for none. */
   public int backTo(int tick) {
     FrameState newest = newest();
     if (newest == null || tick > newest.tick()) {
@@ -232,12 +233,15 @@ public final class FrameRing {
     return -1;
   }
 
-  /** Ended frames held. While a frame is being filled, it has taken the oldest one's place. */
+  /**
+   * Returns the number of ended frames held. While a frame is being filled, it has taken the oldest
+   * one's place.
+   */
   int count() {
     return (int) Math.min(ended, begun ? MASK : SIZE);
   }
 
-  /** The frame that many frames before the newest, or null when the ring doesn't hold it. */
+  /** Returns the frame that many frames before the newest, or null if the ring has none. */
   public FrameState back(int frames) {
     return frames < count() ? this.frames[(int) (ended - 1 - frames) & MASK] : null;
   }

@@ -6,15 +6,15 @@ import java.util.Arrays;
 import java.util.function.Consumer;
 
 /**
- * A room's whole world at one tick, quantised once for all sessions, by entity slot. Filled through
- * {@link FrameRing}. Units: see {@link carom.net.codec.Quantizer}.
+ * Holds a room's whole world at one tick, quantised once for all sessions, by entity slot. Filled
+ * through {@link FrameRing}. Units: see {@link carom.net.codec.Quantizer}.
  */
 public final class FrameState {
 
-  /** Bits of a packed input that count. */
+  /** Mask of the bits that a packed input has. */
   public static final long INPUT_MASK = (1L << 48) - 1;
 
-  /** Bits of a number of teleports that are sent. */
+  /** Number of bits in which teleports are counted. */
   public static final int TELEPORT_BITS = 4;
 
   private static final int FREE = Identities.FREE;
@@ -31,13 +31,13 @@ public final class FrameState {
   private long hash;
   private Identities who;
 
-  /** Whether {@link #who} is another frame's, too, so that nobody can be added. */
+  /** Whether another frame holds {@link #who}, too, so that no entity can be added. */
   private boolean shared;
 
   private final MotionTable motions = new MotionTable();
   private FrameState previous;
 
-  /** Slots for which there is room. */
+  /** Number of slots for which there is room. */
   private int room;
 
   private final PlayerSet players = new PlayerSet();
@@ -45,7 +45,7 @@ public final class FrameState {
   private final SlotSet changed = new SlotSet();
   private final SlotSet renamed = new SlotSet();
 
-  /** The slots with an audience other than 0, and all slots' as far as there was one. */
+  /** The slots with an audience other than 0. */
   private final SlotSet special = new SlotSet();
 
   private int[] audience = {};
@@ -56,8 +56,8 @@ public final class FrameState {
   }
 
   /**
-   * A frame of its own, outside of any ring, of tick 0: the state that a level file places its
-   * bodies in, which server and client know without a word.
+   * Creates a frame of tick 0 outside of any ring: the state in which a level file places its
+   * bodies, which server and client know without a datagram.
    *
    * @param capacity most entity slots, 1..65,535
    * @param fill puts the entities
@@ -296,7 +296,7 @@ public final class FrameState {
     }
   }
 
-  /** Those of 64 slots that others are told about than before. */
+  /** Returns those of 64 slots that have another audience than before. */
   private long readdressed(int word) {
     long specials = special.word(word);
     long before = previous == null ? 0 : previous.special.word(word);
@@ -309,8 +309,8 @@ public final class FrameState {
   }
 
   /**
-   * Says how often an entity of this frame was put elsewhere instead of moving there; 0 unless
-   * said. Between two numbers there is no way: a client shows the one place and then the other.
+   * Sets how often an entity of this frame was teleported; 0 unless set. When the number changes, a
+   * client shows the one place and then the other, and nothing between.
    *
    * @param teleports of which the lowest {@value #TELEPORT_BITS} bits count
    */
@@ -322,91 +322,92 @@ public final class FrameState {
     who.kind[slot] = who.kind[slot] & IDENTITY | sent << TELEPORT_SHIFT;
   }
 
-  /** The tick this frame is the state after. */
+  /** Returns the tick after which this is the state. */
   public int tick() {
     return tick;
   }
 
-  /** Slots for which there is room. */
+  /** Returns the number of slots for which there is room. */
   int room() {
     return room;
   }
 
-  /** Entities alive. */
+  /** Returns the number of living entities. */
   public int count() {
     return who == null ? 0 : who.count;
   }
 
   /**
-   * One more than the highest slot that was ever used up to this frame: the end for loops over
-   * slots.
+   * Returns one more than the highest slot that was ever used up to this frame: the end for loops
+   * over slots.
    */
   public int slotLimit() {
     return limit;
   }
 
-  /** Whether a slot holds an entity; false for slots beyond {@link #slotLimit}. */
+  /** Returns whether a slot holds an entity; false for slots beyond {@link #slotLimit}. */
   public boolean alive(int slot) {
     return slot < limit && who.kind[slot] != FREE;
   }
 
-  /** Generation of the slot's entity, 0..255. */
+  /** Returns the generation of the slot's entity, 0..255. */
   public int generation(int slot) {
     return who.kind[slot] & 0xff;
   }
 
-  /** Archetype of the slot's entity. */
+  /** Returns the archetype of the slot's entity. */
   public int archetype(int slot) {
     return who.kind[slot] >>> 8 & 0xffff;
   }
 
-  /** How often the slot's entity was put elsewhere, 0..15, modulo 16. */
+  /** Returns how often the slot's entity was teleported, modulo 16. */
   public int teleports(int slot) {
     return who.kind[slot] >>> TELEPORT_SHIFT;
   }
 
-  /** Player id of the owner, or -1. */
+  /** Returns the player id of the owner, or -1. */
   public int owner(int slot) {
     return who.owner[slot];
   }
 
-  /** Who is told about the slot's entity, as {@link #setAudience} said. */
+  /** Returns the audience of the slot's entity, as {@link #setAudience} set it. */
   public int audience(int slot) {
     return special.has(slot) ? audience[slot] : 0;
   }
 
-  /** Position, steps. */
+  /** Returns the x of the position, steps. */
   public int x(int slot) {
     return motions.x(slot);
   }
 
-  /** Position, steps. */
+  /** Returns the y of the position, steps. */
   public int y(int slot) {
     return motions.y(slot);
   }
 
-  /** Angle, steps, 0..1,023. */
+  /** Returns the angle, steps, 0..1,023. */
   public int angle(int slot) {
     return motions.angle(slot);
   }
 
-  /** Velocity, steps. */
+  /** Returns the x of the velocity, steps. */
   public int vx(int slot) {
     return motions.vx(slot);
   }
 
-  /** Velocity, steps. */
+  /** Returns the y of the velocity, steps. */
   public int vy(int slot) {
     return motions.vy(slot);
   }
 
-  /** Angular velocity, steps. */
+  /** Returns the angular velocity, steps. */
   public int omega(int slot) {
     return motions.omega(slot);
   }
 
   /**
-   * 64-bit hash of all slots' quantised state; equal frames have equal hashes, whatever their tick.
+   * Returns a 64-bit hash of all slots' quantised state. Equal frames have equal hashes, whatever
+   * their tick.
    */
   public long hash() {
     if (!hashed) {
@@ -435,19 +436,19 @@ public final class FrameState {
     return h ^ (h >>> 29);
   }
 
-  /** Whether the frame holds the input of a player. */
+  /** Returns whether the frame holds the input of a player. */
   public boolean hasInput(int player) {
     return players.has(player);
   }
 
-  /** The packed input that a player's step to this tick consumed; 0 when there is none. */
+  /** Returns the packed input that a player's step to this tick consumed; 0 if there is none. */
   public long input(int player) {
     return players.has(player) ? inputs[player] : 0;
   }
 
   /**
-   * Whether a slot is of the same entity, owner and archetype in both frames, alive, and wasn't put
-   * elsewhere between.
+   * Returns whether a slot is alive in both frames with the same entity, owner and archetype, and
+   * was not teleported between.
    */
   public boolean sameIdentity(FrameState other, int slot) {
     return alive(slot)
@@ -466,22 +467,22 @@ public final class FrameState {
     out.omega = omega(slot);
   }
 
-  /** Whether a slot is the same entity in the same motion in both frames, and alive. */
+  /** Returns whether a slot is alive in both frames, as the same entity in the same motion. */
   boolean sameState(FrameState other, int slot) {
     return sameIdentity(other, slot) && motions.same(other.motions, slot);
   }
 
-  /** The slots that hold an entity. */
+  /** Returns the slots that hold an entity. */
   public SlotSet living() {
     return who.living;
   }
 
-  /** The slots whose entity, owner or archetype changed in this very tick, or was put elsewhere. */
+  /** Returns the slots whose entity, owner, archetype or teleports changed in this tick. */
   SlotSet renamed() {
     return renamed;
   }
 
-  /** The slots that changed in this very tick. */
+  /** Returns the slots that changed in this tick. */
   public SlotSet changed() {
     return changed;
   }

@@ -3,8 +3,8 @@ package carom.net.snapshot.frame;
 import java.util.Arrays;
 
 /**
- * Who the entities of a frame are. Frames in a row in which nobody comes, goes or changes hands
- * share one: so it is neither written nor compared again. One thread.
+ * Holds the identities of a frame's entities. Frames in a row in which no entity comes, goes or
+ * changes its owner share one object, which is then neither written nor compared again. One thread.
  */
 final class Identities {
   static final int FREE = -1;
@@ -18,10 +18,10 @@ final class Identities {
   final SlotSet living = new SlotSet();
   int count;
 
-  /** One more than the highest slot in use. */
+  /** Limit of the slots in use: one more than the highest. */
   int limit;
 
-  /** Frames that hold it. */
+  /** Number of frames that hold this object. */
   int holders;
 
   /** Makes room for slots below a limit; those that are new are free. */
@@ -64,11 +64,11 @@ final class Identities {
     return result;
   }
 
-  /** Those that the frames of a ring take turns with. */
+  /** The identities that the frames of a ring take turns with. */
   static final class Pool {
     private Identities[] all = {};
 
-    /** Identities without entities, held by nobody yet. */
+    /** Returns identities without entities that no frame holds. */
     Identities take() {
       for (Identities each : all) {
         if (each.holders == 0) {

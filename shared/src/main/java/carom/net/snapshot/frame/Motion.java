@@ -2,7 +2,7 @@ package carom.net.snapshot.frame;
 
 import carom.net.codec.Quantizer;
 
-/** The six quantised numbers that move, as one mutable value for predicting and coding. */
+/** The quantised pose and velocity of a body, or a difference of two. Mutable, reused. */
 public final class Motion {
 
   public int x;
@@ -21,10 +21,12 @@ public final class Motion {
     omega = other.omega;
   }
 
+  /** Returns whether all six numbers are 0. */
   public boolean isZero() {
     return (x | y | angle | vx | vy | omega) == 0;
   }
 
+  /** Sets all six numbers to 0. */
   public void clear() {
     x = 0;
     y = 0;
@@ -72,6 +74,7 @@ public final class Motion {
     angle = (angle + residual.angle) & (Quantizer.ANGLE_STEPS - 1);
   }
 
+  /** Returns whether all six numbers are in the ranges of {@link Quantizer}. */
   public boolean inRange() {
     return within(x, Quantizer.MAX_POSITION)
         && within(y, Quantizer.MAX_POSITION)

@@ -4,10 +4,10 @@ import carom.net.codec.Quantizer;
 import java.util.Arrays;
 
 /**
- * The quantised motions of a frame, by slot. Each is two words side by side, its place and its
- * speed: a third less memory than six numbers in columns of their own, and found in one place. All
- * numbers must be within the ranges of {@link Quantizer}, which isn't checked. One thread;
- * allocates only in {@link #ensure}.
+ * Holds the quantised motions of a frame, by slot. Each is two longs side by side, its place and
+ * its speed: a third less memory than six columns, and all in one cache line. All numbers must be
+ * within the ranges of {@link Quantizer}, which isn't checked. One thread; allocates only in {@link
+ * #ensure}.
  */
 final class MotionTable {
   // Of a place, from above: x, y and the angle, of 27, 27 and 10 bits.
@@ -21,7 +21,7 @@ final class MotionTable {
   private static final long VY_MASK = (1L << VX_SHIFT - VY_SHIFT) - 1;
   private static final long OMEGA_MASK = (1L << VY_SHIFT) - 1;
 
-  /** The place of a slot, then its speed. */
+  /** By slot: its place, then its speed. */
   private long[] words = {};
 
   /** Makes room for slots below a limit. */
@@ -38,7 +38,7 @@ final class MotionTable {
   }
 
   /**
-   * Puts many.
+   * Puts the motions of many slots.
    *
    * @param slot from one index on: where each goes, or a negative number for nowhere
    * @param from that index
@@ -61,7 +61,7 @@ final class MotionTable {
     }
   }
 
-  /** Those of 64 neighbouring slots below a limit that move otherwise than in another frame. */
+  /** Returns those of 64 slots below a limit whose motion differs from that of another frame. */
   long differing(MotionTable other, int word, int limit) {
     long[] words = this.words;
     long[] old = other.words;

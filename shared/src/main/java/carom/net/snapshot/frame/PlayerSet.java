@@ -32,12 +32,12 @@ public final class PlayerSet {
     }
   }
 
-  /** Whether a player is in the set; false for ids out of range. */
+  /** Returns whether a player is in the set; false for ids out of range. */
   public boolean has(int player) {
     return player >= 0 && player >> 6 < bits.length && (bits[player >> 6] & 1L << player) != 0;
   }
 
-  /** The smallest id in the set that is at least {@code from}, or -1. */
+  /** Returns the smallest id in the set that is at least {@code from}, or -1. */
   public int next(int from) {
     for (int word = from >> 6, player = from; word < bits.length; player = ++word << 6) {
       long rest = bits[word] & -1L << player;
@@ -48,7 +48,7 @@ public final class PlayerSet {
     return -1;
   }
 
-  /** How many there are. */
+  /** Returns the number of players. */
   public int size() {
     int size = 0;
     for (long word : bits) {
@@ -57,19 +57,19 @@ public final class PlayerSet {
     return size;
   }
 
-  /** Removes everybody. */
+  /** Removes all players. */
   public void clear() {
     Arrays.fill(bits, 0);
   }
 
-  /** Becomes equal to another set. */
+  /** Copies another set into this one. */
   public void set(PlayerSet other) {
     ensure(other.bits.length);
     System.arraycopy(other.bits, 0, bits, 0, other.bits.length);
     Arrays.fill(bits, other.bits.length, bits.length, 0);
   }
 
-  /** Whether both hold the same players. */
+  /** Returns whether both hold the same players. */
   public boolean sameAs(PlayerSet other) {
     int common = Math.min(bits.length, other.bits.length);
     return Arrays.equals(bits, 0, common, other.bits, 0, common)

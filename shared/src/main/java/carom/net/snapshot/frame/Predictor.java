@@ -3,9 +3,9 @@ package carom.net.snapshot.frame;
 import carom.net.codec.Quantizer;
 
 /**
- * Moves a state that both sides know to a later tick; what is sent is the difference to the truth.
- * Integers only, so that both sides compute the same. A better prediction saves bytes and never
- * changes what is decoded.
+ * Moves a state that both sides know to a later tick; the difference to the truth is sent. It
+ * computes with integers only, so that both sides compute the same. A better prediction saves bytes
+ * and never changes what is decoded.
  *
  * <p>Velocities come first, in one of three ways that the record names: the body goes on, falls, or
  * stops. Then the client knows the true velocities, and the pose moves with the mean of the old and
@@ -13,13 +13,13 @@ import carom.net.codec.Quantizer;
  */
 public final class Predictor {
 
-  /** The body keeps its velocities. */
+  /** Way of a body that keeps its velocities. */
   public static final int GOES_ON = 0;
 
-  /** Gravity adds to its velocity. */
+  /** Way of a body that gravity accelerates. */
   public static final int FALLS = 1;
 
-  /** It has come to rest. */
+  /** Way of a body that has come to rest. */
   public static final int STOPS = 2;
 
   private static final int SHIFT = 24;
@@ -31,6 +31,11 @@ public final class Predictor {
   private final int[] fallX = new int[FrameRing.SIZE];
   private final int[] fallY = new int[FrameRing.SIZE];
 
+  /**
+   * Creates a predictor without gravity.
+   *
+   * @param tickRate ticks per second; the other side's must be the same
+   */
   public Predictor(int tickRate) {
     this.tickRate = tickRate;
     // Per step of the sum of two velocities: half a mean, in position steps per second; 1024 / (2
@@ -43,7 +48,7 @@ public final class Predictor {
     }
   }
 
-  /** Sets what a falling body gains, m/s^2; zero before. */
+  /** Sets gravity, m/s^2; it is zero before. */
   public void gravity(float x, float y) {
     int stepsX = Quantizer.velocity(x);
     int stepsY = Quantizer.velocity(y);
@@ -53,7 +58,7 @@ public final class Predictor {
     }
   }
 
-  /** The way that comes nearest to a later state. */
+  /** Returns the way whose prediction comes nearest to a later state. */
   public int way(Motion baseline, Motion actual, int age) {
     if ((actual.vx | actual.vy | actual.omega) == 0
         && (baseline.vx | baseline.vy | baseline.omega) != 0) {

@@ -24,17 +24,20 @@ public final class SlotSet {
     }
   }
 
+  /** Returns whether a slot is in the set. */
   public boolean has(int slot) {
     int word = slot >> 6;
     return word < words.length && (words[word] & 1L << slot) != 0;
   }
 
+  /** Adds a slot for which there is room. */
   public void add(int slot) {
     int word = slot >> 6;
     words[word] |= 1L << slot;
     filled[word >> 6] |= 1L << word;
   }
 
+  /** Removes a slot for which there is room. */
   public void remove(int slot) {
     int word = slot >> 6;
     words[word] &= ~(1L << slot);
@@ -43,7 +46,7 @@ public final class SlotSet {
     }
   }
 
-  /** Those of 64 neighbouring slots, from 64 {@code word} on, that are in the set. */
+  /** Returns those of 64 neighbouring slots, from 64 {@code word} on, that are in the set. */
   public long word(int word) {
     return word < words.length ? words[word] : 0;
   }
@@ -64,6 +67,7 @@ public final class SlotSet {
     }
   }
 
+  /** Removes all slots. */
   public void clear() {
     for (int group = 0; group < filled.length; group++) {
       for (long rest = filled[group]; rest != 0; rest &= rest - 1) {
@@ -106,14 +110,14 @@ public final class SlotSet {
     }
   }
 
-  /** Becomes the same as another set. */
+  /** Copies another set into this one. */
   public void set(SlotSet other) {
     clear();
     ensure(other.words.length << 6);
     addAll(other);
   }
 
-  /** The smallest slot of the set that isn't below {@code from}, or {@link #NONE}. */
+  /** Returns the smallest slot of the set that isn't below {@code from}, or {@link #NONE}. */
   public int next(int from) {
     int word = from >> 6;
     if (word >= words.length) {
@@ -127,7 +131,7 @@ public final class SlotSet {
     return word < 0 ? NONE : (word << 6) + Long.numberOfTrailingZeros(words[word]);
   }
 
-  /** The first of the words from {@code from} on that isn't empty, or {@link #NONE}. */
+  /** Returns the first word from {@code from} on that isn't empty, or {@link #NONE}. */
   public int nextWord(int from) {
     int group = from >> 6;
     if (group >= filled.length) {

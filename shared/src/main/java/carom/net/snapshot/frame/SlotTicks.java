@@ -3,10 +3,10 @@ package carom.net.snapshot.frame;
 import java.util.Arrays;
 
 /**
- * A tick for each slot. Of 64 neighbouring slots most have the same one mostly: that is kept once
- * for the word, with those that have it, their <em>layer</em>; only the others have ticks of their
- * own. So what happens to many slots at once costs as little as what happens to one. One thread;
- * allocates only in {@link #ensure}.
+ * Holds a tick for each slot. Most of 64 neighbouring slots, a word, share one tick. It is kept
+ * once for the word, with the slots that have it, the word's <em>layer</em>; only the others have
+ * ticks of their own. So a change of many slots at once costs as little as a change of one. One
+ * thread; allocates only in {@link #ensure}.
  */
 public final class SlotTicks {
 
@@ -28,13 +28,13 @@ public final class SlotTicks {
     }
   }
 
-  /** No slot has a tick. */
+  /** Removes the ticks of all slots. */
   public void clear() {
     Arrays.fill(ticks, UNKNOWN);
     Arrays.fill(layers, 0);
   }
 
-  /** The slot's tick, or {@link #UNKNOWN}. */
+  /** Returns the slot's tick, or {@link #UNKNOWN}. */
   public int get(int slot) {
     if (slot >= ticks.length) {
       return UNKNOWN;
@@ -49,17 +49,17 @@ public final class SlotTicks {
     ticks[slot] = tick;
   }
 
-  /** Those of a word that have {@link #layerTick}. */
+  /** Returns the slots of a word that have {@link #layerTick}. */
   public long layer(int word) {
     return layers[word];
   }
 
-  /** The tick of a word's layer; means nothing while that is empty. */
+  /** Returns the tick of a word's layer; it means nothing while the layer is empty. */
   public int layerTick(int word) {
     return layerTicks[word];
   }
 
-  /** Gives those of some slots of a word a tick that had an earlier one, or none. */
+  /** Gives a tick to those of some slots of a word that had an earlier one, or none. */
   public void raise(int word, long slots, int tick) {
     long layer = layers[word];
     if (layer != 0 && tick < layerTicks[word]) {

@@ -3,13 +3,12 @@ package carom.net.snapshot.frame;
 import java.util.Arrays;
 
 /**
- * Inputs that have arrived at the server and wait for the ticks after the newest frame, by player:
- * whoever is told of them foresees what others do instead of guessing it. Of each player those of
- * the next ticks without a gap, at most {@value #MOST}. A room's; one thread; allocates only to
- * grow.
+ * Holds a room's inputs that have arrived at the server and wait for the ticks after the newest
+ * frame. A client that gets them predicts other players without guessing. Each player has those of
+ * the next ticks without a gap, at most {@value #MOST}. One thread; allocates only to grow.
  */
 public final class WaitingInputs {
-  /** Most inputs of a player; a cheat that reads them looks so many ticks ahead at most. */
+  /** Number of inputs of a player, at most: a cheat that reads them looks no more ticks ahead. */
   public static final int MOST = 7;
 
   private byte[] count = new byte[16];
@@ -17,7 +16,7 @@ public final class WaitingInputs {
 
   WaitingInputs() {}
 
-  /** Nothing waits. */
+  /** Removes all inputs. */
   void clear() {
     Arrays.fill(count, (byte) 0);
   }
@@ -42,12 +41,12 @@ public final class WaitingInputs {
     return true;
   }
 
-  /** How many inputs of a player wait. */
+  /** Returns how many inputs of a player wait. */
   public int count(int player) {
     return player < count.length ? count[player] : 0;
   }
 
-  /** The input of the tick so many after the frame's, from 1 on. */
+  /** Returns the input of a player {@code ahead} ticks after the frame's, from 1 on. */
   public long at(int player, int ahead) {
     return inputs[player * MOST + ahead - 1];
   }

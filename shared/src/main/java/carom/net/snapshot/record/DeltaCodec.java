@@ -6,10 +6,10 @@ import carom.net.snapshot.frame.Motion;
 import carom.net.snapshot.frame.Predictor;
 
 /**
- * The content of a delta: in which way the body's velocities are predicted, and how far the six
- * numbers are from the prediction. Described once: with a {@link carom.net.codec.SliceWriter} the
- * same lines write that with a {@link carom.net.codec.RangeDecoder} read. {@code docs/PROTOCOL.md}
- * has the same as tables.
+ * Codes the content of a delta: in which way the body's velocities are predicted, and how far the
+ * six numbers are from the prediction. Described once: with a {@link carom.net.codec.SliceWriter}
+ * the same lines write that with a {@link carom.net.codec.RangeDecoder} read. {@code
+ * docs/PROTOCOL.md} has the same as tables.
  *
  * <p>Each number's sign, length and highest digits are one symbol, and so are the way and whether
  * it was right; how likely each is, one of the {@link Profiles} says, as a product over the nodes
@@ -36,10 +36,10 @@ public class DeltaCodec {
   private static final int LONGEST = LONG_FORMS + LONGER_NODES - MODELLED_DIGITS;
   private static final int LENGTH_BITS = 4;
 
-  /** Symbols of a number: zero, and each form with each sign. */
+  /** Number of symbols of a number: zero, and each form with each sign. */
   static final int NUMBER_SYMBOLS = 1 + 2 * (LONGEST + 1);
 
-  /** Symbols of a head: each way, exact or not. */
+  /** Number of symbols of a head: each way, exact or not. */
   static final int HEAD_SYMBOLS = 6;
 
   /** By form: the least magnitude, and how many plain bits follow. */
@@ -61,16 +61,16 @@ public class DeltaCodec {
   private static final int PLACE_AT = OMEGA_AT + AGES * OMEGA_CLASSES;
   private static final int ANGLE_AT = PLACE_AT + AGES * PLACE_CLASSES;
 
-  /** Trees of a profile. */
+  /** Number of trees of a profile. */
   static final int TREES = ANGLE_AT + AGES * ANGLE_CLASSES;
 
-  /** Heads of a profile. */
+  /** Number of heads of a profile. */
   static final int HEADS = AGES * SPEEDS;
 
   private static final int EXACT_NODES = 2 * HEADS;
   private static final int TREE_NODES = EXACT_NODES + WAYS * HEADS;
 
-  /** Length of a profile. */
+  /** Number of nodes of a profile. */
   public static final int NODES = TREE_NODES + TREES * NUMBER_NODES;
 
   /** Position steps that a step of velocity makes in a second, and angle steps, roughly. */
@@ -110,13 +110,13 @@ public class DeltaCodec {
     firstTree = number * TREES;
   }
 
-  /** What a symbol says about the nodes that it was made of. */
+  /** Receives what a symbol says about the nodes that it was made of. */
   interface Steps {
-    /** The bit at a node. */
+    /** Takes the bit at a node. */
     void take(int node, int bit);
   }
 
-  /** The nodes behind a symbol of a head. */
+  /** Tells the nodes behind a symbol of a head. */
   static void headSteps(int head, int symbol, Steps out) {
     int way = symbol >> 1;
     out.take(2 * head, way == Predictor.GOES_ON ? 1 : 0);
@@ -126,7 +126,7 @@ public class DeltaCodec {
     out.take(EXACT_NODES + WAYS * head + way, symbol & 1 ^ 1);
   }
 
-  /** The nodes behind a symbol of a number. */
+  /** Tells the nodes behind a symbol of a number. */
   static void numberSteps(int tree, int symbol, Steps out) {
     int first = TREE_NODES + tree * NUMBER_NODES;
     out.take(first + ZERO, symbol == 0 ? 1 : 0);

@@ -11,11 +11,11 @@ import carom.net.snapshot.frame.SlotSet;
 import java.util.Arrays;
 
 /**
- * The deltas of a room's newest frame, each worked out once for all sessions: how a body differs
- * from what is predicted out of an older frame, as slices for {@link RangeEncoder#slices}. Most
- * sessions have acked one of a few ticks, and what changed since then is the same for all that see
- * it: so whole runs of deltas are there already, too. Where room for all of them ends, the rest is
- * worked out each time.
+ * Keeps the deltas of a room's newest frame, each worked out once for all sessions: how a body
+ * differs from what is predicted out of an older frame, as slices for {@link RangeEncoder#slices}.
+ * Most sessions have acked one of a few ticks, and what changed since then is the same for all that
+ * see it: so whole runs of deltas are there already, too. Where room for all of them ends, the rest
+ * is worked out each time.
  *
  * <p>One thread, no allocation in the steady state. Memory: 280 bytes per slot and up to 8 MiB.
  */
@@ -23,22 +23,22 @@ public final class Deltas {
 
   private static final int MIN_SLOTS = 64;
 
-  /** So many neighbouring slots have one profile: what is alike was mostly made together. */
+  /** Binary logarithm of the neighbouring slots that share a profile: mostly made together. */
   private static final int BLOCK_BITS = 5;
 
-  /** Slices kept. */
+  /** Number of slices kept, about. */
   private static final int MAX_SLICES = 1 << 17;
 
-  /** On every so many-th slot that changed each profile is tried, to find the one that fits. */
+  /** Distance of the changed slots on which all profiles are tried, to find the best. */
   private static final int SAMPLED = 8;
 
   /** Share of what was before in what is known of a block's profiles: 1 - 2^-{@value}. */
   private static final int FORGET_SHIFT = 3;
 
-  /** Words at which is seen how dense changes are. */
+  /** Number of words that are looked at to see how dense changes are. */
   private static final int WORDS_SEEN = 32;
 
-  /** Parts of runs kept for each age. */
+  /** Number of parts of runs kept for each age. */
   private static final int PARTS = 8;
 
   private static final int UNKNOWN = -1;
@@ -105,13 +105,13 @@ public final class Deltas {
     return ring;
   }
 
-  /** The profile that the slot's deltas of the newest frame are coded with. */
+  /** Returns the profile that the slot's deltas of the newest frame are coded with. */
   int profile(int slot) {
     return profiles[slot >> BLOCK_BITS];
   }
 
   /**
-   * The delta of a slot between two frames.
+   * Returns the delta of a slot between two frames.
    *
    * @param now the ring's newest frame
    * @param held an older one that holds the slot
@@ -249,7 +249,7 @@ public final class Deltas {
     }
   }
 
-  /** Where a run is, or a negative number. */
+  /** Returns where a run is, or a negative number. */
   private int placeOf(int age, int word, long which) {
     int first = age * places;
     if (runSlots[first + word] == which) {
@@ -264,7 +264,7 @@ public final class Deltas {
     return UNKNOWN;
   }
 
-  /** Works a run out; a negative number when there is no room for it. */
+  /** Works a run out and returns where it is; negative when there is no room for it. */
   private int addRun(int age, FrameState now, FrameState held, int word, long which) {
     if (runs.size() > MAX_SLICES) {
       return UNKNOWN;
@@ -291,7 +291,7 @@ public final class Deltas {
     return at;
   }
 
-  /** The density that says most of what changed in so many ticks. */
+  /** Returns the density that fits most runs of an age. */
   private int usual(FrameState now, int age) {
     if (usual[age] == UNKNOWN) {
       int back = ring.backTo(now.tick() - age);
@@ -315,8 +315,8 @@ public final class Deltas {
   }
 
   /**
-   * Those of a run's slots, in their order, whose deltas together fit into a number of bits, long
-   * ones passed over for shorter ones.
+   * Returns those of a run's slots, in their order, whose deltas together fit into a number of
+   * bits. Long deltas are passed over for shorter ones.
    */
   public long fitting(FrameState now, FrameState held, int word, long which, int bits) {
     double left = bits;

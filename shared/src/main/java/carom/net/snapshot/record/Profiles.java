@@ -7,21 +7,21 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 
 /**
- * How likely the symbols of a delta are, by head and tree of {@link DeltaCodec}: one set of tables
- * for each of a few kinds of scenes, as bodies that roll apart on a plane and a heap that settles
- * differ in almost every bit. The server finds out which one fits its world best, tick by tick, and
- * says so in each datagram. Counted over records of scenes by {@code ProfileTraining} in the tests;
- * other tables are another protocol.
+ * Holds how likely the symbols of a delta are, by head and tree of {@link DeltaCodec}: one set of
+ * tables for each of a few kinds of scenes, as bodies that roll apart on a plane and a heap that
+ * settles differ in almost every bit. The server finds out which one fits its world best, tick by
+ * tick, and says so in each datagram. Counted over records of scenes by {@code ProfileTraining} in
+ * the tests; other tables are another protocol.
  *
  * <p>The file {@code profiles.txt} has one line for each profile: how likely each bit of a delta is
  * a 1, by node. A letter is a probability on a scale of log odds.
  */
 final class Profiles {
 
-  /** Bits that tell a profile. */
+  /** Number of bits of a profile. */
   static final int BITS = 3;
 
-  /** How many there are. */
+  /** Number of profiles. */
   static final int COUNT = 1 << BITS;
 
   /** The letters '#' to '[': log odds from -8 to 8. */
@@ -67,7 +67,7 @@ final class Profiles {
     }
   }
 
-  /** A symbol is as likely as all the bits together that it was made of. */
+  /** Sets each symbol as likely as all the bits together that it was made of. */
   private static void set(int number, double[] nodes) {
     double[] weights = new double[DeltaCodec.HEAD_SYMBOLS];
     double[] product = new double[1];
@@ -91,13 +91,13 @@ final class Profiles {
     }
   }
 
-  /** What a letter stands for, in 1/65,536. */
+  /** Returns the probability that a letter stands for, in 1/65,536. */
   static int probability(char letter) {
     double odds = (letter - FIRST - LETTERS / 2) * STEP;
     return (int) StrictMath.round(BitCoder.ONE / (1 + StrictMath.exp(-odds)));
   }
 
-  /** The letter that stands for a probability. */
+  /** Returns the letter that stands for a probability. */
   static char letter(double probability) {
     double odds = StrictMath.log(probability / (1 - probability));
     long at = StrictMath.round(odds / STEP) + LETTERS / 2;

@@ -21,17 +21,22 @@ import carom.net.snapshot.frame.Motion;
  */
 public final class RecordCodec {
 
-  /** Kinds of records: some deltas, ... */
+  /** Kind of record that holds the deltas of some neighbouring slots. */
   public static final int RUN = 0;
 
+  /** Kind of record that holds all of an entity. */
   public static final int ABSOLUTE = 1;
+
+  /** Kind of record that says that a slot is free. */
   public static final int GONE = 2;
+
+  /** Kind of record that says that an entity left the sight of the client. */
   public static final int OUT_OF_SIGHT = 3;
 
-  /** The end of the records, as a kind. */
+  /** Kind that stands for the end of the records. */
   public static final int END = 4;
 
-  /** Most records of a datagram, each slot of a run counted. */
+  /** Number of records of a datagram, at most; each slot of a run counts. */
   public static final int MAX_RECORDS = 4_096;
 
   private static final int SLOT_BITS = 16;
@@ -58,7 +63,7 @@ public final class RecordCodec {
   private static final int GAP = BACK + 1;
   private static final int NODES = GAP + MAX_DIGITS - 1;
 
-  /** Probabilities of a 1 that a datagram begins with, in percent. */
+  /** Probabilities of a 1 at the begin of a datagram, percent. */
   private static final int[] PRIOR = {
     60, 90, 10, 90, 80, 50, 85, 40, 75, 75, 90, 85, 80, 3, 70, 65, 60, 55, 50, 50, 50, 50, 50, 50,
     50, 50, 50, 50, 50, 50
@@ -190,27 +195,27 @@ public final class RecordCodec {
     }
   }
 
-  /** Age of the last run, ticks; of hostile bytes, 0 too. */
+  /** Returns the age of the last run, ticks; after hostile bytes it may be 0. */
   public int age() {
     return age;
   }
 
-  /** Profile of the last run's lower 32 slots. */
+  /** Returns the profile of the last run's lower 32 slots. */
   public int lowProfile() {
     return lowProfile;
   }
 
-  /** Profile of its others. */
+  /** Returns the profile of the last run's upper 32 slots. */
   public int highProfile() {
     return highProfile;
   }
 
-  /** Density of the last run. */
+  /** Returns the density of the last run. */
   public int density() {
     return density;
   }
 
-  /** The last run's slots begin at 64 times that. */
+  /** Returns the word of the last run: its slots begin at 64 times that. */
   public int word() {
     return word;
   }
@@ -227,7 +232,7 @@ public final class RecordCodec {
     return slot;
   }
 
-  /** A number of at least 1: how many binary digits, then those behind the first. */
+  /** Codes a number of at least 1: how many binary digits, then those behind the first. */
   private int gap(BitCoder c, int value) {
     int digits = 1;
     while (digits < MAX_DIGITS && flag(c, GAP + digits - 1, value >>> digits != 0)) {
@@ -236,34 +241,37 @@ public final class RecordCodec {
     return 1 << digits - 1 | c.plain(value, digits - 1);
   }
 
+  /** Codes a generation, 0..255. */
   public int generation(BitCoder c, int value) {
     return c.plain(value, 8);
   }
 
+  /** Codes an archetype, 0..65,535. */
   public int archetype(BitCoder c, int value) {
-    int wide = c.plain(value >= 1 << SHORT_ARCHETYPE_BITS ? 1 : 0, 1);
-    return c.plain(value, wide != 0 ? 16 : SHORT_ARCHETYPE_BITS);
+    boolean wide = c.flag(value >= 1 << SHORT_ARCHETYPE_BITS);
+    return c.plain(value, wide ? 16 : SHORT_ARCHETYPE_BITS);
   }
 
+  /** Codes the player id of an owner, or -1. */
   public int owner(BitCoder c, int value) {
-    return c.plain(value >= 0 ? 1 : 0, 1) != 0 ? PlayerId.code(c, value) : -1;
+    return c.flag(value >= 0) ? PlayerId.code(c, value) : -1;
   }
 
   /**
-   * Codes how often the entity was put elsewhere.
+   * Codes how often the entity was teleported, modulo 16.
    *
    * @param teleports 0..15
    */
   public int teleports(BitCoder c, int teleports) {
-    boolean any = c.plain(teleports != 0 ? 1 : 0, 1) != 0;
-    return any ? c.plain(teleports, FrameState.TELEPORT_BITS) : 0;
+    return c.flag(teleports != 0) ? c.plain(teleports, FrameState.TELEPORT_BITS) : 0;
   }
 
+  /** Codes a motion by itself; what is read may be out of range. */
   public void absolute(BitCoder c, Motion motion) {
     motion.x = sized(c, motion.x);
     motion.y = sized(c, motion.y);
     motion.angle = c.plain(motion.angle, ANGLE_BITS);
-    boolean moving = c.plain((motion.vx | motion.vy | motion.omega) != 0 ? 1 : 0, 1) != 0;
+    boolean moving = c.flag((motion.vx | motion.vy | motion.omega) != 0);
     motion.vx = moving ? sized(c, motion.vx) : 0;
     motion.vy = moving ? sized(c, motion.vy) : 0;
     motion.omega = moving ? sized(c, motion.omega) : 0;

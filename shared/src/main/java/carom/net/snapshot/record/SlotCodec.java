@@ -4,19 +4,19 @@ import carom.net.codec.BitCoder;
 import carom.net.codec.SymbolTable;
 
 /**
- * Which of 64 neighbouring slots a run has, described once for writing and reading. Each slot is a
- * bit whose probability depends on whether the slot before is in it (of the first, as if one were),
- * and on the run's density: from all, over some evenly spread, to one alone. Nothing depends on
- * other runs.
+ * Codes which of 64 neighbouring slots a run has, described once for writing and reading. Each slot
+ * is a bit whose probability depends on whether the slot before is in it (of the first, as if one
+ * were), and on the run's density: from all, over some evenly spread, to one alone. Nothing depends
+ * on other runs.
  */
 public final class SlotCodec {
 
-  /** Bits that tell a density. */
+  /** Number of bits of a density. */
   static final int DENSITY_BITS = 3;
 
   static final int DENSITIES = 1 << DENSITY_BITS;
 
-  /** Another density than most runs of a tick have must save so much, in 1/16 bit. */
+  /** Least saving for which a run takes another density than most, in 1/16 bit. */
   private static final int OTHER = 16 * 6;
 
   /** By density: how likely a slot is in it if the one before isn't, and if it is; in 1/1,024. */
@@ -50,7 +50,7 @@ public final class SlotCodec {
 
   private SlotCodec() {}
 
-  /** How likely so many more slots are in a state before one isn't. */
+  /** Returns how likely each length of a row of slots in one state is. */
   private static double[] lengths(double stay) {
     double[] weights = new double[Long.SIZE + 1];
     double left = 1;
@@ -93,7 +93,7 @@ public final class SlotCodec {
     return bits == Long.SIZE ? -1 : (1L << bits) - 1;
   }
 
-  /** What slots cost with a density, in 1/16 bit. */
+  /** Returns what slots cost with a density, in 1/16 bit. */
   static int cost(int density, long slots) {
     long before = slots << 1 | 1;
     int both = Long.bitCount(slots & before);
@@ -107,7 +107,7 @@ public final class SlotCodec {
   }
 
   /**
-   * The density to say slots with: that of most, unless another one is much cheaper.
+   * Returns the density to code slots with: that of most, unless another one is much cheaper.
    *
    * @param usual the density of most
    */

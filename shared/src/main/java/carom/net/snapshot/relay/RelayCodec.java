@@ -1,7 +1,6 @@
 package carom.net.snapshot.relay;
 
-import carom.net.codec.BitReader;
-import carom.net.codec.BitWriter;
+import carom.net.codec.BitPass;
 import carom.net.protocol.PlayerId;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
@@ -10,13 +9,15 @@ import carom.net.snapshot.frame.WaitingInputs;
 import java.util.Arrays;
 
 /**
- * Inputs of other players: those that the server consumed in all ticks since the baseline, so that
- * whoever holds the baseline knows them all, however many datagrams were lost in between; and those
- * that {@linkplain WaitingInputs wait} for the next ticks. Pairs of write and read that mirror each
- * other.
+ * The relay section: inputs of other players. It holds the inputs that the server consumed in all
+ * ticks since the baseline, so that a client that holds the baseline knows them all, however many
+ * datagrams were lost in between; and those that {@linkplain WaitingInputs wait} for the next
+ * ticks. One player's inputs are described once, for writing and reading.
+ *
+ * <p>One thread; allocates nothing.
  */
 public final class RelayCodec {
-  /** A baseline that is older tells nothing; then only the newest inputs are sent. */
+  /** Oldest baseline that inputs are coded against, ticks; else only the newest ones are sent. */
   public static final int MAX_WINDOW = 16;
 
   /** Most players relayed to one client. */
@@ -25,31 +26,39 @@ public final class RelayCodec {
   private static final int COUNT_BITS = 5;
   private static final int WAITING_BITS = 3;
   private static final int COMMON_BUTTONS = 5;
+  private static final int BUTTONS = 16;
 
-  private RelayCodec() {}
+  // Of the player that is being coded: the input at the baseline, then those of each tick of the
+  // window, or of the datagram's tick alone, then those that wait.
+  private final long[] inputs = new long[MAX_WINDOW + WaitingInputs.MOST];
+  private long baseline;
+  private int waiting;
+
+  /** Creates a codec. */
+  public RelayCodec() {}
 
   /**
-   * How many ticks of inputs are sent to a client whose baseline is so old; 0 = the newest only.
+   * Returns how many ticks of inputs are sent to a client whose baseline has an age in ticks; 0 =
+   * the newest only.
    */
   public static int window(int age) {
     return age <= MAX_WINDOW ? age : 0;
   }
 
-  public static void writePlayers(BitWriter w, PlayerSet players) {
-    w.write(players.size(), COUNT_BITS);
-    for (int p = players.next(0); p >= 0; p = players.next(p + 1)) {
-      PlayerId.write(w, p);
+  /** Codes which players are relayed; a reader's set may hold anything before. */
+  public static void players(BitPass c, PlayerSet players) {
+    int count = c.plain(players.size(), COUNT_BITS);
+    if (c.isReading()) {
+      players.clear();
+    }
+    for (int i = 0, from = 0; i < count; i++) {
+      int player = PlayerId.code(c, players.next(from));
+      players.add(player);
+      from = player + 1;
     }
   }
 
-  public static void readPlayers(BitReader r, PlayerSet players) {
-    players.clear();
-    for (int n = r.read(COUNT_BITS); n > 0; n--) {
-      players.add(PlayerId.read(r));
-    }
-  }
-
-  /** Whether a relayed player has the same input in all ticks of a window, and in the next. */
+  /** Returns whether a relayed player has the same input in all ticks of a window and later. */
   public static boolean isUnchanged(FrameRing ring, FrameState newest, int window, int player) {
     long base = inputAt(ring, newest.tick() - window, player);
     for (int back = 0; back < window; back++) {
@@ -74,136 +83,117 @@ public final class RelayCodec {
   /**
    * Writes the inputs of the relayed players, in ascending order of their ids.
    *
-   * @param known players that the client knows the input of at the baseline
+   * @param window ticks from the baseline to the ring's newest frame, see {@link #window}
+   * @param known players whose input at the baseline the client knows
    */
-  public static void write(
-      BitWriter w, FrameRing ring, int window, PlayerSet known, PlayerSet players) {
-    FrameState newest = ring.newest();
+  public void write(BitPass w, FrameRing ring, int window, PlayerSet known, PlayerSet players) {
+    int tick = ring.newest().tick();
     for (int p = players.next(0); p >= 0; p = players.next(p + 1)) {
-      if (window == 0 || !known.has(p)) {
-        writeInput(w, 0, newest.input(p));
-        writeWaiting(w, ring.waiting(), p, newest.input(p));
-        continue;
+      boolean isKnown = window > 0 && known.has(p);
+      int ticks = isKnown ? window : 1;
+      baseline = isKnown ? inputAt(ring, tick - window, p) : 0;
+      for (int i = 0; i < ticks; i++) {
+        inputs[i] = inputAt(ring, tick - ticks + 1 + i, p);
       }
-      boolean changed = !isUnchanged(ring, newest, window, p);
-      w.write(changed);
-      if (!changed) {
-        continue;
+      waiting = ring.waiting().count(p);
+      for (int i = 0; i < waiting; i++) {
+        inputs[ticks + i] = ring.waiting().at(p, i + 1);
       }
-      long before = inputAt(ring, newest.tick() - window, p);
-      for (int back = window - 1; back >= 0; back--) {
-        before = writeNext(w, before, inputAt(ring, newest.tick() - back, p));
-      }
-      writeWaiting(w, ring.waiting(), p, before);
+      player(w, isKnown, ticks);
     }
-  }
-
-  private static void writeWaiting(BitWriter w, WaitingInputs waiting, int player, long before) {
-    int count = waiting.count(player);
-    w.write(count, WAITING_BITS);
-    for (int ahead = 1; ahead <= count; ahead++) {
-      before = writeNext(w, before, waiting.at(player, ahead));
-    }
-  }
-
-  private static long writeNext(BitWriter w, long before, long now) {
-    w.write(now != before);
-    if (now != before) {
-      writeInput(w, before, now);
-    }
-    return now;
   }
 
   /**
    * Reads what {@link #write} wrote: the inputs of a known player's whole window, of others that of
    * the datagram's tick, each followed by those that wait.
    *
-   * @param out receives them, player by player
-   * @param waiting receives by player how many of them are of later ticks
+   * @param held the inputs that the client knows
+   * @param tick the datagram's
+   * @param out receives them, player by player; {@link #maxInputs} at most
+   * @param waitingOf receives by player how many of them are of later ticks
    */
-  public static void read(
-      BitReader r,
-      RelayedInputs inputs,
+  public void read(
+      BitPass r,
+      RelayedInputs held,
       int tick,
       int window,
       PlayerSet known,
       PlayerSet players,
       long[] out,
-      byte[] waiting) {
+      byte[] waitingOf) {
     int at = 0;
     for (int p = players.next(0); p >= 0; p = players.next(p + 1)) {
-      if (window == 0 || !known.has(p)) {
-        long input = readInput(r, 0);
-        out[at++] = input;
-        waiting[p] = (byte) r.read(WAITING_BITS);
-        at = readNext(r, input, waiting[p], out, at);
-        continue;
-      }
-      boolean changed = r.readBit();
-      long before = inputs.at(p, tick - window);
-      if (!changed) {
-        Arrays.fill(out, at, at + window, before);
-        at += window;
-        waiting[p] = 0;
-        continue;
-      }
-      at = readNext(r, before, window, out, at);
-      waiting[p] = (byte) r.read(WAITING_BITS);
-      at = readNext(r, out[at - 1], waiting[p], out, at);
+      boolean isKnown = window > 0 && known.has(p);
+      int ticks = isKnown ? window : 1;
+      baseline = isKnown ? held.at(p, tick - window) : 0;
+      player(r, isKnown, ticks);
+      System.arraycopy(inputs, 0, out, at, ticks + waiting);
+      waitingOf[p] = (byte) waiting;
+      at += ticks + waiting;
     }
   }
 
-  private static int readNext(BitReader r, long before, int count, long[] out, int at) {
-    long input = before;
-    for (int i = 0; i < count; i++) {
-      input = r.readBit() ? readInput(r, input) : input;
-      out[at + i] = input;
-    }
-    return at + count;
-  }
-
-  /** Most inputs {@link #read} gives out. */
+  /** Returns the most inputs that {@link #read} gives out. */
   public static int maxInputs() {
     return MAX_PLAYERS * (MAX_WINDOW + WaitingInputs.MOST);
   }
 
-  private static void writeInput(BitWriter w, long before, long input) {
-    long changed = before ^ input;
-    int buttons = (int) changed & 0xffff;
-    w.write(buttons != 0);
-    if (buttons != 0) {
-      boolean wide = buttons >> COMMON_BUTTONS != 0;
-      w.write(wide);
-      w.write(buttons, wide ? 16 : COMMON_BUTTONS);
+  /**
+   * Codes one player's inputs.
+   *
+   * @param isKnown whether both sides know the baseline; else the first input is always sent
+   * @param ticks inputs up to the datagram's tick
+   */
+  private void player(BitPass c, boolean isKnown, int ticks) {
+    if (isKnown && !c.flag(isChanged(ticks + waiting))) {
+      Arrays.fill(inputs, 0, ticks, baseline);
+      waiting = 0;
+      return;
     }
-    writeField(w, changed, input, 16, 8);
-    writeField(w, changed, input, 24, 8);
-    writeField(w, changed, input, 32, 16);
+    int from = 0;
+    if (!isKnown) {
+      inputs[from++] = input(c, 0, inputs[0]);
+    }
+    following(c, from, ticks);
+    waiting = c.plain(waiting, WAITING_BITS);
+    following(c, ticks, ticks + waiting);
   }
 
-  private static void writeField(BitWriter w, long changed, long input, int from, int bits) {
-    boolean differs = (changed >>> from & (1L << bits) - 1) != 0;
-    w.write(differs);
-    if (differs) {
-      w.write((int) (input >>> from), bits);
+  private boolean isChanged(int count) {
+    for (int i = 0; i < count; i++) {
+      if (inputs[i] != baseline) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Codes inputs that are mostly the same as the one before. */
+  private void following(BitPass c, int from, int to) {
+    for (int i = from; i < to; i++) {
+      long before = i == 0 ? baseline : inputs[i - 1];
+      inputs[i] = c.flag(inputs[i] != before) ? input(c, before, inputs[i]) : before;
     }
   }
 
-  private static long readInput(BitReader r, long before) {
-    long input = before;
-    if (r.readBit()) {
-      input ^= r.readBit() ? r.read(16) : r.read(COMMON_BUTTONS);
+  /** Codes an input against another one: the buttons that changed, and each field that did. */
+  private static long input(BitPass c, long before, long input) {
+    int buttons = (int) (before ^ input) & (1 << BUTTONS) - 1;
+    long result = before;
+    if (c.flag(buttons != 0)) {
+      boolean wide = c.flag(buttons >> COMMON_BUTTONS != 0);
+      result ^= c.plain(buttons, wide ? BUTTONS : COMMON_BUTTONS);
     }
-    input = readField(r, input, 16, 8);
-    input = readField(r, input, 24, 8);
-    return readField(r, input, 32, 16);
+    result = field(c, result, input, 16, 8);
+    result = field(c, result, input, 24, 8);
+    return field(c, result, input, 32, 16);
   }
 
-  private static long readField(BitReader r, long input, int from, int bits) {
-    if (!r.readBit()) {
-      return input;
-    }
+  private static long field(BitPass c, long before, long input, int from, int bits) {
     long mask = (1L << bits) - 1;
-    return input & ~(mask << from) | (r.read(bits) & mask) << from;
+    if (!c.flag(((before ^ input) >>> from & mask) != 0)) {
+      return before;
+    }
+    return before & ~(mask << from) | (c.plain((int) (input >>> from), bits) & mask) << from;
   }
 }

@@ -4,12 +4,12 @@ import carom.net.snapshot.frame.FrameRing;
 import java.util.Arrays;
 
 /**
- * What the server told of other players' inputs, by player and tick: the last {@value #TICKS} ticks
- * of each player ever relayed, some of them ahead of the newest snapshot. Filled by the decoder, in
+ * Holds other players' inputs as received, by player and tick: the last {@value #TICKS} ticks of
+ * each player ever relayed, some of them ahead of the newest snapshot. The decoder adds inputs in
  * any order of ticks. One thread; allocates when a player is relayed for the first time, 768 bytes.
  */
 public final class RelayedInputs {
-  /** Ticks kept. */
+  /** Number of ticks kept. */
   public static final int TICKS = FrameRing.SIZE;
 
   private static final int MASK = TICKS - 1;
@@ -18,6 +18,7 @@ public final class RelayedInputs {
   private int[][] ticks = {};
   private int[] newest = {};
 
+  /** Creates an object without inputs. */
   public RelayedInputs() {}
 
   private void ensure(int players) {
@@ -32,6 +33,7 @@ public final class RelayedInputs {
     Arrays.fill(newest, known, grown, -1);
   }
 
+  /** Puts the packed input of a player at a tick, unless a newer tick has its place. */
   public void put(int player, int tick, long input) {
     ensure(player + 1);
     if (inputs[player] == null) {
@@ -48,7 +50,7 @@ public final class RelayedInputs {
     newest[player] = Math.max(newest[player], tick);
   }
 
-  /** Whether the input of that very tick is known. */
+  /** Returns whether the player's input of exactly that tick is known. */
   public boolean knows(int player, int tick) {
     return player < newest.length
         && inputs[player] != null
@@ -56,12 +58,12 @@ public final class RelayedInputs {
         && ticks[player][tick & MASK] == tick;
   }
 
-  /** The packed input of a tick, or 0 when it isn't known. */
+  /** Returns the packed input of a tick, or 0 when it isn't known. */
   public long at(int player, int tick) {
     return knows(player, tick) ? inputs[player][tick & MASK] : 0;
   }
 
-  /** The newest tick up to a tick that the player's input is known of, or -1. */
+  /** Returns the newest tick, up to a tick, whose input of the player is known, or -1. */
   public int newestBefore(int player, int tick) {
     int last = newestTick(player);
     if (last <= tick) {
@@ -75,7 +77,7 @@ public final class RelayedInputs {
     return -1;
   }
 
-  /** The newest tick that the player's input is known of, or -1. */
+  /** Returns the newest tick whose input of the player is known, or -1. */
   public int newestTick(int player) {
     return player < newest.length ? newest[player] : -1;
   }

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.events.EventReconciler;
-import carom.game.ArenaGame;
+import carom.game.arena.ArenaGame;
 import carom.sim.Event;
 import carom.sim.Player;
 import carom.sim.Role;

@@ -8,7 +8,7 @@ import carom.physics.Body;
 import carom.physics.BodyType;
 import carom.sim.scene.SceneRun;
 import carom.sim.scene.SceneState;
-import carom.sim.scene.Scenes;
+import carom.sim.scene.catalog.Scenes;
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;

@@ -1,0 +1,177 @@
+package carom.game;
+
+import carom.physics.Collision;
+import carom.physics.WorldDef;
+import carom.sim.Entity;
+import carom.sim.Game;
+import carom.sim.Input;
+import carom.sim.Player;
+import carom.sim.Simulation;
+import carom.sim.event.Audience;
+import carom.sim.level.Level;
+import java.util.Objects;
+
+/**
+ * Guards a game, so that its exceptions stop nothing. A callback that throws is reported, and the
+ * step goes on as if it had returned. What the callback changed before it threw stays, so that a
+ * run with failures is as repeatable as any other.
+ *
+ * <p>Set-up is not guarded: a game that cannot be set up must not start.
+ */
+public final class GuardedGame implements Game {
+  /** Receives failures. */
+  @FunctionalInterface
+  public interface Watch {
+    /**
+     * Receives the failure of a callback.
+     *
+     * @param callback its name, and the player or entity it was called for
+     * @param s the simulation that called it
+     * @param failure what it threw
+     */
+    void failed(String callback, Simulation s, Throwable failure);
+  }
+
+  private final Game game;
+  private final Watch watch;
+
+  /**
+   * Guards a game.
+   *
+   * @param game the game to guard
+   * @param watch receives each failure, during the step
+   */
+  public GuardedGame(Game game, Watch watch) {
+    this.game = game;
+    this.watch = watch;
+  }
+
+  @Override
+  public String name() {
+    return game.name();
+  }
+
+  @Override
+  public String defaultLevel() {
+    return game.defaultLevel();
+  }
+
+  @Override
+  public String description() {
+    return game.description();
+  }
+
+  @Override
+  public WorldDef world(Level level) {
+    return game.world(level);
+  }
+
+  @Override
+  public int memorySize(Level level) {
+    return game.memorySize(level);
+  }
+
+  @Override
+  public boolean keepsMore() {
+    return game.keepsMore();
+  }
+
+  @Override
+  public boolean relaysAhead() {
+    return game.relaysAhead();
+  }
+
+  @Override
+  public boolean looksBack() {
+    return game.looksBack();
+  }
+
+  @Override
+  public void setUp(Simulation s) {
+    game.setUp(s);
+  }
+
+  @Override
+  public void join(Simulation s, Player p) {
+    try {
+      game.join(s, p);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("join of player " + p.id(), s, e);
+    }
+  }
+
+  @Override
+  public void leave(Simulation s, Player p) {
+    try {
+      game.leave(s, p);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("leave of player " + p.id(), s, e);
+    }
+  }
+
+  @Override
+  public void input(Simulation s, Player p, Input in) {
+    try {
+      game.input(s, p, in);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("input of player " + p.id(), s, e);
+    }
+  }
+
+  @Override
+  public void beforeStep(Simulation s) {
+    try {
+      game.beforeStep(s);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("beforeStep", s, e);
+    }
+  }
+
+  @Override
+  public void afterStep(Simulation s) {
+    try {
+      game.afterStep(s);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("afterStep", s, e);
+    }
+  }
+
+  @Override
+  public boolean collision(Simulation s, Collision<Entity> c) {
+    try {
+      return game.collision(s, c);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("collision", s, e);
+      return true;
+    }
+  }
+
+  @Override
+  public void hit(Simulation s, Collision<Entity> c) {
+    try {
+      game.hit(s, c);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("hit", s, e);
+    }
+  }
+
+  @Override
+  public Audience audience(Simulation s, Entity e) {
+    try {
+      return Objects.requireNonNull(game.audience(s, e), "audience");
+    } catch (RuntimeException | AssertionError | StackOverflowError failure) {
+      watch.failed("audience of " + e, s, failure);
+      return Audience.NOBODY;
+    }
+  }
+
+  @Override
+  public boolean seesAll(Simulation s, Player p) {
+    try {
+      return game.seesAll(s, p);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("seesAll of player " + p.id(), s, e);
+      return false;
+    }
+  }
+}

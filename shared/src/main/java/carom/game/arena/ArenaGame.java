@@ -1,0 +1,675 @@
+package carom.game.arena;
+
+import carom.physics.Body;
+import carom.physics.BodyContactVisitor;
+import carom.physics.BodyType;
+import carom.physics.Collision;
+import carom.physics.Material;
+import carom.physics.QueryFilter;
+import carom.physics.QueryHit;
+import carom.physics.WorldDef;
+import carom.physics.geometry.Circle;
+import carom.physics.math.Trig;
+import carom.sim.Entity;
+import carom.sim.Game;
+import carom.sim.Input;
+import carom.sim.Player;
+import carom.sim.Role;
+import carom.sim.Simulation;
+import carom.sim.event.Audience;
+import carom.sim.event.EventKind;
+import carom.sim.event.Sound;
+import carom.sim.level.Appearance;
+import carom.sim.level.Archetype;
+import carom.sim.level.ArchetypeDef;
+import carom.sim.level.Level;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * The arena, seen from above: two teams of discs, balls, two goals. A disc glides towards the
+ * velocity its player asks for, F = k (v_goal - v), and dashes on {@link Input#ACTION}. On {@link
+ * Input#SECOND} it gives a jolt along its aim: the first ball, disc or crate within {@value
+ * #JOLT_RANGE} m is pushed away, as judged by what the player saw. A ball in the other team's goal
+ * counts for the team and for the player who touched it last. The first team with {@value
+ * #GOALS_TO_WIN} goals wins, then a new match begins. There is one ball for every {@value
+ * #PLAYERS_PER_BALL} players.
+ *
+ * <p>A level needs zones {@code goal} and {@code home} for the teams 1 and 2 (the goal's team
+ * defends it), and spawns {@code ball}. Zones {@code lamps} for both teams get a lamp for each goal
+ * scored.
+ *
+ * <p><b>Length.</b> The class is an example to copy: all rules of a game stand in one place, in the
+ * order in which a tick uses them.
+ */
+public final class ArenaGame implements Game {
+  /** Number of goals that win a match. */
+  public static final int GOALS_TO_WIN = 5;
+
+  /** Number of players per ball. */
+  public static final int PLAYERS_PER_BALL = 12;
+
+  /** Speed of a disc without a dash, m/s. */
+  public static final float SPEED = 7.5f;
+
+  /** Speed of a dash, m/s. */
+  public static final float DASH_SPEED = 17;
+
+  /** Time from dash to dash, seconds. */
+  public static final float DASH_COOLDOWN = 1.1f;
+
+  /** Reach of a jolt from the disc's centre, metres. */
+  public static final float JOLT_RANGE = 12;
+
+  /** Time from jolt to jolt, seconds. */
+  public static final float JOLT_COOLDOWN = 1.5f;
+
+  /** Least speed at which balls and discs hit for an event, m/s. */
+  private static final float MIN_HIT_SPEED = 3;
+
+  /** Impulse of the loudest hit, a dash into a ball, N s. */
+  private static final float LOUD_HIT = 12;
+
+  /** Impulse of a jolt, N s. A ball leaves with 11 m/s. */
+  public static final float JOLT_IMPULSE = 6;
+
+  private static final float SPARK_SECONDS = 0.2f;
+  private static final float DASH_SECONDS = 0.16f;
+  private static final float STEER = 10; // k / mass, 1/s: most of the goal velocity in 0.1 s
+  private static final float DASH_STEER = 30;
+  private static final float PLAYER_RADIUS = 0.6f;
+  private static final float BALL_RADIUS = 0.7f;
+  private static final float BALL_MAX_SPEED = 32;
+  private static final float KICK_OFF_SECONDS = 2;
+  private static final float INTERMISSION_SECONDS = 6;
+  private static final float STUCK_SECONDS = 4;
+  private static final float STUCK_RADIUS = 1.5f;
+  private static final int MAX_BALLS = 4;
+  private static final int TEAMS = 2;
+  private static final String[] TEAM_NAMES = {"", "Red", "Blue"};
+  private static final int[] TEAM_COLORS = {0, 0xff5d5d, 0x4da3ff};
+
+  // Layout of a player's memory: what its client needs to predict a dash or a jolt.
+  private static final int COOLDOWN = 0; // ticks until the next dash; << 16: until the next jolt
+  private static final int DASH = 1; // ticks left of a dash, and the flags below
+  private static final int DASH_X = 2; // float bits
+  private static final int DASH_Y = 3;
+  private static final int HELD = 1 << 16;
+  private static final int JOLT_HELD = 1 << 17;
+  private static final int JOLTS = 1 << 18; // gives a jolt in this tick
+
+  // Layout of the simulation's memory.
+  private static final int GOALS = 0; // + team
+  private static final int PAUSE = 3; // ticks until the next match
+  private static final int BALLS = 4; // + ball * BALL_INTS
+  private static final int BALL_INTS = 7;
+  private static final int BALL_ENTITY = 0; // id + 1, 0 = not in play
+  private static final int BALL_WAIT = 1; // ticks until it is in play again
+  private static final int BALL_TOUCHED = 2; // player id + 1
+  private static final int BALL_TOUCHED_BEFORE = 3;
+  private static final int BALL_IDLE = 4; // ticks spent around one place
+  private static final int BALL_PLACE_X = 5; // float bits
+  private static final int BALL_PLACE_Y = 6;
+  private static final int LAMPS = BALLS + MAX_BALLS * BALL_INTS; // entity id + 1
+  private static final int SPARKS = LAMPS + TEAMS * GOALS_TO_WIN; // entity id + 1, and ticks left
+  private static final int MAX_SPARKS = 16;
+
+  private final Archetype[] discs = new Archetype[TEAMS + 1];
+  private final Archetype[] lamps = new Archetype[TEAMS + 1];
+  private final Level.Zone[] homes = new Level.Zone[TEAMS + 1];
+  private final BodyContactVisitor<Entity> touch = this::touched;
+  private final QueryHit<Entity> hit = new QueryHit<>();
+  private final QueryFilter<Entity> inTheWay = this::isInTheWay;
+  private Body<Entity> jolter;
+  private Archetype spark;
+  private Archetype ball;
+  private EventKind hitEvent;
+  private EventKind dashEvent;
+  private EventKind joltEvent;
+  private EventKind joltHitEvent;
+  private EventKind goalEvent;
+  private List<Level.Zone> goals = List.of();
+  private List<Level.Spawn> kickOffs = List.of();
+  private int lastTouch;
+
+  /** Creates the game, for the service loader. */
+  public ArenaGame() {}
+
+  @Override
+  public String name() {
+    return "arena";
+  }
+
+  @Override
+  public String defaultLevel() {
+    return "arena";
+  }
+
+  @Override
+  public String description() {
+    return "push the balls into the other side's goal: Space dashes, E jolts from afar";
+  }
+
+  @Override
+  public int memorySize(Level level) {
+    return SPARKS + 2 * MAX_SPARKS;
+  }
+
+  @Override
+  public boolean looksBack() {
+    return true;
+  }
+
+  @Override
+  public WorldDef world(Level level) {
+    // Seen half a tick ahead, a hard shot ends at the wall and not inside it.
+    return Game.super.world(level).withSpeculativeDistance(BALL_MAX_SPEED / 120);
+  }
+
+  @Override
+  public void setUp(Simulation s) {
+    Material skin = new Material(1, 0.3f, 0.4f);
+    for (int team = 1; team <= TEAMS; team++) {
+      discs[team] =
+          s.archetypes()
+              .add(
+                  new ArchetypeDef("player." + TEAM_NAMES[team])
+                      .shape(new Circle(PLAYER_RADIUS), skin)
+                      .fixedRotation(true)
+                      .tag(team)
+                      .appearance(Appearance.of(TEAM_COLORS[team], Appearance.Look.PLAYER)));
+    }
+    for (int team = 0; team <= TEAMS; team++) {
+      lamps[team] =
+          s.archetypes()
+              .add(
+                  new ArchetypeDef("lamp." + TEAM_NAMES[team])
+                      .type(BodyType.STATIC)
+                      .shape(new Circle(0.3f), skin)
+                      .sensor(true)
+                      .appearance(
+                          Appearance.of(
+                              team == 0 ? 0x1d2733 : TEAM_COLORS[team], Appearance.Look.LAMP)));
+    }
+    ball =
+        s.archetypes()
+            .add(
+                new ArchetypeDef("ball")
+                    .shape(new Circle(BALL_RADIUS), new Material(0.35f, 0.3f, 0.7f))
+                    .linearDamping(0.45f)
+                    .angularDamping(0.8f)
+                    .appearance(Appearance.of(0xffe08a, Appearance.Look.BALL)));
+    spark =
+        s.archetypes()
+            .add(
+                new ArchetypeDef("spark")
+                    .type(BodyType.STATIC)
+                    .shape(new Circle(0.25f), skin)
+                    .sensor(true)
+                    .appearance(Appearance.of(0xfff6c8, Appearance.Look.LAMP)));
+    hitEvent = s.eventKinds().add("hit", 0xffffff, 0, "", Sound.KNOCK, LOUD_HIT); // sparks show it
+    dashEvent = s.eventKinds().add("dash", 0x9ad1ff, 1.2f, "", Sound.WHOOSH, 0);
+    joltEvent = s.eventKinds().add("jolt", 0xfff6c8, 1.5f, "", Sound.ZAP, 0);
+    joltHitEvent = s.eventKinds().add("jolt hit", 0xfff6c8, 2, "", Sound.KNOCK, JOLT_IMPULSE);
+    goalEvent = s.eventKinds().add("goal", 0xffe08a, 6, "GOAL", Sound.FANFARE, 0);
+    goals = s.level().zones("goal");
+    kickOffs = s.level().spawns("ball");
+    for (Level.Zone home : s.level().zones("home")) {
+      if (home.team() >= 1 && home.team() <= TEAMS) {
+        homes[home.team()] = home;
+      }
+    }
+    require(s, goals.size() >= TEAMS, "zones named \"goal\" of teams 1 and 2");
+    require(s, !kickOffs.isEmpty(), "a spawn named \"ball\"");
+    require(s, homes[1] != null && homes[2] != null, "zones named \"home\" of teams 1 and 2");
+    if (s.role() == Role.AUTHORITY) {
+      setLamps(s);
+    }
+  }
+
+  private static void require(Simulation s, boolean met, String what) {
+    if (!met) {
+      throw new IllegalArgumentException(
+          "level \"" + s.level().name() + "\" can't be played as arena: it needs " + what);
+    }
+  }
+
+  @Override
+  public void join(Simulation s, Player p) {
+    p.team(size(s, 1) <= size(s, 2) ? 1 : 2);
+    giveBody(s, p);
+  }
+
+  @Override
+  public void leave(Simulation s, Player p) {
+    for (int i = 0; i < MAX_BALLS; i++) {
+      for (int field = BALL_TOUCHED; field <= BALL_TOUCHED_BEFORE; field++) {
+        if (ball(s, i, field) == p.id() + 1) {
+          ball(s, i, field, 0); // another player may get the id
+        }
+      }
+    }
+  }
+
+  @Override
+  public void input(Simulation s, Player p, Input in) {
+    int[] m = p.memory();
+    Body<Entity> body = p.body().body();
+    float x = in.moveX();
+    float y = in.moveY();
+    float length = (float) Math.sqrt(x * x + y * y);
+    if (length > 1) {
+      x /= length;
+      y /= length;
+    }
+    int untilDash = Math.max(0, (m[COOLDOWN] & 0xffff) - 1);
+    int untilJolt = Math.max(0, (m[COOLDOWN] >>> 16) - 1);
+    boolean jolts = in.held(Input.SECOND) && (m[DASH] & JOLT_HELD) == 0 && untilJolt == 0;
+    if (jolts) {
+      untilJolt = s.ticks(JOLT_COOLDOWN);
+      s.emit(joltEvent).at(body.x(), body.y()).of(p.body()).by(p);
+    }
+    int dash = Math.max(0, (m[DASH] & 0xffff) - 1);
+    boolean held = in.held(Input.ACTION);
+    if (held && (m[DASH] & HELD) == 0 && untilDash == 0) {
+      dash = s.ticks(DASH_SECONDS);
+      untilDash = s.ticks(DASH_COOLDOWN);
+      s.emit(dashEvent).at(body.x(), body.y()).of(p.body()).by(p);
+      boolean steered = length > 0.3f;
+      float scale = Math.min(1, length);
+      m[DASH_X] = Float.floatToIntBits(steered ? x / scale : Trig.cos(in.aim()));
+      m[DASH_Y] = Float.floatToIntBits(steered ? y / scale : Trig.sin(in.aim()));
+    }
+    m[COOLDOWN] = untilJolt << 16 | untilDash;
+    m[DASH] =
+        dash | (held ? HELD : 0) | (in.held(Input.SECOND) ? JOLT_HELD : 0) | (jolts ? JOLTS : 0);
+    if (dash > 0) {
+      float dashX = Float.intBitsToFloat(m[DASH_X]) * DASH_SPEED;
+      float dashY = Float.intBitsToFloat(m[DASH_Y]) * DASH_SPEED;
+      body.seekVelocity(dashX, dashY, DASH_STEER * body.mass());
+    } else {
+      body.seekVelocity(x * SPEED, y * SPEED, STEER * body.mass());
+    }
+    face(body, x, y, length);
+  }
+
+  /** Turns a disc towards its movement. This is for the eye only: discs don't roll. */
+  private static void face(Body<Entity> body, float x, float y, float length) {
+    if (length < 0.1f) {
+      body.setAngularVelocity(0);
+      return;
+    }
+    float cross = body.cos() * y - body.sin() * x;
+    float dot = body.cos() * x + body.sin() * y;
+    float turn = dot < 0 && Math.abs(cross) < 0.5f ? (cross < 0 ? -0.5f : 0.5f) : cross;
+    body.setAngularVelocity(14 * turn);
+  }
+
+  @Override
+  public void hit(Simulation s, Collision<Entity> c) {
+    Entity a = c.self().user();
+    Entity b = c.other().user();
+    if (c.hitSpeed() < MIN_HIT_SPEED || !(isHeard(a) || isHeard(b))) {
+      return;
+    }
+    s.emit(hitEvent).at(c.hitX(), c.hitY()).of(a).with(b).strength(c.impulse());
+  }
+
+  /**
+   * Returns whether hits of an entity emit events: those of balls and discs do, those among crates
+   * don't.
+   */
+  private boolean isHeard(Entity e) {
+    return e.archetype() == ball || e.ownerId() != Entity.NO_OWNER;
+  }
+
+  @Override
+  public void beforeStep(Simulation s) {
+    int[] m = s.memory();
+    if (m[PAUSE] > 0) {
+      m[PAUSE]--;
+      if (m[PAUSE] == 0) {
+        newMatch(s);
+      }
+      return;
+    }
+    int wanted = Math.min(MAX_BALLS, 1 + playerCount(s) / PLAYERS_PER_BALL);
+    for (int i = 0; i < MAX_BALLS; i++) {
+      if (ball(s, i, BALL_ENTITY) != 0) {
+        continue;
+      }
+      int wait = ball(s, i, BALL_WAIT);
+      if (wait > 0) {
+        ball(s, i, BALL_WAIT, wait - 1);
+      } else if (i < wanted) {
+        kickOff(s, i);
+      }
+    }
+  }
+
+  @Override
+  public void afterStep(Simulation s) {
+    for (int id = 0; id < s.playerCapacity(); id++) {
+      Player p = s.player(id);
+      if (p != null && p.body() != null && (p.memory()[DASH] & JOLTS) != 0) {
+        jolt(s, p);
+      }
+    }
+    fadeSparks(s);
+    for (int i = 0; i < MAX_BALLS; i++) {
+      Entity e = s.entity(ball(s, i, BALL_ENTITY) - 1);
+      if (e != null) {
+        followBall(s, i, e);
+      }
+    }
+    bringBack(s);
+  }
+
+  /** Pushes the body that the player saw in front of it, where that body is now. */
+  private void jolt(Simulation s, Player p) {
+    jolter = p.body().body();
+    float wayX = JOLT_RANGE * Trig.cos(p.input().aim());
+    float wayY = JOLT_RANGE * Trig.sin(p.input().aim());
+    boolean any = s.asSeenBy(p).rayClosest(jolter.x(), jolter.y(), wayX, wayY, inTheWay, hit);
+    if (!any) {
+      return;
+    }
+    Body<Entity> target = hit.body();
+    if (target.type() == BodyType.DYNAMIC) {
+      float scale = JOLT_IMPULSE / JOLT_RANGE;
+      target.applyImpulse(wayX * scale, wayY * scale);
+    }
+    s.emit(joltHitEvent).at(hit.x(), hit.y()).of(target.user()).by(p).strength(JOLT_IMPULSE);
+    showSpark(s, p, hit.x(), hit.y());
+  }
+
+  private boolean isInTheWay(Body<Entity> body, int shape) {
+    return body != jolter && !body.sensor(shape);
+  }
+
+  /**
+   * Shows all players where a jolt has hit, for a moment or until the player leaves. When there are
+   * too many sparks, the oldest one goes.
+   */
+  private void showSpark(Simulation s, Player p, float x, float y) {
+    int[] m = s.memory();
+    int oldest = SPARKS;
+    for (int i = SPARKS; i < SPARKS + 2 * MAX_SPARKS; i += 2) {
+      oldest = m[i + 1] < m[oldest + 1] ? i : oldest;
+    }
+    removeSpark(s, oldest);
+    m[oldest] = s.spawn(spark, x, y, 0, p).id() + 1;
+    m[oldest + 1] = s.ticks(SPARK_SECONDS);
+  }
+
+  private static void fadeSparks(Simulation s) {
+    int[] m = s.memory();
+    for (int i = SPARKS; i < SPARKS + 2 * MAX_SPARKS; i += 2) {
+      if (m[i] != 0 && --m[i + 1] == 0) {
+        removeSpark(s, i);
+      }
+    }
+  }
+
+  private static void removeSpark(Simulation s, int i) {
+    Entity old = s.entity(s.memory()[i] - 1);
+    if (old != null) {
+      s.despawn(old);
+    }
+    s.memory()[i] = 0;
+    s.memory()[i + 1] = 0;
+  }
+
+  private void followBall(Simulation s, int i, Entity e) {
+    Body<Entity> body = e.body();
+    lastTouch = 0;
+    body.forEachContact(touch);
+    if (lastTouch != 0 && lastTouch != ball(s, i, BALL_TOUCHED)) {
+      ball(s, i, BALL_TOUCHED_BEFORE, ball(s, i, BALL_TOUCHED));
+      ball(s, i, BALL_TOUCHED, lastTouch);
+    }
+    float speed2 = body.velocityX() * body.velocityX() + body.velocityY() * body.velocityY();
+    if (speed2 > BALL_MAX_SPEED * BALL_MAX_SPEED) {
+      float scale = BALL_MAX_SPEED / (float) Math.sqrt(speed2);
+      body.setVelocity(body.velocityX() * scale, body.velocityY() * scale);
+    }
+    for (int g = 0; g < goals.size(); g++) {
+      if (goals.get(g).contains(body.x(), body.y())) {
+        score(s, i, e, goals.get(g).team());
+        return;
+      }
+    }
+    int idle = idle(s, i, body);
+    if (idle > s.ticks(STUCK_SECONDS) || !s.level().bounds().contains(body.x(), body.y())) {
+      removeBall(s, i, e);
+      s.notice("The ball is back in the middle");
+    }
+  }
+
+  /** Returns for how many ticks the ball has stayed around one place since it was first played. */
+  private int idle(Simulation s, int i, Body<Entity> body) {
+    Level.Spawn spot = kickOffs.get(i % kickOffs.size());
+    float dx = body.x() - Float.intBitsToFloat(ball(s, i, BALL_PLACE_X));
+    float dy = body.y() - Float.intBitsToFloat(ball(s, i, BALL_PLACE_Y));
+    boolean moved = dx * dx + dy * dy > STUCK_RADIUS * STUCK_RADIUS;
+    boolean waits = body.x() == spot.x() && body.y() == spot.y();
+    if (moved || waits) {
+      ball(s, i, BALL_PLACE_X, Float.floatToIntBits(body.x()));
+      ball(s, i, BALL_PLACE_Y, Float.floatToIntBits(body.y()));
+      ball(s, i, BALL_IDLE, 0);
+    } else {
+      ball(s, i, BALL_IDLE, ball(s, i, BALL_IDLE) + 1);
+    }
+    return ball(s, i, BALL_IDLE);
+  }
+
+  private void touched(Body<Entity> other, float normalX, float normalY, float impulse) {
+    if (other.user().ownerId() != Entity.NO_OWNER) {
+      lastTouch = other.user().ownerId() + 1;
+    }
+  }
+
+  private void score(Simulation s, int i, Entity e, int defender) {
+    int team = TEAMS + 1 - defender;
+    int[] m = s.memory();
+    m[GOALS + team]++;
+    Player last = s.player(ball(s, i, BALL_TOUCHED) - 1);
+    Player before = s.player(ball(s, i, BALL_TOUCHED_BEFORE) - 1);
+    String who = "";
+    Player scorer = last;
+    if (last != null && last.team() == team) {
+      last.score(last.score() + 1);
+      who = ": " + last.name();
+    } else if (before != null && before.team() == team) {
+      before.score(before.score() + 1);
+      scorer = before;
+      who = ": " + before.name();
+    } else if (last != null) {
+      who = ", own goal by " + last.name();
+    }
+    s.emit(goalEvent).at(e.body().x(), e.body().y()).of(e).by(scorer).data(team).to(Audience.ALL);
+    String standing = m[GOALS + 1] + " : " + m[GOALS + 2];
+    s.notice("Goal for " + TEAM_NAMES[team] + who + " (" + standing + ")");
+    removeBall(s, i, e);
+    setLamps(s);
+    if (m[GOALS + team] >= GOALS_TO_WIN) {
+      s.notice(TEAM_NAMES[team] + " wins " + standing + "!");
+      m[PAUSE] = s.ticks(INTERMISSION_SECONDS);
+      for (int other = 0; other < MAX_BALLS; other++) {
+        Entity rest = s.entity(ball(s, other, BALL_ENTITY) - 1);
+        if (rest != null) {
+          removeBall(s, other, rest);
+        }
+      }
+    } else {
+      balance(s);
+    }
+  }
+
+  private void kickOff(Simulation s, int i) {
+    Level.Spawn spot = kickOffs.get(i % kickOffs.size());
+    Entity e = s.spawn(ball, spot.x(), spot.y(), 0, null);
+    for (int field = 0; field < BALL_INTS; field++) {
+      ball(s, i, field, 0);
+    }
+    ball(s, i, BALL_ENTITY, e.id() + 1);
+  }
+
+  private void removeBall(Simulation s, int i, Entity e) {
+    s.despawn(e);
+    ball(s, i, BALL_ENTITY, 0);
+    ball(s, i, BALL_WAIT, s.ticks(KICK_OFF_SECONDS));
+  }
+
+  private void newMatch(Simulation s) {
+    s.memory()[GOALS + 1] = 0;
+    s.memory()[GOALS + 2] = 0;
+    setLamps(s);
+    for (int id = 0; id < s.level().bodies().size(); id++) {
+      sendHome(s, id);
+    }
+    balance(s);
+    for (int id = 0; id < s.playerCapacity(); id++) {
+      Player p = s.player(id);
+      if (p != null) {
+        p.score(0);
+        giveBody(s, p);
+      }
+    }
+    s.notice("New match: first to " + GOALS_TO_WIN + " goals");
+  }
+
+  /**
+   * Moves the newest players of the larger team to the other one, until the sizes differ by one at
+   * most.
+   */
+  private void balance(Simulation s) {
+    for (int id = s.playerCapacity() - 1; id >= 0; id--) {
+      int more = size(s, 1) - size(s, 2);
+      Player p = s.player(id);
+      if (p != null && ((more > 1 && p.team() == 1) || (more < -1 && p.team() == 2))) {
+        p.team(TEAMS + 1 - p.team());
+        giveBody(s, p);
+        s.notice(p.name() + " now plays for " + TEAM_NAMES[p.team()]);
+      }
+    }
+  }
+
+  /** Brings back players and crates that left the field, and crates that block a goal. */
+  private void bringBack(Simulation s) {
+    Level.Bounds bounds = s.level().bounds();
+    for (int id = 0; id < s.playerCapacity(); id++) {
+      Player p = s.player(id);
+      if (p != null && p.body() != null) {
+        Body<Entity> body = p.body().body();
+        if (!bounds.contains(body.x(), body.y())) {
+          giveBody(s, p);
+        }
+      }
+    }
+    for (int id = 0; id < s.level().bodies().size(); id++) {
+      Body<Entity> body = s.entity(id).body();
+      boolean lost = !bounds.contains(body.x(), body.y());
+      for (int g = 0; g < goals.size() && !lost; g++) {
+        lost = goals.get(g).contains(body.x(), body.y());
+      }
+      if (lost) {
+        sendHome(s, id);
+      }
+    }
+  }
+
+  private static void sendHome(Simulation s, int id) {
+    Body<Entity> body = s.entity(id).body();
+    if (body.type() == BodyType.DYNAMIC) {
+      Level.Placement p = s.level().bodies().get(id);
+      s.entity(id).teleport(p.x(), p.y(), p.angle());
+      body.setVelocity(0, 0);
+      body.setAngularVelocity(0);
+    }
+  }
+
+  /** Gives a player a new body at a free place of the team's home. */
+  private void giveBody(Simulation s, Player p) {
+    if (p.body() != null) {
+      s.despawn(p.body());
+    }
+    Arrays.fill(p.memory(), 0);
+    Level.Zone home = homes[p.team()];
+    float cell = 2.2f * PLAYER_RADIUS;
+    int columns = Math.max(1, (int) ((home.maxX() - home.minX()) / cell));
+    int rows = Math.max(1, (int) ((home.maxY() - home.minY()) / cell));
+    int start = s.random().nextInt(columns * rows);
+    float x = 0;
+    float y = 0;
+    for (int i = 0; i < columns * rows; i++) {
+      int place = (start + i) % (columns * rows);
+      int row = place / columns;
+      x = home.minX() + (place % columns + 0.5f) * cell;
+      y = home.minY() + (row + 0.5f) * cell;
+      if (isFree(s, x, y)) {
+        break;
+      }
+    }
+    s.spawn(discs[p.team()], x, y, p.team() == 1 ? 0 : (float) Math.PI, p);
+  }
+
+  private static boolean isFree(Simulation s, float x, float y) {
+    float distance = PLAYER_RADIUS + 0.7f;
+    for (int id = 0; id < s.entityCapacity(); id++) {
+      Entity e = s.entity(id);
+      if (e != null && !e.archetype().sensor()) {
+        float dx = e.body().x() - x;
+        float dy = e.body().y() - y;
+        if (dx * dx + dy * dy < distance * distance) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  /** Places one lamp for each goal that wins, and lights one for each goal scored. */
+  private void setLamps(Simulation s) {
+    for (Level.Zone zone : s.level().zones("lamps")) {
+      int team = zone.team();
+      for (int i = 0; i < GOALS_TO_WIN && team >= 1 && team <= TEAMS; i++) {
+        Archetype kind = lamps[s.memory()[GOALS + team] > i ? team : 0];
+        int slot = LAMPS + (team - 1) * GOALS_TO_WIN + i;
+        Entity lamp = s.entity(s.memory()[slot] - 1);
+        if (lamp != null && lamp.archetype() != kind) {
+          s.despawn(lamp);
+          lamp = null;
+        }
+        if (lamp == null) {
+          float x = zone.minX() + (zone.maxX() - zone.minX()) * (i + 0.5f) / GOALS_TO_WIN;
+          lamp = s.spawn(kind, x, (zone.minY() + zone.maxY()) / 2, 0, null);
+          s.memory()[slot] = lamp.id() + 1;
+        }
+      }
+    }
+  }
+
+  private static int size(Simulation s, int team) {
+    int size = 0;
+    for (int id = 0; id < s.playerCapacity(); id++) {
+      Player p = s.player(id);
+      if (p != null && p.team() == team) {
+        size++;
+      }
+    }
+    return size;
+  }
+
+  private static int playerCount(Simulation s) {
+    return size(s, 1) + size(s, 2);
+  }
+
+  private static int ball(Simulation s, int i, int field) {
+    return s.memory()[BALLS + i * BALL_INTS + field];
+  }
+
+  private static void ball(Simulation s, int i, int field, int value) {
+    s.memory()[BALLS + i * BALL_INTS + field] = value;
+  }
+}

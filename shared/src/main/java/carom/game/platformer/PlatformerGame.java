@@ -1,0 +1,446 @@
+package carom.game.platformer;
+
+import carom.physics.Body;
+import carom.physics.BodyContactVisitor;
+import carom.physics.BodyType;
+import carom.physics.Collision;
+import carom.physics.Material;
+import carom.physics.WorldDef;
+import carom.physics.geometry.Circle;
+import carom.physics.geometry.Polygon;
+import carom.sim.Entity;
+import carom.sim.Game;
+import carom.sim.Input;
+import carom.sim.OneWay;
+import carom.sim.Player;
+import carom.sim.Role;
+import carom.sim.Simulation;
+import carom.sim.event.Audience;
+import carom.sim.event.EventKind;
+import carom.sim.event.Sound;
+import carom.sim.level.Appearance;
+import carom.sim.level.Archetype;
+import carom.sim.level.ArchetypeDef;
+import carom.sim.level.Level;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * The platformer, seen from the side: run, jump, collect coins, be first at the flag. The flag is
+ * worth {@value #FLAG_POINTS} coins and then moves to another place. The first player with {@value
+ * #POINTS_TO_WIN} points wins, then a new round begins.
+ *
+ * <p>Jumping forgives. It still works shortly after leaving an edge (coyote time), it already
+ * counts shortly before landing (jump buffer), and releasing the button early makes a small jump.
+ * Players move relative to the body they stand on, so moving platforms carry them. Down drops
+ * through one-way platforms.
+ *
+ * <p>A level needs spawns {@code player}, where players also come back, and spawns {@code coin} and
+ * {@code flag}. A player who falls below the bounds is back at the nearest spawn a second later.
+ */
+public final class PlatformerGame implements Game {
+  /** Number of points that win a round. */
+  public static final int POINTS_TO_WIN = 60;
+
+  /** Number of points for the flag. A coin is 1 point. */
+  public static final int FLAG_POINTS = 10;
+
+  /** Running speed, m/s. */
+  public static final float SPEED = 8;
+
+  /** Speed at the start of a jump, m/s. */
+  public static final float JUMP_SPEED = 13;
+
+  /** Width of a player, metres. */
+  public static final float PLAYER_WIDTH = 0.8f;
+
+  /** Height of a player, metres. The body's origin is in the middle. */
+  public static final float PLAYER_HEIGHT = 1.4f;
+
+  private static final float GROUND_STEER = 16; // k / mass, 1/s
+  private static final float AIR_STEER = 6;
+  private static final float AIR_DRAG = 2; // 1/s, without a direction
+
+  /** Extra gravity while a player rises with the button released, m/s^2. */
+  private static final float CUT_GRAVITY = 30;
+
+  private static final float MAX_FALL = 18;
+  private static final float COYOTE_SECONDS = 0.1f;
+  private static final float BUFFER_SECONDS = 0.12f;
+  private static final float DROP_SECONDS = 0.2f;
+  private static final float RESPAWN_SECONDS = 1;
+  private static final float COIN_SECONDS = 10;
+  private static final float FLAG_SECONDS = 4;
+  private static final float REACH_X = 0.8f;
+  private static final float REACH_Y = 1.05f;
+  private static final int[] COLORS = {
+    0xef476f, 0xffd166, 0x06d6a0, 0x4cc9f0, 0xb388eb, 0xf78c6b, 0x9ef01a, 0xff9ebb
+  };
+
+  // Layout of a player's memory: what its client needs to predict a jump.
+  private static final int COYOTE = 0; // ticks in which a jump is possible
+  private static final int BUFFER = 1; // ticks in which a jump is wanted
+  private static final int DROP = 2; // ticks in which one-way platforms don't hold
+  private static final int STATE = 3; // HELD, JUMPING
+  private static final int HELD = 1;
+  private static final int JUMPING = 2;
+  // While dead: ticks until respawn, and the spawn's index.
+  private static final int WAIT = 0;
+  private static final int PLACE = 1;
+
+  // Layout of the simulation's memory.
+  private static final int FLAG = 0; // entity id + 1
+  private static final int FLAG_PLACE = 1;
+  private static final int FLAG_WAIT = 2;
+  private static final int COINS = 3; // + 2 * coin: entity id + 1, ticks until it is back
+
+  private final Archetype[] kinds = new Archetype[COLORS.length];
+
+  /**
+   * Largest upward part of the normal from the player to a contact that counts as ground: slopes up
+   * to 53 degrees. The player's bevelled edge (50 degrees) counts, or a player wedged between
+   * crates could not jump.
+   */
+  private static final float MAX_GROUND_NORMAL = -0.6f;
+
+  private final BodyContactVisitor<Entity> groundFinder = this::findGround;
+  private EventKind jumpEvent;
+  private EventKind coinEvent;
+  private EventKind flagEvent;
+  private EventKind fallEvent;
+  private Archetype coin;
+  private Archetype flag;
+  private List<Level.Spawn> coins = List.of();
+  private List<Level.Spawn> flags = List.of();
+  private List<Level.Spawn> places = List.of();
+
+  private float groundImpulse;
+  private float groundX;
+  private float groundY;
+  private boolean groundOneWay;
+
+  /** Creates the game, for the service loader. */
+  public PlatformerGame() {}
+
+  @Override
+  public String name() {
+    return "platformer";
+  }
+
+  @Override
+  public String defaultLevel() {
+    return "platformer";
+  }
+
+  @Override
+  public String description() {
+    return "run, jump and collect: a coin is 1 point, the flag is " + FLAG_POINTS;
+  }
+
+  @Override
+  public WorldDef world(Level level) {
+    // Seen a tick ahead, a fall at full speed ends on the ground and not 0.3 m inside it.
+    return Game.super.world(level).withSpeculativeDistance(MAX_FALL / 60).withMaxPushSpeed(6);
+  }
+
+  @Override
+  public int memorySize(Level level) {
+    return COINS + 2 * level.spawns("coin").size();
+  }
+
+  @Override
+  public void setUp(Simulation s) {
+    // No friction: walls must not hold a jumper, and the drive below brakes better than friction.
+    Material skin = new Material(1.2f, 0, 0);
+    for (int i = 0; i < COLORS.length; i++) {
+      kinds[i] =
+          s.archetypes()
+              .add(
+                  new ArchetypeDef("player." + i)
+                      .shape(figure(), skin)
+                      .fixedRotation(true)
+                      .appearance(Appearance.of(COLORS[i], Appearance.Look.PLAYER)));
+    }
+    coin =
+        s.archetypes()
+            .add(
+                new ArchetypeDef("coin")
+                    .type(BodyType.STATIC)
+                    .sensor(true)
+                    .shape(new Circle(0.3f), skin)
+                    .appearance(Appearance.of(0xffd166, Appearance.Look.COIN)));
+    flag =
+        s.archetypes()
+            .add(
+                new ArchetypeDef("flag")
+                    .type(BodyType.STATIC)
+                    .sensor(true)
+                    .shape(Polygon.of(-0.4f, -0.7f, -0.25f, -0.7f, 0.7f, 0.35f, -0.4f, 0.8f), skin)
+                    .appearance(Appearance.of(0xff4d6d, Appearance.Look.PLAIN)));
+    jumpEvent = s.eventKinds().add("jump", 0xffffff, 0.6f, "", Sound.HOP, 0);
+    coinEvent = s.eventKinds().add("coin", 0xffd166, 0.8f, "+1", Sound.CHIME, 0);
+    flagEvent = s.eventKinds().add("flag", 0xff4d6d, 3, "+" + FLAG_POINTS, Sound.FANFARE, 0);
+    fallEvent = s.eventKinds().add("fall", 0xef476f, 2, "", Sound.DROP, 0);
+    coins = s.level().spawns("coin");
+    flags = s.level().spawns("flag");
+    places = s.level().spawns("player");
+    if (places.isEmpty() || flags.isEmpty()) {
+      throw new IllegalArgumentException(
+          "level \""
+              + s.level().name()
+              + "\" can't be played as platformer: it needs spawns named \"player\" and \"flag\"");
+    }
+    if (s.role() == Role.AUTHORITY) {
+      for (int i = 0; i < coins.size(); i++) {
+        placeCoin(s, i);
+      }
+      placeFlag(s);
+    }
+  }
+
+  /** Returns a box whose corners are cut, so that it glides over seams and edges. */
+  private static Polygon figure() {
+    float w = PLAYER_WIDTH / 2;
+    float h = PLAYER_HEIGHT / 2;
+    return Polygon.of(
+        -w,
+        h - 0.12f,
+        -w,
+        -h + 0.12f,
+        -w + 0.1f,
+        -h,
+        w - 0.1f,
+        -h,
+        w,
+        -h + 0.12f,
+        w,
+        h - 0.12f,
+        w - 0.12f,
+        h,
+        -w + 0.12f,
+        h);
+  }
+
+  @Override
+  public void join(Simulation s, Player p) {
+    giveBody(s, p, p.id() % places.size());
+  }
+
+  @Override
+  public void input(Simulation s, Player p, Input in) {
+    int[] m = p.memory();
+    Body<Entity> body = p.body().body();
+    groundImpulse = 0;
+    groundX = 0;
+    groundY = 0;
+    groundOneWay = false;
+    body.forEachContact(groundFinder);
+    boolean held = in.held(Input.JUMP);
+    boolean pressed = held && (m[STATE] & HELD) == 0;
+    boolean jumping = (m[STATE] & JUMPING) != 0 && body.velocityY() > groundY;
+    boolean grounded = groundImpulse > 0 && !jumping;
+
+    m[COYOTE] = grounded ? s.ticks(COYOTE_SECONDS) : Math.max(0, m[COYOTE] - 1);
+    m[BUFFER] = pressed ? s.ticks(BUFFER_SECONDS) : Math.max(0, m[BUFFER] - 1);
+    m[DROP] = Math.max(0, m[DROP] - 1);
+    if ((in.held(Input.DOWN) || in.moveY() < -0.6f) && grounded && groundOneWay) {
+      m[DROP] = s.ticks(DROP_SECONDS);
+      m[COYOTE] = 0;
+    }
+    if (m[BUFFER] > 0 && m[COYOTE] > 0) {
+      m[BUFFER] = 0;
+      m[COYOTE] = 0;
+      jumping = true;
+      body.setVelocity(body.velocityX(), JUMP_SPEED + Math.max(0, groundY));
+      s.emit(jumpEvent).at(body.x(), body.y() - PLAYER_HEIGHT / 2).of(p.body()).by(p);
+    } else if (jumping && !held) {
+      body.applyForce(0, -CUT_GRAVITY * body.mass());
+    }
+    m[STATE] = (held ? HELD : 0) | (jumping ? JUMPING : 0);
+
+    float steer = grounded ? GROUND_STEER : in.moveX() == 0 ? AIR_DRAG : AIR_STEER;
+    float goal = in.moveX() * SPEED + groundX;
+    body.applyForce(steer * body.mass() * (goal - body.velocityX()), 0);
+    if (body.velocityY() < -MAX_FALL) {
+      body.setVelocity(body.velocityX(), -MAX_FALL);
+    }
+  }
+
+  private void findGround(Body<Entity> other, float normalX, float normalY, float impulse) {
+    if (normalY < MAX_GROUND_NORMAL && impulse > groundImpulse) {
+      groundImpulse = impulse;
+      groundX = other.velocityX();
+      groundY = other.velocityY();
+      groundOneWay = other.user().archetype().oneWay();
+    }
+  }
+
+  @Override
+  public boolean collision(Simulation s, Collision<Entity> c) {
+    if (drops(s, c.self().user(), c.other().user())
+        || drops(s, c.other().user(), c.self().user())) {
+      return false;
+    }
+    return OneWay.responds(s, c);
+  }
+
+  private static boolean drops(Simulation s, Entity rider, Entity platform) {
+    if (!platform.archetype().oneWay()) {
+      return false;
+    }
+    Player p = s.owner(rider);
+    return p != null && p.body() == rider && p.memory()[DROP] > 0;
+  }
+
+  @Override
+  public void beforeStep(Simulation s) {
+    int[] m = s.memory();
+    for (int i = 0; i < coins.size(); i++) {
+      int slot = COINS + 2 * i;
+      if (m[slot] == 0 && --m[slot + 1] <= 0) {
+        placeCoin(s, i);
+      }
+    }
+    if (m[FLAG] == 0 && --m[FLAG_WAIT] <= 0) {
+      placeFlag(s);
+    }
+    for (int id = 0; id < s.playerCapacity(); id++) {
+      Player p = s.player(id);
+      if (p != null && p.body() == null && --p.memory()[WAIT] <= 0) {
+        giveBody(s, p, p.memory()[PLACE]);
+      }
+    }
+  }
+
+  @Override
+  public void afterStep(Simulation s) {
+    for (int id = 0; id < s.playerCapacity(); id++) {
+      Player p = s.player(id);
+      if (p == null || p.body() == null) {
+        continue;
+      }
+      collect(s, p);
+      Body<Entity> body = p.body().body();
+      if (!insideSidesAndFloor(s, body)) {
+        int place = nearestPlace(body.x(), body.y());
+        s.emit(fallEvent).at(body.x(), body.y()).by(p);
+        s.despawn(p.body());
+        Arrays.fill(p.memory(), 0);
+        p.memory()[WAIT] = s.ticks(RESPAWN_SECONDS);
+        p.memory()[PLACE] = place;
+      }
+    }
+    for (int id = 0; id < s.level().bodies().size(); id++) {
+      Body<Entity> body = s.entity(id).body();
+      if (body.type() == BodyType.DYNAMIC && !insideSidesAndFloor(s, body)) {
+        Level.Placement home = s.level().bodies().get(id);
+        s.entity(id).teleport(home.x(), home.y(), home.angle());
+        body.setVelocity(0, 0);
+        body.setAngularVelocity(0);
+      }
+    }
+  }
+
+  /**
+   * Returns whether a body is inside the bounds but for their upper edge. A player may jump out of
+   * that edge, because gravity brings it back.
+   */
+  private static boolean insideSidesAndFloor(Simulation s, Body<Entity> body) {
+    Level.Bounds b = s.level().bounds();
+    return body.x() >= b.minX() && body.x() <= b.maxX() && body.y() >= b.minY();
+  }
+
+  private void collect(Simulation s, Player p) {
+    int[] m = s.memory();
+    Body<Entity> body = p.body().body();
+    for (int i = 0; i < coins.size(); i++) {
+      int slot = COINS + 2 * i;
+      if (m[slot] != 0 && reaches(body, coins.get(i))) {
+        s.emit(coinEvent).at(coins.get(i).x(), coins.get(i).y()).of(p.body()).by(p).data(i);
+        s.despawn(s.entity(m[slot] - 1));
+        m[slot] = 0;
+        m[slot + 1] = s.ticks(COIN_SECONDS);
+        award(s, p, 1);
+      }
+    }
+    if (m[FLAG] != 0 && reaches(body, flags.get(m[FLAG_PLACE]))) {
+      Level.Spawn spot = flags.get(m[FLAG_PLACE]);
+      s.emit(flagEvent).at(spot.x(), spot.y()).of(p.body()).by(p).to(Audience.ALL);
+      s.despawn(s.entity(m[FLAG] - 1));
+      m[FLAG] = 0;
+      m[FLAG_WAIT] = s.ticks(FLAG_SECONDS);
+      s.notice(p.name() + " got the flag: +" + FLAG_POINTS);
+      award(s, p, FLAG_POINTS);
+    }
+  }
+
+  private static boolean reaches(Body<Entity> body, Level.Spawn spot) {
+    return Math.abs(body.x() - spot.x()) < REACH_X && Math.abs(body.y() - spot.y()) < REACH_Y;
+  }
+
+  private static void award(Simulation s, Player p, int points) {
+    p.score(p.score() + points);
+    if (p.score() < POINTS_TO_WIN) {
+      return;
+    }
+    s.notice(p.name() + " wins with " + p.score() + " points! A new round begins");
+    for (int id = 0; id < s.playerCapacity(); id++) {
+      if (s.player(id) != null) {
+        s.player(id).score(0);
+      }
+    }
+  }
+
+  private void placeCoin(Simulation s, int i) {
+    Level.Spawn spot = coins.get(i);
+    s.memory()[COINS + 2 * i] = s.spawn(coin, spot.x(), spot.y(), 0, null).id() + 1;
+  }
+
+  /** Puts the flag at another place than last time. */
+  private void placeFlag(Simulation s) {
+    int[] m = s.memory();
+    if (flags.size() > 1) {
+      m[FLAG_PLACE] = (m[FLAG_PLACE] + 1 + s.random().nextInt(flags.size() - 1)) % flags.size();
+    }
+    Level.Spawn spot = flags.get(m[FLAG_PLACE]);
+    m[FLAG] = s.spawn(flag, spot.x(), spot.y(), 0, null).id() + 1;
+  }
+
+  private int nearestPlace(float x, float y) {
+    int nearest = 0;
+    float best = Float.MAX_VALUE;
+    for (int i = 0; i < places.size(); i++) {
+      float dx = places.get(i).x() - x;
+      float dy = places.get(i).y() - y;
+      if (dx * dx + dy * dy < best) {
+        best = dx * dx + dy * dy;
+        nearest = i;
+      }
+    }
+    return nearest;
+  }
+
+  /** Gives a player a body at a spawn, above any player who stands there already. */
+  private void giveBody(Simulation s, Player p, int place) {
+    Level.Spawn spot = places.get(place);
+    Arrays.fill(p.memory(), 0);
+    float y = spot.y();
+    for (int i = 0; i < 5 && !isFree(s, spot.x(), y); i++) {
+      y += PLAYER_HEIGHT + 0.1f;
+    }
+    s.spawn(kinds[p.id() % kinds.length], spot.x(), y, 0, p);
+  }
+
+  private static boolean isFree(Simulation s, float x, float y) {
+    for (int id = 0; id < s.playerCapacity(); id++) {
+      Player p = s.player(id);
+      if (p != null
+          && p.body() != null
+          && Math.abs(p.body().body().x() - x) < PLAYER_WIDTH
+          && Math.abs(p.body().body().y() - y) < PLAYER_HEIGHT) {
+        return false;
+      }
+    }
+    return true;
+  }
+}

@@ -1,0 +1,118 @@
+package carom.net.snapshot.exact;
+
+import carom.net.codec.BitWriter;
+import carom.net.snapshot.frame.FrameRing;
+import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.frame.PlayerSet;
+import carom.net.snapshot.relay.RelayCodec;
+import java.util.Arrays;
+
+/**
+ * The own sections that were sent to one client, and the newest one that it has acked: the baseline
+ * of the next. One thread, no allocation in the steady state.
+ */
+public final class OwnAcks {
+  private static final int MASK = FrameRing.SIZE - 1;
+
+  private final FrameRing ring;
+  private final RelayCodec relay = new RelayCodec();
+  private final OwnState[] sent = new OwnState[FrameRing.SIZE];
+  private final OwnState now = new OwnState();
+  private final OwnState acked = new OwnState();
+  private final OwnState nothing = new OwnState();
+  private int ackedTick = -1;
+
+  /** By the lowest bits of a tick: the last such tick whose own section was acked. */
+  private final int[] ackedTicks = new int[FrameRing.SIZE];
+
+  /**
+   * Creates one without acks.
+   *
+   * @param ring the room's frames
+   */
+  public OwnAcks(FrameRing ring) {
+    this.ring = ring;
+    for (int i = 0; i < sent.length; i++) {
+      sent[i] = new OwnState();
+    }
+    Arrays.fill(ackedTicks, -1);
+  }
+
+  /** Forgets all acks. */
+  public void reset() {
+    ackedTick = -1;
+    Arrays.fill(ackedTicks, -1);
+  }
+
+  /** Takes the ack of a datagram that had the own section of a tick. */
+  public void ack(int tick) {
+    ackedTicks[tick & MASK] = tick;
+    if (tick > ackedTick && ring.newest().tick() - tick < FrameRing.SIZE) {
+      acked.setBaseline(sent[tick & MASK]);
+      ackedTick = tick;
+    }
+  }
+
+  /** Returns the newest tick of which the client has acked the own section, or -1. */
+  public int ackedTick() {
+    return ackedTick;
+  }
+
+  /** Returns whether the client has acked the own section of one of the last 64 ticks. */
+  public boolean hasAcked(int tick) {
+    return tick >= 0 && ackedTicks[tick & MASK] == tick;
+  }
+
+  /** Returns whether the client has acked all of an own section and the inputs that go with it. */
+  public boolean isKnown(OwnState own, FrameState newest) {
+    if (ackedTick < 0
+        || !own.sameSection(acked)
+        || !own.near.sameAs(acked.near)
+        || own.near.updating) {
+      return false;
+    }
+    int window = newest.tick() - ackedTick;
+    PlayerSet relayed = own.relayed;
+    if (window > RelayCodec.MAX_WINDOW && relayed.next(0) >= 0) {
+      return false;
+    }
+    for (int p = relayed.next(0); p >= 0; p = relayed.next(p + 1)) {
+      if (!RelayCodec.isUnchanged(ring, newest, window, p)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Takes the section that is to be sent with the newest frame; copied. */
+  public void begin(OwnState own, int tick) {
+    now.set(own);
+    sent[tick & MASK].setBaseline(own);
+  }
+
+  /** Returns the section that is to be sent. */
+  public OwnState now() {
+    return now;
+  }
+
+  /** Returns the age of the baseline that the section is coded against, ticks; 0 = none. */
+  public int age(int tick) {
+    int age = tick - ackedTick;
+    return ackedTick >= 0 && age > 0 && age < FrameRing.SIZE ? age : 0;
+  }
+
+  /**
+   * Writes the own section, the relayed inputs and the near section.
+   *
+   * @param age see {@link #age}
+   * @return bytes of the near section, rounded
+   */
+  public int write(BitWriter w, int age) {
+    OwnState baseline = age > 0 ? acked : nothing;
+    OwnCodec.code(w, baseline, now);
+    relay.write(w, ring, RelayCodec.window(age), baseline.relayed, now.relayed);
+    int before = w.bytes();
+    NearCodec.code(w, baseline.near, now.near);
+    return w.bytes() - before;
+  }
+}

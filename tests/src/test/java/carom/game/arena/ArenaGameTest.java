@@ -1,0 +1,347 @@
+package carom.game.arena;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.game.GamesTest;
+import carom.physics.Body;
+import carom.sim.Entity;
+import carom.sim.Input;
+import carom.sim.Player;
+import carom.sim.Role;
+import carom.sim.SimRandom;
+import carom.sim.Simulation;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** Goal: the arena's rules. Method: the shipped level, scripted players. */
+class ArenaGameTest {
+  private final Simulation s = GamesTest.start("arena", 1, Role.AUTHORITY);
+  private final List<String> notices = new ArrayList<>();
+
+  private void run(int ticks) {
+    for (int i = 0; i < ticks; i++) {
+      s.step();
+      s.drainNotices(notices::add);
+    }
+  }
+
+  private Entity ball() {
+    return find("ball");
+  }
+
+  private Entity find(String archetype) {
+    for (int id = 0; id < s.entityCapacity(); id++) {
+      if (s.entity(id) != null && s.entity(id).archetype().name().equals(archetype)) {
+        return s.entity(id);
+      }
+    }
+    return null;
+  }
+
+  private int count(String archetype) {
+    int count = 0;
+    for (int id = 0; id < s.entityCapacity(); id++) {
+      if (s.entity(id) != null && s.entity(id).archetype().name().equals(archetype)) {
+        count++;
+      }
+    }
+    return count;
+  }
+
+  private static void put(Entity e, float x, float y) {
+    e.body().setPose(x, y, 0);
+    e.body().setVelocity(0, 0);
+  }
+
+  @Test
+  void glidesToFullSpeedAndStops() {
+    Player p = s.join("ann");
+    put(p.body(), -10, 0);
+    p.input().move(1, 0);
+    run(30);
+    assertEquals(ArenaGame.SPEED, p.body().body().velocityX(), 0.2f);
+    p.input().move(0, 0);
+    run(30);
+    assertEquals(0, p.body().body().velocityX(), 0.1f);
+  }
+
+  @Test
+  void diagonalsAreNotFaster() {
+    Player p = s.join("ann");
+    put(p.body(), -12, -6);
+    p.input().move(1, 1);
+    run(30);
+    Body<Entity> b = p.body().body();
+    double speed = Math.hypot(b.velocityX(), b.velocityY());
+    assertEquals(ArenaGame.SPEED, speed, 0.2);
+  }
+
+  @Test
+  void dashesOncePerCooldownAndPress() {
+    Player p = s.join("ann");
+    put(p.body(), -10, 0);
+    p.input().aim((float) Math.PI / 2).hold(Input.ACTION, true);
+    run(5);
+    Body<Entity> b = p.body().body();
+    assertTrue(b.velocityY() > 12, "vy=" + b.velocityY());
+    run(60);
+    assertEquals(0, b.velocityY(), 0.5f, "holding the button doesn't dash again");
+    put(p.body(), -10, 0);
+    p.input().hold(Input.ACTION, false);
+    run(10);
+    p.input().hold(Input.ACTION, true);
+    run(5);
+    assertTrue(b.velocityY() > 12, "vy=" + b.velocityY());
+    p.input().hold(Input.ACTION, false);
+    run(30);
+    p.input().hold(Input.ACTION, true);
+    run(5);
+    assertEquals(0, b.velocityY(), 0.5f, "too early");
+  }
+
+  @Test
+  void aPlayerPushesTheBallIntoTheGoalAndScores() {
+    Player p = s.join("ann");
+    run(2);
+    put(ball(), 13, 0.2f);
+    put(p.body(), 11, 0.2f);
+    for (int i = 0; i < 240 && p.score() == 0; i++) {
+      p.input().move(1, ball() == null ? 0 : (ball().body().y() - p.body().body().y()) * 2);
+      run(1);
+    }
+    assertEquals(1, p.team());
+    assertEquals(1, p.score());
+    assertTrue(notices.contains("Goal for Red: ann (1 : 0)"), notices.toString());
+    assertEquals(1, count("lamp.Red"));
+    assertNull(ball());
+    run(130);
+    assertNotNull(ball());
+    assertEquals(0, ball().body().x(), 0.5f);
+  }
+
+  @Test
+  void anOwnGoalCountsForTheOthers() {
+    Player p = s.join("ann");
+    run(2);
+    put(p.body(), -15, 0);
+    put(ball(), -16.35f, 0);
+    p.input().move(-1, 0);
+    run(90);
+    assertEquals(0, p.score());
+    assertTrue(notices.contains("Goal for Blue, own goal by ann (0 : 1)"), notices.toString());
+  }
+
+  @Test
+  void fiveGoalsWinAndANewMatchBegins() {
+    Player p = s.join("ann");
+    for (int goal = 0; goal < ArenaGame.GOALS_TO_WIN; goal++) {
+      assertEquals(goal, count("lamp.Red"));
+      run(130);
+      put(ball(), 18.8f, 0);
+      run(1);
+    }
+    assertEquals(ArenaGame.GOALS_TO_WIN, count("lamp.Red"));
+    assertTrue(notices.contains("Red wins 5 : 0!"), notices.toString());
+    run(200);
+    assertNull(ball());
+    run(300);
+    assertNotNull(ball());
+    assertEquals(0, count("lamp.Red"));
+    assertEquals(0, p.score());
+    assertNotNull(p.body());
+  }
+
+  @Test
+  void teamsAreEvenAndStayEven() {
+    for (int i = 0; i < 9; i++) {
+      s.join("bot " + i);
+    }
+    run(2);
+    for (int i = 0; i < 9; i += 2) {
+      s.leave(s.player(i)); // all of team 1
+    }
+    put(ball(), 18.8f, 0);
+    run(2);
+    int red = 0;
+    for (int i = 1; i < 9; i += 2) {
+      red += s.player(i).team() == 1 ? 1 : 0;
+      assertEquals(s.player(i).team(), s.player(i).body().archetype().tag());
+    }
+    assertEquals(2, red);
+  }
+
+  @Test
+  void moreBallsForMorePlayers() {
+    run(5);
+    assertEquals(1, count("ball"));
+    for (int i = 0; i < 50; i++) {
+      s.join("bot " + i);
+    }
+    run(5);
+    assertEquals(4, count("ball"));
+  }
+
+  @Test
+  void nobodyStartsInsideAnother() {
+    for (int i = 0; i < 50; i++) {
+      Player p = s.join("bot " + i);
+      for (int other = 0; other < i; other++) {
+        Body<Entity> a = p.body().body();
+        Body<Entity> b = s.player(other).body().body();
+        double distance = Math.hypot(a.x() - b.x(), a.y() - b.y());
+        assertTrue(distance > 1.2, i + " and " + other + " distance=" + distance);
+      }
+    }
+  }
+
+  @Test
+  void aForgottenBallReturnsToTheMiddle() {
+    s.join("ann");
+    run(2);
+    put(ball(), 10, 9);
+    run(6 * 60 + 3 * 60);
+    assertEquals(0, ball().body().x(), 0.5f);
+    assertTrue(notices.contains("The ball is back in the middle"), notices.toString());
+  }
+
+  @Test
+  void lostPlayersAndCratesComeBack() {
+    Player p = s.join("ann");
+    put(p.body(), 60, 0);
+    Entity crate = find("crate");
+    float x = crate.body().x();
+    put(crate, 18.8f, 0);
+    run(2);
+    assertTrue(Math.abs(p.body().body().x()) < 20);
+    assertEquals(x, crate.body().x(), 0.1f);
+  }
+
+  /** Ball chasers for five minutes: goals fall, nobody is stuck for long. */
+  @Test
+  void chasersPlayRealMatches() {
+    for (int i = 0; i < 8; i++) {
+      s.join("bot " + i);
+    }
+    SimRandom random = new SimRandom(4);
+    for (int tick = 0; tick < 5 * 60 * 60; tick++) {
+      Entity ball = ball();
+      for (int id = 0; id < s.playerCapacity(); id++) {
+        chase(s.player(id), ball, random);
+      }
+      run(1);
+    }
+    long goals = notices.stream().filter(n -> n.startsWith("Goal")).count();
+    assertTrue(goals >= 3 && goals <= 90, "goals=" + goals + " in five minutes");
+  }
+
+  /** Goes behind the ball, then dashes through it; half of them keep back. */
+  static void chase(Player p, Entity ball, SimRandom random) {
+    Body<Entity> me = p.body().body();
+    float goal = p.team() == 1 ? 1 : -1;
+    float ballX = ball == null ? 0 : ball.body().x();
+    float ballY = ball == null ? 0 : ball.body().y();
+    float awayX = ballX - goal * 18.7f;
+    float awayY = ballY;
+    float away = (float) Math.sqrt(awayX * awayX + awayY * awayY);
+    awayX /= away;
+    awayY /= away;
+    float toX = ballX - me.x();
+    float toY = ballY - me.y();
+    float to = (float) Math.sqrt(toX * toX + toY * toY);
+    boolean behind = -(toX * awayX + toY * awayY) > 0.85f * to;
+    float x = behind ? ballX - awayX : ballX + awayX * 1.5f;
+    float y = behind ? ballY - awayY : ballY + awayY * 1.5f;
+    if (!behind && to < 1.6f) {
+      x = me.x() - toY;
+      y = me.y() + toX;
+    }
+    if (p.id() >= 4) {
+      x = (x - goal * 18) / 2;
+      y /= 2;
+    }
+    float dx = x - me.x();
+    float dy = y - me.y();
+    float length = (float) Math.sqrt(dx * dx + dy * dy) + 0.01f;
+    p.input().move(dx / length, dy / length);
+    p.input().hold(Input.ACTION, behind && to < 3 && random.nextInt(4) == 0);
+  }
+
+  @Test
+  void aJoltPushesTheFirstThingInItsWay() {
+    Player ann = s.join("ann");
+    Player ben = s.join("ben");
+    run(1);
+    put(ann.body(), -8, 0);
+    put(ball(), -3, 0.2f);
+    put(ben.body(), 0, 0);
+    ann.input().aim(0).hold(Input.SECOND, true);
+    run(1);
+    assertEquals(1, count("spark"));
+    run(1);
+    float mass = ball().body().mass();
+    assertEquals(ArenaGame.JOLT_IMPULSE / mass, ball().body().velocityX(), 0.2f);
+    assertEquals(0, ben.body().body().velocityX(), "it is behind the ball");
+    float speed = ball().body().velocityX();
+    run(20);
+    assertEquals(0, count("spark"));
+    assertTrue(ball().body().velocityX() < speed, "holding the button gives one jolt");
+  }
+
+  @Test
+  void aJoltNeedsTimeAndAFreshPress() {
+    Player ann = s.join("ann");
+    run(1);
+    put(ann.body(), -8, 0);
+    int jolts = 0;
+    int sparks = 0;
+    for (int tick = 0; tick < s.ticks(ArenaGame.JOLT_COOLDOWN) * 2; tick++) {
+      ann.input().aim((float) Math.PI / 2).hold(Input.SECOND, tick % 4 < 2);
+      run(1);
+      int now = count("spark");
+      jolts += now > sparks ? 1 : 0;
+      sparks = now;
+    }
+    assertEquals(2, jolts, "walls light up too");
+  }
+
+  @Test
+  void aJoltMeetsWhatThePlayerSaw() {
+    Player ann = s.join("ann");
+    Player ben = s.join("ben");
+    run(1);
+    put(ball(), 0, -6);
+    put(ann.body(), -8, 0);
+    put(ben.body(), -2, -5);
+    ben.input().move(0, 1);
+    float seenY = 0;
+    for (int tick = 0; tick < 60; tick++) {
+      if (ben.body().body().y() < 0) {
+        seenY = ben.body().body().y();
+      } else {
+        break;
+      }
+      run(1);
+    }
+    run(9); // ben is more than a metre farther now
+    assertTrue(ben.body().body().y() - seenY > 1, "ben moves");
+    ann.input().aim((float) Math.atan2(seenY, 6)).hold(Input.SECOND, true);
+    ann.viewDelay(11 * Player.VIEW_STEPS); // that of the picture with seenY
+    float before = ben.body().body().velocityX();
+    run(2);
+    assertTrue(ben.body().body().velocityX() > before + 1, "seen there, hit where he is");
+    run(100);
+    ann.input().hold(Input.SECOND, false);
+    run(1);
+    put(ann.body(), -8, 0);
+    put(ben.body(), -2, 5);
+    ann.viewDelay(0);
+    ann.input().aim(0).hold(Input.SECOND, true);
+    before = ben.body().body().velocityX();
+    run(2);
+    assertEquals(before, ben.body().body().velocityX(), 1, "nobody was there");
+  }
+}

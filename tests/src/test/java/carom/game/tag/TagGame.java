@@ -1,0 +1,110 @@
+package carom.game.tag;
+
+import carom.physics.Body;
+import carom.physics.Material;
+import carom.physics.geometry.Circle;
+import carom.sim.Entity;
+import carom.sim.Game;
+import carom.sim.Input;
+import carom.sim.Player;
+import carom.sim.Simulation;
+import carom.sim.level.Appearance;
+import carom.sim.level.Archetype;
+import carom.sim.level.ArchetypeDef;
+import carom.sim.level.Level;
+
+/** The player who is "it" passes it on by a touch. All others gain a point a second. */
+public final class TagGame implements Game {
+  private static final int IT = 0; // simulation memory: player id + 1, 0 = nobody
+  private static final int GRACE = 1; // the tick from which a touch counts
+
+  private Archetype runner;
+  private Archetype chaser;
+
+  @Override
+  public String name() {
+    return "tag";
+  }
+
+  @Override
+  public String defaultLevel() {
+    return "tag";
+  }
+
+  @Override
+  public void setUp(Simulation s) {
+    runner = s.archetypes().add(disc("runner", 0x4cc9f0));
+    chaser = s.archetypes().add(disc("chaser", 0xef476f));
+  }
+
+  private static ArchetypeDef disc(String name, int rgb) {
+    return new ArchetypeDef(name)
+        .shape(new Circle(0.5f), new Material(1, 0.2f, 0.5f))
+        .fixedRotation(true)
+        .appearance(Appearance.of(rgb, Appearance.Look.PLAYER));
+  }
+
+  @Override
+  public void join(Simulation s, Player p) {
+    Level.Spawn spot = s.level().spawns("player").get(0);
+    s.spawn(runner, spot.x() + s.random().between(-3, 3), spot.y(), 0, p);
+    if (s.memory()[IT] == 0) {
+      makeIt(s, p);
+    }
+  }
+
+  @Override
+  public void leave(Simulation s, Player p) {
+    if (s.memory()[IT] == p.id() + 1) {
+      s.memory()[IT] = 0;
+    }
+  }
+
+  @Override
+  public void input(Simulation s, Player p, Input in) {
+    Body<Entity> body = p.body().body();
+    body.seekVelocity(in.moveX() * 8, in.moveY() * 8, 10 * body.mass());
+  }
+
+  @Override
+  public void afterStep(Simulation s) {
+    Player it = s.player(s.memory()[IT] - 1);
+    for (int id = 0; id < s.playerCapacity(); id++) {
+      Player p = s.player(id);
+      if (p == null || p == it) {
+        continue;
+      }
+      if (it == null || (s.tick() >= s.memory()[GRACE] && touches(it, p))) {
+        makeIt(s, p);
+        it = p;
+      } else if (s.tick() % s.tickRate() == 0) {
+        p.score(p.score() + 1);
+      }
+    }
+  }
+
+  private static boolean touches(Player a, Player b) {
+    float dx = a.body().body().x() - b.body().body().x();
+    float dy = a.body().body().y() - b.body().body().y();
+    return dx * dx + dy * dy < 1.05f * 1.05f;
+  }
+
+  /** A look belongs to an archetype, so both players get another body where they stand. */
+  private void makeIt(Simulation s, Player p) {
+    Player before = s.player(s.memory()[IT] - 1);
+    if (before != null) {
+      replaceBody(s, before, runner);
+    }
+    replaceBody(s, p, chaser);
+    s.memory()[IT] = p.id() + 1;
+    s.memory()[GRACE] = s.tick() + s.ticks(1.5f);
+    s.notice(p.name() + " is it!");
+  }
+
+  private static void replaceBody(Simulation s, Player p, Archetype kind) {
+    float x = p.body().body().x();
+    float y = p.body().body().y();
+    s.despawn(p.body());
+    s.spawn(kind, x, y, 0, p);
+  }
+}
