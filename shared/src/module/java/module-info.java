@@ -22,6 +22,7 @@ module carom.physics {
   exports carom.physics.math;
   exports carom.physics.particles;
   exports carom.physics.profile;
+  exports carom.physics.rows;
   exports carom.physics.settings;
   exports carom.physics.threads;
 }

@@ -77,7 +77,7 @@ final class DivergenceReporter {
     List<Integer> bodies = new ArrayList<>();
     for (int i = 0; i < Math.min(state.count(), ClientMessage.Diverged.MAX_BODIES); i++) {
       for (int j = 0; j < ClientMessage.Diverged.BODY_INTS; j++) {
-        bodies.add(state.entities()[i * Neighbourhood.ENTITY_INTS + j]);
+        bodies.add(state.rows().bodies().get(i, j));
       }
     }
     connection.send(new ClientMessage.Diverged(tick, agreement.equalTick(), bodies, List.of()));

@@ -5,7 +5,6 @@ import carom.physics.archive.ArchiveReader;
 import carom.physics.broadphase.index.CellVisitor;
 import carom.physics.broadphase.index.IntVisitor;
 import carom.physics.dynamics.Dynamics;
-import carom.physics.dynamics.Excerpt;
 import carom.physics.dynamics.PartQueries;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.body.ShapeSpec;
@@ -20,6 +19,7 @@ import carom.physics.math.Limits;
 import carom.physics.math.Transform;
 import carom.physics.math.Trig;
 import carom.physics.profile.StageListener;
+import carom.physics.rows.ExactRows;
 import carom.physics.threads.Workers;
 import java.util.Arrays;
 import java.util.Objects;
@@ -488,26 +488,33 @@ public final class World<T> {
   }
 
   /**
-   * Reads the exact state of some bodies out, to be carried to another world.
+   * Reads the exact state of some bodies and of their contacts, to be carried to another world.
    *
-   * @param excerpt lists the bodies; receives the rest
+   * <p>A contact with a body that is neither listed nor static is left out. The rows then go on as
+   * this world does only until that body matters.
+   *
+   * @param rows lists the bodies, see {@link ExactRows#addBody}; receives all but what belongs to
+   *     the using program
+   * @return number of contacts left out
    */
-  public void read(Excerpt excerpt) {
-    refuseDuringStep("read");
-    dynamics.read(excerpt);
+  public int readRows(ExactRows rows) {
+    refuseDuringStep("readRows");
+    return dynamics.read(rows);
   }
 
   /**
    * Gives new bodies the exact state that others have in another world, with their contacts. From
    * now on both go on alike, to the bit, as long as nothing else reaches them.
    *
-   * @param excerpt lists bodies that were created here since the last step and are awake, of the
-   *     same kinds and in the same order as those it was read from
+   * <p>A contact whose end is no body of this world, or has no such part, is left out.
+   *
+   * @param rows stands for bodies that were created here since the last step and are awake, of the
+   *     same kinds and in the same order as those it was read from; see {@link ExactRows#setSlot}
    */
-  public void write(Excerpt excerpt) {
-    refuseDuringStep("write");
-    refuseDuringQuery("write");
-    dynamics.write(excerpt);
+  public void writeRows(ExactRows rows) {
+    refuseDuringStep("writeRows");
+    refuseDuringQuery("writeRows");
+    dynamics.write(rows);
   }
 
   private void checkOwner(WorldState s) {

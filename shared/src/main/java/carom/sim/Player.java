@@ -1,5 +1,6 @@
 package carom.sim;
 
+import carom.physics.rows.BodyRow;
 import carom.sim.history.PoseHistory;
 
 /**
@@ -8,7 +9,7 @@ import carom.sim.history.PoseHistory;
  */
 public final class Player {
   /** Number of ints of {@link #memory}. */
-  public static final int MEMORY_SIZE = 4;
+  public static final int MEMORY_SIZE = BodyRow.MEMORY_INTS;
 
   /** Number of parts of a tick in which {@link #viewDelay} counts. */
   public static final int VIEW_STEPS = PoseHistory.STEPS_PER_TICK;

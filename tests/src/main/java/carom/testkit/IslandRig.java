@@ -8,6 +8,9 @@ import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameState;
 import carom.physics.Body;
+import carom.physics.rows.ContactRow;
+import carom.physics.rows.RowKind;
+import carom.physics.rows.Rows;
 import carom.sim.Entity;
 import carom.sim.Neighbourhood;
 import carom.sim.Player;
@@ -27,9 +30,6 @@ import java.util.function.LongSupplier;
 public final class IslandRig {
   /** Number of crates in a row of the wall. */
   public static final int COLUMNS = 20;
-
-  /** Index of a contact's first float among its ints. */
-  private static final int CONTACT_FLOATS = 6;
 
   private final Simulation server;
   private final Player serverPlayer;
@@ -142,7 +142,7 @@ public final class IslandRig {
   }
 
   private boolean tellIsland() {
-    int total = island.count() + island.contactCount();
+    int total = island.count() + contacts();
     for (int first = 0; first < total; first += NearState.MAX_PART) {
       part(first, Math.min(total, first + NearState.MAX_PART), total);
       client.receive(own.near(), server.tick());
@@ -157,19 +157,19 @@ public final class IslandRig {
    */
   public boolean tellContactsOf(float number) {
     readOwn();
-    int[] contacts = island.contacts();
-    for (int i = 0; i < island.contactCount() * Neighbourhood.CONTACT_INTS; i++) {
-      if (i % Neighbourhood.CONTACT_INTS >= CONTACT_FLOATS) {
-        contacts[i] = Float.floatToRawIntBits(number);
+    for (int row = 0; row < contacts(); row++) {
+      for (int field = ContactRow.FLOATS; field < ContactRow.INTS; field++) {
+        island.rows().contacts().set(row, field, Float.floatToRawIntBits(number));
       }
     }
     return tellIsland();
   }
 
-  /**
-   * Tells the client its own body and the hash of the island. Returns whether the client has that
-   * state in every bit.
-   */
+  private int contacts() {
+    return island.rows().contacts().count();
+  }
+
+  /** Tells the client its own state and the hash of all; whether it has that in every bit. */
   public boolean tellOwn() {
     readOwn();
     list();
@@ -198,7 +198,7 @@ public final class IslandRig {
   private void list() {
     own.near().begin(island.hash());
     for (int i = 0; i < island.count(); i++) {
-      own.near().add(island.entities()[i * Neighbourhood.ENTITY_INTS]);
+      own.near().add(island.key(i));
     }
   }
 
@@ -210,12 +210,9 @@ public final class IslandRig {
       near.tell(i);
     }
     for (int row = first; row < end; row++) {
-      int contact = row - island.count();
-      if (contact < 0) {
-        near.addRow(island.entities(), row * Neighbourhood.ENTITY_INTS);
-      } else {
-        near.addRow(island.contacts(), contact * Neighbourhood.CONTACT_INTS);
-      }
+      RowKind kind = RowKind.of(row, island.count());
+      Rows rows = island.rows().of(kind);
+      near.addRow(rows.ints(), rows.at(kind == RowKind.BODY ? row : row - island.count()));
     }
   }
 }

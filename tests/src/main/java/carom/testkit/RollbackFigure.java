@@ -78,7 +78,7 @@ public final class RollbackFigure {
     return new Result(
         rig.island().count(),
         ticks,
-        rig.island().contactCount(),
+        rig.island().rows().contacts().count(),
         ns[corrections / 2] / 1e6,
         ns[corrections * 95 / 100] / 1e6,
         exact,

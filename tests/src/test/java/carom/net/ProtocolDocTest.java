@@ -24,6 +24,8 @@ import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
+import carom.physics.rows.BodyRow;
+import carom.physics.rows.ContactRow;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.reflect.Field;
@@ -270,25 +272,25 @@ class ProtocolDocTest {
   }
 
   private static int[] entity(int key, float... body) {
-    int[] row = new int[NearState.ENTITY_INTS];
-    row[0] = key;
+    int[] row = new int[BodyRow.INTS];
+    row[BodyRow.KEY] = key;
     for (int i = 0; i < body.length; i++) {
-      row[1 + i] = Float.floatToRawIntBits(body[i]);
+      row[BodyRow.MOTION + i] = Float.floatToRawIntBits(body[i]);
     }
     return row;
   }
 
   /** One point, pressed with 0.25 N s in the last substep and 1 N s in the step. */
   private static int[] contact(int one, int other, float normalX, float normalY) {
-    int[] row = new int[NearState.CONTACT_INTS];
-    row[0] = one;
-    row[1] = other;
-    row[3] = 1;
-    row[4] = 0x0002;
-    row[6] = Float.floatToRawIntBits(normalX);
-    row[7] = Float.floatToRawIntBits(normalY);
-    row[8] = Float.floatToRawIntBits(0.25f);
-    row[13] = Float.floatToRawIntBits(1);
+    int[] row = new int[ContactRow.INTS];
+    row[ContactRow.END_A] = one;
+    row[ContactRow.END_B] = other;
+    row[ContactRow.POINTS_AND_FLAGS] = 1;
+    row[ContactRow.ID_0] = 0x0002;
+    row[ContactRow.NORMAL_X] = Float.floatToRawIntBits(normalX);
+    row[ContactRow.NORMAL_Y] = Float.floatToRawIntBits(normalY);
+    row[ContactRow.NORMAL_IMPULSE_0] = Float.floatToRawIntBits(0.25f);
+    row[ContactRow.TOTAL_IMPULSE_0] = Float.floatToRawIntBits(1);
     return row;
   }
 

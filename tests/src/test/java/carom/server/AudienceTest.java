@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.protocol.InputDatagram;
 import carom.net.snapshot.exact.NearState;
+import carom.physics.rows.BodyRow;
+import carom.physics.rows.RowKind;
 import carom.server.config.ServerConfig;
 import carom.sim.Entity;
 import carom.sim.Input;
@@ -93,8 +95,7 @@ class AudienceTest {
         near |= told.key(i) == key;
       }
       for (int i = 0; told.updating() && i < told.partRows(); i++) {
-        boolean isEntity = told.firstRow() + i < told.toldCount();
-        exact |= isEntity && told.rows()[told.rowAt(i)] == key;
+        exact |= told.kind(i) == RowKind.BODY && told.rows().get(i, BodyRow.KEY) == key;
       }
     }
 

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.Games;
+import carom.physics.rows.BodyRow;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 import java.util.Arrays;
@@ -56,7 +57,7 @@ final class NeighbourhoodTest {
           String what = game + " seed=" + SEED + " tick=" + tick;
           if (there.hash() == here.hash()) {
             alike++;
-            touching += there.contactCount();
+            touching += there.rows().contacts().count();
           } else {
             // The server's own rules (a respawn, a capped ball) are none of the client's business.
             requireOnlyRulesDiffer(there, here, what);
@@ -97,8 +98,7 @@ final class NeighbourhoodTest {
       return false;
     }
     for (int i = 0; i < a.count(); i++) {
-      int at = i * Neighbourhood.ENTITY_INTS;
-      if (a.entities()[at] != b.entities()[at]) {
+      if (a.key(i) != b.key(i)) {
         return false;
       }
     }
@@ -108,9 +108,10 @@ final class NeighbourhoodTest {
   private static void requireOnlyRulesDiffer(Neighbourhood a, Neighbourhood b, String what) {
     int different = 0;
     for (int i = 0; i < a.count(); i++) {
-      int at = i * Neighbourhood.ENTITY_INTS;
-      int end = at + 8; // key and floats: who is moved by a rule lets others rest anew
-      boolean same = Arrays.equals(a.entities(), at, end, b.entities(), at, end);
+      int at = a.rows().bodies().at(i);
+      int end = at + BodyRow.HEAD_INTS; // who is moved by a rule lets others rest anew
+      boolean same =
+          Arrays.equals(a.rows().bodies().ints(), at, end, b.rows().bodies().ints(), at, end);
       boolean woken =
           a.awake(i) && !b.awake(i); // by a flag that was taken, say: it is no neighbour
       different += same || woken ? 0 : 1;

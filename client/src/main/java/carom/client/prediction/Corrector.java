@@ -5,7 +5,10 @@ import carom.net.codec.Quantizer;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.physics.Body;
-import carom.physics.dynamics.Excerpt;
+import carom.physics.rows.BodyRow;
+import carom.physics.rows.ContactRow;
+import carom.physics.rows.RowKind;
+import carom.physics.rows.Rows;
 import carom.sim.Entity;
 import carom.sim.Neighbourhood;
 import carom.sim.Simulation;
@@ -16,14 +19,6 @@ import java.util.Arrays;
  * one, the own section and the quantised records. One prediction's; allocates only to grow.
  */
 final class Corrector {
-  private static final int BODY = 1;
-  private static final int REST = BODY + Excerpt.REST;
-  private static final int PUSHES = REST + 1;
-  private static final int MEMORY = BODY + Excerpt.BODY_INTS;
-
-  /** Index of the first float of a contact; floats fill the rest of its row. */
-  private static final int CONTACT_FLOATS = 6;
-
   /** Place of an entity that is dropped; contacts with it are dropped, too. */
   private static final int DROPPED = Integer.MAX_VALUE;
 
@@ -41,8 +36,8 @@ final class Corrector {
   /** The predicted set after it. */
   private final Neighbourhood next = new Neighbourhood();
 
-  private final int[] row = new int[Neighbourhood.ENTITY_INTS];
-  private final int[] contact = new int[Neighbourhood.CONTACT_INTS];
+  private final int[] bodyRow = new int[BodyRow.INTS];
+  private final int[] contactRow = new int[ContactRow.INTS];
 
   /** By place in the update: the place in {@link #next}, or -1. */
   private final int[] placeOf = new int[NearState.MAX_ENTITIES];
@@ -81,7 +76,7 @@ final class Corrector {
       int mine = current.find(key, from);
       from = mine < 0 ? from : mine + 1; // both lists are in the order of the world
       placeOf[i] = -1;
-      boolean hasState = update.hasState(i) && isBody(update.rows(), update.entityAt(i));
+      boolean hasState = update.hasState(i) && isBody(update.rows(), update.rowOf(i));
       if ((!hasState && mine < 0) || next.find(key, 0) >= 0) {
         continue;
       }
@@ -89,24 +84,40 @@ final class Corrector {
       if (mine >= 0 && !update.hasState(i)) {
         newPlace[mine] = placeOf[i]; // an entity with a state comes with its contacts
       }
-      next.add(
-          hasState ? update.rows() : current.entities(),
-          hasState ? update.entityAt(i) : mine * row.length);
+      if (hasState) {
+        add(update.rows(), update.rowOf(i));
+      } else {
+        add(current.rows().bodies(), mine);
+      }
     }
     if (next.find(ownKey, 0) < 0) {
       return false; // the update is for another body
     }
-    for (int i = 0; i < update.contacts(); i++) {
-      System.arraycopy(update.rows(), update.contactAt(i), contact, 0, contact.length);
-      contact[0] = translate(update, contact[0]);
-      contact[1] = translate(update, contact[1]);
-      if (isFinite(contact, CONTACT_FLOATS, contact.length)) {
-        addContact();
-      }
-    }
+    addContacts(update);
     keepContacts();
     next.write(simulation, records);
     return true;
+  }
+
+  private void add(Rows from, int row) {
+    next.rows().add(RowKind.BODY, from.ints(), from.at(row));
+  }
+
+  private void addContacts(NearUpdate update) {
+    for (int row = 0; row < update.rows().count(); row++) {
+      if (update.kind(row) == RowKind.CONTACT) {
+        read(update.rows(), row);
+        contactRow[ContactRow.END_A] = translate(update, contactRow[ContactRow.END_A]);
+        contactRow[ContactRow.END_B] = translate(update, contactRow[ContactRow.END_B]);
+        if (isFinite(contactRow, ContactRow.FLOATS, ContactRow.INTS)) {
+          addContact();
+        }
+      }
+    }
+  }
+
+  private void read(Rows from, int row) {
+    System.arraycopy(from.ints(), from.at(row), contactRow, 0, ContactRow.INTS);
   }
 
   private void reserve() {
@@ -125,17 +136,23 @@ final class Corrector {
 
   /** Keeps the present contacts between entities that stay as they are. */
   private void keepContacts() {
-    for (int i = 0; i < current.contactCount(); i++) {
-      System.arraycopy(current.contacts(), i * contact.length, contact, 0, contact.length);
-      contact[0] = contact[0] < 0 ? contact[0] : newPlace[contact[0]];
-      contact[1] = contact[1] < 0 ? contact[1] : newPlace[contact[1]];
+    Rows contacts = current.rows().contacts();
+    for (int row = 0; row < contacts.count(); row++) {
+      read(contacts, row);
+      contactRow[ContactRow.END_A] = newPlace(contactRow[ContactRow.END_A]);
+      contactRow[ContactRow.END_B] = newPlace(contactRow[ContactRow.END_B]);
       addContact();
     }
   }
 
+  /** Translates a place in {@link #current} into one in {@link #next}. */
+  private int newPlace(int end) {
+    return end < 0 ? end : newPlace[end];
+  }
+
   private void addContact() {
-    if (contact[0] != DROPPED && contact[1] != DROPPED) {
-      next.addContact(contact, 0);
+    if (contactRow[ContactRow.END_A] != DROPPED && contactRow[ContactRow.END_B] != DROPPED) {
+      next.rows().add(RowKind.CONTACT, contactRow, 0);
     }
   }
 
@@ -156,55 +173,59 @@ final class Corrector {
     reserve();
     boolean ownListed = false;
     for (int i = 0; i < current.count(); i++) {
-      int at = i * row.length;
-      int key = current.entities()[at];
+      int key = current.key(i);
       newPlace[i] = DROPPED;
       if (key == ownKey) {
-        ownRow(own, ownKey);
+        readOwn(own, ownKey);
         ownListed = true;
       } else if (records.isKnown(key)) {
-        System.arraycopy(current.entities(), at, row, 0, row.length);
+        Rows bodies = current.rows().bodies();
+        System.arraycopy(bodies.ints(), bodies.at(i), bodyRow, 0, BodyRow.INTS);
         if (records.readPose(key, stateTick, target) && !isAtTarget(key)) {
-          moveRow();
+          moveBody();
         }
       } else {
         continue; // the server has removed it
       }
       newPlace[i] = next.count();
-      next.add(row, 0);
+      next.rows().add(RowKind.BODY, bodyRow, 0);
     }
     if (!ownListed) {
       next.clear();
-      ownRow(own, ownKey);
-      next.add(row, 0);
+      readOwn(own, ownKey);
+      next.rows().add(RowKind.BODY, bodyRow, 0);
     } else {
       keepContacts();
     }
     next.write(simulation, records);
   }
 
-  private void ownRow(OwnState own, int ownKey) {
-    row[0] = ownKey;
-    row[BODY] = Float.floatToRawIntBits(own.x());
-    row[BODY + 1] = Float.floatToRawIntBits(own.y());
-    row[BODY + 2] = Float.floatToRawIntBits(own.cos());
-    row[BODY + 3] = Float.floatToRawIntBits(own.sin());
-    row[BODY + 4] = Float.floatToRawIntBits(own.vx());
-    row[BODY + 5] = Float.floatToRawIntBits(own.vy());
-    row[BODY + 6] = Float.floatToRawIntBits(own.omega());
-    row[REST] = 0; // a player's body never sleeps
-    Arrays.fill(row, PUSHES, MEMORY, 0);
-    for (int i = 0; i < OwnState.MEMORY; i++) {
-      row[MEMORY + i] = own.memory(i);
+  /** Reads the own body, awake and without loads, into {@link #bodyRow}. */
+  private void readOwn(OwnState own, int ownKey) {
+    bodyRow[BodyRow.KEY] = ownKey;
+    for (int i = 0; i < BodyRow.MOTION_INTS; i++) {
+      bodyRow[BodyRow.MOTION + i] = own.bits(i);
+    }
+    clearLoads();
+    for (int i = 0; i < BodyRow.MEMORY_INTS; i++) {
+      bodyRow[BodyRow.MEMORY + i] = own.memory(i);
     }
   }
 
+  /** Makes {@link #bodyRow} awake, with nothing acting on it. */
+  private void clearLoads() {
+    bodyRow[BodyRow.SLEEP_TIME] = 0;
+    Arrays.fill(bodyRow, BodyRow.LOADS, BodyRow.LOADS + BodyRow.LOAD_INTS, 0);
+  }
+
   /** Returns whether a row is a valid body: a bad number would poison the simulation. */
-  private static boolean isBody(int[] rows, int at) {
-    float cos = Float.intBitsToFloat(rows[at + BODY + 2]);
-    float sin = Float.intBitsToFloat(rows[at + BODY + 3]);
-    return isFinite(rows, at + BODY, at + REST)
-        && isFinite(rows, at + PUSHES, at + MEMORY)
+  private static boolean isBody(Rows rows, int row) {
+    float cos = Float.intBitsToFloat(rows.get(row, BodyRow.COS));
+    float sin = Float.intBitsToFloat(rows.get(row, BodyRow.SIN));
+    int motion = rows.at(row) + BodyRow.MOTION;
+    int loads = rows.at(row) + BodyRow.LOADS;
+    return isFinite(rows.ints(), motion, motion + BodyRow.MOTION_INTS)
+        && isFinite(rows.ints(), loads, loads + BodyRow.LOAD_INTS)
         && Math.abs(cos * cos + sin * sin - 1) < 1e-3f;
   }
 
@@ -229,21 +250,20 @@ final class Corrector {
         && Math.abs(Pose.wrap(body.angle() - target.angle)) <= ANGLE_TOLERANCE;
   }
 
-  /** Moves {@link #row} to {@link #target}, without sleep and forces. */
-  private void moveRow() {
+  /** Moves {@link #bodyRow} to {@link #target}. */
+  private void moveBody() {
     float cos = (float) Math.cos(target.angle);
     float sin = (float) Math.sin(target.angle);
-    Entity e = simulation.entity(Neighbourhood.id(row[0]));
+    Entity e = simulation.entity(Neighbourhood.id(bodyRow[BodyRow.KEY]));
     float localX = e == null ? 0 : e.body().localCenterX();
     float localY = e == null ? 0 : e.body().localCenterY();
-    row[BODY] = Float.floatToRawIntBits(target.x + cos * localX - sin * localY);
-    row[BODY + 1] = Float.floatToRawIntBits(target.y + sin * localX + cos * localY);
-    row[BODY + 2] = Float.floatToRawIntBits(cos);
-    row[BODY + 3] = Float.floatToRawIntBits(sin);
-    row[BODY + 4] = Float.floatToRawIntBits(target.vx);
-    row[BODY + 5] = Float.floatToRawIntBits(target.vy);
-    row[BODY + 6] = Float.floatToRawIntBits(target.omega);
-    row[REST] = 0;
-    Arrays.fill(row, PUSHES, MEMORY, 0);
+    bodyRow[BodyRow.X] = Float.floatToRawIntBits(target.x + cos * localX - sin * localY);
+    bodyRow[BodyRow.Y] = Float.floatToRawIntBits(target.y + sin * localX + cos * localY);
+    bodyRow[BodyRow.COS] = Float.floatToRawIntBits(cos);
+    bodyRow[BodyRow.SIN] = Float.floatToRawIntBits(sin);
+    bodyRow[BodyRow.VX] = Float.floatToRawIntBits(target.vx);
+    bodyRow[BodyRow.VY] = Float.floatToRawIntBits(target.vy);
+    bodyRow[BodyRow.OMEGA] = Float.floatToRawIntBits(target.omega);
+    clearLoads();
   }
 }

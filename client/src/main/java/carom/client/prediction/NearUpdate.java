@@ -1,6 +1,8 @@
 package carom.client.prediction;
 
 import carom.net.snapshot.exact.NearState;
+import carom.physics.rows.RowKind;
+import carom.physics.rows.Rows;
 import java.util.Arrays;
 
 /**
@@ -16,8 +18,6 @@ import java.util.Arrays;
  * </pre>
  */
 final class NearUpdate {
-  private static final int STRIDE = Math.max(NearState.ENTITY_INTS, NearState.CONTACT_INTS);
-
   private int baseTick = -1;
   private final int[] keys = new int[NearState.MAX_ENTITIES];
 
@@ -26,10 +26,12 @@ final class NearUpdate {
 
   private int count;
   private int states;
-  private int total;
   private int missing;
   private boolean[] has = {};
-  private int[] rows = {};
+
+  /** All rows of the update; those that are missing hold anything. */
+  private final Rows rows = Rows.mixed();
+
   private boolean used;
 
   /** Forgets everything. */
@@ -58,10 +60,10 @@ final class NearUpdate {
     }
     for (int i = 0; i < near.partRows(); i++) {
       int row = near.firstRow() + i;
-      if (row < total && !has[row]) {
+      if (row < rows.count() && !has[row]) {
         has[row] = true;
         missing--;
-        System.arraycopy(near.rows(), near.rowAt(i), rows, row * STRIDE, STRIDE);
+        rows.set(row, near.rows(), i);
       }
     }
   }
@@ -78,13 +80,12 @@ final class NearUpdate {
     for (int i = 0; i < states; i++) {
       stateOf[near.told(i)] = i;
     }
-    total = Math.max(states, near.totalRows());
-    missing = total;
-    if (has.length < total) {
-      has = new boolean[Math.max(2 * has.length, total)];
-      rows = new int[has.length * STRIDE];
+    missing = Math.max(states, near.totalRows());
+    rows.resize(missing);
+    if (has.length < missing) {
+      has = new boolean[Math.max(2 * has.length, missing)];
     }
-    Arrays.fill(has, 0, total, false);
+    Arrays.fill(has, 0, missing, false);
   }
 
   /** Returns whether the update is complete and was not used yet. */
@@ -132,23 +133,18 @@ final class NearUpdate {
     return stateOf[index] >= 0;
   }
 
-  /** Returns where the row of a listed entity begins in {@link #rows}. */
-  int entityAt(int index) {
-    return stateOf[index] * STRIDE;
+  /** Returns the row of a listed entity, if it has a state. */
+  int rowOf(int index) {
+    return stateOf[index];
   }
 
-  /** Returns the number of contacts. */
-  int contacts() {
-    return total - states;
+  /** Returns the kind of a row. */
+  RowKind kind(int row) {
+    return RowKind.of(row, states);
   }
 
-  /** Returns where the row of a contact begins in {@link #rows}. */
-  int contactAt(int index) {
-    return (states + index) * STRIDE;
-  }
-
-  /** Returns the rows of entities and contacts. */
-  int[] rows() {
+  /** Returns the rows: of entities with a state, then of contacts. */
+  Rows rows() {
     return rows;
   }
 }

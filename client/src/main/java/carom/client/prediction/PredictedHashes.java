@@ -32,8 +32,8 @@ final class PredictedHashes {
       awake[slot] = new boolean[room];
     }
     for (int i = 0; i < n; i++) {
-      keys[slot][i] = bodies.entities()[i * Neighbourhood.ENTITY_INTS];
-      hashes[slot][i] = bodies.entityHash(i);
+      keys[slot][i] = bodies.key(i);
+      hashes[slot][i] = bodies.rows().bodyHash(i);
       awake[slot][i] = bodies.awake(i);
     }
     count[slot] = n;

@@ -2,6 +2,7 @@ package carom.server.prediction;
 
 import carom.net.protocol.ClientMessage.Diverged;
 import carom.net.snapshot.exact.OwnState;
+import carom.physics.rows.Rows;
 import carom.sim.Neighbourhood;
 import java.util.Arrays;
 import java.util.Locale;
@@ -120,9 +121,9 @@ public final class PredictionAudit {
     }
     int n = Math.min(state.count(), Diverged.MAX_BODIES);
     ensure(n);
+    Rows from = state.rows().bodies();
     for (int i = 0; i < n; i++) {
-      int from = i * Neighbourhood.ENTITY_INTS;
-      System.arraycopy(state.entities(), from, bodies, at(slot, i), BODY_INTS);
+      System.arraycopy(from.ints(), from.at(i), bodies, at(slot, i), BODY_INTS);
     }
     count[slot] = n;
   }

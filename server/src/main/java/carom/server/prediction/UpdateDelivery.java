@@ -116,7 +116,7 @@ final class UpdateDelivery {
     for (int row = firstRow;
         row < totalRows && due[row] && partRows < NearState.MAX_PART;
         row++, partRows++) {
-      meter.add(rows.isEntity(row), rows.source(row), rows.at(row));
+      meter.add(rows.kind(row), rows.source(row), rows.at(row));
       if (meter.bits() > room && partRows > 0) {
         break;
       }

@@ -1,6 +1,9 @@
 package carom.server.prediction;
 
 import carom.net.snapshot.exact.NearState;
+import carom.physics.rows.ContactRow;
+import carom.physics.rows.RowKind;
+import carom.physics.rows.Rows;
 import carom.sim.Neighbourhood;
 import carom.sim.Simulation;
 import java.util.Arrays;
@@ -24,7 +27,7 @@ final class UpdateRows {
   private int[] told = new int[16];
   private int toldCount;
 
-  /** Where in the base's contacts each contact row begins. */
+  /** By row of a contact in the update: its row among the base's contacts. */
   private int[] contacts = new int[16];
 
   private int contactCount;
@@ -72,21 +75,22 @@ final class UpdateRows {
         told[toldCount++] = i;
       }
     }
-    for (int i = 0; i < base.contactCount(); i++) {
-      int at = i * Neighbourhood.CONTACT_INTS;
-      if (isTold(base.contacts()[at]) || isTold(base.contacts()[at + 1])) {
-        addContact(at);
+    Rows all = base.rows().contacts();
+    for (int i = 0; i < all.count(); i++) {
+      if (isTold(all.get(i, ContactRow.END_A)) || isTold(all.get(i, ContactRow.END_B))) {
+        addContact(i);
       }
     }
   }
 
   private void spreadIslands() {
+    Rows all = base.rows().contacts();
     boolean grew = true;
     while (grew) {
       grew = false;
-      for (int i = 0; i < base.contactCount(); i++) {
-        int one = base.contacts()[i * Neighbourhood.CONTACT_INTS];
-        int other = base.contacts()[i * Neighbourhood.CONTACT_INTS + 1];
+      for (int i = 0; i < all.count(); i++) {
+        int one = all.get(i, ContactRow.END_A);
+        int other = all.get(i, ContactRow.END_B);
         if (one >= 0 && other >= 0 && inNewIsland[one] != inNewIsland[other]) {
           inNewIsland[one] = inNewIsland[other] = true;
           isTold[one] = isTold[other] = true;
@@ -104,14 +108,14 @@ final class UpdateRows {
     return end >= 0 && isTold[end];
   }
 
-  private void addContact(int at) {
+  private void addContact(int row) {
     if (count() == NearState.MAX_ROWS) {
       return;
     }
     if (contactCount == contacts.length) {
       contacts = Arrays.copyOf(contacts, 2 * contactCount);
     }
-    contacts[contactCount++] = at;
+    contacts[contactCount++] = row;
   }
 
   /** Returns the number of rows. */
@@ -129,16 +133,21 @@ final class UpdateRows {
     return told[index];
   }
 
-  boolean isEntity(int row) {
-    return row < toldCount;
+  /** Returns the kind of a row. */
+  RowKind kind(int row) {
+    return RowKind.of(row, toldCount);
   }
 
   /** Returns the array that holds a row, from {@link #at} on. */
   int[] source(int row) {
-    return isEntity(row) ? base.entities() : base.contacts();
+    return base.rows().of(kind(row)).ints();
   }
 
+  /** Returns where a row begins in {@link #source}. */
   int at(int row) {
-    return isEntity(row) ? told[row] * Neighbourhood.ENTITY_INTS : contacts[row - toldCount];
+    return switch (kind(row)) {
+      case BODY -> base.rows().bodies().at(told[row]);
+      case CONTACT -> base.rows().contacts().at(contacts[row - toldCount]);
+    };
   }
 }

@@ -1,5 +1,6 @@
 package carom.net.protocol;
 
+import carom.physics.rows.BodyRow;
 import java.util.List;
 
 /**
@@ -59,11 +60,11 @@ public sealed interface ClientMessage {
    */
   record Diverged(int tick, int equalTick, List<Integer> bodies, List<Integer> memory)
       implements ClientMessage {
-    /** Ints for each body in {@link #bodies}. */
-    public static final int BODY_INTS = 8;
+    /** Ints for each body in {@link #bodies}: the head of its row. */
+    public static final int BODY_INTS = BodyRow.HEAD_INTS;
 
     /** Ints in {@link #memory}, unless it is empty. */
-    public static final int MEMORY_INTS = 4;
+    public static final int MEMORY_INTS = BodyRow.MEMORY_INTS;
 
     /** Largest number of bodies in a report, as many as a message has room for. */
     public static final int MAX_BODIES = 31;

@@ -18,6 +18,7 @@ import carom.physics.dynamics.store.IntList;
 import carom.physics.math.StateHash;
 import carom.physics.profile.StageListener;
 import carom.physics.profile.StepStage;
+import carom.physics.rows.ExactRows;
 import carom.physics.settings.Settings;
 import carom.physics.threads.Workers;
 
@@ -87,8 +88,10 @@ public final class Dynamics {
 
   private final SleepingContacts sleepers = new SleepingContacts();
   private final BodyContacts bodyContacts = new BodyContacts(contacts, sleepers);
+  private final RowTransfer transfer =
+      new RowTransfer(bodies, parts, contacts, sleepers, bodyContacts);
 
-  /** Scratch: the bodies of an excerpt that sleep. */
+  /** Scratch: the bodies of rows that sleep there. */
   private final IntList asleepThere = new IntList();
 
   /** Null, unless somebody measures. */
@@ -372,31 +375,30 @@ public final class Dynamics {
   }
 
   /**
-   * Reads the exact state of the bodies listed in an excerpt.
+   * Reads the exact state of listed bodies, and their contacts.
    *
-   * @param excerpt lists bodies in use
+   * @param rows lists bodies in use
+   * @return contacts left out, because they are with bodies that are not listed
    */
-  public void read(Excerpt excerpt) {
+  public int read(ExactRows rows) {
     sleeping.mergeWoken();
-    excerpt.read(bodies, bodyContacts, contacts, sleepers);
+    return transfer.read(rows);
   }
 
   /**
-   * Gives the bodies listed in an excerpt the state it holds, with their contacts.
+   * Gives listed bodies the exact state of their rows, with their contacts.
    *
-   * @param excerpt lists bodies that were made since the last step, awake
+   * @param rows lists bodies that were made since the last step, awake
    */
-  public void write(Excerpt excerpt) {
+  public void write(ExactRows rows) {
     sleeping.mergeWoken();
-    for (int i = 0; i < excerpt.count(); i++) {
-      excerpt.writeBody(bodies, i);
-    }
+    transfer.writeBodies(rows);
     pairs.posesChanged();
-    excerpt.writeContacts(bodies, parts, contacts);
+    transfer.writeContacts(rows);
     asleepThere.count = 0;
-    for (int i = 0; i < excerpt.count(); i++) {
-      if (excerpt.sleeps(i)) {
-        asleepThere.add(excerpt.slot(i));
+    for (int i = 0; i < rows.bodies().count(); i++) {
+      if (rows.isAsleep(i)) {
+        asleepThere.add(rows.slot(i));
       }
     }
     sleeping.putToSleep(asleepThere);

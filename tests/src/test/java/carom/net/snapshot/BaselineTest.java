@@ -4,10 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
+import carom.physics.rows.BodyRow;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 
@@ -176,7 +176,7 @@ class BaselineTest {
     }
     many.end();
     OwnState own = new OwnState();
-    int[] row = new int[NearState.ENTITY_INTS];
+    int[] row = new int[BodyRow.INTS];
     Arrays.fill(row, 0x3f9d_70a4);
     own.near().begin(1);
     for (int i = 0; i < 12; i++) {

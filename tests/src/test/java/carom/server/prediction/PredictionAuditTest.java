@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import carom.net.protocol.ClientMessage.Diverged;
 import carom.net.snapshot.exact.OwnState;
+import carom.physics.rows.BodyRow;
+import carom.physics.rows.RowKind;
 import carom.server.prediction.PredictionAudit.Finding;
 import carom.sim.Neighbourhood;
 import java.util.ArrayList;
@@ -133,11 +135,11 @@ final class PredictionAuditTest {
   /** Entities 10, 11, ... of generation 7, all of whose numbers are the tick's. */
   private static Neighbourhood near(int tick, int count) {
     Neighbourhood near = new Neighbourhood();
-    int[] row = new int[Neighbourhood.ENTITY_INTS];
+    int[] row = new int[BodyRow.INTS];
     Arrays.fill(row, Float.floatToRawIntBits(tick));
     for (int i = 0; i < count; i++) {
-      row[0] = Neighbourhood.key(10 + i, 7);
-      near.add(row, 0);
+      row[BodyRow.KEY] = Neighbourhood.key(10 + i, 7);
+      near.rows().add(RowKind.BODY, row, 0);
     }
     return near;
   }
@@ -146,7 +148,7 @@ final class PredictionAuditTest {
     List<Integer> bits = new ArrayList<>();
     for (int i = 0; i < Math.min(near.count(), Diverged.MAX_BODIES); i++) {
       for (int j = 0; j < Diverged.BODY_INTS; j++) {
-        bits.add(near.entities()[i * Neighbourhood.ENTITY_INTS + j]);
+        bits.add(near.rows().bodies().get(i, j));
       }
     }
     return new Diverged(tick, equalTick, bits, List.of());

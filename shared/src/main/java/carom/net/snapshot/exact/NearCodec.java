@@ -125,7 +125,7 @@ public final class NearCodec {
     }
     near.totalRows = c.plain(near.totalRows, ROW_BITS);
     near.firstRow = c.plain(near.firstRow, ROW_BITS);
-    int rows = c.plain(near.partRows, PART_BITS);
+    int rows = c.plain(near.partRows(), PART_BITS);
     if (c.isReading()) {
       makeRows(near, rows);
     }
@@ -134,10 +134,7 @@ public final class NearCodec {
   /** Makes room for rows that {@link NearRowCodec} reads later; an entity's key is known now. */
   private static void makeRows(NearState near, int rows) {
     for (int n = 0; n < rows; n++) {
-      int at = near.growRow();
-      if (near.isEntity(n)) {
-        near.rows[at] = near.key(near.told[near.firstRow + n]);
-      }
+      near.growRow();
     }
   }
 }

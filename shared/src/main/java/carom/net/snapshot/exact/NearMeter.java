@@ -1,6 +1,8 @@
 package carom.net.snapshot.exact;
 
 import carom.net.codec.BitCost;
+import carom.physics.rows.RowKind;
+import carom.physics.rows.Rows;
 
 /**
  * Tells how much of a datagram rows of a near update take, before they are sent. One thread, no
@@ -10,8 +12,10 @@ public final class NearMeter {
   private static final int UNIT = 256;
 
   private final NearRowCodec codec = new NearRowCodec();
-  private final BitCost surprise = new BitCost();
-  private final int[] row = new int[NearState.STRIDE];
+  private final BitCost cost = new BitCost();
+
+  /** One row, a copy: coding writes it. */
+  private final Rows row = Rows.mixed();
 
   /** Creates one; call {@link #begin}. */
   public NearMeter() {}
@@ -24,24 +28,23 @@ public final class NearMeter {
    */
   public void begin(OwnState own) {
     codec.begin(own);
-    surprise.reset();
+    cost.reset();
   }
 
   /**
    * Adds the next row.
    *
-   * @param isEntity whether it is an entity's, not a contact's
    * @param from holds it; not changed
    * @param at where it begins
    */
-  public void add(boolean isEntity, int[] from, int at) {
-    int ints = isEntity ? NearState.ENTITY_INTS : NearState.CONTACT_INTS;
-    System.arraycopy(from, at, row, 0, ints);
-    codec.row(surprise, isEntity, row, 0);
+  public void add(RowKind kind, int[] from, int at) {
+    row.clear();
+    row.add(kind, from, at);
+    codec.row(cost, kind, row.ints(), 0);
   }
 
   /** Bits of all rows since {@link #begin}, to within a few percent. */
   public int bits() {
-    return (int) (surprise.sum() / UNIT);
+    return (int) (cost.sum() / UNIT);
   }
 }

@@ -1,8 +1,38 @@
 package carom.net.snapshot.exact;
 
+import static carom.physics.rows.BodyRow.ASLEEP;
+import static carom.physics.rows.BodyRow.COS;
+import static carom.physics.rows.BodyRow.LOADS;
+import static carom.physics.rows.BodyRow.LOAD_INTS;
+import static carom.physics.rows.BodyRow.MEMORY;
+import static carom.physics.rows.BodyRow.MEMORY_INTS;
+import static carom.physics.rows.BodyRow.OMEGA;
+import static carom.physics.rows.BodyRow.SLEEP_TIME;
+import static carom.physics.rows.BodyRow.VX;
+import static carom.physics.rows.BodyRow.VY;
+import static carom.physics.rows.BodyRow.X;
+import static carom.physics.rows.BodyRow.Y;
+import static carom.physics.rows.ContactRow.END_A;
+import static carom.physics.rows.ContactRow.END_B;
+import static carom.physics.rows.ContactRow.ID_0;
+import static carom.physics.rows.ContactRow.ID_1;
+import static carom.physics.rows.ContactRow.NORMAL_IMPULSE_0;
+import static carom.physics.rows.ContactRow.NORMAL_IMPULSE_1;
+import static carom.physics.rows.ContactRow.NORMAL_X;
+import static carom.physics.rows.ContactRow.PARTS;
+import static carom.physics.rows.ContactRow.POINTS_AND_FLAGS;
+import static carom.physics.rows.ContactRow.POINTS_MASK;
+import static carom.physics.rows.ContactRow.ROLLING_IMPULSE;
+import static carom.physics.rows.ContactRow.TANGENT_IMPULSE_0;
+import static carom.physics.rows.ContactRow.TANGENT_IMPULSE_1;
+import static carom.physics.rows.ContactRow.TOTAL_IMPULSE_0;
+import static carom.physics.rows.ContactRow.TOTAL_IMPULSE_1;
+
 import carom.net.codec.BitCoder;
 import carom.net.codec.Bits;
 import carom.net.snapshot.exact.NearTables.Row;
+import carom.physics.rows.RowKind;
+import carom.physics.rows.Rows;
 
 /**
  * The rows of an update of what is near, described once for writing and reading. Most of a row's
@@ -10,35 +40,10 @@ import carom.net.snapshot.exact.NearTables.Row;
  * its sine but for the last digits, contacts are sorted, and what pushed last says what pushes
  * first. Numbers are symbols of {@link NearTables} and plain digits.
  *
- * <p>Any bits give rows of numbers in the ranges that {@link NearState} names; of their sense
+ * <p>Any bits give rows whose places, parts and points are in the ranges below; of their sense
  * nothing is promised. One object codes one part at a time.
  */
 public class NearRowCodec {
-
-  // Places in a row, as NearState has them.
-  private static final int X = 1;
-  private static final int Y = 2;
-  private static final int COS = 3;
-  private static final int VX = 5;
-  private static final int VY = 6;
-  private static final int OMEGA = 7;
-  private static final int REST = 8;
-  private static final int PUSHES = 9;
-  private static final int PUSH_COUNT = 6;
-  private static final int MEMORY = PUSHES + PUSH_COUNT;
-  private static final int PARTS = 2;
-  private static final int POINTS = 3;
-  private static final int IDS = 4;
-  private static final int NORMAL = 6;
-  private static final int NORMAL_0 = 8;
-  private static final int TANGENT_0 = 9;
-  private static final int NORMAL_1 = 10;
-  private static final int TANGENT_1 = 11;
-  private static final int ROLLING = 12;
-  private static final int LAST_0 = 13;
-  private static final int LAST_1 = 14;
-
-  private static final int ASLEEP = -1;
   private static final int PARTS_BITS = 20;
   private static final int POINTS_BITS = 16;
   private static final int PLACE_BITS = 8;
@@ -99,26 +104,26 @@ public class NearRowCodec {
   public final void part(BitCoder c, OwnState own) {
     NearState near = own.near;
     begin(own);
-    for (int row = 0; row < near.partRows; row++) {
-      row(c, near.isEntity(row), near.rows, near.rowAt(row));
+    Rows rows = near.rows;
+    for (int row = 0; row < rows.count(); row++) {
+      row(c, near.kind(row), rows.ints(), rows.at(row));
     }
   }
 
   /** Codes the next row of a part, all but the key of an entity. */
-  final void row(BitCoder c, boolean isEntity, int[] rows, int at) {
-    if (isEntity) {
-      entity(c, rows, at);
-    } else {
-      contact(c, rows, at);
+  final void row(BitCoder c, RowKind kind, int[] rows, int at) {
+    switch (kind) {
+      case BODY -> body(c, rows, at);
+      case CONTACT -> contact(c, rows, at);
     }
   }
 
-  private void entity(BitCoder c, int[] r, int at) {
-    int rest = r[at + REST];
+  private void body(BitCoder c, int[] r, int at) {
+    int rest = r[at + SLEEP_TIME];
     int kind = symbol(c, Row.REST_KIND, 0, rest == 0 ? 0 : rest == ASLEEP ? 1 : 2);
-    r[at + REST] = kind == 0 ? 0 : kind == 1 ? ASLEEP : real(c, Row.REST, 0, rest);
-    r[at + X] = like(c, Row.PLACE, 0, r[at + X], own.values[0]);
-    r[at + Y] = like(c, Row.PLACE, 1, r[at + Y], own.values[1]);
+    r[at + SLEEP_TIME] = kind == 0 ? 0 : kind == 1 ? ASLEEP : real(c, Row.REST, 0, rest);
+    r[at + X] = like(c, Row.PLACE, 0, r[at + X], own.motion(X));
+    r[at + Y] = like(c, Row.PLACE, 1, r[at + Y], own.motion(Y));
     unit(c, 0, r, at + COS);
     int asleep = kind == 1 ? 1 : 0;
     r[at + VX] = real(c, Row.VELOCITY, asleep, r[at + VX]);
@@ -126,13 +131,13 @@ public class NearRowCodec {
     r[at + VY] = real(c, Row.VELOCITY, 2 + asleep + still, r[at + VY]);
     still = (r[at + VY] & Integer.MAX_VALUE) == 0 ? still >> 1 : 0;
     r[at + OMEGA] = real(c, Row.OMEGA, asleep + 2 * still, r[at + OMEGA]);
-    int which = symbol(c, Row.PUSHED, 0, notZero(r, at + PUSHES, PUSH_COUNT));
-    for (int i = 0; i < PUSH_COUNT; i++) {
-      int to = at + PUSHES + i;
+    int which = symbol(c, Row.PUSHED, 0, notZero(r, at + LOADS, LOAD_INTS));
+    for (int i = 0; i < LOAD_INTS; i++) {
+      int to = at + LOADS + i;
       r[to] = (which >>> i & 1) == 0 ? 0 : real(c, Row.PUSH, 0, r[to]);
     }
-    which = symbol(c, Row.REMEMBERED, 0, notZero(r, at + MEMORY, OwnState.MEMORY));
-    for (int i = 0; i < OwnState.MEMORY; i++) {
+    which = symbol(c, Row.REMEMBERED, 0, notZero(r, at + MEMORY, MEMORY_INTS));
+    for (int i = 0; i < MEMORY_INTS; i++) {
       int to = at + MEMORY + i;
       r[to] = (which >>> i & 1) == 0 ? 0 : word(c, i, r[to]);
     }
@@ -148,23 +153,32 @@ public class NearRowCodec {
 
   private void contact(BitCoder c, int[] r, int at) {
     ends(c, r, at);
-    int kind = r[at + PARTS] == 0 && r[at + POINTS] - 1 >>> 1 == 0 ? r[at + POINTS] - 1 : 2;
-    kind = symbol(c, Row.KIND, 0, kind);
+    int more = r[at + POINTS_AND_FLAGS] - 1;
+    int kind = symbol(c, Row.KIND, 0, r[at + PARTS] == 0 && more >>> 1 == 0 ? more : 2);
     r[at + PARTS] = kind < 2 ? 0 : c.plain(r[at + PARTS], PARTS_BITS);
-    r[at + POINTS] = kind < 2 ? kind + 1 : c.plain(r[at + POINTS], POINTS_BITS);
-    int two = (r[at + POINTS] & 0xff) > 1 ? 1 : 0;
-    r[at + IDS] = id(c, two, r[at + IDS]);
-    r[at + IDS + 1] = id(c, 2 + two, r[at + IDS + 1]);
-    unit(c, 1, r, at + NORMAL);
-    r[at + NORMAL_0] = real(c, Row.NORMAL, two, r[at + NORMAL_0]);
-    int first = r[at + NORMAL_0] == 0 ? 0 : 1;
-    r[at + TANGENT_0] = real(c, Row.TANGENT, first, r[at + TANGENT_0]);
-    r[at + NORMAL_1] = like(c, Row.SECOND, 2 * first + two, r[at + NORMAL_1], r[at + NORMAL_0]);
-    int second = r[at + NORMAL_1] == 0 ? 0 : 1;
-    r[at + TANGENT_1] = real(c, Row.TANGENT, 2 + 2 * second + two, r[at + TANGENT_1]);
-    r[at + ROLLING] = real(c, Row.ROLLING, 0, r[at + ROLLING]);
-    r[at + LAST_0] = like(c, Row.LAST, first, r[at + LAST_0], all(r[at + NORMAL_0]));
-    r[at + LAST_1] = like(c, Row.LAST, 2 + 2 * second + two, r[at + LAST_1], all(r[at + NORMAL_1]));
+    r[at + POINTS_AND_FLAGS] = kind < 2 ? kind + 1 : c.plain(r[at + POINTS_AND_FLAGS], POINTS_BITS);
+    int two = (r[at + POINTS_AND_FLAGS] & POINTS_MASK) > 1 ? 1 : 0;
+    r[at + ID_0] = id(c, two, r[at + ID_0]);
+    r[at + ID_1] = id(c, 2 + two, r[at + ID_1]);
+    unit(c, 1, r, at + NORMAL_X);
+    r[at + NORMAL_IMPULSE_0] = real(c, Row.NORMAL, two, r[at + NORMAL_IMPULSE_0]);
+    int first = r[at + NORMAL_IMPULSE_0] == 0 ? 0 : 1;
+    r[at + TANGENT_IMPULSE_0] = real(c, Row.TANGENT, first, r[at + TANGENT_IMPULSE_0]);
+    r[at + NORMAL_IMPULSE_1] =
+        like(c, Row.SECOND, 2 * first + two, r[at + NORMAL_IMPULSE_1], r[at + NORMAL_IMPULSE_0]);
+    int second = r[at + NORMAL_IMPULSE_1] == 0 ? 0 : 1;
+    r[at + TANGENT_IMPULSE_1] =
+        real(c, Row.TANGENT, 2 + 2 * second + two, r[at + TANGENT_IMPULSE_1]);
+    r[at + ROLLING_IMPULSE] = real(c, Row.ROLLING, 0, r[at + ROLLING_IMPULSE]);
+    r[at + TOTAL_IMPULSE_0] =
+        like(c, Row.LAST, first, r[at + TOTAL_IMPULSE_0], all(r[at + NORMAL_IMPULSE_0]));
+    r[at + TOTAL_IMPULSE_1] =
+        like(
+            c,
+            Row.LAST,
+            2 + 2 * second + two,
+            r[at + TOTAL_IMPULSE_1],
+            all(r[at + NORMAL_IMPULSE_1]));
   }
 
   /** What all parts of a step do if each does the same; one pattern for all that is no number. */
@@ -175,11 +189,11 @@ public class NearRowCodec {
   /** Contacts follow their first end, and then their second one. */
   private void ends(BitCoder c, int[] r, int at) {
     int before = endA;
-    endA = end(c, 0, r[at], before);
+    endA = end(c, 0, r[at + END_A], before);
     boolean same = endA == before;
-    endB = end(c, same ? 2 : 1, r[at + 1], same ? endB : Math.max(0, endA));
-    r[at] = endA;
-    r[at + 1] = endB;
+    endB = end(c, same ? 2 : 1, r[at + END_B], same ? endB : Math.max(0, endA));
+    r[at + END_A] = endA;
+    r[at + END_B] = endB;
   }
 
   private int end(BitCoder c, int context, int end, int before) {

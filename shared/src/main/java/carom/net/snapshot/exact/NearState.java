@@ -1,5 +1,8 @@
 package carom.net.snapshot.exact;
 
+import carom.physics.rows.BodyRow;
+import carom.physics.rows.RowKind;
+import carom.physics.rows.Rows;
 import java.util.Arrays;
 
 /**
@@ -10,20 +13,14 @@ import java.util.Arrays;
  * the server tells exact state, in an <em>update</em>: the state at one tick, its <em>base</em>, of
  * those entities of the list that are <em>told</em>, with their contacts. An update is a number of
  * rows, spread over as many snapshots as it takes; whoever has all of them knows the state at the
- * base tick, and computes what follows. First come the told entities ({@value #ENTITY_INTS} ints:
- * key, exact body with what acts on it in the next step, memory of its player), in the order of the
- * list; then contacts ({@value #CONTACT_INTS} ints: two ends, each a place in the list or the
- * inverted slot of a static body; parts; points and flags; feature ids; floats).
+ * base tick, and computes what follows. First come the told entities, each a {@link BodyRow} with
+ * its key and the memory of its player, in the order of the list; then contacts, each a {@link
+ * carom.physics.rows.ContactRow} whose ends are places in the list or inverted slots of static
+ * bodies.
  *
  * <p>The order of the list is that of the server's world and part of the state. Mutable, reused.
  */
 public final class NearState {
-  /** Ints per entity. */
-  public static final int ENTITY_INTS = 19;
-
-  /** Ints per contact. */
-  public static final int CONTACT_INTS = 15;
-
   /** Most entities. */
   public static final int MAX_ENTITIES = 255;
 
@@ -33,7 +30,6 @@ public final class NearState {
   /** Most rows of an update in one snapshot. */
   public static final int MAX_PART = 63;
 
-  static final int STRIDE = Math.max(ENTITY_INTS, CONTACT_INTS);
   private static final int FIRST_ROOM = 16;
   private static final int[] NONE = {};
 
@@ -47,8 +43,9 @@ public final class NearState {
   int[] told = NONE;
   int totalRows;
   int firstRow;
-  int partRows;
-  int[] rows = NONE;
+
+  /** The part's rows, of mixed kinds. */
+  final Rows rows = Rows.mixed();
 
   NearState() {}
 
@@ -98,7 +95,7 @@ public final class NearState {
     toldCount = 0;
     totalRows = total;
     firstRow = first;
-    partRows = 0;
+    rows.clear();
   }
 
   /**
@@ -120,23 +117,21 @@ public final class NearState {
    * @param at where it begins; as many ints as its kind has are copied
    */
   public void addRow(int[] from, int at) {
-    int to = growRow();
-    System.arraycopy(from, at, rows, to, ints(partRows - 1));
+    rows.add(kind(rows.count()), from, at);
   }
 
-  int growRow() {
-    if ((partRows + 1) * STRIDE > rows.length) {
-      rows = Arrays.copyOf(rows, Math.max(8 * STRIDE, 2 * rows.length));
+  /** Adds the next row, to be decoded: all zero but the key of an entity, which the list has. */
+  void growRow() {
+    int at = rows.add();
+    int row = rows.count() - 1;
+    if (kind(row) == RowKind.BODY) {
+      rows.ints()[at + BodyRow.KEY] = key(told[firstRow + row]);
     }
-    return partRows++ * STRIDE;
   }
 
-  private int ints(int row) {
-    return isEntity(row) ? ENTITY_INTS : CONTACT_INTS;
-  }
-
-  boolean isEntity(int row) {
-    return firstRow + row < toldCount;
+  /** Returns the kind of a row that is here. */
+  public RowKind kind(int row) {
+    return RowKind.of(firstRow + row, toldCount);
   }
 
   void endUpdate() {
@@ -145,7 +140,7 @@ public final class NearState {
     toldCount = 0;
     totalRows = 0;
     firstRow = 0;
-    partRows = 0;
+    rows.clear();
   }
 
   void set(NearState other) {
@@ -158,11 +153,7 @@ public final class NearState {
     }
     totalRows = other.totalRows;
     firstRow = other.firstRow;
-    partRows = other.partRows;
-    if (rows.length < partRows * STRIDE) {
-      rows = new int[other.rows.length];
-    }
-    System.arraycopy(other.rows, 0, rows, 0, partRows * STRIDE);
+    rows.set(other.rows);
   }
 
   /** Copies who is near, and the hash, but no update. */
@@ -234,17 +225,12 @@ public final class NearState {
 
   /** Rows that are here. */
   public int partRows() {
-    return partRows;
+    return rows.count();
   }
 
-  /** The rows that are here. */
-  public int[] rows() {
+  /** The rows that are here, of mixed kinds; see {@link #kind}. */
+  public Rows rows() {
     return rows;
-  }
-
-  /** Where a row begins in {@link #rows}. */
-  public int rowAt(int row) {
-    return row * STRIDE;
   }
 
   /** How many bits the list takes for a client that has no other, at most. */

@@ -2,6 +2,7 @@ package carom.net.snapshot.exact;
 
 import carom.net.snapshot.frame.PlayerSet;
 import carom.net.snapshot.relay.RelayCodec;
+import carom.physics.rows.BodyRow;
 
 /**
  * The exact state of a player's own body, bit by bit, with the player's four memory ints: what
@@ -10,11 +11,11 @@ import carom.net.snapshot.relay.RelayCodec;
  */
 public final class OwnState {
 
-  /** Number of exact floats: x, y, cos, sin, vx, vy, omega. */
-  public static final int FLOATS = 7;
+  /** Number of exact floats, those of {@link BodyRow#MOTION}: x, y, cos, sin, vx, vy, omega. */
+  public static final int FLOATS = BodyRow.MOTION_INTS;
 
   /** Number of memory ints. */
-  public static final int MEMORY = 4;
+  public static final int MEMORY = BodyRow.MEMORY_INTS;
 
   /** Most players whose inputs are relayed to one client. */
   public static final int MAX_RELAYED = RelayCodec.MAX_PLAYERS;
@@ -44,13 +45,26 @@ public final class OwnState {
       float omega) {
     this.slot = slot;
     this.generation = generation;
-    values[0] = Float.floatToRawIntBits(x);
-    values[1] = Float.floatToRawIntBits(y);
-    values[2] = Float.floatToRawIntBits(cos);
-    values[3] = Float.floatToRawIntBits(sin);
-    values[4] = Float.floatToRawIntBits(vx);
-    values[5] = Float.floatToRawIntBits(vy);
-    values[6] = Float.floatToRawIntBits(omega);
+    setMotion(BodyRow.X, x);
+    setMotion(BodyRow.Y, y);
+    setMotion(BodyRow.COS, cos);
+    setMotion(BodyRow.SIN, sin);
+    setMotion(BodyRow.VX, vx);
+    setMotion(BodyRow.VY, vy);
+    setMotion(BodyRow.OMEGA, omega);
+  }
+
+  private void setMotion(int field, float value) {
+    values[field - BodyRow.MOTION] = Float.floatToRawIntBits(value);
+  }
+
+  /**
+   * Returns the bits of one of the floats.
+   *
+   * @param field offset that {@link BodyRow} declares, X to OMEGA
+   */
+  int motion(int field) {
+    return values[field - BodyRow.MOTION];
   }
 
   /** The player has no body now; the memory stays. */
@@ -84,37 +98,37 @@ public final class OwnState {
 
   /** Centre of mass, metres. */
   public float x() {
-    return Float.intBitsToFloat(values[0]);
+    return Float.intBitsToFloat(motion(BodyRow.X));
   }
 
   /** Centre of mass, metres. */
   public float y() {
-    return Float.intBitsToFloat(values[1]);
+    return Float.intBitsToFloat(motion(BodyRow.Y));
   }
 
   /** Cosine of the angle. */
   public float cos() {
-    return Float.intBitsToFloat(values[2]);
+    return Float.intBitsToFloat(motion(BodyRow.COS));
   }
 
   /** Sine of the angle. */
   public float sin() {
-    return Float.intBitsToFloat(values[3]);
+    return Float.intBitsToFloat(motion(BodyRow.SIN));
   }
 
   /** Velocity of the centre of mass, m/s. */
   public float vx() {
-    return Float.intBitsToFloat(values[4]);
+    return Float.intBitsToFloat(motion(BodyRow.VX));
   }
 
   /** Velocity of the centre of mass, m/s. */
   public float vy() {
-    return Float.intBitsToFloat(values[5]);
+    return Float.intBitsToFloat(motion(BodyRow.VY));
   }
 
   /** Angular velocity, rad/s. */
   public float omega() {
-    return Float.intBitsToFloat(values[6]);
+    return Float.intBitsToFloat(motion(BodyRow.OMEGA));
   }
 
   /** One of the player's memory ints, index 0..3. */

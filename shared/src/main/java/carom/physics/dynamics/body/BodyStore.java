@@ -30,12 +30,12 @@ import java.util.Arrays;
  * <pre>
  *   arrays                          kind   written in a step by       between steps by
  *   x y cos sin                     hot    solver (FINISH),           setCenterPose, setOriginPose,
- *                                          continuous collision       BodyMaker, Excerpt
- *   vx vy w                         hot    applyImpulses (BEGIN),     Body, Excerpt
+ *                                          continuous collision       BodyMaker, RowTransfer
+ *   vx vy w                         hot    applyImpulses (BEGIN),     Body, RowTransfer
  *                                          solver (FINISH), sleep
- *   force* torque impulse*          hot    useForces, applyImpulses   Body, effects, Excerpt
+ *   force* torque impulse*          hot    useForces, applyImpulses   Body, effects, RowTransfer
  *   flags                           hot    sleep (ASLEEP)             BodyEditor, Body
- *   sleepTime                       hot    sleep                      sleep, Excerpt
+ *   sleepTime                       hot    sleep                      sleep, RowTransfer
  *   type firstPart partCount        cold   nobody                     allocate, release, BodyEditor
  *   mass inertia local* reach ...   cold   nobody                     BodyMaker
  *   damping gravityScale            cold   nobody                     Body

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.codec.BitMeter;
 import carom.net.codec.SectionCheck;
+import carom.physics.rows.BodyRow;
+import carom.physics.rows.RowKind;
 import java.util.Random;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
@@ -58,9 +60,7 @@ class NearCodecTest {
       }
     }
     for (int n = random.nextInt(NearState.MAX_PART + 1); n > 0; n--) {
-      int at = near.growRow();
-      int row = near.partRows - 1;
-      near.rows[at] = near.isEntity(row) ? near.key(near.told[near.firstRow + row]) : 0;
+      near.growRow();
     }
   }
 
@@ -74,8 +74,8 @@ class NearCodecTest {
       out.append(' ').append(near.told[i]);
     }
     out.append(" rows ").append(near.totalRows).append(' ').append(near.firstRow);
-    for (int i = 0; i < near.partRows; i++) {
-      out.append(' ').append(near.isEntity(i) ? near.rows[near.rowAt(i)] : 0);
+    for (int i = 0; i < near.partRows(); i++) {
+      out.append(' ').append(near.kind(i) == RowKind.BODY ? near.rows.get(i, BodyRow.KEY) : 0);
     }
     return out.toString();
   }

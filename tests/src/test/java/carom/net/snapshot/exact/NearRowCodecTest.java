@@ -6,6 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.codec.RangeDecoder;
 import carom.net.codec.RangeEncoder;
+import carom.physics.rows.BodyRow;
+import carom.physics.rows.ContactRow;
+import carom.physics.rows.RowKind;
+import carom.physics.rows.Rows;
 import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -41,34 +45,40 @@ final class NearRowCodecTest {
   }
 
   private int[] entity(OwnState own) {
-    int[] row = new int[NearState.ENTITY_INTS];
-    for (int i = 1; i < row.length; i++) {
-      row[i] = number(i < 9 ? 5 : 0.01f);
+    int[] row = new int[BodyRow.INTS];
+    for (int i = BodyRow.MOTION; i < row.length; i++) {
+      row[i] = number(i < BodyRow.LOADS ? 5 : 0.01f);
     }
-    row[0] = random.nextInt();
-    row[1] = own.values[0] + (random.nextInt() >> random.nextInt(32));
-    unit(row, 3);
-    row[8] = random.nextBoolean() ? -1 : row[8];
+    row[BodyRow.KEY] = random.nextInt();
+    row[BodyRow.X] = own.motion(BodyRow.X) + (random.nextInt() >> random.nextInt(32));
+    unit(row, BodyRow.COS);
+    row[BodyRow.SLEEP_TIME] = random.nextBoolean() ? BodyRow.ASLEEP : row[BodyRow.SLEEP_TIME];
     if (random.nextBoolean()) {
-      Arrays.fill(row, 9, row.length, 0);
+      Arrays.fill(row, BodyRow.LOADS, row.length, 0);
     }
     return row;
   }
 
   private int[] contact() {
-    int[] row = new int[NearState.CONTACT_INTS];
+    int[] row = new int[ContactRow.INTS];
     for (int i = 0; i < 2; i++) {
       boolean isStatic = random.nextInt(4) == 0;
-      row[i] = isStatic ? ~(random.nextInt() >>> 1 + random.nextInt(31)) : random.nextInt(256);
-      row[4 + i] = random.nextBoolean() ? random.nextInt(8) << 8 | random.nextInt(8) : number(1);
+      row[ContactRow.END_A + i] =
+          isStatic ? ~(random.nextInt() >>> 1 + random.nextInt(31)) : random.nextInt(256);
+      row[ContactRow.ID_0 + i] =
+          random.nextBoolean() ? random.nextInt(8) << 8 | random.nextInt(8) : number(1);
     }
-    row[2] = random.nextBoolean() ? 0 : random.nextInt(1 << 20);
-    row[3] = random.nextBoolean() ? 1 + random.nextInt(2) : random.nextInt(1 << 16);
-    unit(row, 6);
-    for (int i = 8; i < row.length; i++) {
+    row[ContactRow.PARTS] = random.nextBoolean() ? 0 : random.nextInt(1 << 20);
+    row[ContactRow.POINTS_AND_FLAGS] =
+        random.nextBoolean() ? 1 + random.nextInt(2) : random.nextInt(1 << 16);
+    unit(row, ContactRow.NORMAL_X);
+    for (int i = ContactRow.NORMAL_IMPULSE_0; i < row.length; i++) {
       row[i] = number(0.1f);
     }
-    row[13] = random.nextBoolean() ? row[13] : row[8] + (2 << 23) + random.nextInt(9) - 4;
+    if (random.nextBoolean()) {
+      int fourTimes = row[ContactRow.NORMAL_IMPULSE_0] + (2 << 23);
+      row[ContactRow.TOTAL_IMPULSE_0] = fourTimes + random.nextInt(9) - 4;
+    }
     return row;
   }
 
@@ -92,7 +102,9 @@ final class NearRowCodecTest {
     int[] before = contact();
     for (int i = random.nextInt(ROWS / 2); i > 0; i--) {
       int[] contact = contact();
-      contact[0] = random.nextBoolean() ? before[0] : contact[0];
+      if (random.nextBoolean()) {
+        contact[ContactRow.END_A] = before[ContactRow.END_A];
+      }
       near.addRow(contact, 0);
       before = contact;
     }
@@ -105,17 +117,17 @@ final class NearRowCodecTest {
     for (int round = 0; round < 3_000; round++) {
       OwnState own = part();
       NearState near = own.near();
-      int[] expected = near.rows().clone();
+      int[] expected = near.rows().ints().clone();
       encoder.reset(buffer, 0, buffer.length);
       codec.part(encoder, own);
       final int bits = encoder.bits();
-      assertArrayEquals(expected, near.rows(), "writing changes nothing");
+      assertArrayEquals(expected, near.rows().ints(), "writing changes nothing");
       int length = encoder.finish();
       OwnState read = new OwnState();
       read.set(own);
       for (int i = 0; i < near.partRows(); i++) {
-        int from = near.rowAt(i) + (near.isEntity(i) ? 1 : 0);
-        Arrays.fill(read.near().rows(), from, near.rowAt(i + 1), random.nextInt());
+        int from = near.rows().at(i) + (near.kind(i) == RowKind.BODY ? BodyRow.MOTION : 0);
+        Arrays.fill(read.near().rows().ints(), from, near.rows().at(i + 1), random.nextInt());
       }
       decoder.reset(buffer, 0, length);
       codec.part(decoder, read);
@@ -123,11 +135,11 @@ final class NearRowCodecTest {
       assertTrue(decoder.finished(), where);
       meter.begin(own);
       for (int i = 0; i < near.partRows(); i++) {
-        int ints = near.isEntity(i) ? NearState.ENTITY_INTS : NearState.CONTACT_INTS;
-        int from = near.rowAt(i);
-        int[] got = Arrays.copyOfRange(read.near().rows(), from, from + ints);
+        int ints = near.kind(i).ints();
+        int from = near.rows().at(i);
+        int[] got = Arrays.copyOfRange(read.near().rows().ints(), from, from + ints);
         assertArrayEquals(Arrays.copyOfRange(expected, from, from + ints), got, where);
-        meter.add(near.isEntity(i), expected, from);
+        meter.add(near.kind(i), expected, from);
       }
       assertEquals(bits, meter.bits(), 0.02 * bits + 4, where);
     }
@@ -143,11 +155,12 @@ final class NearRowCodecTest {
       codec.part(decoder, own);
       NearState near = own.near();
       for (int i = 0; i < near.partRows(); i++) {
-        int at = near.rowAt(i);
-        if (!near.isEntity(i)) {
-          assertTrue(near.rows()[at] < 256 && near.rows()[at + 1] < 256, "seed " + SEED);
-          assertEquals(0, near.rows()[at + 2] >>> 20, "seed " + SEED);
-          assertEquals(0, near.rows()[at + 3] >>> 16, "seed " + SEED);
+        if (near.kind(i) == RowKind.CONTACT) {
+          Rows rows = near.rows();
+          assertTrue(rows.get(i, ContactRow.END_A) < 256, "seed " + SEED);
+          assertTrue(rows.get(i, ContactRow.END_B) < 256, "seed " + SEED);
+          assertEquals(0, rows.get(i, ContactRow.PARTS) >>> 20, "seed " + SEED);
+          assertEquals(0, rows.get(i, ContactRow.POINTS_AND_FLAGS) >>> 16, "seed " + SEED);
         }
       }
     }
@@ -157,28 +170,28 @@ final class NearRowCodecTest {
   void aBodyAtRestOnTheGroundTakesAThirdOfItsBits() {
     OwnState own = new OwnState();
     own.setBody(1, 1, 3, 2, 1, 0, 0, 0, 0);
-    int[] body = new int[NearState.ENTITY_INTS];
-    body[1] = Float.floatToRawIntBits(4.123456f);
-    body[2] = Float.floatToRawIntBits(1.987654f);
-    body[3] = Float.floatToRawIntBits(1);
-    body[8] = -1;
-    int[] contact = new int[NearState.CONTACT_INTS];
-    contact[0] = ~7;
-    contact[3] = 2;
-    contact[4] = 0x201;
-    contact[5] = 0x300;
-    contact[7] = Float.floatToRawIntBits(1);
+    int[] body = new int[BodyRow.INTS];
+    body[BodyRow.X] = Float.floatToRawIntBits(4.123456f);
+    body[BodyRow.Y] = Float.floatToRawIntBits(1.987654f);
+    body[BodyRow.COS] = Float.floatToRawIntBits(1);
+    body[BodyRow.SLEEP_TIME] = BodyRow.ASLEEP;
+    int[] contact = new int[ContactRow.INTS];
+    contact[ContactRow.END_A] = ~7;
+    contact[ContactRow.POINTS_AND_FLAGS] = 2;
+    contact[ContactRow.ID_0] = 0x201;
+    contact[ContactRow.ID_1] = 0x300;
+    contact[ContactRow.NORMAL_Y] = Float.floatToRawIntBits(1);
     for (int point = 0; point < 2; point++) {
-      contact[8 + 2 * point] = Float.floatToRawIntBits(0.02774f);
-      contact[9 + 2 * point] = 1 << 31;
-      contact[13 + point] = Float.floatToRawIntBits(4 * 0.02774f);
+      contact[ContactRow.NORMAL_IMPULSE_0 + 2 * point] = Float.floatToRawIntBits(0.02774f);
+      contact[ContactRow.TANGENT_IMPULSE_0 + 2 * point] = 1 << 31;
+      contact[ContactRow.TOTAL_IMPULSE_0 + point] = Float.floatToRawIntBits(4 * 0.02774f);
     }
     NearMeter meter = new NearMeter();
     meter.begin(own);
-    meter.add(true, body, 0);
+    meter.add(RowKind.BODY, body, 0);
     int bits = meter.bits();
     assertTrue(bits < 70, "bits=" + bits + " of an entity");
-    meter.add(false, contact, 0);
+    meter.add(RowKind.CONTACT, contact, 0);
     assertTrue(meter.bits() - bits < 90, "bits=" + (meter.bits() - bits) + " of a contact");
   }
 }

@@ -85,7 +85,7 @@ final class NearTraining {
             OwnState own = decoder.own();
             if (decoder.hasOwn() && own.near.updating) {
               counting.part(BitCoder.known(), own);
-              rows += own.near.partRows;
+              rows += own.near.partRows();
             }
           }
         }

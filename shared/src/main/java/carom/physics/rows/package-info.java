@@ -1,0 +1,37 @@
+/**
+ * Exact rows: bodies with what they learnt about each other by touching, as numbers that are
+ * carried from one world to another. {@link carom.physics.World#readRows} reads them, {@link
+ * carom.physics.World#writeRows} writes them.
+ *
+ * <p>What a row holds, and at which offset, is declared here and nowhere else:
+ *
+ * <pre>
+ *            0     1                      8            9                15          19
+ *          ┌─────┬──────────────────────┬────────────┬────────────────┬───────────┐
+ *   BODY   │ KEY │ MOTION               │ SLEEP_TIME │ LOADS          │ MEMORY    │
+ *          │     │ x y cos sin vx vy ω  │ or ASLEEP  │ impulse  force │ m0 ... m3 │
+ *          └─────┴──────────────────────┴────────────┴────────────────┴───────────┘
+ *           user   physics                                              user
+ *
+ *            0           2       3            4         6        8                 13      15
+ *          ┌───────────┬───────┬────────────┬─────────┬────────┬─────────────────┬───────┐
+ *   CONTACT│ END_A     │ PARTS │ POINTS_AND │ ID_0    │ NORMAL │ impulses to     │ TOTAL │
+ *          │     END_B │       │ _FLAGS     │    ID_1 │ x y    │ start with      │ 0   1 │
+ *          └───────────┴───────┴────────────┴─────────┴────────┴─────────────────┴───────┘
+ *           integers                                   floats
+ *
+ *   ExactRows:  BODY, BODY, BODY, ...         by ascending slot
+ *               CONTACT, CONTACT, ...         by ascending ends
+ *
+ *   Rows of mixed kinds, in one array with room for the longest kind:
+ *               │BODY───────────────│BODY───────────────│CONTACT────────    │CONTACT────────    │
+ * </pre>
+ *
+ * <p>Another kind of row is another constant of {@link carom.physics.rows.RowKind} and a class of
+ * its fields. Storage, hash and copies follow from that.
+ *
+ * <p>A leaf: may import {@code carom.physics.math} and nothing else, so that the code of snapshots,
+ * which sees no world, may use it, too. Read first: {@link carom.physics.rows.ExactRows}, {@link
+ * carom.physics.rows.BodyRow}, {@link carom.physics.rows.ContactRow}.
+ */
+package carom.physics.rows;
