@@ -5,7 +5,7 @@ import carom.client.prediction.Agreement;
 import carom.client.prediction.Prediction;
 import carom.net.protocol.ClientMessage;
 import carom.net.snapshot.exact.OwnState;
-import carom.sim.Neighbourhood;
+import carom.sim.near.Neighbourhood;
 import java.util.ArrayList;
 import java.util.List;
 

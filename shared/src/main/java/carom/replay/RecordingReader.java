@@ -21,6 +21,9 @@ import java.util.zip.Inflater;
  * off. It trusts nothing. Whatever the bytes are, it returns an event or throws a {@link
  * RecordingException} that says what is wrong at which byte. It takes less than about 12 MiB of
  * memory, or 100 MiB with a state. Use it from one thread.
+ *
+ * <p><b>Length.</b> The class has one method per kind of block in a file, each a few checks and a
+ * few fields; all share the position that an error names.
  */
 public final class RecordingReader implements AutoCloseable {
   /** Longest name of a player in UTF-8 bytes. */

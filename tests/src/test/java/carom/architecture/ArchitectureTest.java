@@ -185,6 +185,7 @@ final class ArchitectureTest {
     allow("carom.sim.history", "carom.physics..", "carom.sim.level");
     allow(
         "carom.sim", "carom.physics..", "carom.sim.level", "carom.sim.event", "carom.sim.history");
+    allow("carom.sim.near", "carom.physics..", "carom.sim", "carom.sim.level");
     allow("carom.sim.scene", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.event");
     allow(
         "carom.sim.scene.catalog",

@@ -1,6 +1,6 @@
 package carom.client.prediction;
 
-import carom.sim.Neighbourhood;
+import carom.sim.near.Neighbourhood;
 
 /**
  * What is known about whether client and server compute the same: the last ticks at which their

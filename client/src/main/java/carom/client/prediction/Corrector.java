@@ -10,8 +10,8 @@ import carom.physics.rows.ContactRow;
 import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
 import carom.sim.Entity;
-import carom.sim.Neighbourhood;
 import carom.sim.Simulation;
+import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
 
 /**

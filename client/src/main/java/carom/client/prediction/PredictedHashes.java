@@ -1,6 +1,6 @@
 package carom.client.prediction;
 
-import carom.sim.Neighbourhood;
+import carom.sim.near.Neighbourhood;
 
 /**
  * A hash of every predicted body for each saved tick. When the server's state of a tick is known,

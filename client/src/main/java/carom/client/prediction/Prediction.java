@@ -6,10 +6,10 @@ import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.sim.Input;
-import carom.sim.Neighbourhood;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.near.Neighbourhood;
 import java.util.function.LongSupplier;
 
 /**

@@ -2,8 +2,8 @@ package carom.client.prediction;
 
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
-import carom.sim.Neighbourhood;
 import carom.sim.Simulation;
+import carom.sim.near.Neighbourhood;
 
 /**
  * Reconciles the timeline with one state of the server: rolls back, applies updates, compares,

@@ -6,9 +6,9 @@ import carom.client.interpolation.StateHistory;
 import carom.net.snapshot.EntityHistory;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.relay.RelayedInputs;
-import carom.sim.Neighbourhood;
 import carom.sim.Simulation;
 import carom.sim.level.Archetype;
+import carom.sim.near.Neighbourhood;
 
 /**
  * What the decoded snapshots tell a prediction: the identity of entities, their quantised states,

@@ -4,10 +4,10 @@ import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.physics.Body;
 import carom.sim.Entity;
-import carom.sim.Neighbourhood;
 import carom.sim.Player;
 import carom.sim.SimState;
 import carom.sim.Simulation;
+import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
 
 /**

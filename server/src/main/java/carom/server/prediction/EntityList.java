@@ -1,8 +1,8 @@
 package carom.server.prediction;
 
 import carom.sim.Entity;
-import carom.sim.Neighbourhood;
 import carom.sim.Simulation;
+import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
 
 /** A list of entities that can be put in the order of the world. Allocates only to grow. */

@@ -3,8 +3,8 @@ package carom.server.prediction;
 import java.util.Arrays;
 
 /**
- * A list of entities by their {@linkplain carom.sim.Neighbourhood#key keys}, which tell an entity
- * from another that had the same id. Allocates only to grow.
+ * A list of entities by their {@linkplain carom.sim.near.Neighbourhood#key keys}, which tell an
+ * entity from another that had the same id. Allocates only to grow.
  */
 final class KeyList {
   private int[] keys = new int[16];

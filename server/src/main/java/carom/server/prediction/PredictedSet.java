@@ -5,9 +5,9 @@ import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.sim.Entity;
 import carom.sim.InterferenceLog;
-import carom.sim.Neighbourhood;
 import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.near.Neighbourhood;
 import java.util.function.Predicate;
 
 /**

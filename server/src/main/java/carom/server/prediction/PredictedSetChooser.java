@@ -5,9 +5,9 @@ import carom.physics.BodyContactVisitor;
 import carom.physics.BodyVisitor;
 import carom.physics.math.Aabb;
 import carom.sim.Entity;
-import carom.sim.Neighbourhood;
 import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
 import java.util.function.Predicate;
 

@@ -3,7 +3,7 @@ package carom.server.prediction;
 import carom.net.protocol.ClientMessage.Diverged;
 import carom.net.snapshot.exact.OwnState;
 import carom.physics.rows.Rows;
-import carom.sim.Neighbourhood;
+import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
 import java.util.Locale;
 

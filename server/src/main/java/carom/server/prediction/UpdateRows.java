@@ -4,8 +4,8 @@ import carom.net.snapshot.exact.NearState;
 import carom.physics.rows.ContactRow;
 import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
-import carom.sim.Neighbourhood;
 import carom.sim.Simulation;
+import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
 
 /**

@@ -9,10 +9,10 @@ import carom.net.snapshot.frame.FrameState;
 import carom.physics.BodyContactVisitor;
 import carom.physics.broadphase.index.IntVisitor;
 import carom.sim.Entity;
-import carom.sim.Neighbourhood;
 import carom.sim.Player;
 import carom.sim.event.Audience;
 import carom.sim.level.Level;
+import carom.sim.near.Neighbourhood;
 
 /**
  * What one player looks at: a rectangle around the own body, or around the place that a spectator's

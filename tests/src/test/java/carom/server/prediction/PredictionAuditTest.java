@@ -7,7 +7,7 @@ import carom.net.snapshot.exact.OwnState;
 import carom.physics.rows.BodyRow;
 import carom.physics.rows.RowKind;
 import carom.server.prediction.PredictionAudit.Finding;
-import carom.sim.Neighbourhood;
+import carom.sim.near.Neighbourhood;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

@@ -1,10 +1,14 @@
-package carom.sim;
+package carom.sim.near;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.game.Games;
 import carom.physics.rows.BodyRow;
+import carom.sim.Input;
+import carom.sim.Role;
+import carom.sim.SimRandom;
+import carom.sim.Simulation;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 import java.util.Arrays;

@@ -1,8 +1,12 @@
-package carom.sim;
+package carom.sim.near;
 
 import carom.physics.rows.BodyRow;
 import carom.physics.rows.ExactRows;
 import carom.physics.rows.Rows;
+import carom.sim.Entity;
+import carom.sim.Player;
+import carom.sim.Role;
+import carom.sim.Simulation;
 import carom.sim.level.Archetype;
 import java.util.Arrays;
 
