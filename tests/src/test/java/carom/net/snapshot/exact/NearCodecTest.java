@@ -8,6 +8,7 @@ import carom.net.codec.SectionCheck;
 import carom.physics.rows.BodyRow;
 import carom.physics.rows.RowKind;
 import java.util.Random;
+import java.util.Set;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 
@@ -46,7 +47,7 @@ class NearCodecTest {
     return close ? near.key(near.count - 1) + step & 0xffffff : random.nextInt(1 << 24);
   }
 
-  private static void add(NearState near, TreeSet<Integer> taken, int key) {
+  private static void add(NearState near, Set<Integer> taken, int key) {
     if (near.count < NearState.MAX_ENTITIES && taken.add(key)) {
       near.add(key);
     }
