@@ -35,7 +35,11 @@ class ModulePathTest {
 
       public final class Main {
         public static void main(String[] args) {
-          World<String> world = new World<>(new WorldDef().withSleeping(false));
+          WorldDef constants = new WorldDef().withSleeping(false);
+          if (constants.gravityY() != -10) { // declared by a class that WorldDef extends
+            throw new AssertionError(constants.gravityY());
+          }
+          World<String> world = new World<>(constants);
           world.createBody(new BodyDef().position(0, -1).shape(new Box(50, 1)), "ground");
           for (int i = 0; i < 600; i++) {
             BodyDef def = new BodyDef(BodyType.DYNAMIC).position(i % 40 - 20, .6f + i / 40);
