@@ -39,10 +39,10 @@ import carom.physics.math.Transform;
  *
  * <h2>Capsules, segments, rounded polygons</h2>
  *
- * The same by other means: the shapes without their rounding are measured, then the radii are taken
- * off. A capsule lying on a flat has two points. A segment of a chain touches only what is in front
- * of it, and at joints that aren't outward corners with its own normal only; the point of a circle
- * has id 0 here, too.
+ * These shapes get the same kinds of contacts by another method: the shapes without their rounding
+ * are measured, then the radii are subtracted. A capsule lying on a flat has two points. A segment
+ * of a chain touches only what is in front of it, and at joints that aren't outward corners with
+ * its own normal only; the point of a circle has id 0 here, too.
  *
  * <p><b>Length.</b> The class is longer than others because the steps of one manifold share a dozen
  * numbers in its fields. Split up, they would pass these as arguments in the hottest loop of the
@@ -489,9 +489,9 @@ public final class Collider {
    * height of a vertex of B above it. Of equal faces it takes the one of lowest index. Any face
    * with a separation above the speculative distance ends the search.
    *
-   * <p>The search starts at the hint and goes around from there. A face can't win if the vertex
-   * nearest to the best face is lower above it than above the best face. So mostly one vertex
-   * decides, and branches hardly ever go another way than before.
+   * <p>The search starts at the hint and goes around from there. A face can't win if B's lowest
+   * vertex above the best face is at a smaller height above it. So mostly one vertex decides, and
+   * branches hardly ever go another way than before.
    */
   private void faceOfA(
       Convex a, int countA, int countB, int startEdge, int startSupport, float speculative) {
