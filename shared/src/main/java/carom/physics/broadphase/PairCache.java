@@ -23,7 +23,7 @@ import carom.physics.broadphase.kd.KdTree;
  * <p>The number of ticks that rooms last for follows from the boxes' speed relative to their sizes,
  * so that the lists stay short. The few boxes that leave early, because they changed course, get
  * larger rooms one by one. When that makes a list about twice as long as when it was made, its
- * rooms are made anew. For boxes that move their own size in a tick the tree alone is faster.
+ * rooms are made anew. For boxes that move their own size in a tick, the tree alone is faster.
  *
  * <p><b>Length.</b> Both lists of pairs and both kinds of rooms form one invariant, so one class
  * keeps them.

@@ -649,9 +649,8 @@ public final class Collider {
     int i = low >= span ? w2 : w1;
     if (faceSeparation > TOUCHING) {
       // With a gap, the facing vertex that is nearest to the face may lie beyond its end while the
-      // facing edge does not. Then two
-      // vertices are the closest points, unless the end of the face sees the inner part of the
-      // facing edge (parallel edges).
+      // facing edge does not. Then two vertices are the closest points, unless the end of the face
+      // sees the inner part of the facing edge (parallel edges).
       float nearest = height1 <= height2 ? low : high;
       if (nearest < 0 || nearest > span) {
         int end = nearest < 0 ? v1 : v2;
