@@ -3,7 +3,7 @@ package carom.physics.broadphase;
 import carom.physics.broadphase.index.AabbArray;
 
 /**
- * Knows where elements are, for a {@link SpatialCollection}.
+ * Writes the boxes of elements for a {@link SpatialCollection}.
  *
  * @param <E> type of the elements
  */
@@ -12,9 +12,9 @@ public interface BoxWriter<E> {
   /**
    * Writes the box of an element, e.g. {@code boxes.set(id, minX, minY, maxX, maxY)}.
    *
-   * @param element whose box
-   * @param boxes where to write it; don't keep
-   * @param id at which index
+   * @param element the element whose box to write
+   * @param boxes receives the box; don't keep a reference
+   * @param id index at which to write the box
    */
   void write(E element, AabbArray boxes, int id);
 }

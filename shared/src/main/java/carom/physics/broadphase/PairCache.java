@@ -7,60 +7,63 @@ import carom.physics.broadphase.index.SpatialIndex;
 import carom.physics.broadphase.kd.KdTree;
 
 /**
- * The overlapping pairs of many boxes that move a little from tick to tick, by two lists of pairs
- * that may overlap soon.
+ * A cache of the overlapping pairs of many boxes that move a little from tick to tick. It keeps two
+ * lists of pairs that may overlap soon.
  *
  * <p>Every box has an <i>inner room</i> for some ticks of its motion, within an <i>outer room</i>
- * for several times as many. While all boxes stay within their inner rooms, no pair can overlap
- * that isn't in the list of pairs whose inner rooms do: a tick is one stream over the boxes and one
- * over that list. When boxes leave, all get new inner rooms, whose pairs are picked from the list
- * of the outer ones: cheap, too. Only when boxes leave their outer rooms a {@link KdTree} is asked
- * for the pairs of new ones. So answers are exact in every tick, most ticks are cheap, and one in
- * some forty is dear: look at the mean. These are Verlet's neighbour lists (1967), two deep, with
- * room along the way instead of on all sides.
+ * for several times as many. While all boxes stay within their inner rooms, every overlapping pair
+ * is in the list of pairs whose inner rooms overlap. Such a tick is one pass over the boxes and one
+ * over that list. When many boxes leave, all get new inner rooms, whose pairs are picked from the
+ * list of the outer ones, which is cheap too. Only when many boxes leave their outer rooms does the
+ * cache ask a {@link KdTree} for the pairs of new ones. So results are exact in every tick, most
+ * ticks are cheap, and about one in forty is expensive: judge the cost by the mean. The method is
+ * Verlet's neighbour lists (1967) in two levels, with room along the motion instead of on all
+ * sides.
  *
- * <p>For how many ticks the rooms are follows from how fast boxes move in relation to their sizes,
- * so that the lists stay short. The few that leave early, as they changed their course, get larger
- * rooms one by one, until a list is twice as long as when it was made: then its rooms are made
- * anew. What moves its own size in a tick is better off with the tree alone.
+ * <p>The number of ticks that rooms last for follows from the boxes' speed relative to their sizes,
+ * so that the lists stay short. The few boxes that leave early, because they changed course, get
+ * larger rooms one by one. When that makes a list about twice as long as when it was made, its
+ * rooms are made anew. For boxes that move their own size in a tick, the tree alone is faster.
  *
- * <p><b>Length.</b> Both lists of pairs and both kinds of rooms are one invariant, kept by one
- * class.
+ * <p><b>Length.</b> Both lists of pairs and both kinds of rooms form one invariant, so one class
+ * keeps them.
  *
  * <p><b>Order, ownership, threads, errors</b> as for every {@link SpatialIndex}. <b>Cost.</b> O(n +
- * pairs) in most ticks. Boxes are kept in the order of the tree, so that all streams are local.
+ * pairs) in most ticks. Boxes are kept in the order of the tree, so that memory access is local.
  */
 public final class PairCache {
-  /** How far boxes get in their outer rooms on the average, in extents. */
+  /** Mean distance that boxes move within their outer rooms, in extents of the box. */
   private static final float OUTER_WAY = 1.25f;
 
-  /** For how many ticks outer rooms are at least and at most. */
+  /** Smallest and largest number of ticks that outer rooms last for. */
   private static final float LEAST_TICKS = 4;
 
   private static final float MOST_TICKS = 100;
 
-  /** How many inner rooms an outer one lasts for. */
+  /** Number of successive inner rooms that one outer room lasts for. */
   private static final float INNER_PER_OUTER = 5;
 
-  /** All boxes get new inner rooms when more than this fraction (1 / n) of them left theirs. */
+  /**
+   * Share (1 / n) of boxes above which, when they leave their inner rooms, all boxes get new ones.
+   */
   private static final int INNER_SHARE = 32;
 
-  /** The same for outer rooms. */
+  /** Share (1 / n) of boxes above which, when they leave their outer rooms, all get new ones. */
   private static final int OUTER_SHARE = 4;
 
-  /** Ticks up to which {@link #age} is counted: of more than these a way's mean is nil. */
+  /** Largest {@link #age}, in ticks. The mean motion over more ticks is practically zero. */
   private static final int OLDEST = 1 << 20;
 
-  /** Room on each side in any case, in extents of the box. */
+  /** Smallest room on each side of a box, in extents of the box. */
   private static final float MARGIN = 1 / 64f;
 
-  /** From as many boxes on, those of the caller don't fit the nearest caches. */
+  /** Number of boxes from which on the caller's array doesn't fit the nearest caches. */
   private static final int FAR = 200_000;
 
-  /** Boxes fetched at once from far away, a power of two. */
+  /** Number of boxes fetched at once from far memory, a power of two. */
   private static final int AHEAD = 64;
 
-  /** Pairs tested before those that overlap are reported. */
+  /** Number of pairs tested before those that overlap are reported. */
   private static final int BATCH = 256;
 
   private static final int INNER = 0;
@@ -70,7 +73,7 @@ public final class PairCache {
   private AabbArray source = new AabbArray(0);
   private int size;
 
-  /** By place: the id, the box as of the last refit, its rooms. */
+  /** Id, box as of the last refit, and rooms, each indexed by place. */
   private int[] ids = new int[0];
 
   private AabbArray boxes = new AabbArray(0);
@@ -78,42 +81,44 @@ public final class PairCache {
   private final AabbArray outer = new AabbArray(0);
 
   /**
-   * By place: left and lower edge when inner rooms were made, or where they would have been had the
-   * box always moved as it does now.
+   * Left and lower edge by place, as of when inner rooms were made. For a box that changed course,
+   * they are where the edges would have been had it always moved as now.
    */
   private float[] start = new float[0];
 
   /** Ticks since inner rooms were made, {@link #OLDEST} at most. */
   private int age;
 
-  /** For how many ticks new rooms are. */
+  /** Number of ticks that new rooms last for. */
   private float innerTicks;
 
   private float outerTicks;
 
-  /** Over the outer rooms, by place. */
+  /** Tree over the outer rooms; its ids are places. */
   private final KdTree tree = new KdTree(outer);
 
   private final PairList innerPairs = new PairList();
   private final PairList outerPairs = new PairList();
 
-  /** See {@link #limit}. */
+  /** Largest length of each list, see {@link #limit}. */
   private int innerLimit;
 
   private int outerLimit;
   private final int[] batch = new int[BATCH];
 
-  /** Places that left a room in this tick, and how they moved in it. */
+  /** Places of the boxes that left a room in this tick, and their motion in it. */
   private int[] left = new int[0];
 
   private float[] leftWay = new float[0];
   private int leftCount;
 
-  /** What {@link #fetch} made of what it read; for nobody, but it must be for something. */
+  /**
+   * Sum of what {@link #fetch} read. It is never used, but keeps the JIT from removing the reads.
+   */
   @SuppressWarnings("UnusedVariable")
   private float fetched;
 
-  /** The place whose rooms grow, and how large they were. */
+  /** Place of the box whose rooms are growing, and the rooms before they grew. */
   private int growing;
 
   private final AabbArray before = new AabbArray(2);
@@ -124,7 +129,7 @@ public final class PairCache {
         return true;
       };
 
-  /** Scratch: an order of places, and what is put into it. */
+  /** Scratch for an order of places, and for what is brought into that order. */
   private int[] order = new int[0];
 
   private int[] otherIds = new int[0];
@@ -135,13 +140,13 @@ public final class PairCache {
     this(FAR);
   }
 
-  /** The same with a limit of one's own for what is far. */
+  /** Makes an empty cache with another number of boxes from which on memory counts as far. */
   PairCache(int far) {
     this.far = far;
   }
 
   /**
-   * The number of boxes.
+   * Returns the number of boxes.
    *
    * @return the number of boxes
    */
@@ -149,13 +154,13 @@ public final class PairCache {
     return size;
   }
 
-  /** How many pairs are kept, a measure of memory and time. */
+  /** Returns the number of pairs kept in both lists, a measure of memory and time. */
   int kept() {
     return innerPairs.count + outerPairs.count;
   }
 
   /**
-   * Forgets everything and takes these boxes.
+   * Replaces all boxes by these.
    *
    * @param newBoxes the boxes, indexed by id; a reference is kept
    * @param newIds distinct ids, the first {@code count} entries are read
@@ -193,7 +198,7 @@ public final class PairCache {
   }
 
   /**
-   * Takes over the boxes' new places: call once per tick, after they moved.
+   * Updates the cache to the boxes' present edges. Call it once per tick, after they moved.
    *
    * @throws IllegalArgumentException if a box isn't finite with min &lt;= max; the cache is empty
    *     then
@@ -226,8 +231,8 @@ public final class PairCache {
   }
 
   /**
-   * Reads one edge of some boxes of the caller, that they are near when the others are read: so
-   * short a loop waits for many of them at once.
+   * Reads one edge of some of the caller's boxes, so that they are in the cache when the other
+   * edges are read. A loop this short waits for many of them at once.
    */
   private float fetch(int first, int end) {
     float sum = 0;
@@ -274,7 +279,7 @@ public final class PairCache {
 
   // ---------------------------------------------------------------- all rooms
 
-  /** Gives all boxes new inner rooms, and outer ones if many left theirs. */
+  /** Gives all boxes new inner rooms, and new outer rooms if many boxes left theirs. */
   private void renewInner() {
     float[] e = boxes.edges;
     float[] limit = outer.edges;
@@ -321,7 +326,7 @@ public final class PairCache {
     pickInner();
   }
 
-  /** Brings all places into the order of the tree. */
+  /** Sorts all places into the order of the tree. */
   private void permute() {
     tree.number(order);
     float[] from = boxes.edges;
@@ -380,20 +385,20 @@ public final class PairCache {
   }
 
   /**
-   * How long a list that was made just now may become, by rooms that grow one by one, before all
-   * its rooms are made anew. Without a limit what flies about among others that rest would have a
-   * pair with all of them some day.
+   * Returns the length to which a list that was just made may grow before all its rooms are made
+   * anew. Without a limit, a box that flies about among resting ones would some day have a pair
+   * with each of them.
    */
   private int limit(PairList made) {
     return (int) Math.min(Integer.MAX_VALUE, 2L * made.count + size);
   }
 
-  /** One by the ticks since inner rooms were made. */
+  /** Returns 1 divided by the ticks since inner rooms were made. */
   private float perTick() {
     return 1f / Math.max(1, age);
   }
 
-  /** Makes rooms for some ticks ahead along the mean way since inner rooms were made. */
+  /** Makes rooms for some ticks ahead along the boxes' mean motion since inner rooms were made. */
   private void setRooms(AabbArray rooms, float ticks) {
     float[] e = boxes.edges;
     float[] s = start;
@@ -405,7 +410,7 @@ public final class PairCache {
     }
   }
 
-  /** Makes a room around a box and the same box further along a way. */
+  /** Makes a room around a box and the same box moved by a way. */
   private static void setRoom(float[] e, float[] room, int at, float wayX, float wayY) {
     float minX = e[at];
     float minY = e[at + 1];
@@ -424,13 +429,15 @@ public final class PairCache {
     room[at + 3] = valid ? high : maxY;
   }
 
-  /** The smaller of x and 0, without a branch: signs of ways aren't to be foreseen. */
+  /**
+   * Returns the smaller of x and 0. It has no branch, because the signs of ways are unpredictable.
+   */
   private static float negative(float x) {
     int bits = Float.floatToRawIntBits(x);
     return Float.intBitsToFloat(bits & bits >> 31);
   }
 
-  /** The larger of x and 0. */
+  /** Returns the larger of x and 0. */
   private static float positive(float x) {
     int bits = Float.floatToRawIntBits(x);
     return Float.intBitsToFloat(bits & ~(bits >> 31));
@@ -438,7 +445,10 @@ public final class PairCache {
 
   // ---------------------------------------------------------------- one by one
 
-  /** Makes the rooms of all that left larger; answers false if all rooms are to be made anew. */
+  /**
+   * Makes the rooms of all boxes that left theirs larger. Returns false if all rooms must be made
+   * anew.
+   */
   private boolean growAll() {
     for (int i = 0; i < leftCount; i++) {
       if (!grow(left[i], leftWay[2 * i], leftWay[2 * i + 1])) {
@@ -449,8 +459,8 @@ public final class PairCache {
   }
 
   /**
-   * Makes the rooms of a box that left one larger, so that the pairs in the lists stay right, and
-   * adds those that come; answers false if there is no number for so large a room.
+   * Makes the rooms of a box that left one larger, so that the pairs in the lists stay valid, and
+   * adds its new pairs. Returns false if the room is too large for a float.
    */
   private boolean grow(int place, float wayX, float wayY) {
     growing = place;
@@ -477,13 +487,13 @@ public final class PairCache {
     return true;
   }
 
-  /** Has the mean way of a box be this one. */
+  /** Sets the mean motion of a box, per tick. */
   private void startAt(int place, float wayX, float wayY) {
     start[2 * place] = boxes.minX(place) - age * wayX;
     start[2 * place + 1] = boxes.minY(place) - age * wayY;
   }
 
-  /** Adds the pair of the box that grows and another to the lists it has come into. */
+  /** Adds the pair of the growing box and another one to each list whose rooms overlap only now. */
   private void meet(int place) {
     if (place == growing) {
       return;
@@ -500,7 +510,7 @@ public final class PairCache {
     return b.overlaps(k, a.minX(i), a.minY(i), a.maxX(i), a.maxY(i));
   }
 
-  /** Adding zero turns -0 into +0, on which the sign tests of pairs rely. */
+  /** Copies a box. Adding zero turns -0 into +0, on which the sign tests of pairs rely. */
   private static void copy(AabbArray from, int i, AabbArray to, int k) {
     to.set(k, from.minX(i) + 0f, from.minY(i) + 0f, from.maxX(i) + 0f, from.maxY(i) + 0f);
   }
@@ -534,7 +544,7 @@ public final class PairCache {
     }
   }
 
-  /** Lists which of a batch of pairs overlap, without a branch; answers how many. */
+  /** Lists which pairs of a batch overlap, without a branch, and returns how many. */
   private int test(float[] e, PairList pairs, int from) {
     long[] list = pairs.list;
     int to = Math.min(from + BATCH, pairs.count);

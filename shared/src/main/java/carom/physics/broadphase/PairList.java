@@ -3,11 +3,13 @@ package carom.physics.broadphase;
 import carom.physics.broadphase.index.PairVisitor;
 import java.util.Arrays;
 
-/** A list of pairs of ids that takes what a search finds. */
+/** A growing list of the pairs of ids that a search finds. */
 public final class PairList implements PairVisitor {
   private static final int MOST = 1 << 30;
 
-  /** idA in the upper half, idB in the lower. */
+  /**
+   * The pairs, idA in the upper 32 bits and idB in the lower; the first {@link #count} are valid.
+   */
   public long[] list = new long[64];
 
   public int count;
@@ -22,7 +24,7 @@ public final class PairList implements PairVisitor {
     list[count++] = (long) idA << 32 | idB;
   }
 
-  /** Adds some pairs of another list. */
+  /** Adds some pairs of another list, given by their indexes. */
   void addFrom(PairList other, int[] which, int more) {
     ensure(more);
     for (int i = 0; i < more; i++) {

@@ -13,11 +13,12 @@ import java.util.Objects;
 import java.util.function.BiConsumer;
 
 /**
- * A {@link Collection} of things that have a place, for those who want a spatial index without ids.
+ * A {@link Collection} of elements that have boxes: a spatial index without ids.
  *
- * <p>A bag in insertion order: equal elements may be in it twice. Call {@link #rebuild()} after
- * elements moved; adding and removing is noticed without. Not thread-safe. {@code add} is O(1),
- * {@code remove} and {@code contains} are O(n), searches cost what the index costs.
+ * <p>The collection is a bag in insertion order: it may hold equal elements twice. Call {@link
+ * #rebuild()} after elements moved; adding and removing needs no call. Not thread-safe. {@code add}
+ * is O(1), {@code remove} and {@code contains} are O(n); searches cost as much as those of the
+ * index.
  *
  * @param <E> type of the elements
  */
@@ -34,7 +35,7 @@ public final class SpatialCollection<E> extends AbstractCollection<E> {
   /**
    * Makes an empty collection over a KD-tree.
    *
-   * @param writer knows where elements are
+   * @param writer writes the boxes of elements
    */
   public SpatialCollection(BoxWriter<? super E> writer) {
     this(new KdTree(new AabbArray(0)), writer);
@@ -43,8 +44,8 @@ public final class SpatialCollection<E> extends AbstractCollection<E> {
   /**
    * Makes an empty collection.
    *
-   * @param index the index to use; from now on owned by the collection, what is in it is forgotten
-   * @param writer knows where elements are
+   * @param index the index to use; the collection owns it from now on and replaces its contents
+   * @param writer writes the boxes of elements
    */
   public SpatialCollection(SpatialIndex index, BoxWriter<? super E> writer) {
     this.index = Objects.requireNonNull(index, "index");
@@ -92,7 +93,7 @@ public final class SpatialCollection<E> extends AbstractCollection<E> {
   }
 
   /**
-   * Asks every element for its box again. A KD-tree is refitted if only places changed.
+   * Reads the box of every element again. A KD-tree is refitted if elements only moved.
    *
    * @throws IllegalArgumentException if a box isn't finite with min &lt;= max
    */
@@ -137,8 +138,8 @@ public final class SpatialCollection<E> extends AbstractCollection<E> {
   }
 
   /**
-   * Visits every two elements whose boxes, as of the last rebuild, overlap; the one added first
-   * comes first. The order of the pairs is unspecified.
+   * Visits every pair of elements whose boxes, as of the last rebuild, overlap. The element added
+   * first comes first in its pair. The order of the pairs is unspecified.
    *
    * @param visitor receives the pairs; must not change the collection
    */

@@ -4,12 +4,13 @@ import carom.physics.geometry.Box;
 import carom.physics.math.Transform;
 
 /**
- * Manifolds of two boxes: the decisions that {@link Collider} makes for polygons, found from half
- * sizes and angles instead of vertices.
+ * Computes manifolds of two boxes. It makes the decisions that {@link Collider} makes for polygons,
+ * but from half sizes and angles instead of vertices.
  *
- * <p>Along an axis of one box the other reaches as far as the projections of its half sizes, which
- * gives the four gaps, of which the largest names the reference face. Then everything is seen from
- * the centre of the reference box, along that face's normal n and along the face, t, n turned left:
+ * <p>Along an axis of one box, the other reaches as far as the projections of its half sizes. That
+ * gives four gaps, of which the largest names the reference face. Everything else is measured from
+ * the centre of the reference box, along that face's normal n and along the face's direction t,
+ * which is n turned left:
  *
  * <pre>
  *          w1 o-----------------o w2      incident face: from high (w1) to low (w2) along t,
@@ -19,8 +20,8 @@ import carom.physics.math.Transform;
  *    t <--          ^
  * </pre>
  *
- * <p>Which faces these are is put in by factors of 0, 1 and -1 and by masks: where boxes tumble
- * every branch is a guess, and a wrong one costs more than all sums of a choice.
+ * <p>Factors of 0, 1 and -1 and masks choose the faces, instead of branches. Where boxes tumble the
+ * CPU can't predict a branch, and a misprediction costs more than computing both choices.
  */
 final class BoxCollider {
   private static final float TOUCHING = Collider.TOUCHING;
@@ -34,22 +35,22 @@ final class BoxCollider {
   private boolean ofB;
   private boolean ofCorners;
 
-  /** As {@link Collider#gap}. */
+  /** Returns the gap, as {@link Collider#gap} does. */
   float gap() {
     return gap;
   }
 
-  /** As {@link Collider#ofB}. */
+  /** Returns whether the normal belongs to a face of B, as {@link Collider#ofB} does. */
   boolean ofB() {
     return ofB;
   }
 
-  /** As {@link Collider#ofCorners}. */
+  /** Returns whether the normal is between two corners, as {@link Collider#ofCorners} does. */
   boolean ofCorners() {
     return ofCorners;
   }
 
-  /** As {@link Collider#collide}. */
+  /** Computes the manifold of two boxes, as {@link Collider#collide} does. */
   void collide(Box a, Transform ta, Box b, Transform tb, float speculative, Manifold out) {
     ofCorners = false;
     float worldX = tb.x - ta.x;
@@ -199,14 +200,17 @@ final class BoxCollider {
     }
   }
 
-  /** Names a vertex of the reference edge, its first or second, and one of the facing edge. */
+  /**
+   * Returns the id of a pair of vertices: the first or second of the reference edge, and one of the
+   * facing edge.
+   */
   private static int pair(int edge, int facing, boolean second, boolean facingSecond) {
     return (edge + (second ? 1 : 0) & 3) << 8 | (facing + (facingSecond ? 1 : 0) & 3);
   }
 
   /**
-   * The edge of a box, turned by an angle, whose normal is most against that of an edge of another
-   * box; of equally good ones that of the lower index.
+   * Returns the edge of a box, turned by an angle, whose normal most opposes that of an edge of
+   * another box. Of equally good edges it is the one of lower index.
    */
   private static int facingEdge(int edge, float cos, float sin) {
     // Edge normals are a quarter turn apart: the opposite one is edge + 2, less the quarters by
@@ -218,7 +222,9 @@ final class BoxCollider {
     return edge + 2 - quarters & 3;
   }
 
-  /** The edge that faces the other box; of equally good ones that of the lowest index. */
+  /**
+   * Returns the edge that faces the other box. Of equally good edges it is the one of lowest index.
+   */
   private static int bestEdge(float gapX, float gapY, float dx, float dy) {
     int sideways = 1 + (2 & Collider.sign(dx + 0f));
     int upright = 2 & Collider.sign(0f - dy);

@@ -6,7 +6,8 @@ import carom.physics.geometry.Convex;
 import carom.physics.math.Transform;
 
 /**
- * Computes contact manifolds. Holds scratch memory: one per thread, then no call allocates.
+ * Computes contact manifolds. An instance holds scratch memory, so use one per thread; no call
+ * allocates.
  *
  * <h2>Polygons</h2>
  *
@@ -38,37 +39,42 @@ import carom.physics.math.Transform;
  *
  * <h2>Capsules, segments, rounded polygons</h2>
  *
- * The same by other means: the shapes without their rounding are measured, then the radii are taken
- * off. A capsule lying on a flat has two points. A segment of a chain touches only what is in front
- * of it, and at joints that aren't outward corners with its own normal only; the point of a circle
- * has id 0 here, too.
+ * These shapes get the same kinds of contacts by another method: the shapes without their rounding
+ * are measured, then the radii are subtracted. A capsule lying on a flat has two points. A segment
+ * of a chain touches only what is in front of it, and at joints that aren't outward corners with
+ * its own normal only; the point of a circle has id 0 here, too.
  *
- * <p><b>Length.</b> The class is longer than others because the steps of one manifold hand each
- * other a dozen numbers in its fields; as parts they would pass them as arguments in the hottest
- * loop of the engine. Round shapes and pairs of boxes have classes of their own: {@link
- * RoundCollider}, {@link BoxCollider}.
+ * <p><b>Length.</b> The class is longer than others because the steps of one manifold share a dozen
+ * numbers in its fields. Split up, they would pass these as arguments in the hottest loop of the
+ * engine. Round shapes and pairs of boxes have classes of their own: {@link RoundCollider}, {@link
+ * BoxCollider}.
  */
 public final class Collider {
   /**
-   * Gap, metres, below which the direction between two vertices is not trusted and a face normal
+   * Gap, metres, up to which the direction between two vertices is not trusted and a face normal
    * serves.
    */
   public static final float TOUCHING = 1e-5f;
 
   /**
-   * B's face must be better by this much, metres, to be preferred to A's while shapes overlap...
+   * Margin, metres, by which B's face must be better to be preferred to A's while shapes overlap.
+   * The smaller of this and the {@link #RELATIVE_FACE_BIAS} counts.
    */
   public static final float FACE_BIAS = 5e-4f;
 
   /**
-   * ...or by this part of the smaller shape's first edge, whichever is less: shapes may be tiny.
+   * Margin by which B's face must be better, as a fraction of the smaller shape's first edge. It
+   * replaces {@link #FACE_BIAS} if it is less, because shapes may be tiny.
    */
   public static final float RELATIVE_FACE_BIAS = 0.01f;
 
-  /** Faces of two boxes that differ by less than this part of the boxes' sizes are equally good. */
+  /**
+   * Difference, as a fraction of the boxes' half sizes, up to which the faces of two boxes are
+   * equally good.
+   */
   public static final float BOX_ROUNDING = 1e-6f;
 
-  /** Bits of a vertex or edge in a hint. */
+  /** Number of bits of a vertex or edge in a hint. */
   private static final int HINT_BITS = 8;
 
   private static final int HINT_MASK = (1 << HINT_BITS) - 1;
@@ -114,15 +120,16 @@ public final class Collider {
   }
 
   /**
-   * The same, faster for polygons if told where the last search for the same shapes in nearly the
-   * same poses ended.
+   * Finds where two convex shapes touch, or nearly do, starting from a hint. It is faster for
+   * polygons if the hint is where the last search for the same shapes in nearly the same poses
+   * ended.
    *
    * @param a shape A in its body's frame
    * @param ta pose of A, read only, finite
    * @param b shape B in its body's frame
    * @param tb pose of B, read only, finite
    * @param speculativeDistance points up to this far apart are reported too, metres, not negative
-   * @param startAt what {@link #hint} said then, 0 if unknown; whatever it is, no bit of the result
+   * @param startAt the {@link #hint} after that search, or 0 if unknown; no bit of the result
    *     depends on it
    * @param out receives the manifold; count 0 when the shapes are farther apart
    */
@@ -159,17 +166,17 @@ public final class Collider {
   }
 
   /**
-   * Where the last search ended: best edges and the vertices opposite, of A and of B. Any of them
-   * may be out of the range of other shapes.
+   * Returns where the last search ended: the best edges of A and of B and the vertices opposite.
+   * Any of them may be out of range for other shapes.
    *
-   * @return to be handed to {@code collide} for the same pair
+   * @return a hint to pass to {@code collide} for the same pair
    */
   public int hint() {
     return hint;
   }
 
   /**
-   * After two shapes without a contact point: how far apart they are at least.
+   * Returns how far apart the last two shapes are at least, if they have no contact point.
    *
    * @return m, measured along the normal of some face or between the closest points; may be below
    *     the speculative distance if a corner decided, or because a one-sided segment lets the other
@@ -180,17 +187,18 @@ public final class Collider {
   }
 
   /**
-   * After two polygons with points in common: whose face the normal belongs to.
+   * Returns whether the normal of the last manifold belongs to a face of B. It is valid for two
+   * polygons with contact points.
    *
-   * @return true for B's; meaningless if a shape was round
+   * @return true for B, false for A; meaningless if a shape was round
    */
   public boolean ofB() {
     return ofB;
   }
 
   /**
-   * After two polygons with a point in common: whether its normal is the direction between two
-   * corners that are apart. Its id names them.
+   * Returns whether the normal of the last manifold is the direction between two corners that are
+   * apart. It is valid for two polygons with a contact point, whose id names the corners.
    *
    * @return false if the normal is that of a face; meaningless if a shape was round
    */
@@ -198,7 +206,7 @@ public final class Collider {
     return ofCorners;
   }
 
-  /** One of the four numbers in a hint, 0 if there is no such vertex. */
+  /** Returns one of the four numbers in a hint, or 0 if there is no such vertex. */
   private static int hinted(int hint, int place, int count) {
     int index = hint >>> place * HINT_BITS & HINT_MASK;
     return index < count ? index : 0;
@@ -227,7 +235,7 @@ public final class Collider {
     out.setPoint0(fromX + middle * nx, fromY + middle * ny, separation, 0);
   }
 
-  /** A is the polygon here; the result is in the order polygon, circle. */
+  /** Computes the manifold of polygon A and circle B. */
   private void polygonCircle(
       Convex a, Transform ta, Circle b, Transform tb, float speculative, Manifold out) {
     float worldX = (tb.x - ta.x) + tb.rotateX(b.centerX(), b.centerY());
@@ -275,8 +283,8 @@ public final class Collider {
   }
 
   /**
-   * How far a point is above the face of a polygon that it is furthest above; of equal ones that of
-   * the lowest index. The search starts where it ended last.
+   * Returns how far a point is above the face of a polygon that it is furthest above. Of equal
+   * faces it takes the one of lowest index. The search starts at the hint.
    */
   private float faceNearest(Convex a, float x, float y) {
     int count = a.vertexCount();
@@ -296,7 +304,7 @@ public final class Collider {
     return best;
   }
 
-  /** As {@link #faceNearest}, bit for bit, without branches. */
+  /** Returns for a box, without branches, what {@link #faceNearest} returns, bit for bit. */
   private float faceOfBox(Box a, float x, float y) {
     float below = a.vertexY(0) - y;
     float right = x - a.vertexX(2);
@@ -322,10 +330,11 @@ public final class Collider {
   }
 
   /**
-   * One point for two vertices, p of A and q of B, that face each other: with a gap their direction
-   * and distance, else the given face normal (from A to B) and its separation.
+   * Sets one point for two vertices, p of A and q of B, that face each other. With a gap, normal
+   * and separation are their direction and distance; else they are those of the given face, from A
+   * to B.
    *
-   * @return whether the normal is that of their direction
+   * @return whether the normal is their direction
    */
   static boolean cornerPoint(
       float px,
@@ -459,7 +468,10 @@ public final class Collider {
     }
   }
 
-  /** By how much B's face must be better, m, if the smaller of the first edges is so long. */
+  /**
+   * Returns the margin by which B's face must be better, m, given the length of the smaller first
+   * edge, m.
+   */
   static float faceBias(float firstEdge) {
     return Math.min(FACE_BIAS, RELATIVE_FACE_BIAS * firstEdge);
   }
@@ -473,13 +485,13 @@ public final class Collider {
   }
 
   /**
-   * The face of A with the largest separation from B: over all faces, the smallest distance of a
-   * vertex of B above the face is taken, and the largest of these wins; equal ones go to the lowest
-   * index. A face above the speculative distance ends the search, whichever it is.
+   * Finds the face of A with the largest separation from B. A face's separation is the smallest
+   * height of a vertex of B above it. Of equal faces it takes the one of lowest index. Any face
+   * with a separation above the speculative distance ends the search.
    *
-   * <p>Starts where the last search ended and goes around from there. A face can't win if the
-   * vertex next to the best face is deeper below it than the best face is, so mostly one vertex
-   * decides, and hardly ever does a branch go another way than before.
+   * <p>The search starts at the hint and goes around from there. A face can't win if B's lowest
+   * vertex above the best face is at a smaller height above it. So mostly one vertex decides, and
+   * branches hardly ever go another way than before.
    */
   private void faceOfA(
       Convex a, int countA, int countB, int startEdge, int startSupport, float speculative) {
@@ -505,7 +517,10 @@ public final class Collider {
     faceSupport = support;
   }
 
-  /** How far B's lowest vertex is above a face of A; of equally low ones the first is taken. */
+  /**
+   * Returns how far B's lowest vertex is above a face of A. Of equally low vertices it takes the
+   * one of lowest index.
+   */
   private float lowestOfB(Convex a, int edge, int countB, int start) {
     float nx = a.normalX(edge);
     float ny = a.normalY(edge);
@@ -526,7 +541,7 @@ public final class Collider {
     return low;
   }
 
-  /** As {@link #faceOfA} with the shapes' parts swapped. */
+  /** Finds the face of B with the largest separation from A, as {@link #faceOfA} does for A. */
   private void faceOfB(
       Convex a, int countA, int countB, int startEdge, int startSupport, float speculative) {
     int edge = startEdge;
@@ -550,7 +565,7 @@ public final class Collider {
     faceSupport = support;
   }
 
-  /** How far A's lowest vertex is above a face of B. */
+  /** Returns how far A's lowest vertex is above a face of B. */
   private float lowestOfA(Convex a, int edge, int countA, int start) {
     float nx = bnx[edge];
     float ny = bny[edge];
@@ -572,8 +587,9 @@ public final class Collider {
   }
 
   /**
-   * All bits set if a number is below zero (or is minus zero), else none. Decisions about boxes are
-   * made by such masks, for branches that go either way as often cost more than the whole sum.
+   * Returns a mask with all bits set if a number is below zero or minus zero, else with none. Boxes
+   * use such masks for decisions, because an unpredictable branch costs more than computing both
+   * choices.
    */
   static int sign(float value) {
     return Float.floatToRawIntBits(value) >> 31;
@@ -589,7 +605,7 @@ public final class Collider {
     return a.normalX(before) * nx + a.normalY(before) * ny < against ? before : support;
   }
 
-  /** Of the two edges at the support vertex that with the normal more against n. */
+  /** Returns the one of the two edges at the support vertex whose normal opposes n more. */
   private static int facing(float[] nxs, float[] nys, int count, int support, float nx, float ny) {
     int before = support == 0 ? count - 1 : support - 1;
     float against = nxs[support] * nx + nys[support] * ny;
@@ -597,9 +613,9 @@ public final class Collider {
   }
 
   /**
-   * Builds the manifold from reference edge v1 v2 of polygon R, with its normal, and the edge w1 w2
-   * of polygon I that faces it. Everything is in A's frame; when {@code flipped}, R is B and I is
-   * A.
+   * Builds the manifold from the reference edge v1 v2 of polygon R, with its normal, and the edge
+   * w1 w2 of polygon I that faces it. Everything is in A's frame. If {@code flipped}, R is B and I
+   * is A.
    */
   private void clip(
       float[] rx,
@@ -633,9 +649,8 @@ public final class Collider {
     int i = low >= span ? w2 : w1;
     if (faceSeparation > TOUCHING) {
       // With a gap, the facing vertex that is nearest to the face may lie beyond its end while the
-      // facing edge does not. Then two
-      // vertices are the closest points, unless the end of the face sees the inner part of the
-      // facing edge (parallel edges).
+      // facing edge does not. Then two vertices are the closest points, unless the end of the face
+      // sees the inner part of the facing edge (parallel edges).
       float nearest = height1 <= height2 ? low : high;
       if (nearest < 0 || nearest > span) {
         int end = nearest < 0 ? v1 : v2;
@@ -709,7 +724,10 @@ public final class Collider {
     out.y1 = ta.rotateY(x, y);
   }
 
-  /** In double precision inside, so that neither tiny nor huge components are lost. */
+  /**
+   * Returns the length of a vector. It computes in double precision, so that neither tiny nor huge
+   * components are lost.
+   */
   private static float length(float x, float y) {
     return (float) Math.sqrt((double) x * x + (double) y * y);
   }

@@ -21,7 +21,7 @@ public final class Manifold {
   /** Y of the unit normal from A to B, world axes; 0 when count is 0. */
   public float normalY;
 
-  /** How many points there are: 0 (no contact), 1 or 2. */
+  /** Number of points: 0 (no contact), 1 or 2. */
   public int count;
 
   /** First point, x, metres from A's position. */
@@ -51,14 +51,14 @@ public final class Manifold {
   /** Makes an empty manifold. */
   public Manifold() {}
 
-  /** Forgets everything: no contact. */
+  /** Removes the points and the normal: no contact. */
   public void clear() {
     set(0, 0, 0);
     setPoint0(0, 0, 0, 0);
     setPoint1(0, 0, 0, 0);
   }
 
-  /** Copies {@code m}. Returns this. */
+  /** Copies {@code m} and returns this. */
   public Manifold set(Manifold m) {
     set(m.normalX, m.normalY, m.count);
     setPoint0(m.x0, m.y0, m.separation0, m.id0);
@@ -86,7 +86,9 @@ public final class Manifold {
     id1 = id;
   }
 
-  /** Smallest separation of the points, metres; positive infinity when there is none. */
+  /**
+   * Returns the smallest separation of the points, metres, or positive infinity if there is none.
+   */
   public float minSeparation() {
     if (count == 0) {
       return Float.POSITIVE_INFINITY;
@@ -94,21 +96,21 @@ public final class Manifold {
     return count == 1 ? separation0 : Math.min(separation0, separation1);
   }
 
-  /** The id under which the same point appears when A and B are swapped. */
+  /** Returns the id under which the same point appears if A and B are swapped. */
   public static int swappedId(int id) {
     return ((id & 0xff) << 8) | (id >>> 8);
   }
 
   /**
-   * X of the one point of collision that stands for the manifold, metres from A's position: the
-   * mean of the overlapping points, weighted by their depth, or the nearest point when none
-   * overlaps. It moves continuously as bodies rock. 0 when count is 0.
+   * Returns the x of the one point of collision that stands for the manifold, metres from A's
+   * position. The point is the mean of the overlapping points, weighted by their depth, or the
+   * nearest point if none overlaps. It moves continuously as bodies rock, and is 0 if count is 0.
    */
   public float pointX() {
     return mix(x0, x1);
   }
 
-  /** Y of the point of collision, see {@link #pointX()}. */
+  /** Returns the y of the point of collision, see {@link #pointX()}. */
   public float pointY() {
     return mix(y0, y1);
   }

@@ -5,23 +5,23 @@ package carom.physics.collision;
  * shape B. Reused.
  */
 public final class Mtv {
-  /** Metres along the world's x axis. */
+  /** Component along the world's x axis, metres. */
   public float x;
 
-  /** Metres along the world's y axis. */
+  /** Component along the world's y axis, metres. */
   public float y;
 
   /** Makes a zero vector. */
   public Mtv() {}
 
-  /** Sets both components. Returns this. */
+  /** Sets both components and returns this. */
   public Mtv set(float x, float y) {
     this.x = x;
     this.y = y;
     return this;
   }
 
-  /** How deep the shapes overlap, metres. */
+  /** Returns how deep the shapes overlap, metres. */
   public float length() {
     return (float) Math.sqrt((double) x * x + (double) y * y);
   }

@@ -4,8 +4,8 @@ import carom.physics.geometry.Convex;
 import carom.physics.math.Transform;
 
 /**
- * The three usual ways to name one point at which two shapes collide, for games and lessons that
- * work with a single point; the solver itself uses the {@link Manifold}'s two. Points are in world
+ * A point at which two shapes collide, found in one of three usual ways, for games and lessons that
+ * work with a single point. The solver itself uses the {@link Manifold}'s two. Points are in world
  * axes, relative to A's transform position, metres, as in a manifold. Mutable and reused.
  */
 public final class PointOfCollision {
@@ -19,8 +19,8 @@ public final class PointOfCollision {
   public PointOfCollision() {}
 
   /**
-   * The mean of all vertices of either shape that are inside the other one. Simple, and right in
-   * the middle when faces overlap evenly; jumps when a vertex comes or goes.
+   * Sets the point to the mean of all vertices of either shape that are inside the other one. It is
+   * simple and in the middle when faces overlap evenly, but jumps when a vertex comes or goes.
    *
    * @param a shape A in its body's frame
    * @param ta pose of A, read only
@@ -57,8 +57,8 @@ public final class PointOfCollision {
   }
 
   /**
-   * The point of the manifold that is deepest; of equal ones their middle, so that a box flat on
-   * the ground isn't tipped.
+   * Sets the point to the deepest point of the manifold. Of equally deep points it takes the
+   * middle, so that a box flat on the ground isn't tipped.
    *
    * @return false when the manifold has no point; the point stays as it was
    */
@@ -76,9 +76,9 @@ public final class PointOfCollision {
   }
 
   /**
-   * The middle of the segment that is left of one shape's edge after clipping it against the
-   * other's: of the manifold's two points, or its only one. See {@link Manifold#pointX()} for a
-   * mean weighted by depth, which moves continuously.
+   * Sets the point to the middle of the manifold's two points, or to its only one. That is the
+   * middle of what is left of one shape's edge after clipping it against the other's. See {@link
+   * Manifold#pointX()} for a mean weighted by depth, which moves continuously.
    *
    * @return false when the manifold has no point; the point stays as it was
    */

@@ -7,29 +7,35 @@ import carom.physics.geometry.Segment;
 import carom.physics.math.Transform;
 
 /**
- * Manifolds of pairs with a capsule, a segment or a rounded polygon.
+ * Computes manifolds of pairs with a capsule, a segment or a rounded polygon.
  *
- * <p>The shapes without their rounding, the cores, are measured by {@link Gjk}. While they are
- * apart, their distance says what kind of contact it is: equal to the best face's separation, a
- * face; more, two vertices. When they overlap, the face of least overlap serves. A face clips the
- * edge that lies against it, which gives two points; then the radii are taken off.
+ * <p>{@link Gjk} measures the cores, the shapes without their rounding. While the cores are apart,
+ * their distance decides the kind of contact: a face if it equals the best face's separation, two
+ * vertices if it is more. If the cores overlap, the face of least overlap serves. A face clips the
+ * edge that lies against it, which gives two points; then the radii are subtracted.
  *
- * <p>A one-sided {@link Segment} takes part with its front only, and its neighbours decide about
- * normals that lean over its ends: at a hollow or straight joint the front's own normal serves
- * instead, at an outward corner normals up to the neighbour's front are taken and those beyond are
- * left to the neighbour. Something whose middle is behind the front passes.
+ * <p>A one-sided {@link Segment} collides with its front only, and its neighbours decide about
+ * normals that lean over its ends. At a concave or straight joint the front's own normal serves
+ * instead. At an outward corner normals up to the neighbour's front are kept, and those beyond are
+ * left to the neighbour. A shape whose middle is behind the front passes.
  */
 final class RoundCollider {
-  /** Gap, metres, below which cores count as touching and faces serve. */
+  /** Gap, metres, up to which cores count as touching and faces serve. */
   private static final double TOUCHING = 1e-5;
 
-  /** Cosine between the direction of two vertices and a face's normal that makes it a face. */
+  /**
+   * Cosine between the direction of two vertices and a face's normal from which on the contact may
+   * count as a face contact.
+   */
   private static final double FLAT = 0.9999;
 
-  /** Cosine between two edges, both of which make a face contact of two vertices. */
+  /**
+   * Cosine between two facing edges from which on two vertices that are {@link #FLAT} make a face
+   * contact.
+   */
   private static final double PARALLEL = 0.998;
 
-  /** B's face must be better by this much, metres, to be preferred while cores overlap. */
+  /** Margin, metres, by which B's face must be better to be preferred while cores overlap. */
   private static final double FACE_BIAS = 5e-4;
 
   private final Core a = new Core();
@@ -49,7 +55,7 @@ final class RoundCollider {
     private final double[] x = new double[Convex.MAX_VERTICES];
     private final double[] y = new double[Convex.MAX_VERTICES];
 
-    /** How many faces may be reference: 1 for a one-sided segment. */
+    /** Number of faces that may be the reference: 1 for a one-sided segment, 0 for a point. */
     private int usable;
 
     void place(Convex shape, double cos, double sin) {
@@ -68,7 +74,7 @@ final class RoundCollider {
 
   RoundCollider() {}
 
-  /** As {@link Collider#collide}. */
+  /** Computes the manifold of two shapes, as {@link Collider#collide} does. */
   void collide(
       Convex shapeA, Transform ta, Convex shapeB, Transform tb, float speculative, Manifold out) {
     out.clear();
@@ -101,12 +107,12 @@ final class RoundCollider {
     }
   }
 
-  /** How far apart the last two shapes are, m; zero or less if they overlap. */
+  /** Returns how far apart the last two shapes are, m; zero or less if they touch or overlap. */
   float gap() {
     return gap;
   }
 
-  /** Whether the mean of a core's vertices is behind the front of a one-sided segment. */
+  /** Returns whether the mean of a core's vertices is behind the front of a one-sided segment. */
   private static boolean isBehind(Core segment, Normals normals, Core other) {
     double x = 0;
     double y = 0;
@@ -119,7 +125,10 @@ final class RoundCollider {
 
   // ---------------------------------------------------------------- one-sided segments
 
-  /** What to do with a normal that isn't the front's: take it, take the front's, or drop it. */
+  /**
+   * What to do with a normal that isn't the front's: take it, use the front's instead, or leave the
+   * contact to the neighbour.
+   */
   private enum NormalUse {
     TAKE,
     FRONT,
@@ -166,7 +175,7 @@ final class RoundCollider {
 
   // ---------------------------------------------------------------- discs
 
-  /** One of the cores is a point. */
+  /** Computes the manifold if one of the cores is a point. */
   private void disc(Segment front, double sign, double radii, float speculative, Manifold out) {
     double nx = gjk.normalX;
     double ny = gjk.normalY;
@@ -209,7 +218,10 @@ final class RoundCollider {
         0);
   }
 
-  /** Whether a direction is nearly square to a segment: at its end as good as on it. */
+  /**
+   * Returns whether a direction is nearly perpendicular to a segment. Then a contact at its end is
+   * as good as one on it.
+   */
   private static boolean isStraight(Core segment, double nx, double ny) {
     double ex = segment.x[1] - segment.x[0];
     double ey = segment.y[1] - segment.y[0];
@@ -252,7 +264,10 @@ final class RoundCollider {
     }
   }
 
-  /** Whether two vertices face each other rather than a face and what lies (nearly) flat on it. */
+  /**
+   * Returns whether two vertices face each other, rather than a face and an edge that lies nearly
+   * flat on it.
+   */
   private boolean isCorner(double faceSeparation, int edge, boolean ofB) {
     if (gjk.a0 != gjk.a1 || gjk.b0 != gjk.b1) {
       return false;
@@ -284,7 +299,7 @@ final class RoundCollider {
     }
   }
 
-  /** The closest points of the cores are a vertex of either. */
+  /** Sets the one point of two vertices, which are the closest points of the cores. */
   private void vertices(double radii, float speculative, Manifold out) {
     double separation = gjk.distance - radii;
     if (!(separation <= speculative)) {
@@ -300,7 +315,7 @@ final class RoundCollider {
   }
 
   /**
-   * Clips the edge of core i that lies against edge v1 of core r, as {@link Collider} does; when
+   * Clips the edge of core i that lies against edge v1 of core r, as {@link Collider} does. If
    * {@code flipped}, r is B.
    */
   private void clip(

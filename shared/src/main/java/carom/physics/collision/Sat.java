@@ -8,27 +8,27 @@ import carom.physics.math.Transform;
 import java.util.List;
 
 /**
- * Overlap tests and minimum translation vectors. Holds scratch memory: one per thread, then no call
- * allocates.
+ * Tests shapes for overlap and computes minimum translation vectors. An instance holds scratch
+ * memory, so use one per thread; no call allocates.
  *
  * <p>For convex shapes the answer is the true minimum, deep overlap and containment included: the
  * shortest way out is the distance to the border of the Minkowski difference, whose faces are the
  * faces of A and B (separating axis theorem), and whose rounded corners matter only while a
- * circle's centre is outside the polygon. Works in double precision.
+ * circle's centre is outside the polygon. It computes in double precision.
  *
  * <p>For compounds the answer is the deepest MTV among all pairs of parts. It moves that pair
  * apart; other pairs may still overlap, and callers that must be free of them apply the move and
  * ask again.
  *
- * <p>The pair is put into an order that depends on the two values only (shape, then pose),
- * computed, and negated if it was the other way round. So the reverse question has exactly the
- * negated answer, ties included; only two equal shapes in equal poses cannot be told apart and get
- * the same answer both ways. Ties: the first face in order, first shape's faces before the
- * second's. Coincident centres of circles: along the y axis. A circle's centre on an edge or vertex
- * of a polygon: along the edge's normal.
+ * <p>The pair is sorted by its values only (shape, then pose), and the result is negated if that
+ * swapped the two. So swapping A and B gives exactly the negated result, ties included; only two
+ * equal shapes in equal poses cannot be told apart and get the same result both ways. Of equally
+ * good faces the first in order is taken, the first shape's faces before the second's. If the
+ * centres of two circles coincide, the MTV is along the y axis. If a circle's centre is on an edge
+ * or vertex of a polygon, it is along the edge's normal.
  *
- * <p>A chain's segments count from both sides here: they are lines, and a line has a shortest way
- * out.
+ * <p>A chain's segments collide from both sides here, because they are lines, and a line has a
+ * shortest way out.
  */
 public final class Sat {
   private final double[] ax = new double[Convex.MAX_VERTICES];
@@ -117,8 +117,9 @@ public final class Sat {
   }
 
   /**
-   * With a capsule, a segment or a rounded polygon: while the shapes without their rounding are
-   * apart, the way out is along their shortest connection; when they overlap too, a face's normal.
+   * Finds the way out of a pair with a capsule, a segment or a rounded polygon. While the shapes
+   * without their rounding are apart, it is along their shortest connection; if they overlap too,
+   * along a face's normal.
    */
   private boolean rounded(Convex a, Transform ta, Convex b, Transform tb) {
     coreA.place(a, ta, ta.x, ta.y);
@@ -142,7 +143,10 @@ public final class Sat {
     return depth > 0;
   }
 
-  /** Vertices in world axes, relative to the position of A. */
+  /**
+   * Writes the vertices of a shape in world axes, relative to the position of A, and returns their
+   * number.
+   */
   private static int place(
       Convex shape, Transform t, double x, double y, double[] xs, double[] ys) {
     int count = shape.vertexCount();
@@ -156,9 +160,9 @@ public final class Sat {
   }
 
   /**
-   * Tries all faces of one polygon as the way out; false when one separates the shapes. A push
-   * along an outward normal n moves the other shape; {@code sign} -1 says that the owner of the
-   * faces is the one to move, hence against n.
+   * Tries all faces of one polygon as the way out. Returns false if one separates the shapes. A
+   * push along an outward normal n moves the other shape; {@code sign} -1 says that the owner of
+   * the faces is the one to move, hence against n.
    */
   private boolean faces(
       double[] xs,
@@ -194,8 +198,8 @@ public final class Sat {
   }
 
   /**
-   * A circle's centre (cx, cy) outside a polygon: if it faces a vertex, the way out leads away from
-   * that vertex.
+   * Corrects the way out for a circle's centre (cx, cy) outside a polygon. If it faces a vertex,
+   * the way out leads away from that vertex.
    */
   private void roundCorners(
       double[] xs, double[] ys, int count, double cx, double cy, double radii, int sign) {
@@ -221,7 +225,7 @@ public final class Sat {
     }
   }
 
-  /** The way out between two centres, (dx, dy) from the second's to the first's. */
+  /** Sets the way out between two centres, given (dx, dy) from the second's to the first's. */
   private void corner(double dx, double dy, double radii) {
     double distance = Math.sqrt(dx * dx + dy * dy);
     depth = radii - distance;

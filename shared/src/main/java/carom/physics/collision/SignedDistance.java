@@ -4,15 +4,14 @@ import carom.physics.collision.distance.Distance;
 import carom.physics.geometry.Convex;
 
 /**
- * How far a point is outside or inside a convex shape, and which way is out. In float and without
- * iteration, for those who ask very often, such as particles; {@link Distance} is more exact, but
- * knows no inside.
+ * The signed distance of a point to a convex shape, and the direction out of it. It is computed in
+ * float, for frequent use such as particles. {@link Distance} is more exact, but has no distance
+ * inside.
  *
  * <p>Outside: the distance to the nearest point of the surface, rounding included. Inside: minus
  * the distance to the surface for discs, capsules and polygons without rounding; a rounded
  * polygon's corners count as sharp there. On a tie the first edge wins. A point on a line without
- * thickness is told the normal of edge 0. Mutable and reused; one per thread, then nothing
- * allocates.
+ * thickness gets the normal of edge 0. Mutable and reused; use one per thread; nothing allocates.
  */
 public final class SignedDistance {
   /** Distance to the surface, m; negative inside. */
@@ -65,9 +64,9 @@ public final class SignedDistance {
   }
 
   /**
-   * From the edge the point is highest above. Of a polygon that is not always the nearest edge, but
-   * then the nearest point is a corner, and beyond one end of this edge: walking on over the corner
-   * finds it, since distances rise from there.
+   * Measures from the edge that the point is highest above. Of a polygon that is not always the
+   * nearest edge. Then the nearest point is a corner beyond one end of this edge: walking from
+   * corner to corner while distances fall finds it.
    */
   private void fromEdge(Convex shape, int from, int to, float x, float y) {
     float ax = shape.vertexX(from);
@@ -103,7 +102,10 @@ public final class SignedDistance {
     }
   }
 
-  /** Takes an edge that meets the nearest corner, if the point is beside it. */
+  /**
+   * Measures from an edge that meets the nearest corner, if the point is beside that edge and
+   * nearer to it.
+   */
   private void beside(Convex shape, int edge, float x, float y) {
     int to = edge + 1 == shape.vertexCount() ? 0 : edge + 1;
     float dx = x - shape.vertexX(edge);

@@ -1,8 +1,8 @@
 /**
  * Where and how deep two shapes touch: contact manifolds for the solver, minimum translation
- * vectors for games. How far apart shapes are is {@code collision.distance}.
+ * vectors for games. Distances between shapes are in {@code collision.distance}.
  *
- * <p>Normals point from A to B, separations are negative when shapes overlap, an MTV moves A out of
+ * <p>Normals point from A to B. Separations are negative if shapes overlap. An MTV moves A out of
  * B.
  *
  * <p>May import {@link carom.physics.math}, {@link carom.physics.geometry} and {@code

@@ -11,44 +11,47 @@ import carom.sim.level.Archetype;
 import java.util.Arrays;
 
 /**
- * The exact state of some entities of a simulation, as numbers: what a server sends so that a
- * client's simulation of the same entities goes on to the bit as the server's does.
+ * The exact state of some entities of a simulation, as numbers. A server sends it so that a
+ * client's simulation of the same entities continues bit for bit as the server's does.
  *
  * <p>The numbers are {@link ExactRows}: a row per entity, with its {@link #key} and the memory of
  * the player whose body it is, and a row per contact among them and with the level's statics.
- * Entities stand in the order of their bodies in the world they were read from, which is part of
- * the state: the solver follows it.
+ * Entities are in the order of their bodies in the world they were read from. The order is part of
+ * the state, because the solver follows it.
  *
  * <p>Mutable, reused; allocates only to grow. One thread.
  */
 public final class Neighbourhood {
   private final ExactRows rows = new ExactRows();
 
-  /** Entities to be read, or scratch. */
+  /** Entities to read, or scratch of {@link #despawnAll}. */
   private Entity[] listed = new Entity[8];
 
   private int listedCount;
   private int leaks;
 
-  /** Creates an empty one. */
+  /** Creates an empty neighbourhood. */
   public Neighbourhood() {}
 
-  /** Tells entities apart, those that had the same id before included. */
+  /** Returns a key that tells entities apart, including earlier ones with the same id. */
   public static int key(int id, int generation) {
     return id | generation << 16;
   }
 
-  /** The id in a key. */
+  /** Returns the id in a key. */
   public static int id(int key) {
     return key & 0xffff;
   }
 
-  /** The generation in a key. */
+  /** Returns the generation in a key. */
   public static int generation(int key) {
     return key >>> 16;
   }
 
-  /** Whether an entity can push others, so that it matters for what happens to them. */
+  /**
+   * Returns whether entities of an archetype can push others, so that they affect the others'
+   * motion.
+   */
   public static boolean isSolid(Archetype archetype) {
     return !archetype.sensor();
   }
@@ -60,7 +63,7 @@ public final class Neighbourhood {
     rows.clear();
   }
 
-  /** Lists an entity, whatever the order; {@link #read} puts them in order. */
+  /** Lists an entity, in any order; {@link #read} sorts them. */
   public void add(Entity entity) {
     if (listedCount == listed.length) {
       listed = Arrays.copyOf(listed, 2 * listedCount);
@@ -68,7 +71,7 @@ public final class Neighbourhood {
     listed[listedCount++] = entity;
   }
 
-  /** Reads the listed entities out of the simulation they belong to. */
+  /** Reads the state of the listed entities from the simulation they belong to. */
   public void read(Simulation s) {
     sort();
     rows.clear();
@@ -100,7 +103,10 @@ public final class Neighbourhood {
     read(s);
   }
 
-  /** By the order of bodies in the world; they nearly are in order. */
+  /**
+   * Sorts the listed entities by the order of their bodies in the world. Insertion sort is fast
+   * because they are nearly sorted.
+   */
   private void sort() {
     for (int i = 1; i < listedCount; i++) {
       Entity e = listed[i];
@@ -112,22 +118,22 @@ public final class Neighbourhood {
     }
   }
 
-  /** Who is who, for {@link #write}. */
+  /** Gives the archetype and owner of entities, for {@link #write}. */
   public interface Identity {
-    /** The kind of an entity. */
+    /** Returns the archetype of an entity. */
     Archetype archetype(int id);
 
-    /** The player an entity belongs to, or {@link Entity#NO_OWNER}. */
+    /** Returns the player that an entity belongs to, or {@link Entity#NO_OWNER}. */
     int owner(int id);
   }
 
   /**
-   * Makes these entities the only ones of a simulation, in exactly this state. Players they belong
-   * to are mirrored as needed. From here on the simulation goes on as the one that was read, as
-   * long as inputs are the same and nothing else comes near.
+   * Makes these entities the only ones of a simulation, in exactly this state. Owners that the
+   * simulation lacks join it. From then on the simulation continues as the one that was read, as
+   * long as the inputs are the same and nothing else comes near.
    *
    * @param s of role {@link Role#PREDICTION}, of the same level and game
-   * @param who knows kinds and owners
+   * @param who gives archetypes and owners
    */
   public void write(Simulation s, Identity who) {
     despawnAll(s);
@@ -150,7 +156,10 @@ public final class Neighbourhood {
     s.world().writeRows(rows);
   }
 
-  /** The last slot first: the world hands free slots out again in reverse, so in order. */
+  /**
+   * Despawns all entities, last slot first. The world reuses free slots in reverse, so new bodies
+   * then get slots in order.
+   */
   private void despawnAll(Simulation s) {
     Arrays.fill(listed, 0, listedCount, null);
     listedCount = 0;
@@ -167,7 +176,7 @@ public final class Neighbourhood {
     }
   }
 
-  /** Returns the numbers: the live rows, which may be changed. */
+  /** Returns the live rows, which the caller may change. */
   public ExactRows rows() {
     return rows;
   }
@@ -182,15 +191,17 @@ public final class Neighbourhood {
     return rows.bodies().get(index, BodyRow.KEY);
   }
 
-  /** Contacts with bodies that are not listed, when it was read. */
+  /**
+   * Returns the number of contacts with bodies that were not listed, as of the last {@link #read}.
+   */
   public int leaks() {
     return leaks;
   }
 
   /**
-   * Where an entity stands in the list, or -1.
+   * Returns the place of an entity in the list, or -1.
    *
-   * @param likely where it probably stands, not negative: there the search begins
+   * @param likely its probable place, not negative; the search begins there
    */
   public int find(int key, int likely) {
     int count = count();
@@ -208,7 +219,7 @@ public final class Neighbourhood {
     return !rows.isAsleep(index);
   }
 
-  /** Equal neighbourhoods have equal hashes; 64 bits of all numbers. */
+  /** Returns a 64-bit hash of all numbers. Equal neighbourhoods have equal hashes. */
   public long hash() {
     return rows.hash();
   }

@@ -4,9 +4,9 @@ import carom.net.codec.BitPass;
 import carom.net.snapshot.frame.FrameRing;
 
 /**
- * The near section: which entities are near, the hash of their state, and what a part of an update
- * holds. Described once for writing and reading. The rows of an update follow behind all plain
- * sections and are {@link NearRowCodec}'s.
+ * Codes the near section: the list of near entities, the hash of their state, and the header of a
+ * part of an update. One description serves writing and reading. {@link NearRowCodec} codes the
+ * rows of the part, which follow after all plain sections.
  */
 public final class NearCodec {
   private static final int PART_BITS = 6;
@@ -22,7 +22,7 @@ public final class NearCodec {
    * Codes the section.
    *
    * @param baseline the acked list
-   * @param near what to write; a reader fills it
+   * @param near the section to write; a reader fills it
    */
   public static void code(BitPass c, NearState baseline, NearState near) {
     boolean present = c.flag(near.present);
@@ -46,8 +46,8 @@ public final class NearCodec {
   }
 
   /**
-   * Codes the list as changes of the acked one, from front to back: the next entity of that stays,
-   * or goes, or a new one comes before it.
+   * Codes the list as changes of the acked one, from front to back. The next entity of the acked
+   * list stays or goes, or a new entity comes before it.
    */
   private static void list(BitPass c, NearState baseline, NearState near) {
     int place = 0;
@@ -69,7 +69,7 @@ public final class NearCodec {
     }
   }
 
-  /** Lets a reader add an entity at the end of the list, if there is room. */
+  /** Adds an entity to the end of the list if the pass reads. Requires that the list has room. */
   private static void put(BitPass c, NearState near, int place, int key) {
     if (c.require(place < NearState.MAX_ENTITIES) && c.isReading()) {
       near.add(key);
@@ -80,7 +80,7 @@ public final class NearCodec {
     return place == 0 ? 0 : near.key(place - 1);
   }
 
-  /** Returns how many bits a new entity takes between two that stay. */
+  /** Returns how many bits a new entity takes in the list, given the key before it. */
   static int insertBits(int before, int key) {
     return 3 + (isClose(before, key) ? CLOSE_BITS : KEY_BITS);
   }
@@ -90,7 +90,10 @@ public final class NearCodec {
     return step >= 0 && step < 1 << CLOSE_BITS && (before & SLOT_MASK) + step + 1 <= SLOT_MASK;
   }
 
-  /** Codes a key. Bodies that were made together have slots in a row, and generations alike. */
+  /**
+   * Codes a key. Bodies that were made together have consecutive slots and equal generations, so a
+   * key close above the one before it is short.
+   */
   private static int key(BitPass c, NearState near, int place) {
     int before = before(near, Math.min(place, near.count));
     int key = place < near.count ? near.key(place) : 0;
@@ -108,7 +111,10 @@ public final class NearCodec {
     return -1;
   }
 
-  /** Codes what a part of an update holds: its base, the entities told, and which rows follow. */
+  /**
+   * Codes the header of a part of an update: its base tick, the entities told, and which rows
+   * follow.
+   */
   private static void part(BitPass c, NearState near) {
     int age = c.plain(near.age, FrameRing.AGE_BITS);
     if (c.isReading()) {
@@ -131,7 +137,10 @@ public final class NearCodec {
     }
   }
 
-  /** Makes room for rows that {@link NearRowCodec} reads later; an entity's key is known now. */
+  /**
+   * Adds empty rows that {@link NearRowCodec} fills later. The key of an entity is already known
+   * and set.
+   */
   private static void makeRows(NearState near, int rows) {
     for (int n = 0; n < rows; n++) {
       near.growRow();

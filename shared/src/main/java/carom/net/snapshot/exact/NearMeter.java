@@ -5,8 +5,8 @@ import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
 
 /**
- * Tells how much of a datagram rows of a near update take, before they are sent. One thread, no
- * allocation.
+ * Measures how many bits of a datagram the rows of a near update take, before they are sent. One
+ * thread, no allocation.
  */
 public final class NearMeter {
   private static final int UNIT = 256;
@@ -14,10 +14,10 @@ public final class NearMeter {
   private final NearRowCodec codec = new NearRowCodec();
   private final BitCost cost = new BitCost();
 
-  /** One row, a copy: coding writes it. */
+  /** Copy of the row being measured, because coding writes to it. */
   private final Rows row = Rows.mixed();
 
-  /** Creates one; call {@link #begin}. */
+  /** Creates a meter; call {@link #begin} before use. */
   public NearMeter() {}
 
   /**
@@ -34,8 +34,8 @@ public final class NearMeter {
   /**
    * Adds the next row.
    *
-   * @param from holds it; not changed
-   * @param at where it begins
+   * @param from array that holds the row; not changed
+   * @param at index at which the row begins
    */
   public void add(RowKind kind, int[] from, int at) {
     row.clear();
@@ -43,7 +43,7 @@ public final class NearMeter {
     codec.row(cost, kind, row.ints(), 0);
   }
 
-  /** Bits of all rows since {@link #begin}, to within a few percent. */
+  /** Returns the bits of all rows added since {@link #begin}, to within a few percent. */
   public int bits() {
     return (int) (cost.sum() / UNIT);
   }

@@ -35,13 +35,13 @@ import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
 
 /**
- * The rows of an update of what is near, described once for writing and reading. Most of a row's
- * exact bits can't be foreseen, but many can: bodies are near the own one, an angle's cosine gives
- * its sine but for the last digits, contacts are sorted, and what pushed last says what pushes
- * first. Numbers are symbols of {@link NearTables} and plain digits.
+ * Codes the rows of a near update; one description serves writing and reading. Most of a row's
+ * exact bits can't be predicted, but many can: bodies are near the own one, an angle's cosine gives
+ * its sine except for the last digits, contacts are sorted, and one impulse of a contact predicts
+ * another. Each number is a symbol of {@link NearTables} followed by plain bits.
  *
- * <p>Any bits give rows whose places, parts and points are in the ranges below; of their sense
- * nothing is promised. One object codes one part at a time.
+ * <p>Any input bits decode to rows whose places, parts and points are in the ranges below; whether
+ * the rows make sense is not checked. One object codes one part at a time.
  */
 public class NearRowCodec {
   private static final int PARTS_BITS = 20;
@@ -49,10 +49,13 @@ public class NearRowCodec {
   private static final int PLACE_BITS = 8;
   private static final int WIDTH_BITS = 5;
 
-  /** Steps of a solver's step: what acted in one is that part of what acted in all. */
+  /**
+   * Number by which an impulse is multiplied to predict the total impulse of a tick, which sums the
+   * substeps.
+   */
   private static final float SUBSTEPS = 4;
 
-  // Symbols of a float: zeros, anything, each sign and exponent of those that occur.
+  // Symbols of a float: zeros, anything, each sign and exponent of the usual range.
   private static final int ZERO = 0;
   private static final int MINUS_ZERO = 1;
   private static final int ANYTHING = 2;
@@ -61,7 +64,8 @@ public class NearRowCodec {
   private static final int EXPONENTS = 32;
   private static final int MANTISSA_BITS = 23;
 
-  // Symbols of a float that is like another: zeros, anything, equal, each sign and length.
+  // Symbols of a float coded against a guess: zeros, anything, equal, each sign and bit length of
+  // the difference.
   private static final int EQUAL = 3;
   private static final int OFF = 4;
   private static final int MAX_OFF = 31;
@@ -71,7 +75,7 @@ public class NearRowCodec {
   private static final int STATIC_AGAIN = 31;
   private static final int STATIC = 32;
 
-  /** Symbols of feature ids: two numbers below 8, or anything. */
+  /** Symbol of a feature id that isn't two vertices below 8; the id follows in plain bits. */
   private static final int ANY_ID = 64;
 
   private OwnState own;
@@ -79,13 +83,13 @@ public class NearRowCodec {
   private int endB;
   private int lastStatic;
 
-  /** Creates a codec; call {@link #begin}. */
+  /** Creates a codec; call {@link #begin} before use. */
   public NearRowCodec() {}
 
   /**
    * Starts a part.
    *
-   * @param own the section that it belongs to; read from until the part ends
+   * @param own the section that the part belongs to; read from until the part ends
    */
   final void begin(OwnState own) {
     this.own = own;
@@ -110,7 +114,7 @@ public class NearRowCodec {
     }
   }
 
-  /** Codes the next row of a part, all but the key of an entity. */
+  /** Codes the next row of a part, except for the key of an entity. */
   final void row(BitCoder c, RowKind kind, int[] rows, int at) {
     switch (kind) {
       case BODY -> body(c, rows, at);
@@ -181,12 +185,15 @@ public class NearRowCodec {
             all(r[at + NORMAL_IMPULSE_1]));
   }
 
-  /** What all parts of a step do if each does the same; one pattern for all that is no number. */
+  /**
+   * Returns the bits of the total impulse if every substep applies the same impulse. All NaNs give
+   * one bit pattern.
+   */
   private static int all(int bits) {
     return Float.floatToIntBits(SUBSTEPS * Float.intBitsToFloat(bits));
   }
 
-  /** Contacts follow their first end, and then their second one. */
+  /** Codes both ends of a contact. Contacts are sorted by their first end, then by their second. */
   private void ends(BitCoder c, int[] r, int at) {
     int before = endA;
     endA = end(c, 0, r[at + END_A], before);
@@ -224,7 +231,10 @@ public class NearRowCodec {
     return symbol < ANY_ID ? symbol >>> 3 << 8 | symbol & 7 : c.plain(id, Integer.SIZE);
   }
 
-  /** Two numbers whose squares add up to about 1: the smaller one tells the other. */
+  /**
+   * Codes two numbers whose squares add up to about 1. The larger one is coded against a guess from
+   * the smaller one.
+   */
   private void unit(BitCoder c, int context, int[] r, int at) {
     int a = r[at] & Integer.MAX_VALUE;
     int b = r[at + 1] & Integer.MAX_VALUE;
@@ -239,7 +249,7 @@ public class NearRowCodec {
     r[larger] = value & Integer.MAX_VALUE | symbol << 31;
   }
 
-  /** A float of which nothing is known but how large it mostly is. */
+  /** Codes a float of which only the usual magnitude is known. */
   private int real(BitCoder c, Row row, int context, int bits) {
     int symbol = ANYTHING;
     int exponent = (bits >>> MANTISSA_BITS & 0xff) - LEAST_EXPONENT;
@@ -259,7 +269,7 @@ public class NearRowCodec {
     return (symbol - USUAL & 1) << 31 | exponent << MANTISSA_BITS | c.plain(bits, MANTISSA_BITS);
   }
 
-  /** A float that is mostly near a guess. */
+  /** Codes a float that is mostly near a guess. */
   private int like(BitCoder c, Row row, int context, int bits, int guess) {
     int from = Bits.orderedBits(guess);
     int off = Bits.orderedBits(bits) - from;
@@ -285,7 +295,7 @@ public class NearRowCodec {
     return Bits.rawBits(from + ((symbol - OFF & 1) == 0 ? magnitude : -magnitude));
   }
 
-  /** A number of which mostly the lowest digits are used. */
+  /** Codes an int that mostly uses only its lowest bits. */
   private int word(BitCoder c, int context, int value) {
     int digits = symbol(c, Row.MEMORY, context, Bits.width(value));
     digits = Math.min(digits, Integer.SIZE);

@@ -6,28 +6,28 @@ import carom.physics.rows.Rows;
 import java.util.Arrays;
 
 /**
- * The entities that the server counts as near a player's body, the own one included, and a hash of
- * their exact state: what tells a client that it simulates them right.
+ * The list of entities that the server counts as near a player's body, the own one included, and a
+ * hash of their exact state. The hash tells a client whether it simulates them exactly.
  *
- * <p>When somebody comes near, or the client's hash was another, or the game pushed one of them,
- * the server tells exact state, in an <em>update</em>: the state at one tick, its <em>base</em>, of
- * those entities of the list that are <em>told</em>, with their contacts. An update is a number of
- * rows, spread over as many snapshots as it takes; whoever has all of them knows the state at the
- * base tick, and computes what follows. First come the told entities, each a {@link BodyRow} with
- * its key and the memory of its player, in the order of the list; then contacts, each a {@link
- * carom.physics.rows.ContactRow} whose ends are places in the list or inverted slots of static
- * bodies.
+ * <p>The server sends exact state in an <em>update</em> when an entity comes near, when the
+ * client's hash differs, or when the game pushed one of the entities. An update holds the state at
+ * one tick, its <em>base</em>, of those entities of the list that are <em>told</em>, with their
+ * contacts. Its rows are spread over as many snapshots as they take. A client that has all of them
+ * knows the state at the base tick and computes what follows. The told entities come first, each a
+ * {@link BodyRow} with its key and the memory of its player, in the order of the list; then the
+ * contacts, each a {@link carom.physics.rows.ContactRow} whose ends are places in the list or
+ * inverted slots of static bodies.
  *
- * <p>The order of the list is that of the server's world and part of the state. Mutable, reused.
+ * <p>The order of the list is that of the server's world and is part of the state. Mutable, reused.
  */
 public final class NearState {
-  /** Most entities. */
+  /** Largest number of entities in the list. */
   public static final int MAX_ENTITIES = 255;
 
-  /** Most rows of an update: five for each entity, four of them contacts. */
+  /** Largest number of rows in an update: five for each entity, four of them contacts. */
   public static final int MAX_ROWS = 5 * MAX_ENTITIES;
 
-  /** Most rows of an update in one snapshot. */
+  /** Largest number of rows of an update in one snapshot. */
   public static final int MAX_PART = 63;
 
   private static final int FIRST_ROOM = 16;
@@ -49,7 +49,7 @@ public final class NearState {
 
   NearState() {}
 
-  /** Removes everything: the client is told nothing about what is near. */
+  /** Removes everything, so that the client is told nothing about near entities. */
   public void clear() {
     present = false;
     hash = 0;
@@ -57,7 +57,7 @@ public final class NearState {
     endUpdate();
   }
 
-  /** Starts anew, without an update. */
+  /** Starts an empty list with a state hash and without an update. */
   public void begin(long stateHash) {
     clear();
     present = true;
@@ -68,7 +68,7 @@ public final class NearState {
    * Lists an entity.
    *
    * @param key slot and generation: {@code slot | generation << 16}
-   * @throws IllegalStateException beyond {@value #MAX_ENTITIES}
+   * @throws IllegalStateException if the list already holds {@value #MAX_ENTITIES}
    */
   public void add(int key) {
     if (count == MAX_ENTITIES) {
@@ -82,12 +82,12 @@ public final class NearState {
   }
 
   /**
-   * Says that a part of an update follows: who is told in the update, by {@link #tell}, and then
-   * the part's rows by {@link #addRow}.
+   * Begins a part of an update. Call {@link #tell} next for each entity that the update tells, then
+   * {@link #addRow} for each row of the part.
    *
-   * @param ticksAgo how long ago the base tick was, 0..63
+   * @param ticksAgo age of the base tick, ticks, 0..63
    * @param total rows of the whole update, 0..{@value #MAX_ROWS}
-   * @param first number of the first row that follows
+   * @param first number within the update of the part's first row
    */
   public void beginPart(int ticksAgo, int total, int first) {
     updating = true;
@@ -99,7 +99,7 @@ public final class NearState {
   }
 
   /**
-   * Says that the update tells a listed entity.
+   * Marks a listed entity as told by the update.
    *
    * @param place in the list, ascending from call to call
    */
@@ -111,16 +111,19 @@ public final class NearState {
   }
 
   /**
-   * Adds the next row of the part; at most {@value #MAX_PART}.
+   * Adds the next row of the part. A part holds at most {@value #MAX_PART}.
    *
-   * @param from holds it
-   * @param at where it begins; as many ints as its kind has are copied
+   * @param from array that holds the row
+   * @param at index at which the row begins; as many ints as its kind has are copied
    */
   public void addRow(int[] from, int at) {
     rows.add(kind(rows.count()), from, at);
   }
 
-  /** Adds the next row, to be decoded: all zero but the key of an entity, which the list has. */
+  /**
+   * Adds the next row for a reader to fill: all zero except for the key of an entity, which comes
+   * from the list.
+   */
   void growRow() {
     int at = rows.add();
     int row = rows.count() - 1;
@@ -129,7 +132,7 @@ public final class NearState {
     }
   }
 
-  /** Returns the kind of a row that is here. */
+  /** Returns the kind of a row of this part. */
   public RowKind kind(int row) {
     return RowKind.of(firstRow + row, toldCount);
   }
@@ -156,7 +159,7 @@ public final class NearState {
     rows.set(other.rows);
   }
 
-  /** Copies who is near, and the hash, but no update. */
+  /** Copies the list and the hash of another state, but not its update. */
   void setList(NearState other) {
     present = other.present;
     hash = other.hash;
@@ -168,72 +171,75 @@ public final class NearState {
     System.arraycopy(other.keys, 0, keys, 0, count);
   }
 
-  /** Whether the client is told what is near at all. */
+  /** Returns whether the client is told about near entities at all. */
   public boolean present() {
     return present;
   }
 
-  /** Entities near, the own one included. */
+  /** Returns the number of near entities, the own one included. */
   public int count() {
     return count;
   }
 
-  /** Slot and generation of an entity: {@code slot | generation << 16}. */
+  /** Returns the slot and generation of an entity: {@code slot | generation << 16}. */
   public int key(int index) {
     return keys[index];
   }
 
-  /** Hash of the exact state of all of them, see {@link #fold}. */
+  /** Returns the folded hash of the exact state of all listed entities, see {@link #fold}. */
   public int hash() {
     return hash;
   }
 
-  /** The 32 bits of a 64-bit hash that are sent. */
+  /** Returns the 32 bits that are sent for a 64-bit hash. */
   public static int fold(long stateHash) {
     return (int) (stateHash ^ stateHash >>> 32);
   }
 
-  /** Whether an update is under way, of which a part is here. */
+  /** Returns whether this section holds a part of an update. */
   public boolean updating() {
     return updating;
   }
 
-  /** How many ticks before the snapshot's the update's base is. */
+  /** Returns the age of the update's base tick, in ticks before the snapshot's tick. */
   public int age() {
     return age;
   }
 
-  /** How many of the entities are told. */
+  /** Returns the number of entities that the update tells. */
   public int toldCount() {
     return toldCount;
   }
 
-  /** Place in the list of a told entity, index 0..{@link #toldCount} - 1, ascending. */
+  /**
+   * Returns the place in the list of a told entity. The index is 0..{@link #toldCount} - 1; places
+   * ascend.
+   */
   public int told(int index) {
     return told[index];
   }
 
-  /** Rows of the whole update. */
+  /** Returns the number of rows of the whole update. */
   public int totalRows() {
     return totalRows;
   }
 
-  /** Number of the first row that is here. */
+  /** Returns the number within the update of this part's first row. */
   public int firstRow() {
     return firstRow;
   }
 
-  /** Rows that are here. */
+  /** Returns the number of rows of this part. */
   public int partRows() {
     return rows.count();
   }
 
-  /** The rows that are here, of mixed kinds; see {@link #kind}. */
+  /** Returns the rows of this part, of mixed kinds; see {@link #kind}. The rows are live. */
   public Rows rows() {
     return rows;
   }
 
-  /** How many bits the list takes for a client that has no other, at most. */
+  /** Returns an upper bound of the bits that the list takes for a client without a baseline. */
   public int listBits() {
     int bits = 0;
     for (int i = 0; i < count; i++) {
@@ -242,7 +248,7 @@ public final class NearState {
     return bits;
   }
 
-  /** Whether both list the same entities, with the same hash. */
+  /** Returns whether both states list the same entities and have the same hash. */
   public boolean sameAs(NearState other) {
     return present == other.present && hash == other.hash && sameList(other);
   }

@@ -6,22 +6,22 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 
 /**
- * How likely the symbols of {@link NearRowCodec} are: the file {@code near.txt} has one line for
- * each context of each row, and in it a letter for each symbol, its weight on a scale of
- * logarithms. Counted over games that bots play, by {@code NearTraining} in the tests; other tables
- * are another protocol.
+ * The probabilities of the symbols of {@link NearRowCodec}. The file {@code near.txt} has one line
+ * for each context of each row, with one letter per symbol: its weight on a logarithmic scale.
+ * {@code NearTraining} in the tests counts them over games played by bots. Changing a table changes
+ * the protocol.
  */
 final class NearTables {
 
-  /** Symbols of each row; not all use all of them. */
+  /** Number of symbols in each line; not every row uses all of them. */
   static final int SYMBOLS = 67;
 
-  /** The letters '#' and on: half a bit less likely each. */
+  /** Letter of the likeliest symbol. Each following letter is half a bit less likely. */
   private static final char LIKELIEST = '#';
 
   private static final int LETTERS = 33;
 
-  /** What the symbols are of, each in a few contexts. */
+  /** The quantities that symbols describe, each in a few contexts. */
   enum Row {
     REST_KIND(1),
     REST(1),
@@ -51,10 +51,10 @@ final class NearTables {
     }
   }
 
-  /** By row: its first line. */
+  /** The first line of each row, by ordinal. */
   private static final int[] FIRST = new int[Row.values().length];
 
-  /** Lines of the file. */
+  /** Number of lines in the file. */
   static final int LINES;
 
   static {
@@ -70,7 +70,7 @@ final class NearTables {
 
   private NearTables() {}
 
-  /** The line of a row's context. */
+  /** Returns the line of a row's context. */
   static int line(Row row, int context) {
     return FIRST[row.ordinal()] + context;
   }
@@ -96,12 +96,12 @@ final class NearTables {
     return table;
   }
 
-  /** What a letter stands for. */
+  /** Returns the weight that a letter stands for. */
   static double weight(char letter) {
     return StrictMath.pow(2, (LIKELIEST - letter) / 2.0);
   }
 
-  /** The letter that stands for a probability. */
+  /** Returns the letter that stands for a probability. */
   static char letter(double probability) {
     long halves = StrictMath.round(-2 * StrictMath.log(probability) / StrictMath.log(2));
     return (char) (LIKELIEST + Math.max(0, Math.min(LETTERS - 1, halves)));

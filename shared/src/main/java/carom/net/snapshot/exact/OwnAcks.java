@@ -8,8 +8,8 @@ import carom.net.snapshot.relay.RelayCodec;
 import java.util.Arrays;
 
 /**
- * The own sections that were sent to one client, and the newest one that it has acked: the baseline
- * of the next. One thread, no allocation in the steady state.
+ * The own sections that were sent to one client, and the newest one that it has acked. The acked
+ * one is the baseline of the next. One thread, no allocation in the steady state.
  */
 public final class OwnAcks {
   private static final int MASK = FrameRing.SIZE - 1;
@@ -22,11 +22,11 @@ public final class OwnAcks {
   private final OwnState nothing = new OwnState();
   private int ackedTick = -1;
 
-  /** By the lowest bits of a tick: the last such tick whose own section was acked. */
+  /** The last tick whose own section was acked, indexed by the lowest bits of the tick. */
   private final int[] ackedTicks = new int[FrameRing.SIZE];
 
   /**
-   * Creates one without acks.
+   * Creates a history without acks.
    *
    * @param ring the room's frames
    */
@@ -44,7 +44,7 @@ public final class OwnAcks {
     Arrays.fill(ackedTicks, -1);
   }
 
-  /** Takes the ack of a datagram that had the own section of a tick. */
+  /** Records the ack of a datagram that held the own section of a tick. */
   public void ack(int tick) {
     ackedTicks[tick & MASK] = tick;
     if (tick > ackedTick && ring.newest().tick() - tick < FrameRing.SIZE) {
@@ -63,7 +63,10 @@ public final class OwnAcks {
     return tick >= 0 && ackedTicks[tick & MASK] == tick;
   }
 
-  /** Returns whether the client has acked all of an own section and the inputs that go with it. */
+  /**
+   * Returns whether the client has already acked everything in an own section and the inputs
+   * relayed with it.
+   */
   public boolean isKnown(OwnState own, FrameState newest) {
     if (ackedTick < 0
         || !own.sameSection(acked)
@@ -84,18 +87,21 @@ public final class OwnAcks {
     return true;
   }
 
-  /** Takes the section that is to be sent with the newest frame; copied. */
+  /** Copies the section that will be sent with the newest frame. */
   public void begin(OwnState own, int tick) {
     now.set(own);
     sent[tick & MASK].setBaseline(own);
   }
 
-  /** Returns the section that is to be sent. */
+  /** Returns the section that will be sent. */
   public OwnState now() {
     return now;
   }
 
-  /** Returns the age of the baseline that the section is coded against, ticks; 0 = none. */
+  /**
+   * Returns the age in ticks of the baseline that the section is coded against, or 0 if there is
+   * none.
+   */
   public int age(int tick) {
     int age = tick - ackedTick;
     return ackedTick >= 0 && age > 0 && age < FrameRing.SIZE ? age : 0;

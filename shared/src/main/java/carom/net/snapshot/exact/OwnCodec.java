@@ -5,8 +5,8 @@ import carom.net.codec.Bits;
 import carom.net.snapshot.relay.RelayCodec;
 
 /**
- * The own section: the exact state of the player's own body and the players that are relayed,
- * against a baseline. Described once for writing and reading.
+ * Codes the own section: the exact state of the player's own body and the set of relayed players,
+ * as a difference from a baseline. One description serves writing and reading.
  */
 public final class OwnCodec {
   private static final int SLOT_BITS = 16;
@@ -17,8 +17,8 @@ public final class OwnCodec {
   /**
    * Codes the section.
    *
-   * @param baseline what both sides know; the all-zero state if they know none
-   * @param own what to write; a reader fills all of it but what is near
+   * @param baseline the state that both sides know, or a new state if there is none
+   * @param own the section to write; a reader fills all of it except the near state
    */
   public static void code(BitPass c, OwnState baseline, OwnState own) {
     boolean changed = c.flag(!own.sameSection(baseline));
@@ -43,8 +43,8 @@ public final class OwnCodec {
   }
 
   /**
-   * Puts floats into the order of numbers and leaves memory as it is; the same function there and
-   * back.
+   * Converts the bits of a float to ints in numeric order, and leaves memory ints as they are. The
+   * function is its own inverse.
    */
   private static int form(int index, int value) {
     return index < OwnState.FLOATS ? Bits.orderedBits(value) : value;

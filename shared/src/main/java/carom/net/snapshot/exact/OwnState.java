@@ -5,9 +5,9 @@ import carom.net.snapshot.relay.RelayCodec;
 import carom.physics.rows.BodyRow;
 
 /**
- * The exact state of a player's own body, bit by bit, with the player's four memory ints: what
- * client prediction restores. Mutable, reused. Positions and velocities are of the body's centre of
- * mass, metres, m/s, rad/s.
+ * The exact state of a player's own body, bit for bit, with the player's four memory ints. Client
+ * prediction restores it. Positions and velocities are those of the body's centre of mass, in
+ * metres, m/s and rad/s. Mutable, reused.
  */
 public final class OwnState {
 
@@ -17,10 +17,10 @@ public final class OwnState {
   /** Number of memory ints. */
   public static final int MEMORY = BodyRow.MEMORY_INTS;
 
-  /** Most players whose inputs are relayed to one client. */
+  /** Largest number of players whose inputs are relayed to one client. */
   public static final int MAX_RELAYED = RelayCodec.MAX_PLAYERS;
 
-  /** Inputs of a relayed player are told of so many ticks before the present at most. */
+  /** Largest number of past ticks for which a relayed player's inputs are sent. */
   public static final int RELAYED_TICKS = RelayCodec.MAX_WINDOW;
 
   public int slot = -1;
@@ -67,7 +67,7 @@ public final class OwnState {
     return values[field - BodyRow.MOTION];
   }
 
-  /** The player has no body now; the memory stays. */
+  /** Removes the body; the memory stays. */
   public void clearBody() {
     slot = -1;
     generation = 0;
@@ -76,72 +76,81 @@ public final class OwnState {
     }
   }
 
-  /** The other players whose inputs are told to this client; at most {@value #MAX_RELAYED}. */
+  /**
+   * Returns the other players whose inputs are relayed to this client, at most {@value
+   * #MAX_RELAYED}.
+   */
   public PlayerSet relayed() {
     return relayed;
   }
 
-  /** Sets one of the player's memory ints. */
+  /** Sets one of the player's memory ints, index 0..3. */
   public void setMemory(int index, int value) {
     values[FLOATS + checked(index)] = value;
   }
 
-  /** Entity slot of the body, or -1 when there is none. */
+  /** Returns the entity slot of the body, or -1 if there is none. */
   public int slot() {
     return slot;
   }
 
-  /** Generation of the body's entity. */
+  /** Returns the generation of the body's entity. */
   public int generation() {
     return generation;
   }
 
-  /** Centre of mass, metres. */
+  /** Returns the x of the centre of mass, metres. */
   public float x() {
     return Float.intBitsToFloat(motion(BodyRow.X));
   }
 
-  /** Centre of mass, metres. */
+  /** Returns the y of the centre of mass, metres. */
   public float y() {
     return Float.intBitsToFloat(motion(BodyRow.Y));
   }
 
-  /** Cosine of the angle. */
+  /** Returns the cosine of the angle. */
   public float cos() {
     return Float.intBitsToFloat(motion(BodyRow.COS));
   }
 
-  /** Sine of the angle. */
+  /** Returns the sine of the angle. */
   public float sin() {
     return Float.intBitsToFloat(motion(BodyRow.SIN));
   }
 
-  /** Velocity of the centre of mass, m/s. */
+  /** Returns the x of the velocity of the centre of mass, m/s. */
   public float vx() {
     return Float.intBitsToFloat(motion(BodyRow.VX));
   }
 
-  /** Velocity of the centre of mass, m/s. */
+  /** Returns the y of the velocity of the centre of mass, m/s. */
   public float vy() {
     return Float.intBitsToFloat(motion(BodyRow.VY));
   }
 
-  /** Angular velocity, rad/s. */
+  /** Returns the angular velocity, rad/s. */
   public float omega() {
     return Float.intBitsToFloat(motion(BodyRow.OMEGA));
   }
 
-  /** One of the player's memory ints, index 0..3. */
+  /** Returns one of the player's memory ints, index 0..3. */
   public int memory(int index) {
     return values[FLOATS + checked(index)];
   }
 
-  /** One of the {@link #FLOATS} floats' bits, then of the {@link #MEMORY} memory ints, 0..10. */
+  /**
+   * Returns the bits of a value by index 0..10: the {@link #FLOATS} floats, then the {@link
+   * #MEMORY} memory ints.
+   */
   public int bits(int index) {
     return values[index];
   }
 
-  /** Copies body and memory alone: nothing of others, which takes many times as much. */
+  /**
+   * Copies only body and memory of another state. Copying the relayed players and near entities too
+   * takes many times as long.
+   */
   public void setBody(OwnState other) {
     slot = other.slot;
     generation = other.generation;
@@ -155,19 +164,22 @@ public final class OwnState {
     near.set(other.near);
   }
 
-  /** Copies all but the exact states of others: what a later section is coded against. */
+  /** Copies everything except a near update. A later section is coded against the copy. */
   public void setBaseline(OwnState other) {
     setBody(other);
     relayed.set(other.relayed);
     near.setList(other.near);
   }
 
-  /** Whether body, memory and relayed players are the same, bit by bit. */
+  /** Returns whether body, memory and relayed players are the same, bit for bit. */
   public boolean sameSection(OwnState other) {
     return sameAs(other) && relayed.sameAs(other.relayed);
   }
 
-  /** Whether the numbers of the body are finite, and its angle is one: what was read may be not. */
+  /**
+   * Returns whether the body's floats are finite and its cosine and sine make an angle. State read
+   * from a datagram may fail this.
+   */
   public boolean isSane() {
     for (int i = 0; i < FLOATS; i++) {
       if (!Float.isFinite(Float.intBitsToFloat(values[i]))) {
@@ -177,12 +189,12 @@ public final class OwnState {
     return slot < 0 || Math.abs(cos() * cos() + sin() * sin() - 1) < 1e-3f;
   }
 
-  /** What is near the own body, itself included. */
+  /** Returns the entities near the own body, itself included. */
   public NearState near() {
     return near;
   }
 
-  /** Whether all bits of body and memory are the same. */
+  /** Returns whether all bits of body and memory are the same. */
   public boolean sameAs(OwnState other) {
     return slot == other.slot
         && generation == other.generation

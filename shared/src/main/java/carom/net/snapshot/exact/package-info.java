@@ -1,6 +1,6 @@
 /**
- * The exact section of a datagram: the state of the own body and of the predicted set, bit for bit,
- * as far as the client can't compute it.
+ * The exact section of a datagram: the parts of the state of the own body and the predicted set
+ * that the client can't compute, bit for bit.
  *
  * <p>May import {@code carom.net.codec}, {@code snapshot.frame}, {@code snapshot.relay}, and {@code
  * carom.physics.rows} for what a row holds. Read first: {@link carom.net.snapshot.exact.OwnState},

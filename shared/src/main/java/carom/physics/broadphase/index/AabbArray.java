@@ -3,14 +3,15 @@ package carom.physics.broadphase.index;
 import java.util.Arrays;
 
 /**
- * Many axis-aligned boxes side by side; the index is the caller's id.
+ * An array of axis-aligned boxes, indexed by the caller's ids.
  *
- * <p>Metres, closed intervals. The four edges of a box are neighbours in memory, so that looking at
- * one box among a million costs one cache miss. The array is public for hot loops; it is replaced
- * when {@link #ensureCapacity} grows it, so don't keep it across that call. Not thread-safe.
+ * <p>Edges are in metres; boxes are closed. The four edges of a box are adjacent in memory, so that
+ * reading one box among a million costs one cache miss. The array is public for hot loops; it is
+ * replaced when {@link #ensureCapacity} grows it, so don't keep it across that call. Not
+ * thread-safe.
  */
 public final class AabbArray {
-  /** Edges of box i from index 4 i on: left, lower, right, upper; m. */
+  /** Edges of all boxes, m; those of box i start at index 4 i: left, lower, right, upper. */
   public float[] edges;
 
   /**
@@ -23,7 +24,7 @@ public final class AabbArray {
   }
 
   /**
-   * The number of boxes there is room for.
+   * Returns the number of boxes there is room for.
    *
    * @return the number of boxes; valid ids are smaller
    */
@@ -32,7 +33,7 @@ public final class AabbArray {
   }
 
   /**
-   * Grows the array (at least by half) if it holds fewer boxes than this; keeps what is in it.
+   * Grows the array, at least by half, if it holds fewer boxes than this. The boxes are kept.
    *
    * @param capacity number of boxes wanted
    */
@@ -44,7 +45,7 @@ public final class AabbArray {
   }
 
   /**
-   * The left edge of a box.
+   * Returns the left edge of a box.
    *
    * @param id which, below {@link #capacity()}
    * @return m
@@ -54,7 +55,7 @@ public final class AabbArray {
   }
 
   /**
-   * The lower edge of a box.
+   * Returns the lower edge of a box.
    *
    * @param id which, below {@link #capacity()}
    * @return m
@@ -64,7 +65,7 @@ public final class AabbArray {
   }
 
   /**
-   * The right edge of a box.
+   * Returns the right edge of a box.
    *
    * @param id which, below {@link #capacity()}
    * @return m
@@ -74,7 +75,7 @@ public final class AabbArray {
   }
 
   /**
-   * The upper edge of a box.
+   * Returns the upper edge of a box.
    *
    * @param id which, below {@link #capacity()}
    * @return m
@@ -110,7 +111,7 @@ public final class AabbArray {
   }
 
   /**
-   * Whether two boxes overlap or touch.
+   * Returns whether two boxes overlap or touch.
    *
    * @param a one id
    * @param b another id
@@ -121,7 +122,7 @@ public final class AabbArray {
   }
 
   /**
-   * Whether a box overlaps or touches the given one.
+   * Returns whether a box overlaps or touches the given one.
    *
    * @param id which box
    * @param left left edge of the other, m
@@ -135,7 +136,7 @@ public final class AabbArray {
   }
 
   /**
-   * Whether one box lies inside another, edges included.
+   * Returns whether a box contains the given one, edges included.
    *
    * @param outer id of the outer box
    * @param left left edge of the inner box, m
@@ -152,10 +153,12 @@ public final class AabbArray {
   }
 
   /**
-   * Refuses a box no index can hold: NaN, infinite, inside out or wider than Float.MAX_VALUE.
+   * Throws if no index can hold a box: if an edge is NaN or infinite, or the box is inside out or
+   * wider than Float.MAX_VALUE.
    *
    * @param id which box
-   * @throws IllegalArgumentException with the id and the values
+   * @throws IllegalArgumentException if the id is out of range or the box isn't {@link #valid}; the
+   *     message has the id and the edges
    */
   public void check(int id) {
     if (id < 0 || id >= capacity()) {
@@ -167,14 +170,17 @@ public final class AabbArray {
     }
   }
 
-  /** Whether a box is finite with min &lt;= max; one subtraction sees NaN and infinities alike. */
+  /**
+   * Returns whether a box is finite with min &lt;= max. One subtraction per axis detects NaN and
+   * infinities alike.
+   */
   public static boolean valid(float left, float bottom, float right, float top) {
     float width = right - left;
     float height = top - bottom;
     return width >= 0 && width <= Float.MAX_VALUE && height >= 0 && height <= Float.MAX_VALUE;
   }
 
-  /** The exception for a box that isn't {@link #valid}. */
+  /** Returns the exception to throw for a box that isn't {@link #valid}. */
   public IllegalArgumentException invalid(int id) {
     return new IllegalArgumentException(
         "box id="

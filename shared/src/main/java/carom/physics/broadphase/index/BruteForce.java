@@ -3,8 +3,8 @@ package carom.physics.broadphase.index;
 import java.util.Arrays;
 
 /**
- * The oracle: tests every box against every other. O(n) per query, O(n^2) for all pairs; obviously
- * right, and the fastest choice below a dozen boxes.
+ * An index that tests every box against every other: the oracle of the tests. A query is O(n), all
+ * pairs are O(n^2). It is obviously right, and the fastest choice below a dozen boxes.
  */
 public final class BruteForce implements SpatialIndex {
   private int[] ids = new int[0];

@@ -4,7 +4,7 @@ package carom.physics.broadphase.index;
 @FunctionalInterface
 public interface CellVisitor {
   /**
-   * Called once per node that holds at least one box.
+   * Receives a node. Each node that holds at least one box is passed once.
    *
    * @param minX left edge of the node's tight bounds, m
    * @param minY lower edge, m

@@ -1,10 +1,10 @@
 package carom.physics.broadphase.index;
 
-/** Receives ids, one by one, and may stop the search. */
+/** Receives ids one by one, and may stop the search. */
 @FunctionalInterface
 public interface IntVisitor {
   /**
-   * Called once per id found.
+   * Receives an id. Each id found is passed once.
    *
    * @param id the caller's id of a box
    * @return true to go on, false to stop the search

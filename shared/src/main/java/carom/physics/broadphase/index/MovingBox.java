@@ -1,11 +1,11 @@
 package carom.physics.broadphase.index;
 
 /**
- * A box on its way, and when it meets boxes at rest. The shadows on both axes give each an interval
- * of time (slabs; Kay and Kajiya 1986).
+ * A moving box that computes when it meets boxes at rest. The projection on each axis gives an
+ * interval of time (the slab method; Kay and Kajiya 1986).
  *
- * <p>A larger box at rest is never met later than a smaller one inside it, rounding included: every
- * operation is monotone. So nodes of trees hide nothing.
+ * <p>A larger box at rest is never met later than a smaller one inside it, rounding included,
+ * because every operation is monotone. So a cast through a tree that skips a node misses nothing.
  */
 public final class MovingBox {
   private static final double NEVER = Double.POSITIVE_INFINITY;
@@ -17,11 +17,11 @@ public final class MovingBox {
   private double perX;
   private double perY;
 
-  /** Makes a box that must be set. */
+  /** Makes a box; call {@link #set} before use. */
   public MovingBox() {}
 
   /**
-   * Sets the box at its start and its way.
+   * Sets the start and the way of the box.
    *
    * @param left left edge, m, finite
    * @param bottom lower edge, m
@@ -40,13 +40,13 @@ public final class MovingBox {
   }
 
   /**
-   * When the boxes first touch.
+   * Returns when the moving box first touches a box at rest.
    *
    * @param left left edge of the box at rest, m
    * @param bottom lower edge, m
    * @param right right edge, m
    * @param top upper edge, m
-   * @return the part of the way, 0 at the start, perhaps beyond its end; infinite if never
+   * @return the fraction of the way: 0 at the start, above 1 beyond the end, infinite if never
    */
   public double enter(float left, float bottom, float right, float top) {
     double enter = 0;
@@ -74,7 +74,7 @@ public final class MovingBox {
     return enter <= leave ? enter : NEVER;
   }
 
-  /** The same for one of many boxes. */
+  /** Returns when the moving box first touches a box of an array. */
   double enter(AabbArray boxes, int i) {
     return enter(boxes.minX(i), boxes.minY(i), boxes.maxX(i), boxes.maxY(i));
   }

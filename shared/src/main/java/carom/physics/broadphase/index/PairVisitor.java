@@ -4,10 +4,10 @@ package carom.physics.broadphase.index;
 @FunctionalInterface
 public interface PairVisitor {
   /**
-   * Called exactly once per unordered pair of overlapping boxes.
+   * Receives a pair. Each unordered pair of overlapping boxes is passed exactly once.
    *
    * @param idA one id; in a search within one index the smaller of the two, in {@code KdTree.join}
-   *     the id of the tree that was asked
+   *     an id of the tree that is searched
    * @param idB the other id
    */
   void pair(int idA, int idB);

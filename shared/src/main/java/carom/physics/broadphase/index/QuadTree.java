@@ -3,21 +3,22 @@ package carom.physics.broadphase.index;
 import java.util.Arrays;
 
 /**
- * A region quadtree over the centres of the boxes, with tight bounds per node; for comparison.
+ * A region quadtree over the centres of the boxes, with tight bounds per node. It serves for
+ * comparison.
  *
  * <p>Cells are cut in half in both directions until they hold at most {@value #LEAF} boxes or are
  * {@value #MAX_DEPTH} levels deep. Where boxes cluster, that takes many levels for few boxes, which
- * is what a {@code KdTree} avoids. Built anew each time, without node objects: the four children of
- * a node are neighbours in the arrays, and each node owns a range of the sorted boxes.
+ * a {@code KdTree} avoids. Each rebuild builds the whole tree. There are no node objects: the four
+ * children of a node are adjacent in the arrays, and each node owns a range of the sorted boxes.
  *
  * <p>Identical centres all end in one leaf and are compared with each other, which costs no more
  * than reporting them when they overlap. Cost: build O(n depth), query and pairs as for any tree.
  */
 public final class QuadTree implements SpatialIndex {
-  /** Boxes in a leaf before it is cut. */
+  /** Largest number of boxes in a leaf above the deepest level. */
   static final int LEAF = 8;
 
-  /** Levels below the root. */
+  /** Largest number of levels below the root. */
   static final int MAX_DEPTH = 24;
 
   private static final int[] NONE = new int[0];
@@ -25,18 +26,18 @@ public final class QuadTree implements SpatialIndex {
   private int size;
   private int nodes;
 
-  /** Per node: index of the first of four children, or 0 for a leaf. */
+  /** Index of the first of a node's four children, or 0 for a leaf; by node. */
   private int[] child = NONE;
 
-  /** Per node: its first box, and the one after its last, in tree order. */
+  /** A node's first box, and the one after its last, in tree order; by node. */
   private int[] from = NONE;
 
   private int[] to = NONE;
 
-  /** Per node: its bounds. */
+  /** Bounds by node. */
   private final AabbArray bounds = new AabbArray(0);
 
-  /** In tree order: id and box. */
+  /** Ids and boxes in tree order. */
   private int[] ids = NONE;
 
   private int[] sorted = NONE;
@@ -90,7 +91,10 @@ public final class QuadTree implements SpatialIndex {
     }
   }
 
-  /** Cuts ids from {@code lo} to {@code hi} - 1 up below a node; no deeper than MAX_DEPTH. */
+  /**
+   * Divides the ids from {@code lo} to {@code hi} - 1 among the cells below a node, at most to
+   * MAX_DEPTH.
+   */
   private void build(
       AabbArray boxes,
       int node,
@@ -128,7 +132,7 @@ public final class QuadTree implements SpatialIndex {
     fit(node, bounds, first, first + 4);
   }
 
-  /** Moves ids with centres below {@code mid} to the front; answers where the others begin. */
+  /** Moves ids with centres below {@code mid} to the front and returns where the others begin. */
   private int divide(AabbArray boxes, boolean y, int lo, int hi, float mid) {
     int low = lo;
     int high = 0;
@@ -219,7 +223,7 @@ public final class QuadTree implements SpatialIndex {
     }
   }
 
-  /** Casts into a subtree; answers where the way ends now. */
+  /** Casts into a subtree and returns where the way ends now. */
   private float cast(int node, float maxFraction, CastVisitor visitor) {
     float end = maxFraction;
     if (!(moving.enter(bounds, node) <= end)) {

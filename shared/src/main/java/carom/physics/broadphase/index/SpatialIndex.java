@@ -1,12 +1,12 @@
 package carom.physics.broadphase.index;
 
 /**
- * Finds overlapping boxes among many.
+ * An index that finds overlapping boxes among many.
  *
  * <p>An index remembers the boxes as they were at the last {@link #rebuild} (a {@code KdTree} also
- * at the last {@code KdTree.refit()}); changing the {@link AabbArray} afterwards doesn't change an
- * answer until then. Intervals are closed: boxes that merely touch overlap, as do boxes of zero
- * size. No world bounds, no cell size.
+ * at the last {@code KdTree.refit()}); changing the {@link AabbArray} afterwards doesn't change a
+ * result until then. Intervals are closed: boxes that merely touch overlap, as do boxes of zero
+ * size. There are no world bounds and no cell size.
  *
  * <p><b>Order.</b> The set of ids or pairs found depends on the boxes alone. The order in which
  * they come is unspecified, and a caller whose result depends on it sorts first.
@@ -14,8 +14,9 @@ package carom.physics.broadphase.index;
  * <p><b>Ownership.</b> The index keeps a reference to the box array it was given, reads it in the
  * updating methods only and never writes to it. The id array is copied.
  *
- * <p><b>Threads.</b> Not thread-safe: one thread at a time. A visitor may call {@link #query} on
- * the index that calls it, but no updating method and not {@link #pairs}.
+ * <p><b>Threads.</b> An index is not thread-safe: only one thread at a time may use it. A visitor
+ * may call {@link #query} on the index that calls it, but no updating method and not {@link
+ * #pairs}.
  *
  * <p><b>Cost.</b> No method allocates once the index has seen its largest number of boxes and its
  * largest id.
@@ -26,7 +27,7 @@ package carom.physics.broadphase.index;
  */
 public interface SpatialIndex {
   /**
-   * Forgets everything and takes these boxes.
+   * Replaces all boxes by these.
    *
    * @param boxes the boxes, indexed by id
    * @param ids distinct ids, the first {@code count} entries are read
@@ -50,11 +51,11 @@ public interface SpatialIndex {
 
   /**
    * Moves a box along (dx, dy) and visits the id of every box it meets on the way, each once; a box
-   * of zero size is a ray. Where the way ends may change with every visit: a caller who looks for
-   * the nearest thing says how near the nearest found so far is.
+   * of zero size is a ray. The end of the way may change with every visit: a caller that looks for
+   * the nearest box returns how near the nearest one found so far is.
    *
-   * <p>Trees visit what is near before what is far, roughly; with a visitor that never shortens the
-   * way all indexes visit the same ids. A visitor must not start another cast in the same index.
+   * <p>Trees visit near boxes before far ones, roughly. With a visitor that never shortens the way,
+   * all indexes visit the same ids. A visitor must not start another cast in the same index.
    *
    * @param minX left edge of the box at its start, m, finite
    * @param minY lower edge, m
@@ -83,7 +84,7 @@ public interface SpatialIndex {
   void pairs(PairVisitor visitor);
 
   /**
-   * The number of boxes in the index.
+   * Returns the number of boxes in the index.
    *
    * @return the number of boxes
    */

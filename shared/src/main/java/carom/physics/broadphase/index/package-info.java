@@ -1,6 +1,7 @@
 /**
- * What a spatial index of axis-aligned boxes is: the boxes, the two questions ("what overlaps this
- * box?", "which pairs overlap?"), and what receives the answers. Two simple indexes show it: {@link
+ * The interface of a spatial index of axis-aligned boxes: the boxes, the queries (which boxes
+ * overlap this one, which does a moving box meet, which pairs overlap), and the visitors that
+ * receive the results. Two simple indexes implement it: {@link
  * carom.physics.broadphase.index.BruteForce}, the oracle of the tests, and {@link
  * carom.physics.broadphase.index.QuadTree}, for comparison.
  *

@@ -1,8 +1,8 @@
 package carom.physics.broadphase.kd;
 
 /**
- * The bounds of the nodes of a {@link KdTree} in one array, four edges per node: left, lower,
- * right, upper; inverted infinities where nothing is.
+ * Functions on the bounds of a {@link KdTree}'s nodes. The bounds are one array of four edges per
+ * node: left, lower, right, upper. An empty node has inverted infinities.
  */
 final class KdBounds {
   private KdBounds() {}
@@ -14,7 +14,7 @@ final class KdBounds {
     b[4 * node + 3] = top;
   }
 
-  /** Has a node contain a box, too. */
+  /** Extends the bounds of a node to contain a box. */
   static void extend(float[] b, int node, float left, float bottom, float right, float top) {
     int at = 4 * node;
     b[at] = Math.min(b[at], left);
@@ -33,7 +33,10 @@ final class KdBounds {
     b[to + 3] = Math.max(b[from + 3], b[from + 7]);
   }
 
-  /** Fits the inner nodes of a subtree, deepest first; leaves begin at {@code endNode}. */
+  /**
+   * Fits the inner nodes of a subtree to their children, deepest first. Leaves begin at {@code
+   * endNode}.
+   */
   static void fitInner(float[] b, int top, int endNode) {
     int first = top;
     int last = top;
@@ -50,7 +53,7 @@ final class KdBounds {
     }
   }
 
-  /** Fits all nodes above one. */
+  /** Fits all ancestors of a node to their children. */
   static void fitAncestors(float[] b, int node) {
     for (int above = node >> 1; above > 0; above >>= 1) {
       fit(b, above);

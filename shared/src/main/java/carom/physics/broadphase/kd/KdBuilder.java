@@ -4,7 +4,7 @@ import carom.physics.broadphase.index.AabbArray;
 import java.util.Arrays;
 
 /**
- * Builds a {@link KdTree} or a subtree of it from a list of boxes: splits at the median of the
+ * Builds a {@link KdTree} or a subtree of it from a list of boxes. It splits at the median of the
  * centres, across the wider extent, by selection instead of sorting. Not thread-safe.
  */
 final class KdBuilder {
@@ -13,14 +13,14 @@ final class KdBuilder {
 
   private final KdTree tree;
 
-  /** The list: ids, their boxes, and the centres of these in the frame of the tree's cells. */
+  /** The list of boxes to place: ids, boxes, and their centres in the frame of the tree's cells. */
   int[] ids = new int[KdTree.SLOTS];
 
   private final AabbArray boxes = new AabbArray(KdTree.SLOTS);
   private float[] centerX = new float[KdTree.SLOTS];
   private float[] centerY = new float[KdTree.SLOTS];
 
-  /** Entries of the list, each below a coordinate to sort by. */
+  /** Entries of the list in the low bits, with a coordinate to sort by in the high bits. */
   private long[] keys = new long[KdTree.SLOTS];
 
   private long placed;
@@ -29,12 +29,12 @@ final class KdBuilder {
     this.tree = tree;
   }
 
-  /** How many boxes were ever placed, a measure of the work of repair. */
+  /** Returns how many boxes were ever placed, a measure of the work of repair. */
   long placed() {
     return placed;
   }
 
-  /** Makes room for a list of as many boxes; keeps the ids. */
+  /** Ensures room for a list of this many boxes, and keeps the ids. */
   void reserve(int count) {
     if (count > ids.length) {
       int grown = Math.max(count, ids.length + (ids.length >> 1));
@@ -46,7 +46,9 @@ final class KdBuilder {
     }
   }
 
-  /** Begins the list with what is in a range of the tree's leaves; answers how many. */
+  /**
+   * Begins the list with the boxes in a range of the tree's leaves and returns how many they are.
+   */
   int gather(int firstLeaf, int endLeaf) {
     float[] s = tree.slots;
     int to = 0;
@@ -73,7 +75,10 @@ final class KdBuilder {
     boxes.set(at, from.minX(id), from.minY(id), from.maxX(id), from.maxY(id));
   }
 
-  /** Puts the first boxes of the list into the leaves below a node; bounds only of the leaves. */
+  /**
+   * Distributes the first boxes of the list among the leaves below a node. Only the bounds of the
+   * leaves are set.
+   */
   void build(int node, int count) {
     placed += count;
     for (int i = 0; i < count; i++) {
@@ -136,7 +141,7 @@ final class KdBuilder {
     }
   }
 
-  /** Whether the centres spread wider in y than in x. */
+  /** Returns whether the centres spread wider in y than in x. */
   private boolean isTaller(int lo, int hi) {
     float x0 = INF;
     float y0 = INF;
@@ -155,8 +160,8 @@ final class KdBuilder {
   }
 
   /**
-   * A number that sorts like (coordinate, entry); differences of two never overflow, and no two are
-   * equal, so that a million boxes in one place split as evenly as any others.
+   * Returns a number that sorts like (coordinate, entry). Differences of two never overflow. No two
+   * are equal, so that a million boxes in one place split as evenly as any others.
    */
   private static long key(float c, int entry) {
     int bits = Float.floatToRawIntBits(c);

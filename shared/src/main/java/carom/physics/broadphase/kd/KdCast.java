@@ -4,12 +4,18 @@ import carom.physics.broadphase.index.CastVisitor;
 import carom.physics.broadphase.index.MovingBox;
 import carom.physics.broadphase.index.SpatialIndex;
 
-/** Moves a box through a {@link KdTree}: what is near before what is far. One cast at a time. */
+/**
+ * Moves a box through a {@link KdTree} and visits near nodes before far ones. Only one cast may run
+ * at a time.
+ */
 final class KdCast {
   private final KdTree tree;
   private final MovingBox moving = new MovingBox();
 
-  /** Nodes a cast has still to visit, the nearest last, and when it gets there. */
+  /**
+   * Stack of the nodes still to visit, the nearest on top, and the fraction of the way at which the
+   * box meets each.
+   */
   private final int[] castNode = new int[64];
 
   private final double[] castEnter = new double[64];
@@ -18,7 +24,7 @@ final class KdCast {
     this.tree = tree;
   }
 
-  /** Does what {@link SpatialIndex#cast} says. */
+  /** Runs a cast as {@link SpatialIndex#cast} describes. */
   void run(
       float minX,
       float minY,
@@ -60,7 +66,7 @@ final class KdCast {
     return moving.enter(n[b], n[b + 1], n[b + 2], n[b + 3]);
   }
 
-  /** Casts against the boxes of a leaf; answers where the way ends now. */
+  /** Casts against the boxes of a leaf and returns where the way ends now. */
   private float castLeaf(int leaf, float maxFraction, CastVisitor visitor) {
     float end = maxFraction;
     for (int k = 0; k < tree.fill[leaf] && end >= 0; k++) {

@@ -3,9 +3,10 @@ package carom.physics.broadphase.kd;
 import carom.physics.broadphase.index.PairVisitor;
 
 /**
- * Finds the overlapping pairs of a {@link KdTree}, among its own boxes or with those of another:
- * one simultaneous walk over pairs of nodes with an explicit stack, and leaf against leaf in short
- * loops without branches. Only reads the trees, so each thread may walk with one of its own.
+ * Finds the overlapping pairs of a {@link KdTree}, among its own boxes or with those of another. It
+ * walks pairs of nodes with an explicit stack, and tests leaf against leaf in short loops without
+ * branches. It only reads the trees, so several threads may search one tree, each with its own
+ * instance.
  */
 final class KdJoin {
   private final KdTree tree;
@@ -13,10 +14,10 @@ final class KdJoin {
   /** Boxes of one leaf that overlap the bounds of another, as indexes into {@link KdTree#slots}. */
   private final int[] nearby = new int[KdTree.SLOTS];
 
-  /** Pairs found but not reported yet, as two indexes into {@link KdTree#slots}. */
+  /** Pairs found but not yet reported, each as two indexes into {@link KdTree#slots}. */
   private final long[] hits = new long[4 * KdTree.SLOTS * KdTree.SLOTS];
 
-  /** Node pairs still to visit: per level at most three are left behind. */
+  /** Stack of node pairs still to visit; each level leaves at most three behind. */
   private final int[] stack = new int[2 * (4 * 32)];
 
   KdJoin(KdTree tree) {
@@ -28,7 +29,7 @@ final class KdJoin {
    *
    * @param nodeA 1 for the whole tree
    * @param nodeB the same node, or one to the right of it
-   * @param selective whether to pass over pairs of nodes of which none is {@link KdTree#hot}
+   * @param selective whether to skip pairs of nodes of which none is {@link KdTree#hot}
    */
   void pairs(int nodeA, int nodeB, boolean selective, PairVisitor visitor) {
     int found = 0;
@@ -57,13 +58,13 @@ final class KdJoin {
   }
 
   /**
-   * Replaces pairs of nodes of the tree by those of their children that overlap; pairs of leaves
+   * Replaces pairs of nodes of the tree by the overlapping pairs of their children. Pairs of leaves
    * stay.
    *
    * @param from pairs of nodes, two numbers each
    * @param count how many pairs
    * @param selective as for {@link #pairs}
-   * @param to receives the pairs; four times as many at most
+   * @param to receives the pairs, at most four times as many
    * @return how many
    */
   int descend(int[] from, int count, boolean selective, int[] to) {
@@ -80,7 +81,10 @@ final class KdJoin {
     return total / 2;
   }
 
-  /** Pushes those children of two inner nodes, or of one, twice, that may have pairs. */
+  /**
+   * Pushes the pairs of children of two inner nodes that may hold overlapping boxes. The two nodes
+   * may be the same.
+   */
   private int pushChildren(int a, int b, int top) {
     int a0 = 2 * a;
     int a1 = a0 + 1;
@@ -104,16 +108,19 @@ final class KdJoin {
     return top + 2;
   }
 
-  /** Pushes without a branch: the pair is always written, and kept if the bounds overlap. */
+  /**
+   * Pushes a pair of nodes if their bounds overlap. To avoid a branch, it always writes the pair
+   * and advances only if they do.
+   */
   private int pushIfOverlapping(int a, KdTree other, int b, int top) {
     push(a, b, top);
     return top + 2 + (apart(tree.bounds, 4 * a, other.bounds, 4 * b) >> 31 << 1);
   }
 
   /**
-   * Negative if two boxes are apart, else not. The sign bit of a difference of floats tells which
-   * is larger, also for denormals and infinities, as long as there are no negative zeros and no
-   * NaN; or-ing four sign bits makes one branch of four.
+   * Returns a negative number if two boxes are apart, else one that isn't negative. The sign bit of
+   * a difference of floats tells which is larger, also for denormals and infinities, as long as
+   * there are no negative zeros and no NaN; or-ing the four sign bits makes one test of four.
    */
   private static int apart(
       float ax0, float ay0, float ax1, float ay1, float bx0, float by0, float bx1, float by1) {
@@ -123,7 +130,7 @@ final class KdJoin {
         | Float.floatToRawIntBits(ay1 - by0);
   }
 
-  /** The same for two nodes. */
+  /** Returns a negative number if two nodes are apart, else one that isn't negative. */
   private static int apart(float[] p, int a, float[] q, int b) {
     return apart(p[a], p[a + 1], p[a + 2], p[a + 3], q[b], q[b + 1], q[b + 2], q[b + 3]);
   }
@@ -172,7 +179,10 @@ final class KdJoin {
     return total;
   }
 
-  /** Writes every candidate to {@link #hits}, to be overwritten by the next if it is apart. */
+  /**
+   * Appends the pairs of a box with a range of others to {@link #hits}. To avoid a branch, it
+   * writes every candidate, and the next one overwrites it if the boxes are apart.
+   */
   private int pairsOfBox(int i, float[] others, int from, int to, int found) {
     long[] h = hits;
     float[] own = tree.slots;
@@ -199,7 +209,7 @@ final class KdJoin {
     return total;
   }
 
-  /** The index into {@link KdTree#ids} of a box found at an index into {@link KdTree#slots}. */
+  /** Returns the index into {@link KdTree#ids} of the box at an index into {@link KdTree#slots}. */
   private static int slot(int at) {
     return (at >>> KdTree.SHIFT) * KdTree.SLOTS + (at & KdTree.BLOCK - 1);
   }
@@ -223,7 +233,7 @@ final class KdJoin {
    *
    * @param nodeA node of this tree, 1 for all of it
    * @param nodeB node of the other
-   * @param selective whether to pass over nodes of this tree that aren't {@link KdTree#hot}
+   * @param selective whether to skip nodes of this tree that aren't {@link KdTree#hot}
    */
   void join(KdTree other, int nodeA, int nodeB, boolean selective, PairVisitor visitor) {
     int found = 0;
@@ -247,7 +257,10 @@ final class KdJoin {
     reportJoin(found, other, visitor);
   }
 
-  /** As {@link #descend(int[], int, boolean, int[])}, for nodes of this tree and another. */
+  /**
+   * Replaces pairs of nodes of this tree and another by overlapping pairs of their children, as
+   * {@link #descend(int[], int, boolean, int[])} does within one tree.
+   */
   int descend(KdTree other, int[] from, int count, boolean selective, int[] to) {
     int total = 0;
     for (int i = 0; i < count; i++) {
@@ -263,7 +276,10 @@ final class KdJoin {
     return total / 2;
   }
 
-  /** Pushes the children of the wider one of two nodes, each with the other node. */
+  /**
+   * Pushes the children of one of two nodes, each paired with the other node if they overlap. The
+   * wider node is split, unless it is a leaf.
+   */
   private int pushChildren(int a, KdTree other, int b, int top) {
     if (b >= other.leaves
         || (a < tree.leaves && extent(tree.bounds, a) >= extent(other.bounds, b))) {

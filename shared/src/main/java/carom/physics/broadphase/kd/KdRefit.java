@@ -3,25 +3,29 @@ package carom.physics.broadphase.kd;
 import carom.physics.broadphase.index.AabbArray;
 
 /**
- * Takes the new places of a {@link KdTree}'s boxes over, in pieces that threads may do side by
- * side: reads the boxes leaf by leaf, finds where those belong that left their cells, puts them
- * there.
+ * Updates a {@link KdTree} to the new edges of its boxes, in pieces that threads may run in
+ * parallel. It reads the boxes leaf by leaf, finds the leaves for boxes that left their cells, and
+ * puts them there.
  *
- * <p>{@link #begin}, then {@link #read} once for every piece, {@link #gather}, then {@link #route}
- * once for every piece, then {@link #end}. The tree is the same whoever does which piece.
+ * <p>Call {@link #begin}, then {@link #read} once for every piece, {@link #gather}, then {@link
+ * #route} once for every piece, then {@link #end}. The resulting tree doesn't depend on which
+ * thread runs which piece.
  *
- * <p><b>Threads.</b> Begin, gather and end on one; pieces on any. Meanwhile nobody may use the
- * tree.
+ * <p><b>Threads.</b> One thread calls begin, gather and end; pieces may run on any thread. Until
+ * the end, no other code may use the tree.
  */
 public final class KdRefit {
-  /** Leaves, and boxes that left theirs, that make a piece: some microseconds of work. */
+  /**
+   * Number of leaves in a piece to read, and of boxes in a piece to route: some microseconds of
+   * work each.
+   */
   private static final int LEAVES = 32;
 
   private static final int BOXES = 64;
 
   private static final float INF = Float.POSITIVE_INFINITY;
 
-  // Sums over the leaves of a piece, of one box each: how it moved, how far, how far from a guess.
+  // Sums over one box of each leaf of a piece: its motion, how far it moved, how far from a guess.
   private static final int SUM_X = 0;
   private static final int SUM_Y = 1;
   private static final int MOTION = 2;
@@ -30,19 +34,21 @@ public final class KdRefit {
 
   private final KdTree tree;
 
-  /** Per piece. */
+  /** Sums of each piece. */
   private double[] sums = new double[SUMS];
 
-  /** Per piece: a box that isn't valid, -1 if all are. */
+  /** Id of an invalid box by piece, or -1 if all are valid. */
   private int[] invalid = new int[1];
 
-  /** Per leaf: how many boxes left its cell; their ids are behind those that stayed. */
+  /**
+   * Number of boxes that left a leaf's cell, by leaf. Their ids are stored after those that stayed.
+   */
   private int[] gone = new int[1];
 
-  /** Some leaves. */
+  /** Scratch: the leaves with a changed box. */
   private int[] touched = new int[1];
 
-  /** The ids that left their cells, and the leaf that each belongs to. */
+  /** Ids of the boxes that left their cells, and the leaf that each belongs to. */
   private int[] stray = new int[KdTree.SLOTS];
 
   private int[] leafOf = new int[KdTree.SLOTS];
@@ -52,12 +58,12 @@ public final class KdRefit {
     this.tree = tree;
   }
 
-  /** How many boxes left their cells in the last refit. */
+  /** Returns how many boxes left their cells in the last refit. */
   int strays() {
     return strays;
   }
 
-  /** The number of pieces to read. */
+  /** Returns the number of pieces to read. */
   private int pieces() {
     return (tree.leaves + LEAVES - 1) / LEAVES;
   }
@@ -90,9 +96,10 @@ public final class KdRefit {
   }
 
   /**
-   * Reads the boxes of some leaves, and takes those out of them that left their cells.
+   * Reads the boxes of some leaves, and removes the boxes that left their cells.
    *
-   * @param piece which, 0..{@link #begin} - 1, not checked: one beyond spoils the refit
+   * @param piece number of the piece, 0..{@link #begin} - 1; not checked: a larger one corrupts the
+   *     refit
    */
   public void read(int piece) {
     int from = piece * LEAVES;
@@ -106,7 +113,10 @@ public final class KdRefit {
     }
   }
 
-  /** Sums up how the boxes of some leaves moved, before they are read; one of each is enough. */
+  /**
+   * Sums up the motion of the boxes of some leaves, before they are read. One box of each leaf is
+   * enough.
+   */
   private void sample(int piece, int from, int to) {
     float[] edges = tree.boxes.edges;
     float guessX = (float) tree.meanX;
@@ -132,7 +142,10 @@ public final class KdRefit {
     sums[SUMS * piece + RESIDUE] = residue;
   }
 
-  /** Answers a box that isn't valid, or -1. */
+  /**
+   * Reads the boxes of a leaf, and removes those that left its cell. Returns the id of an invalid
+   * box, or -1.
+   */
   private int readLeaf(int leaf, float offX, float offY) {
     KdTree t = tree;
     float[] edges = t.boxes.edges;
@@ -189,7 +202,7 @@ public final class KdRefit {
     return n > 0 && !AabbArray.valid(left, bottom, right, top) ? invalidOf(leaf) : -1;
   }
 
-  /** A leaf with suspicious bounds: answers which of its boxes is not finite, or -1. */
+  /** Returns the id of an invalid box in a leaf whose bounds are suspicious, or -1. */
   private int invalidOf(int leaf) {
     for (int k = 0; k < tree.fill[leaf]; k++) {
       int id = tree.ids[leaf * KdTree.SLOTS + k];
@@ -202,9 +215,9 @@ public final class KdRefit {
   }
 
   /**
-   * Brings together what was read.
+   * Combines the results of all pieces that were read.
    *
-   * @return the number of pieces to route, 0 if {@link #end} will build all anew
+   * @return the number of pieces to route, 0 if {@link #end} will rebuild the tree
    * @throws IllegalArgumentException if a box isn't finite with min &lt;= max; the tree is empty
    *     then
    */
@@ -239,9 +252,10 @@ public final class KdRefit {
   }
 
   /**
-   * Finds where some boxes belong that left their cells.
+   * Finds the leaves for some of the boxes that left their cells.
    *
-   * @param piece which, 0..{@link #gather} - 1, not checked: one beyond does nothing
+   * @param piece number of the piece, 0..{@link #gather} - 1; not checked: a larger one does
+   *     nothing
    */
   public void route(int piece) {
     route(piece * BOXES, Math.min((piece + 1) * BOXES, strays));
@@ -253,7 +267,10 @@ public final class KdRefit {
     }
   }
 
-  /** Ends the refit: all are where they belong, and all bounds are right. */
+  /**
+   * Ends the refit: puts the boxes that left their cells into their leaves and makes all bounds
+   * right.
+   */
   public void end() {
     if (tree.size() > 0 && !placeStrays()) {
       KdBounds.fitInner(tree.bounds, 1, tree.leaves);
@@ -261,8 +278,8 @@ public final class KdRefit {
   }
 
   /**
-   * Puts the boxes that left their cells where they belong; answers whether all was built anew, so
-   * that all bounds are right.
+   * Puts the boxes that left their cells into their leaves. Returns whether the whole tree was
+   * rebuilt instead, so that all bounds are right.
    */
   private boolean placeStrays() {
     if (tree.isOutrun(strays)) {
@@ -276,7 +293,7 @@ public final class KdRefit {
     return false;
   }
 
-  /** Does a whole refit; throws as {@link #gather}. */
+  /** Runs a whole refit on this thread; throws as {@link #gather} does. */
   void all() {
     int read = begin();
     for (int piece = 0; piece < read; piece++) {
@@ -289,7 +306,10 @@ public final class KdRefit {
     end();
   }
 
-  /** Does a refit of some boxes; all others must be where they were. See {@link KdTree}. */
+  /**
+   * Refits some boxes on this thread; all others must be where they were. See {@link
+   * KdTree#refit(int[], int)}.
+   */
   void some(int[] changed, int count) {
     KdTree t = tree;
     reserve();

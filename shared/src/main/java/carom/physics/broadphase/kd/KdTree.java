@@ -11,24 +11,25 @@ import java.util.Arrays;
 /**
  * The engine's own index: a KD-tree over the centres of the boxes, with tight bounds per node.
  *
- * <p>Made to be kept. {@link #add}, {@link #remove} and {@link #refit()} repair the tree in place;
- * after the first {@link #rebuild} (or none) nobody needs to call it again.
+ * <p>The tree is made to be kept. {@link #add}, {@link #remove} and {@link #refit()} repair it in
+ * place, so {@link #rebuild} is needed at most once.
  *
- * <p><b>Layout.</b> A perfect binary tree without node objects: node 1 is the root, 2n and 2n + 1
- * are the children of n, and leaf l is node {@code leaves + l}. A leaf has room for {@value #SLOTS}
- * boxes and holds at most {@value #FILL} on average, so that boxes come and go without moving
- * others; its boxes lie side by side in one array, so that testing two leaves touches a few cache
- * lines. Inner nodes split x or y at the median of the centres, whichever extent is wider.
+ * <p><b>Layout.</b> The tree is a perfect binary tree without node objects: node 1 is the root, 2n
+ * and 2n + 1 are the children of n, and leaf l is node {@code leaves + l}. A leaf has room for
+ * {@value #SLOTS} boxes and holds at most {@value #FILL} on average, so that boxes come and go
+ * without moving others; its boxes lie side by side in one array, so that testing two leaves
+ * touches a few cache lines. Inner nodes split x or y at the median of the centres, whichever
+ * extent is wider.
  *
  * <p><b>From tick to tick.</b> Every leaf knows the cell, a region between split lines, for which
  * it was made. {@link #refit()} reads the new boxes leaf by leaf; a box whose centre is still in
- * the cell (with some slack) stays, the few others are handed down from the root again. A leaf that
- * runs full has the smallest subtree around it rebuilt that isn't crowded itself, as in a
- * packed-memory array, so the work is local where the change is local. When more than one in
- * {@value #REBUILD_SHARE} left its cell, all is rebuilt at once. When most of the motion is common
- * to all boxes the cells ride along, so a swarm that flies or falls in formation costs nothing
- * extra. The partition decides about speed alone: bounds are always those of the boxes, hence
- * answers are right however stale the partition is.
+ * the cell (with some slack) stays; the few others descend from the root again. When a leaf is
+ * full, the tree rebuilds the smallest subtree around it that isn't crowded itself, as in a
+ * packed-memory array. So the work is local where the change is local. When more than one box in
+ * {@value #REBUILD_SHARE} left its cell, the whole tree is rebuilt at once. When most of the motion
+ * is common to all boxes, the cells move along, so a swarm that flies or falls in formation costs
+ * nothing extra. The partition affects only speed: bounds are always those of the boxes, so results
+ * are right however stale the partition is.
  *
  * <pre>
  *   node          1                 children of n: 2n and 2n + 1
@@ -40,44 +41,53 @@ import java.util.Arrays;
  * </pre>
  *
  * <p><b>Length.</b> This class is longer than others because the arrays above are one structure
- * that each of its methods keeps whole. Work that only reads or replaces them is in classes of its
- * own: {@link KdBuilder}, {@link KdRefit}, {@link KdJoin}, {@link KdCast}, {@link KdBounds}.
+ * that each of its methods keeps consistent. Work that only reads or replaces them is in classes of
+ * its own: {@link KdBuilder}, {@link KdRefit}, {@link KdJoin}, {@link KdCast}, {@link KdBounds}.
  *
  * <p><b>Threads.</b> As for every {@link SpatialIndex}; in addition, {@link #query} only reads, so
  * between updates any number of threads may query.
  *
- * <p><b>Cost.</b> Refit and pairs O(n) in practice, add and remove amortised O(log n), query O(log
- * n + found). Recursion is no deeper than the tree, which has at most 24 levels.
+ * <p><b>Cost.</b> Refit and pairs take O(n) in practice, add and remove amortised O(log n), a query
+ * O(log n + found). Recursion is no deeper than the tree, which has at most 24 levels.
  */
 public final class KdTree implements SpatialIndex {
-  /** Room for boxes in a leaf. */
+  /** Number of boxes that a leaf has room for. */
   static final int SLOTS = 16;
 
-  /** Boxes per leaf, averaged over the tree, that make it grow. */
+  /** Largest number of boxes per leaf, averaged over a tree that is built. */
   static final int FILL = 10;
 
-  /** Rebuild all when more than this fraction (1 / n) of the boxes left their cells in one tick. */
+  /**
+   * Share (1 / n) of boxes above which, when they leave their cells in one tick, the tree is
+   * rebuilt.
+   */
   static final int REBUILD_SHARE = 2;
 
-  /** Rebuild all when more than this fraction (1 / n) of the boxes come or go at once. */
+  /**
+   * Share (1 / n) of boxes above which, when they are added or removed at once, the tree is
+   * rebuilt.
+   */
   static final int BULK_SHARE = 8;
 
-  /** Refit all when more than this fraction (1 / n) of the boxes changed. */
+  /** Share (1 / n) of boxes above which, when they changed, all boxes are refitted. */
   static final int REFIT_SHARE = 3;
 
-  /** A box may stray this fraction of its cell's width before it moves to another leaf. */
+  /**
+   * Share of the cell's width by which a box's centre may leave the cell before the box moves to
+   * another leaf.
+   */
   static final float CELL_SLACK = 0.125f;
 
   /** Distance between the coordinate rows of a leaf. */
   static final int ROW = SLOTS;
 
-  /** An index into {@link #slots}, shifted right by this, is a leaf. */
+  /** Number of bits by which to shift an index into {@link #slots} right to get its leaf. */
   static final int SHIFT = 6;
 
-  /** Coordinates of a leaf. */
+  /** Number of floats that a leaf has in {@link #slots}. */
   static final int BLOCK = 1 << SHIFT;
 
-  /** Boxes for which the arrays' lengths still fit an int. */
+  /** Largest number of boxes, for which the arrays' lengths still fit an int. */
   private static final int MAX_SIZE = 1 << 27;
 
   private static final float INF = Float.POSITIVE_INFINITY;
@@ -86,42 +96,44 @@ public final class KdTree implements SpatialIndex {
   private int size;
   int leaves = 1;
 
-  /** Per node: minX, minY, maxX, maxY; inverted infinities when empty. */
+  /** Bounds by node: minX, minY, maxX, maxY; inverted infinities if the node is empty. */
   float[] bounds = new float[8];
 
-  /** Per inner node: the split coordinate, in the frame that rides along. */
+  /** Split coordinate by inner node, in the frame that moves along. */
   float[] split = new float[1];
 
-  /** Per inner node: whether the split is across y. */
+  /** Whether an inner node splits y, by inner node. */
   boolean[] splitsY = new boolean[1];
 
-  /** Per leaf: the cell (minX, minY, maxX, maxY), slack included, in the frame that rides along. */
+  /** Cell by leaf (minX, minY, maxX, maxY), slack included, in the frame that moves along. */
   float[] cell = new float[4];
 
-  /** Per leaf: number of boxes in it. */
+  /** Number of boxes by leaf. */
   int[] fill = new int[1];
 
   /**
-   * Per node: scratch, whether something in it is of interest; false outside of {@link #refit} and
-   * of a {@link PairSearch}.
+   * Scratch by node: whether it holds a box of interest; false outside of {@link #refit} and of a
+   * {@link PairSearch}.
    */
   boolean[] hot = new boolean[2];
 
-  /** Per slot: the box's id. */
+  /** Id of the box by slot. */
   int[] ids = new int[SLOTS];
 
-  /** Per leaf a block of four rows: minX, minY, maxX, maxY of its slots. No negative zeros. */
+  /**
+   * Boxes by leaf: a block of four rows, minX, minY, maxX, maxY of its slots. No negative zeros.
+   */
   float[] slots = new float[BLOCK];
 
-  /** Per id: its slot, or -1. */
+  /** Slot by id, or -1 if the box isn't in the tree. */
   int[] slotOf = new int[0];
 
-  /** Where the frame of the cells has moved since they were made. */
+  /** How far the frame of the cells has moved since they were made, m. */
   double frameX;
 
   double frameY;
 
-  /** The mean motion of the boxes in the last refit. */
+  /** Mean motion of the boxes in the last refit, m. */
   double meanX;
 
   double meanY;
@@ -150,31 +162,33 @@ public final class KdTree implements SpatialIndex {
   }
 
   /**
-   * Whether a box is in the tree.
+   * Returns whether a box is in the tree.
    *
-   * @param id which; any number
+   * @param id id of the box; any number
    * @return true if it is
    */
   public boolean contains(int id) {
     return id >= 0 && id < slotOf.length && slotOf[id] >= 0;
   }
 
-  /** How many levels the leaves are below the root. */
+  /** Returns how many levels the leaves are below the root. */
   int levels() {
     return Integer.numberOfTrailingZeros(leaves);
   }
 
-  /** How many boxes left their cells in the last refit. */
+  /** Returns how many boxes left their cells in the last refit. */
   int strays() {
     return refit.strays();
   }
 
-  /** How many boxes were ever placed by building a subtree, a measure of the work of repair. */
+  /**
+   * Returns how many boxes were ever placed by building a subtree, a measure of the work of repair.
+   */
   long built() {
     return builder.placed();
   }
 
-  /** Removes all boxes; keeps the memory. */
+  /** Removes all boxes, and keeps the memory. */
   public void clear() {
     cool(); // a refit that failed may have left marks, in all leaves there were
     Arrays.fill(slotOf, -1);
@@ -195,8 +209,8 @@ public final class KdTree implements SpatialIndex {
   /**
    * {@inheritDoc}
    *
-   * <p>When the ids are those already in the tree, their order is used again: building from nearly
-   * sorted boxes is faster.
+   * <p>If the ids are those already in the tree, their order is used again, because building from
+   * nearly sorted boxes is faster.
    */
   @Override
   public void rebuild(AabbArray newBoxes, int[] newIds, int count) {
@@ -238,7 +252,7 @@ public final class KdTree implements SpatialIndex {
   }
 
   /**
-   * Adds a box, as it is in the box array now. Amortised O(log n).
+   * Adds a box with its present edges in the box array. Amortised O(log n).
    *
    * @param id index of the box in the box array
    * @throws IllegalArgumentException if the id is in the tree already or its box isn't valid; the
@@ -263,7 +277,7 @@ public final class KdTree implements SpatialIndex {
   }
 
   /**
-   * Adds boxes as {@link #add} does. When there are many, the tree is built anew, O(n log n).
+   * Adds boxes as {@link #add} does. If there are many, the tree is rebuilt, O(n log n).
    *
    * @param newIds indexes of boxes in the box array, each once
    * @param count how many
@@ -294,7 +308,7 @@ public final class KdTree implements SpatialIndex {
   }
 
   /**
-   * Removes boxes as {@link #remove} does. When there are many, the tree is built anew.
+   * Removes boxes as {@link #remove} does. If there are many, the tree is rebuilt.
    *
    * @param oldIds which
    * @param count how many
@@ -319,13 +333,15 @@ public final class KdTree implements SpatialIndex {
     }
   }
 
-  /** Takes a box that stays in the tree out of its leaf, whose bounds stay as they are. */
+  /**
+   * Takes a box out of its leaf without counting it as removed. The leaf's bounds stay as they are.
+   */
   void takeFromCell(int id) {
     takeOut(id);
     size++;
   }
 
-  /** Takes a box out of its leaf, whose bounds stay as they are; answers the leaf. */
+  /** Takes a box out of the tree and returns its leaf, whose bounds stay as they are. */
   private int takeOut(int id) {
     int slot = slotOf[id];
     int leaf = slot / SLOTS;
@@ -339,7 +355,7 @@ public final class KdTree implements SpatialIndex {
   /**
    * Removes a box. O(log n); bounds stay tight.
    *
-   * @param id which; any number
+   * @param id id of the box; any number
    * @return false if it wasn't in the tree
    */
   public boolean remove(int id) {
@@ -366,7 +382,8 @@ public final class KdTree implements SpatialIndex {
   }
 
   /**
-   * Puts a box, not in the tree now but counted in {@link #size}, into the leaf for its centre.
+   * Puts a box into the leaf for its centre. The box is already counted in {@link #size}, but not
+   * in a leaf.
    *
    * @return the leaf, whose bounds are right but not its ancestors'; -1 if a subtree was rebuilt
    *     and all bounds are right
@@ -375,7 +392,7 @@ public final class KdTree implements SpatialIndex {
     return put(id, leafFor(id));
   }
 
-  /** The leaf for a box's centre. Only reads. */
+  /** Returns the leaf for a box's centre. The method only reads. */
   int leafFor(int id) {
     float x = (float) (center(boxes.minX(id), boxes.maxX(id)) - frameX);
     float y = (float) (center(boxes.minY(id), boxes.maxY(id)) - frameY);
@@ -394,7 +411,7 @@ public final class KdTree implements SpatialIndex {
     return node - leaves;
   }
 
-  /** Does {@link #insert}, the leaf being known. */
+  /** Puts a box into a known leaf, as {@link #insert} does. */
   int put(int id, int leaf) {
     int n = fill[leaf];
     if (n == SLOTS) {
@@ -414,7 +431,7 @@ public final class KdTree implements SpatialIndex {
     return leaf;
   }
 
-  /** Rebuilds the smallest subtree around a full leaf that isn't crowded, with one box more. */
+  /** Rebuilds the smallest uncrowded subtree around a full leaf, with one box more. */
   private void makeRoom(int leaf, int id) {
     int height = levels();
     int first = leaf;
@@ -451,11 +468,11 @@ public final class KdTree implements SpatialIndex {
   }
 
   /**
-   * Lists the boxes of one of so many parts of the tree, near ones near each other. Going through
-   * all parts lists every box once, if none goes from leaf to leaf meanwhile.
+   * Lists the boxes of one of several parts of the tree, near boxes near each other. Listing all
+   * parts gives every box once, if none moves from leaf to leaf meanwhile.
    *
-   * @param part which, from 0 on
-   * @param parts of how many, at least 1
+   * @param part number of the part, 0..{@code parts} - 1
+   * @param parts number of parts, at least 1
    * @param out receives the ids; {@link #size()} entries are enough
    * @return how many
    */
@@ -470,10 +487,10 @@ public final class KdTree implements SpatialIndex {
   }
 
   /**
-   * Numbers the boxes anew, from 0 on in the order of the leaves. The caller brings the box array
-   * into that order.
+   * Renumbers the boxes from 0 on in the order of the leaves. The caller sorts the box array into
+   * that order.
    *
-   * @param old receives the ids that the boxes had
+   * @param old receives the former id of each box
    */
   public void number(int[] old) {
     int to = 0;
@@ -498,8 +515,8 @@ public final class KdTree implements SpatialIndex {
   // ---------------------------------------------------------------- following motion
 
   /**
-   * Takes over the boxes' new places: call once per tick, after they moved. O(n), plus the repair
-   * of what left its cell.
+   * Updates the tree to the boxes' new edges. Call it once per tick, after they moved. O(n), plus
+   * the repair for boxes that left their cells.
    *
    * @throws IllegalArgumentException if a box isn't finite with min &lt;= max; the tree is empty
    *     then
@@ -509,19 +526,21 @@ public final class KdTree implements SpatialIndex {
   }
 
   /**
-   * The same, for threads to do it side by side.
+   * Returns the refit of this tree, for several threads to run in parallel what {@link #refit()}
+   * does.
    *
-   * @return the tree's own
+   * @return the tree's only refit
    */
   public KdRefit refitting() {
     return refit;
   }
 
   /**
-   * Takes over the new places of some boxes; all others must be where they were. O(changed), plus
-   * the repair of what left its cell. The frame of the cells stays, however the boxes move.
+   * Updates the tree to the new edges of some boxes; all others must be where they were.
+   * O(changed), plus the repair for boxes that left their cells. The frame of the cells stays,
+   * however the boxes move.
    *
-   * @param changed ids, each once; those that aren't in the tree are passed over
+   * @param changed ids, each once; those that aren't in the tree are skipped
    * @param count how many
    * @throws IllegalArgumentException if a box isn't finite with min &lt;= max; the tree is empty
    *     then
@@ -535,22 +554,22 @@ public final class KdTree implements SpatialIndex {
   }
 
   /**
-   * Whether {@link #refit(int[], int)} would rather read all boxes.
+   * Returns whether {@link #refit(int[], int)} would read all boxes instead.
    *
    * @param count how many changed
-   * @return true if so many are better done by {@link #refitting}
+   * @return true if {@link #refitting} is the better choice
    */
   public boolean isMost(int count) {
     return count > size / REFIT_SHARE;
   }
 
-  /** Whether building all anew is cheaper than putting so many boxes elsewhere one by one. */
+  /** Returns whether rebuilding the tree is cheaper than moving this many boxes one by one. */
   boolean isOutrun(int strays) {
     boolean sparse = size < leaves;
     return leaves > 1 && (sparse || strays > size / REBUILD_SHARE);
   }
 
-  /** Builds all anew, the boxes that left their cells included. */
+  /** Rebuilds the tree, including the boxes that left their cells. */
   void rebuild(int[] stray, int strays) {
     ensureWork(size);
     int stayed = builder.gather(0, leaves);
@@ -560,7 +579,7 @@ public final class KdTree implements SpatialIndex {
     buildAll(size);
   }
 
-  /** Moves the frame by the mean motion if it was riding, and decides whether it will next time. */
+  /** Moves the frame by the mean motion if it rode along, and decides whether it will next time. */
   void follow(double newMeanX, double newMeanY, boolean common) {
     boolean finite = Math.abs(newMeanX) + Math.abs(newMeanY) <= Float.MAX_VALUE;
     meanX = finite ? newMeanX : 0;
@@ -586,7 +605,7 @@ public final class KdTree implements SpatialIndex {
     buildSubtree(1, count);
   }
 
-  /** The same for a subtree. */
+  /** Builds a subtree from the first boxes of the builder's list, and fits all bounds. */
   private void buildSubtree(int node, int count) {
     builder.build(node, count);
     KdBounds.fitInner(bounds, node, leaves);
@@ -610,7 +629,7 @@ public final class KdTree implements SpatialIndex {
   }
 
   void setCell(int leaf, float left, float bottom, float right, float top) {
-    // an open side makes the slack infinite, and infinity minus infinity must not occur
+    // an open side would make the slack infinite, and infinity minus infinity must not occur
     float slackX = right - left < INF ? CELL_SLACK * (right - left) : 0;
     float slackY = top - bottom < INF ? CELL_SLACK * (top - bottom) : 0;
     cell[4 * leaf] = left - slackX;
@@ -699,7 +718,8 @@ public final class KdTree implements SpatialIndex {
   /**
    * {@inheritDoc}
    *
-   * <p>Unlike {@link #query} this uses the tree's scratch memory: one thread at a time.
+   * <p>Unlike {@link #query}, a cast uses the tree's scratch memory, so only one thread may cast at
+   * a time.
    */
   @Override
   public void cast(
@@ -714,7 +734,7 @@ public final class KdTree implements SpatialIndex {
     cast.run(minX, minY, maxX, maxY, dx, dy, maxFraction, visitor);
   }
 
-  /** The node after a subtree in depth-first order, 1 at the end. */
+  /** Returns the node after a subtree in depth-first order, 1 at the end. */
   private static int next(int node) {
     int after = node + 1;
     return after >> Integer.numberOfTrailingZeros(after);
@@ -725,7 +745,7 @@ public final class KdTree implements SpatialIndex {
     search.pairs(1, 1, false, visitor);
   }
 
-  /** Finds the {@link #hot} nodes, those with marked boxes. */
+  /** Marks the nodes that hold marked boxes as {@link #hot}. */
   void heat(boolean[] marked) {
     for (int leaf = 0; leaf < leaves; leaf++) {
       boolean any = false;
@@ -740,14 +760,14 @@ public final class KdTree implements SpatialIndex {
     }
   }
 
-  /** Makes no node {@link #hot}. */
+  /** Clears the {@link #hot} marks of all nodes. */
   void cool() {
     Arrays.fill(hot, 0, 2 * leaves, false);
   }
 
   /**
    * Visits every pair of overlapping boxes, the first from this tree and the second from the other,
-   * each exactly once. Not ordered by id: idA belongs to this tree, idB to the other.
+   * each exactly once. Pairs are not ordered by id: idA belongs to this tree, idB to the other.
    *
    * @param other another tree; the same tree gives each pair twice and each box with itself
    * @param visitor receives the pairs

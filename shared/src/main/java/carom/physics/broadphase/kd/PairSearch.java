@@ -5,23 +5,27 @@ import java.util.Arrays;
 
 /**
  * Finds the overlapping pairs of a tree's boxes, among each other and with those of another tree,
- * in pieces that threads may do side by side: pairs of subtrees, from a few levels below the roots.
+ * in pieces that threads may run in parallel. A piece is a pair of subtrees a few levels below the
+ * roots.
  *
- * <p>{@link #begin}, then {@link #run} once for every piece, then {@link #end}. The pieces depend
- * on the trees alone; each pair is reported by one of them, exactly once.
+ * <p>Call {@link #begin}, then {@link #run} once for every piece, then {@link #end}. Each pair is
+ * reported by exactly one piece, exactly once.
  *
- * <p><b>Threads.</b> Begin and end on one; pieces on any, each with a worker's number of its own.
- * Meanwhile the trees mustn't change, nor be fitted again.
+ * <p><b>Threads.</b> One thread calls begin and end; pieces may run on any thread, each with its
+ * own worker number. Until the end, the trees must not change or be refitted.
  */
 public final class PairSearch {
-  /** Enough that threads end at about the same time, few enough that cutting costs microseconds. */
+  /**
+   * Number of pieces wanted of each search: enough that threads end at about the same time, few
+   * enough that cutting costs microseconds.
+   */
   private static final int PIECES = 64;
 
   private final KdTree tree;
   private final KdTree other;
   private KdJoin[] joins;
 
-  /** Node pairs of the tree itself, and of the tree and the other one. */
+  /** Pairs of nodes within the tree, and of the tree with the other one. */
   private final Pieces own = new Pieces();
 
   private final Pieces across = new Pieces();
@@ -29,7 +33,7 @@ public final class PairSearch {
 
   /** Pairs of nodes below which pairs of boxes are searched. */
   private static final class Pieces {
-    /** Going down a level replaces a pair by four at most. */
+    /** Two ints for each pair of nodes. Going down a level replaces a pair by at most four. */
     private int[] nodes = new int[2 * 4 * PIECES];
 
     private int[] below = new int[2 * 4 * PIECES];
@@ -37,9 +41,9 @@ public final class PairSearch {
   }
 
   /**
-   * Makes a search that wasn't begun.
+   * Makes a search; call {@link #begin} before use.
    *
-   * @param tree whose boxes are searched; a reference is kept
+   * @param tree the tree whose boxes are searched; a reference is kept
    * @param other another tree, whose boxes are searched for pairs with those of the first, but not
    *     among each other; a reference is kept
    */
@@ -50,12 +54,13 @@ public final class PairSearch {
   }
 
   /**
-   * Begins to search. O(boxes of the tree) if something is marked, else a few microseconds.
+   * Begins a search. O(boxes of the tree) if marks are given, else a few microseconds.
    *
-   * @param marked per id, whether its box changed: found are all pairs with a marked box of the
-   *     tree, and some others, and nothing is touched that isn't near one; null: all pairs
-   * @param workers how many threads there are, at least 1; for one the search isn't cut any further
-   *     than into its two trees
+   * @param marked whether the box of each id changed, or null to find all pairs. With marks, the
+   *     search finds all pairs with a marked box of the tree, and some others; it doesn't visit
+   *     nodes far from marked boxes
+   * @param workers number of threads, at least 1. For one thread, the search has at most two
+   *     pieces: the tree itself, and the tree with the other
    * @return the number of pieces
    */
   public int begin(boolean[] marked, int workers) {
@@ -76,7 +81,10 @@ public final class PairSearch {
     return own.count + across.count;
   }
 
-  /** Goes down from the roots, until there are pieces enough or only leaves. */
+  /**
+   * Cuts a search into pieces: goes down from the roots until there are enough pieces or only
+   * leaves.
+   */
   private void cut(Pieces p, KdTree with, int wanted) {
     p.nodes[0] = 1;
     p.nodes[1] = 1;
@@ -94,13 +102,14 @@ public final class PairSearch {
   }
 
   /**
-   * Does one piece.
+   * Searches one piece.
    *
-   * @param piece which, from 0
-   * @param worker number of the thread, from 0 to one less than {@link #begin} was told; no two at
-   *     once have the same
+   * @param piece number of the piece, from 0
+   * @param worker number of the thread, 0..workers - 1 as given to {@link #begin}; no two running
+   *     at once may have the same
    * @param visitor receives pairs in no particular order: idA &lt; idB of the tree, or idA of the
-   *     tree and idB of the other. What it throws ends the piece, and goes to the caller
+   *     tree and idB of the other. An exception that it throws ends the piece and reaches the
+   *     caller
    * @throws IndexOutOfBoundsException if there is no such piece or worker
    */
   public void run(int piece, int worker, PairVisitor visitor) {
@@ -113,7 +122,7 @@ public final class PairSearch {
     }
   }
 
-  /** Ends the search; also if a visitor threw. */
+  /** Ends the search. Call it even if a visitor threw. */
   public void end() {
     if (selective) {
       tree.cool();

@@ -2,7 +2,7 @@ package carom.physics.broadphase.kd;
 
 /** Finds the k-th smallest of distinct numbers in expected linear time, whatever their order. */
 final class Select {
-  /** Below this many numbers a sample doesn't pay. */
+  /** Number of numbers up to which a sample doesn't pay. */
   private static final int SAMPLED = 400;
 
   private static final int SORTED = 12;
@@ -10,12 +10,13 @@ final class Select {
   private Select() {}
 
   /**
-   * Reorders {@code a[lo..hi]} so that {@code a[k]} is what sorting would put there, with nothing
-   * larger before it and nothing smaller after it.
+   * Reorders {@code a[lo..hi]} so that {@code a[k]} is the number that sorting would put there,
+   * with no larger number before it and no smaller one after it.
    *
-   * <p>Floyd and Rivest's SELECT ("Expected time bounds for selection", 1975): a small sample gives
-   * a pivot very near the k-th number. The sample is drawn pseudo-randomly, so no order of the
-   * input is a bad one; the partition moves numbers without a branch that depends on them.
+   * <p>The algorithm is Floyd and Rivest's SELECT ("Expected time bounds for selection", 1975): a
+   * small sample gives a pivot very near the k-th number. The sample is drawn pseudo-randomly, so
+   * no order of the input is a bad one; the partition moves numbers without a branch that depends
+   * on them.
    *
    * @param a distinct numbers; the difference of any two fits a long
    * @param lo first index
@@ -60,7 +61,10 @@ final class Select {
     sort(a, left, right);
   }
 
-  /** Partitions around {@code a[left]} without branches on the data; answers where it ended up. */
+  /**
+   * Partitions around {@code a[left]} without branches on the data and returns where that number
+   * ends up.
+   */
   private static int partition(long[] a, int left, int right) {
     long pivot = a[left];
     int end = left + 1;

@@ -1,5 +1,6 @@
 /**
- * The KD-tree of boxes that the engine uses, and what threads may do with it side by side.
+ * The KD-tree of boxes that the engine uses, and its refit and pair search in pieces for several
+ * threads.
  *
  * <pre>
  *   KdTree ---- KdBuilder, Select   builds it from scratch

@@ -4,19 +4,20 @@ import carom.physics.geometry.Convex;
 import carom.physics.math.Transform;
 
 /**
- * Rays and moving shapes against a shape at rest. Holds scratch memory: one per thread, then no
- * call allocates. Double precision inside.
+ * Casts rays and moving shapes against a shape at rest. An instance holds scratch memory, so use
+ * one per thread; no call allocates. It computes in double precision.
  *
- * <p>A cast goes from its start along (dx, dy), metres, and ends at the largest fraction of it, a
- * finite number, not negative; 1 means the whole way.
+ * <p>A cast goes from its start along (dx, dy), metres, and ends at the largest fraction of that
+ * way: a finite number, not negative, where 1 is the whole way.
  *
  * <h2>Beginning inside</h2>
  *
- * A cast that begins inside of the shape or on its border hits at fraction 0 with the normal (0,
- * 0), see {@link CastHit#isInside()}, whichever way it goes. A cast of length zero hits only so.
+ * A cast that begins inside the shape or on its border hits at fraction 0 with the normal (0, 0),
+ * see {@link CastHit#isInside()}, whichever way it goes. A cast of length zero hits in no other
+ * case.
  */
 public final class Cast {
-  /** Gap, metres, at which a moving shape has arrived. */
+  /** Gap, metres, up to which a moving shape has arrived. */
   private static final double ARRIVED = 1e-7;
 
   /** Distance, metres, above which the direction between closest points is exact enough. */
@@ -41,8 +42,8 @@ public final class Cast {
   public Cast() {}
 
   /**
-   * Casts a ray against a shape: exact up to the rounding of the result, for edges and rounded
-   * corners alike.
+   * Casts a ray against a shape. The hit is exact up to the rounding of the result, for edges and
+   * rounded corners alike.
    *
    * <p>Shapes are closed: a ray that merely touches a corner or slides along an edge hits; only one
    * along a {@code Segment} itself, which has no inside, misses.
@@ -92,7 +93,10 @@ public final class Cast {
     return true;
   }
 
-  /** Cuts the ray with the half planes of a polygon without rounding (Cyrus and Beck 1978). */
+  /**
+   * Casts the ray against a polygon without rounding, by clipping it to the half planes (Cyrus and
+   * Beck 1978).
+   */
   private void clip(Convex shape) {
     double enter = -1;
     double leave = Double.POSITIVE_INFINITY;
@@ -123,7 +127,10 @@ public final class Cast {
     }
   }
 
-  /** The outside of a rounded shape is made of edges, moved outwards, and of discs at corners. */
+  /**
+   * Casts the ray against a rounded shape. Its surface consists of edges moved outwards and of
+   * discs at the corners.
+   */
   private void rounded(Convex shape) {
     int count = shape.vertexCount();
     double radius = shape.radius();
@@ -196,10 +203,10 @@ public final class Cast {
   /**
    * Moves shape A without turning it until it touches shape B.
    *
-   * <p>Conservative advancement (Mirtich 1996): go on by the gap over the speed at which it closes
-   * along its own direction, measure again. It never goes too far, and for shapes with corners it
-   * arrives after a few steps. The result is at most {@code 1e-7} m of gap early; a motion that
-   * grazes within that distance may count as hit.
+   * <p>The method is conservative advancement (Mirtich 1996): advance by the gap divided by the
+   * speed at which it closes along the normal, then measure again. It never advances too far, and
+   * for shapes with corners it arrives after a few steps. The result is at most {@code 1e-7} m of
+   * gap early; a motion that grazes B within that distance may count as a hit.
    *
    * @param a moving shape, in its body's frame
    * @param ta where it begins, read only, finite
@@ -230,7 +237,7 @@ public final class Cast {
       gjk.run(coreA, coreB);
       double gap = gjk.distance - radii;
       boolean arrived = gap <= ARRIVED;
-      // At a gap of nothing the last direction, along which A arrived, is the better one.
+      // At a gap of zero the previous direction, along which A arrived, is the better one.
       if (step == 0 || gjk.distance > SURE) {
         nx = gjk.normalX;
         ny = gjk.normalY;

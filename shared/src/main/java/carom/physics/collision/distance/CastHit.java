@@ -1,8 +1,8 @@
 package carom.physics.collision.distance;
 
-/** Where a cast met a shape. Mutable and reused. */
+/** The point, normal and fraction at which a cast met a shape. Mutable and reused. */
 public final class CastHit {
-  /** Part of the way at the first touch, 0 to the cast's largest fraction. */
+  /** Fraction of the way at the first touch, from 0 to the cast's largest fraction. */
   public float fraction;
 
   /**
@@ -23,12 +23,15 @@ public final class CastHit {
   /** Makes a result with all zeros. */
   public CastHit() {}
 
-  /** True when the cast began inside (or, for a shape, touching): fraction and normal are 0. */
+  /**
+   * Returns whether the cast began inside (or, for a shape, touching). Then fraction and normal are
+   * 0.
+   */
   public boolean isInside() {
     return normalX == 0 && normalY == 0;
   }
 
-  /** Copies {@code hit}. Returns this. */
+  /** Copies {@code hit} and returns this. */
   public CastHit set(CastHit hit) {
     return set(hit.fraction, hit.normalX, hit.normalY, hit.x, hit.y);
   }

@@ -9,24 +9,28 @@ public final class ClosestPoints {
   public float distance;
 
   /**
-   * X of the unit normal from A to B; 0 when even the shapes without their rounding overlap, since
-   * then no direction is closest (see {@code Sat} for the way out).
+   * X of the unit normal from A to B. It is 0 when even the shapes without their rounding overlap,
+   * because then there is no closest direction (see {@code Sat} for the way out).
    */
   public float normalX;
 
   /** Y of the unit normal from A to B, see {@link #normalX}. */
   public float normalY;
 
-  /** Closest point on A's surface, x, metres from A's position. */
+  /** X of the closest point on A's surface, metres from A's position. */
   public float ax;
 
-  /** Closest point on A's surface, y, metres from A's position. */
+  /** Y of the closest point on A's surface, metres from A's position. */
   public float ay;
 
-  /** Closest point on B's surface, x, metres from A's position; with overlap the same as A's. */
+  /**
+   * X of the closest point on B's surface, metres from A's position; with overlap the same as A's.
+   */
   public float bx;
 
-  /** Closest point on B's surface, y, metres from A's position; with overlap the same as A's. */
+  /**
+   * Y of the closest point on B's surface, metres from A's position; with overlap the same as A's.
+   */
   public float by;
 
   /** First vertex of A at the closest point. */

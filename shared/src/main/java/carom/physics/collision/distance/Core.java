@@ -4,8 +4,8 @@ import carom.physics.geometry.Convex;
 import carom.physics.math.Transform;
 
 /**
- * A convex shape in a pose, without its rounding: the vertices, in double precision, relative to
- * some point that the user chooses near by. Reused scratch memory.
+ * The vertices of a convex shape in a pose, without its rounding. They are in double precision,
+ * relative to a near point that the caller chooses. Reused scratch memory.
  */
 public final class Core {
   public final double[] x = new double[Convex.MAX_VERTICES];
@@ -13,12 +13,12 @@ public final class Core {
   public int count;
   public double radius;
 
-  /** Takes the vertices over, in world axes, relative to the point (originX, originY). */
+  /** Copies a shape's vertices in world axes, relative to the point (originX, originY). */
   public void place(Convex shape, Transform t, double originX, double originY) {
     place(shape, t.x - originX, t.y - originY, t.cos, t.sin);
   }
 
-  /** Takes the vertices over, turned by (cos, sin) and moved by (dx, dy). */
+  /** Copies a shape's vertices, turned by (cos, sin) and moved by (dx, dy). */
   public void place(Convex shape, double dx, double dy, double cos, double sin) {
     count = shape.vertexCount();
     radius = shape.radius();
@@ -30,7 +30,7 @@ public final class Core {
     }
   }
 
-  /** Becomes a single point. */
+  /** Sets the core to a single point without radius. */
   void point(double px, double py) {
     count = 1;
     radius = 0;
@@ -46,7 +46,7 @@ public final class Core {
     }
   }
 
-  /** The vertex farthest along (dx, dy), of equal ones the first. */
+  /** Returns the vertex farthest along (dx, dy). Of equally far vertices it is the first. */
   public int support(double dx, double dy) {
     int best = 0;
     double high = x[0] * dx + y[0] * dy;

@@ -4,19 +4,20 @@ import carom.physics.geometry.Convex;
 import carom.physics.math.Transform;
 
 /**
- * Distance and closest points of convex shapes, rounding included. Holds scratch memory: one per
- * thread, then no call allocates.
+ * Measures the distance and closest points of convex shapes, rounding included. An instance holds
+ * scratch memory, so use one per thread; no call allocates.
  *
- * <p>GJK (Gilbert, Johnson, Keerthi 1988) on the vertices, in double precision, then the radii are
- * taken off: a circle is its centre with a radius. The error is that of rounding the result to
- * float. Cost grows with the number of vertices, times three to six steps for usual shapes.
+ * <p>It runs GJK (Gilbert, Johnson, Keerthi 1988) on the vertices in double precision, then
+ * subtracts the radii: a circle is its centre with a radius. The error is that of rounding the
+ * result to float. Cost is proportional to the number of vertices, times three to six steps for
+ * usual shapes.
  *
  * <h2>Degenerate cases</h2>
  *
- * Touching counts as distance 0. Parallel edges have many closest points; one of them is answered,
- * the same for the same arguments. When shapes overlap only by their rounding, both points are one
- * common point and the normal is valid; when they overlap by more, both points are one common point
- * and the normal is (0, 0). No zero is negative.
+ * Touching counts as distance 0. Parallel edges have many closest points; the result is one of
+ * them, the same for the same arguments. If shapes overlap only by their rounding, both points are
+ * one common point and the normal is valid. If they overlap by more, both points are one common
+ * point and the normal is (0, 0). No zero is negative.
  */
 public final class Distance {
   private final Core coreA = new Core();

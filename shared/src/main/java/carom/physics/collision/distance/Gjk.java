@@ -1,24 +1,26 @@
 package carom.physics.collision.distance;
 
 /**
- * Distance of two convex polygons by the algorithm of Gilbert, Johnson and Keerthi (1988): the
- * closest point of the Minkowski difference B - A to the origin, found by walking from edge to edge
- * of the difference, each step towards the vertex that lies farthest against the present direction.
+ * Measures the distance of two convex polygons by the algorithm of Gilbert, Johnson and Keerthi
+ * (1988). It finds the closest point of the Minkowski difference B - A to the origin by walking
+ * from edge to edge of the difference. Each step goes towards the vertex that lies farthest against
+ * the present direction.
  *
- * <p>Double precision, and directions of edges come from the edges themselves, so a gap of a
- * nanometre between shapes of a metre still has the right normal. It ends when no vertex is nearer
- * by more than rounding; steps are bounded. The answer depends on the arguments alone.
+ * <p>It computes in double precision, and directions of edges come from the edges themselves. So a
+ * gap of a nanometre between shapes of a metre still has the right normal. The search ends when no
+ * vertex is nearer by more than rounding; the number of steps is bounded. The result depends on the
+ * arguments alone.
  */
 public final class Gjk {
   private static final int MAX_STEPS = 96;
 
-  /** Part of the coordinates' size by which a vertex must be nearer to count. */
+  /** Fraction of the coordinates' size by which a vertex must be nearer to count. */
   private static final double PROGRESS = 1e-14;
 
-  /** Whether the polygons share a point; then distance is 0 and the normal is 0. */
+  /** Whether the polygons share a point; then distance and normal are 0. */
   boolean overlap;
 
-  /** Smallest distance of the polygons, not counting their radius. */
+  /** Smallest distance of the polygons, m, not counting their radii. */
   public double distance;
 
   /** Unit direction from A's closest point to B's. */
@@ -41,12 +43,12 @@ public final class Gjk {
 
   public int a1;
 
-  /** The same of B. */
+  /** Vertices of B whose connection holds the closest point; equal when it is a vertex. */
   public int b0;
 
   public int b1;
 
-  // The simplex: up to three vertices of B - A, and from which vertices they come.
+  // The simplex: up to three vertices of B - A, and the vertices of A and B they come from.
   private final double[] wx = new double[3];
   private final double[] wy = new double[3];
   private final int[] ia = new int[3];
@@ -56,7 +58,7 @@ public final class Gjk {
   /** Position of the closest point between simplex vertices 0 and 1, from 0 to 1. */
   private double along;
 
-  /** Runs the search. */
+  /** Searches for the closest points of two cores, and sets all results. */
   public void run(Core a, Core b) {
     count = 0;
     add(a, 0, b, 0);
@@ -139,7 +141,10 @@ public final class Gjk {
     }
   }
 
-  /** The third vertex is nearer than the edge of the first two: one of its two edges wins. */
+  /**
+   * Reduces a simplex of three vertices. The third vertex is nearer than the edge of the first two,
+   * so one of its two edges has the closest point, unless the triangle holds the origin.
+   */
   private void closestOfThree() {
     double turn01 = wx[0] * wy[1] - wy[0] * wx[1];
     double turn12 = wx[1] * wy[2] - wy[1] * wx[2];
@@ -188,7 +193,10 @@ public final class Gjk {
     by = b.y[b0] + along * (b.y[b1] - b.y[b0]);
   }
 
-  /** The origin lies in the triangle: its barycentric coordinates give a point of both shapes. */
+  /**
+   * Sets a common point of both shapes. The origin lies in the triangle, and its barycentric
+   * coordinates give the point.
+   */
   private void common(Core a) {
     double u0 = wx[1] * wy[2] - wy[1] * wx[2];
     double u1 = wx[2] * wy[0] - wy[2] * wx[0];

@@ -4,36 +4,36 @@ import carom.physics.math.Transform;
 import carom.physics.math.Trig;
 
 /**
- * The motion of a frame during one time step: straight and at constant speed for its origin, with a
- * constant rate of turn. Mutable and reused.
+ * The motion of a frame during one time step. Its origin moves straight at constant speed, and it
+ * turns at a constant rate. Mutable and reused.
  */
 public final class Sweep {
-  /** Origin at the start, metres. */
+  /** X of the origin at the start, metres. */
   public float x;
 
-  /** Origin at the start, metres. */
+  /** Y of the origin at the start, metres. */
   public float y;
 
-  /** Rotation at the start. */
+  /** Cosine of the angle at the start. */
   public float cos = 1;
 
-  /** Rotation at the start. */
+  /** Sine of the angle at the start. */
   public float sin;
 
-  /** Way of the origin, metres. */
+  /** Way of the origin along x, metres. */
   public float dx;
 
-  /** Way of the origin, metres. */
+  /** Way of the origin along y, metres. */
   public float dy;
 
-  /** Turn, radians, counter-clockwise; more than a full turn is fine. */
+  /** Turn, radians, counter-clockwise; it may exceed a full turn. */
   public float angleRad;
 
   /** Makes a frame that rests at the origin. */
   public Sweep() {}
 
   /**
-   * Starts at a pose and moves with constant velocities.
+   * Sets a motion that starts at a pose and has constant velocities.
    *
    * @param start pose at the start; copied
    * @param dx way along x, metres
@@ -53,7 +53,7 @@ public final class Sweep {
   }
 
   /**
-   * Moves from one pose to another, turning the shorter way round.
+   * Sets a motion from one pose to another that turns the shorter way round.
    *
    * @param start pose at the start; copied
    * @param end pose at the end; copied
@@ -67,7 +67,7 @@ public final class Sweep {
   }
 
   /**
-   * A stretch of another motion.
+   * Sets this to a stretch of another motion.
    *
    * @param whole the motion, another object than this
    * @param from where the stretch begins, 0 to 1
@@ -91,7 +91,7 @@ public final class Sweep {
   /**
    * Copies another motion.
    *
-   * @param other stays as it is
+   * @param other the motion to copy; not changed
    * @return this
    */
   public Sweep set(Sweep other) {
@@ -106,7 +106,7 @@ public final class Sweep {
   }
 
   /**
-   * The pose at a moment.
+   * Computes the pose at a moment.
    *
    * @param fraction 0 at the start, 1 at the end
    * @param out receives the pose

@@ -4,36 +4,36 @@ import carom.physics.geometry.Convex;
 import carom.physics.math.Trig;
 
 /**
- * When two convex shapes that move and turn come within a given distance of each other. Holds
- * scratch memory: one per thread, then no call allocates.
+ * Finds when two convex shapes that move and turn come within a given distance of each other. An
+ * instance holds scratch memory, so use one per thread; no call allocates.
  *
  * <p><b>Method</b> (Catto, "Continuous collision", GDC 2013). At the present time the closest
  * features give an axis along which the shapes are apart: the direction between two vertices, or an
- * edge's normal that turns with its shape. Find the latest time at which the axis still separates
- * them, by looking at the deepest vertices at the end and going back to where these reach the
- * target distance, until none is too deep. That is the new present; repeat until the shapes
- * themselves are within the target. Every root is bracketed, every loop is bounded.
+ * edge's normal that turns with its shape. The search then finds the latest time at which the axis
+ * still separates them. It takes the deepest vertices at the end and goes back to where these reach
+ * the target distance, until none is too deep. That time is the new present. This repeats until the
+ * shapes themselves are within the target. Every root is bracketed, every loop is bounded.
  *
  * <p><b>Turning.</b> While shapes turn, a separation along an axis may dip and recover between two
- * times. How far is bounded by the second derivative, for which turn, speed and reach give an upper
- * bound K: between two values s0 and s1 over a time u of 0 to 1 the separation is at least {@code
- * s0 + (s1 - s0) u - K u (1 - u) / 2}. Where that doesn't stay above the target, the time is halved
- * and the question put again. So nothing is missed, however fast a shape spins.
+ * times. The second derivative bounds how far. Turn, speed and reach give an upper bound K for it:
+ * between two values s0 and s1 over a time u of 0 to 1 the separation is at least {@code s0 + (s1 -
+ * s0) u - K u (1 - u) / 2}. Where that doesn't stay above the target, the time is halved and the
+ * bound checked again. So no contact is missed, however fast a shape spins.
  *
- * <p>The answer depends on the arguments alone, bit for bit.
+ * <p>The result depends on the arguments alone, bit for bit.
  */
 public final class TimeOfImpact {
-  /** What happens during the motion. */
+  /** The outcome of a search: what happens during the motion. */
   public enum State {
     /** The shapes stay farther apart than the target. */
     SEPARATED,
-    /** They reach the target distance at {@link #fraction()}. */
+    /** The shapes reach the target distance at {@link #fraction()}. */
     TOUCHING,
-    /** They overlap when the motion starts; the fraction is 0. */
+    /** The shapes overlap when the motion starts; the fraction is 0. */
     OVERLAPPING,
     /**
-     * The bounded search ended early; up to {@link #fraction()} the motion is safe. Happens in long
-     * grazing motion with fast turning, if at all.
+     * The bounded search ended early; up to {@link #fraction()} the motion is safe. This happens at
+     * most in long grazing motion with fast turning.
      */
     UNDECIDED
   }
@@ -87,7 +87,10 @@ public final class TimeOfImpact {
     private int count;
     private double radius;
 
-    /** Farthest vertex from the frame's origin: what turning moves. */
+    /**
+     * Distance of the farthest vertex from the frame's origin, m; it bounds how far turning moves a
+     * vertex.
+     */
     private double reach;
 
     void set(Convex shape, float inset) {
@@ -108,7 +111,7 @@ public final class TimeOfImpact {
       reach = Math.sqrt(square);
     }
 
-    /** Moves each side inwards; false, and nothing is done, if one would vanish. */
+    /** Moves each side inwards. Returns false, and changes nothing, if a side would vanish. */
     private boolean moveSides(Convex shape, double inset) {
       for (int i = 0; i < count; i++) {
         int next = i + 1 == count ? 0 : i + 1;
@@ -130,7 +133,10 @@ public final class TimeOfImpact {
       return true;
     }
 
-    /** By how much a side gets shorter at one end when it moves in by one: tan(turn / 2). */
+    /**
+     * Returns by how much a side gets shorter at one end when it moves inwards by one: tan(turn /
+     * 2).
+     */
     private static double slant(Convex shape, int vertex) {
       int before = vertex == 0 ? shape.vertexCount() - 1 : vertex - 1;
       double cos =
@@ -139,7 +145,10 @@ public final class TimeOfImpact {
       return Math.sqrt(Math.max(0, 1 - cos) / Math.max(1e-12, 1 + cos));
     }
 
-    /** Moves the vertices towards their mean, so that every side moves in by that much or more. */
+    /**
+     * Moves the vertices towards their mean, so that every side moves inwards by at least the
+     * inset.
+     */
     private void scale(Convex shape, double inset) {
       double inner = shape.innerRadius() - (double) shape.radius();
       double keep = inset < inner ? 1 - inset / inner : 0;
@@ -159,7 +168,7 @@ public final class TimeOfImpact {
     }
   }
 
-  /** Place and rotation at a moment, relative to where A starts. */
+  /** Position and rotation at a moment, relative to where A starts. */
   private static final class Pose {
     private double x;
     private double y;
@@ -206,12 +215,12 @@ public final class TimeOfImpact {
   }
 
   /**
-   * As {@link #find(Convex, Sweep, Convex, Sweep, float)}, with a smaller shape A: it may pass
-   * where only its rim would touch.
+   * Finds what {@link #find(Convex, Sweep, Convex, Sweep, float)} finds, with a smaller shape A,
+   * which may pass where only its rim would touch.
    *
    * @param a shape A in its frame
-   * @param inset how much smaller A is on all sides, metres, not negative. From its {@link
-   *     Convex#innerRadius()} on only the mean of the vertices is left
+   * @param inset how much smaller A is on all sides, metres, not negative. If it is at least the
+   *     {@link Convex#innerRadius()}, only the mean of the vertices is left
    * @param sa motion of A's frame, read only, finite
    * @param b shape B in its frame
    * @param sb motion of B's frame, read only, finite
@@ -238,15 +247,15 @@ public final class TimeOfImpact {
   }
 
   /**
-   * When the last {@link #find} found it, 0 to 1; up to here the motion is safe. 1 if the shapes
-   * stay apart.
+   * Returns the fraction of the motion, 0..1, that the last {@link #find} found. Up to it the
+   * motion is safe. It is 1 if the shapes stay apart.
    */
   public float fraction() {
     return fraction;
   }
 
   private State search(double goal, double tolerance) {
-    // Half of the target is given away to the rounding of the search.
+    // Half of the target is reserved for the rounding of the search.
     double floor = goal - 2 * tolerance;
     now = 0;
     double window = 1;
@@ -293,7 +302,10 @@ public final class TimeOfImpact {
     return State.UNDECIDED;
   }
 
-  /** Whether a separation of s0 at first and s1 at last can't have been below a floor between. */
+  /**
+   * Returns whether a separation that starts at s0 and ends at s1 stays at or above a floor in
+   * between.
+   */
   private static boolean holds(double s0, double s1, double bend, double floor) {
     if (!(bend > 0)) {
       return true;
@@ -303,7 +315,8 @@ public final class TimeOfImpact {
   }
 
   /**
-   * Upper bound of the second derivative of the separation along the axis, m per motion squared.
+   * Returns an upper bound of the second derivative of the separation along the axis, m per motion
+   * squared.
    */
   private double bend() {
     double wa = Math.abs(sweepA.angleRad);
@@ -364,7 +377,10 @@ public final class TimeOfImpact {
     faceY = hull.y[vertex];
   }
 
-  /** Smallest separation along the axis in the present poses; remembers the vertices. */
+  /**
+   * Returns the smallest separation along the axis in the present poses, and remembers the
+   * vertices.
+   */
   private double deepest() {
     vertexA = 0;
     vertexB = 0;
@@ -388,7 +404,10 @@ public final class TimeOfImpact {
     return separation(vertexA, vertexB);
   }
 
-  /** Separation of two vertices (or a face and a vertex) along the axis in the present poses. */
+  /**
+   * Returns the separation of two vertices (or a face and a vertex) along the axis in the present
+   * poses.
+   */
   private double separation(int i, int j) {
     double ax = poseA.x(hullA.x[i], hullA.y[i]);
     double ay = poseA.y(hullA.x[i], hullA.y[i]);
@@ -412,8 +431,8 @@ public final class TimeOfImpact {
   }
 
   /**
-   * The moment at which two vertices are at the goal, by turns of false position and bisection; the
-   * earlier end of the bracket if the bound is reached.
+   * Returns the moment at which two vertices are at the goal, found by false position and bisection
+   * in turns. If the bound on steps is reached, it is the earlier end of the bracket.
    */
   private double root(
       double early, double high, double late, double low, double goal, double tolerance) {

@@ -5,13 +5,14 @@ import carom.physics.simd.VectorKernels;
 import carom.physics.simd.VectorModule;
 
 /**
- * A kernel that finds the manifolds of {@link #LANES} pairs of boxes side by side, bit for bit as
- * {@link KeptManifolds#collide} does one after the other; it keeps nothing.
+ * A kernel that finds the manifolds of {@link #LANES} pairs of boxes side by side. Its results are
+ * bit for bit those of {@link KeptManifolds#collide} for one pair after the other; it keeps no
+ * manifolds.
  *
- * <p>All work is on a scratch array: quantities one after the other, of each those of all lanes.
+ * <p>All work is on a scratch array that holds one quantity after the other, each for all lanes.
  */
 public abstract class BoxLanes extends VectorKernels {
-  /** Number of pairs that a kernel does side by side. */
+  /** Number of pairs that a kernel computes side by side. */
   public static final int LANES = VectorModule.LANES;
 
   // Input.
@@ -28,7 +29,7 @@ public abstract class BoxLanes extends VectorKernels {
   public static final int COS_B = SIN_A + LANES;
   public static final int SIN_B = COS_B + LANES;
 
-  /** Place of the distance from B's position that no point of B exceeds, m. */
+  /** Place of the largest distance of any point of B from B's position, m. */
   public static final int REACH = SIN_B + LANES;
 
   /** Place of A's half width; half height and centre, and those of B, follow; body frames, m. */
@@ -45,8 +46,8 @@ public abstract class BoxLanes extends VectorKernels {
   // Output.
 
   /**
-   * Place of the number of points or {@link #CORNERS}, plus {@link #LOOK} or not. This and the ids
-   * are {@link #integer integers}.
+   * Place of the number of points or {@link #CORNERS}, with {@link #LOOK} added if it applies. This
+   * and the ids are {@link #integer integers}.
    */
   public static final int COUNT = CENTER_Y_B + LANES;
 
@@ -66,29 +67,34 @@ public abstract class BoxLanes extends VectorKernels {
   public static final int GAP1 = Y1 + LANES;
   public static final int ID1 = GAP1 + LANES;
 
-  /** Place of the least gap of all points so far, m; input and output. */
+  /** Place of the smallest gap of all points so far, m; input and output. */
   public static final int LEAST = ID1 + LANES;
 
   /** Place where a kernel's own scratch begins. */
   public static final int OWN = LEAST + LANES;
 
-  /** Number of points that stands for two corners facing each other, which no kernel can do. */
+  /**
+   * Number of points that stands for two corners facing each other, a case that no kernel computes.
+   */
   public static final int CORNERS = 3;
 
-  /** Added if the gap is so wide that the tight boxes of the parts may not overlap. */
+  /**
+   * Number added to the count if the gap is so wide that the tight boxes of the parts may not
+   * overlap.
+   */
   public static final int LOOK = 4;
 
   /** The float whose lower bits an integer from 0 to 2^23 fills when it is added. */
   public static final float INTEGER = 1 << 23;
 
   /**
-   * The kernel made with the Vector API, null without; see {@link VectorModule}. It stands behind
-   * the offsets, because its class reads them as it is loaded.
+   * The kernel made with the Vector API, or null if that is missing; see {@link VectorModule}. It
+   * is declared after the offsets, because its class reads them when it is loaded.
    */
   public static final BoxLanes FOUND =
       VectorModule.find("carom.physics.dynamics.simd.VectorBoxes", BoxLanes.class);
 
-  /** Makes the kernel; it is found by name. */
+  /** Makes the kernel, which {@link VectorModule} finds by name. */
   protected BoxLanes() {}
 
   /** Returns how long a worker's scratch array must be, {@link #APART} at both ends included. */
@@ -103,7 +109,7 @@ public abstract class BoxLanes extends VectorKernels {
    * Finds the manifolds.
    *
    * @param scratch in and out
-   * @param speculative points up to this far apart count, m
+   * @param speculative points up to this far apart are reported, m
    */
   public abstract void collide(float[] scratch, float speculative);
 }
