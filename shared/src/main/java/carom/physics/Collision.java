@@ -270,7 +270,7 @@ public final class Collision<T> {
 
   /**
    * Returns the warm-start impulse of a point: the impulse along the normal that it carries over
-   * from the step before. It is above 0 in pre-solve if the contact carried a load.
+   * from the step before. It is above 0 in pre-solve if the contact carried a load before.
    *
    * @param i number of the point, below {@link #pointCount}
    * @return N s per substep, not negative; 0 for a new point and after a veto

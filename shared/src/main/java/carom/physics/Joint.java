@@ -496,7 +496,10 @@ public final class Joint<T> {
     }
   }
 
-  /** Removes the spring on the coordinate. A distance joint becomes a rod of its rest length. */
+  /**
+   * Removes the spring on the coordinate. Without limits, too, a distance joint becomes a rod of
+   * its rest length.
+   */
   public void removeSpring() {
     refuseUnless(JointDef.hasCoordinateSpring(type), "removeSpring");
     clear(JointStore.SPRUNG);
