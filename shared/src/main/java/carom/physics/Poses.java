@@ -17,7 +17,8 @@ public interface Poses {
    * Writes the pose of one body.
    *
    * @param body the body's slot, see {@link Body#index}
-   * @param out receives the pose
+   * @param out receives the pose of the body's origin
+   * @return false if the body isn't there at that time
    */
   boolean place(int body, Transform out);
 }
