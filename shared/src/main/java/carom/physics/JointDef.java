@@ -10,8 +10,8 @@ import carom.physics.math.Trig;
  *
  * <p>Anchors and axes are given in world coordinates. {@link World#createJoint} fixes them to the
  * bodies in their poses at that moment; angles and translations count from there. Body A may be
- * null, in which case the world takes its place. Except for pulleys, the two bodies don't collide
- * with each other unless {@link #collideConnected} says so.
+ * null, except in gears, racks and pulleys; the world then takes its place. Except for pulleys, the
+ * two bodies don't collide with each other unless {@link #collideConnected} says so.
  *
  * <pre>
  *   world.createJoint(JointDef.revolute(car, flap, 2, 1).limits(-0.5f, 0.5f).motor(1, 20))

@@ -413,7 +413,7 @@ public final class World<T> {
   }
 
   /**
-   * Returns a hash of everything that decides how the world will behave. Two worlds made with equal
+   * Returns a hash of all state that decides how the world will behave. Two worlds made with equal
    * definitions that will behave equally have equal hashes. The hash covers poses, velocities,
    * pending forces, masses, shapes, contacts and joints with their impulses, and the order in which
    * slots will be given out. It leaves out users, listeners and the broadphase.

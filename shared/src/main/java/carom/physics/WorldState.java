@@ -46,8 +46,8 @@ public final class WorldState {
 
   /**
    * Appends the state to an archive. It writes everything that {@link World#stateHash} covers,
-   * shapes, materials and filters included, and what queries tell of touching contacts. It doesn't
-   * write users. Meanwhile the world may be stepped, even by another thread.
+   * shapes, materials and filters included, and the touching contacts. It doesn't write users.
+   * Meanwhile the world may be stepped, even by another thread.
    *
    * @param archive receives about 100 bytes per body and 90 per touching contact
    * @throws IllegalArgumentException if the world has values beyond 1e30, or not a number
