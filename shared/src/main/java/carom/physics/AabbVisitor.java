@@ -4,7 +4,7 @@ package carom.physics;
 @FunctionalInterface
 public interface AabbVisitor {
   /**
-   * Called once per convex part of a shape.
+   * Receives a box; called once per convex part of a shape.
    *
    * @param minX left edge, m
    * @param minY lower edge, m

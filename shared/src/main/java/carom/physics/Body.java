@@ -11,20 +11,20 @@ import carom.physics.math.Trig;
 import java.util.function.Consumer;
 
 /**
- * A body: a light handle (index and generation) on the world's arrays. There is one handle per
- * body, so handles may be compared with ==.
+ * A rigid body of a {@link World}. The object is a light handle (index and generation) on the
+ * world's arrays. There is one handle per body, so handles may be compared with ==.
  *
  * <p>All methods except {@link #isValid}, {@link #index}, {@link #generation}, {@link #type},
  * {@link #user} and the shape accessors throw IllegalStateException once the body was destroyed.
- * Numbers that are not finite or absurd (beyond 1e7 m, 1e5 m/s) throw IllegalArgumentException with
- * the value. Nothing allocates.
+ * Numbers that are not finite or out of range (beyond 1e7 m, 1e5 m/s) throw
+ * IllegalArgumentException with the value. No method allocates unless its comment says so.
  *
  * <p>A body that rests for a while falls asleep with all that it touches, see {@link #awake}. It
- * wakes by itself when something moves it or what it touches; setting what it has already doesn't
- * wake it.
+ * wakes by itself when something moves it or what it touches. Setting a property to the value it
+ * already has doesn't wake it.
  *
- * <p>Forces and impulses add up, act in the next step, and are then forgotten; on static and
- * kinematic bodies, and on disabled ones, they do nothing.
+ * <p>Forces and impulses add up, act in the next step, and are then cleared. They do nothing on
+ * static, kinematic and disabled bodies.
  *
  * <p><b>Length.</b> The class has one getter or setter per property of a body, each with its unit
  * and range; none of them is longer than a few lines.
@@ -71,7 +71,7 @@ public final class Body<T> {
   }
 
   /**
-   * The body's slot, used again after it is destroyed.
+   * Returns the body's slot. The slot is used again after the body is destroyed.
    *
    * @return 0 or more
    */
@@ -80,7 +80,7 @@ public final class Body<T> {
   }
 
   /**
-   * Tells the bodies apart that used the same slot.
+   * Returns the body's generation, which tells apart the bodies that used the same slot.
    *
    * @return 0 or more
    */
@@ -89,7 +89,7 @@ public final class Body<T> {
   }
 
   /**
-   * Whether the body still exists.
+   * Returns whether the body still exists.
    *
    * @return false once it was destroyed
    */
@@ -98,18 +98,18 @@ public final class Body<T> {
   }
 
   /**
-   * What the body stands for.
+   * Returns the object that the body stands for.
    *
-   * @return as given to {@link World#createBody}
+   * @return the user given to {@link World#createBody}, may be null
    */
   public T user() {
     return user;
   }
 
   /**
-   * What may move the body.
+   * Returns the body's type: static, kinematic or dynamic.
    *
-   * @return of a destroyed body, what it was made as
+   * @return the type; of a destroyed body, the one it was created with
    */
   public BodyType type() {
     return isValid() ? TYPES[store.type[index]] : type;
@@ -117,11 +117,11 @@ public final class Body<T> {
 
   /**
    * Makes the body static, kinematic or dynamic. Origin and velocity stay, except that a static
-   * body is at rest; forces that wait are forgotten. In a callback this takes effect at the end of
-   * the step. Allocates.
+   * body is at rest; pending forces are cleared. In a callback this takes effect at the end of the
+   * step. Allocates.
    *
-   * @param newType what may move it from now on
-   * @throws IllegalArgumentException if it is to be dynamic and its shapes have no mass
+   * @param newType the new type
+   * @throws IllegalArgumentException if the new type is dynamic and the shapes have no mass
    * @throws IllegalStateException during a query
    */
   public void setType(BodyType newType) {
@@ -130,7 +130,7 @@ public final class Body<T> {
   }
 
   /**
-   * Whether the body takes part in the simulation.
+   * Returns whether the body takes part in the simulation.
    *
    * @return true unless {@link #setEnabled} said otherwise
    */
@@ -140,12 +140,12 @@ public final class Body<T> {
   }
 
   /**
-   * Takes the body out of the simulation, or back in: a disabled body keeps pose and velocity, but
-   * doesn't move, feels no forces, collides with nothing, is found by no query, and its joints are
-   * idle. Its contacts end in the next step. In a callback this takes effect at the end of the
+   * Takes the body out of the simulation, or back in. A disabled body keeps pose and velocity, but
+   * doesn't move, feels no forces and collides with nothing. Queries don't find it, and its joints
+   * are idle. Its contacts end in the next step. In a callback this takes effect at the end of the
    * step.
    *
-   * @param enabled whether it takes part from now on
+   * @param enabled true if the body takes part from now on
    * @throws IllegalStateException during a query
    */
   public void setEnabled(boolean enabled) {
@@ -154,11 +154,11 @@ public final class Body<T> {
   }
 
   /**
-   * Whether the body is awake: dynamic or kinematic, enabled, and not asleep. A sleeping body is at
-   * rest and costs nothing. It wakes with its whole island (dynamic bodies that hold each other by
+   * Returns whether the body is awake: dynamic or kinematic, enabled, and not asleep. A sleeping
+   * body is at rest and costs nothing. It wakes with its whole island (dynamic bodies connected by
    * contacts or joints), in the step in which something awake begins to touch it.
    *
-   * @return false for static bodies
+   * @return false for static, disabled and sleeping bodies
    */
   public boolean awake() {
     check();
@@ -167,8 +167,8 @@ public final class Body<T> {
   }
 
   /**
-   * Wakes the body and its island; if it is awake, its time of rest starts again. In a callback
-   * this takes effect at the end of the step.
+   * Wakes the body and its island. If the body is awake, its time of rest starts again. In a
+   * callback this takes effect at the end of the step.
    */
   public void wake() {
     check();
@@ -176,10 +176,10 @@ public final class Body<T> {
   }
 
   /**
-   * Puts the body and its island to sleep at once; velocities and waiting forces are gone then.
-   * Nothing happens if one of them may not sleep or touches what it may not touch any longer (a
-   * body that was disabled, say, or filtered out since the last step), or nothing sleeps in this
-   * world. In a callback this takes effect at the end of the step.
+   * Puts the body and its island to sleep at once, which clears their velocities and pending
+   * forces. Nothing happens if the world has sleeping switched off, if a body of the island may not
+   * sleep, or if one touches a body that it may no longer touch (because that body was disabled or
+   * filtered out since the last step, say). In a callback this takes effect at the end of the step.
    *
    * @throws IllegalStateException during a query
    */
@@ -189,9 +189,9 @@ public final class Body<T> {
   }
 
   /**
-   * Whether the body may fall asleep.
+   * Returns whether the body may fall asleep.
    *
-   * @return true unless it was said otherwise
+   * @return true unless {@link #setSleepAllowed} or {@link BodyDef#sleepAllowed} said otherwise
    */
   public boolean sleepAllowed() {
     check();
@@ -199,9 +199,10 @@ public final class Body<T> {
   }
 
   /**
-   * Sets whether the body may fall asleep; if not, it wakes, and keeps awake all that it touches.
+   * Sets whether the body may fall asleep. A body that may not sleep wakes, and keeps awake all
+   * that it touches.
    *
-   * @param allowed true by default
+   * @param allowed true if the body may fall asleep, as by default
    */
   public void setSleepAllowed(boolean allowed) {
     check();
@@ -224,7 +225,7 @@ public final class Body<T> {
     }
   }
 
-  /** Whether forces do something. */
+  /** Returns whether forces act on the body: it is dynamic and enabled. */
   private boolean acts() {
     return store.type[index] == BodyStore.DYNAMIC && !store.disabled(index);
   }
@@ -233,15 +234,15 @@ public final class Body<T> {
     return World.specs(shapes());
   }
 
-  /** Of a destroyed body, what it was made of. */
+  /** Returns the body's shapes; of a destroyed body, those it was created with. */
   ShapeDef[] shapes() {
     return isValid() ? world.shapes(index) : firstShapes;
   }
 
   /**
-   * The body's origin.
+   * Returns the x coordinate of the body's origin.
    *
-   * @return x, m
+   * @return m, world
    */
   public float x() {
     check();
@@ -249,9 +250,9 @@ public final class Body<T> {
   }
 
   /**
-   * The body's origin.
+   * Returns the y coordinate of the body's origin.
    *
-   * @return y, m
+   * @return m, world
    */
   public float y() {
     check();
@@ -259,9 +260,10 @@ public final class Body<T> {
   }
 
   /**
-   * The centre of mass; equals the origin for static and kinematic bodies.
+   * Returns the x coordinate of the centre of mass. It equals the origin for static and kinematic
+   * bodies.
    *
-   * @return x, m
+   * @return m, world
    */
   public float centerX() {
     check();
@@ -269,9 +271,10 @@ public final class Body<T> {
   }
 
   /**
-   * The centre of mass; equals the origin for static and kinematic bodies.
+   * Returns the y coordinate of the centre of mass. It equals the origin for static and kinematic
+   * bodies.
    *
-   * @return y, m
+   * @return m, world
    */
   public float centerY() {
     check();
@@ -279,9 +282,9 @@ public final class Body<T> {
   }
 
   /**
-   * Cosine of the rotation.
+   * Returns the cosine of the rotation.
    *
-   * @return -1 to 1
+   * @return -1..1
    */
   public float cos() {
     check();
@@ -289,9 +292,9 @@ public final class Body<T> {
   }
 
   /**
-   * Sine of the rotation.
+   * Returns the sine of the rotation.
    *
-   * @return -1 to 1
+   * @return -1..1
    */
   public float sin() {
     check();
@@ -299,9 +302,9 @@ public final class Body<T> {
   }
 
   /**
-   * The rotation as an angle.
+   * Returns the rotation as an angle.
    *
-   * @return rad, -pi to pi, counter-clockwise
+   * @return rad, -pi..pi, counter-clockwise
    */
   public float angle() {
     check();
@@ -309,9 +312,9 @@ public final class Body<T> {
   }
 
   /**
-   * Velocity of the centre of mass.
+   * Returns the x component of the velocity of the centre of mass.
    *
-   * @return x, m/s
+   * @return m/s
    */
   public float velocityX() {
     check();
@@ -319,9 +322,9 @@ public final class Body<T> {
   }
 
   /**
-   * Velocity of the centre of mass.
+   * Returns the y component of the velocity of the centre of mass.
    *
-   * @return y, m/s
+   * @return m/s
    */
   public float velocityY() {
     check();
@@ -329,7 +332,7 @@ public final class Body<T> {
   }
 
   /**
-   * Angular velocity.
+   * Returns the angular velocity.
    *
    * @return rad/s, counter-clockwise
    */
@@ -339,11 +342,11 @@ public final class Body<T> {
   }
 
   /**
-   * Teleports the body.
+   * Teleports the body to a position and an angle.
    *
-   * @param x origin, m
-   * @param y origin, m
-   * @param angleRad rad
+   * @param x x of the origin, m, world
+   * @param y y of the origin, m, world
+   * @param angleRad rotation, rad, counter-clockwise, within 1e5
    */
   public void setPose(float x, float y, float angleRad) {
     Limits.range("angle", angleRad, -1e5f, 1e5f);
@@ -351,13 +354,13 @@ public final class Body<T> {
   }
 
   /**
-   * Teleports the body.
+   * Teleports the body to a position and a rotation.
    *
-   * @param x origin, m
-   * @param y origin, m
+   * @param x x of the origin, m, world
+   * @param y y of the origin, m, world
    * @param cos cosine of the rotation
-   * @param sin sine; (cos, sin) is taken bit for bit if its length is 1 up to rounding, else
-   *     normalised
+   * @param sin sine of the rotation; (cos, sin) is kept bit for bit if its length is 1 up to
+   *     rounding, else normalised
    */
   public void setPose(float x, float y, float cos, float sin) {
     check();
@@ -379,13 +382,14 @@ public final class Body<T> {
   }
 
   /**
-   * Teleports the body by its centre of mass, which is what the world stores: what {@link
-   * #centerX}, {@link #centerY}, {@link #cos} and {@link #sin} returned is set again bit for bit.
+   * Teleports the body by its centre of mass, which is what the world stores. The values that
+   * {@link #centerX}, {@link #centerY}, {@link #cos} and {@link #sin} returned are restored bit for
+   * bit.
    *
-   * @param x centre of mass, m
-   * @param y centre of mass, m
+   * @param x x of the centre of mass, m, world
+   * @param y y of the centre of mass, m, world
    * @param cos cosine of the rotation
-   * @param sin sine
+   * @param sin sine of the rotation
    */
   public void setCenterPose(float x, float y, float cos, float sin) {
     check();
@@ -398,10 +402,10 @@ public final class Body<T> {
   }
 
   /**
-   * Sets the velocity of the centre of mass; nothing on a static body.
+   * Sets the velocity of the centre of mass. Does nothing on a static body.
    *
-   * @param vx m/s
-   * @param vy m/s
+   * @param vx x component, m/s
+   * @param vy y component, m/s
    */
   public void setVelocity(float vx, float vy) {
     check();
@@ -417,7 +421,7 @@ public final class Body<T> {
   }
 
   /**
-   * Sets the angular velocity; nothing on a static body.
+   * Sets the angular velocity. Does nothing on a static body.
    *
    * @param radPerSecond rad/s, counter-clockwise
    */
@@ -433,10 +437,10 @@ public final class Body<T> {
   }
 
   /**
-   * Pulls at the centre of mass during the next step.
+   * Applies a force at the centre of mass during the next step.
    *
-   * @param fx N
-   * @param fy N
+   * @param fx x component, N
+   * @param fy y component, N
    */
   public void applyForce(float fx, float fy) {
     check();
@@ -450,10 +454,11 @@ public final class Body<T> {
   }
 
   /**
-   * Pulls at a point during the next step: the force at the centre, and its torque.
+   * Applies a force at a point during the next step: the force at the centre of mass, and its
+   * torque.
    *
-   * @param fx N
-   * @param fy N
+   * @param fx x component, N
+   * @param fy y component, N
    * @param px point of application, m, world
    * @param py point of application, m, world
    */
@@ -467,12 +472,12 @@ public final class Body<T> {
   }
 
   /**
-   * Pulls during the next step, as gravity does: by something that is always there, such as a fluid
-   * or a wind. Other than by {@link #applyForce} the body may fall asleep in spite of it; a
-   * sleeping body is left alone.
+   * Applies a force and a torque that are always there, such as those of a fluid or a wind, during
+   * the next step. Unlike {@link #applyForce}, it lets the body fall asleep, and it does nothing on
+   * a sleeping body.
    *
-   * @param fx N
-   * @param fy N
+   * @param fx x component, N
+   * @param fy y component, N
    * @param torque N m, counter-clockwise
    */
   public void applyAmbientForce(float fx, float fy, float torque) {
@@ -488,8 +493,8 @@ public final class Body<T> {
   }
 
   /**
-   * A number that changes when anybody moves this body or pushes it: a hash of pose, velocities,
-   * and of the forces and impulses that wait for the next step.
+   * Returns a hash of pose, velocities, and of the forces and impulses that wait for the next step.
+   * It changes when something moves or pushes the body.
    */
   public long stamp() {
     check();
@@ -503,10 +508,11 @@ public final class Body<T> {
   }
 
   /**
-   * Kicks the centre of mass: at the start of the next step the velocity changes by J / m.
+   * Applies an impulse at the centre of mass. At the start of the next step the velocity changes by
+   * J / m.
    *
-   * @param jx N s
-   * @param jy N s
+   * @param jx x component, N s
+   * @param jy y component, N s
    */
   public void applyImpulse(float jx, float jy) {
     check();
@@ -520,10 +526,11 @@ public final class Body<T> {
   }
 
   /**
-   * Kicks a point: as at the centre, and the angular velocity changes by r x J / I.
+   * Applies an impulse at a point. At the start of the next step the velocity changes by J / m, and
+   * the angular velocity by r x J / I.
    *
-   * @param jx N s
-   * @param jy N s
+   * @param jx x component, N s
+   * @param jy y component, N s
    * @param px point of application, m, world
    * @param py point of application, m, world
    */
@@ -537,7 +544,7 @@ public final class Body<T> {
   }
 
   /**
-   * Turns the body during the next step.
+   * Applies a torque during the next step.
    *
    * @param torque N m, counter-clockwise
    */
@@ -551,7 +558,8 @@ public final class Body<T> {
   }
 
   /**
-   * Kicks the rotation: at the start of the next step the angular velocity changes by j / I.
+   * Applies an angular impulse. At the start of the next step the angular velocity changes by j /
+   * I.
    *
    * @param j N m s, counter-clockwise
    */
@@ -565,13 +573,14 @@ public final class Body<T> {
   }
 
   /**
-   * Steers towards a velocity: applies the force F = k (goal - v) for the next step.
+   * Steers the body towards a velocity: applies the force F = k (goal - v) during the next step.
    *
-   * <p>Called before every step of dt, the difference shrinks by the factor {@code 1 - k dt / m}; k
-   * above {@code m / dt} would overshoot and is cut to it, which reaches the goal in one step.
+   * <p>If it is called before every step of dt, each step scales the difference by {@code 1 - k dt
+   * / m}. A k above {@code m / dt} would overshoot and is clamped to it, which reaches the goal in
+   * one step.
    *
-   * @param goalX m/s
-   * @param goalY m/s
+   * @param goalX x component of the goal, m/s
+   * @param goalY y component of the goal, m/s
    * @param k strength, kg/s, not negative
    * @param dtSeconds the length of the next step, s
    */
@@ -581,12 +590,12 @@ public final class Body<T> {
   }
 
   /**
-   * Steers towards a velocity: applies the force F = k (goal - v) for the next step, as it is. Keep
-   * k below {@code m / dt}, or the body overshoots.
+   * Steers the body towards a velocity without clamping k: applies the force F = k (goal - v)
+   * during the next step. Keep k below {@code m / dt}, or the body overshoots.
    *
-   * @param goalX m/s
-   * @param goalY m/s
-   * @param k strength, kg/s, not negative
+   * @param goalX x component of the goal, m/s
+   * @param goalY y component of the goal, m/s
+   * @param k strength, kg/s, 0..1e12
    */
   public void seekVelocity(float goalX, float goalY, float k) {
     check();
@@ -597,9 +606,9 @@ public final class Body<T> {
   }
 
   /**
-   * Whether the body is a bullet, see {@link BodyDef#bullet}.
+   * Returns whether the body is a bullet, see {@link BodyDef#bullet}.
    *
-   * @return true if it is stopped at dynamic bodies, too
+   * @return true if continuous collision stops the body at dynamic bodies, too
    */
   public boolean isBullet() {
     check();
@@ -607,7 +616,7 @@ public final class Body<T> {
   }
 
   /**
-   * Makes the body a bullet, or an ordinary body; see {@link BodyDef#bullet}.
+   * Sets whether the body is a bullet, see {@link BodyDef#bullet}.
    *
    * @param bullet true to stop it at dynamic bodies, too, however fast it is
    */
@@ -617,7 +626,7 @@ public final class Body<T> {
   }
 
   /**
-   * Mass.
+   * Returns the body's mass.
    *
    * @return kg; 0 if not dynamic
    */
@@ -627,7 +636,7 @@ public final class Body<T> {
   }
 
   /**
-   * Moment of inertia about the centre of mass.
+   * Returns the moment of inertia about the centre of mass.
    *
    * @return kg m^2; 0 if not dynamic or rotation is fixed
    */
@@ -637,9 +646,9 @@ public final class Body<T> {
   }
 
   /**
-   * The centre of mass in the body frame.
+   * Returns the x coordinate of the centre of mass in the body frame.
    *
-   * @return x, m; 0 if not dynamic
+   * @return m; 0 if not dynamic
    */
   public float localCenterX() {
     check();
@@ -647,9 +656,9 @@ public final class Body<T> {
   }
 
   /**
-   * The centre of mass in the body frame.
+   * Returns the y coordinate of the centre of mass in the body frame.
    *
-   * @return y, m; 0 if not dynamic
+   * @return m; 0 if not dynamic
    */
   public float localCenterY() {
     check();
@@ -657,15 +666,15 @@ public final class Body<T> {
   }
 
   /**
-   * Sets what the body weighs while it is dynamic, instead of what its shapes and densities say.
-   * The body's origin, and the velocity there, stay. Wakes it. In a callback this takes effect at
-   * the end of the step.
+   * Sets the mass that the body has while it is dynamic, instead of the one computed from shapes
+   * and densities. The body's origin, and the velocity there, stay. Wakes the body. In a callback
+   * this takes effect at the end of the step.
    *
-   * @param kilograms 1e-9 to 1e15
-   * @param inertia moment of inertia about the centre of mass, kg m^2, 1e-20 to 1e20; 0 for a body
+   * @param kilograms mass, kg, 1e-9..1e15
+   * @param inertia moment of inertia about the centre of mass, kg m^2, 1e-20..1e20; 0 for a body
    *     that no force turns
-   * @param centerX centre of mass in the body frame, m
-   * @param centerY centre of mass in the body frame, m
+   * @param centerX x of the centre of mass in the body frame, m
+   * @param centerY y of the centre of mass in the body frame, m
    * @throws IllegalStateException during a query
    */
   public void setMass(float kilograms, float inertia, float centerX, float centerY) {
@@ -674,7 +683,7 @@ public final class Body<T> {
   }
 
   /**
-   * Goes back to the mass that shapes and densities say, see {@link #setMass}.
+   * Computes the mass from shapes and densities again, which undoes {@link #setMass}.
    *
    * @throws IllegalArgumentException if the body is dynamic and its shapes have no mass
    * @throws IllegalStateException during a query
@@ -685,9 +694,9 @@ public final class Body<T> {
   }
 
   /**
-   * Whether mass is what {@link #setMass} or {@link BodyDef#mass} said.
+   * Returns whether {@link #setMass} or {@link BodyDef#mass} gave the mass.
    *
-   * @return false if it is computed from the shapes
+   * @return false if the mass is computed from the shapes
    */
   public boolean hasOwnMass() {
     check();
@@ -695,9 +704,9 @@ public final class Body<T> {
   }
 
   /**
-   * Whether no force turns the body.
+   * Returns whether the rotation is fixed, see {@link BodyDef#fixedRotation}.
    *
-   * @return see {@link BodyDef#fixedRotation}
+   * @return true if no force turns the body
    */
   public boolean isFixedRotation() {
     check();
@@ -705,8 +714,8 @@ public final class Body<T> {
   }
 
   /**
-   * Fixes the rotation, which stops, or frees it. Wakes the body. In a callback this takes effect
-   * at the end of the step.
+   * Fixes or frees the rotation. Fixing it stops the rotation. Wakes the body. In a callback this
+   * takes effect at the end of the step.
    *
    * @param fixed true if no force shall turn the body
    * @throws IllegalStateException during a query
@@ -717,41 +726,41 @@ public final class Body<T> {
   }
 
   /**
-   * The number of shapes.
+   * Returns the number of shapes.
    *
-   * @return as many as were given
+   * @return as many as the definition had
    */
   public int shapeCount() {
     return firstShapes.length;
   }
 
   /**
-   * A shape.
+   * Returns a shape of the body.
    *
-   * @param i below {@link #shapeCount}
-   * @return in the body frame, as it was given
+   * @param i number of the shape, below {@link #shapeCount}
+   * @return the shape as it was given, in the body frame
    */
   public Shape shape(int i) {
     return shapes()[i].shape();
   }
 
   /**
-   * What a shape is made of.
+   * Returns the material of a shape.
    *
-   * @param i below {@link #shapeCount}
-   * @return its material
+   * @param i number of the shape, below {@link #shapeCount}
+   * @return the material
    */
   public Material material(int i) {
     return shapes()[i].material();
   }
 
   /**
-   * Makes a shape of another material. Mass, inertia and centre of mass are computed anew, unless
-   * {@link #hasOwnMass}. Wakes the body and what it touches. In a callback this takes effect at the
-   * end of the step. Allocates.
+   * Sets the material of a shape. Mass, inertia and centre of mass are computed anew, unless {@link
+   * #hasOwnMass}. Wakes the body and what it touches. In a callback this takes effect at the end of
+   * the step. Allocates.
    *
-   * @param i below {@link #shapeCount}
-   * @param newMaterial what it is made of from now on
+   * @param i number of the shape, below {@link #shapeCount}
+   * @param newMaterial the new material
    * @throws IllegalStateException during a query
    */
   public void setMaterial(int i, Material newMaterial) {
@@ -760,22 +769,22 @@ public final class Body<T> {
   }
 
   /**
-   * Whom a shape meets.
+   * Returns the filter of a shape, which says what the shape collides with.
    *
-   * @param i below {@link #shapeCount}
-   * @return its filter
+   * @param i number of the shape, below {@link #shapeCount}
+   * @return the filter
    */
   public Filter filter(int i) {
     return shapes()[i].filter();
   }
 
   /**
-   * Sets whom a shape meets. Contacts that it no longer allows end in the next step, those that it
-   * newly allows begin there. Wakes the body and what it touches. In a callback this takes effect
-   * at the end of the step. Allocates.
+   * Sets the filter of a shape. Contacts that it no longer allows end in the next step; those that
+   * it newly allows begin there. Wakes the body and what it touches. In a callback this takes
+   * effect at the end of the step. Allocates.
    *
-   * @param i below {@link #shapeCount}
-   * @param newFilter whom it meets from now on
+   * @param i number of the shape, below {@link #shapeCount}
+   * @param newFilter the new filter
    * @throws IllegalStateException during a query
    */
   public void setFilter(int i, Filter newFilter) {
@@ -784,22 +793,22 @@ public final class Body<T> {
   }
 
   /**
-   * Whether a shape only notices.
+   * Returns whether a shape is a sensor, see {@link ShapeDef}.
    *
-   * @param i below {@link #shapeCount}
-   * @return true if it pushes nothing
+   * @param i number of the shape, below {@link #shapeCount}
+   * @return true if the shape reports overlaps and pushes nothing
    */
   public boolean sensor(int i) {
     return shapes()[i].sensor();
   }
 
   /**
-   * Makes a shape a sensor, or solid. If it wasn't already, all contacts of the body end, and begin
+   * Makes a shape a sensor, or solid. If this is a change, all contacts of the body end, and begin
    * again in the next step. Wakes the body and what it touches. In a callback this takes effect at
    * the end of the step. Allocates.
    *
-   * @param i below {@link #shapeCount}
-   * @param sensor whether it only notices from now on
+   * @param i number of the shape, below {@link #shapeCount}
+   * @param sensor true for a sensor, false for a solid shape
    * @throws IllegalStateException during a query
    */
   public void setSensor(int i, boolean sensor) {
@@ -808,9 +817,9 @@ public final class Body<T> {
   }
 
   /**
-   * The tight bounding box of all shapes.
+   * Computes the tight bounding box of all shapes.
    *
-   * @param out receives the box; empty without shapes
+   * @param out receives the box, which is empty if the body has no shapes
    */
   public void aabb(Aabb out) {
     check();
@@ -818,7 +827,7 @@ public final class Body<T> {
   }
 
   /**
-   * Factor on the world's gravity.
+   * Returns the factor on the world's gravity.
    *
    * @return 1 by default
    */
@@ -830,7 +839,7 @@ public final class Body<T> {
   /**
    * Sets the factor on the world's gravity.
    *
-   * @param factor 0 floats; within 1e3
+   * @param factor -1e3..1e3; with 0 the body floats
    */
   public void setGravityScale(float factor) {
     check();
@@ -843,7 +852,7 @@ public final class Body<T> {
   }
 
   /**
-   * Rate at which velocity decays.
+   * Returns the rate at which velocity decays.
    *
    * @return 1/s
    */
@@ -855,7 +864,7 @@ public final class Body<T> {
   /**
    * Sets the rate at which velocity decays.
    *
-   * @param perSecond 1/s, 0 to 1e4
+   * @param perSecond 1/s, 0..1e4
    */
   public void setLinearDamping(float perSecond) {
     check();
@@ -864,7 +873,7 @@ public final class Body<T> {
   }
 
   /**
-   * Rate at which angular velocity decays.
+   * Returns the rate at which angular velocity decays.
    *
    * @return 1/s
    */
@@ -876,7 +885,7 @@ public final class Body<T> {
   /**
    * Sets the rate at which angular velocity decays.
    *
-   * @param perSecond 1/s, 0 to 1e4
+   * @param perSecond 1/s, 0..1e4
    */
   public void setAngularDamping(float perSecond) {
     check();
@@ -885,8 +894,8 @@ public final class Body<T> {
   }
 
   /**
-   * Visits what touched this body in the last step, in canonical order; part of the saved state.
-   * Sensors are not among them, see {@link #forEachOverlap}.
+   * Visits the contacts of this body in the last step, in canonical order. They are part of the
+   * saved state. Sensors are left out, see {@link #forEachOverlap}.
    *
    * @param visitor receives the other bodies; it must not destroy bodies
    */
@@ -896,8 +905,8 @@ public final class Body<T> {
   }
 
   /**
-   * Visits what was inside this body's sensors in the last step, and whose sensors it was in
-   * itself, in canonical order; part of the saved state.
+   * Visits the bodies that were inside this body's sensors in the last step, and those whose
+   * sensors it was inside, in canonical order. They are part of the saved state.
    *
    * @param visitor receives the other bodies, each once; it must not destroy bodies
    */
@@ -907,9 +916,9 @@ public final class Body<T> {
   }
 
   /**
-   * Visits the joints that hold this body, the newest first.
+   * Visits the joints of this body, the newest first.
    *
-   * @param visitor receives them; it may destroy the joint it receives
+   * @param visitor receives the joints; it may destroy the joint it receives
    */
   public void forEachJoint(Consumer<Joint<T>> visitor) {
     check();

@@ -8,7 +8,7 @@ import carom.physics.geometry.MassData;
 import carom.physics.geometry.Shape;
 import carom.physics.geometry.ShapeArchive;
 
-/** What bodies consist of, as numbers. */
+/** Passes the shapes, materials, filters and own masses of bodies through an archive. */
 final class BodyArchive {
   private static final float MOST = Float.MAX_VALUE;
   private static final int SHAPE_BYTES = 4 * Integer.BYTES;
@@ -18,7 +18,7 @@ final class BodyArchive {
   private final Interner<Material> materials = new Interner<>(Material::equals);
   private final Interner<Filter> filters = new Interner<>(Filter::equals);
 
-  /** Of all shapes that were read so far. */
+  /** Number of convex parts of all shapes that were read so far. */
   private long parts;
 
   BodyArchive(Archive a) {
@@ -29,7 +29,7 @@ final class BodyArchive {
     return p == q || (p instanceof Convex x && q instanceof Convex y && x.isSame(y));
   }
 
-  /** Passes a body's shapes through the archive; null when reading. */
+  /** Passes a body's shapes through the archive. The given shapes are null when reading. */
   ShapeDef[] passShapes(ShapeDef[] given) {
     int most = Integer.MAX_VALUE / SHAPE_BYTES;
     int count = a.count("shapes of body", a.reads() ? 0 : given.length, most, SHAPE_BYTES);
@@ -43,7 +43,7 @@ final class BodyArchive {
               filters.pass(a, "filter", d == null ? null : d.filter(), this::pass),
               a.flag("sensor", d != null && d.sensor()));
       if (a.reads()) {
-        // refused while it is read, before the rest of a file that is made to be slow is looked at
+        // Refuse too many parts while reading, before a hostile file costs more time.
         parts += passed[i].shape().parts().size();
         a.require(
             parts <= DynamicsState.MAX_PARTS, "parts=" + parts + " of all shapes are too many");
@@ -73,7 +73,7 @@ final class BodyArchive {
         a.integer("group", reads ? 0 : f.group(), least, most));
   }
 
-  /** Passes a body's own mass through the archive; null if it has none. */
+  /** Passes a body's own mass through the archive. It is null if the body has none. */
   MassData passMass(MassData own) {
     if (!a.flag("own mass", own != null)) {
       return null;

@@ -8,7 +8,8 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * What a body is made from; mutable, fluent, reusable. The world copies what it needs.
+ * The definition of a body. It is mutable, fluent and reusable; {@link World#createBody} copies
+ * what it needs.
  *
  * <pre>
  *   new BodyDef(BodyType.DYNAMIC).position(0, 5).shape(new Circle(0.5f), Material.DEFAULT)
@@ -32,24 +33,24 @@ public final class BodyDef {
   MassData mass;
   final List<ShapeDef> shapes = new ArrayList<>();
 
-  /** A static body at the origin, without shapes. */
+  /** Makes the definition of a static body at the world's origin, without shapes. */
   public BodyDef() {
     this(BodyType.STATIC);
   }
 
   /**
-   * A body at the origin, without shapes.
+   * Makes the definition of a body at the world's origin, without shapes.
    *
-   * @param type what may move it
+   * @param type static, kinematic or dynamic
    */
   public BodyDef(BodyType type) {
     this.type = type;
   }
 
   /**
-   * Sets the type; default static.
+   * Sets the body's type. The default is static.
    *
-   * @param newType what may move it
+   * @param newType static, kinematic or dynamic
    * @return this
    */
   public BodyDef type(BodyType newType) {
@@ -58,7 +59,7 @@ public final class BodyDef {
   }
 
   /**
-   * What kind of body this makes.
+   * Returns the body's type.
    *
    * @return static unless set
    */
@@ -67,19 +68,19 @@ public final class BodyDef {
   }
 
   /**
-   * The shapes so far.
+   * Returns the shapes that were added so far.
    *
-   * @return in the order they were added, unmodifiable, live
+   * @return an unmodifiable live list, in the order in which the shapes were added
    */
   public List<ShapeDef> shapes() {
     return Collections.unmodifiableList(shapes);
   }
 
   /**
-   * Sets where the body's origin is; default (0, 0).
+   * Sets the position of the body's origin. The default is (0, 0).
    *
-   * @param newX m, within 1e7 of the world's origin
-   * @param newY m
+   * @param newX m, world, within 1e7
+   * @param newY m, world, within 1e7
    * @return this
    */
   public BodyDef position(float newX, float newY) {
@@ -89,9 +90,9 @@ public final class BodyDef {
   }
 
   /**
-   * Sets the rotation about the body's origin; default 0.
+   * Sets the rotation about the body's origin. The default is 0.
    *
-   * @param angleRad rad, counter-clockwise
+   * @param angleRad rad, counter-clockwise, within 1e5
    * @return this
    */
   public BodyDef angle(float angleRad) {
@@ -100,10 +101,10 @@ public final class BodyDef {
   }
 
   /**
-   * Sets the velocity of the centre of mass; default (0, 0).
+   * Sets the velocity of the centre of mass. The default is (0, 0).
    *
-   * @param newVx m/s, within 1e5
-   * @param newVy m/s
+   * @param newVx x component, m/s, within 1e5
+   * @param newVy y component, m/s, within 1e5
    * @return this
    */
   public BodyDef velocity(float newVx, float newVy) {
@@ -113,7 +114,7 @@ public final class BodyDef {
   }
 
   /**
-   * Sets the angular velocity; default 0.
+   * Sets the angular velocity. The default is 0.
    *
    * @param radPerSecond rad/s, counter-clockwise, within 1e5
    * @return this
@@ -124,13 +125,14 @@ public final class BodyDef {
   }
 
   /**
-   * Sets what a dynamic body weighs, instead of what its shapes and densities say.
+   * Sets the mass that the body has while it is dynamic. By default it is computed from shapes and
+   * densities.
    *
-   * @param kilograms 1e-9 to 1e15
-   * @param inertia moment of inertia about the centre of mass, kg m^2, 1e-20 to 1e20; 0 for a body
+   * @param kilograms mass, kg, 1e-9..1e15
+   * @param inertia moment of inertia about the centre of mass, kg m^2, 1e-20..1e20; 0 for a body
    *     that no force turns
-   * @param centerX centre of mass in the body frame, m
-   * @param centerY centre of mass in the body frame, m
+   * @param centerX x of the centre of mass in the body frame, m
+   * @param centerY y of the centre of mass in the body frame, m
    * @return this
    */
   public BodyDef mass(float kilograms, float inertia, float centerX, float centerY) {
@@ -149,9 +151,9 @@ public final class BodyDef {
   }
 
   /**
-   * Sets whether no force turns the body; default false.
+   * Sets whether the rotation is fixed, so that no force turns the body. The default is false.
    *
-   * @param fixed true for players that stay upright
+   * @param fixed true for players that stay upright, for instance
    * @return this
    */
   public BodyDef fixedRotation(boolean fixed) {
@@ -160,11 +162,12 @@ public final class BodyDef {
   }
 
   /**
-   * Sets whether the body is a bullet; default false. Every dynamic body that is fast for its size
-   * is stopped at static and kinematic bodies; a bullet at dynamic ones and other bullets, too,
-   * which costs more. For shots and small fast balls, not for everything.
+   * Sets whether the body is a bullet. The default is false. Continuous collision stops every
+   * dynamic body that is fast for its size at static and kinematic bodies. It stops a bullet at
+   * dynamic bodies and other bullets, too, which costs more. Use it for shots and small fast balls,
+   * not for everything.
    *
-   * @param isBullet true for what must hit all that is in its way
+   * @param isBullet true for a body that must not pass through any other
    * @return this
    */
   public BodyDef bullet(boolean isBullet) {
@@ -173,9 +176,9 @@ public final class BodyDef {
   }
 
   /**
-   * Sets the rate at which velocity decays; default 0.
+   * Sets the rate at which velocity decays. The default is 0.
    *
-   * @param perSecond 1/s, 0 to 1e4; v falls to v / (1 + h c) in a substep h
+   * @param perSecond 1/s, 0..1e4; v falls to v / (1 + h c) in a substep h
    * @return this
    */
   public BodyDef linearDamping(float perSecond) {
@@ -184,9 +187,9 @@ public final class BodyDef {
   }
 
   /**
-   * Sets the rate at which angular velocity decays; default 0.
+   * Sets the rate at which angular velocity decays. The default is 0.
    *
-   * @param perSecond 1/s, 0 to 1e4
+   * @param perSecond 1/s, 0..1e4
    * @return this
    */
   public BodyDef angularDamping(float perSecond) {
@@ -195,9 +198,9 @@ public final class BodyDef {
   }
 
   /**
-   * Sets the factor on the world's gravity; default 1.
+   * Sets the factor on the world's gravity. The default is 1.
    *
-   * @param factor 0 floats, negative rises; within 1e3
+   * @param factor -1e3..1e3; with 0 the body floats, with a negative factor it rises
    * @return this
    */
   public BodyDef gravityScale(float factor) {
@@ -207,10 +210,10 @@ public final class BodyDef {
   }
 
   /**
-   * Sets whether the body may fall asleep; default true. One that may not keeps awake all it rests
-   * on or leans against.
+   * Sets whether the body may fall asleep. The default is true. A body that may not sleep keeps
+   * awake all that it touches.
    *
-   * @param allowed false for what must react in every tick
+   * @param allowed false for a body that must react in every tick
    * @return this
    */
   public BodyDef sleepAllowed(boolean allowed) {
@@ -219,9 +222,9 @@ public final class BodyDef {
   }
 
   /**
-   * Sets whether the body starts awake; default true. One that starts asleep is at rest, costs
-   * nothing and has no contacts until something awake touches it: for large levels, whose static
-   * bodies should be made first. It starts awake in spite of this if it may not sleep.
+   * Sets whether the body starts awake. The default is true. A body that starts asleep is at rest,
+   * costs nothing and has no contacts until something awake touches it. Use it for large levels,
+   * and create their static bodies first. A body that may not sleep starts awake in any case.
    *
    * @param startAwake false to start asleep
    * @return this
@@ -232,10 +235,10 @@ public final class BodyDef {
   }
 
   /**
-   * Adds a shape; several make a compound body.
+   * Adds a shape of a material. Several shapes make a compound body.
    *
-   * @param shape in the body frame
-   * @param material what it is made of
+   * @param shape the shape, in the body frame
+   * @param material its material
    * @return this
    */
   public BodyDef shape(Shape shape, Material material) {
@@ -243,11 +246,11 @@ public final class BodyDef {
   }
 
   /**
-   * Adds a shape that meets only some others.
+   * Adds a shape with a filter, which collides only with some other shapes.
    *
-   * @param shape in the body frame
-   * @param material what it is made of
-   * @param filter whom it meets
+   * @param shape the shape, in the body frame
+   * @param material its material
+   * @param filter its filter, which says what it collides with
    * @return this
    */
   public BodyDef shape(Shape shape, Material material, Filter filter) {
@@ -255,9 +258,9 @@ public final class BodyDef {
   }
 
   /**
-   * Adds a shape, for instance a sensor.
+   * Adds a shape by its definition, for instance a sensor.
    *
-   * @param shapeDef the shape and what belongs to it
+   * @param shapeDef the shape with its material and filter
    * @return this
    */
   public BodyDef shape(ShapeDef shapeDef) {
@@ -268,7 +271,7 @@ public final class BodyDef {
   /**
    * Adds a shape of {@link Material#DEFAULT}.
    *
-   * @param shape in the body frame
+   * @param shape the shape, in the body frame
    * @return this
    */
   public BodyDef shape(Shape shape) {

@@ -1,14 +1,14 @@
 package carom.physics;
 
-/** What may move a body. */
+/** The type of a body, which says what moves it. */
 public enum BodyType {
-  /** Never moves by itself and has infinite mass: floors, walls. Forces are no-ops. */
+  /** A static body doesn't move and has infinite mass, like floors and walls. Forces do nothing. */
   STATIC,
   /**
-   * Moves with the velocity it was given, pushes dynamic bodies, and nothing pushes it: lifts,
-   * doors. Forces are no-ops.
+   * A kinematic body moves with the velocity it was given. It pushes dynamic bodies, and nothing
+   * pushes it, like lifts and doors. Forces do nothing.
    */
   KINEMATIC,
-  /** Moves by forces, impulses, gravity and contacts. */
+  /** A dynamic body moves by forces, impulses, gravity and contacts. */
   DYNAMIC
 }

@@ -8,10 +8,11 @@ package carom.physics;
 @FunctionalInterface
 public interface BodyVisitor<T> {
   /**
-   * Called once per body.
+   * Receives a body; called once per body. It must not destroy the body or create another during
+   * the query.
    *
-   * @param body a body; it must not be destroyed, nor another be created, during the query
-   * @return false stops the query
+   * @param body a body that was found
+   * @return true to continue, false to stop the query
    */
   boolean visit(Body<T> body);
 }

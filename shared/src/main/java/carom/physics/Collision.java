@@ -4,11 +4,11 @@ import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.geometry.Shape;
 
 /**
- * Two touching shapes, as a {@link CollisionListener} sees them. One object per world that is used
- * again for each call: don't keep it.
+ * Two touching shapes, as a {@link CollisionListener} sees them. The world has one such object and
+ * reuses it for each call: don't keep it.
  *
- * <p>Self is the body with the smaller {@link Body#index()}; {@link #isSelf} and {@link #other}
- * help those who look for one of the two. Directions are seen from self.
+ * <p>Self is the body with the smaller {@link Body#index()}. A listener that looks for one of the
+ * two bodies uses {@link #isSelf} and {@link #other(Body)}. Directions are seen from self.
  *
  * @param <T> the user's type of {@link Body#user()}
  */
@@ -34,7 +34,7 @@ public final class Collision<T> {
   }
 
   /**
-   * The body with the smaller index.
+   * Returns the body with the smaller index.
    *
    * @return self
    */
@@ -43,16 +43,17 @@ public final class Collision<T> {
   }
 
   /**
-   * The body with the larger index.
+   * Returns the body with the larger index.
    *
-   * @return the other one
+   * @return other
    */
   public Body<T> other() {
     return world.body(table.bodyB(row));
   }
 
   /**
-   * Whether one of the shapes is a sensor: it was entered or left, and nothing is pushed.
+   * Returns whether one of the shapes is a sensor, which was entered or left. A sensor pushes
+   * nothing.
    *
    * @return true in {@code begin} and {@code end} of sensors; there are no points then
    */
@@ -61,83 +62,83 @@ public final class Collision<T> {
   }
 
   /**
-   * The partner of one of the two bodies.
+   * Returns the partner of one of the two bodies.
    *
    * @param body self or other
-   * @return the one that it isn't
+   * @return the other one of the two
    */
   public Body<T> other(Body<T> body) {
     return isSelf(body) ? other() : self();
   }
 
   /**
-   * Whether directions are seen from this body.
+   * Returns whether a body is {@link #self}, from which directions are seen.
    *
    * @param body one of the two
-   * @return true if it is {@link #self}; if false, turn the normal and the MTV around
+   * @return true for self; if false, negate the normal and the MTV
    */
   public boolean isSelf(Body<T> body) {
     return self() == body;
   }
 
   /**
-   * The touching shape of self, as it was given to {@link BodyDef#shape}.
+   * Returns the touching shape of self, as it was given to {@link BodyDef#shape}.
    *
-   * @return in the body frame
+   * @return the shape, in the body frame
    */
   public Shape selfShape() {
     return self().shape(world.dynamics().queries().shapeOf(table.partA(row)));
   }
 
   /**
-   * What the touching shape of self is made of.
+   * Returns the material of the touching shape of self.
    *
-   * @return its material
+   * @return the material
    */
   public Material selfMaterial() {
     return self().material(world.dynamics().queries().shapeOf(table.partA(row)));
   }
 
   /**
-   * What the touching shape of the other is made of.
+   * Returns the material of the touching shape of the other body.
    *
-   * @return its material
+   * @return the material
    */
   public Material otherMaterial() {
     return other().material(world.dynamics().queries().shapeOf(table.partB(row)));
   }
 
   /**
-   * The touching shape of the other, as it was given to {@link BodyDef#shape}.
+   * Returns the touching shape of the other body, as it was given to {@link BodyDef#shape}.
    *
-   * @return in the body frame
+   * @return the shape, in the body frame
    */
   public Shape otherShape() {
     return other().shape(world.dynamics().queries().shapeOf(table.partB(row)));
   }
 
   /**
-   * Unit normal from self to other, x.
+   * Returns the x component of the unit normal from self to other.
    *
-   * @return -1 to 1
+   * @return -1..1
    */
   public float normalX() {
     return table.normalX(row);
   }
 
   /**
-   * Unit normal from self to other, y.
+   * Returns the y component of the unit normal from self to other.
    *
-   * @return -1 to 1
+   * @return -1..1
    */
   public float normalY() {
     return table.normalY(row);
   }
 
   /**
-   * How deep the shapes overlap along the normal.
+   * Returns how deep the shapes overlap along the normal.
    *
-   * @return m; 0 if they are merely close
+   * @return m, not negative; 0 if they are merely close
    */
   public float depth() {
     float least = 0;
@@ -148,66 +149,67 @@ public final class Collision<T> {
   }
 
   /**
-   * Minimum translation vector: moves self out of other.
+   * Returns the x component of the minimum translation vector (MTV), which moves self out of other.
    *
-   * @return x, m; zero if the shapes are merely close, see {@link #normalX} for the direction
+   * @return m; zero if the shapes are merely close, see {@link #normalX} for the direction
    */
   public float mtvX() {
     return -depth() * normalX();
   }
 
   /**
-   * Minimum translation vector: moves self out of other.
+   * Returns the y component of the minimum translation vector (MTV), which moves self out of other.
    *
-   * @return y, m
+   * @return m; zero if the shapes are merely close, see {@link #normalY} for the direction
    */
   public float mtvY() {
     return -depth() * normalY();
   }
 
   /**
-   * The number of contact points.
+   * Returns the number of contact points.
    *
-   * @return 1 or 2; 0 when a collision ended
+   * @return 1 or 2; 0 when a collision ended, and for sensors
    */
   public int pointCount() {
     return table.points(row);
   }
 
   /**
-   * A contact point, midway between the surfaces.
+   * Returns the x coordinate of a contact point, which is midway between the surfaces.
    *
-   * @param i below {@link #pointCount}
-   * @return x, m, world
+   * @param i number of the point, below {@link #pointCount}
+   * @return m, world
    */
   public float pointX(int i) {
     return self().centerX() + table.pointX(row, check(i));
   }
 
   /**
-   * A contact point, midway between the surfaces.
+   * Returns the y coordinate of a contact point, which is midway between the surfaces.
    *
-   * @param i below {@link #pointCount}
-   * @return y, m, world
+   * @param i number of the point, below {@link #pointCount}
+   * @return m, world
    */
   public float pointY(int i) {
     return self().centerY() + table.pointY(row, check(i));
   }
 
   /**
-   * Gap between the surfaces at a point.
+   * Returns the gap between the surfaces at a contact point.
    *
-   * @param i below {@link #pointCount}
-   * @return m, negative when they overlap
+   * @param i number of the point, below {@link #pointCount}
+   * @return m, negative when the surfaces overlap
    */
   public float separation(int i) {
     return table.separation(row, check(i));
   }
 
   /**
-   * Impulse of the step along the normal, on the other body; self receives the opposite.
+   * Returns the impulse of the step on the other body, along the normal, at one point. Self
+   * receives the opposite.
    *
-   * @param i below {@link #pointCount}
+   * @param i number of the point, below {@link #pointCount}
    * @return N s, not negative; 0 in begin and pre-solve
    */
   public float normalImpulse(int i) {
@@ -215,7 +217,8 @@ public final class Collision<T> {
   }
 
   /**
-   * Impulse of the step along the normal, of all points together, on the other body.
+   * Returns the impulse of the step on the other body, along the normal, of all points together.
+   * Self receives the opposite.
    *
    * @return N s, not negative; 0 in begin and pre-solve
    */
@@ -228,8 +231,8 @@ public final class Collision<T> {
   }
 
   /**
-   * How fast the bodies approached each other at the contact, along the normal, when the step
-   * began.
+   * Returns the speed at which the bodies approached each other at the contact, along the normal,
+   * when the step began.
    *
    * @return m/s, positive; 0 anywhere but in {@link CollisionListener#hit}
    */
@@ -238,9 +241,10 @@ public final class Collision<T> {
   }
 
   /**
-   * Where the impulse of the step went through: the mean of the points, weighted by their impulses.
+   * Returns the x coordinate of the mean of the contact points, weighted by their impulses. The
+   * impulse of the step acted there.
    *
-   * @return x, m, world
+   * @return m, world
    */
   public float hitX() {
     float x = table.pointX(row, 0);
@@ -248,26 +252,27 @@ public final class Collision<T> {
   }
 
   /**
-   * Where the impulse of the step went through: the mean of the points, weighted by their impulses.
+   * Returns the y coordinate of the mean of the contact points, weighted by their impulses. The
+   * impulse of the step acted there.
    *
-   * @return y, m, world
+   * @return m, world
    */
   public float hitY() {
     float y = table.pointY(row, 0);
     return self().centerY() + y + secondShare() * (table.pointY(row, 1) - y);
   }
 
-  /** What the second point has of the impulse. */
+  /** Returns the second point's share of the impulse, 0..1. */
   private float secondShare() {
     float sum = impulse();
     return pointCount() > 1 && sum > 0 ? table.impulse(row, 1) / sum : 0;
   }
 
   /**
-   * Impulse along the normal that the point carries over from the step before, with which this step
-   * starts: above 0 in pre-solve when the contact has been holding something.
+   * Returns the warm-start impulse of a point: the impulse along the normal that it carries over
+   * from the step before. It is above 0 in pre-solve if the contact carried a load before.
    *
-   * @param i below {@link #pointCount}
+   * @param i number of the point, below {@link #pointCount}
    * @return N s per substep, not negative; 0 for a new point and after a veto
    */
   public float warmImpulse(int i) {
@@ -275,9 +280,10 @@ public final class Collision<T> {
   }
 
   /**
-   * Impulse of the step by friction, along the normal turned left, on the other body.
+   * Returns the friction impulse of the step on the other body, along the normal turned left, at
+   * one point.
    *
-   * @param i below {@link #pointCount}
+   * @param i number of the point, below {@link #pointCount}
    * @return N s
    */
   public float tangentImpulse(int i) {
@@ -285,7 +291,7 @@ public final class Collision<T> {
   }
 
   /**
-   * Mixed friction of the two shapes.
+   * Returns the mixed friction of the two shapes, see {@link Material}.
    *
    * @return Coulomb coefficient
    */
@@ -294,18 +300,18 @@ public final class Collision<T> {
   }
 
   /**
-   * Mixed restitution of the two shapes.
+   * Returns the mixed restitution of the two shapes, see {@link Material}.
    *
-   * @return speed after by speed before
+   * @return ratio of the speed after a bounce to the speed before
    */
   public float restitution() {
     return table.restitution(row);
   }
 
   /**
-   * Speed at which the two bodies part at a point, along the normal, now.
+   * Returns the speed at which the two bodies separate at a point now, along the normal.
    *
-   * @param i below {@link #pointCount}
+   * @param i number of the point, below {@link #pointCount}
    * @return m/s, negative when they approach
    */
   public float normalSpeed(int i) {

@@ -1,21 +1,21 @@
 package carom.physics;
 
 /**
- * Hears about touching shapes during {@link World#step}.
+ * Receives the collisions of a world during {@link World#step}.
  *
  * <p>"Touching" means that two shapes are closer than {@link WorldDef#speculativeDistance}. Within
- * a step the calls come in this order, each kind in the canonical order of contacts (by the indices
- * of the two bodies, then of their shapes): {@code end} and {@code begin} and {@code preSolve}
- * before anything is solved, {@code postSolve} when the bodies have moved, followed by {@code hit}
- * of the same contact if it was an impact.
+ * a step, {@code end}, {@code begin} and {@code preSolve} are called before anything is solved.
+ * {@code postSolve} is called when the bodies have moved, followed by {@code hit} of the same
+ * contact if it was an impact. Calls of each kind come in the canonical order of contacts: by the
+ * indices of the two bodies, then of their shapes.
  *
  * <p>When a shape enters a sensor or leaves it, {@code begin} and {@code end} are called, with
- * {@link Collision#isSensor} true; nothing else is, as there is no response. Sensors notice real
- * overlap only, not what is merely close.
+ * {@link Collision#isSensor} true. Nothing else is called, as there is no response. Sensors notice
+ * real overlap only, not shapes that are merely close.
  *
- * <p>Contacts of sleeping bodies are not called; they go on as they were when the bodies fell
- * asleep, and waking begins nothing anew. If {@code preSolve} would answer otherwise because
- * something else changed, {@linkplain Body#wake wake} the body.
+ * <p>Contacts of sleeping bodies are not reported. They stay as they were when the bodies fell
+ * asleep, and waking doesn't begin them anew. If {@code preSolve} would return another value
+ * because something else changed, {@linkplain Body#wake wake} the body.
  *
  * <p>A callback may set velocities, apply forces and impulses, teleport bodies and create bodies
  * (these collide from the next step on); bodies wake or fall asleep at the end of the step. {@link
@@ -27,21 +27,22 @@ package carom.physics;
  */
 public interface CollisionListener<T> {
   /**
-   * Two shapes began to touch. Called before {@link #preSolve} of the same contact.
+   * Receives a contact whose shapes began to touch. Called before {@link #preSolve} of the same
+   * contact.
    *
    * @param collision valid during the call only; no impulses yet
    */
   default void begin(Collision<T> collision) {}
 
   /**
-   * Two shapes no longer touch, or one of their bodies is being destroyed.
+   * Receives a contact whose shapes no longer touch, or of which a body is being destroyed.
    *
    * @param collision valid during the call only; no points
    */
   default void end(Collision<T> collision) {}
 
   /**
-   * Two shapes touch and are about to be pushed apart.
+   * Decides whether touching shapes are pushed apart in this step.
    *
    * @param collision valid during the call only; the impulses are those of the step before
    * @return false to let them pass through each other in this step
@@ -51,7 +52,8 @@ public interface CollisionListener<T> {
   }
 
   /**
-   * Two shapes touched in this step and were not vetoed.
+   * Receives a contact that was solved in this step: its shapes touched and {@link #preSolve}
+   * returned true.
    *
    * @param collision valid during the call only; with the impulses of this step. Points and normal
    *     are those the step began with, the bodies have moved already
@@ -59,10 +61,10 @@ public interface CollisionListener<T> {
   default void postSolve(Collision<T> collision) {}
 
   /**
-   * Two shapes hit each other: they approached faster than {@link WorldDef#hitSpeed} when the step
-   * began, were pushed in it, and were not in the step before, so that an impact is told once
-   * however long it lasts. Called after {@link #postSolve} of the same contact. A body that hits
-   * with several shapes, or hits several bodies, is told for each contact.
+   * Receives an impact: two shapes approached faster than {@link WorldDef#hitSpeed} when the step
+   * began, were pushed apart in it, and were not in the step before. An impact is therefore
+   * reported once, however long it lasts. Called after {@link #postSolve} of the same contact. A
+   * body that hits with several shapes, or hits several bodies, is reported for each contact.
    *
    * @param collision valid during the call only; as in postSolve, with {@link Collision#hitSpeed}
    *     and {@link Collision#hitX}

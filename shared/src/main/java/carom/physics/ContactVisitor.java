@@ -4,12 +4,12 @@ package carom.physics;
 @FunctionalInterface
 public interface ContactVisitor {
   /**
-   * Called once per contact point of the last step.
+   * Receives a contact point; called once per point of the last step.
    *
-   * @param x the point, m
-   * @param y the point, m
-   * @param normalX unit normal, from the body with the smaller index to the other
-   * @param normalY its y
+   * @param x x of the point, m, world
+   * @param y y of the point, m, world
+   * @param normalX x of the unit normal, from the body with the smaller index to the other
+   * @param normalY y of the unit normal
    * @param separation gap when the step began, m; negative when overlapping
    * @param impulse impulse along the normal in the last step, N s
    */

@@ -9,9 +9,10 @@ import java.util.Arrays;
 import java.util.function.UnaryOperator;
 
 /**
- * Carries out edits of bodies and joints beyond moving them: at once, or, if a callback asks for
- * one, at the end of the step in the order of the requests. Wrong arguments are refused when they
- * are given.
+ * Carries out edits that change more than a body's motion: destroying bodies and joints, and
+ * changing type, shapes, mass and rotation. An edit is carried out at once. If a callback asks for
+ * it, it is carried out at the end of the step, in the order of the requests. Wrong arguments are
+ * refused at the request.
  */
 public final class EditQueue<T> {
   private static final byte DESTROY_BODY = 0;
@@ -19,7 +20,7 @@ public final class EditQueue<T> {
   private static final byte ENABLE = 2;
   private static final byte DISABLE = 3;
 
-  /** Plus the new type's code. */
+  /** Changes the type; the code of the new type is added to this. */
   private static final byte CHANGE_TYPE = 4;
 
   private static final byte CHANGE_SHAPE = 7;
@@ -27,7 +28,7 @@ public final class EditQueue<T> {
   private static final byte FIX_ROTATION = 9;
   private static final byte FREE_ROTATION = 10;
 
-  /** Another material, filter or kind for one of a body's shapes. */
+  /** A change of material, filter or sensor flag of one of a body's shapes. */
   private record ShapeChange(int shape, UnaryOperator<ShapeDef> how) {
     ShapeDef[] of(ShapeDef[] shapes) {
       ShapeDef[] changed = shapes.clone();
@@ -42,7 +43,7 @@ public final class EditQueue<T> {
   private final JointStore joints;
   private final Handles<T> handles;
 
-  /** The requested edits; the arrays after it have their slots, generations and values. */
+  /** The requested edits. The arrays below hold their slots, generations and values. */
   private byte[] pending = new byte[8];
 
   private int[] pendingSlot = new int[8];
@@ -106,7 +107,7 @@ public final class EditQueue<T> {
     request(fixed ? FIX_ROTATION : FREE_ROTATION, body.index(), body.generation(), null);
   }
 
-  /** Carries an edit out now, or queues it until the end of the step. */
+  /** Carries out an edit now, or queues it until the end of the step. */
   private void request(byte what, int slot, int generation, Object value) {
     if (pendingCount == pending.length) {
       pending = Arrays.copyOf(pending, pendingCount * 2);
@@ -127,7 +128,7 @@ public final class EditQueue<T> {
     }
   }
 
-  /** Carries out all queued edits; callbacks that hear of ends may queue more. */
+  /** Carries out all queued edits. Callbacks for ended contacts may queue more. */
   void carryOut() {
     try {
       for (int i = 0; i < pendingCount; i++) {
@@ -179,7 +180,7 @@ public final class EditQueue<T> {
     handles.shapes(slot, changed);
   }
 
-  /** Forgets the edits that were requested in a step that failed. */
+  /** Clears the edits that were requested in a step that failed. */
   void forget() {
     pendingCount = 0;
   }

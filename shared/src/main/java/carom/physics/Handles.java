@@ -5,23 +5,23 @@ import carom.physics.geometry.MassData;
 import java.util.Arrays;
 
 /**
- * The objects that stand for bodies and joints, by slot, with what bodies were made of. The living
- * ones belong to a world, copies to its saved states; a copy is only made anew if something came,
- * went or changed.
+ * The handles of bodies and joints by slot, with the shapes and own masses of the bodies. A world
+ * has one such object, and each of its saved states has a copy. A copy is only made anew if a body
+ * or joint was created, destroyed or changed.
  */
 final class Handles<T> {
   private Object[] bodies = new Object[64];
 
-  /** What bodies consist of, and what they weigh if it isn't computed from that. */
+  /** Shapes of each body. */
   private ShapeDef[][] shapes = new ShapeDef[64][];
 
   private MassData[] ownMasses = new MassData[64];
   private Object[] joints = new Object[16];
 
-  /** Changes whenever a body comes, goes, or changes what the broadphase knows of it. */
+  /** Changes whenever a body is created, destroyed or edited. */
   private final Stamp structure = new Stamp();
 
-  /** Changes whenever a joint comes or goes. */
+  /** Changes whenever a joint is created or destroyed. */
   private final Stamp jointStructure = new Stamp();
 
   @SuppressWarnings("unchecked")
@@ -50,25 +50,25 @@ final class Handles<T> {
     ownMasses[slot] = changed;
   }
 
-  /** Says what a body consists of whose handle follows. */
+  /** Sets shapes and own mass of a body whose handle follows. */
   void consistsOf(int slot, ShapeDef[] itsShapes, MassData itsOwnMass) {
     ensureBodies(slot + 1);
     shapes[slot] = itsShapes;
     ownMasses[slot] = itsOwnMass;
   }
 
-  /** Gives a state that was read the handle of a body. */
+  /** Sets the handle of a body in a state that was read. */
   void handle(int slot, Body<?> body) {
     bodies[slot] = body;
   }
 
-  /** Gives a state that was read the handle of a joint. */
+  /** Sets the handle of a joint in a state that was read. */
   void handle(int slot, Joint<?> joint) {
     ensureJoints(slot + 1);
     joints[slot] = joint;
   }
 
-  /** Makes handles that were read differ from all that were copied from these. */
+  /** Marks handles that were read as different from all that were copied from these. */
   void distinguish(Handles<?> read) {
     structure.distinguish(read.structure);
     jointStructure.distinguish(read.jointStructure);
@@ -105,12 +105,12 @@ final class Handles<T> {
     structure.change();
   }
 
-  /** Whether no body came, went or changed since one was copied to the other. */
+  /** Returns whether no body was created, destroyed or edited since one was copied to the other. */
   boolean sameBodies(Handles<?> other) {
     return structure.same(other.structure);
   }
 
-  /** Overwrites other handles as far as they differ. */
+  /** Copies these handles to others, as far as they differ. */
   void copyTo(Handles<?> to, int slots, int jointSlots) {
     if (!structure.same(to.structure)) {
       to.ensureBodies(slots);

@@ -1,14 +1,15 @@
 package carom.physics;
 
 /**
- * How velocity v and position x advance by a substep h under the acceleration a.
+ * An integrator advances velocity v and position x by a substep h under the acceleration a.
  *
- * <p>Contacts and joints work with both, but are made for the first.
+ * <p>Contacts and joints work with both integrators, but are made for the first.
  */
 public enum Integrator {
   /**
-   * {@code v' = v + h a, x' = x + h v'}: the position uses the new velocity. On an oscillator the
-   * energy swings about its true value for ever, as long as {@code h w < 2}.
+   * {@code v' = v + h a, x' = x + h v'}: the position uses the new velocity. The energy of an
+   * oscillator of angular frequency w swings about its true value for ever, as long as {@code h w <
+   * 2}.
    */
   SYMPLECTIC_EULER,
 

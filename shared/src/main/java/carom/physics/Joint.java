@@ -6,16 +6,17 @@ import carom.physics.math.Limits;
 import carom.physics.math.Trig;
 
 /**
- * A joint: a light handle (index and generation) on the world's arrays. There is one handle per
- * joint, so handles may be compared with ==.
+ * A joint between two bodies of a {@link World}, or between a body and the world. The object is a
+ * light handle (index and generation) on the world's arrays. There is one handle per joint, so
+ * handles may be compared with ==.
  *
- * <p>A joint lives until it is destroyed, breaks, or one of its bodies is destroyed; after that all
+ * <p>A joint lives until it is destroyed, breaks, or one of its bodies is destroyed. After that all
  * methods but {@link #isValid}, {@link #index}, {@link #generation} and {@link #type} throw
- * IllegalStateException, and so do setters of what the joint's type doesn't have. Nothing
+ * IllegalStateException. Setters of properties that the joint's type lacks throw it, too. No method
  * allocates.
  *
- * <p>What is set acts from the next step on, and wakes the bodies if it is another value than
- * before. Joints are solved in the order of their indices.
+ * <p>A new value acts from the next step on, and wakes the bodies if it differs from the old one.
+ * Joints are solved in the order of their indices.
  *
  * <p><b>Length.</b> The class has one getter or setter per property of a joint, each with its unit
  * and range; none of them is longer than a few lines.
@@ -49,7 +50,7 @@ public final class Joint<T> {
   }
 
   /**
-   * The joint's slot, used again after it is destroyed.
+   * Returns the joint's slot. The slot is used again after the joint is destroyed.
    *
    * @return 0 or more
    */
@@ -58,7 +59,7 @@ public final class Joint<T> {
   }
 
   /**
-   * Tells the joints apart that used the same slot.
+   * Returns the joint's generation, which tells apart the joints that used the same slot.
    *
    * @return 0 or more
    */
@@ -67,7 +68,7 @@ public final class Joint<T> {
   }
 
   /**
-   * Whether the joint still exists.
+   * Returns whether the joint still exists.
    *
    * @return false once it was destroyed
    */
@@ -76,18 +77,18 @@ public final class Joint<T> {
   }
 
   /**
-   * What it does.
+   * Returns the joint's type.
    *
-   * @return never changes
+   * @return the type, which never changes
    */
   public JointType type() {
     return type;
   }
 
   /**
-   * The first body.
+   * Returns the first body.
    *
-   * @return null if the world takes its place
+   * @return body A, null if the world takes its place
    */
   public Body<T> bodyA() {
     check();
@@ -95,9 +96,9 @@ public final class Joint<T> {
   }
 
   /**
-   * The second body.
+   * Returns the second body.
    *
-   * @return never null
+   * @return body B, never null
    */
   public Body<T> bodyB() {
     check();
@@ -105,36 +106,36 @@ public final class Joint<T> {
   }
 
   /**
-   * A's anchor, now; the target of a mouse joint.
+   * Returns the x coordinate of A's anchor now; for a mouse joint, of its target.
    *
-   * @return x, m, world
+   * @return m, world
    */
   public float anchorAX() {
     return anchorX(store.bodyA, store.anchorAx, store.anchorAy);
   }
 
   /**
-   * A's anchor, now; the target of a mouse joint.
+   * Returns the y coordinate of A's anchor now; for a mouse joint, of its target.
    *
-   * @return y, m, world
+   * @return m, world
    */
   public float anchorAY() {
     return anchorY(store.bodyA, store.anchorAx, store.anchorAy);
   }
 
   /**
-   * B's anchor, now.
+   * Returns the x coordinate of B's anchor now.
    *
-   * @return x, m, world
+   * @return m, world
    */
   public float anchorBX() {
     return anchorX(store.bodyB, store.anchorBx, store.anchorBy);
   }
 
   /**
-   * B's anchor, now.
+   * Returns the y coordinate of B's anchor now.
    *
-   * @return y, m, world
+   * @return m, world
    */
   public float anchorBY() {
     return anchorY(store.bodyB, store.anchorBx, store.anchorBy);
@@ -165,10 +166,10 @@ public final class Joint<T> {
   }
 
   /**
-   * Angle of B relative to A, 0 as it was when the joint was made; of a motor joint relative to its
-   * target.
+   * Returns the angle of B relative to A, which was 0 when the joint was created. For a motor joint
+   * the angle is relative to its target.
    *
-   * @return rad, -pi to pi, unless full turns are counted, see {@link JointDef#revolute}
+   * @return rad, -pi..pi, unless full turns are counted, see {@link JointDef#revolute}
    */
   public float angle() {
     check();
@@ -191,7 +192,7 @@ public final class Joint<T> {
   }
 
   /**
-   * What limits and spring act on, see {@link JointType}.
+   * Returns the joint's coordinate, on which limits and spring act; see {@link JointType}.
    *
    * @return m or rad
    */
@@ -232,9 +233,10 @@ public final class Joint<T> {
   }
 
   /**
-   * What B does by what A does, of a gear, a rack or a pulley.
+   * Returns the ratio of a gear, rack or pulley joint, see {@link JointDef#gear}, {@link
+   * JointDef#rack} and {@link JointDef#pulley}.
    *
-   * @return as it was made; 0 for all others
+   * @return the ratio given in the definition; 0 for all other types
    */
   public float ratio() {
     check();
@@ -242,7 +244,7 @@ public final class Joint<T> {
   }
 
   /**
-   * The length of A's rope of a pulley.
+   * Returns the length of a pulley's rope on A's side.
    *
    * @return m
    */
@@ -252,7 +254,7 @@ public final class Joint<T> {
   }
 
   /**
-   * The length of B's rope of a pulley.
+   * Returns the length of a pulley's rope on B's side.
    *
    * @return m
    */
@@ -262,9 +264,9 @@ public final class Joint<T> {
   }
 
   /**
-   * Where A's rope of a pulley goes.
+   * Returns the x coordinate of the world point that a pulley's rope runs to from A.
    *
-   * @return x, m, world
+   * @return m, world
    */
   public float groundAX() {
     refuseUnless(type == JointType.PULLEY, "groundAX");
@@ -272,9 +274,9 @@ public final class Joint<T> {
   }
 
   /**
-   * Where A's rope of a pulley goes.
+   * Returns the y coordinate of the world point that a pulley's rope runs to from A.
    *
-   * @return y, m, world
+   * @return m, world
    */
   public float groundAY() {
     refuseUnless(type == JointType.PULLEY, "groundAY");
@@ -282,9 +284,9 @@ public final class Joint<T> {
   }
 
   /**
-   * Where B's rope of a pulley goes.
+   * Returns the x coordinate of the world point that a pulley's rope runs to from B.
    *
-   * @return x, m, world
+   * @return m, world
    */
   public float groundBX() {
     refuseUnless(type == JointType.PULLEY, "groundBX");
@@ -292,9 +294,9 @@ public final class Joint<T> {
   }
 
   /**
-   * Where B's rope of a pulley goes.
+   * Returns the y coordinate of the world point that a pulley's rope runs to from B.
    *
-   * @return y, m, world
+   * @return m, world
    */
   public float groundBY() {
     refuseUnless(type == JointType.PULLEY, "groundBY");
@@ -306,9 +308,10 @@ public final class Joint<T> {
   }
 
   /**
-   * Force on B at its anchor in the last substep; A feels the opposite.
+   * Returns the x component of the force on B at its anchor in the last substep. A feels the
+   * opposite, except in a pulley, see {@link JointDef#pulley}.
    *
-   * @return x, N, world
+   * @return N, world
    */
   public float forceX() {
     check();
@@ -316,9 +319,10 @@ public final class Joint<T> {
   }
 
   /**
-   * Force on B at its anchor in the last substep; A feels the opposite.
+   * Returns the y component of the force on B at its anchor in the last substep. A feels the
+   * opposite, except in a pulley, see {@link JointDef#pulley}.
    *
-   * @return y, N, world
+   * @return N, world
    */
   public float forceY() {
     check();
@@ -326,7 +330,8 @@ public final class Joint<T> {
   }
 
   /**
-   * Torque on B in the last substep, apart from that of the force; A feels the opposite.
+   * Returns the torque on B in the last substep, apart from that of the force. A feels the
+   * opposite, except in a gear, see {@link JointDef#gear}.
    *
    * @return N m
    */
@@ -336,9 +341,9 @@ public final class Joint<T> {
   }
 
   /**
-   * Whether the two bodies collide with each other.
+   * Returns whether the two bodies collide with each other, see {@link JointDef#collideConnected}.
    *
-   * @return as it was made
+   * @return true if they collide
    */
   public boolean collideConnected() {
     check();
@@ -346,18 +351,19 @@ public final class Joint<T> {
   }
 
   /**
-   * Whether the coordinate is limited.
+   * Returns whether the coordinate is limited, see {@link #setLimits}.
    *
-   * @return see {@link #setLimits}
+   * @return true if limits are set
    */
   public boolean isLimited() {
     return has(JointStore.LIMITED);
   }
 
   /**
-   * Whether a spring acts on the coordinate, or on the point of a weld, motor or mouse joint.
+   * Returns whether a spring acts on the coordinate, or on the point of a weld, motor or mouse
+   * joint; see {@link #setSpring}.
    *
-   * @return see {@link #setSpring}
+   * @return true if there is a spring
    */
   public boolean isSprung() {
     return has(JointStore.SPRUNG)
@@ -365,18 +371,18 @@ public final class Joint<T> {
   }
 
   /**
-   * Whether a motor drives the coordinate.
+   * Returns whether a motor drives the coordinate, see {@link #setMotor}.
    *
-   * @return see {@link #setMotor}
+   * @return true if the motor runs
    */
   public boolean isDriven() {
     return has(JointStore.DRIVEN);
   }
 
   /**
-   * The lower limit of the coordinate.
+   * Returns the lower limit of the coordinate.
    *
-   * @return m or rad; without a meaning unless {@link #isLimited}
+   * @return m or rad; meaningless unless {@link #isLimited}
    */
   public float lower() {
     check();
@@ -384,9 +390,9 @@ public final class Joint<T> {
   }
 
   /**
-   * The upper limit of the coordinate.
+   * Returns the upper limit of the coordinate.
    *
-   * @return m or rad; without a meaning unless {@link #isLimited}
+   * @return m or rad; meaningless unless {@link #isLimited}
    */
   public float upper() {
     check();
@@ -394,9 +400,9 @@ public final class Joint<T> {
   }
 
   /**
-   * Direction of the axis of a prismatic or wheel joint, now; it turns with A.
+   * Returns the x component of the axis of a prismatic or wheel joint now. The axis turns with A.
    *
-   * @return x of the unit vector, world
+   * @return -1..1, of the unit vector in world axes
    */
   public float axisX() {
     check();
@@ -407,9 +413,9 @@ public final class Joint<T> {
   }
 
   /**
-   * Direction of the axis of a prismatic or wheel joint, now; it turns with A.
+   * Returns the y component of the axis of a prismatic or wheel joint now. The axis turns with A.
    *
-   * @return y of the unit vector, world
+   * @return -1..1, of the unit vector in world axes
    */
   public float axisY() {
     check();
@@ -425,10 +431,11 @@ public final class Joint<T> {
   }
 
   /**
-   * Starts the motor, or changes its goal.
+   * Starts the motor, or changes its speed.
    *
-   * @param speed m/s or rad/s, see {@link JointDef#motor(float, float)}
-   * @param max the most it gives for that, N or N m
+   * @param speed target speed of the coordinate, m/s or rad/s, see {@link JointDef#motor(float,
+   *     float)}
+   * @param max largest force or torque of the motor, N or N m
    */
   public void setMotor(float speed, float max) {
     refuseUnless(JointDef.hasMotor(type), "setMotor");
@@ -439,7 +446,7 @@ public final class Joint<T> {
     raise(JointStore.DRIVEN);
   }
 
-  /** Lets the motor run idle; nothing if there is none. */
+  /** Stops the motor, so that it no longer drives the coordinate. Does nothing without a motor. */
   public void stopMotor() {
     check();
     clear(JointStore.DRIVEN);
@@ -463,7 +470,7 @@ public final class Joint<T> {
     raise(JointStore.LIMITED);
   }
 
-  /** Takes the limits away; a rope becomes a rod of its rest length. */
+  /** Removes the limits. A rope becomes a rod of its rest length. */
   public void removeLimits() {
     check();
     clear(JointStore.LIMITED);
@@ -475,8 +482,8 @@ public final class Joint<T> {
    * Puts a spring on the coordinate, or on the point of a weld, motor or mouse joint, or changes
    * it.
    *
-   * @param hertz 1/s, 0 to 1000; 0 makes a weld rigid
-   * @param dampingRatio 0 to 100
+   * @param hertz frequency, 1/s, 0..1000; 0 makes a weld rigid
+   * @param dampingRatio 0..100
    */
   public void setSpring(float hertz, float dampingRatio) {
     refuseUnless(JointDef.canSpring(type), "setSpring");
@@ -489,7 +496,10 @@ public final class Joint<T> {
     }
   }
 
-  /** Takes the spring on the coordinate away; a spring becomes a rod of its rest length. */
+  /**
+   * Removes the spring on the coordinate. Without limits, too, a distance joint becomes a rod of
+   * its rest length.
+   */
   public void removeSpring() {
     refuseUnless(JointDef.hasCoordinateSpring(type), "removeSpring");
     clear(JointStore.SPRUNG);
@@ -497,7 +507,8 @@ public final class Joint<T> {
   }
 
   /**
-   * Sets where the spring is at ease, and the length of a rod.
+   * Sets the rest value of the coordinate: where the spring exerts no force, or the length of a
+   * rod.
    *
    * @param coordinate m or rad, see {@link JointType}
    */
@@ -508,7 +519,8 @@ public final class Joint<T> {
   }
 
   /**
-   * Where the spring is at ease, and the length of a rod.
+   * Returns the rest value of the coordinate: where the spring exerts no force, or the length of a
+   * rod.
    *
    * @return m or rad, see {@link JointType}
    */
@@ -518,10 +530,10 @@ public final class Joint<T> {
   }
 
   /**
-   * Moves the point that B's anchor is drawn to by a motor or mouse joint.
+   * Sets the point that a motor or mouse joint draws B's anchor to.
    *
-   * @param x m, in the frame of A, of the world without A
-   * @param y m
+   * @param x x of the target, m, in the frame of A, or of the world if there is no A
+   * @param y y of the target, m, in the same frame
    */
   public void setTarget(float x, float y) {
     refuseUnless(type == JointType.MOTOR || type == JointType.MOUSE, "setTarget");
@@ -532,9 +544,9 @@ public final class Joint<T> {
   }
 
   /**
-   * Turns the angle that B is drawn to by a motor joint.
+   * Sets the angle that a motor joint draws B to.
    *
-   * @param angleRad rad, of B relative to A, or to the world without A
+   * @param angleRad angle of B relative to A, or to the world if there is no A, rad, within 1e5
    */
   public void setTargetAngle(float angleRad) {
     refuseUnless(type == JointType.MOTOR, "setTargetAngle");
@@ -543,7 +555,7 @@ public final class Joint<T> {
     set(store.refSin, Trig.sin(angleRad));
   }
 
-  /** Has full turns counted from now on if a hinge shall get to an angle beyond half a turn. */
+  /** Starts counting full turns if a revolute joint needs an angle beyond half a turn. */
   private void wind(float angle) {
     if (type == JointType.REVOLUTE && JointDef.windsBeyond(angle)) {
       raise(JointStore.WINDS);

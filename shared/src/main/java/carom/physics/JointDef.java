@@ -5,12 +5,13 @@ import carom.physics.math.Limits;
 import carom.physics.math.Trig;
 
 /**
- * What a joint is made from; mutable, fluent. Begin with one of the factories.
+ * The definition of a joint. It is mutable and fluent; the static methods make one for each type of
+ * joint.
  *
- * <p>Anchors and axes are given in world coordinates and are fixed to the bodies where these are
- * when {@link World#createJoint} is called; angles and translations count from there. Body A may be
- * null: then the world takes its place. Unless {@link #collideConnected} says otherwise, the two
- * bodies don't collide with each other.
+ * <p>Anchors and axes are given in world coordinates. {@link World#createJoint} fixes them to the
+ * bodies in their poses at that moment; angles and translations count from there. Body A may be
+ * null, except in gears, racks and pulleys; the world then takes its place. Except for pulleys, the
+ * two bodies don't collide with each other unless {@link #collideConnected} says so.
  *
  * <pre>
  *   world.createJoint(JointDef.revolute(car, flap, 2, 1).limits(-0.5f, 0.5f).motor(1, 20))
@@ -21,7 +22,7 @@ import carom.physics.math.Trig;
 public final class JointDef<T> {
   private static final float MAX_LENGTH = 1e6f;
 
-  /** Largest angle of a hinge, rad; a float still tells a thousandth of a radian there. */
+  /** Largest angle of a revolute joint, rad. A float resolves a thousandth of a radian there. */
   private static final float MAX_ANGLE = 1e4f;
 
   final JointType type;
@@ -90,14 +91,15 @@ public final class JointDef<T> {
   }
 
   /**
-   * A hinge. {@link #limits}, {@link #motor} and {@link #spring} act on the angle of B relative to
-   * A, 0 as it is now. It goes from -pi to pi and from there to -pi again, unless {@link #limits}
-   * or {@link #rest} ask for more: then full turns are counted.
+   * Makes the definition of a revolute joint (a hinge), which holds the bodies together at a point.
+   * {@link #limits}, {@link #motor} and {@link #spring} act on the angle of B relative to A, which
+   * is 0 when the joint is created. The angle wraps from pi to -pi, unless {@link #limits} or
+   * {@link #rest} ask for more than half a turn: then full turns are counted.
    *
-   * @param bodyA a body, or null for the world
-   * @param bodyB the other one
-   * @param x the hinge, m, world
-   * @param y the hinge, m, world
+   * @param bodyA the first body, or null for the world
+   * @param bodyB the second body
+   * @param x x of the point, m, world
+   * @param y y of the point, m, world
    * @param <T> the user's type
    * @return a definition
    */
@@ -106,15 +108,16 @@ public final class JointDef<T> {
   }
 
   /**
-   * A rod that keeps two points at their distance. With {@link #spring} it becomes a spring, with
-   * {@link #limits} a range; both together are a spring with stops.
+   * Makes the definition of a distance joint, a rod that keeps two points at their distance. With
+   * {@link #spring} it becomes a spring, and with {@link #limits} it allows a range; both together
+   * are a spring with stops.
    *
-   * @param bodyA a body, or null for the world
-   * @param bodyB the other one
-   * @param ax point of A, m, world
-   * @param ay point of A, m, world
-   * @param bx point of B, m, world
-   * @param by point of B, m, world
+   * @param bodyA the first body, or null for the world
+   * @param bodyB the second body
+   * @param ax x of the point of A, m, world
+   * @param ay y of the point of A, m, world
+   * @param bx x of the point of B, m, world
+   * @param by y of the point of B, m, world
    * @param <T> the user's type
    * @return a definition
    */
@@ -124,15 +127,16 @@ public final class JointDef<T> {
   }
 
   /**
-   * A rope: two points may come closer than its length, not further.
+   * Makes the definition of a rope: a distance joint whose points may be closer than its length,
+   * but not farther apart.
    *
-   * @param bodyA a body, or null for the world
-   * @param bodyB the other one
-   * @param ax point of A, m, world
-   * @param ay point of A, m, world
-   * @param bx point of B, m, world
-   * @param by point of B, m, world
-   * @param length m
+   * @param bodyA the first body, or null for the world
+   * @param bodyB the second body
+   * @param ax x of the point of A, m, world
+   * @param ay y of the point of A, m, world
+   * @param bx x of the point of B, m, world
+   * @param by y of the point of B, m, world
+   * @param length length of the rope, m, 0..1e6
    * @param <T> the user's type
    * @return a definition
    */
@@ -142,15 +146,16 @@ public final class JointDef<T> {
   }
 
   /**
-   * A slider. {@link #limits}, {@link #motor} and {@link #spring} act on the translation of B along
-   * the axis, 0 as it is now.
+   * Makes the definition of a prismatic joint (a slider). {@link #limits}, {@link #motor} and
+   * {@link #spring} act on the translation of B along the axis, which is 0 when the joint is
+   * created.
    *
-   * @param bodyA a body, or null for the world; the axis turns with it
-   * @param bodyB the one that slides
-   * @param x a point on the axis, m, world
-   * @param y a point on the axis, m, world
-   * @param axisX direction, world; any length
-   * @param axisY direction, world
+   * @param bodyA the first body, or null for the world; the axis turns with it
+   * @param bodyB the body that slides
+   * @param x x of a point on the axis, m, world
+   * @param y y of a point on the axis, m, world
+   * @param axisX x of the direction, world; its length is 1e-6..1e6
+   * @param axisY y of the direction, world
    * @param <T> the user's type
    * @return a definition
    */
@@ -160,12 +165,13 @@ public final class JointDef<T> {
   }
 
   /**
-   * Glue. {@link #spring} makes the point soft, {@link #angularSpring} the angle.
+   * Makes the definition of a weld, which glues two bodies together. {@link #spring} makes the
+   * point soft, {@link #angularSpring} the angle.
    *
-   * @param bodyA a body, or null for the world
-   * @param bodyB the other one
-   * @param x where they are glued, m, world
-   * @param y where they are glued, m, world
+   * @param bodyA the first body, or null for the world
+   * @param bodyB the second body
+   * @param x x of the point of the weld, m, world
+   * @param y y of the point of the weld, m, world
    * @param <T> the user's type
    * @return a definition
    */
@@ -174,15 +180,16 @@ public final class JointDef<T> {
   }
 
   /**
-   * A wheel with suspension: B slides along an axis of A and turns freely. {@link #spring} and
-   * {@link #limits} act on the translation, 0 as it is now; {@link #motor} on the rotation.
+   * Makes the definition of a wheel with suspension: B slides along an axis of A and turns freely.
+   * {@link #spring} and {@link #limits} act on the translation, which is 0 when the joint is
+   * created; {@link #motor} acts on the rotation.
    *
    * @param bodyA the car, or null for the world; the axis turns with it
    * @param bodyB the wheel
-   * @param x the wheel's axle, m, world
-   * @param y the wheel's axle, m, world
-   * @param axisX direction of the suspension, world; any length
-   * @param axisY direction of the suspension, world
+   * @param x x of the wheel's axle, m, world
+   * @param y y of the wheel's axle, m, world
+   * @param axisX x of the suspension's direction, world; its length is 1e-6..1e6
+   * @param axisY y of the suspension's direction, world
    * @param <T> the user's type
    * @return a definition
    */
@@ -192,12 +199,13 @@ public final class JointDef<T> {
   }
 
   /**
-   * Draws B to a pose relative to A, now its own, with limited force; see {@link Joint#setTarget}.
-   * The springs that do it have 10 hertz and are critically damped unless {@link #spring} and
-   * {@link #angularSpring} say otherwise.
+   * Makes the definition of a motor joint, which draws B to a pose relative to A with limited
+   * force. The pose is at first the one B has when the joint is created; see {@link
+   * Joint#setTarget}. The springs of the joint have 10 hertz and are critically damped unless
+   * {@link #spring} and {@link #angularSpring} say otherwise.
    *
-   * @param bodyA a body, or null for the world
-   * @param bodyB the one that is drawn
+   * @param bodyA the first body, or null for the world
+   * @param bodyB the body that is drawn
    * @param maxForce N, at the centre of mass of B
    * @param maxTorque N m
    * @param <T> the user's type
@@ -214,13 +222,13 @@ public final class JointDef<T> {
   }
 
   /**
-   * Draws a point of a body to a point of the world, at first the same, with limited force; see
-   * {@link Joint#setTarget}. The spring that does it has 5 hertz and is critically damped unless
-   * {@link #spring} says otherwise.
+   * Makes the definition of a mouse joint, which draws a point of a body to a target with limited
+   * force. The target is at first that point itself; see {@link Joint#setTarget}. The spring of the
+   * joint has 5 hertz and is critically damped unless {@link #spring} says otherwise.
    *
-   * @param body what is dragged
-   * @param x where it is held, m, world
-   * @param y where it is held, m, world
+   * @param body the body that is dragged
+   * @param x x of the point, m, world
+   * @param y y of the point, m, world
    * @param maxForce N
    * @param <T> the user's type
    * @return a definition
@@ -232,14 +240,14 @@ public final class JointDef<T> {
   }
 
   /**
-   * Two gears: from now on B turns {@code ratio} times what A turns. Two wheels that mesh have the
-   * ratio -radiusA / radiusB, a belt between them the positive one. Each needs a hinge of its own
-   * that holds it. Full turns are counted, so nothing drifts. {@link Joint#torque} is that on B; A
-   * feels -ratio times that.
+   * Makes the definition of a gear joint: B turns {@code ratio} times as far as A. Two wheels that
+   * mesh have the ratio -radiusA / radiusB; a belt between them has the positive one. Each body
+   * needs a revolute joint of its own that holds it. Full turns are counted, so nothing drifts.
+   * {@link Joint#torque} is the torque on B; A feels -ratio times that.
    *
-   * @param bodyA the one that counts
-   * @param bodyB the other one
-   * @param ratio within 1e4, not 0
+   * @param bodyA the first body, whose rotation is the reference
+   * @param bodyB the second body
+   * @param ratio turns of B per turn of A, its size 1e-4..1e4
    * @param <T> the user's type
    * @return a definition
    */
@@ -248,15 +256,15 @@ public final class JointDef<T> {
   }
 
   /**
-   * Rack and pinion: from now on B moves {@code ratio} metres along an axis per radian that A
-   * turns. A wheel of radius r that runs on top of a rack moves it by r along x, one that runs
-   * below it by -r. A needs a hinge and B a slider that hold them.
+   * Makes the definition of a rack and pinion: B moves {@code ratio} metres along an axis per
+   * radian that A turns. A wheel of radius r on top of a rack moves it by r along x; one below it
+   * moves it by -r. A needs a revolute joint and B a prismatic joint that hold them.
    *
    * @param bodyA the pinion
    * @param bodyB the rack; the axis turns with it
-   * @param axisX direction, world; any length
-   * @param axisY direction, world
-   * @param ratio m/rad, within 1e4, not 0
+   * @param axisX x of the direction, world; its length is 1e-6..1e6
+   * @param axisY y of the direction, world
+   * @param ratio m/rad, its size 1e-4..1e4
    * @param <T> the user's type
    * @return a definition
    */
@@ -268,23 +276,24 @@ public final class JointDef<T> {
   }
 
   /**
-   * A pulley: a rope from A up to a point of the world, over to another one, and down to B. The sum
-   * {@code lengthA + ratio lengthB} stays as it is now; with a ratio of n, B hangs in n strands.
-   * Without limits it is a rod that also pushes; {@code limits(0, length)} makes it a rope, which
-   * only pulls, {@link #spring} makes it elastic. {@link Joint#forceX} is the force on B, A's rope
-   * pulls with 1 / ratio of it. The bodies collide unless {@link #collideConnected} says otherwise.
+   * Makes the definition of a pulley: a rope from A up to a point of the world, over to another
+   * one, and down to B. The sum {@code lengthA + ratio lengthB} stays as it is when the joint is
+   * created; with a ratio of n, B hangs in n strands. Without limits the pulley also pushes, like a
+   * rod. {@code limits(0, length)} makes it a rope, which only pulls, and {@link #spring} makes it
+   * elastic. {@link Joint#forceX} is the force on B; A's rope pulls with 1 / ratio of it. The
+   * bodies collide unless {@link #collideConnected} says otherwise.
    *
-   * @param bodyA a body
-   * @param bodyB the other one
-   * @param ax where the rope holds A, m, world
-   * @param ay where the rope holds A, m, world
-   * @param bx where the rope holds B, m, world
-   * @param by where the rope holds B, m, world
-   * @param groundAx where A's rope goes, m, world
-   * @param groundAy where A's rope goes, m, world
-   * @param groundBx where B's rope goes, m, world
-   * @param groundBy where B's rope goes, m, world
-   * @param ratio more than 0, within 1e4
+   * @param bodyA the first body
+   * @param bodyB the second body
+   * @param ax x of the point where the rope holds A, m, world
+   * @param ay y of the point where the rope holds A, m, world
+   * @param bx x of the point where the rope holds B, m, world
+   * @param by y of the point where the rope holds B, m, world
+   * @param groundAx x of the world point that the rope runs to from A, m
+   * @param groundAy y of the world point that the rope runs to from A, m
+   * @param groundBx x of the world point that the rope runs to from B, m
+   * @param groundBy y of the world point that the rope runs to from B, m
+   * @param ratio 1e-4..1e4
    * @param <T> the user's type
    * @return a definition
    */
@@ -342,11 +351,11 @@ public final class JointDef<T> {
   }
 
   /**
-   * Drives the speed of the coordinate: the angle of a revolute joint, the translation of a
-   * prismatic joint, the rotation of a wheel.
+   * Adds a motor that drives the angle of a revolute joint, the translation of a prismatic joint,
+   * or the rotation of a wheel.
    *
-   * @param speed m/s or rad/s
-   * @param max the most it gives for that, N or N m
+   * @param speed target speed, m/s or rad/s
+   * @param max largest force or torque of the motor, N or N m
    * @return this
    */
   public JointDef<T> motor(float speed, float max) {
@@ -359,11 +368,12 @@ public final class JointDef<T> {
 
   /**
    * Puts a spring on the coordinate, or on the point of a weld, motor or mouse joint. Its stiffness
-   * is {@code m (2 pi hertz)^2} with the mass m that the joint feels, so that it swings with that
-   * frequency whatever the bodies weigh.
+   * is {@code m (2 pi hertz)^2} with the effective mass m of the joint, so it swings with that
+   * frequency whatever the masses of the bodies.
    *
-   * @param newHertz 1/s, 0 to 1000; beyond a twelfth of the substep rate it is damped additionally
-   * @param dampingRatio 0 swings for ever, 1 just doesn't overshoot
+   * @param newHertz frequency, 1/s, 0..1000; beyond a twelfth of the substep rate the spring is
+   *     damped additionally
+   * @param dampingRatio 0..100; 0 swings for ever, 1 just doesn't overshoot
    * @return this
    */
   public JointDef<T> spring(float newHertz, float dampingRatio) {
@@ -377,8 +387,8 @@ public final class JointDef<T> {
   /**
    * Puts a spring on the angle of a weld or motor joint.
    *
-   * @param newHertz 1/s, 0 to 1000; 0 makes a weld rigid
-   * @param dampingRatio 0 swings for ever, 1 just doesn't overshoot
+   * @param newHertz frequency, 1/s, 0..1000; 0 makes a weld rigid
+   * @param dampingRatio 0..100; 0 swings for ever, 1 just doesn't overshoot
    * @return this
    */
   public JointDef<T> angularSpring(float newHertz, float dampingRatio) {
@@ -389,7 +399,8 @@ public final class JointDef<T> {
   }
 
   /**
-   * Sets where the spring is at ease, and the length of a rod; default: as it is now.
+   * Sets the rest value of the coordinate: where the spring exerts no force, or the length of a
+   * rod. The default is the value that the coordinate has when the joint is created.
    *
    * @param coordinate m or rad, see {@link JointType}
    * @return this
@@ -402,8 +413,8 @@ public final class JointDef<T> {
   }
 
   /**
-   * Sets what the joint bears; beyond, it breaks: it is destroyed at the end of the step, and the
-   * {@link JointListener} hears it.
+   * Sets the force and the torque above which the joint breaks. A joint that breaks is destroyed at
+   * the end of the step, and the {@link JointListener} is called.
    *
    * @param force N, 0 or more; infinite by default
    * @param torque N m, 0 or more; infinite by default
@@ -416,7 +427,8 @@ public final class JointDef<T> {
   }
 
   /**
-   * Sets whether the two bodies collide with each other; default false.
+   * Sets whether the two bodies collide with each other. The default is false, except for pulley
+   * and mouse joints.
    *
    * @param collide true if they do
    * @return this
@@ -426,7 +438,7 @@ public final class JointDef<T> {
     return this;
   }
 
-  /** As {@link JointStore} keeps them. */
+  /** Returns the flags of {@link JointStore} for this definition. */
   byte flags() {
     return (byte)
         ((collideConnected ? JointStore.COLLIDE : 0)
@@ -444,17 +456,17 @@ public final class JointDef<T> {
     };
   }
 
-  /** Whether a hinge must count turns to get to an angle. */
+  /** Returns whether a revolute joint must count full turns to reach an angle, rad. */
   static boolean windsBeyond(float angle) {
     return Math.abs(angle) > Trig.PI;
   }
 
-  /** Largest coordinate that can be asked for. */
+  /** Returns the largest coordinate that limits and rest may have, m or rad. */
   static float most(JointType type) {
     return type == JointType.REVOLUTE ? MAX_ANGLE : MAX_LENGTH;
   }
 
-  /** Smallest coordinate that can be asked for. */
+  /** Returns the smallest coordinate that limits and rest may have, m or rad. */
   static float least(JointType type) {
     return type == JointType.DISTANCE || type == JointType.PULLEY ? 0 : -most(type);
   }
@@ -477,7 +489,7 @@ public final class JointDef<T> {
     return type != JointType.GEAR && type != JointType.RACK;
   }
 
-  /** Whether the spring is one of several things on the coordinate that can be missing. */
+  /** Returns whether the spring is optional and acts on the coordinate, beside limits. */
   static boolean hasCoordinateSpring(JointType type) {
     return hasLimits(type);
   }

@@ -1,15 +1,15 @@
 package carom.physics;
 
 /**
- * Hears about joints during {@link World#step}; see {@link World#jointListener}.
+ * Receives the joints that break during {@link World#step}; see {@link World#jointListener}.
  *
  * @param <T> the user's type of {@link Body#user()}
  */
 @FunctionalInterface
 public interface JointListener<T> {
   /**
-   * A joint exceeded its limit of force or torque; called at the end of the step in the order of
-   * the joints' indices. It is destroyed when the step is over.
+   * Receives a joint that exceeded its limit of force or torque. Called at the end of the step, in
+   * the order of the joints' indices. The joint is destroyed when the step is over.
    *
    * <p>The same is allowed as in a {@link CollisionListener}.
    *

@@ -3,7 +3,7 @@ package carom.physics;
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.dynamics.joint.JointStore;
 
-/** Turns points and angles of the world, as definitions give them, into those of bodies' frames. */
+/** Fills in new joints: turns the world coordinates of definitions into those of bodies' frames. */
 final class JointMaker {
   private final BodyStore store;
   private final JointStore joints;
@@ -13,7 +13,7 @@ final class JointMaker {
     this.joints = joints;
   }
 
-  /** Fills a new joint in. */
+  /** Fills in a new joint from its definition. */
   void fill(int j, JointDef<?> d) {
     int a = joints.bodyA[j];
     int b = joints.bodyB[j];
@@ -47,7 +47,7 @@ final class JointMaker {
     joints.breakTorque[j] = d.breakTorque;
   }
 
-  /** Takes over where the coordinates of gear, rack and pulley count from. */
+  /** Sets the reference from which the coordinates of gear, rack and pulley count. */
   private void couple(JointDef<?> d, int j) {
     joints.ratio[j] = d.ratio;
     joints.baseAx[j] = d.baseAx;
@@ -76,7 +76,7 @@ final class JointMaker {
     return (float) Math.sqrt(x * x + y * y);
   }
 
-  /** A point of the world in a body's frame. */
+  /** Returns the x coordinate of a world point in a body's frame. */
   private float localX(int body, float x, float y) {
     float dx = x - store.x[body];
     float dy = y - store.y[body];

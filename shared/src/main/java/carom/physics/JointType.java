@@ -1,6 +1,6 @@
 package carom.physics;
 
-/** What a {@link Joint} does to its two bodies; see the factories of {@link JointDef}. */
+/** The type of a {@link Joint}, which says how it connects its bodies; see {@link JointDef}. */
 public enum JointType {
   /** Two points coincide. The coordinate is the angle, rad. */
   REVOLUTE,

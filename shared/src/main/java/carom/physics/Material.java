@@ -3,19 +3,20 @@ package carom.physics;
 import carom.physics.math.Limits;
 
 /**
- * What a shape is made of. Two touching shapes mix: friction is {@code sqrt(f1 f2)}, restitution is
- * {@code max(r1, r2)}, rolling resistance is {@code max(c1, c2)}, tangent speeds act both.
+ * The surface and density of a shape. The materials of two touching shapes are mixed: friction is
+ * {@code sqrt(f1 f2)}, restitution is {@code max(r1, r2)}, rolling resistance is {@code max(c1,
+ * c2)}, and both tangent speeds act.
  *
- * @param density mass per area, kg/m^2, 0 to 1e9; only used by dynamic bodies
- * @param friction Coulomb coefficient, 0 (ice) to 100; 0.6 is wood on wood
- * @param restitution speed after a bounce by the speed before, 0 (clay) to 1 (no loss); up to 2 for
- *     bumpers that add energy
- * @param rollingResistance torque against rolling, by load and the larger radius of the two shapes,
- *     0 to 10; a disc stays on slopes up to {@code tan(angle) = c}, and on the flat loses {@code
- *     2/3 c g} of its speed per second. Nothing for shapes without a radius
- * @param tangentSpeed speed of the surface along itself, m/s, -1e5 to 1e5: a conveyor belt.
- *     Positive runs clockwise around the shape, so that its upper side runs to the right
- * @param tag a number with a meaning of the user's own, such as a sound; the engine ignores it
+ * @param density mass per area, kg/m^2, 0..1e9; only used by dynamic bodies
+ * @param friction Coulomb coefficient, 0..100; 0 is ice, 0.6 is wood on wood
+ * @param restitution ratio of the speed after a bounce to the speed before, 0..2; 0 is clay, 1
+ *     loses nothing, more suits bumpers that add energy
+ * @param rollingResistance torque against rolling, divided by the load and the larger radius of the
+ *     two shapes, 0..10; a disc stays on slopes up to {@code tan(angle) = c}, and on the flat loses
+ *     {@code 2/3 c g} of its speed per second. It has no effect on shapes without a radius
+ * @param tangentSpeed speed of the surface along itself, m/s, -1e5..1e5, as of a conveyor belt. A
+ *     positive speed runs clockwise around the shape, so its upper side runs to the right
+ * @param tag a number for the using program, such as a sound; the engine ignores it
  */
 public record Material(
     float density,
@@ -24,11 +25,11 @@ public record Material(
     float rollingResistance,
     float tangentSpeed,
     int tag) {
-  /** Density 1, friction 0.6, restitution 0: a wooden toy. */
+  /** The default material, like a wooden toy: density 1, friction 0.6, restitution 0. */
   public static final Material DEFAULT = new Material(1, 0.6f, 0);
 
   /**
-   * Checks the ranges.
+   * Makes a material and checks the ranges.
    *
    * @throws IllegalArgumentException naming the value that is not finite or out of range
    */
@@ -41,7 +42,7 @@ public record Material(
   }
 
   /**
-   * A material that rolls freely and whose surface is at rest, with tag 0.
+   * Makes a material with no rolling resistance, no tangent speed and tag 0.
    *
    * @param density kg/m^2
    * @param friction Coulomb coefficient
@@ -52,7 +53,7 @@ public record Material(
   }
 
   /**
-   * The same with another density.
+   * Returns a copy with another density.
    *
    * @param newDensity kg/m^2
    * @return a changed copy
@@ -62,7 +63,7 @@ public record Material(
   }
 
   /**
-   * The same with another friction.
+   * Returns a copy with another friction.
    *
    * @param newFriction Coulomb coefficient
    * @return a changed copy
@@ -72,7 +73,7 @@ public record Material(
   }
 
   /**
-   * The same with another restitution.
+   * Returns a copy with another restitution.
    *
    * @param newRestitution 0 to 2
    * @return a changed copy
@@ -82,7 +83,7 @@ public record Material(
   }
 
   /**
-   * The same with another rolling resistance.
+   * Returns a copy with another rolling resistance.
    *
    * @param newRollingResistance 0 to 10
    * @return a changed copy
@@ -92,7 +93,7 @@ public record Material(
   }
 
   /**
-   * The same with another speed of the surface.
+   * Returns a copy with another tangent speed.
    *
    * @param newTangentSpeed m/s, positive runs clockwise around the shape
    * @return a changed copy
@@ -102,9 +103,9 @@ public record Material(
   }
 
   /**
-   * The same with another tag.
+   * Returns a copy with another tag.
    *
-   * @param newTag the user's own number
+   * @param newTag number for the using program
    * @return a changed copy
    */
   public Material withTag(int newTag) {

@@ -3,22 +3,22 @@ package carom.physics;
 import carom.physics.math.Transform;
 
 /**
- * Where bodies were or will be, for questions about a world at another time; see {@link
- * World#queries(Poses)}.
+ * The poses of bodies at another time, for queries about the past or the future of a world; see
+ * {@link World#queries(Poses)}.
  */
 public interface Poses {
   /**
-   * How far any point of any body may be from where it is now, metres, 0 or more. Questions cost
-   * more the larger it is; what is farther away may be overlooked.
+   * Returns the largest distance, m, 0 or more, between any point of any body in these poses and
+   * now. Queries cost more the larger it is. They may overlook bodies that are farther away.
    */
   float reach();
 
   /**
-   * Where one body is.
+   * Writes the pose of one body.
    *
-   * @param body its index, see {@link Body#index}
-   * @param out receives the pose of its origin
-   * @return false when it isn't there
+   * @param body the body's slot, see {@link Body#index}
+   * @param out receives the pose of the body's origin
+   * @return false if the body isn't there at that time
    */
   boolean place(int body, Transform out);
 }

@@ -16,23 +16,25 @@ import carom.physics.math.Transform;
 import java.util.Arrays;
 
 /**
- * Questions about a world: what is in the way, what is here, what is nearest. Answered by the
- * KD-trees and then exactly, shape by shape.
+ * Queries about the bodies of a world: casts, overlaps and nearest points. The broadphase's
+ * KD-trees find candidates, which are then tested exactly, shape by shape.
  *
- * <p><b>Order.</b> Casts find what comes first; of equal fractions the body with the smaller index,
- * then the earlier part of it. "All" visits every body once, at its first touch, in this order, and
- * a visitor that returns false clips the rest. Overlaps come by ascending body index. The order
+ * <p><b>Order.</b> Casts find the nearest hit; of equal fractions they take the body with the
+ * smaller index, then its earlier part. "All" methods visit every body once, at its first touch, in
+ * this order, until the visitor returns false. Overlaps come by ascending body index. The order
  * never depends on the shape of a tree, so queries may steer a simulation.
  *
- * <p><b>Filters.</b> A filter of null sees everything but sensors; a given one decides alone.
+ * <p><b>Filters.</b> A null filter accepts everything but sensors. A filter that is given decides
+ * alone.
  *
  * <p><b>Beginning inside.</b> A cast that begins inside a shape or touching it hits it at fraction
- * 0 with normal (0, 0); filter out the body that asks.
+ * 0 with normal (0, 0). Filter out the body that the cast starts from.
  *
- * <p>Also in collision callbacks. One thread at a time, and not within another query's filter or
- * visitor. Allocates nothing once it has seen its largest answer. Coordinates are m, world axes.
+ * <p>Queries may be made in collision callbacks, too, but not within another query's filter or
+ * visitor. Only one thread may use the object at a time. A query allocates nothing unless its
+ * answer is larger than all before. Coordinates are m, world axes.
  *
- * <p><b>Length.</b> All questions share one search and its scratch memory, which is why they are in
+ * <p><b>Length.</b> All queries share one search and its scratch memory, which is why they are in
  * one class; a third of it is doc comments.
  *
  * @param <T> the world's user type
@@ -52,7 +54,7 @@ public final class Queries<T> {
     ALL
   }
 
-  /** A way that ends just behind the nearest hit, so that equal fractions are found too. */
+  /** Factor that ends the search just behind the nearest hit, so that equal fractions are found. */
   private static final float BEHIND = 1.0001f;
 
   private static final int PART_BITS = BodyStore.PART_BITS;
@@ -75,7 +77,7 @@ public final class Queries<T> {
   private final CastVisitor onCast = this::candidate;
   private final IntVisitor onBox = part -> candidate(part, 1) >= 0;
 
-  // The question being answered.
+  // The current query.
   private Kind kind = Kind.RAY;
   private Mode mode = Mode.CLOSEST;
   private QueryFilter<T> filter;
@@ -92,13 +94,13 @@ public final class Queries<T> {
   private long[] keys = new long[16];
   private int keyCount;
 
-  /** Per body: the last question in which it was visited. */
+  /** Per body slot: the number of the last query that visited it. */
   private int[] visited = new int[0];
 
   private int question;
 
   /**
-   * @param poses where the bodies are; null for where they are now
+   * @param poses poses of the bodies; null for those they have now
    */
   Queries(World<T> world, Poses poses) {
     this.world = world;
@@ -110,15 +112,15 @@ public final class Queries<T> {
   // ---------------------------------------------------------------- rays
 
   /**
-   * What a ray meets first.
+   * Finds the first hit of a ray.
    *
-   * @param x start
-   * @param y start
-   * @param wayX way along x
-   * @param wayY way along y
+   * @param x x of the start
+   * @param y y of the start
+   * @param wayX x component of the way from start to end
+   * @param wayY y component of the way from start to end
    * @param whom chooses shapes, null for all but sensors
-   * @param out receives the hit; untouched when there is none
-   * @return whether anything is in the way
+   * @param out receives the hit; unchanged if there is none
+   * @return true if the ray hits a shape
    */
   public boolean rayClosest(
       float x, float y, float wayX, float wayY, QueryFilter<T> whom, QueryHit<T> out) {
@@ -127,10 +129,10 @@ public final class Queries<T> {
   }
 
   /**
-   * Whether anything is in the way of a ray; cheaper than knowing what. Parameters as {@link
-   * #rayClosest}.
+   * Returns whether a ray hits anything, which is cheaper than finding the first hit. Parameters
+   * are as in {@link #rayClosest}.
    *
-   * @return true if there is
+   * @return true if the ray hits a shape
    */
   public boolean rayAny(float x, float y, float wayX, float wayY, QueryFilter<T> whom) {
     askRay(Mode.ANY, x, y, wayX, wayY, whom);
@@ -138,8 +140,8 @@ public final class Queries<T> {
   }
 
   /**
-   * Everything a ray meets, from near to far, until the visitor returns false. Parameters as {@link
-   * #rayClosest}.
+   * Visits every body that a ray hits, from near to far, until the visitor returns false. Other
+   * parameters are as in {@link #rayClosest}.
    *
    * @param visitor receives each body once, at the ray's first touch
    */
@@ -157,15 +159,15 @@ public final class Queries<T> {
   // ---------------------------------------------------------------- moving shapes
 
   /**
-   * What a shape meets first when it moves without turning.
+   * Finds the first hit of a shape that moves without turning.
    *
-   * @param moving the shape
+   * @param moving the moving shape
    * @param from its pose at the start, read only
-   * @param wayX way along x
-   * @param wayY way along y
+   * @param wayX x component of the way from start to end
+   * @param wayY y component of the way from start to end
    * @param whom chooses shapes, null for all but sensors
-   * @param out receives the hit; untouched when there is none
-   * @return whether anything is in the way
+   * @param out receives the hit; unchanged if there is none
+   * @return true if the moving shape hits another
    */
   public boolean shapeClosest(
       Shape moving, Transform from, float wayX, float wayY, QueryFilter<T> whom, QueryHit<T> out) {
@@ -174,9 +176,9 @@ public final class Queries<T> {
   }
 
   /**
-   * Whether anything is in the way of a moving shape. Parameters as {@link #shapeClosest}.
+   * Returns whether a moving shape hits anything. Parameters are as in {@link #shapeClosest}.
    *
-   * @return true if there is
+   * @return true if the moving shape hits another
    */
   public boolean shapeAny(
       Shape moving, Transform from, float wayX, float wayY, QueryFilter<T> whom) {
@@ -185,8 +187,8 @@ public final class Queries<T> {
   }
 
   /**
-   * Everything a moving shape meets, as if nothing stopped it, from near to far, until the visitor
-   * returns false. Parameters as {@link #shapeClosest}.
+   * Visits every body that a moving shape hits, as if nothing stopped it, from near to far, until
+   * the visitor returns false. Other parameters are as in {@link #shapeClosest}.
    *
    * @param visitor receives each body once, at the first touch
    */
@@ -210,16 +212,16 @@ public final class Queries<T> {
   // ---------------------------------------------------------------- moving boxes
 
   /**
-   * Whose bounding box a moving box with fixed axes meets first: coarser than {@link
+   * Finds the first bounding box that a moving axis-aligned box hits. This is coarser than {@link
    * #shapeClosest}, and cheaper.
    *
    * @param area the box at the start, read only
-   * @param wayX way along x
-   * @param wayY way along y
+   * @param wayX x component of the way from start to end
+   * @param wayY y component of the way from start to end
    * @param whom chooses shapes, null for all but sensors
-   * @param out receives the hit, the point being the middle of where the boxes touch; untouched
-   *     when there is none
-   * @return whether anything is in the way
+   * @param out receives the hit, with the middle of where the boxes touch as its point; unchanged
+   *     if there is none
+   * @return true if the moving box hits another
    */
   public boolean boxClosest(
       Aabb area, float wayX, float wayY, QueryFilter<T> whom, QueryHit<T> out) {
@@ -228,10 +230,9 @@ public final class Queries<T> {
   }
 
   /**
-   * Whether the bounding box of anything is in the way of a moving box. Parameters as {@link
-   * #boxClosest}.
+   * Returns whether a moving box hits any bounding box. Parameters are as in {@link #boxClosest}.
    *
-   * @return true if there is
+   * @return true if the moving box hits another
    */
   public boolean boxAny(Aabb area, float wayX, float wayY, QueryFilter<T> whom) {
     askBox(Mode.ANY, area, wayX, wayY, whom);
@@ -239,8 +240,8 @@ public final class Queries<T> {
   }
 
   /**
-   * Every body whose bounding box a moving box meets, from near to far, until the visitor returns
-   * false. Parameters as {@link #boxClosest}.
+   * Visits every body whose bounding box a moving box hits, from near to far, until the visitor
+   * returns false. Other parameters are as in {@link #boxClosest}.
    *
    * @param visitor receives each body once, at the first touch
    */
@@ -265,7 +266,7 @@ public final class Queries<T> {
   // ---------------------------------------------------------------- places
 
   /**
-   * The bodies that overlap or touch a shape in a pose.
+   * Visits the bodies that overlap or touch a shape in a pose.
    *
    * @param area the shape
    * @param at its pose, read only
@@ -280,10 +281,10 @@ public final class Queries<T> {
   }
 
   /**
-   * The bodies that contain a point, borders included.
+   * Visits the bodies that contain a point, borders included.
    *
-   * @param x the point
-   * @param y the point
+   * @param x x of the point
+   * @param y y of the point
    * @param whom chooses shapes, null for all but sensors
    * @param visitor receives each body once, by ascending index
    */
@@ -293,15 +294,15 @@ public final class Queries<T> {
   }
 
   /**
-   * The point of any shape that is nearest to a point.
+   * Finds the point of any shape that is nearest to a given point.
    *
-   * @param x the point
-   * @param y the point
-   * @param radius how far to look, 0 or more
+   * @param x x of the given point
+   * @param y y of the given point
+   * @param radius largest distance, 0..1e7
    * @param whom chooses shapes, null for all but sensors
-   * @param out receives body, point, distance, and the normal towards the asker; inside a shape
-   *     distance and normal are 0; untouched when there is nothing
-   * @return whether anything is within the radius
+   * @param out receives body, nearest point, distance, and the normal towards the given point;
+   *     inside a shape distance and normal are 0; unchanged if nothing is found
+   * @return true if a shape is within the radius
    */
   public boolean nearest(float x, float y, float radius, QueryFilter<T> whom, QueryHit<T> out) {
     askPoint(x, y, Limits.range("radius", radius, 0, Limits.MAX_COORDINATE), Mode.CLOSEST, whom);
@@ -355,7 +356,7 @@ public final class Queries<T> {
     }
   }
 
-  /** The trees know where bodies are now: what is elsewhere is found by looking farther. */
+  /** Grows the search box by {@link Poses#reach}, because the trees hold the poses of now. */
   private void widen() {
     search.set(startBox.minX, startBox.minY, startBox.maxX, startBox.maxY);
     if (poses != null) {
@@ -372,7 +373,7 @@ public final class Queries<T> {
     }
   }
 
-  /** Looks at a part the trees found; answers where the search ends now. */
+  /** Tests a part that the trees found, and returns the fraction at which the search ends now. */
   private float candidate(int part, float unused) {
     int slot = parts.bodyOf(part);
     int number = parts.shapeOf(part);
@@ -397,7 +398,7 @@ public final class Queries<T> {
     return end;
   }
 
-  /** Where the question meets one part: fills {@link #hit}, the fraction being what sorts. */
+  /** Tests the query against one part and fills {@link #hit}; hits are sorted by its fraction. */
   private boolean measure(int part, int slot) {
     Convex convex = parts.convexOf(part);
     if (poses == null) {
@@ -452,7 +453,7 @@ public final class Queries<T> {
     return false;
   }
 
-  /** Two slabs; the one entered last tells the side. */
+  /** Sweeps the box through the slabs of both axes; the slab entered last gives the normal. */
   private boolean measureBox(int part, Convex convex) {
     if (poses == null) {
       parts.boxOf(part, false, box);
@@ -518,7 +519,7 @@ public final class Queries<T> {
         from);
   }
 
-  /** Hands everything found to the visitor, in order, each body once. */
+  /** Passes all hits to the visitor, in order, each body once. */
   private void visitAll(QueryVisitor<T> visitor) {
     if (visited.length < store.slots()) {
       visited = new int[Math.max(store.slots(), visited.length * 2)];

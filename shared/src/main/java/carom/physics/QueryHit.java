@@ -3,7 +3,7 @@ package carom.physics;
 import carom.physics.collision.distance.CastHit;
 
 /**
- * What a query found. Mutable and reused; made by the caller or handed to a visitor.
+ * The hit of a query. It is mutable and reused: the caller creates one, or a visitor receives one.
  *
  * @param <T> the world's user type
  */
@@ -17,76 +17,76 @@ public final class QueryHit<T> {
   private float normalX;
   private float normalY;
 
-  /** Makes an empty result. */
+  /** Makes an empty hit. */
   public QueryHit() {}
 
   /**
-   * Who was hit.
+   * Returns the body that was hit.
    *
-   * @return the body, null when nothing was found yet
+   * @return the body, null if nothing was found yet
    */
   public Body<T> body() {
     return body;
   }
 
   /**
-   * Which of the body's shapes.
+   * Returns which of the body's shapes was hit.
    *
-   * @return its number, see {@link Body#shape}
+   * @return number of the shape, see {@link Body#shape}
    */
   public int shape() {
     return shape;
   }
 
   /**
-   * Where on the way a cast hit.
+   * Returns the fraction of the way at which a cast hit.
    *
-   * @return 0 at the start, 1 at the end; 0 for other queries
+   * @return 0..1, 0 at the start, 1 at the end; 0 for other queries
    */
   public float fraction() {
     return fraction;
   }
 
   /**
-   * How far away.
+   * Returns the distance to the hit.
    *
-   * @return for casts the way to the hit, for the nearest point its distance; m
+   * @return m; for casts the length of the way to the hit, for the nearest point its distance
    */
   public float distance() {
     return distance;
   }
 
   /**
-   * The point of touch.
+   * Returns the x coordinate of the point that was hit.
    *
-   * @return world x, m
+   * @return m, world
    */
   public float x() {
     return x;
   }
 
   /**
-   * The point of touch.
+   * Returns the y coordinate of the point that was hit.
    *
-   * @return world y, m
+   * @return m, world
    */
   public float y() {
     return y;
   }
 
   /**
-   * Unit normal out of the surface that was hit.
+   * Returns the x component of the unit normal out of the surface that was hit.
    *
-   * @return x; 0 with {@link #normalY} 0 when the query began inside
+   * @return -1..1; both components are 0 if the query began inside
    */
   public float normalX() {
     return normalX;
   }
 
   /**
-   * Unit normal out of the surface that was hit.
+   * Returns the y component of the unit normal out of the surface that was hit.
    *
-   * @return y
+   * @return -1..1; both components are 0 if the query began inside
    */
   public float normalY() {
     return normalY;

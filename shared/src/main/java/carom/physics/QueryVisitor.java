@@ -1,17 +1,18 @@
 package carom.physics;
 
 /**
- * Receives what a query found, in the query's order.
+ * Receives the hits of a query, in the query's order.
  *
  * @param <T> the world's user type
  */
 @FunctionalInterface
 public interface QueryVisitor<T> {
   /**
-   * Called once per body found.
+   * Receives a hit; called once per body found. It must not create or destroy anything, or make
+   * another query.
    *
-   * @param hit reused: copy what you keep; nothing may be created, destroyed or asked again
-   * @return true to go on to what lies behind, false to stop here
+   * @param hit reused for the next hit: copy what you keep
+   * @return true to continue with the next hit, false to stop
    */
   boolean visit(QueryHit<T> hit);
 }

@@ -3,24 +3,24 @@ package carom.physics;
 import carom.physics.geometry.Shape;
 
 /**
- * A shape of a body with what it is made of and whom it meets; immutable.
+ * A shape of a body with its material and its filter. It is immutable.
  *
- * <p>A <b>sensor</b> pushes nothing: the listener hears when something enters it ({@code begin})
- * and leaves it ({@code end}), and {@link Body#forEachOverlap} names what is inside. Sensors notice
- * dynamic bodies' solid shapes, or, on dynamic bodies, all solid shapes; they don't notice each
- * other. They weigh what their density says.
+ * <p>A <b>sensor</b> pushes nothing. The {@link CollisionListener} is called when a shape enters it
+ * ({@code begin}) and leaves it ({@code end}), and {@link Body#forEachOverlap} visits the bodies
+ * inside. A sensor notices solid shapes of dynamic bodies; on a dynamic body it notices all solid
+ * shapes. Sensors don't notice each other. They add mass according to their density.
  *
- * @param shape in the body frame
- * @param material what it is made of
- * @param filter whom it meets
- * @param sensor whether it only notices
+ * @param shape the shape, in the body frame
+ * @param material the shape's material
+ * @param filter says what the shape collides with
+ * @param sensor true if the shape is a sensor
  */
 public record ShapeDef(Shape shape, Material material, Filter filter, boolean sensor) {
 
   /**
-   * Checks that nothing is missing.
+   * Makes a definition and checks that nothing is null.
    *
-   * @throws IllegalArgumentException naming what is null
+   * @throws IllegalArgumentException if an argument is null
    */
   public ShapeDef {
     if (shape == null || material == null || filter == null) {
@@ -30,28 +30,28 @@ public record ShapeDef(Shape shape, Material material, Filter filter, boolean se
   }
 
   /**
-   * A solid shape that meets everything.
+   * Makes the definition of a solid shape with {@link Filter#DEFAULT}.
    *
-   * @param shape in the body frame
-   * @param material what it is made of
+   * @param shape the shape, in the body frame
+   * @param material the shape's material
    */
   public ShapeDef(Shape shape, Material material) {
     this(shape, material, Filter.DEFAULT, false);
   }
 
   /**
-   * A solid shape of {@link Material#DEFAULT} that meets everything.
+   * Makes the definition of a solid shape with {@link Material#DEFAULT} and {@link Filter#DEFAULT}.
    *
-   * @param shape in the body frame
+   * @param shape the shape, in the body frame
    */
   public ShapeDef(Shape shape) {
     this(shape, Material.DEFAULT);
   }
 
   /**
-   * The same of another material.
+   * Returns a copy with another material.
    *
-   * @param newMaterial what it is made of
+   * @param newMaterial the new material
    * @return a changed copy
    */
   public ShapeDef withMaterial(Material newMaterial) {
@@ -59,9 +59,9 @@ public record ShapeDef(Shape shape, Material material, Filter filter, boolean se
   }
 
   /**
-   * The same with another filter.
+   * Returns a copy with another filter.
    *
-   * @param newFilter whom it meets
+   * @param newFilter the new filter
    * @return a changed copy
    */
   public ShapeDef withFilter(Filter newFilter) {
@@ -69,9 +69,9 @@ public record ShapeDef(Shape shape, Material material, Filter filter, boolean se
   }
 
   /**
-   * The same, as a sensor or solid.
+   * Returns a copy that is a sensor or solid.
    *
-   * @param isSensor whether it only notices
+   * @param isSensor true for a sensor, false for a solid shape
    * @return a changed copy
    */
   public ShapeDef withSensor(boolean isSensor) {

@@ -27,23 +27,24 @@ import java.util.function.Consumer;
 import java.util.function.IntFunction;
 
 /**
- * A rigid-body world: create bodies, step, look.
+ * A rigid-body world: it holds bodies and joints, advances them step by step and answers queries.
  *
- * <p>A pure function of its {@link WorldDef} and the calls made: equal calls in equal order give
- * equal bits on every JVM, and {@link #stateHash} proves it. One thread at a time. A steady {@link
- * #step} allocates nothing.
+ * <p>A world is a pure function of its {@link WorldDef} and the calls made. Equal calls in equal
+ * order give equal bits on every JVM, and {@link #stateHash} proves it. Only one thread may use a
+ * world at a time. A steady {@link #step} allocates nothing.
  *
- * <p><b>Length.</b> The class has one method per thing a program may ask of a world; half of it is
- * doc comments. The work is elsewhere: {@code dynamics} steps, {@link Queries} answers, {@code
- * EditQueue} changes bodies, {@code Handles} keeps their objects.
+ * <p><b>Length.</b> The class has one method per operation of a world; half of it is doc comments.
+ * The work is elsewhere: {@code dynamics} steps, {@link Queries} answers, {@code EditQueue} changes
+ * bodies, {@code Handles} keeps their objects.
  *
- * @param <T> what bodies stand for in the user's program, see {@link Body#user()}
+ * @param <T> the type of the objects that bodies stand for in the using program, see {@link
+ *     Body#user()}
  */
 public final class World<T> {
   /**
-   * Changes whenever equal worlds come to behave otherwise than in the version before. States as
-   * bytes, recordings and connections of another version are refused; {@code
-   * carom.net.protocol.Protocol} says the same number.
+   * Version of the simulation's behaviour. It is raised whenever a change makes equal worlds behave
+   * differently. States as bytes, recordings and connections of another version are refused; {@code
+   * carom.net.protocol.Protocol} has the same number.
    */
   public static final int PHYSICS_VERSION = 4;
 
@@ -76,7 +77,7 @@ public final class World<T> {
   /**
    * Makes an empty world.
    *
-   * @param def its constants
+   * @param def constants of the world
    */
   public World(WorldDef def) {
     this.def = def;
@@ -90,7 +91,7 @@ public final class World<T> {
   }
 
   /**
-   * The constants this world was made with.
+   * Returns the constants that this world was made with.
    *
    * @return the definition
    */
@@ -99,29 +100,30 @@ public final class World<T> {
   }
 
   /**
-   * Gravity.
+   * Returns the x component of gravity.
    *
-   * @return x, m/s^2
+   * @return m/s^2
    */
   public float gravityX() {
     return def.gravityX();
   }
 
   /**
-   * Gravity.
+   * Returns the y component of gravity.
    *
-   * @return y, m/s^2
+   * @return m/s^2
    */
   public float gravityY() {
     return def.gravityY();
   }
 
   /**
-   * Makes a body. In a callback, too: it then collides from the next step on.
+   * Creates a body. A callback of a step may do so, too; the body then collides from the next step
+   * on.
    *
-   * @param bodyDef what it is made from; copied
-   * @param user what it stands for, may be null
-   * @return its handle
+   * @param bodyDef definition of the body; copied
+   * @param user object that the body stands for, may be null
+   * @return the body's handle
    * @throws IllegalArgumentException if the shapes of a dynamic body have no mass
    * @throws IllegalStateException during a query
    */
@@ -182,11 +184,12 @@ public final class World<T> {
   }
 
   /**
-   * Removes a body and its joints; touching contacts end first. In a callback this takes effect at
-   * the end of the step, and until then the body stays as it is.
+   * Destroys a body and its joints. Touching contacts end first. In a callback this takes effect at
+   * the end of the step; until then the body stays as it is.
    *
-   * @param body of this world
-   * @throws IllegalStateException if it was destroyed before, or during a query
+   * @param body a body of this world
+   * @throws IllegalStateException if the body was destroyed before, or during a query
+   * @throws IllegalArgumentException if the body belongs to another world
    */
   public void destroyBody(Body<T> body) {
     refuseDuringQuery("destroyBody");
@@ -216,11 +219,11 @@ public final class World<T> {
   }
 
   /**
-   * Makes a joint. In a callback before the solver it acts in this step already; that the bodies no
-   * longer collide takes effect in the next one.
+   * Creates a joint. If a callback before the solver creates it, the joint acts in this step
+   * already, and its bodies stop colliding with each other in the next step.
    *
-   * @param d what it is made from
-   * @return its handle
+   * @param d definition of the joint
+   * @return the joint's handle
    * @throws IllegalStateException if a body was destroyed, or during a query
    */
   public Joint<T> createJoint(JointDef<T> d) {
@@ -249,10 +252,11 @@ public final class World<T> {
   }
 
   /**
-   * Removes a joint; in a callback at the end of the step.
+   * Destroys a joint. In a callback this takes effect at the end of the step.
    *
-   * @param joint of this world
-   * @throws IllegalStateException if it was destroyed before, or during a query
+   * @param joint a joint of this world
+   * @throws IllegalStateException if the joint was destroyed before, or during a query
+   * @throws IllegalArgumentException if the joint belongs to another world
    */
   public void destroyJoint(Joint<T> joint) {
     refuseDuringQuery("destroyJoint");
@@ -264,19 +268,19 @@ public final class World<T> {
   }
 
   /**
-   * The number of joints.
+   * Returns the number of joints.
    *
-   * @return all types together
+   * @return joints of all types together
    */
   public int jointCount() {
     return joints.count();
   }
 
   /**
-   * The joint in a slot.
+   * Returns the joint in a slot.
    *
-   * @param index see {@link Joint#index()}
-   * @return null if there is none
+   * @param index the slot, see {@link Joint#index()}
+   * @return the joint, null if there is none
    */
   public Joint<T> joint(int index) {
     return handles.joint(index);
@@ -285,7 +289,7 @@ public final class World<T> {
   /**
    * Visits all joints by ascending index.
    *
-   * @param visitor receives them
+   * @param visitor receives the joints
    */
   public void forEachJoint(Consumer<Joint<T>> visitor) {
     for (int i = 0; i < joints.slots(); i++) {
@@ -307,9 +311,9 @@ public final class World<T> {
   }
 
   /**
-   * Sets who hears about breaking joints; not part of the state.
+   * Sets the listener that is called when joints break. It is not part of the state.
    *
-   * @param newListener null for nobody
+   * @param newListener the listener, null for none
    */
   public void jointListener(JointListener<T> newListener) {
     jointListener = newListener;
@@ -324,12 +328,13 @@ public final class World<T> {
   }
 
   /**
-   * Advances the world by one tick; see {@link CollisionListener} for what is called when.
+   * Advances the world by one tick. {@link CollisionListener} describes which callbacks are called
+   * when.
    *
    * <p>If a callback throws, the exception leaves this method and the world is in the middle of a
    * step: restore a saved state or give the world up.
    *
-   * @param dtSeconds s, more than 0, at most 0.1; use the same in every step
+   * @param dtSeconds length of the tick, s, more than 0, at most 0.1; use the same in every step
    */
   public void step(float dtSeconds) {
     Limits.timeStep(dtSeconds);
@@ -347,12 +352,12 @@ public final class World<T> {
   }
 
   /**
-   * Sets who helps the thread that calls {@link #step}; not part of the state. Results are the same
-   * bit for bit, with any number of workers or none. Callbacks stay on the calling thread. Steps
-   * with fewer than 500 moving bodies are done by the caller alone.
+   * Sets the workers that help the thread that calls {@link #step}. They are not part of the state.
+   * Results are the same bit for bit, with any number of workers or none. Callbacks stay on the
+   * calling thread. The calling thread does steps with fewer than 500 moving bodies alone.
    *
-   * @param newWorkers null (the default) for nobody; see {@link
-   *     carom.physics.threads.WorkerThreads}. Isn't closed by the world
+   * @param newWorkers the workers, null (the default) for none; see {@link
+   *     carom.physics.threads.WorkerThreads}. The world doesn't close them
    * @throws IllegalStateException in a callback of a step
    */
   public void workers(Workers newWorkers) {
@@ -361,24 +366,25 @@ public final class World<T> {
   }
 
   /**
-   * Sets who hears about collisions; not part of the state.
+   * Sets the listener that is called for collisions. It is not part of the state.
    *
-   * @param newListener null for nobody
+   * @param newListener the listener, null for none
    */
   public void listener(CollisionListener<T> newListener) {
     listener = newListener;
   }
 
   /**
-   * Sets who is told of the stages of a step, to measure them; not part of the state.
+   * Sets the listener that is told of the stages of a step, to measure them. It is not part of the
+   * state.
    *
-   * @param newListener null for nobody, as at the start
+   * @param newListener the listener, null (the default) for none
    */
   public void stageListener(StageListener newListener) {
     dynamics.stageListener(newListener);
   }
 
-  /** Hands the rows of the contact table to the listener. */
+  /** Passes the rows of the contact table to the listener. */
   private final class Events implements ContactEvents {
     @Override
     public void begin(int row) {
@@ -407,18 +413,19 @@ public final class World<T> {
   }
 
   /**
-   * 64 bits that are equal if two worlds made with equal definitions will behave equally: poses,
-   * velocities, pending forces, masses, shapes, contacts and joints with their impulses, and the
-   * order in which slots will be given out. Users, listeners and the broadphase are not in it.
+   * Returns a hash of all state that decides how the world will behave. Two worlds made with equal
+   * definitions that will behave equally have equal hashes. The hash covers poses, velocities,
+   * pending forces, masses, shapes, contacts and joints with their impulses, and the order in which
+   * slots will be given out. It leaves out users, listeners and the broadphase.
    *
-   * @return the hash
+   * @return 64 bits
    */
   public long stateHash() {
     return dynamics.hash();
   }
 
   /**
-   * Copies the state out.
+   * Saves the state of the world.
    *
    * @param reuseOrNull a state of this world to overwrite, or null for a new one
    * @return the state
@@ -433,13 +440,13 @@ public final class World<T> {
   }
 
   /**
-   * Takes a saved state over, bit for bit. Bodies made since are gone, bodies destroyed since are
-   * back with their handles and users. No callback is called.
+   * Restores a saved state, bit for bit. Bodies created since are gone, and bodies destroyed since
+   * are back with their handles and users. No callback is called.
    *
-   * <p>A handle from a future that was undone may be valid again, when that future comes once more:
-   * it then means the body that was created in the same way.
+   * <p>A handle from an undone future may become valid again when that future is replayed. It then
+   * means the body that was created in the same way.
    *
-   * @param s made by {@link #save} of this world; stays as it is
+   * @param s a state made by {@link #save} or {@link #read} of this world; stays as it is
    */
   public void restore(WorldState s) {
     refuseDuringStep("restore");
@@ -451,19 +458,20 @@ public final class World<T> {
   }
 
   /**
-   * Reads a state that {@link WorldState#write} has written, in this or another program, to be
-   * taken over by {@link #restore}: bodies keep their slots and generations, and from then on this
-   * world goes on like the one it was saved from, to the bit. Bodies and joints that this world has
-   * under the same slot and generation keep their handles, unless they shall stand for another
-   * user.
+   * Reads a state that {@link WorldState#write} has written, in this or another program. {@link
+   * #restore} then restores it: bodies keep their slots and generations, and this world continues
+   * like the one that was saved, to the bit. Bodies and joints that this world has under the same
+   * slot and generation keep their handles. A body that shall stand for another user gets a new
+   * handle.
    *
-   * <p>Trusts nothing: whatever the bytes are, they make a state that can be stepped or are
-   * refused, and memory stays in proportion to them, but for parts of shapes, which are at most
-   * 2^20. The world isn't touched.
+   * <p>The bytes need not be trusted: they either make a state that can be stepped or are refused.
+   * Memory stays in proportion to them, except for the parts of shapes, which are at most 2^20. The
+   * world isn't touched.
    *
-   * @param archive from where the state begins; read up to its end
-   * @param users what bodies stand for, by slot; null for what they stand for here
-   * @return the state, of this world
+   * @param archive positioned at the start of the state; read up to its end
+   * @param users returns the user of the body in a slot; a null user means the one that the body
+   *     has here
+   * @return the state, which belongs to this world
    * @throws ArchiveException if the bytes are damaged, of another physics version, or of a world
    *     with another definition
    */
@@ -475,11 +483,11 @@ public final class World<T> {
   }
 
   /**
-   * A body of a state of this world.
+   * Returns a body of a saved state of this world.
    *
-   * @param s made by {@link #save} or {@link #read}
-   * @param index its slot
-   * @return its handle, valid once the state is restored; null if there is none
+   * @param s a state made by {@link #save} or {@link #read}
+   * @param index the body's slot
+   * @return the body's handle, valid once the state is restored; null if there is none
    */
   @SuppressWarnings("unchecked")
   public Body<T> bodyIn(WorldState s, int index) {
@@ -488,13 +496,14 @@ public final class World<T> {
   }
 
   /**
-   * Reads the exact state of some bodies and of their contacts, to be carried to another world.
+   * Reads the exact state of some bodies and of their contacts, so that another world can take it
+   * over.
    *
-   * <p>A contact with a body that is neither listed nor static is left out. The rows then go on as
-   * this world does only until that body matters.
+   * <p>A contact with a body that is neither listed nor static is left out. The rows then behave as
+   * in this world only until that body matters.
    *
-   * @param rows lists the bodies, see {@link ExactRows#addBody}; receives all but what belongs to
-   *     the using program
+   * @param rows lists the bodies, see {@link ExactRows#addBody}; receives their state except for
+   *     what belongs to the using program
    * @return number of contacts left out
    */
   public int readRows(ExactRows rows) {
@@ -503,13 +512,15 @@ public final class World<T> {
   }
 
   /**
-   * Gives new bodies the exact state that others have in another world, with their contacts. From
-   * now on both go on alike, to the bit, as long as nothing else reaches them.
+   * Gives new bodies the exact state and the contacts of bodies of another world. From now on both
+   * behave alike, to the bit, as long as nothing else reaches them.
    *
-   * <p>A contact whose end is no body of this world, or has no such part, is left out.
+   * <p>A contact is left out if one of its ends is not a body of this world, or the body lacks the
+   * part.
    *
-   * @param rows stands for bodies that were created here since the last step and are awake, of the
-   *     same kinds and in the same order as those it was read from; see {@link ExactRows#setSlot}
+   * @param rows exact state of bodies that were created here since the last step and are awake.
+   *     They have the same kinds and the same order as those the rows were read from; see {@link
+   *     ExactRows#setSlot}
    */
   public void writeRows(ExactRows rows) {
     refuseDuringStep("writeRows");
@@ -523,18 +534,19 @@ public final class World<T> {
     }
   }
 
-  /** Numbers that {@link #readMotions} tells of each body. */
+  /** Number of values that {@link #readMotions} writes for each body. */
   public static final int MOTION = 7;
 
   /**
-   * Writes where bodies are and how they move: the same numbers as {@link Body#x}, {@link Body#y},
-   * {@link Body#cos}, {@link Body#sin}, {@link Body#velocityX}, {@link Body#velocityY} and {@link
-   * Body#angularVelocity}, for whoever wants those of thousands.
+   * Copies the poses and velocities of a range of slots into arrays. The values are those of {@link
+   * Body#x}, {@link Body#y}, {@link Body#cos}, {@link Body#sin}, {@link Body#velocityX}, {@link
+   * Body#velocityY} and {@link Body#angularVelocity}. Use it to read thousands of bodies at once.
    *
-   * @param from the first one's {@link Body#index}, not negative
-   * @param n how many slots in a row, which may be unused: then their numbers mean nothing
-   * @param to {@link #MOTION} arrays, in this order, that receive n numbers each
-   * @throws IndexOutOfBoundsException if one is shorter, or a slot is not below {@link #slotCount}
+   * @param from first slot, see {@link Body#index}; not negative
+   * @param n number of consecutive slots; the values of unused slots mean nothing
+   * @param to {@link #MOTION} arrays, in the order above, that receive n values each
+   * @throws IndexOutOfBoundsException if an array is too short, or a slot is not below {@link
+   *     #slotCount}
    */
   public void readMotions(int from, int n, float[][] to) {
     Objects.checkFromIndexSize(from, n, store.slots());
@@ -552,16 +564,16 @@ public final class World<T> {
   }
 
   /**
-   * The number of bodies.
+   * Returns the number of bodies.
    *
-   * @return all types together
+   * @return bodies of all types together
    */
   public int bodyCount() {
     return store.count();
   }
 
   /**
-   * One more than the largest index any body ever had.
+   * Returns one more than the largest index that any body ever had.
    *
    * @return bound for arrays indexed by {@link Body#index()}
    */
@@ -570,10 +582,10 @@ public final class World<T> {
   }
 
   /**
-   * The body in a slot.
+   * Returns the body in a slot.
    *
-   * @param index see {@link Body#index()}
-   * @return null if there is none
+   * @param index the slot, see {@link Body#index()}
+   * @return the body, null if there is none
    */
   public Body<T> body(int index) {
     return handles.body(index);
@@ -582,7 +594,7 @@ public final class World<T> {
   /**
    * Visits all bodies by ascending index.
    *
-   * @param visitor receives them
+   * @param visitor receives the bodies
    */
   public void forEachBody(Consumer<Body<T>> visitor) {
     for (int i = 0; i < store.slots(); i++) {
@@ -620,11 +632,12 @@ public final class World<T> {
   }
 
   /**
-   * The body at a point.
+   * Returns the body at a point.
    *
-   * @param x m
-   * @param y m
-   * @return the one with the smallest index whose shape contains the point, null if none does
+   * @param x x of the point, m
+   * @param y y of the point, m
+   * @return the body with the smallest index that has a shape that contains the point; null if
+   *     there is none
    */
   public Body<T> bodyAt(float x, float y) {
     int n = find(x, y, x, y);
@@ -638,7 +651,7 @@ public final class World<T> {
     return null;
   }
 
-  /** Collects the parts in a box, sorted by body; answers how many. */
+  /** Collects the parts in a box, sorted by body, and returns their number. */
   private int find(float minX, float minY, float maxX, float maxY) {
     refuseDuringQuery("query");
     queryBox.set(
@@ -678,10 +691,11 @@ public final class World<T> {
   }
 
   /**
-   * Visits all contact points of the last step, for debug drawing; those of sleeping bodies are as
-   * they were when these fell asleep.
+   * Visits all contact points of the last step, for debug drawing. The points of sleeping bodies
+   * are as they were when the bodies fell asleep.
    *
-   * @param visitor receives those of awake bodies in canonical order, then the others in none
+   * @param visitor receives the points of awake bodies in canonical order, then those of sleeping
+   *     bodies in no particular order
    */
   public void forEachContact(ContactVisitor visitor) {
     forEachPoint(dynamics.contacts(), visitor);
@@ -718,7 +732,7 @@ public final class World<T> {
   /**
    * Visits the box of each convex part of each body, for debug drawing.
    *
-   * @param fat whether with the broadphase's margin
+   * @param fat true for boxes with the broadphase's margin
    * @param visitor receives the boxes
    */
   public void forEachAabb(boolean fat, AabbVisitor visitor) {
@@ -735,9 +749,9 @@ public final class World<T> {
   }
 
   /**
-   * What the last step had to do. Allocates one small object.
+   * Returns counters of the work of the last step. Allocates one small object.
    *
-   * @return counters
+   * @return the counters
    */
   public StepProfile profile() {
     return new StepProfile(
@@ -763,7 +777,7 @@ public final class World<T> {
     }
   }
 
-  /** Visits what is inside a body's sensors, and whose sensors the body is in. */
+  /** Visits the bodies inside a body's sensors, and the bodies whose sensors it is inside. */
   void forEachOverlap(int slot, BodyVisitor<T> visitor) {
     BodyContacts t = dynamics.bodyContacts();
     int first = t.open(slot);
@@ -784,7 +798,7 @@ public final class World<T> {
     }
   }
 
-  /** Bounding box of a body's shapes. */
+  /** Computes the bounding box of a body's shapes. */
   void aabb(int slot, Aabb out) {
     out.setEmpty();
     int first = store.firstPart[slot];
@@ -814,30 +828,31 @@ public final class World<T> {
   }
 
   /**
-   * Casts, overlaps, nearest points.
+   * Returns the queries of this world: casts, overlaps and nearest points.
    *
-   * @return who answers such questions about this world
+   * @return queries about the bodies where they are now
    */
   public Queries<T> queries() {
     return queries;
   }
 
   /**
-   * A number that changes whenever a body may have come to another place: by a step, by being put
-   * there, by restoring.
+   * Returns a number that changes whenever a body may have moved: in a step, by {@link
+   * Body#setPose}, or by {@link #restore}.
    *
-   * @return meaningful only compared with an earlier one of this world; not part of the state
+   * @return a number that is only meaningful compared with an earlier one of this world; not part
+   *     of the state
    */
   public long moves() {
     return moves;
   }
 
   /**
-   * Casts, overlaps, nearest points in this world with its bodies elsewhere. The shapes are those
-   * they have now. Allocates: make one and keep it.
+   * Creates queries about this world with its bodies in other poses. The shapes are those the
+   * bodies have now. Allocates: create one and keep it.
    *
-   * @param poses asked anew by each question
-   * @return who answers
+   * @param poses asked anew in each query
+   * @return the queries
    */
   public Queries<T> queries(Poses poses) {
     return new Queries<>(this, poses);
@@ -847,12 +862,12 @@ public final class World<T> {
     return edits;
   }
 
-  /** Who hears of contacts that end because a body goes or changes, null for nobody. */
+  /** Returns the receiver of contact events; null if there is no listener. */
   ContactEvents contactEvents() {
     return listener == null ? null : events;
   }
 
-  /** Begins what callbacks may not disturb; answers false if it has begun already. */
+  /** Marks the world as busy. Returns false if it was busy already, in a step or in an edit. */
   boolean beginEdits() {
     boolean begins = !stepping;
     stepping = true;

@@ -5,8 +5,9 @@ import carom.physics.settings.Settings;
 import java.util.function.Consumer;
 
 /**
- * The constants of a world. Immutable: each {@code with...} method returns a changed copy, and
- * refuses a value that is not finite or out of range with an {@link IllegalArgumentException}.
+ * The constants of a world. A definition is immutable: each {@code with...} method returns a
+ * changed copy, and throws {@link IllegalArgumentException} for a value that is not finite or out
+ * of range.
  *
  * <pre>
  *   new World&lt;&gt;(new WorldDef().withGravity(0, 0).withSubsteps(8))

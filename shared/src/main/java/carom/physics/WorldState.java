@@ -12,14 +12,14 @@ import carom.physics.math.StateHash;
 import java.util.function.IntFunction;
 
 /**
- * A world at one moment: a handful of arrays, made by {@link World#save} and taken over by {@link
- * World#restore}; as bytes by {@link #write} and {@link World#read}.
+ * The state of a world at one moment. {@link World#save} makes it and {@link World#restore}
+ * restores it; {@link #write} and {@link World#read} turn it into bytes and back.
  *
- * <p>Belongs to the world that made it. Saving into the same object again costs no allocation
- * unless the world grew.
+ * <p>A state belongs to the world that made it. Saving into the same object again costs no
+ * allocation unless the world grew.
  */
 public final class WorldState {
-  /** Of the bytes; whoever changes one of them raises this. */
+  /** Version of the byte format. Raise it with every change of the format. */
   private static final int FORMAT = 1;
 
   private static final BodyType[] BODY_TYPES = BodyType.values();
@@ -34,8 +34,9 @@ public final class WorldState {
   }
 
   /**
-   * What the last {@link World#save} into this state copied: numbers that no step changes, such as
-   * masses, and handles only if one of them changed since the save before.
+   * Returns how many bytes the last {@link World#save} into this state copied. Numbers that no step
+   * changes, such as masses, and handles are only copied if one of them changed since the save
+   * before.
    *
    * @return bytes of bodies, contacts and joints
    */
@@ -44,18 +45,18 @@ public final class WorldState {
   }
 
   /**
-   * Appends the state to an archive: everything that {@link World#stateHash} covers, shapes,
-   * materials and filters included, and the touching contacts as they can be asked for. Users
-   * aren't in it. The world may be stepped meanwhile, by another thread, too.
+   * Appends the state to an archive. It writes everything that {@link World#stateHash} covers,
+   * shapes, materials and filters included, and the touching contacts. It doesn't write users.
+   * Meanwhile the world may be stepped, even by another thread.
    *
-   * @param archive receives some 100 bytes a body and 90 a touching contact
-   * @throws IllegalArgumentException if the world has numbers beyond 1e30, or none at all
+   * @param archive receives about 100 bytes per body and 90 per touching contact
+   * @throws IllegalArgumentException if the world has values beyond 1e30, or not a number
    */
   public void write(ArchiveWriter archive) {
     pass(archive);
   }
 
-  /** Reads a state of a world, with handles: its own where it has them, others for the users. */
+  /** Reads a state with handles: those of the world where they fit, else new ones for the users. */
   static <T> WorldState read(ArchiveReader archive, World<T> world, IntFunction<T> users) {
     WorldState s = new WorldState(world);
     try {
@@ -101,7 +102,7 @@ public final class WorldState {
     return same ? known : new Joint<>(world, world.dynamics().joints(), j, generation, type);
   }
 
-  /** Passes all but handles through an archive; reads into an empty state. */
+  /** Passes all but handles through an archive. When reading, the state must be empty. */
   private void pass(Archive a) {
     a.integer("format of the state", FORMAT, FORMAT, FORMAT);
     int version = a.integer("physics version", World.PHYSICS_VERSION, 0, Integer.MAX_VALUE);
