@@ -73,8 +73,8 @@ public final class Levels {
   }
 
   /**
-   * Returns the level of {@link #emptyPlatformer} with one spawn for players, left of a row of twelve
-   * crates that touch each other. A single crate lies right of the row, in slot 12.
+   * Returns the level of {@link #emptyPlatformer} with one spawn for players, left of a row of
+   * twelve crates that touch each other. A single crate lies right of the row, in slot 12.
    */
   public static Level platformerWithRowOfCrates() {
     return platformer(

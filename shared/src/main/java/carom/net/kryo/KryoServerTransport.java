@@ -74,8 +74,8 @@ public final class KryoServerTransport implements ServerTransport {
   }
 
   /**
-   * Returns an exception that names the port that failed. KryoNet's exception doesn't name
-   * it, so a second attempt on TCP finds out.
+   * Returns an exception that names the port that failed. KryoNet's exception doesn't name it, so a
+   * second attempt on TCP finds out.
    */
   private static PortUnavailableException explain(IOException failure, int tcp, int udp) {
     try {

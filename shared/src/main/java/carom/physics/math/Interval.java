@@ -38,7 +38,8 @@ public final class Interval {
    */
   public Interval project(float[] xs, float[] ys, int count, float axisX, float axisY) {
     if (count < 1) {
-      throw new IllegalArgumentException("count=" + count + " must be >= 1: a projection needs a point");
+      throw new IllegalArgumentException(
+          "count=" + count + " must be >= 1: a projection needs a point");
     }
     float low = Float.POSITIVE_INFINITY;
     float high = Float.NEGATIVE_INFINITY;
