@@ -30,6 +30,7 @@ public final class EventInbox {
   private final int[] readPlace = new int[WINDOW];
   private int readCount;
 
+  /** Creates an inbox that has heard nothing. */
   public EventInbox() {
     for (int i = 0; i < SIZE; i++) {
       events[i] = new EventRecord();

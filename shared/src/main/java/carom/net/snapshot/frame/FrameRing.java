@@ -81,10 +81,12 @@ public final class FrameRing {
     gravityY = y;
   }
 
+  /** Returns what falling bodies gain along x, m/s^2. */
   public float gravityX() {
     return gravityX;
   }
 
+  /** Returns what falling bodies gain along y, m/s^2. */
   public float gravityY() {
     return gravityY;
   }
