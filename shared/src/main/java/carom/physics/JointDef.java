@@ -17,6 +17,9 @@ import carom.physics.math.Trig;
  *   world.createJoint(JointDef.revolute(car, flap, 2, 1).limits(-0.5f, 0.5f).motor(1, 20))
  * </pre>
  *
+ * <p><b>Length.</b> The class has one short method per type and per property of a joint, each with
+ * its unit and range.
+ *
  * @param <T> the user's type of {@link Body#user()}
  */
 public final class JointDef<T> {
