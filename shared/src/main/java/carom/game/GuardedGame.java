@@ -119,6 +119,15 @@ public final class GuardedGame implements Game {
   }
 
   @Override
+  public void forces(Simulation s, Entity e) {
+    try {
+      game.forces(s, e);
+    } catch (RuntimeException | AssertionError | StackOverflowError failure) {
+      watch.failed("forces of " + e, s, failure);
+    }
+  }
+
+  @Override
   public void beforeStep(Simulation s) {
     try {
       game.beforeStep(s);

@@ -90,7 +90,7 @@ public final class World<T> {
     store = dynamics.bodies();
     joints = dynamics.joints();
     collision = new Collision<>(this, dynamics.contacts());
-    queries = new Queries<>(this, null);
+    queries = new Queries<>(this, null, null);
     edits = new EditQueue<>(this, dynamics, handles);
   }
 
@@ -676,6 +676,20 @@ public final class World<T> {
   }
 
   /**
+   * Visits the dynamic bodies that are awake, by ascending index. Costs about a nanosecond per slot
+   * besides the visits.
+   *
+   * @param visitor receives the bodies; must not create or destroy any
+   */
+  public void forEachAwake(Consumer<Body<T>> visitor) {
+    for (int i = 0; i < store.slots(); i++) {
+      if (store.type[i] == BodyStore.DYNAMIC && store.active(i)) {
+        visitor.accept(body(i));
+      }
+    }
+  }
+
+  /**
    * Visits the bodies with a shape whose AABB overlaps a box, by ascending index.
    *
    * @param minX left edge, m
@@ -925,7 +939,17 @@ public final class World<T> {
    * @return the queries
    */
   public Queries<T> queries(Poses poses) {
-    return new Queries<>(this, poses);
+    return new Queries<>(this, poses, null);
+  }
+
+  /**
+   * Creates queries that see a part of this world only. Allocates: create one and keep it.
+   *
+   * @param scope the shapes that every query sees, before its own filter
+   * @return the queries
+   */
+  public Queries<T> queries(QueryFilter<T> scope) {
+    return new Queries<>(this, null, scope);
   }
 
   EditQueue<T> edits() {

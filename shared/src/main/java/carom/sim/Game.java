@@ -13,9 +13,9 @@ import carom.sim.level.Level;
  * zones, scratch objects). Everything that changes while playing belongs into {@link
  * Player#memory}, {@link Simulation#memory} or the world, where it is hashed, saved and restored.
  *
- * <p>All methods run on the simulation's thread. {@code setUp}, {@code input}, {@code collision}
- * and {@code hit} run on server and client and must do the same there. The rest runs on {@link
- * Role#AUTHORITY} only.
+ * <p>All methods run on the simulation's thread. {@code setUp}, {@code input}, {@code forces},
+ * {@code collision} and {@code hit} run on server and client and must do the same there. The rest
+ * runs on {@link Role#AUTHORITY} only.
  */
 public interface Game {
   /** Returns the name under which the game is found, in lower case. */
@@ -92,6 +92,21 @@ public interface Game {
    * and may read contacts.
    */
   void input(Simulation s, Player p, Input in);
+
+  /**
+   * Applies the game's forces to one body: a wing's lift, a spring, a thruster; both roles, each
+   * tick after the inputs, once for each entity whose body is dynamic and awake. Clients predict
+   * what it does exactly, so push bodies here rather than in {@link #beforeStep}.
+   *
+   * <p>It must be a function of this entity, its owner's memory, the tick and the level. It may
+   * push this entity's body and change its velocity, and must change nothing else. {@link
+   * Simulation#geometry} answers queries about the level. A body that only {@link
+   * carom.physics.Body#applyAmbientForce ambient forces} act on can fall asleep.
+   *
+   * @param s the simulation
+   * @param e an entity with a dynamic body that is awake
+   */
+  default void forces(Simulation s, Entity e) {}
 
   /** Applies the rules of a tick before the players' inputs. */
   default void beforeStep(Simulation s) {}

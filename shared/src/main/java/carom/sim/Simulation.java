@@ -1,11 +1,13 @@
 package carom.sim;
 
+import carom.physics.Body;
 import carom.physics.BodyDef;
 import carom.physics.Collision;
 import carom.physics.CollisionListener;
 import carom.physics.Queries;
 import carom.physics.World;
 import carom.physics.archive.ArchiveReader;
+import carom.sim.area.AreaForces;
 import carom.sim.event.EventKind;
 import carom.sim.event.EventKinds;
 import carom.sim.event.NoticeQueue;
@@ -25,8 +27,9 @@ import java.util.function.Consumer;
  * hashes} on every machine.
  *
  * <p>Tick 0 is the state after set-up. {@link #step} computes the next tick in this order: paths of
- * kinematic bodies, {@link Game#beforeStep}, each player's {@link Game#input} by player id, the
- * physics, {@link Game#afterStep}. While a step runs, {@link #tick} is the tick being computed.
+ * kinematic bodies, {@link Game#beforeStep}, each player's {@link Game#input} by player id, areas
+ * and {@link Game#forces} on each awake body, the physics, {@link Game#afterStep}. While a step
+ * runs, {@link #tick} is the tick being computed.
  *
  * <p>A simulation belongs to one thread. A step allocates nothing of its own once arrays have
  * grown.
@@ -69,6 +72,9 @@ public final class Simulation {
   private final NoticeQueue notices = new NoticeQueue(MAX_NOTICES, MAX_NOTICE_LENGTH);
   private final EventKinds eventKinds = new EventKinds();
   private final EventLog events = new EventLog();
+  private final AreaForces<Entity> areas;
+  private final Queries<Entity> geometry;
+  private final Consumer<Body<Entity>> forces = this::applyForces;
 
   private int tick;
   private boolean inTick;
@@ -109,6 +115,8 @@ public final class Simulation {
     world = new World<>(game.world(level));
     world.listener(new Listener());
     entities = new EntityTable(world, players, tickRate);
+    areas = new AreaForces<>(world, level.areas());
+    geometry = world.queries((body, shape) -> body.user().isLevel() && !body.sensor(shape));
     interference = new InterferenceLog(entities, players);
     history = role == Role.AUTHORITY && game.looksBack() ? newHistory() : null;
     past = history == null ? world.queries() : world.queries(history);
@@ -167,6 +175,14 @@ public final class Simulation {
     return past;
   }
 
+  /**
+   * Returns queries that see the level's static geometry only: rays, overlaps and distances for
+   * {@link Game#forces}, whose answers are the same on server and client.
+   */
+  public Queries<Entity> geometry() {
+    return geometry;
+  }
+
   /** Returns the tick of the present state, or during a step the tick being computed. */
   public int tick() {
     return tick;
@@ -215,6 +231,7 @@ public final class Simulation {
 
   /** Returns the random numbers, which only {@link Role#AUTHORITY} may draw. */
   public SimRandom random() {
+    calls.requireOutsideForces("random");
     return random;
   }
 
@@ -257,7 +274,7 @@ public final class Simulation {
   public Entity spawn(Archetype archetype, float x, float y, float angle, Player owner) {
     calls.requireAuthority("spawn");
     int ownerId = owner == null ? Entity.NO_OWNER : owner.id();
-    return entities.spawn(archetype, x, y, angle, ownerId, tick);
+    return withArea(entities.spawn(archetype, x, y, angle, ownerId, tick));
   }
 
   /**
@@ -271,7 +288,13 @@ public final class Simulation {
    */
   public Entity spawn(Archetype archetype, BodyDef def) {
     calls.requireAuthority("spawn");
-    return entities.spawn(archetype, def);
+    return withArea(entities.spawn(archetype, def));
+  }
+
+  private Entity withArea(Entity e) {
+    areas.add(e.id(), e.body(), e.archetype());
+    areas.wakeAround(e.id());
+    return e;
   }
 
   /**
@@ -293,7 +316,9 @@ public final class Simulation {
   public Entity spawnAs(
       int id, int generation, Archetype archetype, float x, float y, float angle, int ownerId) {
     calls.requirePrediction("spawnAs");
-    return entities.spawnAs(id, generation, archetype, x, y, angle, ownerId, tick);
+    Entity e = entities.spawnAs(id, generation, archetype, x, y, angle, ownerId, tick);
+    areas.add(id, e.body(), archetype);
+    return e;
   }
 
   /**
@@ -310,6 +335,10 @@ public final class Simulation {
     if (history != null) {
       history.forget(entity.bodySlot());
     }
+    if (role == Role.AUTHORITY) {
+      areas.wakeAround(entity.id());
+    }
+    areas.remove(entity.id());
     entities.despawn(entity);
   }
 
@@ -509,6 +538,7 @@ public final class Simulation {
         game.input(this, player, player.input());
       }
     }
+    applyForces();
     calls.inPhysics(true);
     try {
       world.step(tickSeconds);
@@ -520,6 +550,39 @@ public final class Simulation {
       game.afterStep(this);
       interference.endRulesAfterStep(tick);
     }
+  }
+
+  /** Lets areas and the game's forces act on each awake body. */
+  private void applyForces() {
+    areas.begin();
+    calls.inForces(true);
+    try {
+      world.forEachAwake(forces);
+    } finally {
+      calls.inForces(false);
+    }
+  }
+
+  private void applyForces(Body<Entity> body) {
+    Entity entity = body.user();
+    areas.act(body, entity.archetype(), tickSeconds);
+    game.forces(this, entity);
+  }
+
+  /** Finds the entities that carry areas anew. */
+  private void findAreas() {
+    areas.clear();
+    for (int id = 0; id < entities.capacity(); id++) {
+      Entity e = entities.get(id);
+      if (e != null) {
+        areas.add(id, e.body(), e.archetype());
+      }
+    }
+  }
+
+  /** Returns the areas of the level and those that entities carry. For reading only. */
+  public AreaForces<Entity> areas() {
+    return areas;
   }
 
   /** Returns the log of what the game did to bodies; filled on {@link Role#AUTHORITY} only. */
@@ -573,6 +636,7 @@ public final class Simulation {
     s.restoreNumbers(random, memory);
     players.restore(s);
     entities.restore(s);
+    findAreas();
     if (history != null) {
       s.history.copyTo(history);
     }

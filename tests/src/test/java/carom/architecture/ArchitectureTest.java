@@ -183,8 +183,14 @@ final class ArchitectureTest {
     allow("carom.sim.event");
     allow("carom.sim.level", "carom.physics..");
     allow("carom.sim.history", "carom.physics..", "carom.sim.level");
+    allow("carom.sim.area", "carom.physics..", "carom.sim.level");
     allow(
-        "carom.sim", "carom.physics..", "carom.sim.level", "carom.sim.event", "carom.sim.history");
+        "carom.sim",
+        "carom.physics..",
+        "carom.sim.level",
+        "carom.sim.event",
+        "carom.sim.history",
+        "carom.sim.area");
     allow("carom.sim.near", "carom.physics..", "carom.sim", "carom.sim.level");
     allow("carom.sim.scene", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.event");
     allow(
@@ -216,9 +222,11 @@ final class ArchitectureTest {
     allow(
         "carom.net.snapshot.exact",
         "carom.net.codec",
+        "carom.net.protocol",
         "carom.net.snapshot.frame",
         "carom.net.snapshot.relay",
         "carom.physics.rows"); // codes rows field by field, and sees no world
+    allow("carom.net.snapshot.table", "carom.net.codec", "carom.net.snapshot.frame");
     allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol", "carom.net.snapshot.*");
     allow("carom.net.protocol", "carom.net.codec", "carom.physics.rows");
     allow("carom.values");

@@ -27,6 +27,11 @@ final class EntityMarks {
     return fresh;
   }
 
+  /** Returns whether an entity is marked as listed. */
+  boolean isListed(int id) {
+    return listed[id] == round;
+  }
+
   /** Marks an entity as a member of the set that was chosen before. */
   void member(int id) {
     if (id < member.length) {

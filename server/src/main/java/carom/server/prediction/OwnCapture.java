@@ -2,9 +2,11 @@ package carom.server.prediction;
 
 import carom.net.snapshot.exact.OwnState;
 import carom.physics.Body;
+import carom.physics.math.Aabb;
 import carom.sim.Entity;
 import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.area.AreaForces;
 import java.util.function.Predicate;
 
 /**
@@ -15,6 +17,7 @@ import java.util.function.Predicate;
 public final class OwnCapture {
   private final Simulation simulation;
   private final EntityMarks marks = new EntityMarks();
+  private final Aabb box = new Aabb();
 
   /** Creates a reader of a room's simulation. */
   public OwnCapture(Simulation simulation) {
@@ -52,6 +55,19 @@ public final class OwnCapture {
         body.velocityX(),
         body.velocityY(),
         body.angularVelocity());
+  }
+
+  /** Returns whether an entity carries an area that may act on a player's body. */
+  public boolean isInArea(Player player) {
+    AreaForces<Entity> areas = simulation.areas();
+    for (int i = 0; player.body() != null && i < areas.carriers(); i++) {
+      areas.reach(i, box);
+      box.grow(1);
+      if (box.contains(player.body().body().centerX(), player.body().body().centerY())) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /**

@@ -150,7 +150,7 @@ public final class PredictedSet {
       interference.watch(e);
     }
     state.read(simulation);
-    hasOutsideCause |= state.leaks() > 0;
+    hasOutsideCause |= state.leaks() > 0 || chooser.isReachedFromOutside();
   }
 
   private void relayInputs(Player player, OwnState out) {

@@ -7,6 +7,7 @@ import carom.physics.math.Aabb;
 import carom.sim.Entity;
 import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.area.AreaForces;
 import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
 import java.util.function.Predicate;
@@ -17,11 +18,14 @@ import java.util.function.Predicate;
  * <ol>
  *   <li>the body itself, and all that it touches, directly or through others;
  *   <li>what is close to it or soon will be, the closest first, each with all that it touches;
- *       while the list is shorter than {@value #MOST_CLOSE}.
+ *       while the list is shorter than {@value #MOST_CLOSE};
+ *   <li>what carries an {@linkplain carom.sim.level.Area area} that acts on one of these, or soon
+ *       may.
  * </ol>
  *
  * <p>An entity that was chosen before stays until it is {@value #LEAVE} times as far away. Sensors
- * and statics of the level are never chosen, nor is what the game hides from the player.
+ * without an area and statics of the level are never chosen, nor is what the game hides from the
+ * player.
  *
  * <p>The room's thread; allocates only to grow.
  */
@@ -31,6 +35,9 @@ final class PredictedSetChooser {
 
   /** The same for a client that takes as many entities as there is room for, metres. */
   private static final float ALL_METRES = 15;
+
+  /** An entity whose area ends this far away enters, metres: bodies move while it is told. */
+  private static final float CARRIER_METRES = 4;
 
   /** An entity leaves at this many times the distance at which it enters. */
   private static final float LEAVE = 1.4f;
@@ -51,6 +58,7 @@ final class PredictedSetChooser {
   private final BodyContactVisitor<Entity> addVisitor =
       (other, normalX, normalY, impulse) -> addIfFit(other.user());
 
+  private boolean reachedFromOutside;
   private int limit;
   private Body<Entity> own;
   private float enterMetres;
@@ -93,7 +101,42 @@ final class PredictedSetChooser {
       addWithContacts(candidates.get(i));
     }
     candidates.clear();
+    limit = most;
+    addCarriers();
     chosen.sort(simulation);
+  }
+
+  /** Adds the entities whose areas act on a chosen one, or soon may. */
+  private void addCarriers() {
+    AreaForces<Entity> areas = simulation.areas();
+    reachedFromOutside = false;
+    for (int i = 0; i < areas.carriers(); i++) {
+      Entity carrier = simulation.entity(areas.carrierId(i));
+      areas.reach(i, box);
+      box.grow(CARRIER_METRES * (marks.isMember(carrier.id()) ? LEAVE : 1));
+      if (!marks.isListed(carrier.id()) && isOneWithin(box)) {
+        addWithContacts(carrier);
+        reachedFromOutside |= !marks.isListed(carrier.id());
+      }
+    }
+  }
+
+  private boolean isOneWithin(Aabb area) {
+    for (int i = 0; i < chosen.count(); i++) {
+      Body<Entity> body = chosen.get(i).body();
+      if (area.contains(body.centerX(), body.centerY())) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /**
+   * Returns whether an area may act on a chosen entity whose carrier isn't among them, because
+   * there was no room or the game hides it.
+   */
+  boolean isReachedFromOutside() {
+    return reachedFromOutside;
   }
 
   /**
@@ -123,13 +166,13 @@ final class PredictedSetChooser {
   }
 
   private void addIfFit(Entity e) {
-    if (isSolid(e) && chosen.count() < limit && marks.list(e.id()) && mayKnow.test(e)) {
+    if (affectsOthers(e) && chosen.count() < limit && mayKnow.test(e) && marks.list(e.id())) {
       chosen.add(e);
     }
   }
 
-  private static boolean isSolid(Entity e) {
-    return !e.isLevel() && Neighbourhood.isSolid(e.archetype());
+  private static boolean affectsOthers(Entity e) {
+    return !e.isLevel() && Neighbourhood.affectsOthers(e.archetype());
   }
 
   private void gatherCandidates() {
@@ -149,7 +192,7 @@ final class PredictedSetChooser {
   /** Makes a body a candidate if it is close enough, or soon will be. */
   private boolean consider(Body<Entity> body) {
     Entity e = body.user();
-    if (!isSolid(e) || body == own || !mayKnow.test(e)) {
+    if (!affectsOthers(e) || body == own || !mayKnow.test(e)) {
       return true;
     }
     body.aabb(box);

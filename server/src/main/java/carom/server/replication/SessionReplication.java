@@ -164,9 +164,9 @@ public final class SessionReplication {
     sender.prepare(own, inputsLate);
   }
 
-  /** Finds out whether anything that is not static touched the body in the last step. */
+  /** Finds out whether anything that is not static touched or reached the body in the last step. */
   private void lookForTouch() {
-    touched = false;
+    touched = capture.isInArea(player);
     if (player.body() != null) {
       player.body().body().forEachContact(touchVisitor);
     }

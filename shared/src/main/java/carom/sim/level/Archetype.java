@@ -102,6 +102,11 @@ public final class Archetype {
     return def.motion;
   }
 
+  /** Returns the area that its entities carry, in the body's frame, or null. */
+  public Area area() {
+    return def.area;
+  }
+
   /** Returns how its entities are drawn. */
   public Appearance appearance() {
     return def.appearance;

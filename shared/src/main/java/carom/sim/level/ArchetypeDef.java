@@ -33,6 +33,7 @@ public final class ArchetypeDef {
   float spin;
   ScriptedMotion motion;
   Appearance appearance = Appearance.DEFAULT;
+  Area area;
 
   /**
    * Creates a dynamic archetype without shapes. The name is for people and for {@link
@@ -57,6 +58,7 @@ public final class ArchetypeDef {
     spin = d.spin;
     motion = d.motion;
     appearance = d.appearance;
+    area = d.area;
   }
 
   /** Sets whether the bodies are static, kinematic or dynamic; dynamic by default. */
@@ -125,6 +127,16 @@ public final class ArchetypeDef {
   /** Sets the path of a kinematic body. The simulation keeps each such body on it. */
   public ArchetypeDef motion(ScriptedMotion value) {
     motion = value;
+    return this;
+  }
+
+  /**
+   * Sets an area that the entities carry along, in the body's frame: a fan's wind, a magnet. It
+   * acts on all bodies but the carrier; none by default. Clients predict it like an area of the
+   * level.
+   */
+  public ArchetypeDef area(Area value) {
+    area = value;
     return this;
   }
 

@@ -124,6 +124,7 @@ public final class Level {
   private final List<Placement> bodies;
   private final List<Spawn> spawns;
   private final List<Zone> zones;
+  private final List<Area> areas;
 
   Level(LevelReader r, byte[] source) {
     this.source = source;
@@ -138,6 +139,7 @@ public final class Level {
     bodies = List.copyOf(r.bodies);
     spawns = List.copyOf(r.spawns);
     zones = List.copyOf(r.zones);
+    areas = List.copyOf(r.areas);
   }
 
   /**
@@ -292,6 +294,11 @@ public final class Level {
       }
     }
     return found;
+  }
+
+  /** Returns the areas in file order, unmodifiable. Those that bodies carry aren't among them. */
+  public List<Area> areas() {
+    return areas;
   }
 
   private static void requireSize(String fileName, int size) throws LevelException {

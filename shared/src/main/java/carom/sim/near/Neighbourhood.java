@@ -49,11 +49,11 @@ public final class Neighbourhood {
   }
 
   /**
-   * Returns whether entities of an archetype can push others, so that they affect the others'
-   * motion.
+   * Returns whether entities of an archetype affect the motion of others: they are solid, or carry
+   * an area.
    */
-  public static boolean isSolid(Archetype archetype) {
-    return !archetype.sensor();
+  public static boolean affectsOthers(Archetype archetype) {
+    return !archetype.sensor() || archetype.area() != null;
   }
 
   /** Removes all entities and contacts. */
@@ -91,12 +91,12 @@ public final class Neighbourhood {
     }
   }
 
-  /** Lists and reads all entities that can push others. */
+  /** Lists and reads all entities that affect the motion of others. */
   public void readAll(Simulation s) {
     clear();
     for (int id = 0; id < s.entityCapacity(); id++) {
       Entity e = s.entity(id);
-      if (e != null && isSolid(e.archetype())) {
+      if (e != null && affectsOthers(e.archetype())) {
         add(e);
       }
     }

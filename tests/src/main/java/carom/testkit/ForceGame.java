@@ -1,0 +1,125 @@
+package carom.testkit;
+
+import carom.game.Games;
+import carom.physics.Body;
+import carom.physics.Material;
+import carom.physics.QueryHit;
+import carom.physics.geometry.Box;
+import carom.sim.Entity;
+import carom.sim.Game;
+import carom.sim.Input;
+import carom.sim.Player;
+import carom.sim.Simulation;
+import carom.sim.level.Appearance;
+import carom.sim.level.Archetype;
+import carom.sim.level.ArchetypeDef;
+import carom.sim.level.Level;
+import carom.sim.level.LevelException;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+
+/**
+ * A game of players that fly through areas and forces. Its level says what else there is; its
+ * {@link #forces} act on bodies by their tag.
+ */
+public final class ForceGame implements Game {
+  /** Tag of bodies that a spring pulls to x = 0. */
+  public static final int SPRING = 1;
+
+  /** Tag of bodies with an engine that goes on and off. */
+  public static final int ENGINE = 2;
+
+  /** Tag of bodies that look at the ground and hover over it. */
+  public static final int HOVER = 3;
+
+  private static final int THRUST = 0;
+
+  private final QueryHit<Entity> hit = new QueryHit<>();
+  private Archetype flyer;
+
+  /** Makes the game known, so that levels may name it. */
+  public static void register() {
+    Games.add(ForceGame::new);
+  }
+
+  /**
+   * Returns a level with a floor between two walls, 24 m apart, and one spawn.
+   *
+   * @param gravityY gravity, m/s^2
+   * @param more further fields of the file, each after a comma
+   */
+  public static Level level(float gravityY, String more) {
+    register();
+    String json =
+        """
+        {"name": "forces", "game": "forces", "gravity": [0, %s],
+         "bounds": {"min": [-20, -8], "max": [20, 20]},
+         "spawns": [{"name": "player", "at": [-6, 3]}, {"name": "player", "at": [6, 3]}],
+         "statics": [
+           {"at": [0, -6], "shape": {"type": "box", "width": 40, "height": 2}},
+           {"at": [0, 16], "shape": {"type": "box", "width": 40, "height": 2}},
+           {"at": [-13, 5], "shape": {"type": "box", "width": 2, "height": 20}},
+           {"at": [13, 5], "shape": {"type": "box", "width": 2, "height": 20}}]%s}
+        """
+            .formatted(gravityY, more);
+    try {
+      return Level.parse("forces.json", json.getBytes(StandardCharsets.UTF_8));
+    } catch (LevelException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  @Override
+  public String name() {
+    return "forces";
+  }
+
+  @Override
+  public String defaultLevel() {
+    return "forces";
+  }
+
+  @Override
+  public void setUp(Simulation s) {
+    flyer =
+        s.archetypes()
+            .add(
+                new ArchetypeDef("flyer")
+                    .shape(new Box(0.5f, 0.5f), new Material(0.5f, 0.4f, 0.2f))
+                    .appearance(Appearance.of(0x4cc9f0, Appearance.Look.PLAYER)));
+  }
+
+  @Override
+  public void join(Simulation s, Player p) {
+    List<Level.Spawn> spots = s.level().spawns("player");
+    Level.Spawn spot = spots.get(p.id() % spots.size());
+    s.spawn(flyer, spot.x(), spot.y(), 0, p);
+  }
+
+  @Override
+  public void input(Simulation s, Player p, Input in) {
+    Body<Entity> body = p.body().body();
+    body.seekVelocity(in.moveX() * 5, body.velocityY(), 6 * body.mass());
+    p.memory()[THRUST] = in.held(Input.JUMP) || in.moveY() > 0.3f ? 1 : 0;
+  }
+
+  @Override
+  public void forces(Simulation s, Entity e) {
+    Body<Entity> body = e.body();
+    Player owner = s.owner(e);
+    if (owner != null && owner.memory()[THRUST] == 1) {
+      body.applyForce(0, 16 * body.mass());
+      return;
+    }
+    switch (e.archetype().tag()) {
+      case SPRING -> body.applyForce(-8 * body.mass() * body.x(), 0);
+      case ENGINE -> body.applyForce((s.tick() / 40) % 2 == 0 ? 6 * body.mass() : 0, 0);
+      case HOVER -> {
+        if (s.geometry().rayClosest(body.x(), body.y(), 0, -3, null, hit)) {
+          body.applyForce(0, 30 * body.mass() * (1 - hit.fraction()));
+        }
+      }
+      default -> {}
+    }
+  }
+}
