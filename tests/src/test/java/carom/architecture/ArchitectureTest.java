@@ -128,7 +128,7 @@ final class ArchitectureTest {
         "dynamics.body",
         "dynamics.contact",
         "dynamics.pairs");
-    stage("joint", "settings", "archive", "math", "dynamics.store", "dynamics.body");
+    stage("joint", "settings", "archive", "math", "rows", "dynamics.store", "dynamics.body");
     stage(
         "jointsolver",
         "settings",
@@ -222,9 +222,11 @@ final class ArchitectureTest {
     allow(
         "carom.net.snapshot.exact",
         "carom.net.codec",
+        "carom.net.protocol",
         "carom.net.snapshot.frame",
         "carom.net.snapshot.relay",
         "carom.physics.rows"); // codes rows field by field, and sees no world
+    allow("carom.net.snapshot.table", "carom.net.codec", "carom.net.snapshot.frame");
     allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol", "carom.net.snapshot.*");
     allow("carom.net.protocol", "carom.net.codec", "carom.physics.rows");
     allow("carom.values");

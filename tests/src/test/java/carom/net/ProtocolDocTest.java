@@ -17,6 +17,7 @@ import carom.net.protocol.SessionState;
 import carom.net.snapshot.BaselineReason;
 import carom.net.snapshot.DecodeStatus;
 import carom.net.snapshot.InputFeedback;
+import carom.net.snapshot.Interest;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.SnapshotEncoder;
 import carom.net.snapshot.event.EventRecord;
@@ -24,6 +25,12 @@ import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.record.Deltas;
+import carom.net.snapshot.table.RowAudience;
+import carom.net.snapshot.table.Table;
+import carom.net.snapshot.table.TableInbox;
+import carom.net.snapshot.table.TableLayout;
+import carom.net.snapshot.table.Tables;
 import carom.physics.rows.BodyRow;
 import carom.physics.rows.ContactRow;
 import java.io.IOException;
@@ -124,7 +131,38 @@ class ProtocolDocTest {
     snapshots(golden);
     events(golden);
     near(golden);
+    tables(golden);
     return golden;
+  }
+
+  /** An entity's health fell from 100 to 80; its other word is as at the start. */
+  private static void tables(Map<String, byte[]> golden) {
+    TableLayout layout =
+        new TableLayout(
+            10, 8, false, new int[] {7, 32}, new int[2], new int[] {100, 0}, new long[] {0, 0b11});
+    Table table = new Table(layout);
+    RowAudience all =
+        new RowAudience() {
+          @Override
+          public long inSight(int place, int block, long keys) {
+            return keys;
+          }
+
+          @Override
+          public int of(int place, int key) {
+            return 1;
+          }
+        };
+    FrameRing ring = new FrameRing(10);
+    SnapshotEncoder encoder =
+        new SnapshotEncoder(
+            new Deltas(ring, 60), 7, Interest.EVERYTHING, new Tables(List.of(table)), all);
+    SnapshotDecoder decoder = new SnapshotDecoder(10, 7, 90, 60, new TableInbox(layout));
+    table.put(5, 255, new int[] {80, 0}, 0, 100);
+    ring.begin(100);
+    ring.end();
+    golden.put("snapshot-table", send(encoder, decoder, new InputFeedback(), null));
+    assertEquals(80, decoder.tables().get(0, 5, 255, 0));
   }
 
   private static void serverMessages(Map<String, byte[]> golden) {

@@ -5,6 +5,7 @@ import carom.net.snapshot.SnapshotEncoder;
 import carom.net.snapshot.event.EventRing;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
+import carom.net.snapshot.table.Tables;
 import carom.net.transport.Link;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
@@ -78,7 +79,7 @@ public final class SnapshotSender {
       Counters counters) {
     this.frames = capture.frames();
     this.view = new SessionView(capture.index(), player, config.viewMetres(), config.tickRateHz());
-    this.encoder = new SnapshotEncoder(capture.deltas(), datagramKey, view);
+    this.encoder = new SnapshotEncoder(capture.deltas(), datagramKey, view, Tables.NONE, null);
     this.counters = counters;
     this.tickRateHz = config.tickRateHz();
     this.snapshotRateHz = Math.min(config.snapshotRateHz(), tickRateHz);

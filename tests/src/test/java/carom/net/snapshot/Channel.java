@@ -9,6 +9,7 @@ import carom.net.snapshot.frame.PlayerSet;
 import carom.net.snapshot.frame.WaitingInputs;
 import carom.net.snapshot.record.Deltas;
 import carom.net.snapshot.relay.RelayedInputs;
+import carom.net.snapshot.table.Tables;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumMap;
@@ -77,7 +78,8 @@ final class Channel {
     this.scene = scene;
     dice = new Dice(seed);
     name = "seed=" + seed;
-    encoder = new SnapshotEncoder(new Deltas(scene.ring, tickRate), KEY, interest);
+    encoder =
+        new SnapshotEncoder(new Deltas(scene.ring, tickRate), KEY, interest, Tables.NONE, null);
     decoder = new SnapshotDecoder(scene.slots, KEY, scene.firstTick, tickRate);
   }
 
