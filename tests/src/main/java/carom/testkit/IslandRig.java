@@ -211,7 +211,7 @@ public final class IslandRig {
       near.tell(i);
     }
     for (int row = first; row < end; row++) {
-      RowKind kind = RowKind.of(row, island.count());
+      RowKind kind = RowKind.of(row, island.count(), 0);
       Rows rows = island.rows().of(kind);
       near.addRow(rows.ints(), rows.at(kind == RowKind.BODY ? row : row - island.count()));
     }

@@ -128,7 +128,7 @@ final class ArchitectureTest {
         "dynamics.body",
         "dynamics.contact",
         "dynamics.pairs");
-    stage("joint", "settings", "archive", "math", "dynamics.store", "dynamics.body");
+    stage("joint", "settings", "archive", "math", "rows", "dynamics.store", "dynamics.body");
     stage(
         "jointsolver",
         "settings",

@@ -140,7 +140,7 @@ final class NearUpdate {
 
   /** Returns the kind of a row. */
   RowKind kind(int row) {
-    return RowKind.of(row, states);
+    return RowKind.of(row, states, 0);
   }
 
   /** Returns the rows: of entities with a state, then of contacts. */

@@ -135,7 +135,7 @@ final class UpdateRows {
 
   /** Returns the kind of a row. */
   RowKind kind(int row) {
-    return RowKind.of(row, toldCount);
+    return RowKind.of(row, toldCount, 0);
   }
 
   /** Returns the array that holds a row, from {@link #at} on. */
@@ -147,6 +147,7 @@ final class UpdateRows {
   int at(int row) {
     return switch (kind(row)) {
       case BODY -> base.rows().bodies().at(told[row]);
+      case JOINT -> throw new IllegalStateException("row=" + row + " is a joint");
       case CONTACT -> base.rows().contacts().at(contacts[row - toldCount]);
     };
   }

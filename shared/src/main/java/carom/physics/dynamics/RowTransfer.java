@@ -6,6 +6,7 @@ import carom.physics.dynamics.contact.BodyContacts;
 import carom.physics.dynamics.contact.ContactKey;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.contact.SleepingContacts;
+import carom.physics.dynamics.joint.JointTransfer;
 import carom.physics.rows.BodyRow;
 import carom.physics.rows.ContactRow;
 import carom.physics.rows.ExactRows;
@@ -14,7 +15,7 @@ import java.util.Arrays;
 
 /**
  * Reads bodies and their contacts out of a world into {@link ExactRows}, and writes such rows into
- * it. One world's; allocates only to grow.
+ * it; joints by {@link JointTransfer}. One world's; allocates only to grow.
  */
 final class RowTransfer {
   private static final int KEPT_FLAGS = ContactTable.VETOED;
@@ -24,6 +25,7 @@ final class RowTransfer {
   private final ContactTable awake;
   private final SleepingContacts asleep;
   private final BodyContacts links;
+  private final JointTransfer joints;
 
   /** By slot: the place of a listed body, or -1; all are -1 between calls. */
   private int[] placeOf = new int[0];
@@ -45,16 +47,18 @@ final class RowTransfer {
       ShapeTable parts,
       ContactTable awake,
       SleepingContacts asleep,
-      BodyContacts links) {
+      BodyContacts links,
+      JointTransfer joints) {
     this.store = store;
     this.parts = parts;
     this.awake = awake;
     this.asleep = asleep;
     this.links = links;
+    this.joints = joints;
   }
 
   /**
-   * Reads the listed bodies, and the contacts among them and with statics.
+   * Reads the listed bodies, and the joints and contacts among them and with statics.
    *
    * @return contacts that are left out because the other body is not listed
    */
@@ -87,6 +91,7 @@ final class RowTransfer {
       int at = contacts.add();
       readContact(table, ends[i] >> 1, contacts.ints(), at);
     }
+    joints.read(rows, placeOf);
     for (int i = 0; i < count; i++) {
       placeOf[rows.slot(i)] = -1;
     }

@@ -8,6 +8,9 @@ public enum RowKind {
   /** A body; its fields are in {@link BodyRow}. */
   BODY(BodyRow.INTS),
 
+  /** A joint of a body; its fields are in {@link JointRow}. */
+  JOINT(JointRow.INTS),
+
   /** A contact between two bodies; its fields are in {@link ContactRow}. */
   CONTACT(ContactRow.INTS);
 
@@ -34,12 +37,14 @@ public enum RowKind {
   }
 
   /**
-   * Returns the kind of a row in a sequence that has all bodies before all contacts.
+   * Returns the kind of a row in a sequence that has all bodies first, then all joints, then all
+   * contacts.
    *
    * @param row its number, from 0
    * @param bodies number of bodies in the sequence
+   * @param joints number of joints in the sequence
    */
-  public static RowKind of(int row, int bodies) {
-    return row < bodies ? BODY : CONTACT;
+  public static RowKind of(int row, int bodies, int joints) {
+    return row < bodies ? BODY : row < bodies + joints ? JOINT : CONTACT;
   }
 }

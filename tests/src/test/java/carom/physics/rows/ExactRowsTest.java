@@ -32,6 +32,8 @@ final class ExactRowsTest {
   void theFieldsOfAKindFillItsRow() throws Exception {
     assertEquals(BodyRow.MEMORY + BodyRow.MEMORY_INTS, BodyRow.INTS);
     requireFilled(BodyRow.class, BodyRow.MEMORY, Set.of("ASLEEP"));
+    requireFilled(JointRow.class, JointRow.INTS, Set.of("GROUND"));
+    requireFilled(JointDefRow.class, JointDefRow.INTS, Set.of());
     requireFilled(ContactRow.class, ContactRow.INTS, Set.of("FLAGS_SHIFT", "POINTS_MASK"));
   }
 
@@ -70,7 +72,7 @@ final class ExactRowsTest {
     Rows rows = Rows.mixed();
     List<int[]> added = new ArrayList<>();
     for (int i = 0; i < 50; i++) {
-      RowKind kind = RowKind.of(i, 20);
+      RowKind kind = RowKind.of(i, 20, 10);
       int[] row = new int[kind.ints()];
       Arrays.fill(row, i + 1);
       rows.add(kind, row, 0);
@@ -85,8 +87,10 @@ final class ExactRowsTest {
       int[] found = Arrays.copyOfRange(copy.ints(), at, at + expected.length);
       assertArrayEquals(expected, found, "row " + i);
     }
-    assertEquals(RowKind.BODY, RowKind.of(19, 20));
-    assertEquals(RowKind.CONTACT, RowKind.of(20, 20));
+    assertEquals(RowKind.BODY, RowKind.of(19, 20, 3));
+    assertEquals(RowKind.JOINT, RowKind.of(20, 20, 3));
+    assertEquals(RowKind.JOINT, RowKind.of(22, 20, 3));
+    assertEquals(RowKind.CONTACT, RowKind.of(23, 20, 3));
   }
 
   @Test

@@ -118,6 +118,7 @@ public class NearRowCodec {
   final void row(BitCoder c, RowKind kind, int[] rows, int at) {
     switch (kind) {
       case BODY -> body(c, rows, at);
+      case JOINT -> throw new IllegalStateException("joints are not told");
       case CONTACT -> contact(c, rows, at);
     }
   }

@@ -134,7 +134,7 @@ public final class NearState {
 
   /** Returns the kind of a row of this part. */
   public RowKind kind(int row) {
-    return RowKind.of(firstRow + row, toldCount);
+    return RowKind.of(firstRow + row, toldCount, 0);
   }
 
   void endUpdate() {
