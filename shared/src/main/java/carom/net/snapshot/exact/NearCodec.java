@@ -3,6 +3,7 @@ package carom.net.snapshot.exact;
 import carom.net.codec.BitPass;
 import carom.net.snapshot.frame.FrameRing;
 import carom.physics.rows.BodyRow;
+import carom.physics.rows.RowKind;
 
 /**
  * Codes the near section: the list of near entities, the hash of their state, and the header of a
@@ -18,6 +19,7 @@ public final class NearCodec {
   private static final int SLOT_MASK = 0xffff;
   private static final int CLOSE_BITS = 4;
   private static final int ROW_BITS = 11;
+  private static final RowKind[] KINDS = RowKind.values();
 
   private NearCodec() {}
 
@@ -159,7 +161,7 @@ public final class NearCodec {
   private static void part(BitPass c, NearState near) {
     int age = c.plain(near.age, FrameRing.AGE_BITS);
     if (c.isReading()) {
-      near.beginPart(age, 0, 0);
+      near.beginPart(age, near.counts, 0);
     }
     int told = 0;
     for (int i = 0; i < near.count; i++) {
@@ -170,7 +172,14 @@ public final class NearCodec {
         told++;
       }
     }
-    near.totalRows = c.plain(near.totalRows, ROW_BITS);
+    for (RowKind kind : KINDS) {
+      if (kind != RowKind.BODY) {
+        boolean any = c.flag(near.counts.get(kind) > 0);
+        near.counts.set(kind, any ? c.plain(near.counts.get(kind), ROW_BITS) : 0);
+      }
+    }
+    boolean fits = near.totalRows() <= NearState.MAX_ROWS;
+    c.require(fits && near.counts.get(RowKind.JOINT) == 0); // no update tells joints
     near.firstRow = c.plain(near.firstRow, ROW_BITS);
     int rows = c.plain(near.partRows(), PART_BITS);
     if (c.isReading()) {

@@ -1,6 +1,7 @@
 package carom.net.snapshot.exact;
 
 import carom.physics.rows.BodyRow;
+import carom.physics.rows.RowCounts;
 import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
 import java.util.Arrays;
@@ -14,9 +15,8 @@ import java.util.Arrays;
  * one tick, its <em>base</em>, of those entities of the list that are <em>told</em>, with their
  * contacts. Its rows are spread over as many snapshots as they take. A client that has all of them
  * knows the state at the base tick and computes what follows. The told entities come first, each a
- * {@link BodyRow} with its key and the memory of its player, in the order of the list; then the
- * contacts, each a {@link carom.physics.rows.ContactRow} whose ends are places in the list or
- * inverted slots of static bodies.
+ * {@link BodyRow} with its key, in the order of the list; then rows of the other kinds, whose ends
+ * are places in the list or inverted slots of static bodies.
  *
  * <p>What the game's rules did to a listed body by themselves is told as a <em>ruling</em>: the new
  * bits of the numbers that changed, at a tick. A client that applies it at that tick computes what
@@ -28,8 +28,8 @@ public final class NearState {
   /** Largest number of entities in the list. */
   public static final int MAX_ENTITIES = 255;
 
-  /** Largest number of rows in an update: five for each entity, four of them contacts. */
-  public static final int MAX_ROWS = 5 * MAX_ENTITIES;
+  /** Largest number of rows in an update: eight for each entity. */
+  public static final int MAX_ROWS = 8 * MAX_ENTITIES;
 
   /** Largest number of rows of an update in one snapshot. */
   public static final int MAX_PART = 63;
@@ -52,11 +52,13 @@ public final class NearState {
   int age;
   int toldCount;
   int[] told = NONE;
-  int totalRows;
   int firstRow;
 
   int rulings;
   private int[] rulingInts = NONE;
+
+  /** Rows of the whole update by kind; bodies are the told entities. */
+  final RowCounts counts = new RowCounts();
 
   /** The part's rows, of mixed kinds. */
   final Rows rows = Rows.mixed();
@@ -101,14 +103,16 @@ public final class NearState {
    * {@link #addRow} for each row of the part.
    *
    * @param ticksAgo age of the base tick, ticks, 0..63
-   * @param total rows of the whole update, 0..{@value #MAX_ROWS}
+   * @param total rows of the whole update, at most {@value #MAX_ROWS}; bodies are counted by {@link
+   *     #tell}; copied
    * @param first number within the update of the part's first row
    */
-  public void beginPart(int ticksAgo, int total, int first) {
+  public void beginPart(int ticksAgo, RowCounts total, int first) {
     updating = true;
     age = ticksAgo;
     toldCount = 0;
-    totalRows = total;
+    counts.set(total);
+    counts.set(RowKind.BODY, 0);
     firstRow = first;
     rows.clear();
   }
@@ -123,6 +127,7 @@ public final class NearState {
       told = Arrays.copyOf(told, Math.max(FIRST_ROOM, 2 * toldCount));
     }
     told[toldCount++] = place;
+    counts.set(RowKind.BODY, toldCount);
   }
 
   /**
@@ -207,14 +212,14 @@ public final class NearState {
 
   /** Returns the kind of a row of this part. */
   public RowKind kind(int row) {
-    return RowKind.of(firstRow + row, toldCount, 0);
+    return counts.kind(firstRow + row);
   }
 
   void endUpdate() {
     updating = false;
     age = 0;
     toldCount = 0;
-    totalRows = 0;
+    counts.clear();
     firstRow = 0;
     rows.clear();
   }
@@ -232,7 +237,7 @@ public final class NearState {
     for (int i = 0; i < other.toldCount; i++) {
       tell(other.told[i]);
     }
-    totalRows = other.totalRows;
+    counts.set(other.counts);
     firstRow = other.firstRow;
     rows.set(other.rows);
   }
@@ -300,7 +305,12 @@ public final class NearState {
 
   /** Returns the number of rows of the whole update. */
   public int totalRows() {
-    return totalRows;
+    return counts.total();
+  }
+
+  /** Returns the rows of the whole update by kind. The counts are live. */
+  public RowCounts counts() {
+    return counts;
   }
 
   /** Returns the number within the update of this part's first row. */

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.net.codec.BitMeter;
 import carom.net.codec.SectionCheck;
 import carom.physics.rows.BodyRow;
+import carom.physics.rows.RowCounts;
 import carom.physics.rows.RowKind;
 import java.util.Random;
 import java.util.Set;
@@ -57,7 +58,10 @@ class NearCodecTest {
   }
 
   private void update(NearState near) {
-    near.beginPart(random.nextInt(64), random.nextInt(NearState.MAX_ROWS + 1), random.nextInt(9));
+    RowCounts counts = new RowCounts();
+    counts.set(RowKind.CONTACT, random.nextInt(NearState.MAX_ROWS - 400));
+    counts.set(RowKind.FIELDS, random.nextInt(3) * random.nextInt(60));
+    near.beginPart(random.nextInt(64), counts, random.nextInt(9));
     for (int i = 0; i < near.count; i++) {
       if (random.nextBoolean()) {
         near.tell(i);
@@ -87,7 +91,7 @@ class NearCodecTest {
     for (int i = 0; i < near.toldCount; i++) {
       out.append(' ').append(near.told[i]);
     }
-    out.append(" rows ").append(near.totalRows).append(' ').append(near.firstRow);
+    out.append(" rows ").append(near.totalRows()).append(' ').append(near.firstRow);
     for (int i = 0; i < near.partRows(); i++) {
       out.append(' ').append(near.kind(i) == RowKind.BODY ? near.rows.get(i, BodyRow.KEY) : 0);
     }
