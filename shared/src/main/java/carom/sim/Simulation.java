@@ -16,6 +16,7 @@ import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Archetypes;
 import carom.sim.level.Level;
+import carom.sim.ruling.Findings;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -68,6 +69,7 @@ public final class Simulation {
   private final List<Entity> statics = new ArrayList<>();
   private final PlayerTable players = new PlayerTable();
   private final EntityTable entities;
+  private final Findings findings = new Findings();
   private final InterferenceLog interference;
   private final NoticeQueue notices = new NoticeQueue(MAX_NOTICES, MAX_NOTICE_LENGTH);
   private final EventKinds eventKinds = new EventKinds();
@@ -120,7 +122,7 @@ public final class Simulation {
     entities = new EntityTable(world, players, tickRate);
     areas = new AreaForces<>(world, level.areas());
     geometry = world.queries((body, shape) -> body.user().isLevel() && !body.sensor(shape));
-    interference = new InterferenceLog(entities, players);
+    interference = new InterferenceLog(entities, players, findings);
     history = role == Role.AUTHORITY && game.looksBack() ? newHistory() : null;
     past = history == null ? world.queries() : world.queries(history);
     for (ArchetypeDef def : level.archetypes()) {
@@ -606,6 +608,15 @@ public final class Simulation {
   /** Returns the log of what the game did to bodies; filled on {@link Role#AUTHORITY} only. */
   public InterferenceLog interference() {
     return interference;
+  }
+
+  /**
+   * Returns what the game does again and again although no client can foresee it, with advice.
+   * Filled on {@link Role#AUTHORITY} only, and only about what clients predict; no part of the
+   * state.
+   */
+  public Findings findings() {
+    return findings;
   }
 
   /**

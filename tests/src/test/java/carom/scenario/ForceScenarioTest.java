@@ -3,18 +3,22 @@ package carom.scenario;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.client.bots.Bot;
 import carom.net.transport.Impairment;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.level.Level;
+import carom.sim.ruling.Findings;
 import carom.testkit.ForceGame;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Goal: what areas and a game's forces do to bodies is foreseen by clients, bit for bit. Method:
@@ -159,7 +163,41 @@ class ForceScenarioTest {
 
       assertTrue(right >= 99, about);
       assertTrue(toldBodies > 10, about);
+      assertEquals(tag == ForceGame.PUSHED ? 1 : 0, stepper.count(Counter.UNFORESEEN), about);
       assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about);
+    }
+  }
+
+  @Test
+  void aGameThatPushesInBeforeStepIsToldOnceHowToMendIt() {
+    Level level = ForceGame.level(-10, crates(ForceGame.PUSHED));
+    try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
+      stepper.join("p", FAR, Scripts.wander(Stepper.SEED));
+      stepper.join("q", FAR, Scripts.wander(Stepper.SEED + 1));
+      stepper.run(10);
+      Findings findings = stepper.room().simulation().findings();
+      assertEquals(1, findings.count());
+      String text = findings.get(0);
+      assertTrue(
+          text.matches(
+              "beforeStep pushes entity \\d+ \\(bodies\\[0\\]\\) every tick, so clients can't"
+                  + " predict it; use Game.forces. First seen at tick \\d+."),
+          text);
+      assertEquals(1, stepper.count(Counter.UNFORESEEN));
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"arena", "platformer"})
+  void theGamesThatShipDoNothingUnforeseenAllTheTime(String game) {
+    try (Stepper stepper = Stepper.of(game)) {
+      for (int i = 0; i < 5; i++) {
+        stepper.add("bot" + i, i == 0 ? FAR : Impairment.NONE, new Bot(i));
+      }
+      stepper.run(20);
+      Findings findings = stepper.room().simulation().findings();
+      assertEquals(0, findings.count(), () -> findings.get(0));
+      assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED));
     }
   }
 
