@@ -184,14 +184,16 @@ final class ArchitectureTest {
     allow("carom.sim.level", "carom.physics..");
     allow("carom.sim.history", "carom.physics..", "carom.sim.level");
     allow("carom.sim.area", "carom.physics..", "carom.sim.level");
+    allow("carom.sim.joint", "carom.physics..", "carom.sim.level");
     allow(
         "carom.sim",
         "carom.physics..",
         "carom.sim.level",
         "carom.sim.event",
         "carom.sim.history",
-        "carom.sim.area");
-    allow("carom.sim.near", "carom.physics..", "carom.sim", "carom.sim.level");
+        "carom.sim.area",
+        "carom.sim.joint");
+    allow("carom.sim.near", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.joint");
     allow("carom.sim.scene", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.event");
     allow(
         "carom.sim.scene.catalog",
