@@ -12,9 +12,10 @@ import carom.client.view.ViewWriter;
 import carom.net.protocol.Limits;
 import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.SnapshotDecoder;
-import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.table.TableInbox;
 import carom.sim.Input;
+import carom.sim.Player;
 import carom.sim.Simulation;
 import carom.sim.level.Level;
 import java.util.List;
@@ -83,7 +84,12 @@ final class JoinedGame {
     tickRate = welcome.tickRate();
     decoder =
         new SnapshotDecoder(
-            Limits.MAX_ENTITIES, welcome.datagramKey(), welcome.tick(), welcome.tickRate());
+            Limits.MAX_ENTITIES,
+            welcome.datagramKey(),
+            welcome.tick(),
+            welcome.tickRate(),
+            Player.MEMORY_SIZE,
+            new TableInbox());
     decoder.gravity(level.gravityX(), level.gravityY());
     decoder.level(FrameState.of(Limits.MAX_ENTITIES, frame -> level.forEachBody(frame::put)));
     inbox = new SnapshotInbox(decoder, stats);
@@ -145,8 +151,8 @@ final class JoinedGame {
       prediction.receive(decoder.own().near(), tick);
     }
     if (inbox.keepOwn() && prediction == null) {
-      for (int i = 0; i < OwnState.MEMORY; i++) {
-        view.memory(i, inbox.own().memory(i));
+      for (int i = 0; i < Player.MEMORY_SIZE; i++) {
+        view.memory(i, inbox.own().word(i));
       }
     }
   }
@@ -230,7 +236,7 @@ final class JoinedGame {
   /** Updates the view, except its entities, which are composed on demand. */
   void describe(boolean playing) {
     if (prediction != null) {
-      for (int i = 0; i < OwnState.MEMORY; i++) {
+      for (int i = 0; i < Player.MEMORY_SIZE; i++) {
         view.memory(i, prediction.memory(i));
       }
     }

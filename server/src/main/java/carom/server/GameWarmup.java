@@ -6,6 +6,7 @@ import carom.net.protocol.Limits;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.SnapshotDecoder;
+import carom.net.snapshot.table.TableInbox;
 import carom.net.transport.InProcessNetwork;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
@@ -13,6 +14,7 @@ import carom.net.transport.MessageCodec;
 import carom.server.config.ServerConfig;
 import carom.sim.Game;
 import carom.sim.Input;
+import carom.sim.Player;
 import carom.sim.level.Level;
 import java.util.function.Supplier;
 
@@ -113,7 +115,12 @@ final class GameWarmup {
         datagram.key = welcome.datagramKey();
         decoder =
             new SnapshotDecoder(
-                Limits.MAX_ENTITIES, welcome.datagramKey(), welcome.tick(), welcome.tickRate());
+                Limits.MAX_ENTITIES,
+                welcome.datagramKey(),
+                welcome.tick(),
+                welcome.tickRate(),
+                Player.MEMORY_SIZE,
+                new TableInbox());
         decoder.gravity(level.gravityX(), level.gravityY());
         link.send(new ClientMessage.LevelRequest(0));
       } else if (message instanceof ServerMessage.LevelChunk) {

@@ -51,7 +51,7 @@ final class ScriptedServer {
     long newestNs;
     long last;
     int missing;
-    final OwnState own = new OwnState();
+    final OwnState own = new OwnState(4);
     final PredictedSet near = capture.predictedSet(e -> true);
     int disagreedTick = -1;
 

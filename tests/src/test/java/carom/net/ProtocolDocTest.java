@@ -114,13 +114,14 @@ class ProtocolDocTest {
             new ClientMessage.Diverged(
                 1000,
                 998,
+                false,
                 List.of(65_534 | 255 << 16, 1, 2, 3, 4, 5, 6, 7),
                 List.of(8, 9, 10, 11))));
     golden.put(
         "diverged-near",
         ClientMessageCodec.encode(
             new ClientMessage.Diverged(
-                1000, 998, List.of(65_538, 1, 2, 3, 4, 5, 6, 7), List.of())));
+                1000, 998, true, List.of(65_538, 1, 2, 3, 4, 5, 6, 7), List.of())));
     golden.put("look", ClientMessageCodec.encode(new ClientMessage.Look(-1.5f, 2, 16, 9)));
     golden.put(
         "watch", ClientMessageCodec.encode(new ClientMessage.Watch(2, 0x0102030405060708L, 2)));
@@ -157,7 +158,7 @@ class ProtocolDocTest {
     SnapshotEncoder encoder =
         new SnapshotEncoder(
             new Deltas(ring, 60), 7, Interest.EVERYTHING, new Tables(List.of(table)), all);
-    SnapshotDecoder decoder = new SnapshotDecoder(10, 7, 90, 60, new TableInbox(layout));
+    SnapshotDecoder decoder = new SnapshotDecoder(10, 7, 90, 60, 0, new TableInbox(layout));
     table.put(5, 255, new int[] {80, 0}, 0, 100);
     ring.begin(100);
     ring.end();
@@ -225,7 +226,7 @@ class ProtocolDocTest {
   private static void snapshots(Map<String, byte[]> golden) {
     FrameRing ring = new FrameRing(10);
     SnapshotEncoder encoder = new SnapshotEncoder(ring, 7, 60);
-    SnapshotDecoder decoder = new SnapshotDecoder(10, 7, 90, 60);
+    SnapshotDecoder decoder = new SnapshotDecoder(10, 7, 90, 60, 4, new TableInbox());
     InputFeedback feedback = new InputFeedback();
 
     ring.begin(100);
@@ -255,10 +256,10 @@ class ProtocolDocTest {
 
     ring.begin(105).putQuantized(5, 255, 300, 9, 25, -31, 8, 64, -96, 32);
     ring.end();
-    OwnState own = new OwnState();
+    OwnState own = new OwnState(4);
     own.setBody(5, 255, 1.5f, -2, 1, 0, 0, -0f, 0);
-    own.setMemory(1, 1);
-    own.setMemory(2, -1);
+    own.setWord(1, 1);
+    own.setWord(2, -1);
     golden.put("snapshot-own", send(encoder, decoder, feedback, own));
     assertTrue(decoder.own().sameAs(own));
   }

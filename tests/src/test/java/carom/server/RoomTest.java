@@ -82,7 +82,7 @@ class RoomTest {
       rig.steps(10);
       assertEquals(ay + TestGame.SPEED, a.own.y(), 0.3f);
       assertEquals(bx, b.own.x());
-      assertEquals(77, a.own.memory(0));
+      assertEquals(77, a.own.word(0));
       Entity body = rig.room.simulation().player(0).body();
       assertEquals(body.body().centerX(), a.own.x());
       assertEquals(body.id(), a.own.slot());

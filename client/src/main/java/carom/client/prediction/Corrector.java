@@ -208,7 +208,7 @@ final class Corrector {
     }
     clearLoads();
     for (int i = 0; i < BodyRow.MEMORY_INTS; i++) {
-      bodyRow[BodyRow.MEMORY + i] = own.memory(i);
+      bodyRow[BodyRow.MEMORY + i] = own.word(i);
     }
   }
 

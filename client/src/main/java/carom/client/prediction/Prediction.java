@@ -221,8 +221,8 @@ public final class Prediction {
   }
 
   private void takeMemory() {
-    for (int i = 0; i < OwnState.MEMORY; i++) {
-      player.memory()[i] = server.memory(i);
+    for (int i = 0; i < server.words(); i++) {
+      player.memory()[i] = server.word(i);
     }
   }
 

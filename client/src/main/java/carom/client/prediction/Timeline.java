@@ -39,7 +39,7 @@ final class Timeline {
     this.inputs = inputs;
     this.poses = poses;
     for (int i = 0; i < RING; i++) {
-      own[i] = new OwnState();
+      own[i] = new OwnState(Player.MEMORY_SIZE);
     }
     forget();
   }
@@ -113,8 +113,8 @@ final class Timeline {
         body.velocityX(),
         body.velocityY(),
         body.angularVelocity());
-    for (int i = 0; i < OwnState.MEMORY; i++) {
-      out.setMemory(i, player.memory()[i]);
+    for (int i = 0; i < Player.MEMORY_SIZE; i++) {
+      out.setWord(i, player.memory()[i]);
     }
   }
 

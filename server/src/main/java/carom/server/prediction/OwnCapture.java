@@ -10,9 +10,9 @@ import carom.sim.area.AreaForces;
 import java.util.function.Predicate;
 
 /**
- * Reads from a room's simulation the exact state of a player's body and its memory, which the
- * player's client needs to predict. Shared by the room's sessions. The room's thread; no allocation
- * but by {@link #predictedSet}.
+ * Reads from a room's simulation the exact state of a player's body and the words of its fields,
+ * which the player's client needs to predict. Shared by the room's sessions. The room's thread; no
+ * allocation but by {@link #predictedSet}.
  */
 public final class OwnCapture {
   private final Simulation simulation;
@@ -33,11 +33,16 @@ public final class OwnCapture {
     return new PredictedSet(simulation, marks, mayKnow);
   }
 
+  /** Returns the number of words in each own section. */
+  public int words() {
+    return Player.MEMORY_SIZE;
+  }
+
   /** Reads a player's own section after the simulation's last step. */
   public void capture(Player player, OwnState out) {
     int[] memory = player.memory();
-    for (int i = 0; i < OwnState.MEMORY; i++) {
-      out.setMemory(i, memory[i]);
+    for (int i = 0; i < Player.MEMORY_SIZE; i++) {
+      out.setWord(i, memory[i]);
     }
     Entity entity = player.body();
     if (entity == null) {

@@ -33,7 +33,7 @@ public final class SessionReplication {
   private final FrameCapture frames;
   private final OwnCapture capture;
   private final Counters counters;
-  private final OwnState own = new OwnState();
+  private final OwnState own;
 
   /** Null before the first link and after the end. */
   private SnapshotSender sender;
@@ -72,6 +72,7 @@ public final class SessionReplication {
     this.config = config;
     this.frames = frames;
     this.capture = capture;
+    own = new OwnState(capture.words());
     this.counters = counters;
   }
 
@@ -154,7 +155,7 @@ public final class SessionReplication {
     capture.capture(player, own);
     if (wanted != InputDatagram.NEAR_NONE && predictedSet == null) {
       predictedSet = capture.predictedSet(sender::mayKnow);
-      audit = audit == null ? new PredictionAudit() : audit;
+      audit = audit == null ? new PredictionAudit(own.words()) : audit;
     }
     if (audit != null) {
       lookForTouch();

@@ -58,7 +58,7 @@ public final class SnapshotDecoder {
   private final InputFeedback feedback = new InputFeedback();
   private boolean hasNews;
   private boolean hasOwn;
-  private final OwnInbox own = new OwnInbox();
+  private final OwnInbox own;
   private final EventInbox events = new EventInbox();
   private final TableInbox tables;
 
@@ -79,9 +79,9 @@ public final class SnapshotDecoder {
   private int[] touchedSlots = {};
   private int touched;
 
-  /** Creates a decoder that knows nothing, of a server without tables. */
+  /** Creates a decoder that knows nothing, of a game without fields. */
   public SnapshotDecoder(int capacity, int key, int tick, int tickRate) {
-    this(capacity, key, tick, tickRate, new TableInbox());
+    this(capacity, key, tick, tickRate, 0, new TableInbox());
   }
 
   /**
@@ -91,9 +91,12 @@ public final class SnapshotDecoder {
    * @param key the session's datagram key
    * @param tick the server's tick in {@code Welcome}: datagrams carry 16 bits of theirs
    * @param tickRate ticks per second, as in {@code Welcome}
+   * @param words number of words of the player's fields in an own section
    * @param tables takes the rows of the server's tables, whose layouts it has
    */
-  public SnapshotDecoder(int capacity, int key, int tick, int tickRate, TableInbox tables) {
+  public SnapshotDecoder(
+      int capacity, int key, int tick, int tickRate, int words, TableInbox tables) {
+    own = new OwnInbox(words);
     this.tables = tables;
     this.capacity = capacity;
     this.key = key;

@@ -152,16 +152,16 @@ class BaselineTest {
   @Test
   void ownStateCountsAsNews() {
     frame(-1, -1, 0);
-    OwnState own = new OwnState();
-    own.setMemory(2, 5);
+    OwnState own = new OwnState(4);
+    own.setWord(2, 5);
     assertEquals(false, encoder.nothingNew(own));
     encoder.begin(feedback, own, 0);
     encoder.next(buffer);
     ackNewest();
     assertEquals(true, encoder.nothingNew(own));
-    own.setMemory(2, 6);
+    own.setWord(2, 6);
     assertEquals(false, encoder.nothingNew(own));
-    assertThrows(IndexOutOfBoundsException.class, () -> own.setMemory(4, 0));
+    assertThrows(IndexOutOfBoundsException.class, () -> own.setWord(4, 0));
   }
 
   @Test
@@ -175,7 +175,7 @@ class BaselineTest {
       frame.putQuantized(slot, 1, 7, -1, 1_000 * slot, -slot, slot, slot, 1, 1);
     }
     many.end();
-    OwnState own = new OwnState();
+    OwnState own = new OwnState(4);
     int[] row = new int[BodyRow.INTS];
     Arrays.fill(row, 0x3f9d_70a4);
     own.near().begin(1);

@@ -1,6 +1,7 @@
 package carom.net.snapshot.exact;
 
 import carom.net.codec.SymbolTable;
+import carom.physics.rows.BodyRow;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -34,7 +35,7 @@ final class NearTables {
     PUSHED(1),
     PUSH(1),
     REMEMBERED(1),
-    MEMORY(OwnState.MEMORY),
+    MEMORY(BodyRow.MEMORY_INTS),
     END(3),
     KIND(1),
     ID(4),

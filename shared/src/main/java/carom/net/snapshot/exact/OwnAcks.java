@@ -114,6 +114,7 @@ public final class OwnAcks {
    * @return bytes of the near section, rounded
    */
   public int write(BitWriter w, int age) {
+    nothing.setWords(now.words());
     OwnState baseline = age > 0 ? acked : nothing;
     OwnCodec.code(w, baseline, now);
     relay.write(w, ring, RelayCodec.window(age), baseline.relayed, now.relayed);

@@ -20,24 +20,31 @@ public final class OwnInbox {
 
   private final OwnState[] owns = new OwnState[HISTORY];
   private final int[] ticks = new int[HISTORY];
-  private final OwnState nothing = new OwnState();
+  private final OwnState nothing;
   private final RelayCodec relay = new RelayCodec();
   private final NearRowCodec nearRows = new NearRowCodec();
   private final RelayedInputs inputs = new RelayedInputs();
-  private OwnState own = nothing;
+  private OwnState own;
 
   // A datagram is read into these first and counts only when all of it was good.
-  private final OwnState readOwn = new OwnState();
+  private final OwnState readOwn;
   private final long[] readInputs = new long[RelayCodec.maxInputs()];
   private final byte[] readWaiting = new byte[PlayerId.MAX + 1];
   private final PlayerSet readKnown = new PlayerSet();
   private int readWindow;
 
-  /** Creates an inbox that has received nothing. */
-  public OwnInbox() {
+  /**
+   * Creates an inbox that has received nothing.
+   *
+   * @param words number of words of the player's fields in each section
+   */
+  public OwnInbox(int words) {
+    nothing = new OwnState(words);
+    readOwn = new OwnState(words);
+    own = nothing;
     Arrays.fill(ticks, NEVER);
     for (int i = 0; i < HISTORY; i++) {
-      owns[i] = new OwnState();
+      owns[i] = new OwnState(words);
     }
   }
 
