@@ -10,6 +10,7 @@ import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.table.TableInbox;
 import carom.physics.Body;
 import carom.physics.rows.ContactRow;
+import carom.physics.rows.RowCounts;
 import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
 import carom.sim.Entity;
@@ -206,12 +207,15 @@ public final class IslandRig {
   private void part(int first, int end, int total) {
     list();
     NearState near = own.near();
-    near.beginPart(0, total, first);
+    RowCounts counts = new RowCounts();
+    counts.set(RowKind.BODY, island.count());
+    counts.set(RowKind.CONTACT, total - island.count());
+    near.beginPart(0, counts, first);
     for (int i = 0; i < island.count(); i++) {
       near.tell(i);
     }
     for (int row = first; row < end; row++) {
-      RowKind kind = RowKind.of(row, island.count(), 0);
+      RowKind kind = counts.kind(row);
       Rows rows = island.rows().of(kind);
       near.addRow(rows.ints(), rows.at(kind == RowKind.BODY ? row : row - island.count()));
     }

@@ -12,7 +12,10 @@ public enum RowKind {
   JOINT(JointRow.INTS),
 
   /** A contact between two bodies; its fields are in {@link ContactRow}. */
-  CONTACT(ContactRow.INTS);
+  CONTACT(ContactRow.INTS),
+
+  /** Words of the using program that belong to a body; its fields are in {@link FieldRow}. */
+  FIELDS(FieldRow.INTS);
 
   /** Number of ints of the longest kind. */
   static final int LONGEST;
@@ -34,17 +37,5 @@ public enum RowKind {
   /** Returns the number of ints of a row of this kind. */
   public int ints() {
     return ints;
-  }
-
-  /**
-   * Returns the kind of a row in a sequence that has all bodies first, then all joints, then all
-   * contacts.
-   *
-   * @param row its number, from 0
-   * @param bodies number of bodies in the sequence
-   * @param joints number of joints in the sequence
-   */
-  public static RowKind of(int row, int bodies, int joints) {
-    return row < bodies ? BODY : row < bodies + joints ? JOINT : CONTACT;
   }
 }

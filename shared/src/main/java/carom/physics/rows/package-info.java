@@ -27,9 +27,16 @@
  *          └───────────┴───────┴────────────┴─────────┴────────┴─────────────────┴───────┘
  *           integers                                   floats
  *
+ *            0       1       2
+ *          ┌───────┬───────┬───────────┐
+ *   FIELDS │ PLACE │ CHUNK │ w0 ... w7 │
+ *          └───────┴───────┴───────────┘
+ *                   user
+ *
  *   ExactRows:  BODY, BODY, BODY, ...         by ascending slot
  *               JOINT, JOINT, ...             by ascending slot
  *               CONTACT, CONTACT, ...         by ascending ends
+ *               FIELDS, FIELDS, ...           by ascending place and chunk
  *
  *   Rows of mixed kinds, in one array with room for the longest kind:
  *               │BODY──────────     │JOINT──────────────│CONTACT────────    │CONTACT────────    │

@@ -8,6 +8,8 @@ import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.physics.rows.BodyRow;
+import carom.physics.rows.RowCounts;
+import carom.physics.rows.RowKind;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 
@@ -182,7 +184,7 @@ class BaselineTest {
     for (int i = 0; i < 12; i++) {
       own.near().add(i | 1 << 16);
     }
-    own.near().beginPart(0, 12, 0);
+    own.near().beginPart(0, contacts(12), 0);
     for (int i = 0; i < 12; i++) {
       own.near().tell(i);
     }
@@ -209,5 +211,11 @@ class BaselineTest {
       sum += n;
     }
     return sum;
+  }
+
+  private static RowCounts contacts(int count) {
+    RowCounts counts = new RowCounts();
+    counts.set(RowKind.CONTACT, count);
+    return counts;
   }
 }

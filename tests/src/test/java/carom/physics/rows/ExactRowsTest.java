@@ -70,9 +70,13 @@ final class ExactRowsTest {
   @Test
   void rowsOfMixedKindsStayApart() {
     Rows rows = Rows.mixed();
+    RowCounts counts = new RowCounts();
+    counts.set(RowKind.BODY, 20);
+    counts.set(RowKind.JOINT, 10);
+    counts.set(RowKind.FIELDS, 5);
     List<int[]> added = new ArrayList<>();
     for (int i = 0; i < 50; i++) {
-      RowKind kind = RowKind.of(i, 20, 10);
+      RowKind kind = counts.kind(i);
       int[] row = new int[kind.ints()];
       Arrays.fill(row, i + 1);
       rows.add(kind, row, 0);
@@ -87,10 +91,12 @@ final class ExactRowsTest {
       int[] found = Arrays.copyOfRange(copy.ints(), at, at + expected.length);
       assertArrayEquals(expected, found, "row " + i);
     }
-    assertEquals(RowKind.BODY, RowKind.of(19, 20, 3));
-    assertEquals(RowKind.JOINT, RowKind.of(20, 20, 3));
-    assertEquals(RowKind.JOINT, RowKind.of(22, 20, 3));
-    assertEquals(RowKind.CONTACT, RowKind.of(23, 20, 3));
+    assertEquals(RowKind.BODY, counts.kind(19));
+    assertEquals(RowKind.JOINT, counts.kind(20));
+    assertEquals(RowKind.JOINT, counts.kind(29));
+    assertEquals(RowKind.FIELDS, counts.kind(30));
+    assertEquals(20, counts.first(RowKind.JOINT));
+    assertEquals(35, counts.total());
   }
 
   @Test

@@ -27,6 +27,10 @@ import static carom.physics.rows.ContactRow.TANGENT_IMPULSE_0;
 import static carom.physics.rows.ContactRow.TANGENT_IMPULSE_1;
 import static carom.physics.rows.ContactRow.TOTAL_IMPULSE_0;
 import static carom.physics.rows.ContactRow.TOTAL_IMPULSE_1;
+import static carom.physics.rows.FieldRow.CHUNK;
+import static carom.physics.rows.FieldRow.PLACE;
+import static carom.physics.rows.FieldRow.WORDS;
+import static carom.physics.rows.FieldRow.WORD_INTS;
 
 import carom.net.codec.BitCoder;
 import carom.net.codec.Bits;
@@ -48,6 +52,7 @@ public class NearRowCodec {
   private static final int POINTS_BITS = 16;
   private static final int PLACE_BITS = 8;
   private static final int WIDTH_BITS = 5;
+  private static final int CHUNK_BITS = 6;
 
   /**
    * Number by which an impulse is multiplied to predict the total impulse of a tick, which sums the
@@ -82,6 +87,7 @@ public class NearRowCodec {
   private int endA;
   private int endB;
   private int lastStatic;
+  private int lastPlace;
 
   /** Creates a codec; call {@link #begin} before use. */
   public NearRowCodec() {}
@@ -96,6 +102,7 @@ public class NearRowCodec {
     endA = 0;
     endB = 0;
     lastStatic = 0;
+    lastPlace = 0;
   }
 
   /** Codes a symbol. */
@@ -120,6 +127,7 @@ public class NearRowCodec {
       case BODY -> body(c, rows, at);
       case JOINT -> throw new IllegalStateException("joints are not told");
       case CONTACT -> contact(c, rows, at);
+      case FIELDS -> fields(c, rows, at);
     }
   }
 
@@ -146,6 +154,25 @@ public class NearRowCodec {
       int to = at + MEMORY + i;
       r[to] = (which >>> i & 1) == 0 ? 0 : word(c, i, r[to]);
     }
+  }
+
+  private void fields(BitCoder c, int[] r, int at) {
+    boolean same = c.plain(r[at + PLACE] == lastPlace ? 1 : 0, 1) != 0;
+    lastPlace = same ? lastPlace : c.plain(r[at + PLACE], PLACE_BITS);
+    r[at + PLACE] = lastPlace;
+    r[at + CHUNK] = c.plain(r[at + CHUNK], CHUNK_BITS);
+    int which = c.plain(notZero(r, at + WORDS, WORD_INTS), WORD_INTS);
+    for (int i = 0; i < WORD_INTS; i++) {
+      int to = at + WORDS + i;
+      r[to] = (which >>> i & 1) == 0 ? 0 : difference(c, r[to]);
+    }
+  }
+
+  /** Codes a number that is not 0 as its width, and then its zigzag form. */
+  private static int difference(BitCoder c, int value) {
+    int z = Bits.zigzag(value);
+    int width = 1 + c.plain(Bits.width(z) - 1, WIDTH_BITS);
+    return Bits.unzigzag(c.plain(z, width));
   }
 
   private static int notZero(int[] r, int at, int count) {
