@@ -45,7 +45,7 @@ final class DivergenceReporter {
   private void checkOwn(int tick, boolean alone, long nowNs) {
     if (!prediction.result().compared() || !alone) {
       exactTick = -1;
-    } else if (prediction.result().exact()) {
+    } else if (prediction.result().exact() || prediction.result().told()) {
       exactTick = tick;
     } else if (exactTick >= 0) {
       if (isReportDue(nowNs)) {

@@ -8,6 +8,7 @@ import carom.physics.math.Aabb;
 import carom.physics.math.Limits;
 import carom.physics.math.StateHash;
 import carom.physics.math.Trig;
+import carom.physics.rows.BodyRow;
 import java.util.function.Consumer;
 
 /**
@@ -490,6 +491,35 @@ public final class Body<T> {
       store.forceY[index] += fy;
       store.torque[index] += torque;
     }
+  }
+
+  /**
+   * Reads pose, velocities, the time at rest, and what acts on the body in the next step: the
+   * {@link BodyRow#STATE_INTS} ints that a row has from {@link BodyRow#MOTION} on.
+   *
+   * @param row receives them
+   * @param at where the row begins
+   */
+  public void readRow(int[] row, int at) {
+    check();
+    dynamics().readBody(index, row, at);
+  }
+
+  /**
+   * Takes over what {@link #readRow} reads, to the bit. A sleeping body wakes, with its island.
+   *
+   * @param row a row of a body that is awake, with finite numbers
+   * @param at where the row begins
+   */
+  public void writeRow(int[] row, int at) {
+    check();
+    dynamics().wake(index);
+    float oldX = store.x[index];
+    float oldY = store.y[index];
+    float oldCos = store.cos[index];
+    float oldSin = store.sin[index];
+    dynamics().writeBody(index, row, at);
+    movedFrom(oldX, oldY, oldCos, oldSin);
   }
 
   /**

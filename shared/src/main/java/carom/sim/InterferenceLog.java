@@ -1,6 +1,9 @@
 package carom.sim;
 
 import carom.physics.math.StateHash;
+import carom.physics.rows.BodyRow;
+import carom.sim.ruling.Ruling;
+import carom.sim.ruling.RulingLog;
 import java.util.Arrays;
 
 /**
@@ -19,6 +22,9 @@ import java.util.Arrays;
  *   replication, after tick n         lastTick(entity) == n: the game interfered in tick n
  * </pre>
  *
+ * <p>What it did to a body that stays awake is a {@link Ruling}, which can be told as such. All
+ * else needs the exact state of the entity: see {@link #lastUntoldTick}.
+ *
  * <p>Only watched entities are compared, so the others cost nothing; the bodies of players are
  * always compared, see {@link #lastTick(Player)}. The log is no part of the simulation's state. It
  * is filled on {@link Role#AUTHORITY} only. One thread; allocates only to grow.
@@ -29,7 +35,9 @@ public final class InterferenceLog {
     Object subject;
     boolean watched;
     long stamp;
+    int[] row;
     int lastTick;
+    int lastUntoldTick;
     boolean beforeStep;
   }
 
@@ -42,6 +50,9 @@ public final class InterferenceLog {
   /** Marks of players, by id. */
   private Mark[] ofPlayers = new Mark[16];
 
+  private final RulingLog rulings = new RulingLog();
+  private final Ruling ruling = new Ruling();
+  private final int[] row = new int[BodyRow.INTS];
   private Entity[] watched = new Entity[16];
   private int watchedCount;
 
@@ -74,7 +85,21 @@ public final class InterferenceLog {
   }
 
   /**
-   * Returns whether the game interfered before the physics of {@link #lastTick(Entity)}. Then the
+   * Returns the last tick in which the game did something to an entity that is no {@link Ruling},
+   * while it was watched, or -1: it put it to sleep, or changed its player's memory.
+   */
+  public int lastUntoldTick(Entity entity) {
+    Mark mark = find(ofEntities, entity.id(), entity);
+    return mark == null ? -1 : mark.lastUntoldTick;
+  }
+
+  /** Returns what the game did to watched bodies that stayed awake. For reading only. */
+  public RulingLog rulings() {
+    return rulings;
+  }
+
+  /**
+   * Returns whether the game interfered before the physics of {@link #lastUntoldTick}. Then the
    * bodies that this one touches are affected in the same tick. Otherwise nothing but this entity
    * differs after that tick.
    */
@@ -104,7 +129,10 @@ public final class InterferenceLog {
     }
     for (int i = 0; i < watchedCount; i++) {
       if (entities.holds(watched[i])) {
-        ofEntities[watched[i].id()].stamp = stamp(watched[i]);
+        Mark mark = ofEntities[watched[i].id()];
+        mark.stamp = stamp(watched[i]);
+        mark.row = mark.row == null ? new int[BodyRow.INTS] : mark.row;
+        watched[i].body().readRow(mark.row, 0);
       }
     }
   }
@@ -138,12 +166,36 @@ public final class InterferenceLog {
     for (int i = 0; i < watchedCount; i++) {
       if (entities.holds(watched[i])) {
         Mark mark = ofEntities[watched[i].id()];
-        if (stamp(watched[i]) != mark.stamp) {
-          mark.beforeStep = beforeStep || (mark.lastTick == tick && mark.beforeStep);
+        boolean told = noteRuling(watched[i], mark, tick, beforeStep);
+        if (!told || stamp(watched[i]) != mark.stamp) {
+          mark.beforeStep = beforeStep || (mark.lastUntoldTick == tick && mark.beforeStep);
+          mark.lastUntoldTick = tick;
           mark.lastTick = tick;
         }
       }
     }
+  }
+
+  /**
+   * Notes what the rules did to a body, if anything.
+   *
+   * @return false if they did something that a ruling can't say
+   */
+  private boolean noteRuling(Entity entity, Mark mark, int tick, boolean beforeStep) {
+    entity.body().readRow(row, 0);
+    ruling.setDifference(mark.row, row);
+    if (ruling.mask == 0) {
+      return true;
+    }
+    mark.lastTick = tick;
+    if (row[BodyRow.SLEEP_TIME] == BodyRow.ASLEEP) {
+      return false;
+    }
+    ruling.tick = tick;
+    ruling.afterStep = !beforeStep;
+    ruling.key = entity.id() | entity.generation() << 16;
+    rulings.add().set(ruling);
+    return true;
   }
 
   private static long bodyStamp(Player player) {
@@ -151,7 +203,7 @@ public final class InterferenceLog {
   }
 
   private long stamp(Entity entity) {
-    long h = StateHash.mix(entity.body().stamp(), entity.body().awake() ? 1 : 0);
+    long h = StateHash.SEED;
     Player owner = players.get(entity.ownerId());
     if (owner != null && owner.body == entity) {
       for (int value : owner.memory()) {
@@ -178,6 +230,7 @@ public final class InterferenceLog {
       mark.watched = false;
       mark.stamp = 0;
       mark.lastTick = -1;
+      mark.lastUntoldTick = -1;
       mark.beforeStep = false;
     }
     return mark;

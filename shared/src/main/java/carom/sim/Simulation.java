@@ -80,6 +80,9 @@ public final class Simulation {
   private boolean inTick;
   private Journal journal;
 
+  /** What is known of the server's rules, on PREDICTION; may be null. */
+  private Rulings rulings;
+
   /** Past poses on AUTHORITY if the game looks back; otherwise null. */
   private final PoseHistory<Entity> history;
 
@@ -147,6 +150,17 @@ public final class Simulation {
    */
   public void journal(Journal newJournal) {
     journal = newJournal;
+  }
+
+  /**
+   * Sets what is known of the server's rules.
+   *
+   * @param known asked in every step from now on
+   * @throws IllegalStateException on {@link Role#AUTHORITY}
+   */
+  public void rulings(Rulings known) {
+    calls.requirePrediction("rulings");
+    rulings = known;
   }
 
   /** Returns the physics world. */
@@ -531,6 +545,8 @@ public final class Simulation {
       interference.beginRules();
       game.beforeStep(this);
       interference.endRulesBeforeStep(tick);
+    } else if (rulings != null) {
+      rulings.beforeStep(this);
     }
     for (int i = 0; i < players.limit(); i++) {
       Player player = players.get(i);
@@ -549,6 +565,8 @@ public final class Simulation {
       interference.beginRules();
       game.afterStep(this);
       interference.endRulesAfterStep(tick);
+    } else if (rulings != null) {
+      rulings.afterStep(this);
     }
   }
 

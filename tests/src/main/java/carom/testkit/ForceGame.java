@@ -32,6 +32,13 @@ public final class ForceGame implements Game {
   /** Tag of bodies that look at the ground and hover over it. */
   public static final int HOVER = 3;
 
+  /** Tag of bodies that the rules push before every step, which no client can foresee. */
+  public static final int PUSHED = 4;
+
+  /** Tag of bodies that the rules throw up every second and a half. */
+  public static final int THROWN = 5;
+
+  private static final int THROW_TICKS = 90;
   private static final int THRUST = 0;
 
   private final QueryHit<Entity> hit = new QueryHit<>();
@@ -101,6 +108,26 @@ public final class ForceGame implements Game {
     Body<Entity> body = p.body().body();
     body.seekVelocity(in.moveX() * 5, body.velocityY(), 6 * body.mass());
     p.memory()[THRUST] = in.held(Input.JUMP) || in.moveY() > 0.3f ? 1 : 0;
+  }
+
+  @Override
+  public void beforeStep(Simulation s) {
+    for (int id = 0; id < s.entityCapacity(); id++) {
+      Entity e = s.entity(id);
+      if (e != null && e.archetype().tag() == PUSHED) {
+        e.body().applyImpulse(s.tick() / 60 % 2 == 0 ? 0.1f : -0.1f, 0);
+      }
+    }
+  }
+
+  @Override
+  public void afterStep(Simulation s) {
+    for (int id = 0; s.tick() % THROW_TICKS == 0 && id < s.entityCapacity(); id++) {
+      Entity e = s.entity(id);
+      if (e != null && e.archetype().tag() == THROWN) {
+        e.body().setVelocity(id % 3 - 1, 6);
+      }
+    }
   }
 
   @Override

@@ -184,13 +184,15 @@ final class ArchitectureTest {
     allow("carom.sim.level", "carom.physics..");
     allow("carom.sim.history", "carom.physics..", "carom.sim.level");
     allow("carom.sim.area", "carom.physics..", "carom.sim.level");
+    allow("carom.sim.ruling", "carom.physics", "carom.physics.rows");
     allow(
         "carom.sim",
         "carom.physics..",
         "carom.sim.level",
         "carom.sim.event",
         "carom.sim.history",
-        "carom.sim.area");
+        "carom.sim.area",
+        "carom.sim.ruling");
     allow("carom.sim.near", "carom.physics..", "carom.sim", "carom.sim.level");
     allow("carom.sim.scene", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.event");
     allow(

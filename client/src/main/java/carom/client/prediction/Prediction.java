@@ -25,9 +25,10 @@ import java.util.function.LongSupplier;
  * <p>What happens when the server's state after tick T arrives:
  *
  * <ol>
- *   <li>If an input of another player was mispredicted, or an {@linkplain NearUpdate update} of
- *       exact states is complete, the simulation rolls back to the tick before. It applies the
- *       update and resimulates up to T with the real inputs.
+ *   <li>If an input of another player was mispredicted, a {@linkplain ReceivedRulings ruling} of
+ *       the game came, or an {@linkplain NearUpdate update} of exact states is complete, the
+ *       simulation rolls back to the tick before. It applies the update and resimulates up to T
+ *       with the real inputs and rulings.
  *   <li>If the hash of T is now the server's, T is right.
  *   <li>Otherwise the own body is corrected from the own section, and others from the quantised
  *       records where these disagree. The client reports that the hash differed, and the server
@@ -56,6 +57,7 @@ public final class Prediction {
   private final Corrector corrector;
   private final ReplayBudget budget;
   private final PendingUpdates updates;
+  private final ReceivedRulings rulings = new ReceivedRulings();
   private final Reconciler reconciler;
   private final Agreement agreement = new Agreement();
   private final Reconciliation result = new Reconciliation();
@@ -102,10 +104,20 @@ public final class Prediction {
     timeline = new Timeline(simulation, player, inputs, poses);
     corrector = new Corrector(simulation, records);
     budget = new ReplayBudget(maxRollbackTicks, maxReplayNs, stopwatch);
+    simulation.rulings(rulings);
     updates = new PendingUpdates(records, timeline, budget, corrector);
     reconciler =
         new Reconciler(
-            simulation, inputs, poses, timeline, corrector, updates, budget, agreement, result);
+            simulation,
+            inputs,
+            poses,
+            timeline,
+            corrector,
+            updates,
+            rulings,
+            budget,
+            agreement,
+            result);
     syncTester = new SyncTester(timeline, inputs);
   }
 
@@ -161,6 +173,7 @@ public final class Prediction {
    */
   public void receive(NearState near, int stateTick) {
     updates.add(near, stateTick);
+    rulings.add(near, stateTick);
   }
 
   /**

@@ -17,6 +17,7 @@ final class Reconciler {
   private final Timeline timeline;
   private final Corrector corrector;
   private final PendingUpdates updates;
+  private final ReceivedRulings rulings;
   private final ReplayBudget budget;
   private final Agreement agreement;
   private final Reconciliation result;
@@ -30,6 +31,7 @@ final class Reconciler {
       Timeline timeline,
       Corrector corrector,
       PendingUpdates updates,
+      ReceivedRulings rulings,
       ReplayBudget budget,
       Agreement agreement,
       Reconciliation result) {
@@ -39,6 +41,7 @@ final class Reconciler {
     this.timeline = timeline;
     this.corrector = corrector;
     this.updates = updates;
+    this.rulings = rulings;
     this.budget = budget;
     this.agreement = agreement;
     this.result = result;
@@ -75,7 +78,8 @@ final class Reconciler {
       timeline.pin(tick);
     }
     int oldest = Math.max(lastTick, timeline.tick() - Timeline.RING + 1);
-    int mispredicted = inputs.firstMispredicted(oldest, timeline.tick());
+    int ruled = rulings.takeFirst();
+    int mispredicted = Math.min(ruled, inputs.firstMispredicted(oldest, timeline.tick()));
     int from = rewind(mispredicted, present);
     if (from < 0 && tick > timeline.tick()) {
       timeline.skipTo(tick); // the server is ahead: this tick was never predicted
@@ -83,6 +87,9 @@ final class Reconciler {
       from = tick;
     } else {
       from = compare(from);
+      if (ruled <= tick) {
+        tell(tick);
+      }
       if (from < 0 && isWorthRollback(mispredicted, present)) {
         from = mispredicted - 1;
         timeline.restore(from);
@@ -93,8 +100,18 @@ final class Reconciler {
       replay(present);
       result.correctionMetres = poses.endCorrection();
     }
-    result.corrected = result.compared && !result.exact;
+    result.corrected = result.compared && !result.exact && !result.told;
     end();
+  }
+
+  /** Counts what was predicted otherwise, and is right with a ruling that came, as told. */
+  private void tell(int tick) {
+    boolean right = timeline.isSaved(tick) && timeline.own(tick).sameAs(server);
+    result.told = result.compared && !result.exact && right;
+    if (right && agreement.agreedTick() == tick) {
+      result.toldBodies = result.awakeBodies - result.exactBodies;
+      result.awakeBodies = result.exactBodies;
+    }
   }
 
   private void begin(OwnState own, int tick) {

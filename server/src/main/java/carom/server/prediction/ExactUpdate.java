@@ -10,8 +10,8 @@ import carom.sim.Simulation;
  * the client in parts. The twin of the client's {@code NearUpdate}, which puts the parts together.
  *
  * <p>An update tells the entities that the client doesn't know exactly: newcomers and what they
- * struck, entities with which the game interfered in the base tick, and on a line that loses
- * datagrams what the update before told. Or it tells all of them.
+ * struck, entities with which the game interfered in the base tick by more than rulings, and on a
+ * line that loses datagrams what the update before told. Or it tells all of them.
  *
  * <pre>
  *             begin                   last row sent                  all acknowledged
@@ -147,7 +147,7 @@ final class ExactUpdate {
   }
 
   private boolean isChanged(EntityList near, int place) {
-    return interference.lastTick(near.get(place)) == baseTick;
+    return interference.lastUntoldTick(near.get(place)) == baseTick;
   }
 
   private void noteUnconfirmed() {
@@ -159,7 +159,8 @@ final class ExactUpdate {
     }
   }
 
-  private boolean isLossy() {
+  /** Returns whether the line has lost datagrams lately. */
+  boolean isLossy() {
     return simulation.tick() - lossTick < LOSSY_TICKS;
   }
 

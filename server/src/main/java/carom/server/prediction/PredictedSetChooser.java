@@ -131,6 +131,11 @@ final class PredictedSetChooser {
     return false;
   }
 
+  /** Returns whether an entity was chosen. Valid until another session chooses. */
+  boolean isChosen(int id) {
+    return marks.isListed(id);
+  }
+
   /**
    * Returns whether an area may act on a chosen entity whose carrier isn't among them, because
    * there was no room or the game hides it.
@@ -146,11 +151,13 @@ final class PredictedSetChooser {
    */
   boolean chooseAgain(KeyList before) {
     chosen.clear();
+    marks.clear(simulation.entityCapacity());
     for (int i = 0; i < before.count(); i++) {
       Entity e = EntityList.find(simulation, before.get(i));
       if (e == null || !mayKnow.test(e)) {
         return false;
       }
+      marks.list(e.id());
       chosen.add(e);
     }
     return true;

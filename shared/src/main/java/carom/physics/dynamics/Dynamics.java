@@ -392,6 +392,16 @@ public final class Dynamics {
     return transfer.read(rows);
   }
 
+  /** Reads the state of one body into its row, which begins at an index. */
+  public void readBody(int slot, int[] row, int at) {
+    transfer.readBody(slot, row, at);
+  }
+
+  /** Gives a body that is awake the state of its row, which says that it is awake. */
+  public void writeBody(int slot, int[] row, int at) {
+    transfer.writeBody(slot, false, row, at);
+  }
+
   /**
    * Gives listed bodies the exact state of their rows, with their joints and contacts.
    *

@@ -98,7 +98,8 @@ final class RowTransfer {
     return leaks;
   }
 
-  private void readBody(int slot, int[] row, int at) {
+  /** Reads the state of a body into its row, which begins at an index. */
+  void readBody(int slot, int[] row, int at) {
     row[at + BodyRow.X] = Float.floatToRawIntBits(store.x[slot]);
     row[at + BodyRow.Y] = Float.floatToRawIntBits(store.y[slot]);
     row[at + BodyRow.COS] = Float.floatToRawIntBits(store.cos[slot]);
@@ -190,7 +191,8 @@ final class RowTransfer {
     }
   }
 
-  private void writeBody(int slot, boolean sleeps, int[] row, int at) {
+  /** Gives a body the state of its row; it doesn't fall asleep by that. */
+  void writeBody(int slot, boolean sleeps, int[] row, int at) {
     store.x[slot] = Float.intBitsToFloat(row[at + BodyRow.X]);
     store.y[slot] = Float.intBitsToFloat(row[at + BodyRow.Y]);
     store.cos[slot] = Float.intBitsToFloat(row[at + BodyRow.COS]);

@@ -2,6 +2,7 @@ package carom.net.snapshot.exact;
 
 import carom.net.codec.BitPass;
 import carom.net.snapshot.frame.FrameRing;
+import carom.physics.rows.BodyRow;
 import carom.physics.rows.RowKind;
 
 /**
@@ -11,6 +12,8 @@ import carom.physics.rows.RowKind;
  */
 public final class NearCodec {
   private static final int PART_BITS = 6;
+  private static final int PLACE_BITS = 8;
+  private static final int RULING_BITS = 5;
   private static final int KEY_BITS = 24;
   private static final int MAX_KEY = (1 << KEY_BITS) - 1;
   private static final int SLOT_MASK = 0xffff;
@@ -45,6 +48,44 @@ public final class NearCodec {
     if (c.flag(near.updating)) {
       part(c, near);
     }
+    if (c.flag(near.rulings > 0)) {
+      rulings(c, near);
+    }
+  }
+
+  /** Codes the rulings, at least one. */
+  private static void rulings(BitPass c, NearState near) {
+    int n = c.plain(near.rulings, RULING_BITS);
+    for (int i = 0; i < n; i++) {
+      boolean writes = !c.isReading();
+      int place = c.plain(writes ? near.rulingPlace(i) : 0, PLACE_BITS);
+      int age = c.plain(writes ? near.rulingAge(i) : 0, FrameRing.AGE_BITS);
+      boolean afterStep = c.flag(writes && near.isRulingAfterStep(i));
+      int mask = c.plain(writes ? near.rulingMask(i) : 0, BodyRow.STATE_INTS);
+      if (!c.require(place < near.count)) {
+        return;
+      }
+      if (c.isReading()) {
+        near.addRuling(place, age, afterStep, mask);
+      }
+      for (int word = 0; word < BodyRow.STATE_INTS; word++) {
+        if ((mask & 1 << word) != 0) {
+          int bits = c.plain(writes ? near.rulingWord(i, word) : 0, Integer.SIZE);
+          if (c.isReading()) {
+            near.setRulingWord(word, bits);
+          }
+        }
+      }
+    }
+  }
+
+  /** Returns how many bits a ruling takes. */
+  public static int rulingBits(int mask) {
+    return PLACE_BITS
+        + FrameRing.AGE_BITS
+        + 1
+        + BodyRow.STATE_INTS
+        + Integer.SIZE * Integer.bitCount(mask);
   }
 
   /**

@@ -18,6 +18,10 @@ import java.util.Arrays;
  * {@link BodyRow} with its key, in the order of the list; then rows of the other kinds, whose ends
  * are places in the list or inverted slots of static bodies.
  *
+ * <p>What the game's rules did to a listed body by themselves is told as a <em>ruling</em>: the new
+ * bits of the numbers that changed, at a tick. A client that applies it at that tick computes what
+ * the server did.
+ *
  * <p>The order of the list is that of the server's world and is part of the state. Mutable, reused.
  */
 public final class NearState {
@@ -30,6 +34,13 @@ public final class NearState {
   /** Largest number of rows of an update in one snapshot. */
   public static final int MAX_PART = 63;
 
+  /** Largest number of rulings in one snapshot. */
+  public static final int MAX_RULINGS = 31;
+
+  /** Ints of a ruling that say what it is about, before those that changed. */
+  private static final int RULING_HEAD = 3;
+
+  private static final int RULING_INTS = RULING_HEAD + BodyRow.STATE_INTS;
   private static final int FIRST_ROOM = 16;
   private static final int[] NONE = {};
 
@@ -42,6 +53,9 @@ public final class NearState {
   int toldCount;
   int[] told = NONE;
   int firstRow;
+
+  int rulings;
+  private int[] rulingInts = NONE;
 
   /** Rows of the whole update by kind; bodies are the told entities. */
   final RowCounts counts = new RowCounts();
@@ -56,6 +70,7 @@ public final class NearState {
     present = false;
     hash = 0;
     count = 0;
+    rulings = 0;
     endUpdate();
   }
 
@@ -137,6 +152,64 @@ public final class NearState {
     }
   }
 
+  /**
+   * Adds a ruling without changed numbers; {@link #setRulingWord} follows for each.
+   *
+   * @param place of its entity in the list
+   * @param ticksAgo age of its tick, ticks, 0..63
+   * @param afterStep whether it was made after the physics of its tick, instead of before the
+   *     inputs
+   * @param mask bit i says that the int {@code BodyRow.MOTION + i} of the body's row changed
+   * @throws IllegalStateException if there are {@value #MAX_RULINGS}
+   */
+  public void addRuling(int place, int ticksAgo, boolean afterStep, int mask) {
+    if (rulings == MAX_RULINGS) {
+      throw new IllegalStateException("rulings=" + rulings + " is the most in one snapshot");
+    }
+    int at = rulings++ * RULING_INTS;
+    if (at == rulingInts.length) {
+      rulingInts = Arrays.copyOf(rulingInts, Math.max(4 * RULING_INTS, 2 * at));
+    }
+    rulingInts[at] = place;
+    rulingInts[at + 1] = ticksAgo << 1 | (afterStep ? 1 : 0);
+    rulingInts[at + 2] = mask;
+  }
+
+  /** Sets the new bits of a number that the ruling added last changed; 0 is the first one. */
+  public void setRulingWord(int word, int bits) {
+    rulingInts[(rulings - 1) * RULING_INTS + RULING_HEAD + word] = bits;
+  }
+
+  /** Returns the number of rulings. */
+  public int rulings() {
+    return rulings;
+  }
+
+  /** Returns the place in the list of a ruling's entity. */
+  public int rulingPlace(int index) {
+    return rulingInts[index * RULING_INTS];
+  }
+
+  /** Returns the age of a ruling's tick, in ticks before the snapshot's tick. */
+  public int rulingAge(int index) {
+    return rulingInts[index * RULING_INTS + 1] >> 1;
+  }
+
+  /** Returns whether a ruling was made after the physics of its tick. */
+  public boolean isRulingAfterStep(int index) {
+    return (rulingInts[index * RULING_INTS + 1] & 1) != 0;
+  }
+
+  /** Returns which numbers of a body's row a ruling changed, see {@link #addRuling}. */
+  public int rulingMask(int index) {
+    return rulingInts[index * RULING_INTS + 2];
+  }
+
+  /** Returns the new bits of a number that a ruling changed. */
+  public int rulingWord(int index, int word) {
+    return rulingInts[index * RULING_INTS + RULING_HEAD + word];
+  }
+
   /** Returns the kind of a row of this part. */
   public RowKind kind(int row) {
     return counts.kind(firstRow + row);
@@ -153,6 +226,11 @@ public final class NearState {
 
   void set(NearState other) {
     setList(other);
+    rulings = other.rulings;
+    if (rulingInts.length < rulings * RULING_INTS) {
+      rulingInts = new int[other.rulingInts.length];
+    }
+    System.arraycopy(other.rulingInts, 0, rulingInts, 0, rulings * RULING_INTS);
     updating = other.updating;
     age = other.age;
     toldCount = 0;
@@ -164,8 +242,9 @@ public final class NearState {
     rows.set(other.rows);
   }
 
-  /** Copies the list and the hash of another state, but not its update. */
+  /** Copies the list and the hash of another state, but not its update and its rulings. */
   void setList(NearState other) {
+    rulings = 0;
     present = other.present;
     hash = other.hash;
     endUpdate();

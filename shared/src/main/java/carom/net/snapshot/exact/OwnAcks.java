@@ -71,7 +71,8 @@ public final class OwnAcks {
     if (ackedTick < 0
         || !own.sameSection(acked)
         || !own.near.sameAs(acked.near)
-        || own.near.updating) {
+        || own.near.updating
+        || own.near.rulings > 0) {
       return false;
     }
     int window = newest.tick() - ackedTick;
