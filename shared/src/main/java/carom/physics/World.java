@@ -328,6 +328,28 @@ public final class World<T> {
     edits.destroy(joint);
   }
 
+  /**
+   * Destroys all joints. Those created next get ascending indices: the solver's order is then the
+   * order of their creation.
+   *
+   * @throws IllegalStateException during a step or a query
+   */
+  public void destroyJoints() {
+    refuseDuringStep("destroyJoints");
+    refuseDuringQuery("destroyJoints");
+    for (int j = joints.slots() - 1; j >= 0; j--) {
+      if (joint(j) != null) {
+        removeJoint(j);
+      }
+    }
+    joints.sortFree();
+  }
+
+  /** Returns a number above all indices of joints that were ever used. */
+  public int jointSlotCount() {
+    return joints.slots();
+  }
+
   private void own(Joint<T> joint) {
     joint.check();
     if (joint.world() != this) {

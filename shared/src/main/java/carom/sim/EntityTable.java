@@ -3,7 +3,13 @@ package carom.sim;
 import carom.physics.Body;
 import carom.physics.BodyDef;
 import carom.physics.World;
+import carom.physics.math.Transform;
+import carom.physics.math.Trig;
+import carom.physics.rows.JointDefRow;
 import carom.sim.history.TrackedBodies;
+import carom.sim.joint.Assemblies;
+import carom.sim.joint.Assembly;
+import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 import carom.sim.level.ScriptedMotion;
@@ -16,6 +22,7 @@ import java.util.Arrays;
 final class EntityTable implements TrackedBodies<Entity> {
   private final World<Entity> world;
   private final PlayerTable players;
+  private final Assemblies assemblies;
   private final int tickRate;
   private Entity[] entities = new Entity[64];
   private byte[] generations = new byte[64];
@@ -30,7 +37,8 @@ final class EntityTable implements TrackedBodies<Entity> {
 
   private long version;
 
-  EntityTable(World<Entity> world, PlayerTable players, int tickRate) {
+  EntityTable(World<Entity> world, PlayerTable players, Assemblies assemblies, int tickRate) {
+    this.assemblies = assemblies;
     this.world = world;
     this.players = players;
     this.tickRate = tickRate;
@@ -136,6 +144,58 @@ final class EntityTable implements TrackedBodies<Entity> {
     return add(new Entity(this, id, generation, archetype, ownerId), x, y, angle, tick);
   }
 
+  /** Creates the bodies and joints of an assembly; returns its root. */
+  Entity spawn(
+      Assembly assembly,
+      float x,
+      float y,
+      float angle,
+      int ownerId,
+      int tick,
+      JointTable<Entity> joints) {
+    if (count + assembly.bodyCount() > Simulation.MAX_ENTITIES) {
+      throw new IllegalStateException(
+          "assembly=" + assembly + " can't be spawned: entities=" + count + " is the limit");
+    }
+    float c = Trig.cos(angle);
+    float s = Trig.sin(angle);
+    Entity[] members = new Entity[assembly.bodyCount()];
+    for (int i = 0; i < members.length; i++) {
+      float dx = assembly.x(i);
+      float dy = assembly.y(i);
+      members[i] =
+          spawn(
+              assembly.archetypes().get(i),
+              x + c * dx - s * dy,
+              y + s * dx + c * dy,
+              angle + assembly.angle(i),
+              ownerId,
+              tick);
+      members[i].rootId(members[0].id());
+    }
+    for (int i = 0; i < assembly.jointCount(); i++) {
+      int at = i * JointDefRow.INTS;
+      Body<Entity> a = members[assembly.bodyA(i)].body();
+      Body<Entity> b = members[assembly.bodyB(i)].body();
+      joints.create(0, members[0].id(), i, a, b, assembly.definitions(), at);
+    }
+    return members[0];
+  }
+
+  /** Moves the other bodies of an assembly as its root is about to be moved. */
+  void moveMembers(Entity root, float x, float y, float angle) {
+    Transform before = new Transform();
+    Body<Entity> body = root.body();
+    before.set(body.x(), body.y(), body.cos(), body.sin());
+    Transform after = new Transform();
+    after.set(x, y, Trig.cos(angle), Trig.sin(angle));
+    for (int i = 0; i < capacity; i++) {
+      if (entities[i] != null && entities[i] != root && entities[i].rootId() == root.id()) {
+        entities[i].teleportWith(before, after);
+      }
+    }
+  }
+
   private int takeFreeId(Archetype archetype) {
     int id = firstFree;
     while (id < capacity && entities[id] != null) {
@@ -183,7 +243,7 @@ final class EntityTable implements TrackedBodies<Entity> {
     capacity = Math.max(capacity, id + 1);
     count++;
     Player owner = players.get(entity.ownerId());
-    if (owner != null && owner.body == null) {
+    if (owner != null && owner.body == null && !assemblies.isPart(entity.archetype())) {
       owner.body = entity;
     }
     return entity;
@@ -236,6 +296,7 @@ final class EntityTable implements TrackedBodies<Entity> {
       if (e != null) {
         identity |= (long) (e.archetype().index() + 1) << 8 | (long) (e.ownerId() + 1) << 32;
         h = SimRandom.mix(h, ((long) e.tag() << 32) | (e.bodySlot() & 0xffffffffL));
+        h = e.rootId() == Entity.NO_ROOT ? h : SimRandom.mix(h, e.rootId());
       }
       h = SimRandom.mix(h, identity);
     }
@@ -247,6 +308,7 @@ final class EntityTable implements TrackedBodies<Entity> {
     if (s.entities.length < generations.length) {
       s.entities = new Entity[generations.length];
       s.tags = new int[generations.length];
+      s.roots = new int[generations.length];
       s.teleports = new int[generations.length];
       s.generations = new byte[generations.length];
     }
@@ -258,6 +320,7 @@ final class EntityTable implements TrackedBodies<Entity> {
     for (int i = 0; i < capacity; i++) {
       s.tags[i] = entities[i] == null ? 0 : entities[i].tag();
       s.teleports[i] = entities[i] == null ? 0 : entities[i].teleports();
+      s.roots[i] = entities[i] == null ? Entity.NO_ROOT : entities[i].rootId();
     }
   }
 
@@ -276,6 +339,7 @@ final class EntityTable implements TrackedBodies<Entity> {
       if (entities[i] != null) {
         entities[i].tag(s.tags[i]);
         entities[i].teleports(s.teleports[i]);
+        entities[i].rootId(s.roots[i]);
       }
     }
     firstFree = 0;

@@ -1,6 +1,7 @@
 package carom.sim;
 
 import carom.physics.Collision;
+import carom.physics.Joint;
 import carom.physics.WorldDef;
 import carom.sim.event.Audience;
 import carom.sim.level.Level;
@@ -131,6 +132,15 @@ public interface Game {
    * @param c with {@link Collision#hitSpeed}, place and strength; valid during the call
    */
   default void hit(Simulation s, Collision<Entity> c) {}
+
+  /**
+   * Handles a joint that breaks because it bears more than it can; both roles, during the step. The
+   * joint is gone after the step. It is the place to {@linkplain Simulation#emit emit} an event. It
+   * may read, and must change nothing else.
+   *
+   * @param joint still valid, with the force that broke it
+   */
+  default void broke(Simulation s, Joint<Entity> joint) {}
 
   /**
    * Returns which players are told about an entity; {@link Role#AUTHORITY} only, after each tick

@@ -4,6 +4,9 @@ import carom.physics.Body;
 import carom.physics.BodyDef;
 import carom.physics.Collision;
 import carom.physics.CollisionListener;
+import carom.physics.Joint;
+import carom.physics.JointDef;
+import carom.physics.JointListener;
 import carom.physics.Queries;
 import carom.physics.World;
 import carom.physics.archive.ArchiveReader;
@@ -12,6 +15,10 @@ import carom.sim.event.EventKind;
 import carom.sim.event.EventKinds;
 import carom.sim.event.NoticeQueue;
 import carom.sim.history.PoseHistory;
+import carom.sim.joint.Assemblies;
+import carom.sim.joint.Assembly;
+import carom.sim.joint.AssemblyDef;
+import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Archetypes;
@@ -70,6 +77,8 @@ public final class Simulation {
   private final PlayerTable players = new PlayerTable();
   private final EntityTable entities;
   private final Findings findings = new Findings();
+  private final JointTable<Entity> joints;
+  private final Assemblies assemblies = new Assemblies(archetypes);
   private final InterferenceLog interference;
   private final NoticeQueue notices = new NoticeQueue(MAX_NOTICES, MAX_NOTICE_LENGTH);
   private final EventKinds eventKinds = new EventKinds();
@@ -119,7 +128,9 @@ public final class Simulation {
     memory = new int[memorySize];
     world = new World<>(game.world(level));
     world.listener(new Listener());
-    entities = new EntityTable(world, players, tickRate);
+    entities = new EntityTable(world, players, assemblies, tickRate);
+    joints = new JointTable<>(world, role == Role.AUTHORITY);
+    world.jointListener(new Joints());
     areas = new AreaForces<>(world, level.areas());
     geometry = world.queries((body, shape) -> body.user().isLevel() && !body.sensor(shape));
     interference = new InterferenceLog(entities, players, findings);
@@ -265,6 +276,11 @@ public final class Simulation {
     return archetypes;
   }
 
+  /** Returns the registered assemblies: groups of bodies and joints, such as cars. */
+  public Assemblies assemblies() {
+    return assemblies;
+  }
+
   /** Returns the registered kinds of events. */
   public EventKinds eventKinds() {
     return eventKinds;
@@ -314,6 +330,129 @@ public final class Simulation {
   }
 
   /**
+   * Creates the bodies of an assembly as entities, and its joints. All belong to one owner. If that
+   * is a player without a body, the root becomes the player's body.
+   *
+   * @param assembly what to make
+   * @param x where the assembly's origin is, metres
+   * @param y where the assembly's origin is, metres
+   * @param angle of the whole assembly, radians, counterclockwise
+   * @param owner the player it belongs to, or null
+   * @return the root
+   * @throws IllegalStateException on {@link Role#PREDICTION}, during the physics, or beyond {@value
+   *     #MAX_ENTITIES}
+   */
+  public Entity spawn(Assembly assembly, float x, float y, float angle, Player owner) {
+    calls.requireAuthority("spawn");
+    int ownerId = owner == null ? Entity.NO_OWNER : owner.id();
+    return entities.spawn(assembly, x, y, angle, ownerId, tick, joints);
+  }
+
+  /**
+   * Creates a joint between bodies of the world. Clients mirror and predict it. It goes with either
+   * of its bodies, by {@link #disconnect}, or when it breaks.
+   *
+   * @return the joint, whose motor, limits, spring and target may be changed at any time; those
+   *     that {@link Game#input} changes are predicted
+   * @throws IllegalStateException on {@link Role#PREDICTION}, during the physics, or beyond {@value
+   *     JointTable#MAX_JOINTS} joints
+   */
+  public Joint<Entity> connect(JointDef<Entity> def) {
+    calls.requireAuthority("connect");
+    return world.createJoint(def);
+  }
+
+  /**
+   * Destroys a joint. Nothing happens if it is gone already.
+   *
+   * @throws IllegalStateException on {@link Role#PREDICTION} or during the physics
+   */
+  public void disconnect(Joint<Entity> joint) {
+    calls.requireAuthority("disconnect");
+    if (joint.isValid()) {
+      world.destroyJoint(joint);
+    }
+  }
+
+  /**
+   * Returns a joint of an assembly by its name; both roles.
+   *
+   * @param member any entity of the assembly
+   * @param name as the {@link AssemblyDef} gives it
+   * @return null if it broke or was destroyed, or if this client doesn't simulate it
+   * @throws IllegalArgumentException if the assembly has no joint of that name; the message lists
+   *     the names
+   */
+  public Joint<Entity> joint(Entity member, String name) {
+    Entity root = member.root();
+    return joints.find(root.id(), assembly(root).joint(name));
+  }
+
+  /**
+   * Returns a body of an assembly by its name; both roles. Clients know the members by their joints
+   * and find none whose joints are all gone.
+   *
+   * @param member any entity of the assembly
+   * @param name as the {@link AssemblyDef} gives it
+   * @return null if it was despawned, or if this client doesn't know it
+   * @throws IllegalArgumentException if the assembly has no body of that name; the message lists
+   *     the names
+   */
+  public Entity part(Entity member, String name) {
+    Entity root = member.root();
+    Assembly assembly = assembly(root);
+    Archetype archetype = assembly.archetypes().get(assembly.body(name));
+    for (int i = 0; i < entities.capacity(); i++) {
+      Entity e = entities.get(i);
+      if (e != null && e.root() == root && e.archetype() == archetype) {
+        return e;
+      }
+    }
+    return null;
+  }
+
+  private Assembly assembly(Entity root) {
+    Assembly assembly = assemblies.of(root.archetype());
+    if (assembly == null) {
+      throw new IllegalArgumentException(
+          root + " is no assembly; spawn it by spawn(Assembly, ...)");
+    }
+    return assembly;
+  }
+
+  /** Returns what is known of the joints beyond the physics: keys, definitions, assemblies. */
+  public JointTable<Entity> joints() {
+    return joints;
+  }
+
+  /**
+   * Mirrors a joint of the server. Joints must be mirrored in ascending order of their keys.
+   *
+   * @param key as the server's {@link JointTable} has it
+   * @param root id of the root of its assembly, or as {@link JointTable#root} says
+   * @param number which joint of it
+   * @param a null for the world
+   * @param b another entity
+   * @param definition what it is made with, see {@link World#createJoint(Body, Body, int[], int)}
+   * @param at where that begins
+   * @throws IllegalStateException on {@link Role#AUTHORITY}
+   * @throws IllegalArgumentException if the definition is damaged; no joint is made then
+   */
+  public Joint<Entity> connectAs(
+      int key, int root, int number, Entity a, Entity b, int[] definition, int at) {
+    calls.requirePrediction("connectAs");
+    Joint<Entity> joint =
+        joints.create(key, root, number, a == null ? null : a.body(), b.body(), definition, at);
+    if (root >= 0) {
+      if (a != null) {
+        a.rootId(root);
+      }
+      b.rootId(root);
+    }
+    return joint;
+  }
+
+  /**
    * Mirrors an entity of the server under the server's id. An entity under that id with another
    * generation or archetype must be despawned before. If the owner is a player here and has no
    * body, this becomes the body.
@@ -338,8 +477,8 @@ public final class Simulation {
   }
 
   /**
-   * Destroys an entity. If it was a player's body, the player then has none. Nothing happens when
-   * the entity is gone already.
+   * Destroys an entity with its joints, and with the root of an assembly all of it. If it was a
+   * player's body, the player then has none. Nothing happens when the entity is gone already.
    *
    * @throws IllegalStateException during the physics
    */
@@ -355,6 +494,14 @@ public final class Simulation {
       areas.wakeAround(entity.id());
     }
     areas.remove(entity.id());
+    if (entity.isRoot()) {
+      for (int i = 0; i < entities.capacity(); i++) {
+        Entity member = entities.get(i);
+        if (member != null && member != entity && member.rootId() == entity.id()) {
+          despawn(member);
+        }
+      }
+    }
     entities.despawn(entity);
   }
 
@@ -630,7 +777,7 @@ public final class Simulation {
     for (int value : memory) {
       h = SimRandom.mix(h, value);
     }
-    return entities.hash(players.hash(h));
+    return joints.hash(entities.hash(players.hash(h)));
   }
 
   /**
@@ -647,6 +794,7 @@ public final class Simulation {
     s.saveNumbers(random, memory);
     players.save(s);
     entities.save(s);
+    joints.save(s.joints);
     s.saveHistory(history);
     return s;
   }
@@ -665,6 +813,7 @@ public final class Simulation {
     s.restoreNumbers(random, memory);
     players.restore(s);
     entities.restore(s);
+    joints.restore(s.joints);
     findAreas();
     if (history != null) {
       s.history.copyTo(history);
@@ -726,6 +875,23 @@ public final class Simulation {
     @Override
     public void hit(Collision<Entity> c) {
       game.hit(Simulation.this, c);
+    }
+  }
+
+  private final class Joints implements JointListener<Entity> {
+    @Override
+    public void broke(Joint<Entity> joint) {
+      game.broke(Simulation.this, joint);
+    }
+
+    @Override
+    public void created(Joint<Entity> joint) {
+      joints.created(joint);
+    }
+
+    @Override
+    public void destroyed(Joint<Entity> joint) {
+      joints.destroyed();
     }
   }
 }

@@ -184,6 +184,7 @@ final class ArchitectureTest {
     allow("carom.sim.level", "carom.physics..");
     allow("carom.sim.history", "carom.physics..", "carom.sim.level");
     allow("carom.sim.area", "carom.physics..", "carom.sim.level");
+    allow("carom.sim.joint", "carom.physics..", "carom.sim.level");
     allow("carom.sim.ruling", "carom.physics", "carom.physics.rows");
     allow(
         "carom.sim",
@@ -192,8 +193,9 @@ final class ArchitectureTest {
         "carom.sim.event",
         "carom.sim.history",
         "carom.sim.area",
+        "carom.sim.joint",
         "carom.sim.ruling");
-    allow("carom.sim.near", "carom.physics..", "carom.sim", "carom.sim.level");
+    allow("carom.sim.near", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.joint");
     allow("carom.sim.scene", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.event");
     allow(
         "carom.sim.scene.catalog",

@@ -142,7 +142,14 @@ class ProtocolDocTest {
   private static void tables(Map<String, byte[]> golden) {
     TableLayout layout =
         new TableLayout(
-            10, 8, false, new int[] {7, 32}, new int[2], new int[] {100, 0}, new long[] {0, 0b11});
+            10,
+            8,
+            false,
+            new int[] {7, 32},
+            new int[2],
+            new int[] {100, 0},
+            new int[] {2, 2},
+            false);
     Table table = new Table(layout);
     RowAudience all =
         new RowAudience() {

@@ -121,7 +121,7 @@ final class RowKnowledge {
 
   private void look(int key, int tick, int waitTicks) {
     int as = audience.of(place, key);
-    if (as == RowAudience.NOBODY || table.layout().words(as) == 0) {
+    if (as == RowAudience.NOBODY || table.layout().known(key, as) == 0) {
       known.add(key);
       return;
     }
@@ -174,7 +174,7 @@ final class RowKnowledge {
     codec.whole = ackedTick[key] < Math.max(0, table.identityTick(key));
     long unlike =
         codec.whole ? table.unlikeStartWords(key) : table.changedAfter(key, ackedTick[key]);
-    codec.mask = codec.present ? unlike & table.layout().words(audiences[key]) : 0;
+    codec.mask = codec.present ? unlike & table.layout().known(key, audiences[key]) : 0;
   }
 
   /** Notes that a row was written. */

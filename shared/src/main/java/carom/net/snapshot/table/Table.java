@@ -28,7 +28,7 @@ public final class Table {
   /** Creates a table in which every row is as at the start. */
   public Table(TableLayout layout) {
     this.layout = layout;
-    width = layout.words();
+    width = layout.width();
     rows = new TableRows(layout);
   }
 

@@ -77,7 +77,7 @@ final class TableCodec {
     whole = c.flag(whole);
     present = !whole || !layout.startsEmpty() || c.flag(present);
     identity = whole && present ? c.plain(identity, layout.identityBits()) : 0;
-    mask = present ? mask(c, layout.words(), mask) : 0;
+    mask = present ? mask(c, layout.width(), mask) : 0;
     return true;
   }
 
@@ -96,17 +96,17 @@ final class TableCodec {
   /** Codes a word of the row. */
   int word(BitPass c, int word, int value) {
     TableLayout layout = layouts[table];
-    int least = layout.least(word);
-    return least + c.plain(value - least, layout.bits(word));
+    int least = layout.least(key, word);
+    return least + c.plain(value - least, layout.bits(key, word));
   }
 
   /** Returns the most bits that the row takes in a table, with its words. */
   int mostBits(int rowTable) {
     TableLayout layout = layouts[rowTable];
     int bits = 1 + 1 + TABLE_BITS + 1 + KEY_BITS + 2 + layout.identityBits();
-    bits += (layout.words() + GROUP - 1) / GROUP + layout.words();
+    bits += (layout.width() + GROUP - 1) / GROUP + layout.width();
     for (long rest = mask; rest != 0; rest &= rest - 1) {
-      bits += layout.bits(Long.numberOfTrailingZeros(rest));
+      bits += layout.bits(key, Long.numberOfTrailingZeros(rest));
     }
     return bits;
   }

@@ -71,7 +71,7 @@ public final class TableInbox {
       readPresent[readRows] = codec.present;
       readMask[readRows] = codec.mask;
       readRows++;
-      if (words.length < readWords + TableLayout.MAX_WORDS) {
+      if (words.length < readWords + TableLayout.ROW_WORDS) {
         words = Arrays.copyOf(words, 2 * words.length);
       }
       for (long rest = codec.mask; rest != 0; rest &= rest - 1) {

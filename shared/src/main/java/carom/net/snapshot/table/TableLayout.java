@@ -3,89 +3,91 @@ package carom.net.snapshot.table;
 import java.util.Arrays;
 
 /**
- * The shape of a replicated table: how many keys it has, the width and start value of each word of
- * a row, and which words each class of audience may know. Server and client must have equal
- * layouts. Immutable.
+ * The shape of a replicated table: how many targets it tells of, the width and start value of each
+ * of a target's words, and which words each class of audience may know. Server and client must have
+ * equal layouts. Immutable.
+ *
+ * <p>A target with more words than a row holds has several rows, its chunks. The key of a row is
+ * its target's number times {@link #chunks}, plus the chunk.
  */
 public final class TableLayout {
   /** Largest number of words in a row. */
-  public static final int MAX_WORDS = 64;
+  public static final int ROW_WORDS = 64;
 
-  /** Largest number of keys. */
+  /** Largest number of keys: targets times chunks. */
   public static final int MAX_KEYS = 65_535;
 
   /** Number of classes of audience; class 0 may know nothing. */
   public static final int AUDIENCES = 16;
 
-  private final int keys;
+  private final int targets;
+  private final int chunks;
+  private final int width;
   private final int identityBits;
   private final boolean startsEmpty;
+  private final boolean urgent;
+
+  // Of all words of a target, filled up to whole rows.
   private final int[] bits;
   private final int[] least;
   private final int[] start;
-  private final long[] audiences;
-  private final boolean urgent;
+
+  /** By chunk and class: the words that the class may know. */
+  private final long[] known;
 
   /**
-   * Creates a layout. The arrays are copied.
+   * Creates a layout. The arrays are copied; each has a number for each word of a target.
    *
-   * @param keys number of keys, 1..{@value #MAX_KEYS}; a key is 0..keys - 1
+   * @param targets number of targets, from 1 on; with the chunks of each at most {@value #MAX_KEYS}
+   *     keys
    * @param identityBits bits that tell successive users of a key apart, 0..16
    * @param startsEmpty whether a key has no row until one is put; otherwise every key has a row of
    *     start values from the beginning
-   * @param bits width of each word, 1..32; their number is at most {@value #MAX_WORDS}
-   * @param least smallest value of each word: it is sent as what exceeds this, in its width
-   * @param start value of each word at the start
-   * @param audiences by class from 0 on: bit i is set if the class may know word i; at most {@value
-   *     #AUDIENCES} classes, of which class 0 may know nothing
+   * @param bits width, 1..32
+   * @param least smallest value: a word is sent as what exceeds this, in its width
+   * @param start value at the start
+   * @param audiences bit i is set if class i may know the word; bit 0 must be clear
+   * @param urgent whether prediction depends on the table: a row that changed is in every snapshot
+   *     until it is acked, so that each datagram tells the state at its tick
    * @throws IllegalArgumentException if a number is outside its range
    */
   public TableLayout(
-      int keys,
+      int targets,
       int identityBits,
       boolean startsEmpty,
       int[] bits,
       int[] least,
       int[] start,
-      long[] audiences) {
+      int[] audiences,
+      boolean urgent) {
+    int words = bits.length;
+    chunks = Math.max(1, (words + ROW_WORDS - 1) / ROW_WORDS);
+    width = Math.min(words, ROW_WORDS);
+    long keys = (long) targets * chunks;
     check(keys >= 1 && keys <= MAX_KEYS, "keys", keys, "1.." + MAX_KEYS);
     check(identityBits >= 0 && identityBits <= 16, "identityBits", identityBits, "0..16");
-    check(bits.length <= MAX_WORDS, "words", bits.length, "0.." + MAX_WORDS);
-    check(least.length == bits.length, "least.length", least.length, "" + bits.length);
-    check(start.length == bits.length, "start.length", start.length, "" + bits.length);
-    int classes = audiences.length;
-    check(classes >= 1 && classes <= AUDIENCES, "audiences", classes, "1.." + AUDIENCES);
-    check(audiences[0] == 0, "audiences[0]", audiences[0], "0");
-    for (int width : bits) {
-      check(width >= 1 && width <= Integer.SIZE, "bits", width, "1..32");
-    }
-    this.keys = keys;
+    check(least.length == words, "least.length", least.length, "" + words);
+    check(start.length == words, "start.length", start.length, "" + words);
+    check(audiences.length == words, "audiences.length", audiences.length, "" + words);
+    this.targets = targets;
     this.identityBits = identityBits;
     this.startsEmpty = startsEmpty;
-    this.bits = bits.clone();
-    this.least = least.clone();
-    this.start = start.clone();
-    this.audiences = Arrays.copyOf(audiences, AUDIENCES);
-    urgent = false;
-  }
-
-  private TableLayout(TableLayout of, boolean urgent) {
-    keys = of.keys;
-    identityBits = of.identityBits;
-    startsEmpty = of.startsEmpty;
-    bits = of.bits;
-    least = of.least;
-    start = of.start;
-    audiences = of.audiences;
     this.urgent = urgent;
-  }
-
-  /**
-   * Returns the same layout for a table that prediction depends on. A row that changed is in every
-   * snapshot until it is acked, so that each datagram tells the state at its tick.
-   */
-  public TableLayout urgent() {
-    return new TableLayout(this, true);
+    this.bits = new int[chunks * width];
+    this.least = new int[chunks * width];
+    this.start = new int[chunks * width];
+    known = new long[chunks * AUDIENCES];
+    Arrays.fill(this.bits, 1);
+    for (int i = 0; i < words; i++) {
+      check(bits[i] >= 1 && bits[i] <= Integer.SIZE, "bits", bits[i], "1..32");
+      check((audiences[i] & ~0xfffe) == 0, "audiences", audiences[i], "bits 1..15");
+      this.bits[i] = bits[i];
+      this.least[i] = least[i];
+      this.start[i] = start[i];
+      for (int as = 0; as < AUDIENCES; as++) {
+        known[i / ROW_WORDS * AUDIENCES + as] |= (long) (audiences[i] >>> as & 1) << i;
+      }
+    }
   }
 
   private static void check(boolean holds, String name, long value, String range) {
@@ -96,12 +98,17 @@ public final class TableLayout {
 
   /** Returns the number of keys. */
   public int keys() {
-    return keys;
+    return targets * chunks;
+  }
+
+  /** Returns the number of rows of a target. */
+  public int chunks() {
+    return chunks;
   }
 
   /** Returns the number of words in a row. */
-  public int words() {
-    return bits.length;
+  public int width() {
+    return width;
   }
 
   /** Returns the number of bits that tell successive users of a key apart. */
@@ -119,23 +126,23 @@ public final class TableLayout {
     return urgent;
   }
 
-  /** Returns the width of a word. */
-  int bits(int word) {
-    return bits[word];
+  /** Returns the width of a word in bits. */
+  int bits(int key, int word) {
+    return bits[key % chunks * width + word];
   }
 
   /** Returns the smallest value of a word. */
-  int least(int word) {
-    return least[word];
+  int least(int key, int word) {
+    return least[key % chunks * width + word];
   }
 
   /** Returns the value of a word at the start, unless the key has a start of its own. */
-  int start(int word) {
-    return start[word];
+  int start(int key, int word) {
+    return start[key % chunks * width + word];
   }
 
-  /** Returns the words that a class of audience may know: bit i for word i. */
-  long words(int audience) {
-    return audiences[audience];
+  /** Returns the words of a row that a class of audience may know: bit i for word i. */
+  long known(int key, int audience) {
+    return known[key % chunks * AUDIENCES + audience];
   }
 }

@@ -28,7 +28,7 @@ final class TableRows {
 
   TableRows(TableLayout layout) {
     this.layout = layout;
-    width = layout.words();
+    width = layout.width();
     startsEmpty = layout.startsEmpty();
   }
 
@@ -91,7 +91,7 @@ final class TableRows {
   }
 
   int get(int key, int word) {
-    return key < room ? words[key * width + word] : layout.start(word);
+    return key < room ? words[key * width + word] : layout.start(key, word);
   }
 
   void set(int key, int word, int value) {
@@ -100,7 +100,7 @@ final class TableRows {
 
   /** Returns what a word of a key's row is at the start. */
   int start(int key, int word) {
-    return placed.has(key) ? placedWords[key * width + word] : layout.start(word);
+    return placed.has(key) ? placedWords[key * width + word] : layout.start(key, word);
   }
 
   /** Makes a row what it is at the start. */

@@ -23,7 +23,7 @@ class TableChannelTest {
   private static final int BUDGET_BITS = 400;
 
   /** Three words: 7 bits from -20 on, a flag that only class 2 may know, and raw bits. */
-  private static TableLayout fields() {
+  private static TableLayout fields(boolean urgent) {
     return new TableLayout(
         200,
         8,
@@ -31,15 +31,17 @@ class TableChannelTest {
         new int[] {7, 1, 32},
         new int[] {-20, 0, 0},
         new int[] {100, 0, 0},
-        new long[] {0, 0b101, 0b111});
+        new int[] {0b110, 0b100, 0b110},
+        urgent);
   }
 
   /** Rows of 25 raw words that come and go, as the constants of a joint. */
   private static TableLayout definitions() {
     int[] bits = new int[25];
     Arrays.fill(bits, 32);
-    return new TableLayout(
-        500, 4, true, bits, new int[25], new int[25], new long[] {0, (1 << 25) - 1});
+    int[] audiences = new int[25];
+    Arrays.fill(audiences, 2);
+    return new TableLayout(500, 4, true, bits, new int[25], new int[25], audiences, false);
   }
 
   private record Flight(int datagram, int tick, byte[] bytes, int length, int arrives) {}
@@ -142,13 +144,13 @@ class TableChannelTest {
         TableRows server = tables.get(t).rows();
         TableLayout layout = tables.get(t).layout();
         for (int key = 0; key < layout.keys(); key++) {
-          long may = layout.words(classes[t][key]);
+          long may = layout.known(key, classes[t][key]);
           if (may == 0) {
             continue;
           }
           String where = when + " table=" + t + " key=" + key;
           assertEquals(server.isPresent(key), inbox.isPresent(t, key), where);
-          for (int word = 0; server.isPresent(key) && word < layout.words(); word++) {
+          for (int word = 0; server.isPresent(key) && word < layout.width(); word++) {
             int start = server.start(key, word);
             int expected = (may >>> word & 1) == 0 ? start : server.get(key, word);
             int identity = server.identity(key);
@@ -190,7 +192,7 @@ class TableChannelTest {
     long seed = Long.getLong("carom.seed", System.nanoTime());
     Random random = new Random(seed);
     for (int round = 0; round < 20; round++) {
-      Tables tables = new Tables(List.of(new Table(fields()), new Table(definitions())));
+      Tables tables = new Tables(List.of(new Table(fields(false)), new Table(definitions())));
       int[] placed = random.ints(25).toArray();
       tables.get(1).place(7, 3, placed, 0);
       Channel channel = new Channel(tables, random, random.nextInt(3) * 0.2);
@@ -216,7 +218,7 @@ class TableChannelTest {
 
   @Test
   void nothingIsSentWhileNothingChangesAndStartValuesCostNothing() {
-    Tables tables = new Tables(List.of(new Table(fields()), new Table(definitions())));
+    Tables tables = new Tables(List.of(new Table(fields(false)), new Table(definitions())));
     Table fields = tables.get(0);
     Channel channel = new Channel(tables, new Random(1), 0);
     for (int key = 0; key < 200; key++) {
@@ -237,7 +239,7 @@ class TableChannelTest {
 
   @Test
   void aChangedWordTakesFourBytes() {
-    Tables tables = new Tables(List.of(new Table(fields()), new Table(definitions())));
+    Tables tables = new Tables(List.of(new Table(fields(false)), new Table(definitions())));
     Channel channel = new Channel(tables, new Random(1), 0);
     tables.get(0).put(9, 3, new int[] {80, 0, 0}, 0, 1);
     for (int tick = 1; tick < 50; tick++) {
@@ -254,7 +256,7 @@ class TableChannelTest {
 
   @Test
   void aWordThatAClassMayNotKnowNeverLeavesTheServer() {
-    Tables tables = new Tables(List.of(new Table(fields()), new Table(definitions())));
+    Tables tables = new Tables(List.of(new Table(fields(false)), new Table(definitions())));
     Channel channel = new Channel(tables, new Random(1), 0);
     channel.become(0, 5, 1);
     for (int tick = 1; tick < 100; tick++) {
@@ -272,7 +274,7 @@ class TableChannelTest {
 
   @Test
   void anUrgentRowIsInEverySnapshotUntilItIsAcked() {
-    Table table = new Table(fields().urgent());
+    Table table = new Table(fields(true));
     Channel channel = new Channel(new Tables(List.of(table)), new Random(1), 0);
     table.put(0, 0, new int[] {1, 0, 0}, 0, 1);
     for (int tick = 1; tick < 2 * DELAY; tick++) {
@@ -289,7 +291,7 @@ class TableChannelTest {
   void anyBitsAreReadWithoutHarm() {
     long seed = Long.getLong("carom.seed", System.nanoTime());
     Random random = new Random(seed);
-    TableInbox inbox = new TableInbox(fields(), definitions());
+    TableInbox inbox = new TableInbox(fields(false), definitions());
     BitReader r = new BitReader();
     int good = 0;
     for (int i = 0; i < 50_000; i++) {
@@ -311,5 +313,38 @@ class TableChannelTest {
     }
     assertTrue(good > 100, "seed=" + seed + " good=" + good);
     assertTrue(inbox.room(0) <= 200 && inbox.room(1) <= 500, "seed=" + seed);
+  }
+
+  /** 150 words of different widths take three rows. */
+  @Test
+  void aTargetWithMoreWordsThanARowHasChunks() {
+    int n = 150;
+    int[] bits = new int[n];
+    int[] audiences = new int[n];
+    for (int i = 0; i < n; i++) {
+      bits[i] = 1 + i % 32;
+      audiences[i] = i < 100 ? 0b110 : 0b100;
+    }
+    TableLayout layout =
+        new TableLayout(10, 0, false, bits, new int[n], new int[n], audiences, false);
+    assertEquals(3, layout.chunks());
+    assertEquals(30, layout.keys());
+    Table table = new Table(layout);
+    Channel channel = new Channel(new Tables(List.of(table)), new Random(1), 0);
+    int[] words = new int[3 * TableLayout.ROW_WORDS];
+    for (int i = 0; i < n; i++) {
+      words[i] = (int) ((1L << bits[i]) - 1);
+    }
+    for (int chunk = 0; chunk < 3; chunk++) {
+      table.put(3 * 7 + chunk, 0, words, chunk * TableLayout.ROW_WORDS, 1);
+    }
+    for (int tick = 1; tick < 100; tick++) {
+      channel.tick(tick);
+    }
+    for (int i = 0; i < n; i++) {
+      int key = 3 * 7 + i / TableLayout.ROW_WORDS;
+      int expected = i < 100 ? words[i] : 0;
+      assertEquals(expected, channel.inbox.get(0, key, i % TableLayout.ROW_WORDS), "word " + i);
+    }
   }
 }
