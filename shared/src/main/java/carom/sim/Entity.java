@@ -138,7 +138,9 @@ public final class Entity {
     if (isRoot()) {
       table.moveMembers(this, x, y, angle);
     }
+    table.wakeAround(this);
     body.setPose(x, y, angle);
+    table.wakeAround(this);
     teleports++;
     table.noteChange();
   }

@@ -6,6 +6,7 @@ import carom.physics.World;
 import carom.physics.math.Transform;
 import carom.physics.math.Trig;
 import carom.physics.rows.JointDefRow;
+import carom.sim.area.AreaForces;
 import carom.sim.history.TrackedBodies;
 import carom.sim.joint.Assemblies;
 import carom.sim.joint.Assembly;
@@ -22,6 +23,7 @@ import java.util.Arrays;
 final class EntityTable implements TrackedBodies<Entity> {
   private final World<Entity> world;
   private final PlayerTable players;
+  private final AreaForces<Entity> areas;
   private final Assemblies assemblies;
   private final int tickRate;
   private Entity[] entities = new Entity[64];
@@ -37,7 +39,13 @@ final class EntityTable implements TrackedBodies<Entity> {
 
   private long version;
 
-  EntityTable(World<Entity> world, PlayerTable players, Assemblies assemblies, int tickRate) {
+  EntityTable(
+      World<Entity> world,
+      PlayerTable players,
+      AreaForces<Entity> areas,
+      Assemblies assemblies,
+      int tickRate) {
+    this.areas = areas;
     this.assemblies = assemblies;
     this.world = world;
     this.players = players;
@@ -67,6 +75,11 @@ final class EntityTable implements TrackedBodies<Entity> {
   /** Returns a number that changes with each {@link #noteChange}. */
   long version() {
     return version;
+  }
+
+  /** Notes that an entity is about to be put elsewhere, or has been: its area, if any, wakes. */
+  void wakeAround(Entity entity) {
+    areas.wakeAround(entity.id());
   }
 
   /** Notes that an entity came, went or was teleported. */
@@ -246,12 +259,14 @@ final class EntityTable implements TrackedBodies<Entity> {
     if (owner != null && owner.body == null && !assemblies.isPart(entity.archetype())) {
       owner.body = entity;
     }
+    areas.come(id, entity.body(), entity.archetype());
     return entity;
   }
 
   /** Destroys an entity that the table {@linkplain #holds holds}, and its body. */
   void despawn(Entity entity) {
     int id = entity.id();
+    areas.go(id);
     world.destroyBody(entity.body());
     entities[id] = null;
     noteChange();
@@ -332,6 +347,7 @@ final class EntityTable implements TrackedBodies<Entity> {
     grow(capacity - 1);
     System.arraycopy(s.entities, 0, entities, 0, capacity);
     noteChange();
+    areas.clear();
     Arrays.fill(entities, capacity, Math.max(before, capacity), null);
     System.arraycopy(s.generations, 0, generations, 0, capacity);
     Arrays.fill(generations, capacity, Math.max(before, capacity), (byte) 0);
@@ -340,6 +356,7 @@ final class EntityTable implements TrackedBodies<Entity> {
         entities[i].tag(s.tags[i]);
         entities[i].teleports(s.teleports[i]);
         entities[i].rootId(s.roots[i]);
+        areas.add(i, entities[i].body(), entities[i].archetype());
       }
     }
     firstFree = 0;

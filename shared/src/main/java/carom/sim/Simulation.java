@@ -128,10 +128,10 @@ public final class Simulation {
     memory = new int[memorySize];
     world = new World<>(game.world(level));
     world.listener(new Listener());
-    entities = new EntityTable(world, players, assemblies, tickRate);
+    areas = new AreaForces<>(world, level.areas(), role == Role.AUTHORITY);
+    entities = new EntityTable(world, players, areas, assemblies, tickRate);
     joints = new JointTable<>(world, role == Role.AUTHORITY);
     world.jointListener(new Joints());
-    areas = new AreaForces<>(world, level.areas());
     geometry = world.queries((body, shape) -> body.user().isLevel() && !body.sensor(shape));
     interference = new InterferenceLog(entities, players, findings);
     history = role == Role.AUTHORITY && game.looksBack() ? newHistory() : null;
@@ -306,7 +306,7 @@ public final class Simulation {
   public Entity spawn(Archetype archetype, float x, float y, float angle, Player owner) {
     calls.requireAuthority("spawn");
     int ownerId = owner == null ? Entity.NO_OWNER : owner.id();
-    return withArea(entities.spawn(archetype, x, y, angle, ownerId, tick));
+    return entities.spawn(archetype, x, y, angle, ownerId, tick);
   }
 
   /**
@@ -320,13 +320,7 @@ public final class Simulation {
    */
   public Entity spawn(Archetype archetype, BodyDef def) {
     calls.requireAuthority("spawn");
-    return withArea(entities.spawn(archetype, def));
-  }
-
-  private Entity withArea(Entity e) {
-    areas.add(e.id(), e.body(), e.archetype());
-    areas.wakeAround(e.id());
-    return e;
+    return entities.spawn(archetype, def);
   }
 
   /**
@@ -471,9 +465,7 @@ public final class Simulation {
   public Entity spawnAs(
       int id, int generation, Archetype archetype, float x, float y, float angle, int ownerId) {
     calls.requirePrediction("spawnAs");
-    Entity e = entities.spawnAs(id, generation, archetype, x, y, angle, ownerId, tick);
-    areas.add(id, e.body(), archetype);
-    return e;
+    return entities.spawnAs(id, generation, archetype, x, y, angle, ownerId, tick);
   }
 
   /**
@@ -490,10 +482,6 @@ public final class Simulation {
     if (history != null) {
       history.forget(entity.bodySlot());
     }
-    if (role == Role.AUTHORITY) {
-      areas.wakeAround(entity.id());
-    }
-    areas.remove(entity.id());
     if (entity.isRoot()) {
       for (int i = 0; i < entities.capacity(); i++) {
         Entity member = entities.get(i);
@@ -736,17 +724,6 @@ public final class Simulation {
     game.forces(this, entity);
   }
 
-  /** Finds the entities that carry areas anew. */
-  private void findAreas() {
-    areas.clear();
-    for (int id = 0; id < entities.capacity(); id++) {
-      Entity e = entities.get(id);
-      if (e != null) {
-        areas.add(id, e.body(), e.archetype());
-      }
-    }
-  }
-
   /** Returns the areas of the level and those that entities carry. For reading only. */
   public AreaForces<Entity> areas() {
     return areas;
@@ -814,7 +791,6 @@ public final class Simulation {
     players.restore(s);
     entities.restore(s);
     joints.restore(s.joints);
-    findAreas();
     if (history != null) {
       s.history.copyTo(history);
     }

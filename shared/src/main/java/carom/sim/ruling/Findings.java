@@ -1,9 +1,9 @@
 package carom.sim.ruling;
 
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.TreeSet;
 
 /**
  * What a game does again and again although no client can foresee it, each thing once, with advice:
@@ -17,7 +17,7 @@ public final class Findings {
   public static final int MOST = 64;
 
   private final List<String> texts = new ArrayList<>();
-  private final Set<String> known = new HashSet<>();
+  private final Set<String> known = new TreeSet<>();
 
   /** Creates an empty list. */
   public Findings() {}
