@@ -186,7 +186,7 @@ public final class ForceGame implements Game {
       case SPRING -> body.applyForce(-8 * body.mass() * body.x(), 0);
       case ENGINE -> body.applyForce((s.tick() / 40) % 2 == 0 ? 6 * body.mass() : 0, 0);
       case HOVER -> {
-        if (s.geometry().rayClosest(body.x(), body.y(), 0, -3, null, hit)) {
+        if (s.world().queries().rayClosest(body.x(), body.y(), 0, -3, null, hit)) {
           body.applyForce(0, 30 * body.mass() * (1 - hit.fraction()));
         }
       }
