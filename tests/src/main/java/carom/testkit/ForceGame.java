@@ -4,6 +4,7 @@ import carom.game.Games;
 import carom.physics.Body;
 import carom.physics.Material;
 import carom.physics.QueryHit;
+import carom.physics.effects.Explosion;
 import carom.physics.geometry.Box;
 import carom.sim.Entity;
 import carom.sim.Game;
@@ -68,6 +69,7 @@ public final class ForceGame implements Game {
           .formatted(crates(0));
 
   private static final int THROW_TICKS = 90;
+  private static final int EXPLOSION_TICKS = 150;
   private static final int THRUST = 0;
 
   private final QueryHit<Entity> hit = new QueryHit<>();
@@ -85,19 +87,24 @@ public final class ForceGame implements Game {
    * @param more further fields of the file, each after a comma
    */
   public static Level level(float gravityY, String more) {
+    return level(gravityY, false, more);
+  }
+
+  /** Returns the same with a place where something explodes every 2.5 s, or not. */
+  public static Level level(float gravityY, boolean bomb, String more) {
     register();
     String json =
         """
         {"name": "forces", "game": "forces", "gravity": [0, %s],
          "bounds": {"min": [-20, -8], "max": [20, 20]},
-         "spawns": [{"name": "player", "at": [-6, 3]}, {"name": "player", "at": [6, 3]}],
+         "spawns": [{"name": "player", "at": [-6, 3]}, {"name": "player", "at": [6, 3]}%s],
          "statics": [
            {"at": [0, -6], "shape": {"type": "box", "width": 40, "height": 2}},
            {"at": [0, 16], "shape": {"type": "box", "width": 40, "height": 2}},
            {"at": [-13, 5], "shape": {"type": "box", "width": 2, "height": 20}},
            {"at": [13, 5], "shape": {"type": "box", "width": 2, "height": 20}}]%s}
         """
-            .formatted(gravityY, more);
+            .formatted(gravityY, bomb ? ", {\"name\": \"bomb\", \"at\": [0, -4.5]}" : "", more);
     try {
       return Level.parse("forces.json", json.getBytes(StandardCharsets.UTF_8));
     } catch (LevelException e) {
@@ -166,6 +173,10 @@ public final class ForceGame implements Game {
 
   @Override
   public void afterStep(Simulation s) {
+    if (s.tick() % EXPLOSION_TICKS == 0 && !s.level().spawns("bomb").isEmpty()) {
+      Level.Spawn bomb = s.level().spawns("bomb").get(0);
+      new Explosion(bomb.x(), bomb.y(), 8).impulse(2).explode(s.world());
+    }
     for (int id = 0; s.tick() % THROW_TICKS == 0 && id < s.entityCapacity(); id++) {
       Entity e = s.entity(id);
       if (e != null && e.archetype().tag() == THROWN) {

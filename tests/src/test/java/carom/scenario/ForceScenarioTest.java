@@ -113,20 +113,24 @@ class ForceScenarioTest {
 
   static Stream<Arguments> rules() {
     return Stream.of(
-        Arguments.of("pushed before every step", ForceGame.PUSHED),
-        Arguments.of("thrown after some steps", ForceGame.THROWN));
+        Arguments.of("pushed before every step", ForceGame.PUSHED, false, 1),
+        Arguments.of("thrown after some steps", ForceGame.THROWN, false, 1),
+        Arguments.of("an explosion among ten", 0, true, 1),
+        Arguments.of("an explosion among forty", 0, true, 4));
   }
 
   @ParameterizedTest(name = "{0}")
   @MethodSource("rules")
-  void whatTheRulesDoIsToldAndNotFoundOut(String what, int tag) {
+  void whatTheRulesDoIsToldAndNotFoundOut(String what, int tag, boolean bomb, int tens) {
     // Goal: what no client can foresee is told as what it is: nearly no body is wrong without
     // having
     // been told why, and the predicted set is rarely told anew. Method: a wanderer among crates
     // that the rules push, for half a minute.
-    Level level = ForceGame.level(-10, crates(tag));
+    String more =
+        crates(tag).replace("\"rows\": 2", "\"rows\": " + 2 * tens).replace("1.5, 1.5", "1.5, 1.2");
+    Level level = ForceGame.level(-10, bomb, more);
     try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
-      SimulatedClient client = stepper.join("p", FAR, Scripts.wander(Stepper.SEED));
+      SimulatedClient client = watch(stepper);
       stepper.run(3);
       final long awake = client.stats().awakeBodies();
       final long exact = client.stats().exactBodies();
@@ -137,20 +141,22 @@ class ForceScenarioTest {
       stepper.run(30);
       long toldBodies = client.stats().toldBodies() - told;
       long awakeBodies = client.stats().awakeBodies() - awake;
-      double right = 100.0 * (client.stats().exactBodies() - exact) / awakeBodies;
+      long wrong = awakeBodies - (client.stats().exactBodies() - exact);
+      double right = 100 - 100.0 * wrong / (awakeBodies + toldBodies);
       String about =
           String.format(
               java.util.Locale.ROOT,
-              "%s: right=%.2f %% of %d, told=%d fullUpdates=%d updates=%d kbit/s=%.1f",
+              "%s: right or told=%.2f %% of %d, told=%d fullUpdates=%d updates=%d kbit/s=%.1f",
               what,
               right,
-              awakeBodies,
+              awakeBodies + toldBodies,
               toldBodies,
               stepper.count(Counter.NEAR_DISAGREEMENTS) - full,
               stepper.count(Counter.NEAR_UPDATES) - updates,
               (client.stats().bytesIn() - bytes) * 8 / 30e3);
 
-      assertTrue(right >= 99, about);
+      // Of bodies that are pushed in every tick, the loss of both copies of a ruling costs more.
+      assertTrue(right >= (tag == ForceGame.PUSHED ? 98 : 99), about);
       assertTrue(toldBodies > 10, about);
       assertEquals(tag == ForceGame.PUSHED ? 1 : 0, stepper.count(Counter.UNFORESEEN), about);
       assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about);

@@ -160,7 +160,7 @@ public final class PredictedSet {
   private boolean mayTellDisagreement(int disagreedTick) {
     return disagreedTick > update.sentTick()
         && !update.isHelping()
-        && !rulings.isResending()
+        && !rulings.isBehind()
         && limits.takeFullUpdate(simulation.tick());
   }
 
