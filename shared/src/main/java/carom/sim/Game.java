@@ -100,8 +100,8 @@ public interface Game {
    * what it does exactly, so push bodies here rather than in {@link #beforeStep}.
    *
    * <p>It must be a function of this entity, its owner's memory, the tick and the level. It may
-   * push this entity's body and change its velocity, and must change nothing else. {@link
-   * Simulation#geometry} answers queries about the level. A body that only {@link
+   * push this entity's body and change its velocity, and must change nothing else. Queries of the
+   * world see the level's static geometry only. A body that only {@link
    * carom.physics.Body#applyAmbientForce ambient forces} act on can fall asleep.
    *
    * @param s the simulation

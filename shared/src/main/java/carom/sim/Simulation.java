@@ -8,6 +8,7 @@ import carom.physics.Joint;
 import carom.physics.JointDef;
 import carom.physics.JointListener;
 import carom.physics.Queries;
+import carom.physics.QueryFilter;
 import carom.physics.World;
 import carom.physics.archive.ArchiveReader;
 import carom.sim.area.AreaForces;
@@ -79,12 +80,13 @@ public final class Simulation {
   private final Findings findings = new Findings();
   private final JointTable<Entity> joints;
   private final Assemblies assemblies = new Assemblies(archetypes);
+  private final ForceCheck forceCheck;
   private final InterferenceLog interference;
   private final NoticeQueue notices = new NoticeQueue(MAX_NOTICES, MAX_NOTICE_LENGTH);
   private final EventKinds eventKinds = new EventKinds();
   private final EventLog events = new EventLog();
   private final AreaForces<Entity> areas;
-  private final Queries<Entity> geometry;
+  private final QueryFilter<Entity> geometry = (body, shape) -> body.user().isLevel();
   private final Consumer<Body<Entity>> forces = this::applyForces;
 
   private int tick;
@@ -132,7 +134,7 @@ public final class Simulation {
     entities = new EntityTable(world, players, areas, assemblies, tickRate);
     joints = new JointTable<>(world, role == Role.AUTHORITY);
     world.jointListener(new Joints());
-    geometry = world.queries((body, shape) -> body.user().isLevel() && !body.sensor(shape));
+    forceCheck = new ForceCheck(world, findings);
     interference = new InterferenceLog(entities, players, findings);
     history = role == Role.AUTHORITY && game.looksBack() ? newHistory() : null;
     past = history == null ? world.queries() : world.queries(history);
@@ -193,6 +195,7 @@ public final class Simulation {
    * @throws IllegalStateException on {@link Role#AUTHORITY}, when {@link Game#looksBack} is false
    */
   public Queries<Entity> asSeenBy(Player player) {
+    calls.requireOutsideForces("asSeenBy");
     if (history != null) {
       history.look(tick, player.viewDelay());
     } else if (role == Role.AUTHORITY) {
@@ -200,14 +203,6 @@ public final class Simulation {
           "game " + game.name() + " doesn't look back; make Game.looksBack return true");
     }
     return past;
-  }
-
-  /**
-   * Returns queries that see the level's static geometry only: rays, overlaps and distances for
-   * {@link Game#forces}, whose answers are the same on server and client.
-   */
-  public Queries<Entity> geometry() {
-    return geometry;
   }
 
   /** Returns the tick of the present state, or during a step the tick being computed. */
@@ -520,6 +515,7 @@ public final class Simulation {
 
   /** Returns the entity under an id, or null when the id is free or out of range. */
   public Entity entity(int id) {
+    calls.requireOutsideForces("entity");
     return entities.get(id);
   }
 
@@ -530,12 +526,13 @@ public final class Simulation {
 
   /** Returns the player under an id, or null when the id is free or out of range. */
   public Player player(int id) {
+    calls.requireOutsideForces("player");
     return players.get(id);
   }
 
   /** Returns the player to whom an entity belongs, or null. */
   public Player owner(Entity entity) {
-    return player(entity.ownerId());
+    return players.get(entity.ownerId());
   }
 
   /**
@@ -710,10 +707,13 @@ public final class Simulation {
   /** Lets areas and the game's forces act on each awake body. */
   private void applyForces() {
     areas.begin();
+    forceCheck.beginTick(role == Role.AUTHORITY ? tick : 1);
     calls.inForces(true);
+    world.queryScope(geometry);
     try {
       world.forEachAwake(forces);
     } finally {
+      world.queryScope(null);
       calls.inForces(false);
     }
   }
@@ -721,7 +721,9 @@ public final class Simulation {
   private void applyForces(Body<Entity> body) {
     Entity entity = body.user();
     areas.act(body, entity.archetype(), tickSeconds);
+    forceCheck.begin(body);
     game.forces(this, entity);
+    forceCheck.end(body, tick);
   }
 
   /** Returns the areas of the level and those that entities carry. For reading only. */

@@ -21,7 +21,7 @@ final class RulingDelivery {
    * Rulings of one snapshot take at most this much, bits. A tick with more is told by an exact
    * update instead.
    */
-  static final int MOST_BITS = 2_500;
+  static final int MOST_BITS = 4_000;
 
   /** A ruling that is older is of no use: the client forgets its tick, ticks. */
   private static final int MAX_AGE = 60;
