@@ -13,6 +13,7 @@ import carom.net.protocol.Limits;
 import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.table.JointWords;
 import carom.net.snapshot.table.TableInbox;
 import carom.sim.Input;
 import carom.sim.Player;
@@ -89,7 +90,7 @@ final class JoinedGame {
             welcome.tick(),
             welcome.tickRate(),
             Player.MEMORY_SIZE,
-            new TableInbox());
+            new TableInbox(JointWords.LAYOUT));
     decoder.gravity(level.gravityX(), level.gravityY());
     decoder.level(FrameState.of(Limits.MAX_ENTITIES, frame -> level.forEachBody(frame::put)));
     inbox = new SnapshotInbox(decoder, stats);

@@ -6,6 +6,7 @@ import carom.net.protocol.Limits;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.SnapshotDecoder;
+import carom.net.snapshot.table.JointWords;
 import carom.net.snapshot.table.TableInbox;
 import carom.net.transport.InProcessNetwork;
 import carom.net.transport.Link;
@@ -120,7 +121,7 @@ final class GameWarmup {
                 welcome.tick(),
                 welcome.tickRate(),
                 Player.MEMORY_SIZE,
-                new TableInbox());
+                new TableInbox(JointWords.LAYOUT));
         decoder.gravity(level.gravityX(), level.gravityY());
         link.send(new ClientMessage.LevelRequest(0));
       } else if (message instanceof ServerMessage.LevelChunk) {

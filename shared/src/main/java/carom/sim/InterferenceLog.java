@@ -96,7 +96,8 @@ public final class InterferenceLog {
 
   /**
    * Returns the last tick in which the game did something to an entity that is no {@link Ruling},
-   * while it was watched, or -1: it put it to sleep, or changed its player's memory.
+   * while it was watched, or -1: it put it to sleep, changed its player's memory, or made,
+   * destroyed or changed one of its joints.
    */
   public int lastUntoldTick(Entity entity) {
     Mark mark = find(ofEntities, entity.id(), entity);
@@ -260,7 +261,8 @@ public final class InterferenceLog {
   private long stamp(Entity entity) {
     Player owner = players.get(entity.ownerId());
     boolean isBody = owner != null && owner.body == entity;
-    return isBody ? memoryStamp(StateHash.SEED, owner) : StateHash.SEED;
+    long joints = entity.body().jointStamp();
+    return isBody ? memoryStamp(joints, owner) : joints;
   }
 
   private static long memoryStamp(long hash, Player player) {

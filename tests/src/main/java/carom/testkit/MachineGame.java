@@ -12,6 +12,7 @@ import carom.sim.Entity;
 import carom.sim.Game;
 import carom.sim.Input;
 import carom.sim.Player;
+import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.event.EventKind;
 import carom.sim.joint.Assembly;
@@ -49,9 +50,10 @@ public final class MachineGame implements Game {
   }
 
   /**
-   * Returns a level with a floor between two walls, 60 m apart, and spawns on it.
+   * Returns a level with a floor between two walls, 60 m apart, and players' spawns on it.
    *
-   * @param more further fields of the file, each after a comma
+   * @param more further spawns, each after a comma: ragdolls, bridges (team: planks), cranes,
+   *     crates
    */
   public static Level level(String more) {
     register();
@@ -59,11 +61,11 @@ public final class MachineGame implements Game {
         """
         {"name": "machines", "game": "machines", "gravity": [0, -10],
          "bounds": {"min": [-40, -10], "max": [40, 30]},
-         "spawns": [{"name": "player", "at": [-24, 1.2]}, {"name": "player", "at": [24, 1.2]}],
+         "spawns": [{"name": "player", "at": [-24, 1.2]}, {"name": "player", "at": [24, 1.2]}%s],
          "statics": [
            {"name": "floor", "at": [0, -1], "shape": {"type": "box", "width": 80, "height": 2}},
            {"at": [-31, 10], "shape": {"type": "box", "width": 2, "height": 24}},
-           {"at": [31, 10], "shape": {"type": "box", "width": 2, "height": 24}}]%s}
+           {"at": [31, 10], "shape": {"type": "box", "width": 2, "height": 24}}]}
         """
             .formatted(more);
     try {
@@ -120,6 +122,23 @@ public final class MachineGame implements Game {
     ragdoll = s.assemblies().add(ragdoll());
     plank = s.archetypes().add(new ArchetypeDef("plank").shape(new Box(0.48f, 0.12f), METAL));
     load = s.archetypes().add(new ArchetypeDef("load").shape(new Box(0.5f, 0.5f), METAL));
+    if (s.role() == Role.AUTHORITY) {
+      furnish(s);
+    }
+  }
+
+  /** Makes what the level's spawns name: ragdolls, bridges, cranes and crates. */
+  private void furnish(Simulation s) {
+    for (Level.Spawn spot : s.level().spawns()) {
+      switch (spot.name()) {
+        case "ragdoll" -> ragdoll(s, spot.x(), spot.y());
+        case "bridge" -> bridge(s, spot.x(), spot.y(), spot.team(), 1e9f);
+        case "weak bridge" -> bridge(s, spot.x(), spot.y(), spot.team(), 400);
+        case "crane" -> crane(s, spot.x(), spot.y());
+        case "crate" -> crate(s, spot.x(), spot.y());
+        default -> {}
+      }
+    }
   }
 
   private static AssemblyDef ragdoll() {

@@ -192,7 +192,7 @@ public final class PredictedSet {
       interference.watch(e);
     }
     state.read(simulation);
-    hasOutsideCause |= state.leaks() > 0 || chooser.isReachedFromOutside();
+    hasOutsideCause |= state.leaks() > 0 || state.cutJoints() > 0 || chooser.isReachedFromOutside();
   }
 
   private void relayInputs(Player player, OwnState out) {

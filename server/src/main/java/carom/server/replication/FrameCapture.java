@@ -6,6 +6,7 @@ import carom.net.snapshot.event.EventRecord;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.record.Deltas;
+import carom.net.snapshot.table.Tables;
 import carom.physics.World;
 import carom.physics.math.Trig;
 import carom.sim.Entity;
@@ -14,7 +15,9 @@ import carom.sim.Game;
 import carom.sim.Player;
 import carom.sim.Simulation;
 import carom.sim.event.Audience;
+import carom.sim.joint.JointTable;
 import java.util.Arrays;
+import java.util.List;
 import java.util.function.Consumer;
 
 /**
@@ -39,6 +42,8 @@ public final class FrameCapture {
   private final FrameRing ring;
   private final Deltas deltas;
   private final InterestIndex index;
+  private final JointCapture joints;
+  private final Tables tables;
   private final EventRecord record = new EventRecord();
   private final Consumer<Event> takeEvent = this::take;
 
@@ -68,6 +73,8 @@ public final class FrameCapture {
     ring.level(
         FrameState.of(Limits.MAX_ENTITIES, frame -> simulation.level().forEachBody(frame::put)));
     deltas = new Deltas(ring, simulation.tickRate());
+    joints = new JointCapture(simulation);
+    tables = new Tables(List.of(joints.table()));
   }
 
   /** Returns the deltas that the room's sessions share. */
@@ -93,6 +100,7 @@ public final class FrameCapture {
       }
     }
     ring.end();
+    joints.capture();
     simulation.drainEvents(takeEvent);
     return frame;
   }
@@ -179,6 +187,16 @@ public final class FrameCapture {
     Player by = simulation.player(e.player());
     int team = e.audience() == Audience.TEAM && by != null ? by.team() : 0;
     ring.events().add(record, whom(e.audience(), team));
+  }
+
+  /** Returns the joints of the simulation, by index. */
+  JointTable<Entity> joints() {
+    return simulation.joints();
+  }
+
+  /** Returns the room's tables: what clients are told apart from how entities move. */
+  public Tables tables() {
+    return tables;
   }
 
   /** Returns the captured frames. */

@@ -5,7 +5,6 @@ import carom.net.snapshot.SnapshotEncoder;
 import carom.net.snapshot.event.EventRing;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
-import carom.net.snapshot.table.Tables;
 import carom.net.transport.Link;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
@@ -79,7 +78,9 @@ public final class SnapshotSender {
       Counters counters) {
     this.frames = capture.frames();
     this.view = new SessionView(capture.index(), player, config.viewMetres(), config.tickRateHz());
-    this.encoder = new SnapshotEncoder(capture.deltas(), datagramKey, view, Tables.NONE, null);
+    JointAudience audience = new JointAudience(capture, view);
+    this.encoder =
+        new SnapshotEncoder(capture.deltas(), datagramKey, view, capture.tables(), audience);
     this.counters = counters;
     this.tickRateHz = config.tickRateHz();
     this.snapshotRateHz = Math.min(config.snapshotRateHz(), tickRateHz);

@@ -189,8 +189,7 @@ public final class NearCodec {
         near.counts.set(kind, any ? c.plain(near.counts.get(kind), ROW_BITS) : 0);
       }
     }
-    boolean fits = near.totalRows() <= NearState.MAX_ROWS;
-    c.require(fits && near.counts.get(RowKind.JOINT) == 0); // no update tells joints
+    c.require(near.totalRows() <= NearState.MAX_ROWS);
     near.firstRow = c.plain(near.firstRow, ROW_BITS);
     int rows = c.plain(near.partRows(), PART_BITS);
     if (c.isReading()) {
