@@ -284,7 +284,7 @@ class LevelTest {
   @Test
   void theSchemaAcceptsWhatShips() throws Exception {
     SchemaChecker schema = SchemaChecker.levels();
-    for (String name : List.of("arena", "commons", "platformer")) {
+    for (String name : List.of("arena", "commons", "lagoon", "platformer")) {
       Level level = Level.builtIn(name);
       assertEquals("", schema.check(Json.parse(name, level.source())));
     }
