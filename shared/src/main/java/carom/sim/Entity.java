@@ -1,6 +1,10 @@
 package carom.sim;
 
 import carom.physics.Body;
+import carom.sim.field.EntityRef;
+import carom.sim.field.FieldHolder;
+import carom.sim.field.FieldValues;
+import carom.sim.field.Scope;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 
@@ -11,7 +15,7 @@ import carom.sim.level.Level;
  * <p>An entity is a handle that is valid until it is despawned. Its id is then given to another
  * entity, with another generation.
  */
-public final class Entity {
+public final class Entity extends FieldHolder<Entity, Player> {
   /** Id of static level geometry. It never appears in snapshots. */
   public static final int LEVEL = -1;
 
@@ -23,6 +27,7 @@ public final class Entity {
   private final Archetype archetype;
   private final int ownerId;
   private final EntityTable table;
+  private final FieldValues fields;
   private int tag;
   private int teleports;
   private Body<Entity> body;
@@ -34,6 +39,7 @@ public final class Entity {
     this.generation = generation;
     this.archetype = archetype;
     this.ownerId = ownerId;
+    fields = id == LEVEL ? table.fields().ofLevel() : table.fields().create(Scope.ENTITY);
     tag = archetype.tag();
   }
 
@@ -117,6 +123,16 @@ public final class Entity {
 
   void teleports(int value) {
     teleports = value;
+  }
+
+  @Override
+  public FieldValues fieldValues() {
+    return fields;
+  }
+
+  @Override
+  protected int reference() {
+    return id == LEVEL ? 0 : EntityRef.word(id, generation);
   }
 
   @Override

@@ -3,20 +3,25 @@ package carom.sim;
 import carom.physics.Body;
 import carom.physics.BodyDef;
 import carom.physics.World;
+import carom.sim.field.FieldStore;
+import carom.sim.field.Schema;
 import carom.sim.history.TrackedBodies;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 import carom.sim.level.ScriptedMotion;
+import carom.sim.random.SimRandom;
 import java.util.Arrays;
+import java.util.function.IntSupplier;
 
 /**
  * The entities of a simulation by id, their bodies, and their part of its state. A free id keeps
  * its generation, so that its next entity gets another one.
  */
-final class EntityTable implements TrackedBodies<Entity> {
+final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<Entity, Player> {
   private final World<Entity> world;
   private final PlayerTable players;
   private final int tickRate;
+  private final FieldStore fields;
   private Entity[] entities = new Entity[64];
   private byte[] generations = new byte[64];
 
@@ -30,15 +35,33 @@ final class EntityTable implements TrackedBodies<Entity> {
 
   private long version;
 
-  EntityTable(World<Entity> world, PlayerTable players, int tickRate) {
+  EntityTable(
+      World<Entity> world, PlayerTable players, int tickRate, Schema schema, IntSupplier clock) {
     this.world = world;
     this.players = players;
     this.tickRate = tickRate;
+    fields = new FieldStore(schema, clock, this);
   }
 
   /** Returns the entity under an id, or null when the id is free or out of range. */
   Entity get(int id) {
     return id >= 0 && id < capacity ? entities[id] : null;
+  }
+
+  /** Returns the declared fields and the rules of writing them. */
+  FieldStore fields() {
+    return fields;
+  }
+
+  @Override
+  public Entity entity(int id, int generation) {
+    Entity entity = get(id);
+    return entity != null && entity.generation() == generation ? entity : null;
+  }
+
+  @Override
+  public Player player(int id) {
+    return players.get(id);
   }
 
   /** Returns whether an entity has not been despawned. */
@@ -204,26 +227,14 @@ final class EntityTable implements TrackedBodies<Entity> {
     }
   }
 
-  /**
-   * Moves every body with a path. It puts the body where the path was a tick ago, to the bit, and
-   * sets the velocity that leads to the path's present point. A client that knows the tick computes
-   * the same.
-   */
+  /** Moves every body with a path to where it was a tick ago, with the velocity to where it is. */
   void followPaths(int tick) {
     for (int i = 0; i < capacity; i++) {
       Entity e = entities[i];
       if (e == null || e.archetype().motion() == null) {
         continue;
       }
-      ScriptedMotion path = e.archetype().motion();
-      Body<Entity> body = e.body();
-      float x = path.x(tick - 1, tickRate);
-      float y = path.y(tick - 1, tickRate);
-      if (body.x() != x || body.y() != y) {
-        body.setPose(x, y, body.cos(), body.sin());
-      }
-      body.setVelocity(
-          (path.x(tick, tickRate) - x) * tickRate, (path.y(tick, tickRate) - y) * tickRate);
+      e.archetype().motion().drive(e.body(), tick, tickRate);
     }
   }
 
@@ -235,6 +246,7 @@ final class EntityTable implements TrackedBodies<Entity> {
       long identity = generations[i] & 0xff;
       if (e != null) {
         identity |= (long) (e.archetype().index() + 1) << 8 | (long) (e.ownerId() + 1) << 32;
+        h = e.fieldValues().hash(h);
         h = SimRandom.mix(h, ((long) e.tag() << 32) | (e.bodySlot() & 0xffffffffL));
       }
       h = SimRandom.mix(h, identity);
@@ -258,6 +270,9 @@ final class EntityTable implements TrackedBodies<Entity> {
     for (int i = 0; i < capacity; i++) {
       s.tags[i] = entities[i] == null ? 0 : entities[i].tag();
       s.teleports[i] = entities[i] == null ? 0 : entities[i].teleports();
+      if (entities[i] != null) {
+        s.fields.save(entities[i].fieldValues(), i);
+      }
     }
   }
 
@@ -276,6 +291,7 @@ final class EntityTable implements TrackedBodies<Entity> {
       if (entities[i] != null) {
         entities[i].tag(s.tags[i]);
         entities[i].teleports(s.teleports[i]);
+        s.fields.restore(entities[i].fieldValues(), i);
       }
     }
     firstFree = 0;

@@ -8,9 +8,9 @@ import java.util.Arrays;
 
 /**
  * Records what the game itself does to bodies in {@link Game#beforeStep} and {@link
- * Game#afterStep}: it moves or pushes them, wakes them, or changes their players' memories. Clients
- * don't run these methods, so they can't predict the result; replication reads this log and tells
- * them.
+ * Game#afterStep}: it moves or pushes them, wakes them, or changes fields of theirs or of their
+ * players that are told to clients. Clients don't run these methods, so they can't predict the
+ * result; replication reads this log and tells them.
  *
  * <p>One tick of the simulation, and the calls in it:
  *
@@ -204,8 +204,10 @@ public final class InterferenceLog {
 
   private long stamp(Entity entity) {
     long h = StateHash.SEED;
+    h = entity.fieldValues().hashTold(h);
     Player owner = players.get(entity.ownerId());
     if (owner != null && owner.body == entity) {
+      h = owner.fieldValues().hashTold(h);
       for (int value : owner.memory()) {
         h = StateHash.mix(h, value);
       }

@@ -11,11 +11,17 @@ import carom.sim.area.AreaForces;
 import carom.sim.event.EventKind;
 import carom.sim.event.EventKinds;
 import carom.sim.event.NoticeQueue;
+import carom.sim.field.FieldHolder;
+import carom.sim.field.FieldStore;
+import carom.sim.field.FieldValues;
+import carom.sim.field.Schema;
+import carom.sim.field.Scope;
 import carom.sim.history.PoseHistory;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Archetypes;
 import carom.sim.level.Level;
+import carom.sim.random.SimRandom;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -39,7 +45,7 @@ import java.util.function.Consumer;
  * EventLog}, {@link NoticeQueue}, {@link InterferenceLog}, {@link PoseHistory} and {@link
  * SimState}.
  */
-public final class Simulation {
+public final class Simulation extends FieldHolder<Entity, Player> {
   /** Most players at a time; ids are 0..1,023. */
   public static final int MAX_PLAYERS = 1_024;
 
@@ -65,6 +71,8 @@ public final class Simulation {
   private final Archetypes archetypes = new Archetypes();
   private final SimRandom random;
   private final int[] memory;
+  private final FieldStore fields;
+  private final FieldValues match;
   private final List<Entity> statics = new ArrayList<>();
   private final PlayerTable players = new PlayerTable();
   private final EntityTable entities;
@@ -102,11 +110,6 @@ public final class Simulation {
     if (tickRate < 1 || tickRate > 1000) {
       throw new IllegalArgumentException("tickRate=" + tickRate + " is outside 1..1000");
     }
-    int memorySize = game.memorySize(level);
-    if (memorySize < 0 || memorySize > 65_536) {
-      throw new IllegalArgumentException(
-          "memorySize=" + memorySize + " of game " + game.name() + " is outside 0..65536");
-    }
     this.game = game;
     this.level = level;
     this.tickRate = tickRate;
@@ -114,10 +117,12 @@ public final class Simulation {
     this.role = role;
     calls = new CallRules(role);
     random = new SimRandom(seed);
-    memory = new int[memorySize];
+    memory = new int[game.memorySize(level)];
     world = new World<>(game.world(level));
     world.listener(new Listener());
-    entities = new EntityTable(world, players, tickRate);
+    entities = new EntityTable(world, players, tickRate, Schema.of(game.fields()), this::tick);
+    fields = entities.fields();
+    match = fields.create(Scope.MATCH);
     areas = new AreaForces<>(world, level.areas());
     geometry = world.queries((body, shape) -> body.user().isLevel() && !body.sensor(shape));
     interference = new InterferenceLog(entities, players);
@@ -137,6 +142,9 @@ public final class Simulation {
     game.setUp(this);
     archetypes.close();
     eventKinds.close();
+    if (role == Role.PREDICTION) {
+      fields.predict();
+    }
     if (history != null) {
       history.capture(tick);
     }
@@ -249,13 +257,28 @@ public final class Simulation {
     return random;
   }
 
-  /**
-   * Returns the game's own ints, as many as {@link Game#memorySize} says, 0 at first: timers,
-   * goals, anything that changes while playing. They are hashed and saved, but not sent to clients.
-   * The array is the live one.
-   */
+  /** Returns the game's own ints, {@link Game#memorySize} of them; {@link #get} replaces them. */
   public int[] memory() {
     return memory;
+  }
+
+  /**
+   * Returns the fields that the game declares. {@link #get}, {@link #set} and {@link #add} of this
+   * class are for those of the match.
+   */
+  public Schema schema() {
+    return fields.schema();
+  }
+
+  /** Returns the values of the match's fields. */
+  @Override
+  public FieldValues fieldValues() {
+    return match;
+  }
+
+  /** Returns a number that grows with each change of a field in a scope. */
+  public long fieldChanges(Scope scope) {
+    return fields.changes(scope);
   }
 
   /** Returns the registered archetypes. */
@@ -470,6 +493,22 @@ public final class Simulation {
       }
     }
     players.remove(id);
+    forget(id);
+  }
+
+  /** Sets all fields that mean a player who left to null. */
+  private void forget(int playerId) {
+    match.forget(playerId);
+    for (int i = 0; i < players.limit(); i++) {
+      if (players.get(i) != null) {
+        players.get(i).fieldValues().forget(playerId);
+      }
+    }
+    for (int i = 0; i < entities.capacity(); i++) {
+      if (entities.get(i) != null) {
+        entities.get(i).fieldValues().forget(playerId);
+      }
+    }
   }
 
   /**
@@ -530,6 +569,7 @@ public final class Simulation {
       computeTick();
     } finally {
       inTick = false;
+      fields.end();
     }
     if (history != null) {
       history.capture(tick);
@@ -551,10 +591,12 @@ public final class Simulation {
     for (int i = 0; i < players.limit(); i++) {
       Player player = players.get(i);
       if (player != null && player.body != null) {
+        fields.beginInput(player.fieldValues(), player.body.fieldValues());
         game.input(this, player, player.input());
       }
     }
     applyForces();
+    fields.end();
     calls.inPhysics(true);
     try {
       world.step(tickSeconds);
@@ -610,8 +652,8 @@ public final class Simulation {
 
   /**
    * Returns 64 bits of everything that decides the future: tick, world, random numbers, memory,
-   * players with score, team, memory and input, entities with archetype, owner and tag. Equal runs
-   * have equal hashes.
+   * fields, players with score, team, memory and input, entities with archetype, owner and tag.
+   * Equal runs have equal hashes.
    */
   public long stateHash() {
     long h = SimRandom.mix(world.stateHash(), tick);
@@ -619,7 +661,7 @@ public final class Simulation {
     for (int value : memory) {
       h = SimRandom.mix(h, value);
     }
-    return entities.hash(players.hash(h));
+    return entities.hash(players.hash(match.hash(h)));
   }
 
   /**
@@ -633,7 +675,9 @@ public final class Simulation {
     requireOwn(s);
     s.world = world.save(s.world);
     s.tick = tick;
-    s.saveNumbers(random, memory);
+    s.random = random.state();
+    System.arraycopy(memory, 0, s.memory, 0, memory.length);
+    s.fields.save(match, 0);
     players.save(s);
     entities.save(s);
     s.saveHistory(history);
@@ -651,7 +695,9 @@ public final class Simulation {
     calls.requireOutsidePhysics("restore");
     world.restore(s.world);
     tick = s.tick;
-    s.restoreNumbers(random, memory);
+    random.state(s.random);
+    System.arraycopy(s.memory, 0, memory, 0, memory.length);
+    s.fields.restore(match, 0);
     players.restore(s);
     entities.restore(s);
     findAreas();
@@ -709,7 +755,10 @@ public final class Simulation {
   private final class Listener implements CollisionListener<Entity> {
     @Override
     public boolean preSolve(Collision<Entity> c) {
-      return game.collision(Simulation.this, c);
+      fields.beginCollision();
+      boolean responds = game.collision(Simulation.this, c);
+      fields.end();
+      return responds;
     }
 
     @Override
