@@ -35,6 +35,7 @@ public final class InterferenceLog {
     Object subject;
     boolean watched;
     long stamp;
+    long ruled;
     int[] row;
     int lastTick;
     int lastUntoldTick;
@@ -69,6 +70,7 @@ public final class InterferenceLog {
       return;
     }
     mark.watched = true;
+    mark.ruled = ruled(entity);
     if (watchedCount == watched.length) {
       watched = Arrays.copyOf(watched, 2 * watchedCount);
     }
@@ -86,7 +88,8 @@ public final class InterferenceLog {
 
   /**
    * Returns the last tick in which the game did something to an entity that is no {@link Ruling},
-   * while it was watched, or -1: it put it to sleep, or changed its player's memory.
+   * while it was watched, or -1: it put it to sleep, or changed fields of it or of its player
+   * outside of {@link Game#input}.
    */
   public int lastUntoldTick(Entity entity) {
     Mark mark = find(ofEntities, entity.id(), entity);
@@ -110,8 +113,8 @@ public final class InterferenceLog {
 
   /**
    * Returns the last tick whose state of a player's body doesn't follow from input and physics
-   * alone, because the game moved, pushed or exchanged the body; or -1. A push in {@link
-   * Game#afterStep} shows a tick later, so it counts for the tick after.
+   * alone, because the game moved, pushed or exchanged the body, or wrote fields; or -1. A push in
+   * {@link Game#afterStep} shows a tick later, so it counts for the tick after.
    */
   public int lastTick(Player player) {
     Mark mark = find(ofPlayers, player.id(), player);
@@ -161,13 +164,19 @@ public final class InterferenceLog {
         if (bodyStamp(player) != mark.stamp) {
           mark.lastTick = Math.max(mark.lastTick, shownTick);
         }
+        if (ruled(player.body) != mark.ruled) {
+          mark.ruled = ruled(player.body);
+          mark.lastTick = Math.max(mark.lastTick, tick);
+        }
       }
     }
     for (int i = 0; i < watchedCount; i++) {
       if (entities.holds(watched[i])) {
         Mark mark = ofEntities[watched[i].id()];
         boolean told = noteRuling(watched[i], mark, tick, beforeStep);
-        if (!told || stamp(watched[i]) != mark.stamp) {
+        boolean wrote = ruled(watched[i]) != mark.ruled;
+        mark.ruled = ruled(watched[i]);
+        if (!told || wrote || stamp(watched[i]) != mark.stamp) {
           mark.beforeStep = beforeStep || (mark.lastUntoldTick == tick && mark.beforeStep);
           mark.lastUntoldTick = tick;
           mark.lastTick = tick;
@@ -198,16 +207,21 @@ public final class InterferenceLog {
     return true;
   }
 
+  /** Counts what the rules wrote to an entity's fields and to those of the player it is of. */
+  private long ruled(Entity entity) {
+    Player owner = players.get(entity.ownerId());
+    boolean isBody = owner != null && owner.body == entity;
+    return entity.fieldValues().ruled() + (isBody ? owner.fieldValues().ruled() : 0);
+  }
+
   private static long bodyStamp(Player player) {
     return player.body.body().stamp();
   }
 
   private long stamp(Entity entity) {
     long h = StateHash.SEED;
-    h = entity.fieldValues().hashTold(h);
     Player owner = players.get(entity.ownerId());
     if (owner != null && owner.body == entity) {
-      h = owner.fieldValues().hashTold(h);
       for (int value : owner.memory()) {
         h = StateHash.mix(h, value);
       }

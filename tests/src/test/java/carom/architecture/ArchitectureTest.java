@@ -197,7 +197,14 @@ final class ArchitectureTest {
         "carom.sim.random",
         "carom.sim.area",
         "carom.sim.ruling");
-    allow("carom.sim.near", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.field");
+    allow(
+        "carom.sim.near",
+        "carom.physics..",
+        "carom.sim",
+        "carom.sim.level",
+        "carom.sim.event",
+        "carom.sim.field");
+    allow("carom.net.field", "carom.net.snapshot.table", "carom.sim.event", "carom.sim.field");
     allow("carom.sim.scene", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.event");
     allow(
         "carom.sim.scene.catalog",
@@ -294,7 +301,8 @@ final class ArchitectureTest {
         "carom.sim",
         "carom.sim.level",
         "carom.sim.event",
-        "carom.sim.field");
+        "carom.sim.field",
+        "carom.sim.random");
   }
 
   private static void allow(String from, String... to) {

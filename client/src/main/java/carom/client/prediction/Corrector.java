@@ -7,9 +7,11 @@ import carom.net.snapshot.exact.OwnState;
 import carom.physics.Body;
 import carom.physics.rows.BodyRow;
 import carom.physics.rows.ContactRow;
+import carom.physics.rows.FieldRow;
 import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
 import carom.sim.Entity;
+import carom.sim.Player;
 import carom.sim.Simulation;
 import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
@@ -29,15 +31,17 @@ final class Corrector {
 
   private final Simulation simulation;
   private final SnapshotRecords records;
+  private final OwnWords words;
 
   /** The predicted set before the correction. */
-  private final Neighbourhood current = new Neighbourhood();
+  private final Neighbourhood current;
 
   /** The predicted set after it. */
-  private final Neighbourhood next = new Neighbourhood();
+  private final Neighbourhood next;
 
   private final int[] bodyRow = new int[BodyRow.INTS];
   private final int[] contactRow = new int[ContactRow.INTS];
+  private final int[] fieldRow = new int[FieldRow.INTS];
 
   /** By place in the update: the place in {@link #next}, or -1. */
   private final int[] placeOf = new int[NearState.MAX_ENTITIES];
@@ -47,9 +51,12 @@ final class Corrector {
 
   private final Pose target = new Pose();
 
-  Corrector(Simulation simulation, SnapshotRecords records) {
+  Corrector(Simulation simulation, Player player, SnapshotRecords records, OwnWords words) {
     this.simulation = simulation;
     this.records = records;
+    this.words = words;
+    current = new Neighbourhood(player.id());
+    next = new Neighbourhood(player.id());
   }
 
   /** Removes all entities from the simulation. */
@@ -95,6 +102,8 @@ final class Corrector {
     }
     addContacts(update);
     keepContacts();
+    addFields(update);
+    keepFields();
     next.write(simulation, records);
     return true;
   }
@@ -142,6 +151,33 @@ final class Corrector {
       contactRow[ContactRow.END_A] = newPlace(contactRow[ContactRow.END_A]);
       contactRow[ContactRow.END_B] = newPlace(contactRow[ContactRow.END_B]);
       addContact();
+    }
+  }
+
+  private void addFields(NearUpdate update) {
+    for (int row = 0; row < update.rows().count(); row++) {
+      if (update.kind(row) == RowKind.FIELDS) {
+        int place = update.rows().get(row, FieldRow.PLACE);
+        if (place < update.count() && update.hasState(place)) {
+          addFields(update.rows(), row, translate(update, place));
+        }
+      }
+    }
+  }
+
+  /** Keeps the present fields of entities that stay as they are. */
+  private void keepFields() {
+    Rows fields = current.rows().of(RowKind.FIELDS);
+    for (int row = 0; row < fields.count(); row++) {
+      addFields(fields, row, newPlace[fields.get(row, FieldRow.PLACE)]);
+    }
+  }
+
+  private void addFields(Rows from, int row, int place) {
+    if (place != DROPPED) {
+      System.arraycopy(from.ints(), from.at(row), fieldRow, 0, FieldRow.INTS);
+      fieldRow[FieldRow.PLACE] = place;
+      next.rows().add(RowKind.FIELDS, fieldRow, 0);
     }
   }
 
@@ -196,8 +232,10 @@ final class Corrector {
       next.rows().add(RowKind.BODY, bodyRow, 0);
     } else {
       keepContacts();
+      keepFields();
     }
     next.write(simulation, records);
+    words.write(own);
   }
 
   /** Reads the own body, awake and without loads, into {@link #bodyRow}. */
@@ -207,9 +245,6 @@ final class Corrector {
       bodyRow[BodyRow.MOTION + i] = own.bits(i);
     }
     clearLoads();
-    for (int i = 0; i < BodyRow.MEMORY_INTS; i++) {
-      bodyRow[BodyRow.MEMORY + i] = own.word(i);
-    }
   }
 
   /** Makes {@link #bodyRow} awake, with nothing acting on it. */

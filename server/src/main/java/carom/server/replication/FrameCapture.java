@@ -39,6 +39,7 @@ public final class FrameCapture {
   private final FrameRing ring;
   private final Deltas deltas;
   private final InterestIndex index;
+  private final FieldCapture fields;
   private final EventRecord record = new EventRecord();
   private final Consumer<Event> takeEvent = this::take;
 
@@ -68,6 +69,7 @@ public final class FrameCapture {
     ring.level(
         FrameState.of(Limits.MAX_ENTITIES, frame -> simulation.level().forEachBody(frame::put)));
     deltas = new Deltas(ring, simulation.tickRate());
+    fields = new FieldCapture(simulation);
   }
 
   /** Returns the deltas that the room's sessions share. */
@@ -93,6 +95,7 @@ public final class FrameCapture {
       }
     }
     ring.end();
+    fields.capture();
     simulation.drainEvents(takeEvent);
     return frame;
   }
@@ -208,6 +211,11 @@ public final class FrameCapture {
   /** Returns the team if the audience of an entity is {@link Audience#TEAM}. */
   static int team(FrameState frame, int slot) {
     return teamOf(frame.audience(slot));
+  }
+
+  /** Returns the fields of the newest frame. */
+  FieldCapture fields() {
+    return fields;
   }
 
   /** Returns the index of where the entities of the newest frame are. */

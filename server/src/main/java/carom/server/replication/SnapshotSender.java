@@ -5,7 +5,6 @@ import carom.net.snapshot.SnapshotEncoder;
 import carom.net.snapshot.event.EventRing;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
-import carom.net.snapshot.table.Tables;
 import carom.net.transport.Link;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
@@ -44,6 +43,7 @@ public final class SnapshotSender {
 
   private final FrameRing frames;
   private final SessionView view;
+  private final FieldAudience audience;
   private final SnapshotEncoder encoder;
   private final Counters counters;
   private final byte[] buffer = new byte[SnapshotEncoder.MAX_DATAGRAM_BYTES];
@@ -79,7 +79,11 @@ public final class SnapshotSender {
       Counters counters) {
     this.frames = capture.frames();
     this.view = new SessionView(capture.index(), player, config.viewMetres(), config.tickRateHz());
-    this.encoder = new SnapshotEncoder(capture.deltas(), datagramKey, view, Tables.NONE, null);
+    this.audience = new FieldAudience(capture.index().simulation(), capture.fields(), player);
+    this.encoder =
+        new SnapshotEncoder(
+            capture.deltas(), datagramKey, view, capture.fields().tables(), audience);
+    audience.of(encoder);
     this.counters = counters;
     this.tickRateHz = config.tickRateHz();
     this.snapshotRateHz = Math.min(config.snapshotRateHz(), tickRateHz);
@@ -158,6 +162,7 @@ public final class SnapshotSender {
     due = rateAccumulator >= tickRateHz;
     if (due) {
       view.update(frames.newest(), encoder);
+      audience.update(frames.newest().tick());
       offerEvents();
       boolean news = !encoder.nothingNew(own);
       // Over budget, or over what the line takes: fewer snapshots, never none, each of the newest

@@ -38,6 +38,7 @@ public final class FieldStore {
   private Writes writes = Writes.ALL;
   private FieldValues own;
   private FieldValues ownBody;
+  private boolean isInput;
 
   /**
    * Creates the store of a simulation.
@@ -89,6 +90,7 @@ public final class FieldStore {
     writes = rest == Writes.NONE ? Writes.OWN : rest;
     own = player;
     ownBody = body;
+    isInput = true;
   }
 
   /** Begins {@code Game.collision}, which must change nothing: refuses writes. */
@@ -99,6 +101,12 @@ public final class FieldStore {
   /** Ends what began. */
   public void end() {
     writes = rest;
+    isInput = false;
+  }
+
+  /** Returns whether a client couldn't foresee a write to these values now. */
+  boolean isRuling(FieldValues values) {
+    return !isInput || (values != own && values != ownBody);
   }
 
   /**

@@ -12,6 +12,7 @@ public final class FieldValues {
   private final boolean writable;
   private final int[] words;
   private long stamp;
+  private long ruled;
 
   FieldValues(FieldStore store, Scope scope, boolean writable) {
     this.store = store;
@@ -66,6 +67,15 @@ public final class FieldValues {
     return stamp;
   }
 
+  /**
+   * Returns how often a game wrote another value except in {@code Game.input} of the player whom,
+   * or whose body, the values belong to. A client doesn't run what wrote these, so it can't predict
+   * them. Not saved.
+   */
+  public long ruled() {
+    return ruled;
+  }
+
   /** Sets a word as a game asks for it, if the write counts now. */
   void write(int index, int value) {
     if (!writable) {
@@ -74,6 +84,7 @@ public final class FieldValues {
               + " can't be written: level geometry has no values of its own; ask Entity.isLevel");
     }
     if (words[index] != value && store.takes(this, index)) {
+      ruled += store.isRuling(this) ? 1 : 0;
       put(index, value);
     }
   }

@@ -148,7 +148,7 @@ public final class TableOutbox {
     for (int table = 0; table < known.length; table++) {
       RowKnowledge of = known[table];
       for (int key; (key = of.nextDue()) >= 0; ) {
-        of.describe(key, codec);
+        of.describe(key, now, codec);
         int most = codec.mostBits(table);
         boolean first = count[at] == 0 && most + TableCodec.END_BITS <= w.room();
         if (!first && w.bits() - begin + most > room) {
