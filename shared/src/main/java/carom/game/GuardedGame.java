@@ -1,6 +1,7 @@
 package carom.game;
 
 import carom.physics.Collision;
+import carom.physics.Joint;
 import carom.physics.WorldDef;
 import carom.sim.Entity;
 import carom.sim.Game;
@@ -168,6 +169,15 @@ public final class GuardedGame implements Game {
       game.hit(s, c);
     } catch (RuntimeException | AssertionError | StackOverflowError e) {
       watch.failed("hit", s, e);
+    }
+  }
+
+  @Override
+  public void broke(Simulation s, Joint<Entity> joint) {
+    try {
+      game.broke(s, joint);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("broke of " + joint, s, e);
     }
   }
 

@@ -538,6 +538,15 @@ public final class Body<T> {
   }
 
   /**
+   * Returns a hash of which joints the body has, and of their settings. It changes when one comes
+   * or goes, or a motor, a limit, a spring or a target is set.
+   */
+  public long jointStamp() {
+    check();
+    return dynamics().jointTransfer().stamp(index);
+  }
+
+  /**
    * Applies an impulse at the centre of mass. At the start of the next step the velocity changes by
    * J / m.
    *

@@ -63,7 +63,6 @@ public final class Queries<T> {
 
   private final World<T> world;
   private final Poses poses;
-  private final QueryFilter<T> scope;
   private final PartQueries parts;
   private final BodyStore store;
   private final Cast cast = new Cast();
@@ -102,12 +101,10 @@ public final class Queries<T> {
 
   /**
    * @param poses poses of the bodies; null for those they have now
-   * @param scope the shapes that queries see before they apply their own filter; null for all
    */
-  Queries(World<T> world, Poses poses, QueryFilter<T> scope) {
+  Queries(World<T> world, Poses poses) {
     this.world = world;
     this.poses = poses;
-    this.scope = scope;
     parts = world.dynamics().queries();
     store = world.dynamics().bodies();
   }
@@ -382,7 +379,7 @@ public final class Queries<T> {
     int number = parts.shapeOf(part);
     Body<T> body = world.body(slot);
     boolean seen = filter == null ? !body.sensor(number) : filter.accepts(body, number);
-    if (seen && (scope == null || scope.accepts(body, number)) && measure(part, slot)) {
+    if (seen && world.sees(body, number) && measure(part, slot)) {
       long key =
           (long) Float.floatToIntBits(hit.fraction) << (BODY_BITS + PART_BITS)
               | (long) slot << PART_BITS

@@ -63,6 +63,7 @@ public final class World<T> {
   private final Handles<T> handles = new Handles<>();
   private final EditQueue<T> edits;
   private long moves;
+  private QueryFilter<T> scope;
   private final JointEvents onBroke = this::broke;
 
   private CollisionListener<T> listener;
@@ -90,7 +91,7 @@ public final class World<T> {
     store = dynamics.bodies();
     joints = dynamics.joints();
     collision = new Collision<>(this, dynamics.contacts());
-    queries = new Queries<>(this, null, null);
+    queries = new Queries<>(this, null);
     edits = new EditQueue<>(this, dynamics, handles);
   }
 
@@ -326,6 +327,28 @@ public final class World<T> {
     refuseDuringQuery("destroyJoint");
     own(joint);
     edits.destroy(joint);
+  }
+
+  /**
+   * Destroys all joints. Those created next get ascending indices: the solver's order is then the
+   * order of their creation.
+   *
+   * @throws IllegalStateException during a step or a query
+   */
+  public void destroyJoints() {
+    refuseDuringStep("destroyJoints");
+    refuseDuringQuery("destroyJoints");
+    for (int j = joints.slots() - 1; j >= 0; j--) {
+      if (joint(j) != null) {
+        removeJoint(j);
+      }
+    }
+    joints.sortFree();
+  }
+
+  /** Returns a number above all indices of joints that were ever used. */
+  public int jointSlotCount() {
+    return joints.slots();
   }
 
   private void own(Joint<T> joint) {
@@ -765,7 +788,7 @@ public final class World<T> {
 
   private boolean collect(int part) {
     parts.boxOf(part, false, box);
-    if (box.overlaps(queryBox)) {
+    if (box.overlaps(queryBox) && sees(body(parts.bodyOf(part)), parts.shapeOf(part))) {
       if (foundCount == found.length) {
         found = Arrays.copyOf(found, foundCount * 2);
       }
@@ -939,17 +962,20 @@ public final class World<T> {
    * @return the queries
    */
   public Queries<T> queries(Poses poses) {
-    return new Queries<>(this, poses, null);
+    return new Queries<>(this, poses);
   }
 
   /**
-   * Creates queries that see a part of this world only. Allocates: create one and keep it.
+   * Limits what all queries of this world see, besides their own filters; no part of its state.
    *
-   * @param scope the shapes that every query sees, before its own filter
-   * @return the queries
+   * @param newScope the shapes that queries see from now on; null for all
    */
-  public Queries<T> queries(QueryFilter<T> scope) {
-    return new Queries<>(this, null, scope);
+  public void queryScope(QueryFilter<T> newScope) {
+    scope = newScope;
+  }
+
+  boolean sees(Body<T> body, int shape) {
+    return scope == null || scope.accepts(body, shape);
   }
 
   EditQueue<T> edits() {

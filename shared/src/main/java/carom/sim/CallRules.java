@@ -32,8 +32,9 @@ final class CallRules {
     if (inForces) {
       throw new IllegalStateException(
           what
-              + " can't be called in Game.forces, which clients run, too, and which may only push"
-              + " its own body; call it in Game.afterStep");
+              + " can't be called in Game.forces, which clients run, too: they know only some"
+              + " entities, and it may only push the body it is called for; do it in"
+              + " Game.beforeStep or Game.afterStep");
     }
   }
 

@@ -3,9 +3,16 @@ package carom.sim;
 import carom.physics.Body;
 import carom.physics.BodyDef;
 import carom.physics.World;
+import carom.physics.math.Transform;
+import carom.physics.math.Trig;
+import carom.physics.rows.JointDefRow;
+import carom.sim.area.AreaForces;
 import carom.sim.field.FieldStore;
 import carom.sim.field.Schema;
 import carom.sim.history.TrackedBodies;
+import carom.sim.joint.Assemblies;
+import carom.sim.joint.Assembly;
+import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 import carom.sim.level.ScriptedMotion;
@@ -20,6 +27,8 @@ import java.util.function.IntSupplier;
 final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<Entity, Player> {
   private final World<Entity> world;
   private final PlayerTable players;
+  private final AreaForces<Entity> areas;
+  private final Assemblies assemblies;
   private final int tickRate;
   private final FieldStore fields;
   private Entity[] entities = new Entity[64];
@@ -36,7 +45,15 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   private long version;
 
   EntityTable(
-      World<Entity> world, PlayerTable players, int tickRate, Schema schema, IntSupplier clock) {
+      World<Entity> world,
+      PlayerTable players,
+      AreaForces<Entity> areas,
+      Assemblies assemblies,
+      int tickRate,
+      Schema schema,
+      IntSupplier clock) {
+    this.areas = areas;
+    this.assemblies = assemblies;
     this.world = world;
     this.players = players;
     this.tickRate = tickRate;
@@ -82,6 +99,11 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   /** Returns a number that changes with each {@link #noteChange}. */
   long version() {
     return version;
+  }
+
+  /** Notes that an entity is about to be put elsewhere, or has been: its area, if any, wakes. */
+  void wakeAround(Entity entity) {
+    areas.wakeAround(entity.id());
   }
 
   /** Notes that an entity came, went or was teleported. */
@@ -159,6 +181,58 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
     return add(new Entity(this, id, generation, archetype, ownerId), x, y, angle, tick);
   }
 
+  /** Creates the bodies and joints of an assembly; returns its root. */
+  Entity spawn(
+      Assembly assembly,
+      float x,
+      float y,
+      float angle,
+      int ownerId,
+      int tick,
+      JointTable<Entity> joints) {
+    if (count + assembly.bodyCount() > Simulation.MAX_ENTITIES) {
+      throw new IllegalStateException(
+          "assembly=" + assembly + " can't be spawned: entities=" + count + " is the limit");
+    }
+    float c = Trig.cos(angle);
+    float s = Trig.sin(angle);
+    Entity[] members = new Entity[assembly.bodyCount()];
+    for (int i = 0; i < members.length; i++) {
+      float dx = assembly.x(i);
+      float dy = assembly.y(i);
+      members[i] =
+          spawn(
+              assembly.archetypes().get(i),
+              x + c * dx - s * dy,
+              y + s * dx + c * dy,
+              angle + assembly.angle(i),
+              ownerId,
+              tick);
+      members[i].rootId(members[0].id());
+    }
+    for (int i = 0; i < assembly.jointCount(); i++) {
+      int at = i * JointDefRow.INTS;
+      Body<Entity> a = members[assembly.bodyA(i)].body();
+      Body<Entity> b = members[assembly.bodyB(i)].body();
+      joints.create(0, members[0].id(), i, a, b, assembly.definitions(), at);
+    }
+    return members[0];
+  }
+
+  /** Moves the other bodies of an assembly as its root is about to be moved. */
+  void moveMembers(Entity root, float x, float y, float angle) {
+    Transform before = new Transform();
+    Body<Entity> body = root.body();
+    before.set(body.x(), body.y(), body.cos(), body.sin());
+    Transform after = new Transform();
+    after.set(x, y, Trig.cos(angle), Trig.sin(angle));
+    for (int i = 0; i < capacity; i++) {
+      if (entities[i] != null && entities[i] != root && entities[i].rootId() == root.id()) {
+        entities[i].teleportWith(before, after);
+      }
+    }
+  }
+
   private int takeFreeId(Archetype archetype) {
     int id = firstFree;
     while (id < capacity && entities[id] != null) {
@@ -206,15 +280,17 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
     capacity = Math.max(capacity, id + 1);
     count++;
     Player owner = players.get(entity.ownerId());
-    if (owner != null && owner.body == null) {
+    if (owner != null && owner.body == null && !assemblies.isPart(entity.archetype())) {
       owner.body = entity;
     }
+    areas.come(id, entity.body(), entity.archetype());
     return entity;
   }
 
   /** Destroys an entity that the table {@linkplain #holds holds}, and its body. */
   void despawn(Entity entity) {
     int id = entity.id();
+    areas.go(id);
     world.destroyBody(entity.body());
     entities[id] = null;
     noteChange();
@@ -248,6 +324,7 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
         identity |= (long) (e.archetype().index() + 1) << 8 | (long) (e.ownerId() + 1) << 32;
         h = e.fieldValues().hash(h);
         h = SimRandom.mix(h, ((long) e.tag() << 32) | (e.bodySlot() & 0xffffffffL));
+        h = e.rootId() == Entity.NO_ROOT ? h : SimRandom.mix(h, e.rootId());
       }
       h = SimRandom.mix(h, identity);
     }
@@ -259,6 +336,7 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
     if (s.entities.length < generations.length) {
       s.entities = new Entity[generations.length];
       s.tags = new int[generations.length];
+      s.roots = new int[generations.length];
       s.teleports = new int[generations.length];
       s.generations = new byte[generations.length];
     }
@@ -273,6 +351,7 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
       if (entities[i] != null) {
         s.fields.save(entities[i].fieldValues(), i);
       }
+      s.roots[i] = entities[i] == null ? Entity.NO_ROOT : entities[i].rootId();
     }
   }
 
@@ -284,6 +363,7 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
     grow(capacity - 1);
     System.arraycopy(s.entities, 0, entities, 0, capacity);
     noteChange();
+    areas.clear();
     Arrays.fill(entities, capacity, Math.max(before, capacity), null);
     System.arraycopy(s.generations, 0, generations, 0, capacity);
     Arrays.fill(generations, capacity, Math.max(before, capacity), (byte) 0);
@@ -292,6 +372,8 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
         entities[i].tag(s.tags[i]);
         entities[i].teleports(s.teleports[i]);
         s.fields.restore(entities[i].fieldValues(), i);
+        entities[i].rootId(s.roots[i]);
+        areas.add(i, entities[i].body(), entities[i].archetype());
       }
     }
     firstFree = 0;

@@ -1,6 +1,7 @@
 package carom.sim;
 
 import carom.physics.Collision;
+import carom.physics.Joint;
 import carom.physics.WorldDef;
 import carom.sim.event.Audience;
 import carom.sim.field.Field;
@@ -109,8 +110,8 @@ public interface Game {
    * what it does exactly, so push bodies here rather than in {@link #beforeStep}.
    *
    * <p>It must be a function of this entity, its owner's memory, the tick and the level. It may
-   * push this entity's body and change its velocity, and must change nothing else. {@link
-   * Simulation#geometry} answers queries about the level. A body that only {@link
+   * push this entity's body and change its velocity, and must change nothing else. Queries of the
+   * world see the level's static geometry only. A body that only {@link
    * carom.physics.Body#applyAmbientForce ambient forces} act on can fall asleep.
    *
    * @param s the simulation
@@ -141,6 +142,15 @@ public interface Game {
    * @param c with {@link Collision#hitSpeed}, place and strength; valid during the call
    */
   default void hit(Simulation s, Collision<Entity> c) {}
+
+  /**
+   * Handles a joint that breaks because it bears more than it can; both roles, during the step. The
+   * joint is gone after the step. It is the place to {@linkplain Simulation#emit emit} an event. It
+   * may read, and must change nothing else.
+   *
+   * @param joint still valid, with the force that broke it
+   */
+  default void broke(Simulation s, Joint<Entity> joint) {}
 
   /**
    * Returns which players are told about an entity; {@link Role#AUTHORITY} only, after each tick

@@ -1,7 +1,10 @@
 package carom.sim;
 
+import carom.physics.BodyType;
 import carom.physics.math.StateHash;
 import carom.physics.rows.BodyRow;
+import carom.sim.ruling.Findings;
+import carom.sim.ruling.Habit;
 import carom.sim.ruling.Ruling;
 import carom.sim.ruling.RulingLog;
 import java.util.Arrays;
@@ -40,7 +43,12 @@ public final class InterferenceLog {
     int lastTick;
     int lastUntoldTick;
     boolean beforeStep;
+    final Habit habit = new Habit();
   }
+
+  private static final int POSE = bits(BodyRow.X, 4);
+  private static final int VELOCITY = bits(BodyRow.VX, 3);
+  private static final int LOADS = bits(BodyRow.LOADS, BodyRow.LOAD_INTS);
 
   private final EntityTable entities;
   private final PlayerTable players;
@@ -51,13 +59,15 @@ public final class InterferenceLog {
   /** Marks of players, by id. */
   private Mark[] ofPlayers = new Mark[16];
 
+  private final Findings findings;
   private final RulingLog rulings = new RulingLog();
   private final Ruling ruling = new Ruling();
   private final int[] row = new int[BodyRow.INTS];
   private Entity[] watched = new Entity[16];
   private int watchedCount;
 
-  InterferenceLog(EntityTable entities, PlayerTable players) {
+  InterferenceLog(EntityTable entities, PlayerTable players, Findings findings) {
+    this.findings = findings;
     this.entities = entities;
     this.players = players;
   }
@@ -88,8 +98,8 @@ public final class InterferenceLog {
 
   /**
    * Returns the last tick in which the game did something to an entity that is no {@link Ruling},
-   * while it was watched, or -1: it put it to sleep, or changed fields of it or of its player
-   * outside of {@link Game#input}.
+   * while it was watched, or -1: it put it to sleep, changed fields of it or of its player outside
+   * of {@link Game#input}, or made, destroyed or changed one of its joints.
    */
   public int lastUntoldTick(Entity entity) {
     Mark mark = find(ofEntities, entity.id(), entity);
@@ -113,8 +123,8 @@ public final class InterferenceLog {
 
   /**
    * Returns the last tick whose state of a player's body doesn't follow from input and physics
-   * alone, because the game moved, pushed or exchanged the body, or wrote fields; or -1. A push in
-   * {@link Game#afterStep} shows a tick later, so it counts for the tick after.
+   * alone, because the game moved, pushed or exchanged the body, or wrote the player's fields; or
+   * -1. A push in {@link Game#afterStep} shows a tick later, so it counts for the tick after.
    */
   public int lastTick(Player player) {
     Mark mark = find(ofPlayers, player.id(), player);
@@ -204,6 +214,9 @@ public final class InterferenceLog {
     ruling.afterStep = !beforeStep;
     ruling.key = entity.id() | entity.generation() << 16;
     rulings.add().set(ruling);
+    if (mark.habit.note(tick)) {
+      find(entity, mark.habit.firstTick(), beforeStep ? "beforeStep" : "afterStep");
+    }
     return true;
   }
 
@@ -214,17 +227,63 @@ public final class InterferenceLog {
     return entity.fieldValues().ruled() + (isBody ? owner.fieldValues().ruled() : 0);
   }
 
+  /** Tells that the rules change a body again and again. */
+  private void find(Entity entity, int firstTick, String callback) {
+    String deed = deed(ruling.mask);
+    String advice;
+    if (entity.archetype().type() != BodyType.DYNAMIC) {
+      advice = "give its archetype a motion, which clients know";
+    } else if ((ruling.mask & POSE) != 0) {
+      advice = "let Game.input or Game.forces set its velocity";
+    } else {
+      advice = "use Game.forces";
+    }
+    findings.add(
+        callback + " " + deed + " " + entity.archetype().index(),
+        callback
+            + " "
+            + deed
+            + " entity "
+            + entity.id()
+            + " ("
+            + entity.archetype().name()
+            + ") every tick, so clients can't predict it; "
+            + advice
+            + ". First seen at tick "
+            + firstTick
+            + ".");
+  }
+
+  private static String deed(int mask) {
+    if ((mask & POSE) != 0) {
+      return "moves";
+    }
+    if ((mask & VELOCITY) != 0) {
+      return "sets the velocity of";
+    }
+    return (mask & LOADS) != 0 ? "pushes" : "wakes";
+  }
+
+  /** Returns the bits of a ruling's mask for some ints of a row. */
+  private static int bits(int from, int count) {
+    return ((1 << count) - 1) << from - BodyRow.MOTION;
+  }
+
   private static long bodyStamp(Player player) {
-    return player.body.body().stamp();
+    return memoryStamp(player.body.body().stamp(), player);
   }
 
   private long stamp(Entity entity) {
-    long h = StateHash.SEED;
     Player owner = players.get(entity.ownerId());
-    if (owner != null && owner.body == entity) {
-      for (int value : owner.memory()) {
-        h = StateHash.mix(h, value);
-      }
+    boolean isBody = owner != null && owner.body == entity;
+    long joints = entity.body().jointStamp();
+    return isBody ? memoryStamp(joints, owner) : joints;
+  }
+
+  private static long memoryStamp(long hash, Player player) {
+    long h = hash;
+    for (int value : player.memory()) {
+      h = StateHash.mix(h, value);
     }
     return h;
   }
@@ -248,6 +307,7 @@ public final class InterferenceLog {
       mark.lastTick = -1;
       mark.lastUntoldTick = -1;
       mark.beforeStep = false;
+      mark.habit.clear();
     }
     return mark;
   }

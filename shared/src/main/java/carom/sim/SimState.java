@@ -8,6 +8,7 @@ import carom.physics.archive.ArchiveWriter;
 import carom.sim.field.SavedFields;
 import carom.sim.field.Scope;
 import carom.sim.history.PoseHistory;
+import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 import java.util.Arrays;
@@ -18,7 +19,7 @@ import java.util.Arrays;
  */
 public final class SimState {
   private static final int MAX_NAME = 1 << 16;
-  private static final int ENTITY_BYTES = 1 + 5 * Integer.BYTES;
+  private static final int ENTITY_BYTES = 1 + 6 * Integer.BYTES;
 
   final Simulation owner;
   final SavedFields fields;
@@ -39,6 +40,8 @@ public final class SimState {
   Entity[] entities = {};
   int[] tags = {};
   int[] teleports = {};
+  int[] roots = {};
+  final JointTable.Saved joints = new JointTable.Saved();
   byte[] generations = {};
   PoseHistory<Entity> history;
 
@@ -132,6 +135,7 @@ public final class SimState {
     a.require(stored == size, "memory=" + stored + " ints, this game has " + size);
     a.integers("memory", memory, size, Integer.MIN_VALUE, Integer.MAX_VALUE);
     passEntities(a);
+    joints.pass(a);
     limitPlayers(a.count("players", playerLimit, Simulation.MAX_PLAYERS, Integer.BYTES));
     for (int id = 0; id < playerLimit; id++) {
       if (a.flag("player", players[id] != null)) {
@@ -181,6 +185,7 @@ public final class SimState {
       entities = new Entity[n];
       tags = new int[n];
       teleports = new int[n];
+      roots = new int[n];
       generations = new byte[n];
     }
     slots = new int[n];
@@ -195,6 +200,7 @@ public final class SimState {
     a.integers("owner of entity", owners, n, Entity.NO_OWNER, Simulation.MAX_PLAYERS - 1);
     a.integers("tag of entity", tags, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
     a.integers("teleports of entity", teleports, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
+    a.integers("root of entity", roots, n, Entity.NO_ROOT, Simulation.MAX_ENTITIES - 1);
     a.integers("body of entity", slots, n, -1, Integer.MAX_VALUE);
     for (int id = 0; id < n; id++) {
       if (kinds[id] >= 0) {

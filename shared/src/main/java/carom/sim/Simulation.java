@@ -4,7 +4,11 @@ import carom.physics.Body;
 import carom.physics.BodyDef;
 import carom.physics.Collision;
 import carom.physics.CollisionListener;
+import carom.physics.Joint;
+import carom.physics.JointDef;
+import carom.physics.JointListener;
 import carom.physics.Queries;
+import carom.physics.QueryFilter;
 import carom.physics.World;
 import carom.physics.archive.ArchiveReader;
 import carom.sim.area.AreaForces;
@@ -17,11 +21,16 @@ import carom.sim.field.FieldValues;
 import carom.sim.field.Schema;
 import carom.sim.field.Scope;
 import carom.sim.history.PoseHistory;
+import carom.sim.joint.Assemblies;
+import carom.sim.joint.Assembly;
+import carom.sim.joint.AssemblyDef;
+import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Archetypes;
 import carom.sim.level.Level;
 import carom.sim.random.SimRandom;
+import carom.sim.ruling.Findings;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -76,12 +85,16 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   private final List<Entity> statics = new ArrayList<>();
   private final PlayerTable players = new PlayerTable();
   private final EntityTable entities;
+  private final Findings findings = new Findings();
+  private final JointTable<Entity> joints;
+  private final Assemblies assemblies = new Assemblies(archetypes);
+  private final ForceCheck forceCheck;
   private final InterferenceLog interference;
   private final NoticeQueue notices = new NoticeQueue(MAX_NOTICES, MAX_NOTICE_LENGTH);
   private final EventKinds eventKinds = new EventKinds();
   private final EventLog events = new EventLog();
   private final AreaForces<Entity> areas;
-  private final Queries<Entity> geometry;
+  private final QueryFilter<Entity> geometry = (body, shape) -> body.user().isLevel();
   private final Consumer<Body<Entity>> forces = this::applyForces;
 
   private int tick;
@@ -120,12 +133,15 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     memory = new int[game.memorySize(level)];
     world = new World<>(game.world(level));
     world.listener(new Listener());
-    entities = new EntityTable(world, players, tickRate, Schema.of(game.fields()), this::tick);
+    areas = new AreaForces<>(world, level.areas(), role == Role.AUTHORITY);
+    Schema schema = Schema.of(game.fields());
+    entities = new EntityTable(world, players, areas, assemblies, tickRate, schema, this::tick);
     fields = entities.fields();
     match = fields.create(Scope.MATCH);
-    areas = new AreaForces<>(world, level.areas());
-    geometry = world.queries((body, shape) -> body.user().isLevel() && !body.sensor(shape));
-    interference = new InterferenceLog(entities, players);
+    joints = new JointTable<>(world, role == Role.AUTHORITY);
+    world.jointListener(new Joints());
+    forceCheck = new ForceCheck(world, findings);
+    interference = new InterferenceLog(entities, players, findings);
     history = role == Role.AUTHORITY && game.looksBack() ? newHistory() : null;
     past = history == null ? world.queries() : world.queries(history);
     for (ArchetypeDef def : level.archetypes()) {
@@ -188,6 +204,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    * @throws IllegalStateException on {@link Role#AUTHORITY}, when {@link Game#looksBack} is false
    */
   public Queries<Entity> asSeenBy(Player player) {
+    calls.requireOutsideForces("asSeenBy");
     if (history != null) {
       history.look(tick, player.viewDelay());
     } else if (role == Role.AUTHORITY) {
@@ -195,14 +212,6 @@ public final class Simulation extends FieldHolder<Entity, Player> {
           "game " + game.name() + " doesn't look back; make Game.looksBack return true");
     }
     return past;
-  }
-
-  /**
-   * Returns queries that see the level's static geometry only: rays, overlaps and distances for
-   * {@link Game#forces}, whose answers are the same on server and client.
-   */
-  public Queries<Entity> geometry() {
-    return geometry;
   }
 
   /** Returns the tick of the present state, or during a step the tick being computed. */
@@ -286,6 +295,11 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     return archetypes;
   }
 
+  /** Returns the registered assemblies: groups of bodies and joints, such as cars. */
+  public Assemblies assemblies() {
+    return assemblies;
+  }
+
   /** Returns the registered kinds of events. */
   public EventKinds eventKinds() {
     return eventKinds;
@@ -311,7 +325,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   public Entity spawn(Archetype archetype, float x, float y, float angle, Player owner) {
     calls.requireAuthority("spawn");
     int ownerId = owner == null ? Entity.NO_OWNER : owner.id();
-    return withArea(entities.spawn(archetype, x, y, angle, ownerId, tick));
+    return entities.spawn(archetype, x, y, angle, ownerId, tick);
   }
 
   /**
@@ -325,13 +339,130 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    */
   public Entity spawn(Archetype archetype, BodyDef def) {
     calls.requireAuthority("spawn");
-    return withArea(entities.spawn(archetype, def));
+    return entities.spawn(archetype, def);
   }
 
-  private Entity withArea(Entity e) {
-    areas.add(e.id(), e.body(), e.archetype());
-    areas.wakeAround(e.id());
-    return e;
+  /**
+   * Creates the bodies of an assembly as entities, and its joints. All belong to one owner. If that
+   * is a player without a body, the root becomes the player's body.
+   *
+   * @param assembly what to make
+   * @param x where the assembly's origin is, metres
+   * @param y where the assembly's origin is, metres
+   * @param angle of the whole assembly, radians, counterclockwise
+   * @param owner the player it belongs to, or null
+   * @return the root
+   * @throws IllegalStateException on {@link Role#PREDICTION}, during the physics, or beyond {@value
+   *     #MAX_ENTITIES}
+   */
+  public Entity spawn(Assembly assembly, float x, float y, float angle, Player owner) {
+    calls.requireAuthority("spawn");
+    int ownerId = owner == null ? Entity.NO_OWNER : owner.id();
+    return entities.spawn(assembly, x, y, angle, ownerId, tick, joints);
+  }
+
+  /**
+   * Creates a joint between bodies of the world. Clients mirror and predict it. It goes with either
+   * of its bodies, by {@link #disconnect}, or when it breaks.
+   *
+   * @return the joint, whose motor, limits, spring and target may be changed at any time; those
+   *     that {@link Game#input} changes are predicted
+   * @throws IllegalStateException on {@link Role#PREDICTION}, during the physics, or beyond {@value
+   *     JointTable#MAX_JOINTS} joints
+   */
+  public Joint<Entity> connect(JointDef<Entity> def) {
+    calls.requireAuthority("connect");
+    return world.createJoint(def);
+  }
+
+  /**
+   * Destroys a joint. Nothing happens if it is gone already.
+   *
+   * @throws IllegalStateException on {@link Role#PREDICTION} or during the physics
+   */
+  public void disconnect(Joint<Entity> joint) {
+    calls.requireAuthority("disconnect");
+    if (joint.isValid()) {
+      world.destroyJoint(joint);
+    }
+  }
+
+  /**
+   * Returns a joint of an assembly by its name; both roles.
+   *
+   * @param member any entity of the assembly
+   * @param name as the {@link AssemblyDef} gives it
+   * @return null if it broke or was destroyed, or if this client doesn't simulate it
+   * @throws IllegalArgumentException if the assembly has no joint of that name; the message lists
+   *     the names
+   */
+  public Joint<Entity> joint(Entity member, String name) {
+    Entity root = member.root();
+    return joints.find(root.id(), assembly(root).joint(name));
+  }
+
+  /**
+   * Returns a body of an assembly by its name; both roles. Clients know the members by their joints
+   * and find none whose joints are all gone.
+   *
+   * @param member any entity of the assembly
+   * @param name as the {@link AssemblyDef} gives it
+   * @return null if it was despawned, or if this client doesn't know it
+   * @throws IllegalArgumentException if the assembly has no body of that name; the message lists
+   *     the names
+   */
+  public Entity part(Entity member, String name) {
+    Entity root = member.root();
+    Assembly assembly = assembly(root);
+    Archetype archetype = assembly.archetypes().get(assembly.body(name));
+    for (int i = 0; i < entities.capacity(); i++) {
+      Entity e = entities.get(i);
+      if (e != null && e.root() == root && e.archetype() == archetype) {
+        return e;
+      }
+    }
+    return null;
+  }
+
+  private Assembly assembly(Entity root) {
+    Assembly assembly = assemblies.of(root.archetype());
+    if (assembly == null) {
+      throw new IllegalArgumentException(
+          root + " is no assembly; spawn it by spawn(Assembly, ...)");
+    }
+    return assembly;
+  }
+
+  /** Returns what is known of the joints beyond the physics: keys, definitions, assemblies. */
+  public JointTable<Entity> joints() {
+    return joints;
+  }
+
+  /**
+   * Mirrors a joint of the server. Joints must be mirrored in ascending order of their keys.
+   *
+   * @param key as the server's {@link JointTable} has it
+   * @param root id of the root of its assembly, or as {@link JointTable#root} says
+   * @param number which joint of it
+   * @param a null for the world
+   * @param b another entity
+   * @param definition what it is made with, see {@link World#createJoint(Body, Body, int[], int)}
+   * @param at where that begins
+   * @throws IllegalStateException on {@link Role#AUTHORITY}
+   * @throws IllegalArgumentException if the definition is damaged; no joint is made then
+   */
+  public Joint<Entity> connectAs(
+      int key, int root, int number, Entity a, Entity b, int[] definition, int at) {
+    calls.requirePrediction("connectAs");
+    Joint<Entity> joint =
+        joints.create(key, root, number, a == null ? null : a.body(), b.body(), definition, at);
+    if (root >= 0) {
+      if (a != null) {
+        a.rootId(root);
+      }
+      b.rootId(root);
+    }
+    return joint;
   }
 
   /**
@@ -353,14 +484,12 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   public Entity spawnAs(
       int id, int generation, Archetype archetype, float x, float y, float angle, int ownerId) {
     calls.requirePrediction("spawnAs");
-    Entity e = entities.spawnAs(id, generation, archetype, x, y, angle, ownerId, tick);
-    areas.add(id, e.body(), archetype);
-    return e;
+    return entities.spawnAs(id, generation, archetype, x, y, angle, ownerId, tick);
   }
 
   /**
-   * Destroys an entity. If it was a player's body, the player then has none. Nothing happens when
-   * the entity is gone already.
+   * Destroys an entity with its joints, and with the root of an assembly all of it. If it was a
+   * player's body, the player then has none. Nothing happens when the entity is gone already.
    *
    * @throws IllegalStateException during the physics
    */
@@ -372,10 +501,14 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     if (history != null) {
       history.forget(entity.bodySlot());
     }
-    if (role == Role.AUTHORITY) {
-      areas.wakeAround(entity.id());
+    if (entity.isRoot()) {
+      for (int i = 0; i < entities.capacity(); i++) {
+        Entity member = entities.get(i);
+        if (member != null && member != entity && member.rootId() == entity.id()) {
+          despawn(member);
+        }
+      }
     }
-    areas.remove(entity.id());
     entities.despawn(entity);
   }
 
@@ -406,6 +539,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
 
   /** Returns the entity under an id, or null when the id is free or out of range. */
   public Entity entity(int id) {
+    calls.requireOutsideForces("entity");
     return entities.get(id);
   }
 
@@ -416,12 +550,13 @@ public final class Simulation extends FieldHolder<Entity, Player> {
 
   /** Returns the player under an id, or null when the id is free or out of range. */
   public Player player(int id) {
+    calls.requireOutsideForces("player");
     return players.get(id);
   }
 
   /** Returns the player to whom an entity belongs, or null. */
   public Player owner(Entity entity) {
-    return player(entity.ownerId());
+    return players.get(entity.ownerId());
   }
 
   /**
@@ -615,10 +750,13 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   /** Lets areas and the game's forces act on each awake body. */
   private void applyForces() {
     areas.begin();
+    forceCheck.beginTick(role == Role.AUTHORITY ? tick : 1);
     calls.inForces(true);
+    world.queryScope(geometry);
     try {
       world.forEachAwake(forces);
     } finally {
+      world.queryScope(null);
       calls.inForces(false);
     }
   }
@@ -626,18 +764,9 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   private void applyForces(Body<Entity> body) {
     Entity entity = body.user();
     areas.act(body, entity.archetype(), tickSeconds);
+    forceCheck.begin(body);
     game.forces(this, entity);
-  }
-
-  /** Finds the entities that carry areas anew. */
-  private void findAreas() {
-    areas.clear();
-    for (int id = 0; id < entities.capacity(); id++) {
-      Entity e = entities.get(id);
-      if (e != null) {
-        areas.add(id, e.body(), e.archetype());
-      }
-    }
+    forceCheck.end(body, tick);
   }
 
   /** Returns the areas of the level and those that entities carry. For reading only. */
@@ -651,6 +780,15 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   }
 
   /**
+   * Returns what the game does again and again although no client can foresee it, with advice.
+   * Filled on {@link Role#AUTHORITY} only, and only about what clients predict; no part of the
+   * state.
+   */
+  public Findings findings() {
+    return findings;
+  }
+
+  /**
    * Returns 64 bits of everything that decides the future: tick, world, random numbers, memory,
    * fields, players with score, team, memory and input, entities with archetype, owner and tag.
    * Equal runs have equal hashes.
@@ -661,7 +799,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     for (int value : memory) {
       h = SimRandom.mix(h, value);
     }
-    return entities.hash(players.hash(match.hash(h)));
+    return joints.hash(entities.hash(players.hash(match.hash(h))));
   }
 
   /**
@@ -680,6 +818,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     s.fields.save(match, 0);
     players.save(s);
     entities.save(s);
+    joints.save(s.joints);
     s.saveHistory(history);
     return s;
   }
@@ -700,7 +839,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     s.fields.restore(match, 0);
     players.restore(s);
     entities.restore(s);
-    findAreas();
+    joints.restore(s.joints);
     if (history != null) {
       s.history.copyTo(history);
     }
@@ -764,6 +903,23 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     @Override
     public void hit(Collision<Entity> c) {
       game.hit(Simulation.this, c);
+    }
+  }
+
+  private final class Joints implements JointListener<Entity> {
+    @Override
+    public void broke(Joint<Entity> joint) {
+      game.broke(Simulation.this, joint);
+    }
+
+    @Override
+    public void created(Joint<Entity> joint) {
+      joints.created(joint);
+    }
+
+    @Override
+    public void destroyed(Joint<Entity> joint) {
+      joints.destroyed();
     }
   }
 }

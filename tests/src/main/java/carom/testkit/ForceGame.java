@@ -4,6 +4,7 @@ import carom.game.Games;
 import carom.physics.Body;
 import carom.physics.Material;
 import carom.physics.QueryHit;
+import carom.physics.effects.Explosion;
 import carom.physics.geometry.Box;
 import carom.sim.Entity;
 import carom.sim.Game;
@@ -38,7 +39,37 @@ public final class ForceGame implements Game {
   /** Tag of bodies that the rules throw up every second and a half. */
   public static final int THROWN = 5;
 
+  /** Ten crates; the parameter is their tag. */
+  private static final String CRATES =
+      """
+      {"at": [-3, 1], "shape": {"type": "box", "width": 1, "height": 1}, "tag": %d,
+       "material": {"density": 0.5}, "repeat": {"columns": 5, "rows": 2, "step": [1.5, 1.5]}}\
+      """;
+
+  /** Fields of a level: water that flows, a raft and ten crates. */
+  public static final String WATER =
+      """
+      , "areas": [{"type": "water", "min": [-12, -5], "max": [12, 1], "density": 1, "drag": 1.5,
+         "flow": [0.6, 0]}],
+        "bodies": [{"at": [0, 1.2], "shape": {"type": "box", "width": 5, "height": 0.8},
+         "material": {"density": 0.3}}, %s]
+      """
+          .formatted(crates(0));
+
+  /** Fields of a level: wind that drives ten crates round and round. */
+  public static final String WIND =
+      """
+      , "areas": [
+         {"type": "wind", "min": [-12, -5], "max": [12, 0], "velocity": [8, 0], "rate": 2},
+         {"type": "wind", "min": [5, -5], "max": [12, 11], "velocity": [0, 16], "rate": 2},
+         {"type": "wind", "min": [-12, 6], "max": [12, 15], "velocity": [-9, 2], "rate": 2},
+         {"type": "drag", "min": [-12, -5], "max": [-8, 0], "drag": 1}],
+        "bodies": [%s]
+      """
+          .formatted(crates(0));
+
   private static final int THROW_TICKS = 90;
+  private static final int EXPLOSION_TICKS = 150;
   private static final int THRUST = 0;
 
   private final QueryHit<Entity> hit = new QueryHit<>();
@@ -56,24 +87,44 @@ public final class ForceGame implements Game {
    * @param more further fields of the file, each after a comma
    */
   public static Level level(float gravityY, String more) {
+    return level(gravityY, false, more);
+  }
+
+  /** Returns the same with a place where something explodes every 2.5 s, or not. */
+  public static Level level(float gravityY, boolean bomb, String more) {
     register();
     String json =
         """
         {"name": "forces", "game": "forces", "gravity": [0, %s],
          "bounds": {"min": [-20, -8], "max": [20, 20]},
-         "spawns": [{"name": "player", "at": [-6, 3]}, {"name": "player", "at": [6, 3]}],
+         "spawns": [{"name": "player", "at": [-6, 3]}, {"name": "player", "at": [6, 3]}%s],
          "statics": [
            {"at": [0, -6], "shape": {"type": "box", "width": 40, "height": 2}},
            {"at": [0, 16], "shape": {"type": "box", "width": 40, "height": 2}},
            {"at": [-13, 5], "shape": {"type": "box", "width": 2, "height": 20}},
            {"at": [13, 5], "shape": {"type": "box", "width": 2, "height": 20}}]%s}
         """
-            .formatted(gravityY, more);
+            .formatted(gravityY, bomb ? ", {\"name\": \"bomb\", \"at\": [0, -4.5]}" : "", more);
     try {
       return Level.parse("forces.json", json.getBytes(StandardCharsets.UTF_8));
     } catch (LevelException e) {
       throw new IllegalStateException(e);
     }
+  }
+
+  /** Returns the items of a level's bodies that are ten crates with a tag. */
+  public static String crates(int tag) {
+    return CRATES.formatted(tag);
+  }
+
+  /** Returns a level with water that flows, a raft and ten crates. */
+  public static Level water() {
+    return level(-10, WATER);
+  }
+
+  /** Returns a level with wind from two sides, mud between, and ten crates. */
+  public static Level wind() {
+    return level(-10, WIND);
   }
 
   @Override
@@ -122,6 +173,10 @@ public final class ForceGame implements Game {
 
   @Override
   public void afterStep(Simulation s) {
+    if (s.tick() % EXPLOSION_TICKS == 0 && !s.level().spawns("bomb").isEmpty()) {
+      Level.Spawn bomb = s.level().spawns("bomb").get(0);
+      new Explosion(bomb.x(), bomb.y(), 8).impulse(2).explode(s.world());
+    }
     for (int id = 0; s.tick() % THROW_TICKS == 0 && id < s.entityCapacity(); id++) {
       Entity e = s.entity(id);
       if (e != null && e.archetype().tag() == THROWN) {
@@ -142,7 +197,7 @@ public final class ForceGame implements Game {
       case SPRING -> body.applyForce(-8 * body.mass() * body.x(), 0);
       case ENGINE -> body.applyForce((s.tick() / 40) % 2 == 0 ? 6 * body.mass() : 0, 0);
       case HOVER -> {
-        if (s.geometry().rayClosest(body.x(), body.y(), 0, -3, null, hit)) {
+        if (s.world().queries().rayClosest(body.x(), body.y(), 0, -3, null, hit)) {
           body.applyForce(0, 30 * body.mass() * (1 - hit.fraction()));
         }
       }

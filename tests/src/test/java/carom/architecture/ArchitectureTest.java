@@ -184,6 +184,7 @@ final class ArchitectureTest {
     allow("carom.sim.level", "carom.physics..");
     allow("carom.sim.history", "carom.physics..", "carom.sim.level");
     allow("carom.sim.area", "carom.physics..", "carom.sim.level");
+    allow("carom.sim.joint", "carom.physics..", "carom.sim.level");
     allow("carom.sim.ruling", "carom.physics", "carom.physics.rows");
     allow("carom.sim.random");
     allow("carom.sim.field", "carom.physics.math", "carom.physics.archive", "carom.sim.event");
@@ -196,6 +197,7 @@ final class ArchitectureTest {
         "carom.sim.history",
         "carom.sim.random",
         "carom.sim.area",
+        "carom.sim.joint",
         "carom.sim.ruling");
     allow(
         "carom.sim.near",
@@ -203,7 +205,8 @@ final class ArchitectureTest {
         "carom.sim",
         "carom.sim.level",
         "carom.sim.event",
-        "carom.sim.field");
+        "carom.sim.field",
+        "carom.sim.joint");
     allow("carom.net.field", "carom.net.snapshot.table", "carom.sim.event", "carom.sim.field");
     allow("carom.sim.scene", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.event");
     allow(

@@ -129,6 +129,8 @@ final class ForcesTest {
     refused(s, "spawn", (sim, e) -> sim.spawn(rules.crate, 0, 0, 0, null));
     refused(s, "despawn", (sim, e) -> sim.despawn(e));
     refused(s, "random", (sim, e) -> sim.random());
+    refused(s, "entity", (sim, e) -> sim.entity(0));
+    refused(s, "player", (sim, e) -> sim.player(0));
     rules.forces = (sim, e) -> {};
     s.step();
     s.random();
@@ -141,13 +143,41 @@ final class ForcesTest {
   }
 
   @Test
-  void geometryIsTheLevelAlone() throws Exception {
+  void forcesThatTouchAnotherBodyAreFoundOnce() throws Exception {
     Simulation s = simulation(0, "");
-    Entity low = s.spawn(rules.crate, 0, 2, 0, null);
-    Entity high = s.spawn(rules.crate, 0, 6, 0, null);
+    final Entity one = s.spawn(rules.crate, 0, 5, 0, null);
+    final Entity other = s.spawn(rules.marked, 5, 5, 0, null);
+    rules.forces = (sim, e) -> e.body().applyForce(1, 0);
+    run(s, 100);
+    assertEquals(0, s.findings().count());
+    rules.forces =
+        (sim, e) -> {
+          if (e == one) {
+            other.body().applyForce(1, 0);
+          }
+        };
+    run(s, 100);
+    assertEquals(1, s.findings().count());
+    String text = s.findings().get(0);
+    assertTrue(text.startsWith("forces of entity 0 (crate) changes another body"), text);
+  }
+
+  @Test
+  void queriesSeeTheLevelAlone() throws Exception {
+    Simulation s = simulation(0, "");
+    final Entity low = s.spawn(rules.crate, 0, 2, 0, null);
+    s.spawn(rules.crate, 0, 6, 0, null);
+    List<Entity> seen = new ArrayList<>();
     QueryHit<Entity> hit = new QueryHit<>();
-    assertTrue(s.geometry().rayClosest(high.body().x(), 6, 0, -20, null, hit));
-    assertTrue(hit.body().user().isLevel());
+    rules.forces =
+        (sim, e) -> {
+          assertTrue(sim.world().queries().rayClosest(0, 4, 0, -20, null, hit));
+          seen.add(hit.body().user());
+          sim.world().queryAabb(-1, -1, 1, 8, body -> seen.add(body.user()));
+        };
+    s.step();
+    assertEquals(4, seen.size());
+    seen.forEach(e -> assertTrue(e.isLevel()));
     assertTrue(s.world().queries().rayClosest(0, 4, 0, -20, null, hit));
     assertEquals(low, hit.body().user());
   }

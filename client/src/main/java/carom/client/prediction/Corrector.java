@@ -1,5 +1,6 @@
 package carom.client.prediction;
 
+import carom.client.field.OwnWords;
 import carom.client.interpolation.Pose;
 import carom.net.codec.Quantizer;
 import carom.net.snapshot.exact.NearState;
@@ -8,11 +9,13 @@ import carom.physics.Body;
 import carom.physics.rows.BodyRow;
 import carom.physics.rows.ContactRow;
 import carom.physics.rows.FieldRow;
+import carom.physics.rows.JointRow;
 import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
 import carom.sim.Entity;
 import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.joint.JointTable;
 import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
 
@@ -42,6 +45,7 @@ final class Corrector {
   private final int[] bodyRow = new int[BodyRow.INTS];
   private final int[] contactRow = new int[ContactRow.INTS];
   private final int[] fieldRow = new int[FieldRow.INTS];
+  private final int[] jointRow = new int[JointRow.INTS];
 
   /** By place in the update: the place in {@link #next}, or -1. */
   private final int[] placeOf = new int[NearState.MAX_ENTITIES];
@@ -100,6 +104,8 @@ final class Corrector {
     if (next.find(ownKey, 0) < 0) {
       return false; // the update is for another body
     }
+    addJoints(update);
+    keepJoints();
     addContacts(update);
     keepContacts();
     addFields(update);
@@ -110,6 +116,53 @@ final class Corrector {
 
   private void add(Rows from, int row) {
     next.rows().add(RowKind.BODY, from.ints(), from.at(row));
+  }
+
+  private void addJoints(NearUpdate update) {
+    for (int row = 0; row < update.rows().count(); row++) {
+      if (update.kind(row) == RowKind.JOINT) {
+        copy(update.rows(), row, jointRow);
+        jointRow[JointRow.END_A] = translate(update, jointRow[JointRow.END_A]);
+        jointRow[JointRow.END_B] = translate(update, jointRow[JointRow.END_B]);
+        addJoint();
+      }
+    }
+  }
+
+  /** Keeps the present joints between entities that stay as they are. */
+  private void keepJoints() {
+    Rows joints = current.rows().joints();
+    for (int row = 0; row < joints.count(); row++) {
+      copy(joints, row, jointRow);
+      jointRow[JointRow.END_A] = newPlace(jointRow[JointRow.END_A]);
+      jointRow[JointRow.END_B] = newPlace(jointRow[JointRow.END_B]);
+      addJoint();
+    }
+  }
+
+  /** Adds a joint in the order of keys, which is the order in which the server solves joints. */
+  private void addJoint() {
+    if (jointRow[JointRow.END_A] == DROPPED || jointRow[JointRow.END_B] == DROPPED) {
+      return;
+    }
+    Rows joints = next.rows().joints();
+    int index = JointTable.index(jointRow[JointRow.KEY]);
+    int at = joints.count();
+    while (at > 0 && JointTable.index(joints.get(at - 1, JointRow.KEY)) > index) {
+      at--;
+    }
+    if (at > 0 && JointTable.index(joints.get(at - 1, JointRow.KEY)) == index) {
+      return; // told twice
+    }
+    next.rows().add(RowKind.JOINT, jointRow, 0);
+    for (int i = joints.count() - 1; i > at; i--) {
+      joints.set(i, joints, i - 1);
+    }
+    System.arraycopy(jointRow, 0, joints.ints(), joints.at(at), JointRow.INTS);
+  }
+
+  private static void copy(Rows from, int row, int[] to) {
+    System.arraycopy(from.ints(), from.at(row), to, 0, to.length);
   }
 
   private void addContacts(NearUpdate update) {
@@ -231,6 +284,7 @@ final class Corrector {
       readOwn(own, ownKey);
       next.rows().add(RowKind.BODY, bodyRow, 0);
     } else {
+      keepJoints();
       keepContacts();
       keepFields();
     }

@@ -1,5 +1,7 @@
 package carom.client.prediction;
 
+import carom.client.field.MatchWords;
+import carom.client.field.OwnWords;
 import carom.client.interpolation.Pose;
 import carom.client.interpolation.VisualError;
 import carom.net.snapshot.SnapshotDecoder;

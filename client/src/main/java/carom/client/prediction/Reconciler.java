@@ -1,5 +1,6 @@
 package carom.client.prediction;
 
+import carom.client.field.OwnWords;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.sim.Simulation;

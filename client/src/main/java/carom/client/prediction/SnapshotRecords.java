@@ -6,15 +6,20 @@ import carom.client.interpolation.StateHistory;
 import carom.net.snapshot.EntityHistory;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.relay.RelayedInputs;
+import carom.net.snapshot.table.JointWords;
+import carom.net.snapshot.table.TableInbox;
+import carom.physics.rows.JointDefRow;
 import carom.sim.Simulation;
+import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
+import carom.sim.near.JointDefinitions;
 import carom.sim.near.Neighbourhood;
 
 /**
  * What the decoded snapshots tell a prediction: the identity of entities, their quantised states,
  * and the relayed inputs of other players. One prediction's; allocates nothing.
  */
-final class SnapshotRecords implements Neighbourhood.Identity {
+final class SnapshotRecords implements Neighbourhood.Identity, JointDefinitions {
   /** Longest time that the newest state is extrapolated in a straight line, ticks. */
   private static final int MAX_EXTRAPOLATION_TICKS = 9;
 
@@ -34,6 +39,35 @@ final class SnapshotRecords implements Neighbourhood.Identity {
   /** Returns the inputs of other players that the server relayed. */
   RelayedInputs inputs() {
     return decoder.inputs();
+  }
+
+  @Override
+  public JointDefinitions joints() {
+    return this;
+  }
+
+  @Override
+  public boolean read(int key, int[] to) {
+    if (!isJointKnown(key)) {
+      return false;
+    }
+    TableInbox tables = decoder.tables();
+    int row = JointTable.index(key);
+    to[ROOT] = tables.get(JointWords.TABLE, row, JointWords.ROOT);
+    to[NUMBER] = tables.get(JointWords.TABLE, row, JointWords.NUMBER);
+    for (int i = 0; i < JointDefRow.INTS; i++) {
+      to[DEFINITION + i] = tables.get(JointWords.TABLE, row, JointWords.DEFINITION + i);
+    }
+    return true;
+  }
+
+  /** Returns whether the definition of a joint is known. */
+  boolean isJointKnown(int key) {
+    TableInbox tables = decoder.tables();
+    int row = JointTable.index(key);
+    return row < JointTable.MAX_JOINTS
+        && tables.isPresent(JointWords.TABLE, row)
+        && tables.identity(JointWords.TABLE, row) == JointTable.generation(key);
   }
 
   @Override

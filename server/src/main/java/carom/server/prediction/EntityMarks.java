@@ -27,6 +27,11 @@ final class EntityMarks {
     return fresh;
   }
 
+  /** Removes the mark of a listed entity. */
+  void unlist(int id) {
+    listed[id] = 0;
+  }
+
   /** Returns whether an entity is marked as listed. */
   boolean isListed(int id) {
     return listed[id] == round;

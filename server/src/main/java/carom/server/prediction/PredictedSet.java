@@ -161,7 +161,7 @@ public final class PredictedSet {
   private boolean mayTellDisagreement(int disagreedTick) {
     return disagreedTick > update.sentTick()
         && !update.isHelping()
-        && !rulings.isResending()
+        && !rulings.isBehind()
         && limits.takeFullUpdate(simulation.tick());
   }
 
@@ -193,7 +193,7 @@ public final class PredictedSet {
       interference.watch(e);
     }
     state.read(simulation);
-    hasOutsideCause |= state.leaks() > 0 || chooser.isReachedFromOutside();
+    hasOutsideCause |= state.leaks() > 0 || state.cutJoints() > 0 || chooser.isReachedFromOutside();
   }
 
   private void relayInputs(Player player, OwnState out) {

@@ -1,8 +1,11 @@
 package carom.server.prediction;
 
+import carom.net.snapshot.exact.NearState;
 import carom.physics.Body;
 import carom.physics.BodyContactVisitor;
+import carom.physics.BodyType;
 import carom.physics.BodyVisitor;
+import carom.physics.Joint;
 import carom.physics.math.Aabb;
 import carom.sim.Entity;
 import carom.sim.Player;
@@ -10,6 +13,7 @@ import carom.sim.Simulation;
 import carom.sim.area.AreaForces;
 import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 
 /**
@@ -19,6 +23,8 @@ import java.util.function.Predicate;
  *   <li>the body itself, and all that it touches, directly or through others;
  *   <li>what is close to it or soon will be, the closest first, each with all that it touches;
  *       while the list is shorter than {@value #MOST_CLOSE};
+ *   <li>all that joints hold together with one of these, directly or through others: bodies that
+ *       joints hold together are chosen as a whole or not at all;
  *   <li>what carries an {@linkplain carom.sim.level.Area area} that acts on one of these, or soon
  *       may.
  * </ol>
@@ -58,6 +64,14 @@ final class PredictedSetChooser {
   private final BodyContactVisitor<Entity> addVisitor =
       (other, normalX, normalY, impulse) -> addIfFit(other.user());
 
+  private final Consumer<Joint<Entity>> jointVisitor = this::follow;
+
+  /** Whether the own body is being chosen, with all that joints tie to it. */
+  private boolean choosesOwn;
+
+  /** Whether all that joints tie to an entity could be chosen so far. */
+  private boolean fits;
+
   private boolean reachedFromOutside;
   private int limit;
   private Body<Entity> own;
@@ -94,7 +108,10 @@ final class PredictedSetChooser {
     }
     chosen.clear();
     limit = most;
-    addWithContacts(player.body());
+    choosesOwn = true;
+    addIfFit(player.body());
+    choosesOwn = false;
+    spreadContacts(0);
     limit = Math.min(most, Math.max(chosen.count(), MOST_CLOSE));
     gatherCandidates();
     for (int i = 0; i < candidates.count(); i++) {
@@ -165,17 +182,65 @@ final class PredictedSetChooser {
 
   /** Adds an entity and all that it touches, directly or through others, while there is room. */
   private void addWithContacts(Entity from) {
-    int next = chosen.count();
+    int first = chosen.count();
     addIfFit(from);
-    for (; next < chosen.count(); next++) {
+    spreadContacts(first);
+  }
+
+  /** Adds all that the chosen entities from a place on touch, directly or through others. */
+  private void spreadContacts(int first) {
+    for (int next = first; next < chosen.count(); next++) {
       chosen.get(next).body().forEachContact(addVisitor);
     }
   }
 
   private void addIfFit(Entity e) {
-    if (affectsOthers(e) && chosen.count() < limit && mayKnow.test(e) && marks.list(e.id())) {
-      chosen.add(e);
+    if (!affectsOthers(e) || chosen.count() >= limit || !mayKnow.test(e) || !marks.list(e.id())) {
+      return;
     }
+    int first = chosen.count();
+    chosen.add(e);
+    if (addJointed(first) || choosesOwn) {
+      return; // the own body is never left out, even if it hangs on more than there is room for
+    }
+    while (chosen.count() > first) {
+      marks.unlist(chosen.removeLast().id());
+    }
+  }
+
+  /**
+   * Adds all that joints tie to a chosen entity, through dynamic bodies.
+   *
+   * @param first place of the entity, the last one
+   * @return false if there was no room for all of it, or the game hides some
+   */
+  private boolean addJointed(int first) {
+    fits = true;
+    for (int i = first; i < chosen.count() && fits; i++) {
+      Body<Entity> body = chosen.get(i).body();
+      if (body.type() == BodyType.DYNAMIC) {
+        body.forEachJoint(jointVisitor);
+      }
+    }
+    return fits;
+  }
+
+  private void follow(Joint<Entity> joint) {
+    addTied(joint.bodyA());
+    addTied(joint.bodyB());
+  }
+
+  private void addTied(Body<Entity> body) {
+    Entity e = body == null ? null : body.user();
+    if (e == null || e.isLevel() || marks.isListed(e.id())) {
+      return;
+    }
+    if (chosen.count() >= (choosesOwn ? NearState.MAX_ENTITIES : limit) || !mayKnow.test(e)) {
+      fits = false;
+      return;
+    }
+    marks.list(e.id());
+    chosen.add(e);
   }
 
   private static boolean affectsOthers(Entity e) {

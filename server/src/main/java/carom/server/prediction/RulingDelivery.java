@@ -15,13 +15,13 @@ import carom.sim.ruling.Ruling;
  */
 final class RulingDelivery {
   /** Most rulings that wait or are in flight. */
-  static final int MOST = 128;
+  static final int MOST = 256;
 
   /**
    * Rulings of one snapshot take at most this much, bits. A tick with more is told by an exact
    * update instead.
    */
-  static final int MOST_BITS = 2_500;
+  static final int MOST_BITS = 6_000;
 
   /** A ruling that is older is of no use: the client forgets its tick, ticks. */
   private static final int MAX_AGE = 60;
@@ -77,10 +77,13 @@ final class RulingDelivery {
     return true;
   }
 
-  /** Returns whether the client lacks a ruling because the snapshots with it were lost. */
-  boolean isResending() {
+  /**
+   * Returns whether the client lacks a ruling, because there was no room or the snapshots with it
+   * were lost.
+   */
+  boolean isBehind() {
     for (int i = 0; i < count; i++) {
-      if (items[i].wasLost) {
+      if (items[i].wasLost || items[i].lastSent < 0) {
         return true;
       }
     }

@@ -3,6 +3,7 @@ package carom.server.prediction;
 import carom.net.snapshot.exact.NearState;
 import carom.physics.rows.ContactRow;
 import carom.physics.rows.FieldRow;
+import carom.physics.rows.JointRow;
 import carom.physics.rows.RowCounts;
 import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
@@ -87,7 +88,13 @@ final class UpdateRows {
       }
     }
     counts.set(RowKind.BODY, toldCount);
-    Rows all = base.rows().contacts();
+    Rows all = base.rows().joints();
+    for (int i = 0; i < all.count(); i++) {
+      if (isTold(all.get(i, JointRow.END_A)) || isTold(all.get(i, JointRow.END_B))) {
+        add(RowKind.JOINT, i);
+      }
+    }
+    all = base.rows().contacts();
     for (int i = 0; i < all.count(); i++) {
       if (isTold(all.get(i, ContactRow.END_A)) || isTold(all.get(i, ContactRow.END_B))) {
         add(RowKind.CONTACT, i);
@@ -102,25 +109,31 @@ final class UpdateRows {
   }
 
   private void spreadIslands() {
-    Rows all = base.rows().contacts();
     boolean grew = true;
     while (grew) {
-      grew = false;
-      for (int i = 0; i < all.count(); i++) {
-        int one = all.get(i, ContactRow.END_A);
-        int other = all.get(i, ContactRow.END_B);
-        if (one >= 0 && other >= 0 && inNewIsland[one] != inNewIsland[other]) {
-          inNewIsland[one] = inNewIsland[other] = true;
-          isTold[one] = isTold[other] = true;
-          grew = true;
-        }
-      }
+      grew = spread(base.rows().joints(), JointRow.END_A, JointRow.END_B);
+      grew |= spread(base.rows().contacts(), ContactRow.END_A, ContactRow.END_B);
     }
   }
 
+  /** Spreads the new islands over rows that tie two bodies; returns whether one grew. */
+  private boolean spread(Rows ties, int endA, int endB) {
+    boolean grew = false;
+    for (int i = 0; i < ties.count(); i++) {
+      int one = ties.get(i, endA);
+      int other = ties.get(i, endB);
+      if (one >= 0 && other >= 0 && inNewIsland[one] != inNewIsland[other]) {
+        inNewIsland[one] = inNewIsland[other] = true;
+        isTold[one] = isTold[other] = true;
+        grew = true;
+      }
+    }
+    return grew;
+  }
+
   /**
-   * Returns whether an end of a contact is told. An end is a place in the list, or negative for a
-   * static body of the level.
+   * Returns whether an end of a joint or contact is told. An end is a place in the list, or
+   * negative for a static body of the level.
    */
   private boolean isTold(int end) {
     return end >= 0 && isTold[end];

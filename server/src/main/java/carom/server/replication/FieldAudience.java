@@ -3,17 +3,17 @@ package carom.server.replication;
 import carom.net.field.FieldTables;
 import carom.net.snapshot.SnapshotEncoder;
 import carom.net.snapshot.frame.SlotSet;
+import carom.net.snapshot.table.JointWords;
 import carom.net.snapshot.table.RowAudience;
 import carom.net.snapshot.table.TableOutbox;
-import carom.net.snapshot.table.Tables;
 import carom.sim.Entity;
 import carom.sim.Player;
 import carom.sim.Simulation;
 
 /**
- * What one player's client may know of the fields of others: as each field's audience says, by what
- * the client sees, the player's team, and what the player owns. A player that sees all knows all
- * but what stays on the server.
+ * What one player's client may know of joints, and of the fields of others: as each field's
+ * audience says, by what the client sees, the player's team, and what the player owns. A player
+ * that sees all knows all but what stays on the server.
  *
  * <p>The room's thread; no allocation but to grow.
  */
@@ -23,6 +23,7 @@ final class FieldAudience implements RowAudience {
 
   private final Simulation simulation;
   private final FieldCapture fields;
+  private final RowAudience joints;
   private final Player player;
   private final int chunks;
   private SnapshotEncoder encoder;
@@ -33,12 +34,12 @@ final class FieldAudience implements RowAudience {
   private int teamChanges = -1;
   private boolean sawAll;
 
-  FieldAudience(Simulation simulation, FieldCapture fields, Player player) {
-    this.simulation = simulation;
-    this.fields = fields;
+  FieldAudience(FrameCapture capture, RowAudience joints, Player player) {
+    simulation = capture.index().simulation();
+    fields = capture.fields();
+    this.joints = joints;
     this.player = player;
-    Tables tables = fields.tables();
-    chunks = tables.get(FieldTables.PLAYERS).layout().chunks();
+    chunks = capture.tables().get(FieldTables.PLAYERS).layout().chunks();
   }
 
   /** Sets the encoder, which knows what the client sees. */
@@ -86,12 +87,17 @@ final class FieldAudience implements RowAudience {
 
   @Override
   public long inSight(int table, int block, long keys) {
-    return table == FieldTables.ENTITIES ? keys & encoder.inSight(block) : keys;
+    return switch (table) {
+      case JointWords.TABLE -> joints.inSight(table, block, keys);
+      case FieldTables.ENTITIES -> keys & encoder.inSight(block);
+      default -> keys;
+    };
   }
 
   @Override
   public int of(int table, int key) {
     return switch (table) {
+      case JointWords.TABLE -> joints.of(table, key);
       case FieldTables.PLAYERS -> ofPlayer(simulation.player(key / chunks));
       case FieldTables.ENTITIES -> ofEntity(simulation.entity(key));
       default -> FieldTables.audience(true, true, true);

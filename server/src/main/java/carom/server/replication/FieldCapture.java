@@ -2,6 +2,7 @@ package carom.server.replication;
 
 import carom.net.field.FieldTables;
 import carom.net.protocol.Limits;
+import carom.net.snapshot.table.JointWords;
 import carom.net.snapshot.table.Table;
 import carom.net.snapshot.table.TableLayout;
 import carom.net.snapshot.table.Tables;
@@ -11,7 +12,9 @@ import carom.sim.Simulation;
 import carom.sim.field.FieldValues;
 import carom.sim.field.Schema;
 import carom.sim.field.Scope;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 
 /**
  * Copies the fields that changed into the tables that all sessions of a room share, once per tick.
@@ -22,7 +25,7 @@ import java.util.Arrays;
 final class FieldCapture {
   private final Simulation simulation;
   private final Schema schema;
-  private final Tables tables;
+  private final List<Table> tables;
 
   /** The words of one target, filled up to whole rows. */
   private final int[] words;
@@ -42,7 +45,7 @@ final class FieldCapture {
     this.simulation = simulation;
     schema = simulation.schema();
     FieldTables of = new FieldTables(schema, Limits.MAX_PLAYERS, Limits.MAX_ENTITIES);
-    tables = new Tables(of.layouts().stream().map(Table::new).toList());
+    tables = new ArrayList<>(of.layouts().stream().map(Table::new).toList());
     int most = 0;
     for (TableLayout layout : of.layouts()) {
       most = Math.max(most, layout.chunks() * layout.width());
@@ -50,9 +53,10 @@ final class FieldCapture {
     words = new int[most];
   }
 
-  /** Returns the room's tables. */
-  Tables tables() {
-    return tables;
+  /** Returns the room's tables: those of fields, and that of joints. */
+  Tables with(Table joints) {
+    tables.set(JointWords.TABLE, joints);
+    return new Tables(tables);
   }
 
   /** Returns a number that grows whenever a player comes, goes, or changes the team. */

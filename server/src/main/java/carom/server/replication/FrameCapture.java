@@ -6,6 +6,7 @@ import carom.net.snapshot.event.EventRecord;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.record.Deltas;
+import carom.net.snapshot.table.Tables;
 import carom.physics.World;
 import carom.physics.math.Trig;
 import carom.sim.Entity;
@@ -14,6 +15,7 @@ import carom.sim.Game;
 import carom.sim.Player;
 import carom.sim.Simulation;
 import carom.sim.event.Audience;
+import carom.sim.joint.JointTable;
 import java.util.Arrays;
 import java.util.function.Consumer;
 
@@ -40,6 +42,8 @@ public final class FrameCapture {
   private final Deltas deltas;
   private final InterestIndex index;
   private final FieldCapture fields;
+  private final JointCapture joints;
+  private final Tables tables;
   private final EventRecord record = new EventRecord();
   private final Consumer<Event> takeEvent = this::take;
 
@@ -70,6 +74,8 @@ public final class FrameCapture {
         FrameState.of(Limits.MAX_ENTITIES, frame -> simulation.level().forEachBody(frame::put)));
     deltas = new Deltas(ring, simulation.tickRate());
     fields = new FieldCapture(simulation);
+    joints = new JointCapture(simulation);
+    tables = fields.with(joints.table());
   }
 
   /** Returns the deltas that the room's sessions share. */
@@ -96,6 +102,7 @@ public final class FrameCapture {
     }
     ring.end();
     fields.capture();
+    joints.capture();
     simulation.drainEvents(takeEvent);
     return frame;
   }
@@ -182,6 +189,16 @@ public final class FrameCapture {
     Player by = simulation.player(e.player());
     int team = e.audience() == Audience.TEAM && by != null ? by.team() : 0;
     ring.events().add(record, whom(e.audience(), team));
+  }
+
+  /** Returns the joints of the simulation, by index. */
+  JointTable<Entity> joints() {
+    return simulation.joints();
+  }
+
+  /** Returns the room's tables: what clients are told apart from how entities move. */
+  public Tables tables() {
+    return tables;
   }
 
   /** Returns the captured frames. */

@@ -79,10 +79,9 @@ public final class SnapshotSender {
       Counters counters) {
     this.frames = capture.frames();
     this.view = new SessionView(capture.index(), player, config.viewMetres(), config.tickRateHz());
-    this.audience = new FieldAudience(capture.index().simulation(), capture.fields(), player);
+    this.audience = new FieldAudience(capture, new JointAudience(capture, view), player);
     this.encoder =
-        new SnapshotEncoder(
-            capture.deltas(), datagramKey, view, capture.fields().tables(), audience);
+        new SnapshotEncoder(capture.deltas(), datagramKey, view, capture.tables(), audience);
     audience.of(encoder);
     this.counters = counters;
     this.tickRateHz = config.tickRateHz();

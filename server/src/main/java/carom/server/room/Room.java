@@ -252,6 +252,7 @@ public final class Room {
         snapshots.run(beginNs, nowNs);
       }
       simulation.drainNotices(sendNotice);
+      failures.tell(simulation.findings());
       roster.send(sessions.bySeat(), nowNs, sendTo);
     }
     tick = simulation.tick();

@@ -1,5 +1,6 @@
 package carom.net.field;
 
+import carom.net.snapshot.table.JointWords;
 import carom.net.snapshot.table.TableLayout;
 import carom.sim.event.Audience;
 import carom.sim.field.Field;
@@ -8,19 +9,19 @@ import carom.sim.field.Scope;
 import java.util.List;
 
 /**
- * The tables in which the fields of a game are sent, in the order that server and client share: of
+ * The tables of a game, in the order that server and client share: of joints, and of the fields of
  * other players, of entities, and of the match. Words that stay on the server are in none of them.
  * The own player's words are in the own section instead. Immutable; any thread.
  */
 public final class FieldTables {
   /** Place of the table of players. */
-  public static final int PLAYERS = 0;
+  public static final int PLAYERS = JointWords.TABLE + 1;
 
   /** Place of the table of entities. */
-  public static final int ENTITIES = 1;
+  public static final int ENTITIES = PLAYERS + 1;
 
   /** Place of the table of the match. Prediction depends on it, so it is urgent. */
-  public static final int MATCH = 2;
+  public static final int MATCH = ENTITIES + 1;
 
   private static final int GENERATION_BITS = 8;
   private static final int NEAR = 1;
@@ -41,6 +42,7 @@ public final class FieldTables {
   public FieldTables(Schema schema, int players, int entities) {
     layouts =
         List.of(
+            JointWords.LAYOUT,
             layout(schema, Scope.PLAYER, players, 0, false),
             layout(schema, Scope.ENTITY, entities, GENERATION_BITS, false),
             layout(schema, Scope.MATCH, 1, 0, true));

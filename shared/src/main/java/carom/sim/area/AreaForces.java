@@ -53,6 +53,7 @@ public final class AreaForces<T> {
   }
 
   private final World<T> world;
+  private final boolean decides;
 
   /** Those of the level, then those that are carried, by id; behind them spare ones. */
   private Place<T>[] places;
@@ -73,10 +74,13 @@ public final class AreaForces<T> {
    *
    * @param world the simulation's world
    * @param areas those of the level, which don't move
+   * @param decides whether an area that comes or goes wakes what sleeps in it. A client doesn't
+   *     decide: its bodies have the server's state
    */
   @SuppressWarnings("unchecked")
-  public AreaForces(World<T> world, List<Area> areas) {
+  public AreaForces(World<T> world, List<Area> areas, boolean decides) {
     this.world = world;
+    this.decides = decides;
     ofLevel = areas.size();
     places = new Place[Math.max(4, 2 * ofLevel)];
     sleepers = new Body[16];
@@ -87,8 +91,20 @@ public final class AreaForces<T> {
     }
   }
 
+  /** Adds an entity that comes. What sleeps in its area wakes. */
+  public void come(int id, Body<T> body, Archetype archetype) {
+    add(id, body, archetype);
+    wakeAround(id);
+  }
+
+  /** Removes an entity that goes. What sleeps in its area wakes. */
+  public void go(int id) {
+    wakeAround(id);
+    remove(id);
+  }
+
   /**
-   * Adds an entity, which counts if its archetype carries an area.
+   * Adds an entity of a state that is restored; it counts if its archetype carries an area.
    *
    * @param id of the entity
    * @param body its body
@@ -109,8 +125,7 @@ public final class AreaForces<T> {
     places[at] = place.set(archetype.area(), effect(archetype), id, body);
   }
 
-  /** Removes an entity that was added. Nothing happens when it isn't a carrier. */
-  public void remove(int id) {
+  private void remove(int id) {
     for (int i = ofLevel; i < count; i++) {
       if (places[i].id == id) {
         Place<T> spare = places[i];
@@ -121,7 +136,7 @@ public final class AreaForces<T> {
     }
   }
 
-  /** Removes all carriers. */
+  /** Removes all carriers, before those of another state are added. */
   public void clear() {
     count = ofLevel;
   }
@@ -207,7 +222,7 @@ public final class AreaForces<T> {
 
   /** Wakes what sleeps within the area that an entity carries, if it carries one. */
   public void wakeAround(int id) {
-    for (int i = ofLevel; i < count; i++) {
+    for (int i = ofLevel; decides && i < count; i++) {
       if (places[i].id == id) {
         places[i].locate(box);
         wake(box);

@@ -17,10 +17,10 @@ import java.util.Arrays;
  * client's simulation of the same entities continues bit for bit as the server's does.
  *
  * <p>The numbers are {@link ExactRows}: a row per entity, with its {@link #key} and the memory of
- * the player whose body it is; a row per contact among them and with the level's statics; and rows
- * of the fields of the entities and of the players whose bodies they are. Entities are in the order
- * of their bodies in the world they were read from. The order is part of the state, because the
- * solver follows it.
+ * the player whose body it is; a row per joint and per contact among them and with the level's
+ * statics; and rows of the fields of the entities and of the players whose bodies they are.
+ * Entities are in the order of their bodies in the world they were read from. The order is part of
+ * the state, because the solver follows it.
  *
  * <p>Mutable, reused; allocates only to grow. One thread.
  */
@@ -35,6 +35,7 @@ public final class Neighbourhood {
 
   private int listedCount;
   private int leaks;
+  private final NearJoints joints = new NearJoints();
 
   /** Creates an empty neighbourhood with all fields that any player is told. */
   public Neighbourhood() {
@@ -97,6 +98,7 @@ public final class Neighbourhood {
       rows.addBody(listed[i].body().index());
     }
     leaks = s.world().readRows(rows);
+    joints.read(s, rows);
     Rows bodies = rows.bodies();
     for (int i = 0; i < listedCount; i++) {
       Entity e = listed[i];
@@ -137,8 +139,13 @@ public final class Neighbourhood {
     }
   }
 
-  /** Gives the archetype and owner of entities, for {@link #write}. */
+  /** Gives the archetype and owner of entities, and what joints are, for {@link #write}. */
   public interface Identity {
+    /** Returns what knows the definitions of joints. */
+    default JointDefinitions joints() {
+      return (key, to) -> false;
+    }
+
     /** Returns the archetype of an entity. */
     Archetype archetype(int id);
 
@@ -152,7 +159,7 @@ public final class Neighbourhood {
    * long as the inputs are the same and nothing else comes near.
    *
    * @param s of role {@link Role#PREDICTION}, of the same level and game
-   * @param who gives archetypes and owners
+   * @param who gives archetypes, owners and definitions of joints
    */
   public void write(Simulation s, Identity who) {
     despawnAll(s);
@@ -173,7 +180,10 @@ public final class Neighbourhood {
         fields.reset(s.schema(), player);
       }
     }
+    joints.make(s, rows, who.joints());
+    joints.toggle(s, rows);
     s.world().writeRows(rows);
+    joints.toggle(s, rows);
     writeFields(s);
   }
 
@@ -188,10 +198,11 @@ public final class Neighbourhood {
   }
 
   /**
-   * Despawns all entities, last slot first. The world reuses free slots in reverse, so new bodies
-   * then get slots in order.
+   * Destroys all joints and despawns all entities, last slot first. The world reuses free slots in
+   * reverse, so new bodies then get slots in order, and joints do so, too.
    */
   private void despawnAll(Simulation s) {
+    s.world().destroyJoints();
     Arrays.fill(listed, 0, listedCount, null);
     listedCount = 0;
     for (int id = 0; id < s.entityCapacity(); id++) {
@@ -227,6 +238,14 @@ public final class Neighbourhood {
    */
   public int leaks() {
     return leaks;
+  }
+
+  /**
+   * Returns the number of joints with bodies that were not listed, as of the last {@link #read}.
+   * The listed bodies then don't move as these rows say.
+   */
+  public int cutJoints() {
+    return rows.cutJoints();
   }
 
   /**

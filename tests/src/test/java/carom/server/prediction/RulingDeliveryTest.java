@@ -80,10 +80,10 @@ class RulingDeliveryTest {
       assertEquals(0, sendTick(MUCH));
     }
     acknowledgeNewest();
-    assertTrue(delivery.isResending());
+    assertTrue(delivery.isBehind());
     assertEquals(1, sendTick(MUCH));
     acknowledgeNewest();
-    assertFalse(delivery.isResending());
+    assertFalse(delivery.isBehind());
   }
 
   @Test

@@ -13,7 +13,7 @@ import carom.physics.rows.RowKind;
 public final class NearCodec {
   private static final int PART_BITS = 6;
   private static final int PLACE_BITS = 8;
-  private static final int RULING_BITS = 5;
+  private static final int RULING_BITS = 6;
   private static final int KEY_BITS = 24;
   private static final int MAX_KEY = (1 << KEY_BITS) - 1;
   private static final int SLOT_MASK = 0xffff;
@@ -53,15 +53,22 @@ public final class NearCodec {
     }
   }
 
-  /** Codes the rulings, at least one. */
+  /** Codes the rulings, at least one. Those of one tick that follow each other are often alike. */
   private static void rulings(BitPass c, NearState near) {
+    boolean writes = !c.isReading();
     int n = c.plain(near.rulings, RULING_BITS);
+    int age = 0;
+    boolean afterStep = false;
+    int mask = 0;
     for (int i = 0; i < n; i++) {
-      boolean writes = !c.isReading();
       int place = c.plain(writes ? near.rulingPlace(i) : 0, PLACE_BITS);
-      int age = c.plain(writes ? near.rulingAge(i) : 0, FrameRing.AGE_BITS);
-      boolean afterStep = c.flag(writes && near.isRulingAfterStep(i));
-      int mask = c.plain(writes ? near.rulingMask(i) : 0, BodyRow.STATE_INTS);
+      if (c.flag(writes && (near.rulingAge(i) != age || near.isRulingAfterStep(i) != afterStep))) {
+        age = c.plain(writes ? near.rulingAge(i) : 0, FrameRing.AGE_BITS);
+        afterStep = c.flag(writes && near.isRulingAfterStep(i));
+      }
+      boolean otherMask = c.flag(writes && near.rulingMask(i) != mask);
+      mask = otherMask ? c.plain(writes ? near.rulingMask(i) : 0, BodyRow.STATE_INTS) : mask;
+      boolean same = i > 0 && !otherMask && !c.flag(writes && !near.hasSameWords(i));
       if (!c.require(place < near.count)) {
         return;
       }
@@ -70,7 +77,7 @@ public final class NearCodec {
       }
       for (int word = 0; word < BodyRow.STATE_INTS; word++) {
         if ((mask & 1 << word) != 0) {
-          int bits = c.plain(writes ? near.rulingWord(i, word) : 0, Integer.SIZE);
+          int bits = same ? near.rulingWord(i - 1, word) : word(c, near, i, word);
           if (c.isReading()) {
             near.setRulingWord(word, bits);
           }
@@ -79,11 +86,15 @@ public final class NearCodec {
     }
   }
 
-  /** Returns how many bits a ruling takes. */
+  private static int word(BitPass c, NearState near, int ruling, int word) {
+    return c.plain(c.isReading() ? 0 : near.rulingWord(ruling, word), Integer.SIZE);
+  }
+
+  /** Returns how many bits a ruling takes at most. */
   public static int rulingBits(int mask) {
     return PLACE_BITS
         + FrameRing.AGE_BITS
-        + 1
+        + 4
         + BodyRow.STATE_INTS
         + Integer.SIZE * Integer.bitCount(mask);
   }
@@ -178,8 +189,7 @@ public final class NearCodec {
         near.counts.set(kind, any ? c.plain(near.counts.get(kind), ROW_BITS) : 0);
       }
     }
-    boolean fits = near.totalRows() <= NearState.MAX_ROWS;
-    c.require(fits && near.counts.get(RowKind.JOINT) == 0); // no update tells joints
+    c.require(near.totalRows() <= NearState.MAX_ROWS);
     near.firstRow = c.plain(near.firstRow, ROW_BITS);
     int rows = c.plain(near.partRows(), PART_BITS);
     if (c.isReading()) {

@@ -35,7 +35,7 @@ public final class NearState {
   public static final int MAX_PART = 63;
 
   /** Largest number of rulings in one snapshot. */
-  public static final int MAX_RULINGS = 31;
+  public static final int MAX_RULINGS = 63;
 
   /** Ints of a ruling that say what it is about, before those that changed. */
   private static final int RULING_HEAD = 3;
@@ -208,6 +208,17 @@ public final class NearState {
   /** Returns the new bits of a number that a ruling changed. */
   public int rulingWord(int index, int word) {
     return rulingInts[index * RULING_INTS + RULING_HEAD + word];
+  }
+
+  /** Returns whether a ruling changed the same numbers to the same as the one before it did. */
+  boolean hasSameWords(int index) {
+    int mask = rulingMask(index);
+    for (int word = 0; word < BodyRow.STATE_INTS; word++) {
+      if ((mask & 1 << word) != 0 && rulingWord(index, word) != rulingWord(index - 1, word)) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /** Returns the kind of a row of this part. */

@@ -43,7 +43,14 @@ final class NearTables {
     TANGENT(6),
     SECOND(4),
     ROLLING(1),
-    LAST(6);
+    LAST(6),
+    JOINT_KEY(1),
+    JOINT_END(2),
+    JOINT_SET(2),
+    JOINT_TURNED(1),
+    JOINT_PUSHED(2),
+    JOINT_IMPULSE(2),
+    JOINT_LOAD(3);
 
     private final int contexts;
 

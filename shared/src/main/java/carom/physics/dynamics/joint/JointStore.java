@@ -311,6 +311,12 @@ public final class JointStore {
     coldChanged();
   }
 
+  /** Gives free slots out in ascending order from now on, until others are released. */
+  public void sortFree() {
+    slots.sortFree();
+    coldChanged();
+  }
+
   /** Sets what is hot to what free slots hold, so that it is the same in equal states. */
   void clearFree(int slot) {
     forget(slot);

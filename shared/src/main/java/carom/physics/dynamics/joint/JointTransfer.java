@@ -2,6 +2,7 @@ package carom.physics.dynamics.joint;
 
 import carom.physics.dynamics.body.BodyStore;
 import carom.physics.math.Limits;
+import carom.physics.math.StateHash;
 import carom.physics.rows.ExactRows;
 import carom.physics.rows.JointDefRow;
 import carom.physics.rows.JointRow;
@@ -225,6 +226,22 @@ public final class JointTransfer {
     s.baseBy[j] = Float.intBitsToFloat(from[at + JointDefRow.BASE_BY]);
     s.coldChanged();
     return JointRanges.problem(s, j);
+  }
+
+  /** Returns a hash of which joints a body has, and of what a game may change about them. */
+  public long stamp(int body) {
+    long h = StateHash.SEED;
+    for (int end = s.firstEnd(body); end >= 0; end = s.nextEnd(end)) {
+      int j = end >> 1;
+      h = StateHash.mix(h, (long) s.generation(j) << 32 | j << 8 | s.flags[j]);
+      h = StateHash.mix(h, s.motorSpeed[j], s.motorMax[j]);
+      h = StateHash.mix(h, s.lower[j], s.upper[j]);
+      h = StateHash.mix(h, s.hertz[j], s.damping[j]);
+      h = StateHash.mix(h, s.rest[j], s.refCos[j]);
+      h = StateHash.mix(h, s.anchorAx[j], s.anchorAy[j]);
+      h = StateHash.mix(h, s.refSin[j], 0f);
+    }
+    return h;
   }
 
   /** Returns whether a number is one of the types of joints. */

@@ -77,7 +77,7 @@ class NearCodecTest {
     near.addRuling(random.nextInt(near.count), random.nextInt(64), random.nextBoolean(), mask);
     for (int word = 0; word < BodyRow.STATE_INTS; word++) {
       if ((mask & 1 << word) != 0) {
-        near.setRulingWord(word, random.nextInt());
+        near.setRulingWord(word, random.nextInt(2));
       }
     }
   }

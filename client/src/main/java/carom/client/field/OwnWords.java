@@ -1,4 +1,4 @@
-package carom.client.prediction;
+package carom.client.field;
 
 import carom.net.snapshot.exact.OwnState;
 import carom.sim.Player;
@@ -12,7 +12,12 @@ public final class OwnWords {
   private final Schema schema;
   private final Player player;
 
-  OwnWords(Schema schema, Player player) {
+  /**
+   * Creates the words of a player.
+   *
+   * @param schema declares the fields
+   */
+  public OwnWords(Schema schema, Player player) {
     this.schema = schema;
     this.player = player;
   }
@@ -23,7 +28,7 @@ public final class OwnWords {
   }
 
   /** Reads the words as predicted. */
-  void read(OwnState out) {
+  public void read(OwnState out) {
     for (int i = 0; i < Player.MEMORY_SIZE; i++) {
       out.setWord(i, player.memory()[i]);
     }
@@ -34,7 +39,7 @@ public final class OwnWords {
   }
 
   /** Gives the player the server's words. One that its field can't hold is passed over. */
-  void write(OwnState server) {
+  public void write(OwnState server) {
     for (int i = 0; i < Player.MEMORY_SIZE; i++) {
       player.memory()[i] = server.word(i);
     }

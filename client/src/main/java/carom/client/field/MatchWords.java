@@ -1,4 +1,4 @@
-package carom.client.prediction;
+package carom.client.field;
 
 import carom.net.field.FieldTables;
 import carom.net.snapshot.table.TableInbox;
@@ -13,7 +13,7 @@ import java.util.Arrays;
  * prediction that has simulated later ticks rolls back to there, as for a mispredicted input. One
  * prediction's; allocates nothing.
  */
-final class MatchWords {
+public final class MatchWords {
   private final Simulation simulation;
   private final Schema schema;
   private final int[] words;
@@ -22,7 +22,8 @@ final class MatchWords {
   private int newestTick = -1;
   private boolean stale;
 
-  MatchWords(Simulation simulation) {
+  /** Creates words that are as declared. */
+  public MatchWords(Simulation simulation) {
     this.simulation = simulation;
     schema = simulation.schema();
     words = new int[schema.toldWords(Scope.MATCH)];
@@ -39,7 +40,7 @@ final class MatchWords {
    * @return the first tick after which a word has another value than known before; {@link
    *     Integer#MAX_VALUE} if none has
    */
-  int receive(TableInbox inbox) {
+  public int receive(TableInbox inbox) {
     int first = Integer.MAX_VALUE;
     if (words.length == 0 || inbox.changes(FieldTables.MATCH) == received) {
       return first;
@@ -61,12 +62,12 @@ final class MatchWords {
   }
 
   /** Notes that the simulation was taken back to a state in which words may be older. */
-  void restored() {
+  public void restored() {
     stale = true;
   }
 
   /** Sets the words that are so after a tick. */
-  void apply(int tick) {
+  public void apply(int tick) {
     if (!stale && tick > newestTick) {
       return;
     }
