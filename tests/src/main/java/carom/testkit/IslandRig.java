@@ -7,6 +7,7 @@ import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.table.JointWords;
 import carom.net.snapshot.table.TableInbox;
 import carom.physics.Body;
 import carom.physics.rows.ContactRow;
@@ -54,7 +55,8 @@ public final class IslandRig {
     serverPlayer = server.join("p");
     predicted = new Simulation(Games.create(level.gameName()), level, 1, 60, Role.PREDICTION);
     client = new Prediction(predicted, serverPlayer.id(), "p", 120, maxReplayNs, stopwatch, false);
-    decoder = new SnapshotDecoder(Limits.MAX_ENTITIES, 1, 0, 60, 4, new TableInbox());
+    decoder =
+        new SnapshotDecoder(Limits.MAX_ENTITIES, 1, 0, 60, 4, new TableInbox(JointWords.LAYOUT));
     Entity body = serverPlayer.body();
     decoder.level(
         FrameState.of(

@@ -3,9 +3,15 @@ package carom.scenario;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import carom.client.view.ClientView;
 import carom.net.transport.Impairment;
+import carom.physics.Joint;
+import carom.physics.JointType;
+import carom.physics.rows.JointDefRow;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
+import carom.sim.Entity;
+import carom.sim.Simulation;
 import carom.sim.level.Level;
 import carom.testkit.MachineGame;
 import carom.testkit.Scripts;
@@ -44,6 +50,88 @@ final class MachineScenarioTest {
 
   @ParameterizedTest(name = "{0}")
   @MethodSource("machines")
+  void jointsHoldTogetherInThePicture(String what, String more) {
+    // Goal: no hinge is drawn torn open. Method: the distance of both anchors in every picture,
+    // less
+    // that in the server's world.
+    Level level = MachineGame.level(more);
+    try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
+      SimulatedClient client = stepper.join("p", FAR, Scripts.wander(Stepper.SEED));
+      stepper.run(3);
+      double worst = 0;
+      String where = "";
+      long seen = 0;
+      Simulation server = stepper.room().simulation();
+      for (int i = 0; i < 60 * 25; i++) {
+        stepper.step();
+        ClientView view = client.view();
+        for (int j = 0; j < server.joints().limit(); j++) {
+          Joint<Entity> joint = server.joints().get(j);
+          if (joint == null
+              || joint.bodyA() == null
+              || joint.type() != JointType.REVOLUTE && joint.type() != JointType.WHEEL) {
+            continue;
+          }
+          ClientView.Drawn a = view.find(joint.bodyA().user().id());
+          ClientView.Drawn b = view.find(joint.bodyB().user().id());
+          if (a == null || b == null) {
+            continue;
+          }
+          double gap = gap(server, j, joint, a, b);
+          seen++;
+          if (gap > worst) {
+            worst = gap;
+            where =
+                " tick="
+                    + server.tick()
+                    + " "
+                    + joint
+                    + " predicted="
+                    + a.predicted()
+                    + ","
+                    + b.predicted();
+          }
+        }
+      }
+      String about = what + ": gap=" + worst + where + " seen=" + seen;
+      assertTrue(seen > 1_000, about);
+      assertTrue(worst < 0.02, about);
+    }
+  }
+
+  /** Returns how far apart the anchors of a hinge, or a wheel and its axis, are drawn, metres. */
+  private static double gap(
+      Simulation server, int index, Joint<Entity> joint, ClientView.Drawn a, ClientView.Drawn b) {
+    double ax = number(server, index, JointDefRow.ANCHOR_AX);
+    double ay = number(server, index, JointDefRow.ANCHOR_AY);
+    double bx = number(server, index, JointDefRow.ANCHOR_BX);
+    double by = number(server, index, JointDefRow.ANCHOR_BY);
+    double dx = x(b, bx, by) - x(a, ax, ay);
+    double dy = y(b, bx, by) - y(a, ax, ay);
+    if (joint.type() == JointType.REVOLUTE) {
+      return Math.hypot(dx, dy);
+    }
+    double ux = number(server, index, JointDefRow.AXIS_X);
+    double uy = number(server, index, JointDefRow.AXIS_Y);
+    double c = Math.cos(a.angle());
+    double s = Math.sin(a.angle());
+    return Math.abs(dx * (s * ux + c * uy) - dy * (c * ux - s * uy));
+  }
+
+  private static double number(Simulation server, int index, int field) {
+    return Float.intBitsToFloat(server.joints().definition(index, field));
+  }
+
+  private static double x(ClientView.Drawn of, double x, double y) {
+    return of.x() + Math.cos(of.angle()) * x - Math.sin(of.angle()) * y;
+  }
+
+  private static double y(ClientView.Drawn of, double x, double y) {
+    return of.y() + Math.sin(of.angle()) * x + Math.cos(of.angle()) * y;
+  }
+
+  @ParameterizedTest(name = "{0}")
+  @MethodSource("machines")
   void machinesAreForeseen(String what, String more) {
     // Goal: of the awake bodies of the predicted set, 99 % are right in every bit. Method: a driver
     // who goes to and fro among machines for half a minute.
@@ -51,15 +139,29 @@ final class MachineScenarioTest {
     try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
       SimulatedClient client = stepper.join("p", FAR, Scripts.wander(Stepper.SEED));
       stepper.run(3);
+      final long corrections = client.stats().corrections();
       final long awake = client.stats().awakeBodies();
       final long exact = client.stats().exactBodies();
       stepper.run(30);
       long awakeBodies = client.stats().awakeBodies() - awake;
       double right = 100.0 * (client.stats().exactBodies() - exact) / awakeBodies;
-      String about = what + ": right=" + right + " % of " + awakeBodies + " " + stepper.describe();
-      System.out.println(about);
+      long corrected = client.stats().corrections() - corrections;
+      String about =
+          what
+              + ": right="
+              + right
+              + " % of "
+              + awakeBodies
+              + " corrections="
+              + corrected
+              + " largest="
+              + client.stats().correctionMaxMetres()
+              + " "
+              + stepper.describe();
       assertTrue(awakeBodies > 1_000, about);
       assertTrue(right >= 99, about);
+      assertEquals(0, corrected, about);
+      assertTrue(client.stats().correctionMaxMetres() < 0.001, about + ", at the start");
       assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about);
     }
   }

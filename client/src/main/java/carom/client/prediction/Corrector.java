@@ -2,6 +2,8 @@ package carom.client.prediction;
 
 import carom.client.field.OwnWords;
 import carom.client.interpolation.Pose;
+import carom.client.prediction.received.OwnAssembly;
+import carom.client.prediction.received.SnapshotRecords;
 import carom.net.codec.Quantizer;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
@@ -16,6 +18,7 @@ import carom.sim.Entity;
 import carom.sim.Player;
 import carom.sim.Simulation;
 import carom.sim.joint.JointTable;
+import carom.sim.near.JointTies;
 import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
 
@@ -54,6 +57,8 @@ final class Corrector {
   private int[] newPlace = new int[16];
 
   private final Pose target = new Pose();
+  private final JointTies ties = new JointTies();
+  private final OwnAssembly assembly;
 
   Corrector(Simulation simulation, Player player, SnapshotRecords records, OwnWords words) {
     this.simulation = simulation;
@@ -61,6 +66,12 @@ final class Corrector {
     this.words = words;
     current = new Neighbourhood(player.id());
     next = new Neighbourhood(player.id());
+    assembly = new OwnAssembly(records);
+  }
+
+  /** Returns what makes the own assembly without exact state. */
+  OwnAssembly assembly() {
+    return assembly;
   }
 
   /** Removes all entities from the simulation. */
@@ -246,8 +257,9 @@ final class Corrector {
   }
 
   /**
-   * Corrects the simulation without an update. The own body gets the server's exact state; another
-   * body moves to its quantised record if it is farther away than quantisation explains.
+   * Corrects the simulation without an update. The own body gets the server's exact state, and what
+   * joints tie to it moves along rigidly. Another body moves to its quantised record if it is
+   * farther away than quantisation explains, unless joints hold it: then it waits for the update.
    *
    * @param own the own body after {@code stateTick}, as the server has it
    * @param ownOnly whether all other entities are removed
@@ -260,17 +272,21 @@ final class Corrector {
     int ownKey = Neighbourhood.key(own.slot(), own.generation());
     next.clear();
     reserve();
-    boolean ownListed = false;
+    int ownPlace = current.find(ownKey, 0);
+    ties.find(current, ownPlace);
     for (int i = 0; i < current.count(); i++) {
       int key = current.key(i);
       newPlace[i] = DROPPED;
       if (key == ownKey) {
         readOwn(own, ownKey);
-        ownListed = true;
       } else if (records.isKnown(key)) {
         Rows bodies = current.rows().bodies();
         System.arraycopy(bodies.ints(), bodies.at(i), bodyRow, 0, BodyRow.INTS);
-        if (records.readPose(key, stateTick, target) && !isAtTarget(key)) {
+        if (ties.isTiedToOwn(i)) {
+          moveWithOwn(bodies, bodies.at(ownPlace), own);
+        } else if (!ties.isTied(i)
+            && records.readPose(key, stateTick, target)
+            && !isAtTarget(key)) {
           moveBody();
         }
       } else {
@@ -279,17 +295,67 @@ final class Corrector {
       newPlace[i] = next.count();
       next.rows().add(RowKind.BODY, bodyRow, 0);
     }
-    if (!ownListed) {
+    if (ownPlace < 0) {
       next.clear();
       readOwn(own, ownKey);
-      next.rows().add(RowKind.BODY, bodyRow, 0);
+      assembly.add(bodyRow, stateTick, next.rows());
     } else {
       keepJoints();
       keepContacts();
       keepFields();
     }
     next.write(simulation, records);
+    if (ownPlace < 0) {
+      assembly.place(simulation, ownKey, stateTick);
+    }
     words.write(own);
+  }
+
+  /**
+   * Moves {@link #bodyRow} as the own body is moved, as if both were one rigid body.
+   *
+   * @param bodies rows of the present set
+   * @param from where the own body's row begins
+   * @param own where the own body is moved to
+   */
+  private void moveWithOwn(Rows bodies, int from, OwnState own) {
+    boolean same = true;
+    for (int i = 0; i < BodyRow.MOTION_INTS; i++) {
+      same &= bodies.ints()[from + BodyRow.MOTION + i] == own.bits(i);
+    }
+    if (same) {
+      return;
+    }
+    float cosBefore = Float.intBitsToFloat(bodies.ints()[from + BodyRow.COS]);
+    float sinBefore = Float.intBitsToFloat(bodies.ints()[from + BodyRow.SIN]);
+    float cosAfter = own(own, BodyRow.COS);
+    float sinAfter = own(own, BodyRow.SIN);
+    float c = cosAfter * cosBefore + sinAfter * sinBefore;
+    float s = sinAfter * cosBefore - cosAfter * sinBefore;
+    float dx = get(BodyRow.X) - Float.intBitsToFloat(bodies.ints()[from + BodyRow.X]);
+    float dy = get(BodyRow.Y) - Float.intBitsToFloat(bodies.ints()[from + BodyRow.Y]);
+    float cos = get(BodyRow.COS);
+    float sin = get(BodyRow.SIN);
+    set(BodyRow.X, own(own, BodyRow.X) + c * dx - s * dy);
+    set(BodyRow.Y, own(own, BodyRow.Y) + s * dx + c * dy);
+    set(BodyRow.COS, c * cos - s * sin);
+    set(BodyRow.SIN, s * cos + c * sin);
+    for (int i = BodyRow.VX; i <= BodyRow.OMEGA; i++) {
+      set(i, get(i) + own(own, i) - Float.intBitsToFloat(bodies.ints()[from + i]));
+    }
+    clearLoads();
+  }
+
+  private static float own(OwnState own, int field) {
+    return Float.intBitsToFloat(own.bits(field - BodyRow.MOTION));
+  }
+
+  private float get(int field) {
+    return Float.intBitsToFloat(bodyRow[field]);
+  }
+
+  private void set(int field, float value) {
+    bodyRow[field] = Float.floatToRawIntBits(value);
   }
 
   /** Reads the own body, awake and without loads, into {@link #bodyRow}. */

@@ -4,6 +4,7 @@ import carom.client.field.MatchWords;
 import carom.client.field.OwnWords;
 import carom.client.interpolation.Pose;
 import carom.client.interpolation.VisualError;
+import carom.client.prediction.received.SnapshotRecords;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
@@ -11,6 +12,7 @@ import carom.sim.Input;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.joint.Assembly;
 import carom.sim.near.Neighbourhood;
 import java.util.function.LongSupplier;
 
@@ -50,6 +52,9 @@ import java.util.function.LongSupplier;
  * nothing.
  */
 public final class Prediction {
+  /** States for which the joints of a new own body are waited for; some may have broken. */
+  private static final int MOST_WAITED = 30;
+
   private final Simulation simulation;
   private final Player player;
   private final SnapshotRecords records;
@@ -70,6 +75,7 @@ public final class Prediction {
   private final boolean runsSyncTest;
   private boolean active;
   private int confirmedTick = -1;
+  private int waited;
 
   /**
    * Creates a prediction that waits for the server's first state.
@@ -230,8 +236,20 @@ public final class Prediction {
     if (!records.isKnown(Neighbourhood.key(server.slot(), server.generation()))) {
       return false; // its record is still on the way
     }
+    if (!isAssemblyKnown() && waited++ < MOST_WAITED) {
+      return false; // its joints are on the way; without them it would fall apart
+    }
+    waited = 0;
     poses.begin(server.slot(), server.generation());
     return true;
+  }
+
+  /**
+   * Returns whether all joints of the own assembly are known, if the own body is the root of one.
+   */
+  private boolean isAssemblyKnown() {
+    Assembly assembly = simulation.assemblies().of(records.archetype(server.slot()));
+    return assembly == null || corrector.assembly().isKnown(assembly, server.slot());
   }
 
   private void deactivate() {

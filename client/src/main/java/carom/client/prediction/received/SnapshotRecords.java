@@ -1,4 +1,4 @@
-package carom.client.prediction;
+package carom.client.prediction.received;
 
 import carom.client.interpolation.DecodedHistory;
 import carom.client.interpolation.Pose;
@@ -19,7 +19,7 @@ import carom.sim.near.Neighbourhood;
  * What the decoded snapshots tell a prediction: the identity of entities, their quantised states,
  * and the relayed inputs of other players. One prediction's; allocates nothing.
  */
-final class SnapshotRecords implements Neighbourhood.Identity, JointDefinitions {
+public final class SnapshotRecords implements Neighbourhood.Identity, JointDefinitions {
   /** Longest time that the newest state is extrapolated in a straight line, ticks. */
   private static final int MAX_EXTRAPOLATION_TICKS = 9;
 
@@ -27,17 +27,18 @@ final class SnapshotRecords implements Neighbourhood.Identity, JointDefinitions 
   private final DecodedHistory states = new DecodedHistory();
   private SnapshotDecoder decoder;
 
-  SnapshotRecords(Simulation simulation) {
+  /** Creates the records of a prediction; {@link #readFrom} must follow. */
+  public SnapshotRecords(Simulation simulation) {
     this.simulation = simulation;
   }
 
   /** Sets the decoder to read from. */
-  void readFrom(SnapshotDecoder newDecoder) {
+  public void readFrom(SnapshotDecoder newDecoder) {
     decoder = newDecoder;
   }
 
   /** Returns the inputs of other players that the server relayed. */
-  RelayedInputs inputs() {
+  public RelayedInputs inputs() {
     return decoder.inputs();
   }
 
@@ -61,8 +62,26 @@ final class SnapshotRecords implements Neighbourhood.Identity, JointDefinitions 
     return true;
   }
 
+  /** Returns a number above the rows of all joints that were told. */
+  public int jointLimit() {
+    return decoder.tables().room(JointWords.TABLE);
+  }
+
+  /** Returns the key of the joint of a row, or -1 if there is none. */
+  public int jointKey(int row) {
+    TableInbox tables = decoder.tables();
+    return tables.isPresent(JointWords.TABLE, row)
+        ? JointTable.key(row, tables.identity(JointWords.TABLE, row))
+        : -1;
+  }
+
+  /** Returns a word of the row of a joint; {@link JointWords} declares them. */
+  public int jointWord(int row, int word) {
+    return decoder.tables().get(JointWords.TABLE, row, word);
+  }
+
   /** Returns whether the definition of a joint is known. */
-  boolean isJointKnown(int key) {
+  public boolean isJointKnown(int key) {
     TableInbox tables = decoder.tables();
     int row = JointTable.index(key);
     return row < JointTable.MAX_JOINTS
@@ -81,7 +100,7 @@ final class SnapshotRecords implements Neighbourhood.Identity, JointDefinitions 
   }
 
   /** Returns whether the newest record of a slot is this entity's, with a known archetype. */
-  boolean isKnown(int key) {
+  public boolean isKnown(int key) {
     EntityHistory history = decoder.history(Neighbourhood.id(key));
     return history != null
         && history.alive()
@@ -90,7 +109,7 @@ final class SnapshotRecords implements Neighbourhood.Identity, JointDefinitions 
   }
 
   /** Returns the teleport counter of an entity, or 0 if no record tells. */
-  int teleports(int id, int generation) {
+  public int teleports(int id, int generation) {
     EntityHistory history = decoder.history(id);
     boolean known = history != null && history.alive() && history.generation(0) == generation;
     return known ? history.teleports(0) : 0;
@@ -102,7 +121,7 @@ final class SnapshotRecords implements Neighbourhood.Identity, JointDefinitions 
    * @param out receives the state; unchanged when the result is false
    * @return whether a record tells
    */
-  boolean readPose(int key, int tick, Pose out) {
+  public boolean readPose(int key, int tick, Pose out) {
     int generation = Neighbourhood.generation(key);
     EntityHistory history = decoder.history(Neighbourhood.id(key));
     int index = history.indexAt(tick);
