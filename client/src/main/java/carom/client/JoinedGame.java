@@ -4,6 +4,8 @@ import carom.client.clock.RenderClock;
 import carom.client.clock.TickClock;
 import carom.client.events.EventListener;
 import carom.client.events.RepeatedEventFilter;
+import carom.client.field.OwnWords;
+import carom.client.field.RemoteFields;
 import carom.client.link.Connection;
 import carom.client.prediction.Prediction;
 import carom.client.stats.NetStatsRecorder;
@@ -13,8 +15,7 @@ import carom.net.protocol.Limits;
 import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.frame.FrameState;
-import carom.net.snapshot.table.JointWords;
-import carom.net.snapshot.table.TableInbox;
+import carom.sim.Entity;
 import carom.sim.Input;
 import carom.sim.Player;
 import carom.sim.Simulation;
@@ -46,6 +47,7 @@ final class JoinedGame {
   private final ViewWriter view;
   private final NetStatsRecorder stats;
   private final InputSource source;
+  private final RemoteFields fields;
   private final SnapshotDecoder decoder;
   private final SnapshotInbox inbox;
   private final EventReceiver events;
@@ -57,6 +59,7 @@ final class JoinedGame {
   private final ViewComposer composer;
   private final Input input = new Input();
   private final int tickRate;
+  private final int playerId;
   private long firstSnapshotNs;
 
   /**
@@ -81,16 +84,18 @@ final class JoinedGame {
       EventListener listener) {
     this.view = view;
     this.stats = stats;
+    playerId = welcome.playerId();
     this.source = source;
     tickRate = welcome.tickRate();
+    fields = new RemoteFields(simulation.schema(), () -> view.view().tick());
     decoder =
         new SnapshotDecoder(
             Limits.MAX_ENTITIES,
             welcome.datagramKey(),
             welcome.tick(),
             welcome.tickRate(),
-            Player.MEMORY_SIZE,
-            new TableInbox(JointWords.LAYOUT));
+            OwnWords.count(simulation.schema()),
+            fields.inbox());
     decoder.gravity(level.gravityX(), level.gravityY());
     decoder.level(FrameState.of(Limits.MAX_ENTITIES, frame -> level.forEachBody(frame::put)));
     inbox = new SnapshotInbox(decoder, stats);
@@ -115,6 +120,7 @@ final class JoinedGame {
         new InputSender(
             config, welcome.datagramKey(), tickRate, decoder, prediction, stats, connection);
     divergence = prediction == null ? null : new DivergenceReporter(prediction, connection);
+    view.fields(fields);
     view.roster(List.of());
     view.tick(welcome.tick());
     view.game(
@@ -154,6 +160,9 @@ final class JoinedGame {
     if (inbox.keepOwn() && prediction == null) {
       for (int i = 0; i < Player.MEMORY_SIZE; i++) {
         view.memory(i, inbox.own().word(i));
+      }
+      for (int i = Player.MEMORY_SIZE; i < inbox.own().words(); i++) {
+        fields.own(playerId, i - Player.MEMORY_SIZE, inbox.own().word(i));
       }
     }
   }
@@ -240,10 +249,22 @@ final class JoinedGame {
       for (int i = 0; i < Player.MEMORY_SIZE; i++) {
         view.memory(i, prediction.memory(i));
       }
+      describeOwnFields();
     }
     if (playing) {
       view.renderTick(renderClock.tick());
       view.invalidate();
+    }
+  }
+
+  private void describeOwnFields() {
+    Player player = prediction.player();
+    fields.own(playerId, player.fieldValues());
+    Entity body = player.body();
+    if (body == null) {
+      fields.ownBody(-1, 0, null);
+    } else {
+      fields.ownBody(body.id(), body.generation(), body.fieldValues());
     }
   }
 
