@@ -18,6 +18,7 @@ import carom.net.snapshot.table.TableInbox;
 import carom.sim.Input;
 import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.joint.JointTable;
 import carom.sim.level.Level;
 import java.util.List;
 import java.util.function.LongSupplier;
@@ -90,7 +91,7 @@ final class JoinedGame {
             welcome.tick(),
             welcome.tickRate(),
             Player.MEMORY_SIZE,
-            new TableInbox(JointWords.LAYOUT));
+            tables(level));
     decoder.gravity(level.gravityX(), level.gravityY());
     decoder.level(FrameState.of(Limits.MAX_ENTITIES, frame -> level.forEachBody(frame::put)));
     inbox = new SnapshotInbox(decoder, stats);
@@ -124,6 +125,19 @@ final class JoinedGame {
         tickRate,
         prediction == null ? null : simulation);
     composer = new ViewComposer(view.view(), decoder, simulation, prediction, tickRate);
+  }
+
+  /** Returns the tables as they are at the start: with the joints that the level places. */
+  private static TableInbox tables(Level level) {
+    TableInbox tables = new TableInbox(JointWords.LAYOUT);
+    int[] words = new int[JointWords.WORDS];
+    JointTable.forEachOfLevel(
+        level,
+        (index, endA, endB, definition) -> {
+          JointWords.put(words, endA, endB, JointTable.LEVEL, index, definition, 0);
+          tables.place(JointWords.TABLE, index, 0, words, 0);
+        });
+    return tables;
   }
 
   // ---- datagrams
