@@ -4,6 +4,8 @@ import carom.client.clock.RenderClock;
 import carom.client.clock.TickClock;
 import carom.client.events.EventListener;
 import carom.client.events.RepeatedEventFilter;
+import carom.client.field.OwnWords;
+import carom.client.field.RemoteFields;
 import carom.client.link.Connection;
 import carom.client.prediction.Prediction;
 import carom.client.stats.NetStatsRecorder;
@@ -15,6 +17,7 @@ import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.table.JointWords;
 import carom.net.snapshot.table.TableInbox;
+import carom.sim.Entity;
 import carom.sim.Input;
 import carom.sim.Player;
 import carom.sim.Simulation;
@@ -47,6 +50,7 @@ final class JoinedGame {
   private final ViewWriter view;
   private final NetStatsRecorder stats;
   private final InputSource source;
+  private final RemoteFields fields;
   private final SnapshotDecoder decoder;
   private final SnapshotInbox inbox;
   private final EventReceiver events;
@@ -58,6 +62,7 @@ final class JoinedGame {
   private final ViewComposer composer;
   private final Input input = new Input();
   private final int tickRate;
+  private final int playerId;
   private long firstSnapshotNs;
 
   /**
@@ -82,16 +87,19 @@ final class JoinedGame {
       EventListener listener) {
     this.view = view;
     this.stats = stats;
+    playerId = welcome.playerId();
     this.source = source;
     tickRate = welcome.tickRate();
+    fields = new RemoteFields(simulation.schema(), () -> view.view().tick());
     decoder =
         new SnapshotDecoder(
             Limits.MAX_ENTITIES,
             welcome.datagramKey(),
             welcome.tick(),
             welcome.tickRate(),
-            Player.MEMORY_SIZE,
-            tables(level));
+            OwnWords.count(simulation.schema()),
+            fields.inbox());
+    placeJoints(level, fields.inbox());
     decoder.gravity(level.gravityX(), level.gravityY());
     decoder.level(FrameState.of(Limits.MAX_ENTITIES, frame -> level.forEachBody(frame::put)));
     inbox = new SnapshotInbox(decoder, stats);
@@ -116,6 +124,7 @@ final class JoinedGame {
         new InputSender(
             config, welcome.datagramKey(), tickRate, decoder, prediction, stats, connection);
     divergence = prediction == null ? null : new DivergenceReporter(prediction, connection);
+    view.fields(fields);
     view.roster(List.of());
     view.tick(welcome.tick());
     view.game(
@@ -127,9 +136,8 @@ final class JoinedGame {
     composer = new ViewComposer(view.view(), decoder, simulation, prediction, tickRate);
   }
 
-  /** Returns the tables as they are at the start: with the joints that the level places. */
-  private static TableInbox tables(Level level) {
-    TableInbox tables = new TableInbox(JointWords.LAYOUT);
+  /** Places the joints of the level, which the server doesn't tell until they change. */
+  private static void placeJoints(Level level, TableInbox tables) {
     int[] words = new int[JointWords.WORDS];
     JointTable.forEachOfLevel(
         level,
@@ -137,7 +145,6 @@ final class JoinedGame {
           JointWords.put(words, endA, endB, JointTable.LEVEL, index, definition, 0);
           tables.place(JointWords.TABLE, index, 0, words, 0);
         });
-    return tables;
   }
 
   // ---- datagrams
@@ -168,6 +175,9 @@ final class JoinedGame {
     if (inbox.keepOwn() && prediction == null) {
       for (int i = 0; i < Player.MEMORY_SIZE; i++) {
         view.memory(i, inbox.own().word(i));
+      }
+      for (int i = Player.MEMORY_SIZE; i < inbox.own().words(); i++) {
+        fields.own(playerId, i - Player.MEMORY_SIZE, inbox.own().word(i));
       }
     }
   }
@@ -254,10 +264,22 @@ final class JoinedGame {
       for (int i = 0; i < Player.MEMORY_SIZE; i++) {
         view.memory(i, prediction.memory(i));
       }
+      describeOwnFields();
     }
     if (playing) {
       view.renderTick(renderClock.tick());
       view.invalidate();
+    }
+  }
+
+  private void describeOwnFields() {
+    Player player = prediction.player();
+    fields.own(playerId, player.fieldValues());
+    Entity body = player.body();
+    if (body == null) {
+      fields.ownBody(-1, 0, null);
+    } else {
+      fields.ownBody(body.id(), body.generation(), body.fieldValues());
     }
   }
 

@@ -9,7 +9,9 @@ import carom.sim.Input;
 import carom.sim.Player;
 import carom.sim.Simulation;
 import carom.sim.event.Audience;
+import carom.sim.field.Field;
 import carom.sim.level.Level;
+import java.util.List;
 import java.util.Objects;
 
 /**
@@ -65,6 +67,11 @@ public final class GuardedGame implements Game {
   @Override
   public WorldDef world(Level level) {
     return game.world(level);
+  }
+
+  @Override
+  public List<Field<?>> fields() {
+    return game.fields();
   }
 
   @Override

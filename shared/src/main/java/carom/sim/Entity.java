@@ -2,6 +2,10 @@ package carom.sim;
 
 import carom.physics.Body;
 import carom.physics.math.Transform;
+import carom.sim.field.EntityRef;
+import carom.sim.field.FieldHolder;
+import carom.sim.field.FieldValues;
+import carom.sim.field.Scope;
 import carom.sim.joint.Assembly;
 import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
@@ -14,7 +18,7 @@ import carom.sim.level.Level;
  * <p>An entity is a handle that is valid until it is despawned. Its id is then given to another
  * entity, with another generation.
  */
-public final class Entity {
+public final class Entity extends FieldHolder<Entity, Player> {
   /** Id of static level geometry. It never appears in snapshots. */
   public static final int LEVEL = -1;
 
@@ -29,6 +33,7 @@ public final class Entity {
   private final Archetype archetype;
   private final int ownerId;
   private final EntityTable table;
+  private final FieldValues fields;
   private int tag;
   private int teleports;
 
@@ -44,6 +49,7 @@ public final class Entity {
     this.generation = generation;
     this.archetype = archetype;
     this.ownerId = ownerId;
+    fields = id == LEVEL ? table.fields().ofLevel() : table.fields().create(Scope.ENTITY);
     tag = archetype.tag();
   }
 
@@ -169,6 +175,16 @@ public final class Entity {
 
   void teleports(int value) {
     teleports = value;
+  }
+
+  @Override
+  public FieldValues fieldValues() {
+    return fields;
+  }
+
+  @Override
+  protected int reference() {
+    return id == LEVEL ? 0 : EntityRef.word(id, generation);
   }
 
   @Override

@@ -7,6 +7,8 @@ import carom.physics.math.Transform;
 import carom.physics.math.Trig;
 import carom.physics.rows.JointDefRow;
 import carom.sim.area.AreaForces;
+import carom.sim.field.FieldStore;
+import carom.sim.field.Schema;
 import carom.sim.history.TrackedBodies;
 import carom.sim.joint.Assemblies;
 import carom.sim.joint.Assembly;
@@ -14,18 +16,21 @@ import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 import carom.sim.level.ScriptedMotion;
+import carom.sim.random.SimRandom;
 import java.util.Arrays;
+import java.util.function.IntSupplier;
 
 /**
  * The entities of a simulation by id, their bodies, and their part of its state. A free id keeps
  * its generation, so that its next entity gets another one.
  */
-final class EntityTable implements TrackedBodies<Entity> {
+final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<Entity, Player> {
   private final World<Entity> world;
   private final PlayerTable players;
   private final AreaForces<Entity> areas;
   private final Assemblies assemblies;
   private final int tickRate;
+  private final FieldStore fields;
   private Entity[] entities = new Entity[64];
   private byte[] generations = new byte[64];
 
@@ -44,17 +49,36 @@ final class EntityTable implements TrackedBodies<Entity> {
       PlayerTable players,
       AreaForces<Entity> areas,
       Assemblies assemblies,
-      int tickRate) {
+      int tickRate,
+      Schema schema,
+      IntSupplier clock) {
     this.areas = areas;
     this.assemblies = assemblies;
     this.world = world;
     this.players = players;
     this.tickRate = tickRate;
+    fields = new FieldStore(schema, clock, this);
   }
 
   /** Returns the entity under an id, or null when the id is free or out of range. */
   Entity get(int id) {
     return id >= 0 && id < capacity ? entities[id] : null;
+  }
+
+  /** Returns the declared fields and the rules of writing them. */
+  FieldStore fields() {
+    return fields;
+  }
+
+  @Override
+  public Entity entity(int id, int generation) {
+    Entity entity = get(id);
+    return entity != null && entity.generation() == generation ? entity : null;
+  }
+
+  @Override
+  public Player player(int id) {
+    return players.get(id);
   }
 
   /** Returns whether an entity has not been despawned. */
@@ -279,26 +303,14 @@ final class EntityTable implements TrackedBodies<Entity> {
     }
   }
 
-  /**
-   * Moves every body with a path. It puts the body where the path was a tick ago, to the bit, and
-   * sets the velocity that leads to the path's present point. A client that knows the tick computes
-   * the same.
-   */
+  /** Moves every body with a path to where it was a tick ago, with the velocity to where it is. */
   void followPaths(int tick) {
     for (int i = 0; i < capacity; i++) {
       Entity e = entities[i];
       if (e == null || e.archetype().motion() == null) {
         continue;
       }
-      ScriptedMotion path = e.archetype().motion();
-      Body<Entity> body = e.body();
-      float x = path.x(tick - 1, tickRate);
-      float y = path.y(tick - 1, tickRate);
-      if (body.x() != x || body.y() != y) {
-        body.setPose(x, y, body.cos(), body.sin());
-      }
-      body.setVelocity(
-          (path.x(tick, tickRate) - x) * tickRate, (path.y(tick, tickRate) - y) * tickRate);
+      e.archetype().motion().drive(e.body(), tick, tickRate);
     }
   }
 
@@ -310,6 +322,7 @@ final class EntityTable implements TrackedBodies<Entity> {
       long identity = generations[i] & 0xff;
       if (e != null) {
         identity |= (long) (e.archetype().index() + 1) << 8 | (long) (e.ownerId() + 1) << 32;
+        h = e.fieldValues().hash(h);
         h = SimRandom.mix(h, ((long) e.tag() << 32) | (e.bodySlot() & 0xffffffffL));
         h = e.rootId() == Entity.NO_ROOT ? h : SimRandom.mix(h, e.rootId());
       }
@@ -335,6 +348,9 @@ final class EntityTable implements TrackedBodies<Entity> {
     for (int i = 0; i < capacity; i++) {
       s.tags[i] = entities[i] == null ? 0 : entities[i].tag();
       s.teleports[i] = entities[i] == null ? 0 : entities[i].teleports();
+      if (entities[i] != null) {
+        s.fields.save(entities[i].fieldValues(), i);
+      }
       s.roots[i] = entities[i] == null ? Entity.NO_ROOT : entities[i].rootId();
     }
   }
@@ -355,6 +371,7 @@ final class EntityTable implements TrackedBodies<Entity> {
       if (entities[i] != null) {
         entities[i].tag(s.tags[i]);
         entities[i].teleports(s.teleports[i]);
+        s.fields.restore(entities[i].fieldValues(), i);
         entities[i].rootId(s.roots[i]);
         areas.add(i, entities[i].body(), entities[i].archetype());
       }

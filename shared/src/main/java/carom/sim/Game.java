@@ -4,7 +4,9 @@ import carom.physics.Collision;
 import carom.physics.Joint;
 import carom.physics.WorldDef;
 import carom.sim.event.Audience;
+import carom.sim.field.Field;
 import carom.sim.level.Level;
+import java.util.List;
 
 /**
  * The rules of a game. Implement it, name it in a level file and list it as a service, and it is a
@@ -33,6 +35,14 @@ public interface Game {
   /** Returns the settings of the world. The default takes the level's gravity. */
   default WorldDef world(Level level) {
     return new WorldDef().withGravity(level.gravityX(), level.gravityY());
+  }
+
+  /**
+   * Returns the fields of the game's players, entities and match, in an order that is the same
+   * everywhere. They are constants of the class, and this is the one place that lists them.
+   */
+  default List<Field<?>> fields() {
+    return List.of();
   }
 
   /** Returns how many ints of {@link Simulation#memory} the game needs in a level, 0..65536. */

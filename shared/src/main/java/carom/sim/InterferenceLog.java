@@ -11,9 +11,9 @@ import java.util.Arrays;
 
 /**
  * Records what the game itself does to bodies in {@link Game#beforeStep} and {@link
- * Game#afterStep}: it moves or pushes them, wakes them, or changes their players' memories. Clients
- * don't run these methods, so they can't predict the result; replication reads this log and tells
- * them.
+ * Game#afterStep}: it moves or pushes them, wakes them, or changes fields of theirs or of their
+ * players that are told to clients. Clients don't run these methods, so they can't predict the
+ * result; replication reads this log and tells them.
  *
  * <p>One tick of the simulation, and the calls in it:
  *
@@ -38,6 +38,7 @@ public final class InterferenceLog {
     Object subject;
     boolean watched;
     long stamp;
+    long ruled;
     int[] row;
     int lastTick;
     int lastUntoldTick;
@@ -79,6 +80,7 @@ public final class InterferenceLog {
       return;
     }
     mark.watched = true;
+    mark.ruled = ruled(entity);
     if (watchedCount == watched.length) {
       watched = Arrays.copyOf(watched, 2 * watchedCount);
     }
@@ -96,8 +98,8 @@ public final class InterferenceLog {
 
   /**
    * Returns the last tick in which the game did something to an entity that is no {@link Ruling},
-   * while it was watched, or -1: it put it to sleep, changed its player's memory, or made,
-   * destroyed or changed one of its joints.
+   * while it was watched, or -1: it put it to sleep, changed fields of it or of its player outside
+   * of {@link Game#input}, or made, destroyed or changed one of its joints.
    */
   public int lastUntoldTick(Entity entity) {
     Mark mark = find(ofEntities, entity.id(), entity);
@@ -121,7 +123,7 @@ public final class InterferenceLog {
 
   /**
    * Returns the last tick whose state of a player's body doesn't follow from input and physics
-   * alone, because the game moved, pushed or exchanged the body, or wrote the player's memory; or
+   * alone, because the game moved, pushed or exchanged the body, or wrote the player's fields; or
    * -1. A push in {@link Game#afterStep} shows a tick later, so it counts for the tick after.
    */
   public int lastTick(Player player) {
@@ -172,13 +174,19 @@ public final class InterferenceLog {
         if (bodyStamp(player) != mark.stamp) {
           mark.lastTick = Math.max(mark.lastTick, shownTick);
         }
+        if (ruled(player.body) != mark.ruled) {
+          mark.ruled = ruled(player.body);
+          mark.lastTick = Math.max(mark.lastTick, tick);
+        }
       }
     }
     for (int i = 0; i < watchedCount; i++) {
       if (entities.holds(watched[i])) {
         Mark mark = ofEntities[watched[i].id()];
         boolean told = noteRuling(watched[i], mark, tick, beforeStep);
-        if (!told || stamp(watched[i]) != mark.stamp) {
+        boolean wrote = ruled(watched[i]) != mark.ruled;
+        mark.ruled = ruled(watched[i]);
+        if (!told || wrote || stamp(watched[i]) != mark.stamp) {
           mark.beforeStep = beforeStep || (mark.lastUntoldTick == tick && mark.beforeStep);
           mark.lastUntoldTick = tick;
           mark.lastTick = tick;
@@ -210,6 +218,13 @@ public final class InterferenceLog {
       find(entity, mark.habit.firstTick(), beforeStep ? "beforeStep" : "afterStep");
     }
     return true;
+  }
+
+  /** Counts what the rules wrote to an entity's fields and to those of the player it is of. */
+  private long ruled(Entity entity) {
+    Player owner = players.get(entity.ownerId());
+    boolean isBody = owner != null && owner.body == entity;
+    return entity.fieldValues().ruled() + (isBody ? owner.fieldValues().ruled() : 0);
   }
 
   /** Tells that the rules change a body again and again. */

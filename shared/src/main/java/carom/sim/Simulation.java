@@ -15,6 +15,11 @@ import carom.sim.area.AreaForces;
 import carom.sim.event.EventKind;
 import carom.sim.event.EventKinds;
 import carom.sim.event.NoticeQueue;
+import carom.sim.field.FieldHolder;
+import carom.sim.field.FieldStore;
+import carom.sim.field.FieldValues;
+import carom.sim.field.Schema;
+import carom.sim.field.Scope;
 import carom.sim.history.PoseHistory;
 import carom.sim.joint.Assemblies;
 import carom.sim.joint.Assembly;
@@ -25,6 +30,7 @@ import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Archetypes;
 import carom.sim.level.Level;
 import carom.sim.level.LevelJoint;
+import carom.sim.random.SimRandom;
 import carom.sim.ruling.Findings;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -49,7 +55,7 @@ import java.util.function.Consumer;
  * EventLog}, {@link NoticeQueue}, {@link InterferenceLog}, {@link PoseHistory} and {@link
  * SimState}.
  */
-public final class Simulation {
+public final class Simulation extends FieldHolder<Entity, Player> {
   /** Most players at a time; ids are 0..1,023. */
   public static final int MAX_PLAYERS = 1_024;
 
@@ -75,6 +81,8 @@ public final class Simulation {
   private final Archetypes archetypes = new Archetypes();
   private final SimRandom random;
   private final int[] memory;
+  private final FieldStore fields;
+  private final FieldValues match;
   private final List<Entity> statics = new ArrayList<>();
   private final PlayerTable players = new PlayerTable();
   private final EntityTable entities;
@@ -116,11 +124,6 @@ public final class Simulation {
     if (tickRate < 1 || tickRate > 1000) {
       throw new IllegalArgumentException("tickRate=" + tickRate + " is outside 1..1000");
     }
-    int memorySize = game.memorySize(level);
-    if (memorySize < 0 || memorySize > 65_536) {
-      throw new IllegalArgumentException(
-          "memorySize=" + memorySize + " of game " + game.name() + " is outside 0..65536");
-    }
     this.game = game;
     this.level = level;
     this.tickRate = tickRate;
@@ -128,11 +131,14 @@ public final class Simulation {
     this.role = role;
     calls = new CallRules(role);
     random = new SimRandom(seed);
-    memory = new int[memorySize];
+    memory = new int[game.memorySize(level)];
     world = new World<>(game.world(level));
     world.listener(new Listener());
     areas = new AreaForces<>(world, level.areas(), role == Role.AUTHORITY);
-    entities = new EntityTable(world, players, areas, assemblies, tickRate);
+    Schema schema = Schema.of(game.fields());
+    entities = new EntityTable(world, players, areas, assemblies, tickRate, schema, this::tick);
+    fields = entities.fields();
+    match = fields.create(Scope.MATCH);
     joints = new JointTable<>(world, role == Role.AUTHORITY);
     world.jointListener(new Joints());
     forceCheck = new ForceCheck(world, findings);
@@ -156,6 +162,9 @@ public final class Simulation {
     game.setUp(this);
     archetypes.close();
     eventKinds.close();
+    if (role == Role.PREDICTION) {
+      fields.predict();
+    }
     if (history != null) {
       history.capture(tick);
     }
@@ -261,13 +270,28 @@ public final class Simulation {
     return random;
   }
 
-  /**
-   * Returns the game's own ints, as many as {@link Game#memorySize} says, 0 at first: timers,
-   * goals, anything that changes while playing. They are hashed and saved, but not sent to clients.
-   * The array is the live one.
-   */
+  /** Returns the game's own ints, {@link Game#memorySize} of them; {@link #get} replaces them. */
   public int[] memory() {
     return memory;
+  }
+
+  /**
+   * Returns the fields that the game declares. {@link #get}, {@link #set} and {@link #add} of this
+   * class are for those of the match.
+   */
+  public Schema schema() {
+    return fields.schema();
+  }
+
+  /** Returns the values of the match's fields. */
+  @Override
+  public FieldValues fieldValues() {
+    return match;
+  }
+
+  /** Returns a number that grows with each change of a field in a scope. */
+  public long fieldChanges(Scope scope) {
+    return fields.changes(scope);
   }
 
   /** Returns the registered archetypes. */
@@ -640,6 +664,22 @@ public final class Simulation {
       }
     }
     players.remove(id);
+    forget(id);
+  }
+
+  /** Sets all fields that mean a player who left to null. */
+  private void forget(int playerId) {
+    match.forget(playerId);
+    for (int i = 0; i < players.limit(); i++) {
+      if (players.get(i) != null) {
+        players.get(i).fieldValues().forget(playerId);
+      }
+    }
+    for (int i = 0; i < entities.capacity(); i++) {
+      if (entities.get(i) != null) {
+        entities.get(i).fieldValues().forget(playerId);
+      }
+    }
   }
 
   /**
@@ -700,6 +740,7 @@ public final class Simulation {
       computeTick();
     } finally {
       inTick = false;
+      fields.end();
     }
     if (history != null) {
       history.capture(tick);
@@ -721,10 +762,12 @@ public final class Simulation {
     for (int i = 0; i < players.limit(); i++) {
       Player player = players.get(i);
       if (player != null && player.body != null) {
+        fields.beginInput(player.fieldValues(), player.body.fieldValues());
         game.input(this, player, player.input());
       }
     }
     applyForces();
+    fields.end();
     calls.inPhysics(true);
     try {
       world.step(tickSeconds);
@@ -783,8 +826,8 @@ public final class Simulation {
 
   /**
    * Returns 64 bits of everything that decides the future: tick, world, random numbers, memory,
-   * players with score, team, memory and input, entities with archetype, owner and tag. Equal runs
-   * have equal hashes.
+   * fields, players with score, team, memory and input, entities with archetype, owner and tag.
+   * Equal runs have equal hashes.
    */
   public long stateHash() {
     long h = SimRandom.mix(world.stateHash(), tick);
@@ -792,7 +835,7 @@ public final class Simulation {
     for (int value : memory) {
       h = SimRandom.mix(h, value);
     }
-    return joints.hash(entities.hash(players.hash(h)));
+    return joints.hash(entities.hash(players.hash(match.hash(h))));
   }
 
   /**
@@ -806,7 +849,9 @@ public final class Simulation {
     requireOwn(s);
     s.world = world.save(s.world);
     s.tick = tick;
-    s.saveNumbers(random, memory);
+    s.random = random.state();
+    System.arraycopy(memory, 0, s.memory, 0, memory.length);
+    s.fields.save(match, 0);
     players.save(s);
     entities.save(s);
     joints.save(s.joints);
@@ -825,7 +870,9 @@ public final class Simulation {
     calls.requireOutsidePhysics("restore");
     world.restore(s.world);
     tick = s.tick;
-    s.restoreNumbers(random, memory);
+    random.state(s.random);
+    System.arraycopy(s.memory, 0, memory, 0, memory.length);
+    s.fields.restore(match, 0);
     players.restore(s);
     entities.restore(s);
     joints.restore(s.joints);
@@ -883,7 +930,10 @@ public final class Simulation {
   private final class Listener implements CollisionListener<Entity> {
     @Override
     public boolean preSolve(Collision<Entity> c) {
-      return game.collision(Simulation.this, c);
+      fields.beginCollision();
+      boolean responds = game.collision(Simulation.this, c);
+      fields.end();
+      return responds;
     }
 
     @Override

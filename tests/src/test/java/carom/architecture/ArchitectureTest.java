@@ -186,22 +186,35 @@ final class ArchitectureTest {
     allow("carom.sim.area", "carom.physics..", "carom.sim.level");
     allow("carom.sim.joint", "carom.physics..", "carom.sim.level");
     allow("carom.sim.ruling", "carom.physics", "carom.physics.rows");
+    allow("carom.sim.random");
+    allow("carom.sim.field", "carom.physics.math", "carom.physics.archive", "carom.sim.event");
     allow(
         "carom.sim",
         "carom.physics..",
         "carom.sim.level",
         "carom.sim.event",
+        "carom.sim.field",
         "carom.sim.history",
+        "carom.sim.random",
         "carom.sim.area",
         "carom.sim.joint",
         "carom.sim.ruling");
-    allow("carom.sim.near", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.joint");
+    allow(
+        "carom.sim.near",
+        "carom.physics..",
+        "carom.sim",
+        "carom.sim.level",
+        "carom.sim.event",
+        "carom.sim.field",
+        "carom.sim.joint");
+    allow("carom.net.field", "carom.net.snapshot.table", "carom.sim.event", "carom.sim.field");
     allow("carom.sim.scene", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.event");
     allow(
         "carom.sim.scene.catalog",
         "carom.physics..",
         "carom.sim",
         "carom.sim.level",
+        "carom.sim.random",
         "carom.sim.scene");
     allow("carom.game", "carom.physics..", "carom.sim..");
     game("arena");
@@ -247,6 +260,7 @@ final class ArchitectureTest {
     allow(
         "carom.replay",
         "carom.sim",
+        "carom.sim.field",
         "carom.sim.level",
         "carom.physics",
         "carom.physics.archive",
@@ -285,7 +299,13 @@ final class ArchitectureTest {
   /** Allows what a game that ships may use; the name is the one below {@code carom.game}. */
   private static void game(String name) {
     allow(
-        "carom.game." + name, "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.event");
+        "carom.game." + name,
+        "carom.physics..",
+        "carom.sim",
+        "carom.sim.level",
+        "carom.sim.event",
+        "carom.sim.field",
+        "carom.sim.random");
   }
 
   private static void allow(String from, String... to) {

@@ -52,7 +52,7 @@ final class ScriptedServer {
     long last;
     int missing;
     final OwnState own = new OwnState(4);
-    final PredictedSet near = capture.predictedSet(e -> true);
+    PredictedSet near;
     int disagreedTick = -1;
 
     Guest(Link link) {
@@ -73,6 +73,7 @@ final class ScriptedServer {
       } else if (message instanceof ClientMessage.Ready) {
         ready = true;
         player = simulation.join(hello.name());
+        near = capture.predictedSet(player, e -> true);
         encoder = new SnapshotEncoder(ring, KEY, 60);
       } else if (message instanceof ClientMessage.Leave) {
         closed = true;

@@ -1,5 +1,6 @@
 package carom.client.prediction;
 
+import carom.client.field.OwnWords;
 import carom.client.interpolation.Pose;
 import carom.client.prediction.received.OwnAssembly;
 import carom.client.prediction.received.SnapshotRecords;
@@ -9,10 +10,12 @@ import carom.net.snapshot.exact.OwnState;
 import carom.physics.Body;
 import carom.physics.rows.BodyRow;
 import carom.physics.rows.ContactRow;
+import carom.physics.rows.FieldRow;
 import carom.physics.rows.JointRow;
 import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
 import carom.sim.Entity;
+import carom.sim.Player;
 import carom.sim.Simulation;
 import carom.sim.joint.JointTable;
 import carom.sim.near.JointTies;
@@ -34,15 +37,17 @@ final class Corrector {
 
   private final Simulation simulation;
   private final SnapshotRecords records;
+  private final OwnWords words;
 
   /** The predicted set before the correction. */
-  private final Neighbourhood current = new Neighbourhood();
+  private final Neighbourhood current;
 
   /** The predicted set after it. */
-  private final Neighbourhood next = new Neighbourhood();
+  private final Neighbourhood next;
 
   private final int[] bodyRow = new int[BodyRow.INTS];
   private final int[] contactRow = new int[ContactRow.INTS];
+  private final int[] fieldRow = new int[FieldRow.INTS];
   private final int[] jointRow = new int[JointRow.INTS];
 
   /** By place in the update: the place in {@link #next}, or -1. */
@@ -55,9 +60,12 @@ final class Corrector {
   private final JointTies ties = new JointTies();
   private final OwnAssembly assembly;
 
-  Corrector(Simulation simulation, SnapshotRecords records) {
+  Corrector(Simulation simulation, Player player, SnapshotRecords records, OwnWords words) {
     this.simulation = simulation;
     this.records = records;
+    this.words = words;
+    current = new Neighbourhood(player.id());
+    next = new Neighbourhood(player.id());
     assembly = new OwnAssembly(records);
   }
 
@@ -111,6 +119,8 @@ final class Corrector {
     keepJoints();
     addContacts(update);
     keepContacts();
+    addFields(update);
+    keepFields();
     next.write(simulation, records);
     return true;
   }
@@ -208,6 +218,33 @@ final class Corrector {
     }
   }
 
+  private void addFields(NearUpdate update) {
+    for (int row = 0; row < update.rows().count(); row++) {
+      if (update.kind(row) == RowKind.FIELDS) {
+        int place = update.rows().get(row, FieldRow.PLACE);
+        if (place < update.count() && update.hasState(place)) {
+          addFields(update.rows(), row, translate(update, place));
+        }
+      }
+    }
+  }
+
+  /** Keeps the present fields of entities that stay as they are. */
+  private void keepFields() {
+    Rows fields = current.rows().of(RowKind.FIELDS);
+    for (int row = 0; row < fields.count(); row++) {
+      addFields(fields, row, newPlace[fields.get(row, FieldRow.PLACE)]);
+    }
+  }
+
+  private void addFields(Rows from, int row, int place) {
+    if (place != DROPPED) {
+      System.arraycopy(from.ints(), from.at(row), fieldRow, 0, FieldRow.INTS);
+      fieldRow[FieldRow.PLACE] = place;
+      next.rows().add(RowKind.FIELDS, fieldRow, 0);
+    }
+  }
+
   /** Translates a place in {@link #current} into one in {@link #next}. */
   private int newPlace(int end) {
     return end < 0 ? end : newPlace[end];
@@ -265,11 +302,13 @@ final class Corrector {
     } else {
       keepJoints();
       keepContacts();
+      keepFields();
     }
     next.write(simulation, records);
     if (ownPlace < 0) {
       assembly.place(simulation, ownKey, stateTick);
     }
+    words.write(own);
   }
 
   /**
@@ -326,9 +365,6 @@ final class Corrector {
       bodyRow[BodyRow.MOTION + i] = own.bits(i);
     }
     clearLoads();
-    for (int i = 0; i < BodyRow.MEMORY_INTS; i++) {
-      bodyRow[BodyRow.MEMORY + i] = own.word(i);
-    }
   }
 
   /** Makes {@link #bodyRow} awake, with nothing acting on it. */

@@ -1,5 +1,7 @@
 package carom.client.prediction;
 
+import carom.client.field.MatchWords;
+import carom.client.field.OwnWords;
 import carom.client.interpolation.Pose;
 import carom.client.interpolation.VisualError;
 import carom.client.prediction.received.SnapshotRecords;
@@ -56,6 +58,8 @@ public final class Prediction {
   private final Simulation simulation;
   private final Player player;
   private final SnapshotRecords records;
+  private final OwnWords words;
+  private final MatchWords match;
   private final PlayerInputs inputs;
   private final PredictedPoses poses;
   private final Timeline timeline;
@@ -105,10 +109,12 @@ public final class Prediction {
     this.runsSyncTest = runsSyncTest;
     records = new SnapshotRecords(simulation);
     player = simulation.joinAs(playerId, name);
+    words = new OwnWords(simulation.schema(), player);
+    match = new MatchWords(simulation);
     inputs = new PlayerInputs(simulation, player, records, Timeline.RING);
     poses = new PredictedPoses(simulation, records);
-    timeline = new Timeline(simulation, player, inputs, poses);
-    corrector = new Corrector(simulation, records);
+    timeline = new Timeline(simulation, player, words, match, inputs, poses);
+    corrector = new Corrector(simulation, player, records, words);
     budget = new ReplayBudget(maxRollbackTicks, maxReplayNs, stopwatch);
     simulation.rulings(rulings);
     updates = new PendingUpdates(records, timeline, budget, corrector);
@@ -120,6 +126,7 @@ public final class Prediction {
             timeline,
             corrector,
             updates,
+            words,
             rulings,
             budget,
             agreement,
@@ -200,11 +207,12 @@ public final class Prediction {
     confirmedTick = stateTick;
     server.set(newest);
     records.readFrom(decoder);
+    int changedTick = match.receive(decoder.tables());
     if (!followOwnBody()) {
       return;
     }
     if (active) {
-      reconciler.reconcile(server, stateTick, before);
+      reconciler.reconcile(server, stateTick, before, changedTick);
     } else {
       reconciler.start(server, stateTick);
       active = true;
@@ -216,7 +224,8 @@ public final class Prediction {
     if (server.slot() < 0) {
       deactivate();
       updates.clear();
-      takeMemory();
+      words.write(server);
+      match.apply(confirmedTick);
       return false;
     }
     PredictedBody own = poses.own();
@@ -251,12 +260,6 @@ public final class Prediction {
     timeline.forget();
   }
 
-  private void takeMemory() {
-    for (int i = 0; i < server.words(); i++) {
-      player.memory()[i] = server.word(i);
-    }
-  }
-
   // ---- the picture
 
   /** Lets time pass for what fades in the picture. */
@@ -275,6 +278,11 @@ public final class Prediction {
    */
   public float readPose(int id, int generation, float fraction, Pose out) {
     return active ? poses.readPose(id, generation, fraction, out) : 0;
+  }
+
+  /** Returns the own player, as predicted. Do not change it. */
+  public Player player() {
+    return player;
   }
 
   /** Returns one of the own player's memory ints, as predicted. */

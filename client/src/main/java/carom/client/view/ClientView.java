@@ -1,5 +1,7 @@
 package carom.client.view;
 
+import carom.client.field.FieldView;
+import carom.client.field.RemoteFields;
 import carom.client.interpolation.Pose;
 import carom.client.link.ConnectionPhase;
 import carom.client.stats.NetStats;
@@ -123,6 +125,7 @@ public final class ClientView {
   double renderTick;
   Simulation predictedWorld;
   final int[] memory = new int[4];
+  RemoteFields fields;
   final Input input = new Input();
 
   ClientView(NetStats stats) {
@@ -300,6 +303,43 @@ public final class ClientView {
   /** Returns one of the game's four ints of the own player, as predicted: cooldowns etc. */
   public int memory(int index) {
     return memory[index];
+  }
+
+  /**
+   * Returns the fields of a player: of the own one as predicted, of others as the server told last.
+   * What the own player may not know is as declared. Read values by the typed methods {@code get}.
+   *
+   * @param id 0..1,023
+   * @throws IllegalStateException if no game was joined yet, or the picture is of a recording
+   */
+  public FieldView player(int id) {
+    return fields().player(id);
+  }
+
+  /**
+   * Returns the fields of an entity: of the own body as predicted, of others as the server told
+   * last, which may be a moment newer than the pose that is drawn.
+   *
+   * @throws IllegalStateException as for {@link #player}
+   */
+  public FieldView fields(Drawn entity) {
+    return fields().entity(entity.id, entity.generation);
+  }
+
+  /**
+   * Returns the fields of the match.
+   *
+   * @throws IllegalStateException as for {@link #player}
+   */
+  public FieldView match() {
+    return fields().match();
+  }
+
+  private RemoteFields fields() {
+    if (fields == null) {
+      throw new IllegalStateException("there are no fields: no game was joined");
+    }
+    return fields;
   }
 
   /** Returns the input that was sampled last. Do not change it. */

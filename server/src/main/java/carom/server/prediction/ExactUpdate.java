@@ -42,7 +42,7 @@ final class ExactUpdate {
 
   private final Simulation simulation;
   private final InterferenceLog interference;
-  private final UpdateRows rows = new UpdateRows();
+  private final UpdateRows rows;
   private final UpdateDelivery delivery = new UpdateDelivery();
 
   /** The list that this update, or the last one, belongs to. */
@@ -63,7 +63,8 @@ final class ExactUpdate {
   private int lossTick = -LOSSY_TICKS;
   private int sentTick = -1;
 
-  ExactUpdate(Simulation simulation) {
+  ExactUpdate(Simulation simulation, int viewer) {
+    rows = new UpdateRows(viewer);
     this.simulation = simulation;
     interference = simulation.interference();
   }

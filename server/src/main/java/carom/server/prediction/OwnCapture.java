@@ -7,6 +7,8 @@ import carom.sim.Entity;
 import carom.sim.Player;
 import carom.sim.Simulation;
 import carom.sim.area.AreaForces;
+import carom.sim.field.FieldValues;
+import carom.sim.field.Scope;
 import java.util.function.Predicate;
 
 /**
@@ -27,15 +29,16 @@ public final class OwnCapture {
   /**
    * Creates the predicted set of one player's client.
    *
+   * @param viewer the player
    * @param mayKnow returns whether the game lets that player know of an entity, at present
    */
-  public PredictedSet predictedSet(Predicate<Entity> mayKnow) {
-    return new PredictedSet(simulation, marks, mayKnow);
+  public PredictedSet predictedSet(Player viewer, Predicate<Entity> mayKnow) {
+    return new PredictedSet(simulation, viewer, marks, mayKnow);
   }
 
   /** Returns the number of words in each own section. */
   public int words() {
-    return Player.MEMORY_SIZE;
+    return Player.MEMORY_SIZE + simulation.schema().toldWords(Scope.PLAYER);
   }
 
   /** Reads a player's own section after the simulation's last step. */
@@ -43,6 +46,10 @@ public final class OwnCapture {
     int[] memory = player.memory();
     for (int i = 0; i < Player.MEMORY_SIZE; i++) {
       out.setWord(i, memory[i]);
+    }
+    FieldValues fields = player.fieldValues();
+    for (int i = Player.MEMORY_SIZE; i < out.words(); i++) {
+      out.setWord(i, fields.word(i - Player.MEMORY_SIZE));
     }
     Entity entity = player.body();
     if (entity == null) {

@@ -42,7 +42,7 @@ public final class PredictedSet {
   private final RulingDelivery rulings = new RulingDelivery();
   private final UpdateLimits limits = new UpdateLimits();
   private final RelayedInputs relayedInputs;
-  private final Neighbourhood state = new Neighbourhood();
+  private final Neighbourhood state;
   private int capturedTick = -1;
 
   /** Number of the first ruling that was not there at the last capture. */
@@ -57,11 +57,12 @@ public final class PredictedSet {
   private long updates;
   private long disagreements;
 
-  PredictedSet(Simulation simulation, EntityMarks marks, Predicate<Entity> mayKnow) {
+  PredictedSet(Simulation simulation, Player viewer, EntityMarks marks, Predicate<Entity> mayKnow) {
+    state = new Neighbourhood(viewer.id());
     this.simulation = simulation;
     interference = simulation.interference();
     chooser = new PredictedSetChooser(simulation, marks, mayKnow);
-    update = new ExactUpdate(simulation);
+    update = new ExactUpdate(simulation, viewer.id());
     relayedInputs = new RelayedInputs(mayKnow);
   }
 

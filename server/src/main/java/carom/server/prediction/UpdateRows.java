@@ -19,7 +19,7 @@ import java.util.Arrays;
  * <p>The room's thread; allocates only to grow.
  */
 final class UpdateRows {
-  private final Neighbourhood base = new Neighbourhood();
+  private final Neighbourhood base;
 
   /** By place in the list: whether the entity is told. */
   private boolean[] isTold = new boolean[16];
@@ -34,6 +34,15 @@ final class UpdateRows {
   private int[] others = new int[16];
 
   private final RowCounts counts = new RowCounts();
+
+  /**
+   * Creates an empty update.
+   *
+   * @param viewer id of the player whose client predicts
+   */
+  UpdateRows(int viewer) {
+    base = new Neighbourhood(viewer);
+  }
 
   /** Reads the base, of which nothing is told yet. */
   void begin(EntityList entities, Simulation simulation) {

@@ -17,7 +17,6 @@ import carom.sim.Simulation;
 import carom.sim.event.Audience;
 import carom.sim.joint.JointTable;
 import java.util.Arrays;
-import java.util.List;
 import java.util.function.Consumer;
 
 /**
@@ -42,6 +41,7 @@ public final class FrameCapture {
   private final FrameRing ring;
   private final Deltas deltas;
   private final InterestIndex index;
+  private final FieldCapture fields;
   private final JointCapture joints;
   private final Tables tables;
   private final EventRecord record = new EventRecord();
@@ -73,8 +73,9 @@ public final class FrameCapture {
     ring.level(
         FrameState.of(Limits.MAX_ENTITIES, frame -> simulation.level().forEachBody(frame::put)));
     deltas = new Deltas(ring, simulation.tickRate());
+    fields = new FieldCapture(simulation);
     joints = new JointCapture(simulation);
-    tables = new Tables(List.of(joints.table()));
+    tables = fields.with(joints.table());
   }
 
   /** Returns the deltas that the room's sessions share. */
@@ -100,6 +101,7 @@ public final class FrameCapture {
       }
     }
     ring.end();
+    fields.capture();
     joints.capture();
     simulation.drainEvents(takeEvent);
     return frame;
@@ -226,6 +228,11 @@ public final class FrameCapture {
   /** Returns the team if the audience of an entity is {@link Audience#TEAM}. */
   static int team(FrameState frame, int slot) {
     return teamOf(frame.audience(slot));
+  }
+
+  /** Returns the fields of the newest frame. */
+  FieldCapture fields() {
+    return fields;
   }
 
   /** Returns the index of where the entities of the newest frame are. */

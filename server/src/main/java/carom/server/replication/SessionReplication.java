@@ -154,7 +154,7 @@ public final class SessionReplication {
     sender.tick();
     capture.capture(player, own);
     if (wanted != InputDatagram.NEAR_NONE && predictedSet == null) {
-      predictedSet = capture.predictedSet(sender::mayKnow);
+      predictedSet = capture.predictedSet(player, sender::mayKnow);
       audit = audit == null ? new PredictionAudit(own.words()) : audit;
     }
     if (audit != null) {

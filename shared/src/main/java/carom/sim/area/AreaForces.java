@@ -82,8 +82,8 @@ public final class AreaForces<T> {
     this.world = world;
     this.decides = decides;
     ofLevel = areas.size();
-    places = new Place[Math.max(4, 2 * ofLevel)];
-    sleepers = new Body[16];
+    places = (Place<T>[]) new Place<?>[Math.max(4, 2 * ofLevel)];
+    sleepers = (Body<T>[]) new Body<?>[16];
     for (Area area : areas) {
       Place<T> place = new Place<T>().set(area, area.effect(world), -1, null);
       place.locate(place.reach);

@@ -2,6 +2,8 @@ package carom.sim.near;
 
 import carom.physics.rows.BodyRow;
 import carom.physics.rows.ExactRows;
+import carom.physics.rows.FieldRow;
+import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
 import carom.sim.Entity;
 import carom.sim.Player;
@@ -15,14 +17,18 @@ import java.util.Arrays;
  * client's simulation of the same entities continues bit for bit as the server's does.
  *
  * <p>The numbers are {@link ExactRows}: a row per entity, with its {@link #key} and the memory of
- * the player whose body it is, and a row per joint and per contact among them and with the level's
- * statics. Entities are in the order of their bodies in the world they were read from. The order is
- * part of the state, because the solver follows it.
+ * the player whose body it is; a row per joint and per contact among them and with the level's
+ * statics; and rows of the fields of the entities and of the players whose bodies they are.
+ * Entities are in the order of their bodies in the world they were read from. The order is part of
+ * the state, because the solver follows it.
  *
  * <p>Mutable, reused; allocates only to grow. One thread.
  */
 public final class Neighbourhood {
+  private static final int EVERYBODY = -1;
+
   private final ExactRows rows = new ExactRows();
+  private final FieldRows fields;
 
   /** Entities to read, or scratch of {@link #despawnAll}. */
   private Entity[] listed = new Entity[8];
@@ -31,8 +37,20 @@ public final class Neighbourhood {
   private int leaks;
   private final NearJoints joints = new NearJoints();
 
-  /** Creates an empty neighbourhood. */
-  public Neighbourhood() {}
+  /** Creates an empty neighbourhood with all fields that any player is told. */
+  public Neighbourhood() {
+    this(EVERYBODY);
+  }
+
+  /**
+   * Creates an empty neighbourhood with the fields that a player's client can predict: those of
+   * that player and its entities, and of others those that are told to {@code NEAR} or {@code ALL}.
+   *
+   * @param viewer the player's id
+   */
+  public Neighbourhood(int viewer) {
+    fields = new FieldRows(viewer);
+  }
 
   /** Returns a key that tells entities apart, including earlier ones with the same id. */
   public static int key(int id, int generation) {
@@ -90,6 +108,7 @@ public final class Neighbourhood {
         System.arraycopy(
             owner.memory(), 0, bodies.ints(), bodies.at(i) + BodyRow.MEMORY, Player.MEMORY_SIZE);
       }
+      fields.read(s.schema(), i, e, owner, rows.of(RowKind.FIELDS));
     }
   }
 
@@ -158,12 +177,24 @@ public final class Neighbourhood {
       if (player != null && player.body() == e) {
         System.arraycopy(
             bodies.ints(), bodies.at(i) + BodyRow.MEMORY, player.memory(), 0, Player.MEMORY_SIZE);
+        fields.reset(s.schema(), player);
       }
     }
     joints.make(s, rows, who.joints());
     joints.toggle(s, rows);
     s.world().writeRows(rows);
     joints.toggle(s, rows);
+    writeFields(s);
+  }
+
+  private void writeFields(Simulation s) {
+    Rows from = rows.of(RowKind.FIELDS);
+    for (int row = 0; row < from.count(); row++) {
+      Entity e = s.entity(id(key(from.get(row, FieldRow.PLACE))));
+      Player owner = s.owner(e);
+      boolean isBody = owner != null && owner.body() == e;
+      fields.write(s.schema(), from.ints(), from.at(row), e, isBody ? owner : null);
+    }
   }
 
   /**

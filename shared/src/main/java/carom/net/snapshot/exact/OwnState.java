@@ -224,6 +224,13 @@ public final class OwnState {
         && Arrays.equals(values, other.values);
   }
 
+  /** Returns whether the body is the same, bit for bit. */
+  public boolean sameBody(OwnState other) {
+    return slot == other.slot
+        && generation == other.generation
+        && Arrays.equals(values, 0, FLOATS, other.values, 0, FLOATS);
+  }
+
   private int checked(int index) {
     if (index < 0 || index >= words()) {
       throw new IndexOutOfBoundsException(

@@ -166,9 +166,10 @@ final class RowKnowledge {
   }
 
   /** Fills in what the row's message holds: the words that the client may know and lacks. */
-  void describe(int key, TableCodec codec) {
+  void describe(int key, int tick, TableCodec codec) {
     TableRows rows = table.rows();
     codec.key = key;
+    codec.age = tick - table.rowTick(key);
     codec.present = rows.isPresent(key);
     codec.identity = rows.identity(key);
     codec.whole = ackedTick[key] < Math.max(0, table.identityTick(key));

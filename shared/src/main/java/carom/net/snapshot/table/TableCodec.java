@@ -18,6 +18,8 @@ final class TableCodec {
   private static final int KEY_BITS = 16;
   private static final int CLOSE_BITS = 4;
   private static final int GROUP = 8;
+  private static final int AGE_BITS = 6;
+  private static final int MAX_AGE = (1 << AGE_BITS) - 1;
 
   private final TableLayout[] layouts;
   private int nextKey;
@@ -39,6 +41,9 @@ final class TableCodec {
 
   /** The words that follow: bit i for word i. */
   long mask;
+
+  /** Ticks since the row changed, of an urgent table; 0 of others. */
+  int age;
 
   TableCodec(TableLayout[] layouts) {
     this.layouts = layouts;
@@ -78,6 +83,7 @@ final class TableCodec {
     present = !whole || !layout.startsEmpty() || c.flag(present);
     identity = whole && present ? c.plain(identity, layout.identityBits()) : 0;
     mask = present ? mask(c, layout.width(), mask) : 0;
+    age = layout.isUrgent() ? c.plain(Math.min(age, MAX_AGE), AGE_BITS) : 0;
     return true;
   }
 
@@ -103,7 +109,7 @@ final class TableCodec {
   /** Returns the most bits that the row takes in a table, with its words. */
   int mostBits(int rowTable) {
     TableLayout layout = layouts[rowTable];
-    int bits = 1 + 1 + TABLE_BITS + 1 + KEY_BITS + 2 + layout.identityBits();
+    int bits = 1 + 1 + TABLE_BITS + 1 + KEY_BITS + 2 + layout.identityBits() + AGE_BITS;
     bits += (layout.width() + GROUP - 1) / GROUP + layout.width();
     for (long rest = mask; rest != 0; rest &= rest - 1) {
       bits += layout.bits(key, Long.numberOfTrailingZeros(rest));

@@ -19,6 +19,12 @@ public final class TableInbox {
   /** By table and key: the tick that the row is of. */
   private final int[][] ticks;
 
+  /** By table and key: the tick of the row's last change, as far as the server told. */
+  private final int[][] changedTicks;
+
+  /** By table: how many rows were taken. */
+  private final int[] changes;
+
   // A datagram is read into these first and counts only when all of it was good.
   private final TableCodec codec;
   private int readRows;
@@ -28,6 +34,7 @@ public final class TableInbox {
   private boolean[] readWhole = new boolean[FIRST_ROWS];
   private boolean[] readPresent = new boolean[FIRST_ROWS];
   private long[] readMask = new long[FIRST_ROWS];
+  private int[] readAge = new int[FIRST_ROWS];
   private int readWords;
   private int[] words = new int[FIRST_WORDS];
 
@@ -41,6 +48,8 @@ public final class TableInbox {
     codec = new TableCodec(this.layouts);
     rows = new TableRows[layouts.length];
     ticks = new int[layouts.length][0];
+    changedTicks = new int[layouts.length][0];
+    changes = new int[layouts.length];
     for (int i = 0; i < rows.length; i++) {
       rows[i] = new TableRows(layouts[i]);
     }
@@ -70,6 +79,7 @@ public final class TableInbox {
       readWhole[readRows] = codec.whole;
       readPresent[readRows] = codec.present;
       readMask[readRows] = codec.mask;
+      readAge[readRows] = codec.age;
       readRows++;
       if (words.length < readWords + TableLayout.ROW_WORDS) {
         words = Arrays.copyOf(words, 2 * words.length);
@@ -88,6 +98,7 @@ public final class TableInbox {
     readWhole = Arrays.copyOf(readWhole, length);
     readPresent = Arrays.copyOf(readPresent, length);
     readMask = Arrays.copyOf(readMask, length);
+    readAge = Arrays.copyOf(readAge, length);
   }
 
   /**
@@ -111,6 +122,8 @@ public final class TableInbox {
       return;
     }
     known[key] = tick;
+    changedTicks[readTable[i]][key] = tick - readAge[i];
+    changes[readTable[i]]++;
     if (readWhole[i]) {
       of.setPresent(key, readPresent[i]);
       of.setIdentity(key, readIdentity[i]);
@@ -128,6 +141,7 @@ public final class TableInbox {
     if (old < rows[table].room()) {
       ticks[table] = Arrays.copyOf(ticks[table], rows[table].room());
       Arrays.fill(ticks[table], old, ticks[table].length, UNKNOWN);
+      changedTicks[table] = Arrays.copyOf(changedTicks[table], ticks[table].length);
     }
   }
 
@@ -169,6 +183,16 @@ public final class TableInbox {
   /** Returns the newest tick of which the server told a row; -1 if it never did. */
   public int tick(int table, int key) {
     return key < ticks[table].length ? ticks[table][key] : UNKNOWN;
+  }
+
+  /** Returns the last tick at which a row changed, if its table is urgent; else {@link #tick}. */
+  public int changedTick(int table, int key) {
+    return tick(table, key) == UNKNOWN ? UNKNOWN : changedTicks[table][key];
+  }
+
+  /** Returns how many rows of a table were taken: it grows when anything may have changed. */
+  public int changes(int table) {
+    return changes[table];
   }
 
   /** Returns a word of a key's row. */

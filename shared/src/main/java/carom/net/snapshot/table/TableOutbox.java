@@ -2,6 +2,8 @@ package carom.net.snapshot.table;
 
 import carom.net.codec.BitWriter;
 import java.util.Arrays;
+import java.util.Comparator;
+import java.util.stream.IntStream;
 
 /**
  * Tells one client of the rows of a room's tables that it may know and lacks, over datagrams that
@@ -30,6 +32,10 @@ public final class TableOutbox {
 
   private final Tables tables;
   private final RowKnowledge[] known;
+
+  /** The places of the tables, urgent ones first. */
+  private final int[] order;
+
   private final TableCodec codec;
 
   // By datagram: the rows that it had, as places in the log.
@@ -59,6 +65,12 @@ public final class TableOutbox {
     for (int i = 0; i < known.length; i++) {
       known[i] = new RowKnowledge(tables.get(i), i, audience);
     }
+    order =
+        IntStream.range(0, known.length)
+            .boxed()
+            .sorted(Comparator.comparing(i -> !tables.get(i).layout().isUrgent()))
+            .mapToInt(i -> i)
+            .toArray();
     start = new long[datagrams];
     count = new int[datagrams];
   }
@@ -145,10 +157,10 @@ public final class TableOutbox {
     int room = Math.min(Math.min(budgetBits, MAX_BITS), w.room() - TableCodec.END_BITS);
     int begin = w.bits();
     codec.begin();
-    for (int table = 0; table < known.length; table++) {
+    for (int table : order) {
       RowKnowledge of = known[table];
       for (int key; (key = of.nextDue()) >= 0; ) {
-        of.describe(key, codec);
+        of.describe(key, now, codec);
         int most = codec.mostBits(table);
         boolean first = count[at] == 0 && most + TableCodec.END_BITS <= w.room();
         if (!first && w.bits() - begin + most > room) {
