@@ -30,6 +30,7 @@ import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Archetypes;
 import carom.sim.level.Level;
+import carom.sim.level.LevelJoint;
 import carom.sim.random.SimRandom;
 import carom.sim.ruling.Findings;
 import java.util.ArrayList;
@@ -160,6 +161,9 @@ public final class Simulation extends FieldHolder<Entity, Player> {
       for (Level.Placement p : level.bodies()) {
         spawn(archetypes.get(p.archetype()), p.x(), p.y(), p.angle(), null);
       }
+    }
+    if (role == Role.AUTHORITY) {
+      connectLevel();
     }
     game.setUp(this);
     archetypes.close();
@@ -391,6 +395,38 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     if (joint.isValid()) {
       world.destroyJoint(joint);
     }
+  }
+
+  /** Makes the level's joints, which so get the first indices in file order. */
+  private void connectLevel() {
+    for (int i = 0; i < level.joints().size(); i++) {
+      LevelJoint joint = level.joints().get(i);
+      Body<Entity> a = levelBody(joint.a());
+      joints.create(0, JointTable.LEVEL, i, a, levelBody(joint.b()), joint.definition(), 0);
+    }
+  }
+
+  private Body<Entity> levelBody(int end) {
+    if (end == LevelJoint.GROUND) {
+      return null;
+    }
+    return (end < 0 ? statics.get(~end) : entities.get(end)).body();
+  }
+
+  /**
+   * Returns a joint of the level by its name; both roles.
+   *
+   * @return null if it broke or was destroyed, or if this client doesn't simulate it
+   * @throws IllegalArgumentException if the level has no joint of that name
+   */
+  public Joint<Entity> joint(String name) {
+    for (int i = 0; i < level.joints().size(); i++) {
+      if (level.joints().get(i).name().equals(name)) {
+        return joints.find(JointTable.LEVEL, i);
+      }
+    }
+    throw new IllegalArgumentException(
+        "level=" + level.name() + " has no joint with \"name\": \"" + name + "\"");
   }
 
   /**
