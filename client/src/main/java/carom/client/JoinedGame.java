@@ -15,10 +15,13 @@ import carom.net.protocol.Limits;
 import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.table.JointWords;
+import carom.net.snapshot.table.TableInbox;
 import carom.sim.Entity;
 import carom.sim.Input;
 import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.joint.JointTable;
 import carom.sim.level.Level;
 import java.util.List;
 import java.util.function.LongSupplier;
@@ -96,6 +99,7 @@ final class JoinedGame {
             welcome.tickRate(),
             OwnWords.count(simulation.schema()),
             fields.inbox());
+    placeJoints(level, fields.inbox());
     decoder.gravity(level.gravityX(), level.gravityY());
     decoder.level(FrameState.of(Limits.MAX_ENTITIES, frame -> level.forEachBody(frame::put)));
     inbox = new SnapshotInbox(decoder, stats);
@@ -130,6 +134,17 @@ final class JoinedGame {
         tickRate,
         prediction == null ? null : simulation);
     composer = new ViewComposer(view.view(), decoder, simulation, prediction, tickRate);
+  }
+
+  /** Places the joints of the level, which the server doesn't tell until they change. */
+  private static void placeJoints(Level level, TableInbox tables) {
+    int[] words = new int[JointWords.WORDS];
+    JointTable.forEachOfLevel(
+        level,
+        (index, endA, endB, definition) -> {
+          JointWords.put(words, endA, endB, JointTable.LEVEL, index, definition, 0);
+          tables.place(JointWords.TABLE, index, 0, words, 0);
+        });
   }
 
   // ---- datagrams

@@ -136,6 +136,7 @@ public final class MachineGame implements Game {
         case "weak bridge" -> bridge(s, spot.x(), spot.y(), spot.team(), 400);
         case "crane" -> crane(s, spot.x(), spot.y());
         case "crate" -> crate(s, spot.x(), spot.y());
+        case "tie" -> ties = true;
         default -> {}
       }
     }
@@ -230,19 +231,43 @@ public final class MachineGame implements Game {
 
   /** Makes a crate. */
   public Entity crate(Simulation s, float x, float y) {
-    return s.spawn(load, x, y, 0, null);
+    Entity crate = s.spawn(load, x, y, 0, null);
+    crates = Arrays.copyOf(crates, crates.length + 1);
+    crates[crates.length - 1] = crate.id();
+    return crate;
   }
 
   private int[] rails = {};
+  private int[] crates = {};
+  private Joint<Entity> rope;
+  private boolean ties;
 
   @Override
   public void beforeStep(Simulation s) {
+    if (ties) {
+      tieCrates(s);
+    }
     for (int rail : rails) {
       Joint<Entity> joint = s.world().joint(rail);
       if (joint != null && s.tick() % 240 == 0) {
         joint.setMotor(s.tick() % 480 == 0 ? 1 : -1, 400);
       }
     }
+  }
+
+  /** Ties the first two crates together for two seconds, then leaves them apart for two. */
+  private void tieCrates(Simulation s) {
+    if (crates.length < 2 || s.tick() % 120 != 0) {
+      return;
+    }
+    if (rope != null && rope.isValid()) {
+      s.disconnect(rope);
+      rope = null;
+      return;
+    }
+    Body<Entity> a = s.entity(crates[0]).body();
+    Body<Entity> b = s.entity(crates[1]).body();
+    rope = s.connect(JointDef.distance(a, b, a.x(), a.y(), b.x(), b.y()).spring(3, 0.5f));
   }
 
   @Override

@@ -187,7 +187,12 @@ final class ArchitectureTest {
     allow("carom.sim.joint", "carom.physics..", "carom.sim.level");
     allow("carom.sim.ruling", "carom.physics", "carom.physics.rows");
     allow("carom.sim.random");
-    allow("carom.sim.field", "carom.physics.math", "carom.physics.archive", "carom.sim.event");
+    allow(
+        "carom.sim.field",
+        "carom.physics.math",
+        "carom.physics.archive",
+        "carom.sim.event",
+        "carom.sim.ruling");
     allow(
         "carom.sim",
         "carom.physics..",

@@ -182,6 +182,25 @@ class ForceScenarioTest {
     }
   }
 
+  @Test
+  void theLagoonIsPredictedAsWellAsAnyLevel() throws Exception {
+    // Goal: the level that ships with areas. Method: two bots, for half a minute.
+    try (Stepper stepper = Stepper.of(Level.builtIn("lagoon"), ServerConfig.defaults())) {
+      SimulatedClient client = stepper.join("p", FAR, new Bot(1));
+      stepper.add("q", FAR, new Bot(2));
+      stepper.run(3);
+      final long awake = client.stats().awakeBodies();
+      final long exact = client.stats().exactBodies();
+      stepper.run(30);
+      long awakeBodies = client.stats().awakeBodies() - awake;
+      double right = 100.0 * (client.stats().exactBodies() - exact) / awakeBodies;
+      String about = "right=" + right + " % of " + awakeBodies + " " + stepper.describe();
+      assertTrue(right >= 98, about);
+      assertEquals(0, stepper.count(Counter.UNFORESEEN), about);
+      assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about);
+    }
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"arena", "platformer"})
   void theGamesThatShipDoNothingUnforeseenAllTheTime(String game) {

@@ -4,6 +4,7 @@ import carom.net.snapshot.table.JointWords;
 import carom.net.snapshot.table.Table;
 import carom.physics.Body;
 import carom.physics.Joint;
+import carom.physics.rows.JointDefRow;
 import carom.physics.rows.JointRow;
 import carom.sim.Entity;
 import carom.sim.Simulation;
@@ -18,11 +19,18 @@ final class JointCapture {
   private final Simulation simulation;
   private final Table table = new Table(JointWords.LAYOUT);
   private final int[] words = new int[JointWords.WORDS];
+  private final int[] definition = new int[JointDefRow.INTS];
   private long version;
   private int limit;
 
   JointCapture(Simulation simulation) {
     this.simulation = simulation;
+    JointTable.forEachOfLevel(
+        simulation.level(),
+        (index, endA, endB, made) -> {
+          JointWords.put(words, endA, endB, JointTable.LEVEL, index, made, 0);
+          table.place(index, 0, words, 0);
+        });
   }
 
   /** Returns the table. */
@@ -44,11 +52,10 @@ final class JointCapture {
         table.remove(i, simulation.tick());
         continue;
       }
-      words[JointWords.END_A] = end(joint.bodyA());
-      words[JointWords.END_B] = end(joint.bodyB());
-      words[JointWords.ROOT] = joints.root(i);
-      words[JointWords.NUMBER] = joints.number(i);
-      joints.definition(i, words, JointWords.DEFINITION);
+      joints.definition(i, definition, 0);
+      int endA = end(joint.bodyA());
+      int endB = end(joint.bodyB());
+      JointWords.put(words, endA, endB, joints.root(i), joints.number(i), definition, 0);
       int generation = JointTable.generation(joints.key(i));
       table.put(i, generation, words, 0, simulation.tick());
     }

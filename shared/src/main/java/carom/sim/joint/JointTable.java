@@ -6,6 +6,9 @@ import carom.physics.World;
 import carom.physics.archive.Archive;
 import carom.physics.math.StateHash;
 import carom.physics.rows.JointDefRow;
+import carom.physics.rows.JointRow;
+import carom.sim.level.Level;
+import carom.sim.level.LevelJoint;
 import java.util.Arrays;
 
 /**
@@ -86,6 +89,30 @@ public final class JointTable<T> {
   public JointTable(World<T> world, boolean isAuthority) {
     this.world = world;
     this.isAuthority = isAuthority;
+  }
+
+  /** Receives the joints of a level; see {@link #forEachOfLevel}. */
+  public interface LevelJointVisitor {
+    /**
+     * Visits a joint, by ascending indices from 0 on.
+     *
+     * @param index in the server's world; the generation is 0
+     * @param endA as in {@link JointRow}, with the key of an entity for a place
+     * @param endB as {@code endA}
+     * @param definition what it is made with; must not be changed
+     */
+    void joint(int index, int endA, int endB, int[] definition);
+  }
+
+  /**
+   * Visits the joints that a level places, as the server has them at tick 0. So clients know them
+   * without a byte on the wire.
+   */
+  public static void forEachOfLevel(Level level, LevelJointVisitor visitor) {
+    for (int i = 0; i < level.joints().size(); i++) {
+      LevelJoint joint = level.joints().get(i);
+      visitor.joint(i, joint.a(), joint.b(), joint.definition());
+    }
   }
 
   /** Returns the key of a joint. */

@@ -125,6 +125,7 @@ public final class Level {
   private final List<Spawn> spawns;
   private final List<Zone> zones;
   private final List<Area> areas;
+  private final List<LevelJoint> joints;
 
   Level(LevelReader r, byte[] source) {
     this.source = source;
@@ -140,6 +141,7 @@ public final class Level {
     spawns = List.copyOf(r.spawns);
     zones = List.copyOf(r.zones);
     areas = List.copyOf(r.areas);
+    joints = List.copyOf(r.joints);
   }
 
   /**
@@ -299,6 +301,14 @@ public final class Level {
   /** Returns the areas in file order, unmodifiable. Those that bodies carry aren't among them. */
   public List<Area> areas() {
     return areas;
+  }
+
+  /**
+   * Returns the joints in file order, unmodifiable. On the server, the joint with index n is the
+   * n-th of them for as long as it holds.
+   */
+  public List<LevelJoint> joints() {
+    return joints;
   }
 
   private static void requireSize(String fileName, int size) throws LevelException {

@@ -52,7 +52,8 @@ final class LevelReader {
           "zones",
           "areas",
           "statics",
-          "bodies");
+          "bodies",
+          "joints");
   static final List<String> BOUNDS = List.of("min", "max");
   static final List<String> THEME = List.of("background", "sky", "grid", "accent");
   static final List<String> MATERIAL =
@@ -140,8 +141,10 @@ final class LevelReader {
   final List<Level.Spawn> spawns = new ArrayList<>();
   final List<Level.Zone> zones = new ArrayList<>();
   final List<Area> areas = new ArrayList<>();
+  final List<LevelJoint> joints = new ArrayList<>();
 
   private final String file;
+  private final LevelJointReader jointReader = new LevelJointReader(this);
   private final Map<String, Material> materials = new LinkedHashMap<>();
 
   LevelReader(String file, byte[] bytes) throws LevelException {
@@ -177,6 +180,9 @@ final class LevelReader {
     }
     for (Json body : list(root, "bodies", MAX_BODY_ITEMS)) {
       readBody(body, BODY, bodies);
+    }
+    for (Json joint : list(root, "joints", LevelJointReader.MAX_JOINTS)) {
+      joints.add(jointReader.read(joint));
     }
   }
 
@@ -371,7 +377,9 @@ final class LevelReader {
     } else {
       readMoving(node, def, at);
     }
+    int first = out.size();
     place(node, at, angle, out);
+    jointReader.item(def.name, isStatic, first, out.size() - first);
     archetypes.add(def);
   }
 
@@ -584,7 +592,7 @@ final class LevelReader {
     return node.items;
   }
 
-  private float[] vector(Json node, float limit) throws LevelException {
+  float[] vector(Json node, float limit) throws LevelException {
     require(node, Json.Kind.ARRAY);
     if (node.items.size() != 2) {
       throw wrong(node, " has " + node.items.size() + " numbers, needs 2: [x, y]");
@@ -594,7 +602,7 @@ final class LevelReader {
     };
   }
 
-  private float number(Json parent, String field, float otherwise, float min, float max)
+  float number(Json parent, String field, float otherwise, float min, float max)
       throws LevelException {
     Json node = parent.fields.get(field);
     return node == null ? otherwise : number(node, min, max);
@@ -621,7 +629,7 @@ final class LevelReader {
     return Math.round(value);
   }
 
-  private boolean bool(Json parent, String field, boolean otherwise) throws LevelException {
+  boolean bool(Json parent, String field, boolean otherwise) throws LevelException {
     Json node = parent.fields.get(field);
     if (node == null) {
       return otherwise;
@@ -630,7 +638,7 @@ final class LevelReader {
     return node.truth;
   }
 
-  private String text(Json node) throws LevelException {
+  String text(Json node) throws LevelException {
     require(node, Json.Kind.STRING);
     if (node.text.isBlank() || node.text.length() > 64) {
       throw wrong(node, "=" + node.shown() + " must have 1..64 characters");
@@ -638,7 +646,7 @@ final class LevelReader {
     return node.text;
   }
 
-  private String word(Json parent, String field, List<String> words, String otherwise)
+  String word(Json parent, String field, List<String> words, String otherwise)
       throws LevelException {
     Json node = parent.fields.get(field);
     if (node == null) {
@@ -663,7 +671,7 @@ final class LevelReader {
     return Integer.parseInt(node.text.substring(1), 16);
   }
 
-  private void knownFields(Json node, List<String> known) throws LevelException {
+  void knownFields(Json node, List<String> known) throws LevelException {
     require(node, Json.Kind.OBJECT);
     for (Map.Entry<String, Json> entry : node.fields.entrySet()) {
       if (!known.contains(entry.getKey())) {
@@ -674,7 +682,7 @@ final class LevelReader {
     }
   }
 
-  private Json required(Json parent, String field) throws LevelException {
+  Json required(Json parent, String field) throws LevelException {
     require(parent, Json.Kind.OBJECT);
     Json node = parent.fields.get(field);
     if (node == null) {
@@ -684,7 +692,7 @@ final class LevelReader {
     return node;
   }
 
-  private void require(Json node, Json.Kind kind) throws LevelException {
+  void require(Json node, Json.Kind kind) throws LevelException {
     if (node.kind != kind) {
       throw wrong(
           node,
@@ -695,14 +703,14 @@ final class LevelReader {
     }
   }
 
-  private LevelException unknownWord(Json node, Iterable<String> words, String limit) {
+  LevelException unknownWord(Json node, Iterable<String> words, String limit) {
     List<String> known = new ArrayList<>();
     words.forEach(known::add);
     return wrong(
         node, "=" + node.shown() + " must be " + limit + Suggestion.didYouMean(node.text, known));
   }
 
-  private LevelException wrong(Json node, String problem) {
+  LevelException wrong(Json node, String problem) {
     return new LevelException(file, node.line, node.column, node.path, problem);
   }
 

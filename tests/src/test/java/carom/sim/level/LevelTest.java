@@ -284,7 +284,7 @@ class LevelTest {
   @Test
   void theSchemaAcceptsWhatShips() throws Exception {
     SchemaChecker schema = SchemaChecker.levels();
-    for (String name : List.of("arena", "commons", "platformer")) {
+    for (String name : List.of("arena", "commons", "lagoon", "platformer")) {
       Level level = Level.builtIn(name);
       assertEquals("", schema.check(Json.parse(name, level.source())));
     }
@@ -342,6 +342,20 @@ class LevelTest {
     assertEquals(LevelReader.COMPOUND, schema.fields("compound"));
     assertEquals(LevelReader.MOTION, schema.fields("motion"));
     assertEquals(LevelReader.REPEAT, schema.fields("repeat"));
+    assertEquals(LevelJointReader.REVOLUTE, schema.fields("revolute"));
+    assertEquals(LevelJointReader.DISTANCE, schema.fields("distance"));
+    assertEquals(LevelJointReader.ROPE, schema.fields("rope"));
+    assertEquals(LevelJointReader.PRISMATIC, schema.fields("prismatic"));
+    assertEquals(LevelJointReader.WHEEL, schema.fields("wheel"));
+    assertEquals(LevelJointReader.WELD, schema.fields("weld"));
+    assertEquals(LevelJointReader.MOTOR, schema.fields("motorJoint"));
+    assertEquals(LevelJointReader.MOUSE, schema.fields("mouse"));
+    assertEquals(LevelJointReader.GEAR, schema.fields("gear"));
+    assertEquals(LevelJointReader.RACK, schema.fields("rack"));
+    assertEquals(LevelJointReader.PULLEY, schema.fields("pulley"));
+    assertEquals(LevelJointReader.MOTOR_FIELDS, schema.fields("drive"));
+    assertEquals(LevelJointReader.SPRING, schema.fields("spring"));
+    assertEquals(LevelJointReader.BREAKS, schema.fields("breaks"));
     assertEquals(LevelReader.LOOKS, schema.words("look"));
   }
 

@@ -53,6 +53,22 @@ public final class JointWords {
 
   private JointWords() {}
 
+  /**
+   * Fills in a row.
+   *
+   * @param words receives {@link #WORDS} words
+   * @param definition holds a {@link JointDefRow}
+   * @param at where that begins
+   */
+  public static void put(
+      int[] words, int endA, int endB, int root, int number, int[] definition, int at) {
+    words[END_A] = endA;
+    words[END_B] = endB;
+    words[ROOT] = root;
+    words[NUMBER] = number;
+    System.arraycopy(definition, at, words, DEFINITION, JointDefRow.INTS);
+  }
+
   private static int[] all(int value) {
     int[] words = new int[WORDS];
     Arrays.fill(words, value);
