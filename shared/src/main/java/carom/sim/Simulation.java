@@ -17,6 +17,7 @@ import carom.sim.event.EventKinds;
 import carom.sim.event.NoticeQueue;
 import carom.sim.field.FieldHolder;
 import carom.sim.field.FieldStore;
+import carom.sim.field.FieldUse;
 import carom.sim.field.FieldValues;
 import carom.sim.field.Schema;
 import carom.sim.field.Scope;
@@ -82,6 +83,10 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   private final SimRandom random;
   private final int[] memory;
   private final FieldStore fields;
+
+  /** What notes how the game uses its fields; null on PREDICTION. */
+  private final FieldUse fieldUse;
+
   private final FieldValues match;
   private final List<Entity> statics = new ArrayList<>();
   private final PlayerTable players = new PlayerTable();
@@ -139,6 +144,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     entities = new EntityTable(world, players, areas, assemblies, tickRate, schema, this::tick);
     fields = entities.fields();
     match = fields.create(Scope.MATCH);
+    fieldUse = role == Role.AUTHORITY ? fields.noteUse(findings, this::nameOf) : null;
     joints = new JointTable<>(world, role == Role.AUTHORITY);
     world.jointListener(new Joints());
     forceCheck = new ForceCheck(world, findings);
@@ -754,6 +760,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     entities.followPaths(tick);
     if (role == Role.AUTHORITY) {
       interference.beginRules();
+      during("beforeStep");
       game.beforeStep(this);
       interference.endRulesBeforeStep(tick);
     } else if (rulings != null) {
@@ -766,8 +773,9 @@ public final class Simulation extends FieldHolder<Entity, Player> {
         game.input(this, player, player.input());
       }
     }
-    applyForces();
     fields.end();
+    applyForces();
+    during("hit");
     calls.inPhysics(true);
     try {
       world.step(tickSeconds);
@@ -776,11 +784,34 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     }
     if (role == Role.AUTHORITY) {
       interference.beginRules();
+      during("afterStep");
       game.afterStep(this);
+      during("a callback between two steps");
       interference.endRulesAfterStep(tick);
     } else if (rulings != null) {
       rulings.afterStep(this);
     }
+  }
+
+  private void during(String callback) {
+    if (fieldUse != null) {
+      fieldUse.during(callback);
+    }
+  }
+
+  /** Names what has values: a player, an entity or the match. */
+  private String nameOf(FieldValues values) {
+    for (int i = 0; i < players.limit(); i++) {
+      if (players.get(i) != null && players.get(i).fieldValues() == values) {
+        return "player " + i;
+      }
+    }
+    for (int i = 0; i < entities.capacity(); i++) {
+      if (entities.get(i) != null && entities.get(i).fieldValues() == values) {
+        return "entity " + i;
+      }
+    }
+    return values == match ? "the match" : "a player or entity that is gone";
   }
 
   /** Lets areas and the game's forces act on each awake body. */
@@ -788,11 +819,13 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     areas.begin();
     forceCheck.beginTick(role == Role.AUTHORITY ? tick : 1);
     calls.inForces(true);
+    fields.beginForces();
     world.queryScope(geometry);
     try {
       world.forEachAwake(forces);
     } finally {
       world.queryScope(null);
+      fields.end();
       calls.inForces(false);
     }
   }

@@ -187,7 +187,12 @@ final class ArchitectureTest {
     allow("carom.sim.joint", "carom.physics..", "carom.sim.level");
     allow("carom.sim.ruling", "carom.physics", "carom.physics.rows");
     allow("carom.sim.random");
-    allow("carom.sim.field", "carom.physics.math", "carom.physics.archive", "carom.sim.event");
+    allow(
+        "carom.sim.field",
+        "carom.physics.math",
+        "carom.physics.archive",
+        "carom.sim.event",
+        "carom.sim.ruling");
     allow(
         "carom.sim",
         "carom.physics..",
@@ -207,7 +212,12 @@ final class ArchitectureTest {
         "carom.sim.event",
         "carom.sim.field",
         "carom.sim.joint");
-    allow("carom.net.field", "carom.net.snapshot.table", "carom.sim.event", "carom.sim.field");
+    allow(
+        "carom.net.field",
+        "carom.net.protocol",
+        "carom.net.snapshot.table",
+        "carom.sim.event",
+        "carom.sim.field");
     allow("carom.sim.scene", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.event");
     allow(
         "carom.sim.scene.catalog",

@@ -69,12 +69,12 @@ public abstract class FieldHolder<E extends FieldHolder<E, P>, P extends FieldHo
 
   /** Returns a flag. */
   public final boolean get(Flag field) {
-    return fieldValues().word(word(field)) != 0;
+    return fieldValues().read(word(field)) != 0;
   }
 
   /** Returns one of several flags. */
   public final boolean get(Flag field, int index) {
-    return fieldValues().word(word(field, index)) != 0;
+    return fieldValues().read(word(field, index)) != 0;
   }
 
   /** Sets a flag. */
@@ -89,12 +89,12 @@ public abstract class FieldHolder<E extends FieldHolder<E, P>, P extends FieldHo
 
   /** Returns a constant. */
   public final <T extends Enum<T>> T get(Choice<T> field) {
-    return field.decode(fieldValues().word(word(field)));
+    return field.decode(fieldValues().read(word(field)));
   }
 
   /** Returns one of several constants. */
   public final <T extends Enum<T>> T get(Choice<T> field, int index) {
-    return field.decode(fieldValues().word(word(field, index)));
+    return field.decode(fieldValues().read(word(field, index)));
   }
 
   /** Sets a constant. */
@@ -109,12 +109,12 @@ public abstract class FieldHolder<E extends FieldHolder<E, P>, P extends FieldHo
 
   /** Returns a number of a {@link Ratio} or a {@link Real}. */
   public final float get(FloatField<?> field) {
-    return field.decode(fieldValues().word(word(field)));
+    return field.decode(fieldValues().read(word(field)));
   }
 
   /** Returns one of several numbers. */
   public final float get(FloatField<?> field, int index) {
-    return field.decode(fieldValues().word(word(field, index)));
+    return field.decode(fieldValues().read(word(field, index)));
   }
 
   /**
@@ -213,7 +213,7 @@ public abstract class FieldHolder<E extends FieldHolder<E, P>, P extends FieldHo
 
   private int getInt(IntField<?> field, int word) {
     FieldValues values = fieldValues();
-    return field.decode(values.word(word), values.store().tick());
+    return field.decode(values.read(word), values.store().tick());
   }
 
   private void setInt(IntField<?> field, int word, int value) {
@@ -227,7 +227,7 @@ public abstract class FieldHolder<E extends FieldHolder<E, P>, P extends FieldHo
 
   private void addFloat(FloatField<?> field, int word, float change) {
     FieldValues values = fieldValues();
-    values.write(word, field.add(values.word(word), change));
+    values.write(word, field.add(values.read(word), change));
   }
 
   private static int reference(Field<?> field, FieldHolder<?, ?> target) {
@@ -242,14 +242,14 @@ public abstract class FieldHolder<E extends FieldHolder<E, P>, P extends FieldHo
   @SuppressWarnings("unchecked") // the simulation that made the store has entities of this class
   private E entity(int word) {
     FieldValues values = fieldValues();
-    int key = values.word(word) - 1;
+    int key = values.read(word) - 1;
     return key < 0 ? null : (E) values.store().references().entity(key & 0xffff, key >>> 16);
   }
 
   @SuppressWarnings("unchecked") // the simulation that made the store has players of this class
   private P player(int word) {
     FieldValues values = fieldValues();
-    int key = values.word(word) - 1;
+    int key = values.read(word) - 1;
     return key < 0 ? null : (P) values.store().references().player(key);
   }
 }

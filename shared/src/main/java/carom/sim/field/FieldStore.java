@@ -1,12 +1,13 @@
 package carom.sim.field;
 
+import carom.sim.ruling.Findings;
 import java.util.function.IntSupplier;
 
 /**
  * The fields of one simulation: their schema, how references are found, and which writes count at
  * the moment. The values themselves are with the players, the entities and the match.
  *
- * <p>A server takes every write but those of {@code Game.collision}, which must change nothing. A
+ * <p>A server takes every write but those of {@code Game.collision} and {@code Game.forces}. A
  * client takes the writes that it can foresee: those of {@code Game.input} to that player and its
  * body, of fields that players are told. It drops all others, and the server's word follows. One
  * thread; a write allocates nothing.
@@ -39,6 +40,8 @@ public final class FieldStore {
   private FieldValues own;
   private FieldValues ownBody;
   private boolean isInput;
+  private String refuser;
+  private FieldUse use;
 
   /**
    * Creates the store of a simulation.
@@ -85,8 +88,24 @@ public final class FieldStore {
     writes = Writes.NONE;
   }
 
+  /**
+   * Notes from now on how the game uses its fields. A server calls it.
+   *
+   * @param findings receives what no client can foresee
+   * @return what notes it
+   */
+  public FieldUse noteUse(Findings findings, FieldUse.Owners owners) {
+    use = new FieldUse(schema, findings, owners);
+    return use;
+  }
+
+  FieldUse use() {
+    return use;
+  }
+
   /** Begins {@code Game.input} of a player. A client takes writes to these two. */
   public void beginInput(FieldValues player, FieldValues body) {
+    beginReading("input");
     writes = rest == Writes.NONE ? Writes.OWN : rest;
     own = player;
     ownBody = body;
@@ -96,12 +115,29 @@ public final class FieldStore {
   /** Begins {@code Game.collision}, which must change nothing: refuses writes. */
   public void beginCollision() {
     writes = Writes.REFUSED;
+    refuser = "Game.collision, which must change nothing; write it in Game.hit or Game.afterStep";
+  }
+
+  /** Begins {@code Game.forces}, which may push bodies only: refuses writes. */
+  public void beginForces() {
+    writes = Writes.REFUSED;
+    refuser = "Game.forces, which may only push its body; write it in Game.input";
+    beginReading("forces");
+  }
+
+  private void beginReading(String callback) {
+    if (use != null) {
+      use.beginReading(callback, tick());
+    }
   }
 
   /** Ends what began. */
   public void end() {
     writes = rest;
     isInput = false;
+    if (use != null) {
+      use.endReading();
+    }
   }
 
   /** Returns whether a client couldn't foresee a write to these values now. */
@@ -124,9 +160,7 @@ public final class FieldStore {
         return false;
       default:
         throw new IllegalStateException(
-            schema.name(values.scope(), word)
-                + " can't be written in Game.collision, which must change nothing; write it in"
-                + " Game.hit or Game.afterStep");
+            schema.name(values.scope(), word) + " can't be written in " + refuser);
     }
   }
 

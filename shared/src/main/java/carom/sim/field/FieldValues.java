@@ -1,6 +1,7 @@
 package carom.sim.field;
 
 import carom.physics.math.StateHash;
+import carom.sim.ruling.Habit;
 
 /**
  * The words of one player, one entity or the match, by the layout of the {@link Schema}. Games use
@@ -13,6 +14,9 @@ public final class FieldValues {
   private final int[] words;
   private long stamp;
   private long ruled;
+
+  /** By word: how often rules write it; null where they never did. */
+  private Habit[] habits;
 
   FieldValues(FieldStore store, Scope scope, boolean writable) {
     this.store = store;
@@ -36,6 +40,14 @@ public final class FieldValues {
 
   /** Returns a word. */
   public int word(int index) {
+    return words[index];
+  }
+
+  /** Returns a word that a game asks for. */
+  int read(int index) {
+    if (store.use() != null) {
+      store.use().read(this, index);
+    }
     return words[index];
   }
 
@@ -84,9 +96,25 @@ public final class FieldValues {
               + " can't be written: level geometry has no values of its own; ask Entity.isLevel");
     }
     if (words[index] != value && store.takes(this, index)) {
-      ruled += store.isRuling(this) ? 1 : 0;
+      if (store.isRuling(this)) {
+        ruled++;
+        noteHabit(index);
+      }
       put(index, value);
     }
+  }
+
+  private void noteHabit(int index) {
+    if (store.use() == null) {
+      return;
+    }
+    if (habits == null) {
+      habits = new Habit[words.length];
+    }
+    if (habits[index] == null) {
+      habits[index] = new Habit();
+    }
+    store.use().wrote(this, index, habits[index], store.tick());
   }
 
   private void put(int index, int value) {

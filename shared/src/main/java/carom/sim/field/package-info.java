@@ -18,6 +18,7 @@
  * </pre>
  *
  * <p>Allowed imports: {@code carom.physics.math}, {@code carom.physics.archive}, {@code
- * carom.sim.event}. Read first: {@link carom.sim.field.Field}, {@link carom.sim.field.FieldHolder}.
+ * carom.sim.event}, {@code carom.sim.ruling}. Read first: {@link carom.sim.field.Field}, {@link
+ * carom.sim.field.FieldHolder}.
  */
 package carom.sim.field;

@@ -5,7 +5,7 @@ package carom.sim.ruling;
  * time and sinks with each tick. One thread; no allocation.
  */
 public final class Habit {
-  /** How much the level rises with each time. It sinks by 1 with each tick. */
+  /** How much the level rises with each time, usually. It sinks by 1 with each tick. */
   private static final int RISE = 4;
 
   /** The level of a habit: 20 times in as many ticks, or 60 times in every third tick. */
@@ -32,10 +32,22 @@ public final class Habit {
    * @return whether it is a habit since now; true once
    */
   public boolean note(int tick) {
+    return note(tick, RISE);
+  }
+
+  /**
+   * Notes that it happened.
+   *
+   * @param tick not before the last one
+   * @param rise how much the level rises, which is the number of ticks after which it has sunk
+   *     again
+   * @return whether it is a habit since now; true once
+   */
+  public boolean note(int tick, int rise) {
     int sunk = Math.max(0, level - (tick - lastTick));
     firstTick = sunk == 0 ? tick : firstTick;
     boolean again = level > 0 && tick == lastTick;
-    level = again ? level : sunk + RISE;
+    level = again ? level : sunk + rise;
     lastTick = tick;
     boolean isHabit = level >= LEVEL;
     boolean tells = isHabit && !told;
