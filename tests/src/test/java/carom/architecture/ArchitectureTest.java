@@ -212,7 +212,12 @@ final class ArchitectureTest {
         "carom.sim.event",
         "carom.sim.field",
         "carom.sim.joint");
-    allow("carom.net.field", "carom.net.snapshot.table", "carom.sim.event", "carom.sim.field");
+    allow(
+        "carom.net.field",
+        "carom.net.protocol",
+        "carom.net.snapshot.table",
+        "carom.sim.event",
+        "carom.sim.field");
     allow("carom.sim.scene", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.event");
     allow(
         "carom.sim.scene.catalog",

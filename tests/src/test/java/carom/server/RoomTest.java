@@ -19,6 +19,7 @@ import carom.server.room.Room;
 import carom.sim.Entity;
 import carom.sim.Input;
 import carom.sim.Simulation;
+import carom.sim.field.Schema;
 import java.lang.reflect.Field;
 import java.util.List;
 import java.util.Random;
@@ -227,7 +228,7 @@ class RoomTest {
       FakeClient after = rig.connect().hello("Ann", before.welcome.sessionSecret());
       after.loads = false;
       rig.seconds(5);
-      after.link.send(new ClientMessage.Ready());
+      after.link.send(new ClientMessage.Ready(Schema.EMPTY.digest()));
       rig.steps(3);
       assertSame(body, rig.room.simulation().player(0).body());
       assertEquals(SessionState.PLAYING, rig.room.session(0).state());

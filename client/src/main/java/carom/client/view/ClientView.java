@@ -112,6 +112,8 @@ public final class ClientView {
   private Runnable composer = () -> {};
   private boolean stale;
   private int count;
+  private final List<JointView> joints = new ArrayList<>();
+  private int jointCount;
   private int own = -1;
 
   ConnectionPhase phase = ConnectionPhase.IDLE;
@@ -154,7 +156,19 @@ public final class ClientView {
 
   void clear() {
     count = 0;
+    jointCount = 0;
     own = -1;
+  }
+
+  void clearJoints() {
+    jointCount = 0;
+  }
+
+  JointView addJoint() {
+    if (jointCount == joints.size()) {
+      joints.add(new JointView());
+    }
+    return joints.get(jointCount++);
   }
 
   Drawn add() {
@@ -252,6 +266,21 @@ public final class ClientView {
       throw new IndexOutOfBoundsException("index=" + index + " is outside 0.." + (count - 1));
     }
     return pool.get(index);
+  }
+
+  /** Returns the number of joints of which both bodies are visible. */
+  public int jointCount() {
+    compose();
+    return jointCount;
+  }
+
+  /** Returns a visible joint by index, 0..{@link #jointCount} - 1, ascending by its own index. */
+  public JointView joint(int index) {
+    compose();
+    if (index < 0 || index >= jointCount) {
+      throw new IndexOutOfBoundsException("index=" + index + " is outside 0.." + (jointCount - 1));
+    }
+    return joints.get(index);
   }
 
   /** Returns the visible entity with this id, or null. */

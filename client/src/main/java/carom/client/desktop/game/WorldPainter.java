@@ -1,12 +1,15 @@
 package carom.client.desktop.game;
 
 import carom.client.desktop.paint.Canvas;
+import carom.client.desktop.paint.JointPainter;
 import carom.client.desktop.paint.ShapePainter;
 import carom.client.desktop.paint.Theme;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
+import carom.client.view.JointView;
 import carom.game.Games;
 import carom.physics.Body;
+import carom.physics.JointType;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Convex;
@@ -53,6 +56,7 @@ final class WorldPainter {
 
   private final Canvas canvas;
   private final ShapePainter shapes;
+  private final JointPainter joints;
   private final AreaPainter areas;
   private final Impacts impacts = new Impacts();
   private final float[] streak = new float[6];
@@ -65,6 +69,7 @@ final class WorldPainter {
   WorldPainter(Canvas canvas) {
     this.canvas = canvas;
     shapes = new ShapePainter(canvas);
+    joints = new JointPainter(canvas);
     areas = new AreaPainter(canvas);
   }
 
@@ -113,10 +118,32 @@ final class WorldPainter {
         face(drawn, drawn == own, view, seconds);
       }
     }
+    joints(view, pixelsPerMetre);
     areasBefore(view, seconds);
     impacts.draw(canvas);
     flashes.draw(canvas);
     canvas.end();
+  }
+
+  private void joints(ClientView view, float pixelsPerMetre) {
+    joints.begin(pixelsPerMetre);
+    for (int i = 0; i < view.jointCount(); i++) {
+      JointView j = view.joint(i);
+      if (j.type() == JointType.PULLEY) {
+        joints.pulley(
+            j.ax(),
+            j.ay(),
+            j.groundAX(),
+            j.groundAY(),
+            j.groundBX(),
+            j.groundBY(),
+            j.bx(),
+            j.by(),
+            j.alpha());
+      } else {
+        joints.draw(j.type(), j.ax(), j.ay(), j.bx(), j.by(), j.isSprung(), j.rest(), j.alpha());
+      }
+    }
   }
 
   private void areasBehind(ClientView view, float seconds) {
