@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.view.ClientView;
+import carom.client.view.JointView;
 import carom.net.transport.Impairment;
 import carom.physics.Joint;
 import carom.physics.JointType;
@@ -15,6 +16,8 @@ import carom.sim.Entity;
 import carom.sim.Simulation;
 import carom.sim.joint.JointTable;
 import carom.sim.level.Level;
+import carom.sim.scene.SceneGame;
+import carom.sim.scene.catalog.Scenes;
 import carom.testkit.MachineGame;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
@@ -24,6 +27,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Goal: machines of bodies and joints are predicted as exactly as crates. */
 final class MachineScenarioTest {
@@ -99,6 +103,45 @@ final class MachineScenarioTest {
     }
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"bridge", "ragdolls", "ropes"})
+  void spectatorsSeeTheJointsOfAScene(String name) {
+    // Goal: --scene shows joints over the network: all are drawn, none torn open, and those that
+    // broke are gone. Method: a spectator of a scene for a quarter of a minute.
+    Level level = SceneGame.level(Scenes.get(name));
+    try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
+      SimulatedClient client = stepper.add("p", FAR, Scripts.wander(Stepper.SEED));
+      Simulation server = stepper.room().simulation();
+      stepper.run(3);
+      double worst = 0;
+      double[][] truth = new double[40][server.joints().limit()]; // by tick: as the server has it
+      for (int end = server.tick() + 600; server.tick() < end; ) {
+        stepper.step();
+        double[] now = truth[server.tick() % truth.length];
+        for (int j = 0; j < now.length; j++) {
+          Joint<Entity> joint = server.joints().get(j);
+          now[j] = joint == null ? 1 : gap(joint);
+        }
+        ClientView view = client.view();
+        for (int i = 0; i < view.jointCount(); i++) {
+          JointView joint = view.joint(i);
+          if (joint.type() == JointType.REVOLUTE) {
+            double gap = Math.hypot(joint.ax() - joint.bx(), joint.ay() - joint.by());
+            double own = 0;
+            for (double[] then : truth) {
+              own = Math.max(own, then[joint.index()]);
+            }
+            worst = Math.max(worst, gap - own);
+          }
+        }
+      }
+      stepper.run(0.5);
+      String about = name + ": gap=" + worst + " " + stepper.describe();
+      assertEquals(server.world().jointCount(), client.view().jointCount(), about);
+      assertTrue(worst < 0.02, about);
+    }
+  }
+
   @ParameterizedTest(name = "{0}")
   @MethodSource("machines")
   void jointsHoldTogetherInThePicture(String what, String more) {
@@ -148,6 +191,10 @@ final class MachineScenarioTest {
       assertTrue(seen > 1_000, about);
       assertTrue(worst < 0.02, about);
     }
+  }
+
+  private static double gap(Joint<Entity> joint) {
+    return Math.hypot(joint.anchorAX() - joint.anchorBX(), joint.anchorAY() - joint.anchorBY());
   }
 
   /** Returns how far apart the anchors of a hinge, or a wheel and its axis, are drawn, metres. */

@@ -112,6 +112,8 @@ public final class ClientView {
   private Runnable composer = () -> {};
   private boolean stale;
   private int count;
+  private final List<JointView> joints = new ArrayList<>();
+  private int jointCount;
   private int own = -1;
 
   ConnectionPhase phase = ConnectionPhase.IDLE;
@@ -154,7 +156,19 @@ public final class ClientView {
 
   void clear() {
     count = 0;
+    jointCount = 0;
     own = -1;
+  }
+
+  void clearJoints() {
+    jointCount = 0;
+  }
+
+  JointView addJoint() {
+    if (jointCount == joints.size()) {
+      joints.add(new JointView());
+    }
+    return joints.get(jointCount++);
   }
 
   Drawn add() {
@@ -254,6 +268,21 @@ public final class ClientView {
     return pool.get(index);
   }
 
+  /** Returns the number of joints of which both bodies are visible. */
+  public int jointCount() {
+    compose();
+    return jointCount;
+  }
+
+  /** Returns a visible joint by index, 0..{@link #jointCount} - 1, ascending by its own index. */
+  public JointView joint(int index) {
+    compose();
+    if (index < 0 || index >= jointCount) {
+      throw new IndexOutOfBoundsException("index=" + index + " is outside 0.." + (jointCount - 1));
+    }
+    return joints.get(index);
+  }
+
   /** Returns the visible entity with this id, or null. */
   public Drawn find(int id) {
     compose();
@@ -333,6 +362,11 @@ public final class ClientView {
    */
   public FieldView match() {
     return fields().match();
+  }
+
+  /** Returns whether fields can be asked for: there is a game. */
+  public boolean knowsFields() {
+    return fields != null;
   }
 
   private ShownFields fields() {
