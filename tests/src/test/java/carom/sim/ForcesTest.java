@@ -10,6 +10,10 @@ import carom.physics.Material;
 import carom.physics.QueryHit;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
+import carom.sim.event.Audience;
+import carom.sim.field.Field;
+import carom.sim.field.Ratio;
+import carom.sim.field.Scope;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Area;
@@ -23,6 +27,7 @@ import org.junit.jupiter.api.Test;
 /** {@link Game#forces} and areas in a simulation without a network. */
 final class ForcesTest {
   private static final float DT = 1 / 60f;
+  private static final Ratio POWER = Field.ratio("power").of(Scope.ENTITY).to(Audience.NEAR);
 
   private final Rules rules = new Rules();
 
@@ -33,6 +38,8 @@ final class ForcesTest {
     Archetype marked;
     Archetype post;
     Archetype magnet;
+    Archetype switched;
+    List<Field<?>> fields = List.of(POWER);
 
     @Override
     public String name() {
@@ -42,6 +49,11 @@ final class ForcesTest {
     @Override
     public String defaultLevel() {
       return "test";
+    }
+
+    @Override
+    public List<Field<?>> fields() {
+      return fields;
     }
 
     @Override
@@ -63,6 +75,14 @@ final class ForcesTest {
                       .sensor(true)
                       .shape(new Circle(0.2f), wood())
                       .area(Area.attractor(0, 0, 6, 20)));
+      switched =
+          s.archetypes()
+              .add(
+                  new ArchetypeDef("switched")
+                      .type(BodyType.KINEMATIC)
+                      .sensor(true)
+                      .shape(new Circle(0.2f), wood())
+                      .area(Area.attractor(0, 0, 6, 20), POWER));
     }
 
     private static Material wood() {
@@ -246,6 +266,37 @@ final class ForcesTest {
     assertTrue(crate.body().awake(), "it is gone");
     s.step();
     assertEquals(0, crate.body().velocityX());
+  }
+
+  @Test
+  void aFieldSwitchesACarriedAreaAndSaysHowStrongItIs() throws Exception {
+    Simulation s = simulation(0, "");
+    final Entity crate = s.spawn(rules.crate, 0, 5, 0, null);
+    final Entity magnet = s.spawn(rules.switched, 3, 5, 0, null);
+    crate.body().sleep();
+    run(s, 3);
+    assertFalse(crate.body().awake(), "it is off");
+    magnet.set(POWER, 0.5f);
+    s.step();
+    assertEquals(0.5f * 20 * DT, crate.body().velocityX(), 1e-4);
+    magnet.set(POWER, 0);
+    s.step();
+    assertEquals(0.5f * 20 * DT, crate.body().velocityX(), 1e-4);
+  }
+
+  @Test
+  void aPowerMustBeAFieldOfEntitiesThatAllNearAreToldAndThatIsDeclared() {
+    Ratio secret = Field.ratio("power").of(Scope.ENTITY).to(Audience.OWNER);
+    Throwable e =
+        assertThrows(
+            IllegalArgumentException.class,
+            () -> new ArchetypeDef("fan").area(Area.attractor(0, 0, 6, 20), secret));
+    assertTrue(e.getMessage().contains("declare it .of(ENTITY).to(NEAR)"), e.getMessage());
+    rules.fields = List.of();
+    e = assertThrows(IllegalArgumentException.class, () -> simulation(0, ""));
+    assertEquals(
+        "archetype=switched: field entity.power isn't declared; return it from Game.fields",
+        e.getMessage());
   }
 
   @Test

@@ -364,6 +364,11 @@ public final class ClientView {
     return fields().match();
   }
 
+  /** Returns whether fields can be asked for: a game was joined that this client is told about. */
+  public boolean knowsFields() {
+    return fields != null;
+  }
+
   private RemoteFields fields() {
     if (fields == null) {
       throw new IllegalStateException("there are no fields: no game was joined");

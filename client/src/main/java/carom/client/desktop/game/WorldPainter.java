@@ -17,6 +17,7 @@ import carom.physics.geometry.Shape;
 import carom.sim.Entity;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.field.Ratio;
 import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.Area;
@@ -147,13 +148,14 @@ final class WorldPainter {
 
   private void areasBehind(ClientView view, float seconds) {
     areas.frame(0, 0, 1, 0);
+    areas.power(1);
     for (Area area : view.level().areas()) {
       areas.behind(area, seconds);
     }
     for (int i = 0; i < view.entityCount(); i++) {
       Drawn drawn = view.entity(i);
       if (drawn.archetype().area() != null) {
-        frame(drawn);
+        frame(view, drawn);
         areas.behind(drawn.archetype().area(), seconds);
       }
     }
@@ -161,19 +163,22 @@ final class WorldPainter {
 
   private void areasBefore(ClientView view, float seconds) {
     areas.frame(0, 0, 1, 0);
+    areas.power(1);
     for (Area area : view.level().areas()) {
       areas.before(area, seconds);
     }
     for (int i = 0; i < view.entityCount(); i++) {
       Drawn drawn = view.entity(i);
       if (drawn.archetype().area() != null) {
-        frame(drawn);
+        frame(view, drawn);
         areas.before(drawn.archetype().area(), seconds);
       }
     }
   }
 
-  private void frame(Drawn drawn) {
+  private void frame(ClientView view, Drawn drawn) {
+    Ratio power = drawn.archetype().areaPower();
+    areas.power(power == null || !view.knowsFields() ? 1 : view.fields(drawn).get(power));
     areas.frame(drawn.x(), drawn.y(), MathUtils.cos(drawn.angle()), MathUtils.sin(drawn.angle()));
   }
 
