@@ -22,6 +22,7 @@ import carom.testkit.MachineGame;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
+import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -83,6 +84,62 @@ final class MachineScenarioTest {
         }
       }
     }
+  }
+
+  @Test
+  void carsThatRamEachOtherAreForeseen() {
+    // Goal: other players' machines are predicted as the own one is, and what a client guesses
+    // wrong of their inputs costs little. Method: two cars that start nose to tail and wander.
+    Level level = MachineGame.level(spawn("player", -19, 1.2f, 0) + spawn("crate", -21, 0.5f, 0));
+    try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
+      SimulatedClient ann = stepper.join("ann", FAR, Scripts.wander(Stepper.SEED));
+      stepper.join("far", FAR, Scripts.hold(0, 0));
+      SimulatedClient bob = stepper.join("bob", FAR, Scripts.wander(Stepper.SEED + 1));
+      stepper.run(30);
+      for (SimulatedClient client : List.of(ann, bob)) {
+        double right = 100.0 * client.stats().exactBodies() / client.stats().awakeBodies();
+        String about = "right=" + right + " " + stepper.describe();
+        assertTrue(right >= 90, about);
+      }
+      assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), stepper.describe());
+    }
+  }
+
+  @Test
+  void aShortLineNeverCutsTheOwnCar() {
+    // Goal: the fewer entities a slow line affords, the own assembly is among them whole. Method: a
+    // line of 48 kbit/s that loses a tenth, among ragdolls.
+    StringBuilder ragdolls = new StringBuilder();
+    for (int i = 0; i < 10; i++) {
+      ragdolls.append(spawn("ragdoll", -22 + 2.2f * i, 0.1f, 0));
+    }
+    Impairment slow = Impairment.NONE.withLatency(75, 5).withLoss(10).withBandwidth(48);
+    try (Stepper stepper =
+        Stepper.of(MachineGame.level(ragdolls.toString()), ServerConfig.defaults())) {
+      SimulatedClient client = stepper.join("p", slow, Scripts.wander(Stepper.SEED));
+      stepper.run(5);
+      for (int i = 0; i < 20; i++) {
+        stepper.run(1);
+        Simulation predicted = client.view().predictedWorld();
+        Entity body = predicted.player(client.view().playerId()).body();
+        assertNotNull(predicted.joint(body, "drive"), stepper.describe());
+        assertNotNull(predicted.joint(body, "roll"), stepper.describe());
+        for (int e = 0; e < predicted.entityCapacity(); e++) {
+          Entity torso = predicted.entity(e);
+          if (torso != null && torso.archetype().name().equals("limb")) {
+            assertEquals(7, jointsOf(predicted, torso.root()), "whole or not at all");
+          }
+        }
+      }
+    }
+  }
+
+  private static int jointsOf(Simulation s, Entity root) {
+    int count = 0;
+    for (int i = 0; i < s.joints().limit(); i++) {
+      count += s.joints().get(i) != null && s.joints().root(i) == root.id() ? 1 : 0;
+    }
+    return count;
   }
 
   @Test
