@@ -132,7 +132,7 @@ final class GameWarmup {
         decoder.gravity(level.gravityX(), level.gravityY());
         link.send(new ClientMessage.LevelRequest(0));
       } else if (message instanceof ServerMessage.LevelChunk) {
-        link.send(new ClientMessage.Ready());
+        link.send(new ClientMessage.Ready(schema.digest()));
         playing = true;
       }
     }

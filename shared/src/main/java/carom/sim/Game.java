@@ -109,10 +109,11 @@ public interface Game {
    * tick after the inputs, once for each entity whose body is dynamic and awake. Clients predict
    * what it does exactly, so push bodies here rather than in {@link #beforeStep}.
    *
-   * <p>It must be a function of this entity, its owner's memory, the tick and the level. It may
-   * push this entity's body and change its velocity, and must change nothing else. Queries of the
-   * world see the level's static geometry only. A body that only {@link
-   * carom.physics.Body#applyAmbientForce ambient forces} act on can fall asleep.
+   * <p>It must be a function of this entity, of fields that all players near are told (its own, its
+   * owner's, the match's), the tick and the level. It may push this entity's body and change its
+   * velocity, and must change nothing else. Queries of the world see the level's static geometry
+   * only. A body that only {@link carom.physics.Body#applyAmbientForce ambient forces} act on can
+   * fall asleep.
    *
    * @param s the simulation
    * @param e an entity with a dynamic body that is awake
@@ -154,7 +155,7 @@ public interface Game {
 
   /**
    * Returns which players are told about an entity; {@link Role#AUTHORITY} only, after each tick
-   * for each entity. Players always know their own body. A client that is not told about an entity
+   * for each entity. All of an assembly has the audience of its root. Players always know their own body. A client that is not told about an entity
    * receives neither its exact state nor the {@link Audience#NEAR} events in which it takes part,
    * and no input of a player whose body it is. An entity that nobody is told about costs nothing,
    * and no cheat can find it on the wire.

@@ -19,6 +19,7 @@ import carom.sim.field.FieldHolder;
 import carom.sim.field.FieldStore;
 import carom.sim.field.FieldUse;
 import carom.sim.field.FieldValues;
+import carom.sim.field.Ratio;
 import carom.sim.field.Schema;
 import carom.sim.field.Scope;
 import carom.sim.history.PoseHistory;
@@ -139,7 +140,12 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     memory = new int[game.memorySize(level)];
     world = new World<>(game.world(level));
     world.listener(new Listener());
-    areas = new AreaForces<>(world, level.areas(), role == Role.AUTHORITY);
+    areas =
+        new AreaForces<>(
+            world,
+            level.areas(),
+            (carrier, power) -> carrier.user().get(power),
+            role == Role.AUTHORITY);
     Schema schema = Schema.of(game.fields());
     entities = new EntityTable(world, players, areas, assemblies, tickRate, schema, this::tick);
     fields = entities.fields();
@@ -167,6 +173,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     }
     game.setUp(this);
     archetypes.close();
+    requireDeclaredPowers();
     eventKinds.close();
     if (role == Role.PREDICTION) {
       fields.predict();
@@ -790,6 +797,20 @@ public final class Simulation extends FieldHolder<Entity, Player> {
       interference.endRulesAfterStep(tick);
     } else if (rulings != null) {
       rulings.afterStep(this);
+    }
+  }
+
+  private void requireDeclaredPowers() {
+    for (int i = 0; i < archetypes.size(); i++) {
+      Ratio power = archetypes.get(i).areaPower();
+      if (power != null && !schema().fields().contains(power)) {
+        throw new IllegalArgumentException(
+            "archetype="
+                + archetypes.get(i).name()
+                + ": field "
+                + power.path()
+                + " isn't declared; return it from Game.fields");
+      }
     }
   }
 

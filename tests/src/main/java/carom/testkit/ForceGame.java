@@ -2,18 +2,26 @@ package carom.testkit;
 
 import carom.game.Games;
 import carom.physics.Body;
+import carom.physics.BodyType;
 import carom.physics.Material;
 import carom.physics.QueryHit;
 import carom.physics.effects.Explosion;
 import carom.physics.geometry.Box;
+import carom.physics.geometry.Circle;
 import carom.sim.Entity;
 import carom.sim.Game;
 import carom.sim.Input;
 import carom.sim.Player;
+import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.event.Audience;
+import carom.sim.field.Field;
+import carom.sim.field.Ratio;
+import carom.sim.field.Scope;
 import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
+import carom.sim.level.Area;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import java.nio.charset.StandardCharsets;
@@ -68,8 +76,11 @@ public final class ForceGame implements Game {
       """
           .formatted(crates(0));
 
+  private static final String SPOT = ", {\"name\": \"%s\", \"at\": [0, -4.5]}";
   private static final int THROW_TICKS = 90;
   private static final int EXPLOSION_TICKS = 150;
+  private static final int SWITCH_TICKS = 100;
+  private static final Ratio POWER = Field.ratio("power").of(Scope.ENTITY).to(Audience.NEAR);
   private static final int THRUST = 0;
 
   private final QueryHit<Entity> hit = new QueryHit<>();
@@ -87,11 +98,15 @@ public final class ForceGame implements Game {
    * @param more further fields of the file, each after a comma
    */
   public static Level level(float gravityY, String more) {
-    return level(gravityY, false, more);
+    return level(gravityY, "", more);
   }
 
-  /** Returns the same with a place where something explodes every 2.5 s, or not. */
-  public static Level level(float gravityY, boolean bomb, String more) {
+  /**
+   * Returns the same with something in the middle of the floor.
+   *
+   * @param thing {@code bomb} explodes every 2.5 s, {@code magnet} goes on and off; empty for none
+   */
+  public static Level level(float gravityY, String thing, String more) {
     register();
     String json =
         """
@@ -104,7 +119,7 @@ public final class ForceGame implements Game {
            {"at": [-13, 5], "shape": {"type": "box", "width": 2, "height": 20}},
            {"at": [13, 5], "shape": {"type": "box", "width": 2, "height": 20}}]%s}
         """
-            .formatted(gravityY, bomb ? ", {\"name\": \"bomb\", \"at\": [0, -4.5]}" : "", more);
+            .formatted(gravityY, thing.isEmpty() ? "" : SPOT.formatted(thing), more);
     try {
       return Level.parse("forces.json", json.getBytes(StandardCharsets.UTF_8));
     } catch (LevelException e) {
@@ -138,7 +153,25 @@ public final class ForceGame implements Game {
   }
 
   @Override
+  public List<Field<?>> fields() {
+    return List.of(POWER);
+  }
+
+  @Override
   public void setUp(Simulation s) {
+    Archetype magnet =
+        s.archetypes()
+            .add(
+                new ArchetypeDef("magnet")
+                    .type(BodyType.KINEMATIC)
+                    .sensor(true)
+                    .shape(new Circle(0.4f), new Material(1, 0, 0))
+                    .area(Area.attractor(0, 0, 9, 25), POWER));
+    for (Level.Spawn spot : s.level().spawns("magnet")) {
+      if (s.role() == Role.AUTHORITY) {
+        s.spawn(magnet, spot.x(), spot.y(), 0, null);
+      }
+    }
     flyer =
         s.archetypes()
             .add(
@@ -173,6 +206,12 @@ public final class ForceGame implements Game {
 
   @Override
   public void afterStep(Simulation s) {
+    for (int id = 0; s.tick() % SWITCH_TICKS == 0 && id < s.entityCapacity(); id++) {
+      Entity e = s.entity(id);
+      if (e != null && e.archetype().areaPower() == POWER) {
+        e.set(POWER, s.tick() / SWITCH_TICKS % 2);
+      }
+    }
     if (s.tick() % EXPLOSION_TICKS == 0 && !s.level().spawns("bomb").isEmpty()) {
       Level.Spawn bomb = s.level().spawns("bomb").get(0);
       new Explosion(bomb.x(), bomb.y(), 8).impulse(2).explode(s.world());

@@ -181,9 +181,9 @@ final class ArchitectureTest {
     allow("carom.physics.effects", "carom.physics..");
     allow("carom.physics.particles", "carom.physics..");
     allow("carom.sim.event");
-    allow("carom.sim.level", "carom.physics..");
+    allow("carom.sim.level", "carom.physics..", "carom.sim.field", "carom.sim.event");
     allow("carom.sim.history", "carom.physics..", "carom.sim.level");
-    allow("carom.sim.area", "carom.physics..", "carom.sim.level");
+    allow("carom.sim.area", "carom.physics..", "carom.sim.level", "carom.sim.field");
     allow("carom.sim.joint", "carom.physics..", "carom.sim.level");
     allow("carom.sim.ruling", "carom.physics", "carom.physics.rows");
     allow("carom.sim.random");
@@ -212,7 +212,12 @@ final class ArchitectureTest {
         "carom.sim.event",
         "carom.sim.field",
         "carom.sim.joint");
-    allow("carom.net.field", "carom.net.snapshot.table", "carom.sim.event", "carom.sim.field");
+    allow(
+        "carom.net.field",
+        "carom.net.protocol",
+        "carom.net.snapshot.table",
+        "carom.sim.event",
+        "carom.sim.field");
     allow("carom.sim.scene", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.event");
     allow(
         "carom.sim.scene.catalog",

@@ -98,7 +98,9 @@ final class ScriptedServer {
               "test.json",
               level.contentHash(),
               bytes.length,
-              PackedLevel.pack(bytes).length));
+              PackedLevel.pack(bytes).length,
+              simulation.schema().digest() + (fields.isEmpty() ? 0 : 1),
+              fields));
     }
 
     void sendLevel(int offset) {
@@ -182,6 +184,10 @@ final class ScriptedServer {
   private final byte[] buffer = new byte[SnapshotEncoder.MAX_DATAGRAM_BYTES];
   final Level level;
   final Simulation simulation;
+
+  /** Declarations that the server says its game has; none if it has those of the client. */
+  List<String> fields = List.of();
+
   final List<Guest> guests = new ArrayList<>();
   Script script = new Script();
   long nowNs;

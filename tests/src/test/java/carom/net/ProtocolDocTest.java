@@ -108,7 +108,7 @@ class ProtocolDocTest {
         "hello",
         ClientMessageCodec.encode(new ClientMessage.Hello(2, 0x0102030405060708L, "Zoë", 0)));
     golden.put("level-request", ClientMessageCodec.encode(new ClientMessage.LevelRequest(4096)));
-    golden.put("ready", ClientMessageCodec.encode(new ClientMessage.Ready()));
+    golden.put("ready", ClientMessageCodec.encode(new ClientMessage.Ready(0x0102030405060708L)));
     golden.put("leave", ClientMessageCodec.encode(new ClientMessage.Leave()));
     golden.put(
         "diverged",
@@ -191,7 +191,9 @@ class ProtocolDocTest {
                 "arena.json",
                 -1,
                 300,
-                200)));
+                200,
+                5,
+                List.of("player.ammo count 0..30 to OWNER"))));
     golden.put(
         "level-chunk", codec.encode(new ServerMessage.LevelChunk(4096, new byte[] {0x7b, 0x7d})));
     golden.put("refused", codec.encode(new ServerMessage.Refused(RefusalReason.SERVER_FULL, "")));

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.client.view.ClientView;
+import carom.client.view.JointView;
 import carom.net.transport.Impairment;
 import carom.physics.Joint;
 import carom.physics.JointType;
@@ -15,15 +16,19 @@ import carom.sim.Entity;
 import carom.sim.Simulation;
 import carom.sim.joint.JointTable;
 import carom.sim.level.Level;
+import carom.sim.scene.SceneGame;
+import carom.sim.scene.catalog.Scenes;
 import carom.testkit.MachineGame;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
+import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Goal: machines of bodies and joints are predicted as exactly as crates. */
 final class MachineScenarioTest {
@@ -82,6 +87,62 @@ final class MachineScenarioTest {
   }
 
   @Test
+  void carsThatRamEachOtherAreForeseen() {
+    // Goal: other players' machines are predicted as the own one is, and what a client guesses
+    // wrong of their inputs costs little. Method: two cars that start nose to tail and wander.
+    Level level = MachineGame.level(spawn("player", -19, 1.2f, 0) + spawn("crate", -21, 0.5f, 0));
+    try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
+      SimulatedClient ann = stepper.join("ann", FAR, Scripts.wander(Stepper.SEED));
+      stepper.join("far", FAR, Scripts.hold(0, 0));
+      SimulatedClient bob = stepper.join("bob", FAR, Scripts.wander(Stepper.SEED + 1));
+      stepper.run(30);
+      for (SimulatedClient client : List.of(ann, bob)) {
+        double right = 100.0 * client.stats().exactBodies() / client.stats().awakeBodies();
+        String about = "right=" + right + " " + stepper.describe();
+        assertTrue(right >= 90, about);
+      }
+      assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), stepper.describe());
+    }
+  }
+
+  @Test
+  void aShortLineNeverCutsTheOwnCar() {
+    // Goal: the fewer entities a slow line affords, the own assembly is among them whole. Method: a
+    // line of 48 kbit/s that loses a tenth, among ragdolls.
+    StringBuilder ragdolls = new StringBuilder();
+    for (int i = 0; i < 10; i++) {
+      ragdolls.append(spawn("ragdoll", -22 + 2.2f * i, 0.1f, 0));
+    }
+    Impairment slow = Impairment.NONE.withLatency(75, 5).withLoss(10).withBandwidth(48);
+    try (Stepper stepper =
+        Stepper.of(MachineGame.level(ragdolls.toString()), ServerConfig.defaults())) {
+      SimulatedClient client = stepper.join("p", slow, Scripts.wander(Stepper.SEED));
+      stepper.run(5);
+      for (int i = 0; i < 20; i++) {
+        stepper.run(1);
+        Simulation predicted = client.view().predictedWorld();
+        Entity body = predicted.player(client.view().playerId()).body();
+        assertNotNull(predicted.joint(body, "drive"), stepper.describe());
+        assertNotNull(predicted.joint(body, "roll"), stepper.describe());
+        for (int e = 0; e < predicted.entityCapacity(); e++) {
+          Entity torso = predicted.entity(e);
+          if (torso != null && torso.archetype().name().equals("limb")) {
+            assertEquals(7, jointsOf(predicted, torso.root()), "whole or not at all");
+          }
+        }
+      }
+    }
+  }
+
+  private static int jointsOf(Simulation s, Entity root) {
+    int count = 0;
+    for (int i = 0; i < s.joints().limit(); i++) {
+      count += s.joints().get(i) != null && s.joints().root(i) == root.id() ? 1 : 0;
+    }
+    return count;
+  }
+
+  @Test
   void jointsThatTheRulesMakeAndDestroyAreTold() {
     // Goal: what the server alone does to joints is told, not found out by a wrong hash. Method:
     // two
@@ -96,6 +157,45 @@ final class MachineScenarioTest {
       String about = "right=" + right + " " + stepper.describe();
       assertTrue(right >= 95, about);
       assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about);
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"bridge", "ragdolls", "ropes"})
+  void spectatorsSeeTheJointsOfAScene(String name) {
+    // Goal: --scene shows joints over the network: all are drawn, none torn open, and those that
+    // broke are gone. Method: a spectator of a scene for a quarter of a minute.
+    Level level = SceneGame.level(Scenes.get(name));
+    try (Stepper stepper = Stepper.of(level, ServerConfig.defaults())) {
+      SimulatedClient client = stepper.add("p", FAR, Scripts.wander(Stepper.SEED));
+      Simulation server = stepper.room().simulation();
+      stepper.run(3);
+      double worst = 0;
+      double[][] truth = new double[40][server.joints().limit()]; // by tick: as the server has it
+      for (int end = server.tick() + 600; server.tick() < end; ) {
+        stepper.step();
+        double[] now = truth[server.tick() % truth.length];
+        for (int j = 0; j < now.length; j++) {
+          Joint<Entity> joint = server.joints().get(j);
+          now[j] = joint == null ? 1 : gap(joint);
+        }
+        ClientView view = client.view();
+        for (int i = 0; i < view.jointCount(); i++) {
+          JointView joint = view.joint(i);
+          if (joint.type() == JointType.REVOLUTE) {
+            double gap = Math.hypot(joint.ax() - joint.bx(), joint.ay() - joint.by());
+            double own = 0;
+            for (double[] then : truth) {
+              own = Math.max(own, then[joint.index()]);
+            }
+            worst = Math.max(worst, gap - own);
+          }
+        }
+      }
+      stepper.run(0.5);
+      String about = name + ": gap=" + worst + " " + stepper.describe();
+      assertEquals(server.world().jointCount(), client.view().jointCount(), about);
+      assertTrue(worst < 0.02, about);
     }
   }
 
@@ -148,6 +248,10 @@ final class MachineScenarioTest {
       assertTrue(seen > 1_000, about);
       assertTrue(worst < 0.02, about);
     }
+  }
+
+  private static double gap(Joint<Entity> joint) {
+    return Math.hypot(joint.anchorAX() - joint.anchorBX(), joint.anchorAY() - joint.anchorBY());
   }
 
   /** Returns how far apart the anchors of a hinge, or a wheel and its axis, are drawn, metres. */

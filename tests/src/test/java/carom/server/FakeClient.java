@@ -128,7 +128,7 @@ final class FakeClient implements LinkHandler {
       } else {
         level = PackedLevel.unpack(level, welcome.levelSize());
         start(level);
-        link.send(new ClientMessage.Ready());
+        link.send(new ClientMessage.Ready(welcome.fieldsDigest()));
         ready = true;
       }
     } else if (message instanceof ServerMessage.Refused r) {

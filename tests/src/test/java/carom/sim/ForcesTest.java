@@ -10,10 +10,16 @@ import carom.physics.Material;
 import carom.physics.QueryHit;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
+import carom.sim.event.Audience;
+import carom.sim.field.Field;
+import carom.sim.field.Ratio;
+import carom.sim.field.Scope;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Area;
 import carom.sim.level.Level;
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
@@ -23,6 +29,9 @@ import org.junit.jupiter.api.Test;
 /** {@link Game#forces} and areas in a simulation without a network. */
 final class ForcesTest {
   private static final float DT = 1 / 60f;
+  private static final Ratio POWER = Field.ratio("power").of(Scope.ENTITY).to(Audience.NEAR);
+
+  private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
   private final Rules rules = new Rules();
 
@@ -33,6 +42,8 @@ final class ForcesTest {
     Archetype marked;
     Archetype post;
     Archetype magnet;
+    Archetype switched;
+    List<Field<?>> fields = List.of(POWER);
 
     @Override
     public String name() {
@@ -42,6 +53,11 @@ final class ForcesTest {
     @Override
     public String defaultLevel() {
       return "test";
+    }
+
+    @Override
+    public List<Field<?>> fields() {
+      return fields;
     }
 
     @Override
@@ -63,6 +79,14 @@ final class ForcesTest {
                       .sensor(true)
                       .shape(new Circle(0.2f), wood())
                       .area(Area.attractor(0, 0, 6, 20)));
+      switched =
+          s.archetypes()
+              .add(
+                  new ArchetypeDef("switched")
+                      .type(BodyType.KINEMATIC)
+                      .sensor(true)
+                      .shape(new Circle(0.2f), wood())
+                      .area(Area.attractor(0, 0, 6, 20), POWER));
     }
 
     private static Material wood() {
@@ -249,6 +273,37 @@ final class ForcesTest {
   }
 
   @Test
+  void aFieldSwitchesACarriedAreaAndSaysHowStrongItIs() throws Exception {
+    Simulation s = simulation(0, "");
+    final Entity crate = s.spawn(rules.crate, 0, 5, 0, null);
+    final Entity magnet = s.spawn(rules.switched, 3, 5, 0, null);
+    crate.body().sleep();
+    run(s, 3);
+    assertFalse(crate.body().awake(), "it is off");
+    magnet.set(POWER, 0.5f);
+    s.step();
+    assertEquals(0.5f * 20 * DT, crate.body().velocityX(), 1e-4);
+    magnet.set(POWER, 0);
+    s.step();
+    assertEquals(0.5f * 20 * DT, crate.body().velocityX(), 1e-4);
+  }
+
+  @Test
+  void aPowerMustBeAFieldOfEntitiesThatAllNearAreToldAndThatIsDeclared() {
+    Ratio secret = Field.ratio("power").of(Scope.ENTITY).to(Audience.OWNER);
+    Throwable e =
+        assertThrows(
+            IllegalArgumentException.class,
+            () -> new ArchetypeDef("fan").area(Area.attractor(0, 0, 6, 20), secret));
+    assertTrue(e.getMessage().contains("declare it .of(ENTITY).to(NEAR)"), e.getMessage());
+    rules.fields = List.of();
+    e = assertThrows(IllegalArgumentException.class, () -> simulation(0, ""));
+    assertEquals(
+        "archetype=switched: field entity.power isn't declared; return it from Game.fields",
+        e.getMessage());
+  }
+
+  @Test
   void aRestoredSimulationHasTheAreasOfItsCarriers() throws Exception {
     Simulation s = simulation(0, "");
     Entity crate = s.spawn(rules.crate, 0, 5, 0, null);
@@ -263,5 +318,33 @@ final class ForcesTest {
     s.restore(with);
     run(s, 10);
     assertEquals(hash, s.stateHash());
+  }
+
+  @Test
+  void areasAndForcesAllocateNothing() throws Exception {
+    Simulation s =
+        simulation(
+            -10,
+            "{\"type\": \"water\", \"min\": [-40, 0], \"max\": [40, 6], \"density\": 2},{\"type\":"
+                + " \"wind\", \"min\": [-40, 0], \"max\": [40, 9], \"velocity\": [3, 0]},{\"type\":"
+                + " \"attractor\", \"at\": [0, 5], \"range\": 20, \"strength\": 5, \"swirl\": 4}");
+    for (int i = 0; i < 20; i++) {
+      s.spawn(i % 2 == 0 ? rules.crate : rules.marked, i - 10, 5, 0, null);
+    }
+    s.spawn(rules.magnet, 0, 3, 0, null).body().setVelocity(0.1f, 0);
+    rules.forces = (sim, e) -> e.body().applyAmbientForce(0, 1, 0);
+    run(s, 600);
+    SimState state = s.save(null);
+    long least = Long.MAX_VALUE;
+    for (int round = 0; round < 5; round++) {
+      long before = THREADS.getCurrentThreadAllocatedBytes();
+      for (int i = 0; i < 50; i++) {
+        s.step();
+        s.save(state);
+        s.restore(state);
+      }
+      least = Math.min(least, THREADS.getCurrentThreadAllocatedBytes() - before);
+    }
+    assertTrue(least < 512, "bytes=" + least + " in 50 ticks");
   }
 }

@@ -1,7 +1,7 @@
 package carom.client.view;
 
 import carom.client.field.FieldView;
-import carom.client.field.RemoteFields;
+import carom.client.field.ShownFields;
 import carom.client.interpolation.Pose;
 import carom.client.link.ConnectionPhase;
 import carom.client.stats.NetStats;
@@ -112,6 +112,8 @@ public final class ClientView {
   private Runnable composer = () -> {};
   private boolean stale;
   private int count;
+  private final List<JointView> joints = new ArrayList<>();
+  private int jointCount;
   private int own = -1;
 
   ConnectionPhase phase = ConnectionPhase.IDLE;
@@ -125,7 +127,7 @@ public final class ClientView {
   double renderTick;
   Simulation predictedWorld;
   final int[] memory = new int[4];
-  RemoteFields fields;
+  ShownFields fields;
   final Input input = new Input();
 
   ClientView(NetStats stats) {
@@ -154,7 +156,19 @@ public final class ClientView {
 
   void clear() {
     count = 0;
+    jointCount = 0;
     own = -1;
+  }
+
+  void clearJoints() {
+    jointCount = 0;
+  }
+
+  JointView addJoint() {
+    if (jointCount == joints.size()) {
+      joints.add(new JointView());
+    }
+    return joints.get(jointCount++);
   }
 
   Drawn add() {
@@ -254,6 +268,21 @@ public final class ClientView {
     return pool.get(index);
   }
 
+  /** Returns the number of joints of which both bodies are visible. */
+  public int jointCount() {
+    compose();
+    return jointCount;
+  }
+
+  /** Returns a visible joint by index, 0..{@link #jointCount} - 1, ascending by its own index. */
+  public JointView joint(int index) {
+    compose();
+    if (index < 0 || index >= jointCount) {
+      throw new IndexOutOfBoundsException("index=" + index + " is outside 0.." + (jointCount - 1));
+    }
+    return joints.get(index);
+  }
+
   /** Returns the visible entity with this id, or null. */
   public Drawn find(int id) {
     compose();
@@ -310,7 +339,7 @@ public final class ClientView {
    * What the own player may not know is as declared. Read values by the typed methods {@code get}.
    *
    * @param id 0..1,023
-   * @throws IllegalStateException if no game was joined yet, or the picture is of a recording
+   * @throws IllegalStateException if there is no game yet
    */
   public FieldView player(int id) {
     return fields().player(id);
@@ -335,9 +364,14 @@ public final class ClientView {
     return fields().match();
   }
 
-  private RemoteFields fields() {
+  /** Returns whether fields can be asked for: there is a game. */
+  public boolean knowsFields() {
+    return fields != null;
+  }
+
+  private ShownFields fields() {
     if (fields == null) {
-      throw new IllegalStateException("there are no fields: no game was joined");
+      throw new IllegalStateException("there are no fields before a game was joined");
     }
     return fields;
   }

@@ -137,7 +137,7 @@ public final class FrameCapture {
     Game game = simulation.game();
     for (int i = 0; i < entityCount; i++) {
       Entity entity = simulation.entity(ids[i]);
-      Audience audience = game.audience(simulation, entity);
+      Audience audience = game.audience(simulation, entity.root());
       if (audience != Audience.NEAR) {
         Player owner = simulation.owner(entity);
         int team = audience == Audience.TEAM && owner != null ? owner.team() : 0;

@@ -29,8 +29,13 @@ public sealed interface ClientMessage {
    */
   record LevelRequest(int offset) implements ClientMessage {}
 
-  /** Says that the client has loaded the level and asks for a body. */
-  record Ready() implements ClientMessage {}
+  /**
+   * Says that the client has loaded the level and asks for a body.
+   *
+   * @param fieldsDigest digest of the fields of the client's game; the server refuses another than
+   *     its own
+   */
+  record Ready(long fieldsDigest) implements ClientMessage {}
 
   /**
    * Tells the server what part of the world the client shows. The client sends it on every change.

@@ -85,8 +85,8 @@ public final class ClientMessageCodec {
             "RecordingRequest.offset=" + request.offset() + " is negative");
       }
       buffer.put(RECORDING_REQUEST).putLong(request.offset());
-    } else if (message instanceof ClientMessage.Ready) {
-      buffer.put(READY);
+    } else if (message instanceof ClientMessage.Ready ready) {
+      buffer.put(READY).putLong(ready.fieldsDigest());
     } else {
       buffer.put(LEAVE);
     }
@@ -117,7 +117,8 @@ public final class ClientMessageCodec {
     return switch (buffer.get()) {
       case HELLO -> decodeHello(buffer);
       case LEVEL_REQUEST -> decodeLevelRequest(buffer);
-      case READY -> buffer.hasRemaining() ? null : new ClientMessage.Ready();
+      case READY ->
+          buffer.remaining() == Long.BYTES ? new ClientMessage.Ready(buffer.getLong()) : null;
       case LEAVE -> buffer.hasRemaining() ? null : new ClientMessage.Leave();
       case LOOK -> decodeLook(buffer);
       case DIVERGED -> decodeDiverged(buffer);

@@ -7,6 +7,7 @@ import carom.physics.World;
 import carom.physics.effects.Effect;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
+import carom.sim.field.Ratio;
 import carom.sim.level.Archetype;
 import carom.sim.level.Area;
 import java.util.Arrays;
@@ -27,16 +28,28 @@ import java.util.List;
  * @param <T> the world's user type
  */
 public final class AreaForces<T> {
+  /** Knows how strong areas are. */
+  public interface Power<T> {
+    /** Returns the value of an entity's field, 0..1. */
+    float of(Body<T> carrier, Ratio field);
+  }
+
   /** One area, with the place where it is in this tick. */
   private static final class Place<T> {
     Area area;
     Effect effect;
     int id;
     Body<T> carrier;
+
+    /** The field that says how strong it is; null if it always is. */
+    Ratio power;
+
+    float strength = 1;
     final Transform frame = new Transform();
     final Aabb reach = new Aabb();
 
-    Place<T> set(Area newArea, Effect newEffect, int newId, Body<T> newCarrier) {
+    Place<T> set(Area newArea, Effect newEffect, int newId, Body<T> newCarrier, Ratio newPower) {
+      power = newPower;
       area = newArea;
       effect = newEffect;
       id = newId;
@@ -54,6 +67,7 @@ public final class AreaForces<T> {
 
   private final World<T> world;
   private final boolean decides;
+  private final Power<T> power;
 
   /** Those of the level, then those that are carried, by id; behind them spare ones. */
   private Place<T>[] places;
@@ -74,18 +88,20 @@ public final class AreaForces<T> {
    *
    * @param world the simulation's world
    * @param areas those of the level, which don't move
+   * @param power knows how strong carried areas are
    * @param decides whether an area that comes or goes wakes what sleeps in it. A client doesn't
    *     decide: its bodies have the server's state
    */
   @SuppressWarnings("unchecked")
-  public AreaForces(World<T> world, List<Area> areas, boolean decides) {
+  public AreaForces(World<T> world, List<Area> areas, Power<T> power, boolean decides) {
+    this.power = power;
     this.world = world;
     this.decides = decides;
     ofLevel = areas.size();
     places = (Place<T>[]) new Place<?>[Math.max(4, 2 * ofLevel)];
     sleepers = (Body<T>[]) new Body<?>[16];
     for (Area area : areas) {
-      Place<T> place = new Place<T>().set(area, area.effect(world), -1, null);
+      Place<T> place = new Place<T>().set(area, area.effect(world), -1, null, null);
       place.locate(place.reach);
       places[count++] = place;
     }
@@ -122,7 +138,7 @@ public final class AreaForces<T> {
     for (; at > ofLevel && places[at - 1].id > id; at--) {
       places[at] = places[at - 1];
     }
-    places[at] = place.set(archetype.area(), effect(archetype), id, body);
+    places[at] = place.set(archetype.area(), effect(archetype), id, body, archetype.areaPower());
   }
 
   private void remove(int id) {
@@ -172,12 +188,17 @@ public final class AreaForces<T> {
     places[ofLevel + index].locate(out);
   }
 
-  /** Begins a tick: finds the carried areas, and wakes what sleeps within one that moves. */
+  /**
+   * Begins a tick: finds the carried areas, and wakes what sleeps within one that moves or that a
+   * field switches. Nothing can thus fall asleep in one that may be switched off.
+   */
   public void begin() {
     for (int i = ofLevel; i < count; i++) {
       Place<T> place = places[i];
       place.locate(place.reach);
-      if (isMoving(place.carrier)) {
+      place.strength = place.power == null ? 1 : power.of(place.carrier, place.power);
+      boolean changes = place.power != null || isMoving(place.carrier);
+      if (changes && place.strength > 0) {
         wake(place.reach);
       }
     }
@@ -213,10 +234,11 @@ public final class AreaForces<T> {
           || y < reach.minY - margin
           || y > reach.maxY + margin
           || place.carrier == body
+          || place.strength == 0
           || (place.area.tag() != Area.ANY_TAG && place.area.tag() != archetype.tag())) {
         continue;
       }
-      place.effect.act(world, body, place.frame, 1, dtSeconds);
+      place.effect.act(world, body, place.frame, place.strength, dtSeconds);
     }
   }
 

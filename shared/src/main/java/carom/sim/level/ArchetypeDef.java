@@ -4,6 +4,9 @@ import carom.physics.BodyType;
 import carom.physics.Material;
 import carom.physics.geometry.Shape;
 import carom.sim.OneWay;
+import carom.sim.event.Audience;
+import carom.sim.field.Ratio;
+import carom.sim.field.Scope;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -34,6 +37,7 @@ public final class ArchetypeDef {
   ScriptedMotion motion;
   Appearance appearance = Appearance.DEFAULT;
   Area area;
+  Ratio areaPower;
 
   /**
    * Creates a dynamic archetype without shapes. The name is for people and for {@link
@@ -59,6 +63,7 @@ public final class ArchetypeDef {
     motion = d.motion;
     appearance = d.appearance;
     area = d.area;
+    areaPower = d.areaPower;
   }
 
   /** Sets whether the bodies are static, kinematic or dynamic; dynamic by default. */
@@ -137,6 +142,30 @@ public final class ArchetypeDef {
    */
   public ArchetypeDef area(Area value) {
     area = value;
+    areaPower = null;
+    return this;
+  }
+
+  /**
+   * Sets an area that the entities carry along, as strong as a field of the entity says: 0 is off,
+   * 1 is as set. What is in such an area stays awake while it is on.
+   *
+   * @param value the area
+   * @param power a field of entities that all players near are told, so that they predict it
+   * @throws IllegalArgumentException if the field belongs to something else or is told to fewer
+   */
+  public ArchetypeDef area(Area value, Ratio power) {
+    boolean told = power.audience() == Audience.NEAR || power.audience() == Audience.ALL;
+    if (power.scope() != Scope.ENTITY || !told) {
+      throw new IllegalArgumentException(
+          "archetype="
+              + name
+              + ": field "
+              + power
+              + " can't be the power of an area; declare it .of(ENTITY).to(NEAR)");
+    }
+    area = value;
+    areaPower = power;
     return this;
   }
 

@@ -42,6 +42,7 @@ final class AreaPainter {
   private float y;
   private float cos;
   private float sin;
+  private float power = 1;
 
   AreaPainter(Canvas canvas) {
     this.canvas = canvas;
@@ -55,8 +56,16 @@ final class AreaPainter {
     sin = newSin;
   }
 
+  /** Sets how strong the areas drawn next are, 0..1. */
+  void power(float newPower) {
+    power = newPower;
+  }
+
   /** Draws what lies behind the bodies in an area. */
   void behind(Area area, float seconds) {
+    if (power <= 0) {
+      return;
+    }
     if (area.kind() == Area.Kind.WATER || area.kind() == Area.Kind.GRAVITY) {
       cos = 1;
       sin = 0;
@@ -81,13 +90,13 @@ final class AreaPainter {
 
   /** Draws what lies before the bodies in an area. */
   void before(Area area, float seconds) {
-    if (area.kind() != Area.Kind.WATER) {
+    if (area.kind() != Area.Kind.WATER || power <= 0) {
       return;
     }
     cos = 1;
     sin = 0;
     fill(area, area.maxY(), 0.22f);
-    Theme.shade(area.rgb(), 1.6f, 0.9f, color);
+    shade(area, 1.6f, 0.9f);
     float from = area.minX();
     float level = surface(area, from, seconds);
     while (from < area.maxX()) {
@@ -99,6 +108,10 @@ final class AreaPainter {
     }
   }
 
+  private void shade(Area area, float lightness, float alpha) {
+    Theme.shade(area.rgb(), lightness, alpha * (0.3f + 0.7f * power), color);
+  }
+
   private static float surface(Area area, float at, float seconds) {
     return area.maxY()
         + WAVE_HEIGHT_M
@@ -107,7 +120,7 @@ final class AreaPainter {
   }
 
   private void fill(Area area, float top, float alpha) {
-    Theme.shade(area.rgb(), 1, alpha, color);
+    shade(area, 1, alpha);
     corner(0, area.minX(), area.minY());
     corner(1, area.maxX(), area.minY());
     corner(2, area.maxX(), top);
@@ -150,7 +163,7 @@ final class AreaPainter {
       float py = wrapped(area.minY(), area.maxY(), share(i, SCATTER_Y), area.y() * seconds);
       float tailX = MathUtils.clamp(px - area.x() * STREAK_SECONDS, area.minX(), area.maxX());
       float tailY = MathUtils.clamp(py - area.y() * STREAK_SECONDS, area.minY(), area.maxY());
-      Theme.shade(area.rgb(), 1, 0.18f + 0.3f * share(i, 0.61f), color);
+      shade(area, 1, 0.18f + 0.3f * share(i, 0.61f));
       line(px, py, tailX, tailY);
     }
   }
@@ -162,7 +175,7 @@ final class AreaPainter {
     }
     float dx = area.x() / length;
     float dy = area.y() / length;
-    Theme.shade(area.rgb(), 1.2f, 0.35f, color);
+    shade(area, 1.2f, 0.35f);
     for (int i = 0, n = marks(area); i < n; i++) {
       float px = wrapped(area.minX(), area.maxX(), share(i, SCATTER_X), 0.6f * dx * seconds);
       float py = wrapped(area.minY(), area.maxY(), share(i, SCATTER_Y), 0.6f * dy * seconds);
@@ -173,7 +186,7 @@ final class AreaPainter {
   }
 
   private void specks(Area area) {
-    Theme.shade(area.rgb(), 0.6f, 0.6f, color);
+    shade(area, 0.6f, 0.6f);
     for (int i = 0, n = marks(area); i < n; i++) {
       float px = wrapped(area.minX(), area.maxX(), share(i, SCATTER_X), 0);
       float py = wrapped(area.minY(), area.maxY(), share(i, SCATTER_Y), 0);
@@ -185,12 +198,12 @@ final class AreaPainter {
   private void rings(Area area, float seconds) {
     float atX = worldX(area.x(), area.y());
     float atY = worldY(area.x(), area.y());
-    Theme.shade(area.rgb(), 1, 0.06f, color);
+    shade(area, 1, 0.06f);
     canvas.disc(atX, atY, area.range(), color);
     float way = area.strength() < 0 ? seconds : -seconds;
     for (int i = 0; i < RINGS; i++) {
       float share = (((float) i / RINGS + 0.2f * way) % 1 + 1) % 1;
-      Theme.shade(area.rgb(), 1.2f, 0.4f * (1 - share), color);
+      shade(area, 1.2f, 0.4f * (1 - share));
       canvas.ring(atX, atY, area.range() * share, LINE_M, color);
     }
   }

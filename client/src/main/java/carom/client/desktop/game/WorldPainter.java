@@ -1,12 +1,15 @@
 package carom.client.desktop.game;
 
 import carom.client.desktop.paint.Canvas;
+import carom.client.desktop.paint.JointPainter;
 import carom.client.desktop.paint.ShapePainter;
 import carom.client.desktop.paint.Theme;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
+import carom.client.view.JointView;
 import carom.game.Games;
 import carom.physics.Body;
+import carom.physics.JointType;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Convex;
@@ -14,6 +17,7 @@ import carom.physics.geometry.Shape;
 import carom.sim.Entity;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.field.Ratio;
 import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.Area;
@@ -52,6 +56,7 @@ final class WorldPainter {
 
   private final Canvas canvas;
   private final ShapePainter shapes;
+  private final JointPainter joints;
   private final AreaPainter areas;
   private final Impacts impacts = new Impacts();
   private final float[] streak = new float[6];
@@ -64,6 +69,7 @@ final class WorldPainter {
   WorldPainter(Canvas canvas) {
     this.canvas = canvas;
     shapes = new ShapePainter(canvas);
+    joints = new JointPainter(canvas);
     areas = new AreaPainter(canvas);
   }
 
@@ -112,21 +118,44 @@ final class WorldPainter {
         face(drawn, drawn == own, view, seconds);
       }
     }
+    joints(view, pixelsPerMetre);
     areasBefore(view, seconds);
     impacts.draw(canvas);
     flashes.draw(canvas);
     canvas.end();
   }
 
+  private void joints(ClientView view, float pixelsPerMetre) {
+    joints.begin(pixelsPerMetre);
+    for (int i = 0; i < view.jointCount(); i++) {
+      JointView j = view.joint(i);
+      if (j.type() == JointType.PULLEY) {
+        joints.pulley(
+            j.ax(),
+            j.ay(),
+            j.groundAX(),
+            j.groundAY(),
+            j.groundBX(),
+            j.groundBY(),
+            j.bx(),
+            j.by(),
+            j.alpha());
+      } else {
+        joints.draw(j.type(), j.ax(), j.ay(), j.bx(), j.by(), j.isSprung(), j.rest(), j.alpha());
+      }
+    }
+  }
+
   private void areasBehind(ClientView view, float seconds) {
     areas.frame(0, 0, 1, 0);
+    areas.power(1);
     for (Area area : view.level().areas()) {
       areas.behind(area, seconds);
     }
     for (int i = 0; i < view.entityCount(); i++) {
       Drawn drawn = view.entity(i);
       if (drawn.archetype().area() != null) {
-        frame(drawn);
+        frame(view, drawn);
         areas.behind(drawn.archetype().area(), seconds);
       }
     }
@@ -134,19 +163,22 @@ final class WorldPainter {
 
   private void areasBefore(ClientView view, float seconds) {
     areas.frame(0, 0, 1, 0);
+    areas.power(1);
     for (Area area : view.level().areas()) {
       areas.before(area, seconds);
     }
     for (int i = 0; i < view.entityCount(); i++) {
       Drawn drawn = view.entity(i);
       if (drawn.archetype().area() != null) {
-        frame(drawn);
+        frame(view, drawn);
         areas.before(drawn.archetype().area(), seconds);
       }
     }
   }
 
-  private void frame(Drawn drawn) {
+  private void frame(ClientView view, Drawn drawn) {
+    Ratio power = drawn.archetype().areaPower();
+    areas.power(power == null || !view.knowsFields() ? 1 : view.fields(drawn).get(power));
     areas.frame(drawn.x(), drawn.y(), MathUtils.cos(drawn.angle()), MathUtils.sin(drawn.angle()));
   }
 
