@@ -109,10 +109,11 @@ public interface Game {
    * tick after the inputs, once for each entity whose body is dynamic and awake. Clients predict
    * what it does exactly, so push bodies here rather than in {@link #beforeStep}.
    *
-   * <p>It must be a function of this entity, its owner's memory, the tick and the level. It may
-   * push this entity's body and change its velocity, and must change nothing else. Queries of the
-   * world see the level's static geometry only. A body that only {@link
-   * carom.physics.Body#applyAmbientForce ambient forces} act on can fall asleep.
+   * <p>It must be a function of this entity, of fields that all players near are told (its own, its
+   * owner's, the match's), the tick and the level. It may push this entity's body and change its
+   * velocity, and must change nothing else. Queries of the world see the level's static geometry
+   * only. A body that only {@link carom.physics.Body#applyAmbientForce ambient forces} act on can
+   * fall asleep.
    *
    * @param s the simulation
    * @param e an entity with a dynamic body that is awake

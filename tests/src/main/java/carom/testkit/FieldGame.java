@@ -70,20 +70,25 @@ public final class FieldGame implements Game {
     Games.add(FieldGame::new);
   }
 
-  /** Returns a level with a floor between two walls, and two spawns far from each other. */
-  public static Level level() {
+  /**
+   * Returns a level with a floor between two walls, and two spawns.
+   *
+   * @param apart whether a wall is between the spawns; otherwise they are in one narrow pit
+   */
+  public static Level level(boolean apart) {
     register();
     String json =
         """
         {"name": "fields", "game": "fields", "gravity": [0, -10],
          "bounds": {"min": [-40, -8], "max": [40, 20]},
-         "spawns": [{"name": "player", "at": [-15, -4]}, {"name": "player", "at": [15, -4]}],
+         "spawns": [{"name": "player", "at": [-15, -4]}, {"name": "player", "at": [%d, -4]}],
          "statics": [
            {"at": [0, -6], "shape": {"type": "box", "width": 60, "height": 2}},
-           {"at": [0, 0], "shape": {"type": "box", "width": 1, "height": 12}},
-           {"at": [-30, 5], "shape": {"type": "box", "width": 2, "height": 20}},
+           {"at": [%d, 0], "shape": {"type": "box", "width": 1, "height": 12}},
+           {"at": [%d, 5], "shape": {"type": "box", "width": 2, "height": 20}},
            {"at": [30, 5], "shape": {"type": "box", "width": 2, "height": 20}}]}
-        """;
+        """
+            .formatted(apart ? 15 : -13, apart ? 0 : -10, apart ? -30 : -18);
     try {
       return Level.parse("fields.json", json.getBytes(StandardCharsets.UTF_8));
     } catch (LevelException e) {

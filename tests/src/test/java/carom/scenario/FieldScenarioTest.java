@@ -26,7 +26,7 @@ class FieldScenarioTest {
       Impairment.NONE.withLatency(75, 0).withLoss(2).withSeed(Stepper.SEED);
 
   private static Stepper stepper() {
-    return Stepper.of(FieldGame.level(), ServerConfig.defaults());
+    return Stepper.of(FieldGame.level(true), ServerConfig.defaults());
   }
 
   @Test
@@ -110,6 +110,24 @@ class FieldScenarioTest {
       assertTrue(burnt > 100, stepper.describe());
       assertEquals(burnt, fields(ann.view(), body).get(FieldGame.BURNT), stepper.describe());
       assertEquals(burnt, fields(bob.view(), body).get(FieldGame.BURNT), stepper.describe());
+    }
+  }
+
+  @Test
+  void theFieldsOfAPlayerNearArePredictedWithItsInputs() {
+    // Two players jostle. Each client computes the other's dashes from relayed inputs, which needs
+    // the other's cooldown, and the hash of the predicted set covers that.
+    try (Stepper stepper = Stepper.of(FieldGame.level(false), ServerConfig.defaults())) {
+      SimulatedClient ann = stepper.join("ann", FAR, Scripts.wander(Stepper.SEED));
+      stepper.join("bob", FAR, Scripts.wander(Stepper.SEED + 1));
+      stepper.run(5);
+      final long agreed = ann.stats().disagreements();
+      stepper.run(30);
+      String about = stepper.describe();
+      assertTrue(ann.stats().awakeBodies() > 3_000, "bob is near most of the time; " + about);
+      assertTrue(ann.stats().disagreements() - agreed <= 2, about);
+      assertEquals(0, stepper.count(Counter.DIVERGENCES_UNEXPLAINED), about);
+      assertTrue(100 * ann.stats().exactBodies() >= 98 * ann.stats().awakeBodies(), about);
     }
   }
 

@@ -572,6 +572,19 @@ class RoomTest {
     }
   }
 
+  @Test
+  void anOperatorSeesFieldsAndIsToldWhatIsWrongWithAQuestion() {
+    try (Rig rig = new Rig()) {
+      rig.join("Ann");
+      assertEquals("", ask(rig, () -> rig.room.operator().fields("match")), "it has none");
+      assertEquals("", ask(rig, () -> rig.room.operator().fields("player 0")));
+      assertEquals(
+          "of=player 7 isn't there", ask(rig, () -> rig.room.operator().fields("player 7")));
+      String wrong = ask(rig, () -> rig.room.operator().fields("player x"));
+      assertEquals("of=player x must be match, player N or entity N", wrong);
+    }
+  }
+
   static String ask(Rig rig, int player, int entity) {
     return ask(rig, () -> rig.room.operator().why(player, entity));
   }

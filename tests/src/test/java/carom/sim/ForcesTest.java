@@ -18,6 +18,8 @@ import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Area;
 import carom.sim.level.Level;
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
@@ -28,6 +30,8 @@ import org.junit.jupiter.api.Test;
 final class ForcesTest {
   private static final float DT = 1 / 60f;
   private static final Ratio POWER = Field.ratio("power").of(Scope.ENTITY).to(Audience.NEAR);
+
+  private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
   private final Rules rules = new Rules();
 
@@ -314,5 +318,33 @@ final class ForcesTest {
     s.restore(with);
     run(s, 10);
     assertEquals(hash, s.stateHash());
+  }
+
+  @Test
+  void areasAndForcesAllocateNothing() throws Exception {
+    Simulation s =
+        simulation(
+            -10,
+            "{\"type\": \"water\", \"min\": [-40, 0], \"max\": [40, 6], \"density\": 2},{\"type\":"
+                + " \"wind\", \"min\": [-40, 0], \"max\": [40, 9], \"velocity\": [3, 0]},{\"type\":"
+                + " \"attractor\", \"at\": [0, 5], \"range\": 20, \"strength\": 5, \"swirl\": 4}");
+    for (int i = 0; i < 20; i++) {
+      s.spawn(i % 2 == 0 ? rules.crate : rules.marked, i - 10, 5, 0, null);
+    }
+    s.spawn(rules.magnet, 0, 3, 0, null).body().setVelocity(0.1f, 0);
+    rules.forces = (sim, e) -> e.body().applyAmbientForce(0, 1, 0);
+    run(s, 600);
+    SimState state = s.save(null);
+    long least = Long.MAX_VALUE;
+    for (int round = 0; round < 5; round++) {
+      long before = THREADS.getCurrentThreadAllocatedBytes();
+      for (int i = 0; i < 50; i++) {
+        s.step();
+        s.save(state);
+        s.restore(state);
+      }
+      least = Math.min(least, THREADS.getCurrentThreadAllocatedBytes() - before);
+    }
+    assertTrue(least < 512, "bytes=" + least + " in 50 ticks");
   }
 }

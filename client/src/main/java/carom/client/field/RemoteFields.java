@@ -17,7 +17,7 @@ import java.util.function.IntSupplier;
  * told, also of entities that are drawn a little in the past. A view is brought up to date when it
  * is asked for. One stay's; one thread; allocates for the first look at a player or an entity.
  */
-public final class RemoteFields {
+public final class RemoteFields implements ShownFields {
   private final Schema schema;
   private final TableInbox inbox;
   private final FieldStore store;
@@ -97,21 +97,13 @@ public final class RemoteFields {
     set(playerView(id).fieldValues(), Scope.PLAYER, word, value);
   }
 
-  /**
-   * Returns the fields of the match.
-   *
-   * <p>The same object for ever, brought up to date.
-   */
+  @Override
   public FieldView match() {
     load(match, Scope.MATCH, 0, 0);
     return match;
   }
 
-  /**
-   * Returns the fields of a player. The same object for ever, brought up to date.
-   *
-   * @param id 0..1,023; of a player who isn't there the fields are as declared, or as last told
-   */
+  @Override
   public FieldView player(int id) {
     FieldView view = playerView(id);
     if (id != ownId) {
@@ -130,12 +122,7 @@ public final class RemoteFields {
     return players[id];
   }
 
-  /**
-   * Returns the fields of an entity. The same object for all that ever have the id, brought up to
-   * date.
-   *
-   * @param id the entity's slot
-   */
+  @Override
   public FieldView entity(int id, int generation) {
     FieldView view = entityView(id);
     if (view != ownBody || generation != ownGeneration) {

@@ -1,7 +1,7 @@
 package carom.client.view;
 
 import carom.client.field.FieldView;
-import carom.client.field.RemoteFields;
+import carom.client.field.ShownFields;
 import carom.client.interpolation.Pose;
 import carom.client.link.ConnectionPhase;
 import carom.client.stats.NetStats;
@@ -127,7 +127,7 @@ public final class ClientView {
   double renderTick;
   Simulation predictedWorld;
   final int[] memory = new int[4];
-  RemoteFields fields;
+  ShownFields fields;
   final Input input = new Input();
 
   ClientView(NetStats stats) {
@@ -339,7 +339,7 @@ public final class ClientView {
    * What the own player may not know is as declared. Read values by the typed methods {@code get}.
    *
    * @param id 0..1,023
-   * @throws IllegalStateException if no game was joined yet, or the picture is of a recording
+   * @throws IllegalStateException if there is no game yet
    */
   public FieldView player(int id) {
     return fields().player(id);
@@ -364,14 +364,14 @@ public final class ClientView {
     return fields().match();
   }
 
-  /** Returns whether fields can be asked for: a game was joined that this client is told about. */
+  /** Returns whether fields can be asked for: there is a game. */
   public boolean knowsFields() {
     return fields != null;
   }
 
-  private RemoteFields fields() {
+  private ShownFields fields() {
     if (fields == null) {
-      throw new IllegalStateException("there are no fields: no game was joined");
+      throw new IllegalStateException("there are no fields before a game was joined");
     }
     return fields;
   }

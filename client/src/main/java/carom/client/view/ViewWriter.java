@@ -1,6 +1,6 @@
 package carom.client.view;
 
-import carom.client.field.RemoteFields;
+import carom.client.field.ShownFields;
 import carom.client.interpolation.Pose;
 import carom.client.link.ConnectionPhase;
 import carom.client.stats.NetStats;
@@ -76,7 +76,7 @@ public final class ViewWriter {
   }
 
   /** Sets where the game's fields are read. */
-  public void fields(RemoteFields fields) {
+  public void fields(ShownFields fields) {
     view.fields = fields;
   }
 
