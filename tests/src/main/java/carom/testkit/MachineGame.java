@@ -42,6 +42,7 @@ public final class MachineGame implements Game {
   private Assembly ragdoll;
   private Archetype plank;
   private Archetype load;
+  private Archetype link;
   private EventKind snap;
 
   /** Makes the game known, so that levels may name it. */
@@ -121,6 +122,7 @@ public final class MachineGame implements Game {
                                 .spring(4, 0.7f)));
     ragdoll = s.assemblies().add(ragdoll());
     plank = s.archetypes().add(new ArchetypeDef("plank").shape(new Box(0.48f, 0.12f), METAL));
+    link = s.archetypes().add(new ArchetypeDef("link").shape(new Box(0.09f, 0.05f), METAL));
     load = s.archetypes().add(new ArchetypeDef("load").shape(new Box(0.5f, 0.5f), METAL));
     if (s.role() == Role.AUTHORITY) {
       furnish(s);
@@ -134,6 +136,7 @@ public final class MachineGame implements Game {
         case "ragdoll" -> ragdoll(s, spot.x(), spot.y());
         case "bridge" -> bridge(s, spot.x(), spot.y(), spot.team(), 1e9f);
         case "weak bridge" -> bridge(s, spot.x(), spot.y(), spot.team(), 400);
+        case "carpet" -> carpet(s, spot.x(), spot.y(), 270);
         case "crane" -> crane(s, spot.x(), spot.y());
         case "crate" -> crate(s, spot.x(), spot.y());
         case "tie" -> ties = true;
@@ -211,6 +214,18 @@ public final class MachineGame implements Game {
       last = next;
     }
     return made;
+  }
+
+  /** Makes a carpet of links of 0.2 m that lies on the ground, from a place to the right. */
+  public void carpet(Simulation s, float x, float y, int links) {
+    Body<Entity> last = null;
+    for (int i = 0; i < links; i++) {
+      Body<Entity> next = s.spawn(link, x + 0.2f * i, y, 0, null).body();
+      if (last != null) {
+        s.connect(JointDef.revolute(last, next, x + 0.2f * i - 0.1f, y));
+      }
+      last = next;
+    }
   }
 
   /**
