@@ -42,6 +42,7 @@ public final class MachineGame implements Game {
   private Assembly ragdoll;
   private Archetype plank;
   private Archetype load;
+  private Archetype link;
   private EventKind snap;
 
   /** Makes the game known, so that levels may name it. */
@@ -56,6 +57,15 @@ public final class MachineGame implements Game {
    *     crates
    */
   public static Level level(String more) {
+    return level(more, "");
+  }
+
+  /**
+   * Returns such a level with more in its file.
+   *
+   * @param fields further fields of the file, each after a comma
+   */
+  public static Level level(String more, String fields) {
     register();
     String json =
         """
@@ -65,9 +75,9 @@ public final class MachineGame implements Game {
          "statics": [
            {"name": "floor", "at": [0, -1], "shape": {"type": "box", "width": 80, "height": 2}},
            {"at": [-31, 10], "shape": {"type": "box", "width": 2, "height": 24}},
-           {"at": [31, 10], "shape": {"type": "box", "width": 2, "height": 24}}]}
+           {"at": [31, 10], "shape": {"type": "box", "width": 2, "height": 24}}]%s}
         """
-            .formatted(more);
+            .formatted(more, fields);
     try {
       return Level.parse("machines.json", json.getBytes(StandardCharsets.UTF_8));
     } catch (LevelException e) {
@@ -121,6 +131,7 @@ public final class MachineGame implements Game {
                                 .spring(4, 0.7f)));
     ragdoll = s.assemblies().add(ragdoll());
     plank = s.archetypes().add(new ArchetypeDef("plank").shape(new Box(0.48f, 0.12f), METAL));
+    link = s.archetypes().add(new ArchetypeDef("link").shape(new Box(0.09f, 0.05f), METAL));
     load = s.archetypes().add(new ArchetypeDef("load").shape(new Box(0.5f, 0.5f), METAL));
     if (s.role() == Role.AUTHORITY) {
       furnish(s);
@@ -134,6 +145,7 @@ public final class MachineGame implements Game {
         case "ragdoll" -> ragdoll(s, spot.x(), spot.y());
         case "bridge" -> bridge(s, spot.x(), spot.y(), spot.team(), 1e9f);
         case "weak bridge" -> bridge(s, spot.x(), spot.y(), spot.team(), 400);
+        case "carpet" -> carpet(s, spot.x(), spot.y(), 270);
         case "crane" -> crane(s, spot.x(), spot.y());
         case "crate" -> crate(s, spot.x(), spot.y());
         case "tie" -> ties = true;
@@ -211,6 +223,18 @@ public final class MachineGame implements Game {
       last = next;
     }
     return made;
+  }
+
+  /** Makes a carpet of links of 0.2 m that lies on the ground, from a place to the right. */
+  public void carpet(Simulation s, float x, float y, int links) {
+    Body<Entity> last = null;
+    for (int i = 0; i < links; i++) {
+      Body<Entity> next = s.spawn(link, x + 0.2f * i, y, 0, null).body();
+      if (last != null) {
+        s.connect(JointDef.revolute(last, next, x + 0.2f * i - 0.1f, y));
+      }
+      last = next;
+    }
   }
 
   /**

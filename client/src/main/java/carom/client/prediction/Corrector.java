@@ -308,6 +308,7 @@ final class Corrector {
     if (ownPlace < 0) {
       assembly.place(simulation, ownKey, stateTick);
     }
+    records.holdCut(simulation);
     words.write(own);
   }
 

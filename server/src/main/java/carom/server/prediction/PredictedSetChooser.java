@@ -24,7 +24,8 @@ import java.util.function.Predicate;
  *   <li>what is close to it or soon will be, the closest first, each with all that it touches;
  *       while the list is shorter than {@value #MOST_CLOSE};
  *   <li>all that joints hold together with one of these, directly or through others: bodies that
- *       joints hold together are chosen as a whole or not at all;
+ *       joints hold together are chosen as a whole or not at all. Only what no set could hold is
+ *       cut if the own body touches it, and the client holds the bodies at the cut;
  *   <li>what carries an {@linkplain carom.sim.level.Area area} that acts on one of these, or soon
  *       may.
  * </ol>
@@ -69,8 +70,14 @@ final class PredictedSetChooser {
   /** Whether the own body is being chosen, with all that joints tie to it. */
   private boolean choosesOwn;
 
+  /** Whether what touches the own body is being chosen, directly or through others. */
+  private boolean spreadsOwn;
+
   /** Whether all that joints tie to an entity could be chosen so far. */
   private boolean fits;
+
+  /** Whether joints tie more to an entity than any set holds. */
+  private boolean isTooLarge;
 
   private boolean reachedFromOutside;
   private int limit;
@@ -111,7 +118,9 @@ final class PredictedSetChooser {
     choosesOwn = true;
     addIfFit(player.body());
     choosesOwn = false;
+    spreadsOwn = true;
     spreadContacts(0);
+    spreadsOwn = false;
     limit = Math.min(most, Math.max(chosen.count(), MOST_CLOSE));
     gatherCandidates();
     for (int i = 0; i < candidates.count(); i++) {
@@ -200,29 +209,32 @@ final class PredictedSetChooser {
     }
     int first = chosen.count();
     chosen.add(e);
-    if (addJointed(first) || choosesOwn) {
-      return; // the own body is never left out, even if it hangs on more than there is room for
+    addJointed(first);
+    if (choosesOwn || (fits && chosen.count() <= limit)) {
+      return; // the own body is never left out, whatever hangs on it
     }
-    while (chosen.count() > first) {
+    // What no set could hold is cut where there is no more room, if the own island touches it.
+    int keep = isTooLarge && spreadsOwn ? limit : first;
+    while (chosen.count() > keep) {
       marks.unlist(chosen.removeLast().id());
     }
   }
 
   /**
-   * Adds all that joints tie to a chosen entity, through dynamic bodies.
+   * Adds all that joints tie to a chosen entity, through dynamic bodies, the nearest along joints
+   * first. Notes whether the game hides some, and whether it is more than any set holds.
    *
    * @param first place of the entity, the last one
-   * @return false if there was no room for all of it, or the game hides some
    */
-  private boolean addJointed(int first) {
+  private void addJointed(int first) {
     fits = true;
+    isTooLarge = false;
     for (int i = first; i < chosen.count() && fits; i++) {
       Body<Entity> body = chosen.get(i).body();
       if (body.type() == BodyType.DYNAMIC) {
         body.forEachJoint(jointVisitor);
       }
     }
-    return fits;
   }
 
   private void follow(Joint<Entity> joint) {
@@ -235,7 +247,8 @@ final class PredictedSetChooser {
     if (e == null || e.isLevel() || marks.isListed(e.id())) {
       return;
     }
-    if (chosen.count() >= (choosesOwn ? NearState.MAX_ENTITIES : limit) || !mayKnow.test(e)) {
+    isTooLarge |= chosen.count() == NearState.MAX_ENTITIES;
+    if (isTooLarge || !mayKnow.test(e)) {
       fits = false;
       return;
     }

@@ -8,7 +8,10 @@ import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.relay.RelayedInputs;
 import carom.net.snapshot.table.JointWords;
 import carom.net.snapshot.table.TableInbox;
+import carom.physics.Body;
+import carom.physics.BodyType;
 import carom.physics.rows.JointDefRow;
+import carom.sim.Entity;
 import carom.sim.Simulation;
 import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
@@ -78,6 +81,33 @@ public final class SnapshotRecords implements Neighbourhood.Identity, JointDefin
   /** Returns a word of the row of a joint; {@link JointWords} declares them. */
   public int jointWord(int row, int word) {
     return decoder.tables().get(JointWords.TABLE, row, word);
+  }
+
+  /**
+   * Holds the bodies of a simulation that joints tie to bodies it lacks, because there are more
+   * than a predicted set holds. They go on as they move, whatever pulls, until the next exact
+   * state.
+   */
+  public void holdCut(Simulation s) {
+    for (int i = 0; i < jointLimit(); i++) {
+      if (jointKey(i) >= 0) {
+        int endA = jointWord(i, JointWords.END_A);
+        int endB = jointWord(i, JointWords.END_B);
+        Entity a = find(s, endA);
+        Entity b = find(s, endB);
+        if (endA >= 0 && endB >= 0 && (a == null) != (b == null)) {
+          Body<Entity> body = (a == null ? b : a).body();
+          if (body.type() == BodyType.DYNAMIC) {
+            body.setType(BodyType.KINEMATIC);
+          }
+        }
+      }
+    }
+  }
+
+  private static Entity find(Simulation s, int key) {
+    Entity e = key < 0 ? null : s.entity(Neighbourhood.id(key));
+    return e != null && e.generation() == Neighbourhood.generation(key) ? e : null;
   }
 
   /** Returns whether the definition of a joint is known. */
