@@ -181,10 +181,16 @@ final class ArchitectureTest {
     allow("carom.physics.effects", "carom.physics..");
     allow("carom.physics.particles", "carom.physics..");
     allow("carom.sim.event");
+    allow("carom.sim.message");
     allow("carom.sim.level", "carom.physics..");
     allow("carom.sim.history", "carom.physics..", "carom.sim.level");
     allow(
-        "carom.sim", "carom.physics..", "carom.sim.level", "carom.sim.event", "carom.sim.history");
+        "carom.sim",
+        "carom.physics..",
+        "carom.sim.level",
+        "carom.sim.event",
+        "carom.sim.message",
+        "carom.sim.history");
     allow("carom.sim.near", "carom.physics..", "carom.sim", "carom.sim.level");
     allow("carom.sim.scene", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.event");
     allow(
@@ -236,6 +242,7 @@ final class ArchitectureTest {
         "carom.replay",
         "carom.sim",
         "carom.sim.level",
+        "carom.sim.message",
         "carom.physics",
         "carom.physics.archive",
         "carom.game");
@@ -273,7 +280,12 @@ final class ArchitectureTest {
   /** Allows what a game that ships may use; the name is the one below {@code carom.game}. */
   private static void game(String name) {
     allow(
-        "carom.game." + name, "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.event");
+        "carom.game." + name,
+        "carom.physics..",
+        "carom.sim",
+        "carom.sim.level",
+        "carom.sim.event",
+        "carom.sim.message");
   }
 
   private static void allow(String from, String... to) {
