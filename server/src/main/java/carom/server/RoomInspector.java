@@ -48,6 +48,11 @@ final class RoomInspector implements RoomMXBean {
   }
 
   @Override
+  public String fields(String of) {
+    return room.operator().fields(of);
+  }
+
+  @Override
   public String kick(int player, String text) {
     return room.operator().kick(player, text);
   }

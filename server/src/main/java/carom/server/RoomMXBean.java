@@ -18,6 +18,13 @@ public interface RoomMXBean {
   String why(int player, int entity);
 
   /**
+   * Returns the names and values of fields, also of those that stay on the server.
+   *
+   * @param of {@code match}, {@code player N} or {@code entity N}
+   */
+  String fields(String of);
+
+  /**
    * Removes a player. The player may join again.
    *
    * @param player a player's id, see the log's lines about joins

@@ -1,6 +1,7 @@
 package carom.game;
 
 import carom.physics.Collision;
+import carom.physics.Joint;
 import carom.physics.WorldDef;
 import carom.sim.Entity;
 import carom.sim.Game;
@@ -8,9 +9,11 @@ import carom.sim.Input;
 import carom.sim.Player;
 import carom.sim.Simulation;
 import carom.sim.event.Audience;
+import carom.sim.field.Field;
 import carom.sim.level.Level;
 import carom.sim.message.Emote;
 import carom.sim.message.Message;
+import java.util.List;
 import java.util.Objects;
 
 /**
@@ -66,6 +69,11 @@ public final class GuardedGame implements Game {
   @Override
   public WorldDef world(Level level) {
     return game.world(level);
+  }
+
+  @Override
+  public List<Field<?>> fields() {
+    return game.fields();
   }
 
   @Override
@@ -150,6 +158,15 @@ public final class GuardedGame implements Game {
   }
 
   @Override
+  public void forces(Simulation s, Entity e) {
+    try {
+      game.forces(s, e);
+    } catch (RuntimeException | AssertionError | StackOverflowError failure) {
+      watch.failed("forces of " + e, s, failure);
+    }
+  }
+
+  @Override
   public void beforeStep(Simulation s) {
     try {
       game.beforeStep(s);
@@ -183,6 +200,15 @@ public final class GuardedGame implements Game {
       game.hit(s, c);
     } catch (RuntimeException | AssertionError | StackOverflowError e) {
       watch.failed("hit", s, e);
+    }
+  }
+
+  @Override
+  public void broke(Simulation s, Joint<Entity> joint) {
+    try {
+      game.broke(s, joint);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("broke of " + joint, s, e);
     }
   }
 

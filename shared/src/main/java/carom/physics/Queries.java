@@ -379,7 +379,7 @@ public final class Queries<T> {
     int number = parts.shapeOf(part);
     Body<T> body = world.body(slot);
     boolean seen = filter == null ? !body.sensor(number) : filter.accepts(body, number);
-    if (seen && measure(part, slot)) {
+    if (seen && world.sees(body, number) && measure(part, slot)) {
       long key =
           (long) Float.floatToIntBits(hit.fraction) << (BODY_BITS + PART_BITS)
               | (long) slot << PART_BITS
@@ -401,9 +401,7 @@ public final class Queries<T> {
   /** Tests the query against one part and fills {@link #hit}; hits are sorted by its fraction. */
   private boolean measure(int part, int slot) {
     Convex convex = parts.convexOf(part);
-    if (poses == null) {
-      pose.set(store.x[slot], store.y[slot], store.cos[slot], store.sin[slot]);
-    } else if (!poses.place(slot, pose)) {
+    if (!findPose(slot)) {
       return false;
     }
     return switch (kind) {
@@ -413,6 +411,22 @@ public final class Queries<T> {
       case NEAREST -> measurePoint(convex);
       case OVERLAP -> overlaps(convex);
     };
+  }
+
+  /** Sets {@link #pose} to that of a body's centre of mass, to which its parts are relative. */
+  private boolean findPose(int slot) {
+    if (poses == null) {
+      pose.set(store.x[slot], store.y[slot], store.cos[slot], store.sin[slot]);
+      return true;
+    }
+    if (!poses.place(slot, pose)) {
+      return false;
+    }
+    float x = store.localX[slot];
+    float y = store.localY[slot];
+    pose.x += pose.cos * x - pose.sin * y;
+    pose.y += pose.sin * x + pose.cos * y;
+    return true;
   }
 
   private boolean measureShape(Convex convex) {

@@ -7,8 +7,11 @@ import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.table.JointWords;
+import carom.net.snapshot.table.TableInbox;
 import carom.physics.Body;
 import carom.physics.rows.ContactRow;
+import carom.physics.rows.RowCounts;
 import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
 import carom.sim.Entity;
@@ -37,7 +40,7 @@ public final class IslandRig {
   private final Simulation predicted;
   private final SnapshotDecoder decoder;
   private final Neighbourhood island = new Neighbourhood();
-  private final OwnState own = new OwnState();
+  private final OwnState own = new OwnState(4);
 
   /**
    * Builds the wall. The client doesn't know of it yet.
@@ -52,7 +55,8 @@ public final class IslandRig {
     serverPlayer = server.join("p");
     predicted = new Simulation(Games.create(level.gameName()), level, 1, 60, Role.PREDICTION);
     client = new Prediction(predicted, serverPlayer.id(), "p", 120, maxReplayNs, stopwatch, false);
-    decoder = new SnapshotDecoder(Limits.MAX_ENTITIES, 1, 0, 60);
+    decoder =
+        new SnapshotDecoder(Limits.MAX_ENTITIES, 1, 0, 60, 4, new TableInbox(JointWords.LAYOUT));
     Entity body = serverPlayer.body();
     decoder.level(
         FrameState.of(
@@ -190,8 +194,8 @@ public final class IslandRig {
         b.velocityX(),
         b.velocityY(),
         b.angularVelocity());
-    for (int i = 0; i < OwnState.MEMORY; i++) {
-      own.setMemory(i, serverPlayer.memory()[i]);
+    for (int i = 0; i < own.words(); i++) {
+      own.setWord(i, serverPlayer.memory()[i]);
     }
   }
 
@@ -205,12 +209,15 @@ public final class IslandRig {
   private void part(int first, int end, int total) {
     list();
     NearState near = own.near();
-    near.beginPart(0, total, first);
+    RowCounts counts = new RowCounts();
+    counts.set(RowKind.BODY, island.count());
+    counts.set(RowKind.CONTACT, total - island.count());
+    near.beginPart(0, counts, first);
     for (int i = 0; i < island.count(); i++) {
       near.tell(i);
     }
     for (int row = first; row < end; row++) {
-      RowKind kind = RowKind.of(row, island.count());
+      RowKind kind = counts.kind(row);
       Rows rows = island.rows().of(kind);
       near.addRow(rows.ints(), rows.at(kind == RowKind.BODY ? row : row - island.count()));
     }

@@ -14,6 +14,7 @@ import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
+import carom.sim.field.Schema;
 import carom.testkit.Levels;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
@@ -86,7 +87,7 @@ class HostileScenarioTest {
       switch (random.nextInt(5)) {
         case 0 -> hello();
         case 1 -> link.send(new ClientMessage.LevelRequest(random.nextInt(Limits.MAX_LEVEL_BYTES)));
-        case 2 -> link.send(new ClientMessage.Ready());
+        case 2 -> link.send(new ClientMessage.Ready(Schema.EMPTY.digest()));
         case 3 -> link.send(new ClientMessage.Hello(random.nextInt(), random.nextLong(), "x", 7));
         default -> link.send(new ClientMessage.Leave());
       }
@@ -136,7 +137,7 @@ class HostileScenarioTest {
             // Never the one sentence that lets one in.
             o.link.send(
                 o.random.nextBoolean()
-                    ? new ClientMessage.Ready()
+                    ? new ClientMessage.Ready(Schema.EMPTY.digest())
                     : new ClientMessage.Hello(o.random.nextInt(), o.random.nextLong(), "", 7));
           } else {
             o.garbageDatagram();
@@ -178,7 +179,7 @@ class HostileScenarioTest {
         } else if (offender.welcome == null) {
           if (slice % 50 == 0) {
             offender.hello();
-            offender.link.send(new ClientMessage.Ready());
+            offender.link.send(new ClientMessage.Ready(Schema.EMPTY.digest()));
           }
         } else {
           for (int i = 0; i < 5; i++) {
@@ -226,7 +227,7 @@ class HostileScenarioTest {
         Offender offender = offender(stepper, i);
         offender.hello();
         offender.link.send(new ClientMessage.LevelRequest(0));
-        offender.link.send(new ClientMessage.Ready());
+        offender.link.send(new ClientMessage.Ready(Schema.EMPTY.digest()));
         offenders.add(offender);
       }
       stepper.run(1);

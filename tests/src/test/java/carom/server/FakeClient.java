@@ -11,6 +11,7 @@ import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.event.EventRecord;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.table.TableInbox;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.sim.Input;
@@ -30,7 +31,7 @@ final class FakeClient implements LinkHandler {
 
   final Link link;
   final List<ServerMessage> messages = new ArrayList<>();
-  final OwnState own = new OwnState();
+  final OwnState own = new OwnState(4);
   final Input input = new Input();
   ServerMessage.Welcome welcome;
   ServerMessage.Refused refused;
@@ -113,7 +114,9 @@ final class FakeClient implements LinkHandler {
       welcome = w;
       level = new byte[w.packedSize()];
       loaded = 0;
-      decoder = new SnapshotDecoder(Limits.MAX_ENTITIES, w.datagramKey(), w.tick(), w.tickRate());
+      decoder =
+          new SnapshotDecoder(
+              Limits.MAX_ENTITIES, w.datagramKey(), w.tick(), w.tickRate(), 4, new TableInbox());
       if (loads) {
         link.send(new ClientMessage.LevelRequest(0));
       }
@@ -125,7 +128,7 @@ final class FakeClient implements LinkHandler {
       } else {
         level = PackedLevel.unpack(level, welcome.levelSize());
         start(level);
-        link.send(new ClientMessage.Ready());
+        link.send(new ClientMessage.Ready(welcome.fieldsDigest()));
         ready = true;
       }
     } else if (message instanceof ServerMessage.Refused r) {

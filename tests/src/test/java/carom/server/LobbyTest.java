@@ -13,6 +13,7 @@ import carom.net.protocol.Protocol;
 import carom.net.protocol.RefusalReason;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
+import carom.sim.field.Schema;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -43,9 +44,19 @@ class LobbyTest {
     FakeClient client = rig.connect().hello("Ann");
     client.loads = false;
     rig.steps(2);
-    client.link.send(new ClientMessage.Ready());
+    client.link.send(new ClientMessage.Ready(Schema.EMPTY.digest()));
     rig.steps(3);
     assertTrue(client.decoder.hasAck());
+  }
+
+  @Test
+  void aClientWhoseGameHasOtherFieldsIsRefused() {
+    FakeClient client = rig.connect().hello("Ann");
+    client.loads = false;
+    rig.steps(2);
+    client.link.send(new ClientMessage.Ready(Schema.EMPTY.digest() + 1));
+    rig.steps(3);
+    assertEquals(RefusalReason.GAME_VERSION, client.refused.reason());
   }
 
   @Test
@@ -110,7 +121,7 @@ class LobbyTest {
     FakeClient client = rig.connect().hello("a");
     client.loads = false;
     rig.steps(2);
-    client.link.send(new ClientMessage.Ready());
+    client.link.send(new ClientMessage.Ready(Schema.EMPTY.digest()));
     client.link.close("gone");
     rig.seconds(0.5);
     assertEquals(0, rig.count(Counter.PLAYERS), "not after five seconds of silence");
@@ -194,7 +205,7 @@ class LobbyTest {
   @Test
   void wrongMessageInWrongStateIsRefused() {
     FakeClient early = rig.connect();
-    early.link.send(new ClientMessage.Ready());
+    early.link.send(new ClientMessage.Ready(Schema.EMPTY.digest()));
     FakeClient twice = rig.connect().hello("Ann");
     twice.loads = false;
     twice.hello("Ann");

@@ -32,6 +32,9 @@ public final class Connection implements LinkHandler {
      */
     String joined(ServerMessage.Welcome welcome, Level level);
 
+    /** Returns the digest of the fields of the game that was joined last. */
+    long fieldsDigest();
+
     /**
      * A datagram arrived while playing.
      *
@@ -308,7 +311,7 @@ public final class Connection implements LinkHandler {
     message = "";
     comeback.stop();
     lastHeardNs = nowNs;
-    link.send(new ClientMessage.Ready());
+    link.send(new ClientMessage.Ready(listener.fieldsDigest()));
   }
 
   private void refused(ServerMessage.Refused refused) {

@@ -1,5 +1,6 @@
 package carom.server.lobby;
 
+import carom.net.field.FieldAgreement;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.Limits;
@@ -37,6 +38,8 @@ import org.slf4j.LoggerFactory;
  * failed count as full.
  *
  * <p>One thread calls {@link #doWork}. It need not be a room's thread.
+ *
+ * <p><b>Length.</b> Just above 500 lines, because a visitor's steps share the lobby's state.
  */
 public final class Lobby {
   private static final Logger LOG = LoggerFactory.getLogger(Lobby.class);
@@ -284,8 +287,12 @@ public final class Lobby {
       } else if (state == SessionState.LOADING
           && message instanceof ClientMessage.LevelRequest request) {
         sendLevel(request.offset());
-      } else if (state == SessionState.LOADING && message instanceof ClientMessage.Ready) {
-        enterRoom();
+      } else if (state == SessionState.LOADING && message instanceof ClientMessage.Ready ready) {
+        if (ready.fieldsDigest() == room.schema().digest()) {
+          enterRoom();
+        } else {
+          refuse(RefusalReason.GAME_VERSION, "The fields of your game " + gameName + " differ.");
+        }
       } else if (message instanceof ClientMessage.Leave) {
         end("left before playing");
       } else {
@@ -432,7 +439,9 @@ public final class Lobby {
               levelName,
               level.contentHash(),
               levelSize,
-              packedLevel.length));
+              packedLevel.length,
+              room.schema().digest(),
+              FieldAgreement.tell(room.schema())));
     }
 
     private void sendLevel(int offset) {

@@ -23,6 +23,7 @@ import carom.sim.Entity;
 import carom.sim.Game;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.field.Schema;
 import carom.sim.level.Level;
 import java.io.IOException;
 import java.util.function.BiConsumer;
@@ -252,6 +253,7 @@ public final class Room {
         snapshots.run(beginNs, nowNs);
       }
       simulation.drainNotices(sendNotice);
+      failures.tell(simulation.findings());
       roster.send(sessions.bySeat(), nowNs, sendTo);
     }
     tick = simulation.tick();
@@ -385,6 +387,11 @@ public final class Room {
   /** Returns what the room counts; from any thread. */
   public Counters counters() {
     return counters;
+  }
+
+  /** Returns the declarations of the game's fields; from any thread. */
+  public Schema schema() {
+    return simulation.schema();
   }
 
   /** Returns the world and its players, for reading. */

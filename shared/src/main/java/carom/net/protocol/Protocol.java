@@ -8,14 +8,14 @@ public final class Protocol {
    * also between two releases, because builds that don't understand each other must refuse each
    * other.
    */
-  public static final int VERSION = 8;
+  public static final int VERSION = 9;
 
   /**
    * Version of the simulation's arithmetic. Two builds with the same version step any world to the
    * same state hash. A change that alters a result of {@code carom.physics}, {@code carom.sim} or a
    * shipped game raises it.
    */
-  public static final String PHYSICS_VERSION = "carom-physics-4";
+  public static final String PHYSICS_VERSION = "carom-physics-5";
 
   private Protocol() {}
 

@@ -72,6 +72,9 @@ public final class BodyRow {
   /** Torque, N m. */
   public static final int TORQUE = FORCE_Y + 1;
 
+  /** Number of the ints from {@link #MOTION} to the last load: all that the physics keeps. */
+  public static final int STATE_INTS = LOADS + LOAD_INTS - MOTION;
+
   /** First of {@link #MEMORY_INTS} ints that the using program keeps with the body. */
   public static final int MEMORY = LOADS + LOAD_INTS;
 

@@ -19,7 +19,7 @@ class ClientMessageCodecTest {
           new ClientMessage.Hello(Integer.MIN_VALUE, 0, "", 0),
           new ClientMessage.LevelRequest(0),
           new ClientMessage.LevelRequest(Limits.MAX_LEVEL_BYTES - 1),
-          new ClientMessage.Ready(),
+          new ClientMessage.Ready(5),
           new ClientMessage.Leave());
 
   @Test

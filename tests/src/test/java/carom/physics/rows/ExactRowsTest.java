@@ -32,6 +32,8 @@ final class ExactRowsTest {
   void theFieldsOfAKindFillItsRow() throws Exception {
     assertEquals(BodyRow.MEMORY + BodyRow.MEMORY_INTS, BodyRow.INTS);
     requireFilled(BodyRow.class, BodyRow.MEMORY, Set.of("ASLEEP"));
+    requireFilled(JointRow.class, JointRow.INTS, Set.of("GROUND"));
+    requireFilled(JointDefRow.class, JointDefRow.INTS, Set.of());
     requireFilled(ContactRow.class, ContactRow.INTS, Set.of("FLAGS_SHIFT", "POINTS_MASK"));
   }
 
@@ -68,9 +70,13 @@ final class ExactRowsTest {
   @Test
   void rowsOfMixedKindsStayApart() {
     Rows rows = Rows.mixed();
+    RowCounts counts = new RowCounts();
+    counts.set(RowKind.BODY, 20);
+    counts.set(RowKind.JOINT, 10);
+    counts.set(RowKind.FIELDS, 5);
     List<int[]> added = new ArrayList<>();
     for (int i = 0; i < 50; i++) {
-      RowKind kind = RowKind.of(i, 20);
+      RowKind kind = counts.kind(i);
       int[] row = new int[kind.ints()];
       Arrays.fill(row, i + 1);
       rows.add(kind, row, 0);
@@ -85,8 +91,12 @@ final class ExactRowsTest {
       int[] found = Arrays.copyOfRange(copy.ints(), at, at + expected.length);
       assertArrayEquals(expected, found, "row " + i);
     }
-    assertEquals(RowKind.BODY, RowKind.of(19, 20));
-    assertEquals(RowKind.CONTACT, RowKind.of(20, 20));
+    assertEquals(RowKind.BODY, counts.kind(19));
+    assertEquals(RowKind.JOINT, counts.kind(20));
+    assertEquals(RowKind.JOINT, counts.kind(29));
+    assertEquals(RowKind.FIELDS, counts.kind(30));
+    assertEquals(20, counts.first(RowKind.JOINT));
+    assertEquals(35, counts.total());
   }
 
   @Test

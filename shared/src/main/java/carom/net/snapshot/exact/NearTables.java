@@ -1,6 +1,7 @@
 package carom.net.snapshot.exact;
 
 import carom.net.codec.SymbolTable;
+import carom.physics.rows.BodyRow;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -34,7 +35,7 @@ final class NearTables {
     PUSHED(1),
     PUSH(1),
     REMEMBERED(1),
-    MEMORY(OwnState.MEMORY),
+    MEMORY(BodyRow.MEMORY_INTS),
     END(3),
     KIND(1),
     ID(4),
@@ -42,7 +43,14 @@ final class NearTables {
     TANGENT(6),
     SECOND(4),
     ROLLING(1),
-    LAST(6);
+    LAST(6),
+    JOINT_KEY(1),
+    JOINT_END(2),
+    JOINT_SET(2),
+    JOINT_TURNED(1),
+    JOINT_PUSHED(2),
+    JOINT_IMPULSE(2),
+    JOINT_LOAD(3);
 
     private final int contexts;
 
