@@ -173,11 +173,8 @@ final class JoinedGame {
       prediction.receive(decoder.own().near(), tick);
     }
     if (inbox.keepOwn() && prediction == null) {
-      for (int i = 0; i < Player.MEMORY_SIZE; i++) {
-        view.memory(i, inbox.own().word(i));
-      }
-      for (int i = Player.MEMORY_SIZE; i < inbox.own().words(); i++) {
-        fields.own(playerId, i - Player.MEMORY_SIZE, inbox.own().word(i));
+      for (int i = 0; i < inbox.own().words(); i++) {
+        fields.own(playerId, i, inbox.own().word(i));
       }
     }
   }
@@ -261,9 +258,6 @@ final class JoinedGame {
   /** Updates the view, except its entities, which are composed on demand. */
   void describe(boolean playing) {
     if (prediction != null) {
-      for (int i = 0; i < Player.MEMORY_SIZE; i++) {
-        view.memory(i, prediction.memory(i));
-      }
       describeOwnFields();
     }
     if (playing) {

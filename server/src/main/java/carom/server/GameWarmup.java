@@ -16,7 +16,6 @@ import carom.net.transport.MessageCodec;
 import carom.server.config.ServerConfig;
 import carom.sim.Game;
 import carom.sim.Input;
-import carom.sim.Player;
 import carom.sim.field.Schema;
 import carom.sim.field.Scope;
 import carom.sim.level.Level;
@@ -127,7 +126,7 @@ final class GameWarmup {
                 welcome.datagramKey(),
                 welcome.tick(),
                 welcome.tickRate(),
-                Player.MEMORY_SIZE + schema.toldWords(Scope.PLAYER),
+                schema.toldWords(Scope.PLAYER),
                 new TableInbox(tables.layouts().toArray(new TableLayout[0])));
         decoder.gravity(level.gravityX(), level.gravityY());
         link.send(new ClientMessage.LevelRequest(0));

@@ -1,6 +1,5 @@
 package carom.sim;
 
-import carom.physics.rows.BodyRow;
 import carom.sim.field.FieldHolder;
 import carom.sim.field.FieldValues;
 import carom.sim.field.PlayerRef;
@@ -13,7 +12,7 @@ import carom.sim.history.PoseHistory;
  */
 public final class Player extends FieldHolder<Entity, Player> {
   /** Number of ints of {@link #memory}. */
-  public static final int MEMORY_SIZE = BodyRow.MEMORY_INTS;
+  public static final int MEMORY_SIZE = 4;
 
   /** Number of parts of a tick in which {@link #viewDelay} counts. */
   public static final int VIEW_STEPS = PoseHistory.STEPS_PER_TICK;

@@ -16,6 +16,7 @@ import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.event.Audience;
 import carom.sim.field.Field;
+import carom.sim.field.Flag;
 import carom.sim.field.Ratio;
 import carom.sim.field.Scope;
 import carom.sim.level.Appearance;
@@ -80,8 +81,8 @@ public final class ForceGame implements Game {
   private static final int THROW_TICKS = 90;
   private static final int EXPLOSION_TICKS = 150;
   private static final int SWITCH_TICKS = 100;
+  private static final Flag THRUST = Field.flag("thrust");
   private static final Ratio POWER = Field.ratio("power").of(Scope.ENTITY).to(Audience.NEAR);
-  private static final int THRUST = 0;
 
   private final QueryHit<Entity> hit = new QueryHit<>();
   private Archetype flyer;
@@ -154,7 +155,7 @@ public final class ForceGame implements Game {
 
   @Override
   public List<Field<?>> fields() {
-    return List.of(POWER);
+    return List.of(THRUST, POWER);
   }
 
   @Override
@@ -191,7 +192,7 @@ public final class ForceGame implements Game {
   public void input(Simulation s, Player p, Input in) {
     Body<Entity> body = p.body().body();
     body.seekVelocity(in.moveX() * 5, body.velocityY(), 6 * body.mass());
-    p.memory()[THRUST] = in.held(Input.JUMP) || in.moveY() > 0.3f ? 1 : 0;
+    p.set(THRUST, in.held(Input.JUMP) || in.moveY() > 0.3f);
   }
 
   @Override
@@ -228,7 +229,7 @@ public final class ForceGame implements Game {
   public void forces(Simulation s, Entity e) {
     Body<Entity> body = e.body();
     Player owner = s.owner(e);
-    if (owner != null && owner.memory()[THRUST] == 1) {
+    if (owner != null && owner.get(THRUST)) {
       body.applyForce(0, 16 * body.mass());
       return;
     }

@@ -1,14 +1,16 @@
 package carom.testkit;
 
+import carom.client.field.OwnWords;
 import carom.client.prediction.Prediction;
 import carom.game.Games;
+import carom.net.field.FieldTables;
 import carom.net.protocol.Limits;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameState;
-import carom.net.snapshot.table.JointWords;
 import carom.net.snapshot.table.TableInbox;
+import carom.net.snapshot.table.TableLayout;
 import carom.physics.Body;
 import carom.physics.rows.ContactRow;
 import carom.physics.rows.RowCounts;
@@ -39,8 +41,8 @@ public final class IslandRig {
   private final Prediction client;
   private final Simulation predicted;
   private final SnapshotDecoder decoder;
-  private final Neighbourhood island = new Neighbourhood();
-  private final OwnState own = new OwnState(4);
+  private final Neighbourhood island;
+  private final OwnState own;
 
   /**
    * Builds the wall. The client doesn't know of it yet.
@@ -53,10 +55,16 @@ public final class IslandRig {
     Level level = level(crates);
     server = new Simulation(Games.create(level.gameName()), level, 1, 60, Role.AUTHORITY);
     serverPlayer = server.join("p");
+    island = new Neighbourhood(serverPlayer.id());
     predicted = new Simulation(Games.create(level.gameName()), level, 1, 60, Role.PREDICTION);
     client = new Prediction(predicted, serverPlayer.id(), "p", 120, maxReplayNs, stopwatch, false);
-    decoder =
-        new SnapshotDecoder(Limits.MAX_ENTITIES, 1, 0, 60, 4, new TableInbox(JointWords.LAYOUT));
+    int words = OwnWords.count(predicted.schema());
+    own = new OwnState(words);
+    TableLayout[] tables =
+        new FieldTables(predicted.schema(), Limits.MAX_PLAYERS, Limits.MAX_ENTITIES)
+            .layouts()
+            .toArray(new TableLayout[0]);
+    decoder = new SnapshotDecoder(Limits.MAX_ENTITIES, 1, 0, 60, words, new TableInbox(tables));
     Entity body = serverPlayer.body();
     decoder.level(
         FrameState.of(
@@ -195,7 +203,7 @@ public final class IslandRig {
         b.velocityY(),
         b.angularVelocity());
     for (int i = 0; i < own.words(); i++) {
-      own.setWord(i, serverPlayer.memory()[i]);
+      own.setWord(i, serverPlayer.fieldValues().word(i));
     }
   }
 

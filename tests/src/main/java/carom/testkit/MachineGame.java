@@ -57,6 +57,15 @@ public final class MachineGame implements Game {
    *     crates
    */
   public static Level level(String more) {
+    return level(more, "");
+  }
+
+  /**
+   * Returns such a level with more in its file.
+   *
+   * @param fields further fields of the file, each after a comma
+   */
+  public static Level level(String more, String fields) {
     register();
     String json =
         """
@@ -66,9 +75,9 @@ public final class MachineGame implements Game {
          "statics": [
            {"name": "floor", "at": [0, -1], "shape": {"type": "box", "width": 80, "height": 2}},
            {"at": [-31, 10], "shape": {"type": "box", "width": 2, "height": 24}},
-           {"at": [31, 10], "shape": {"type": "box", "width": 2, "height": 24}}]}
+           {"at": [31, 10], "shape": {"type": "box", "width": 2, "height": 24}}]%s}
         """
-            .formatted(more);
+            .formatted(more, fields);
     try {
       return Level.parse("machines.json", json.getBytes(StandardCharsets.UTF_8));
     } catch (LevelException e) {

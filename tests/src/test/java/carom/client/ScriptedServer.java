@@ -51,7 +51,7 @@ final class ScriptedServer {
     long newestNs;
     long last;
     int missing;
-    final OwnState own = new OwnState(4);
+    final OwnState own = new OwnState(capture.words());
     PredictedSet near;
     int disagreedTick = -1;
 

@@ -14,7 +14,6 @@ import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.field.Schema;
 import carom.testkit.Levels;
 import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
@@ -37,12 +36,14 @@ class HostileScenarioTest {
   /** A peer that talks as it likes. */
   private static final class Offender implements LinkHandler {
     final Link link;
+    final long fields;
     final Random random;
     ServerMessage.Welcome welcome;
     boolean closed;
 
-    Offender(Link link, long seed) {
+    Offender(Link link, long fields, long seed) {
       this.link = link;
+      this.fields = fields;
       this.random = new Random(seed);
     }
 
@@ -87,7 +88,7 @@ class HostileScenarioTest {
       switch (random.nextInt(5)) {
         case 0 -> hello();
         case 1 -> link.send(new ClientMessage.LevelRequest(random.nextInt(Limits.MAX_LEVEL_BYTES)));
-        case 2 -> link.send(new ClientMessage.Ready(Schema.EMPTY.digest()));
+        case 2 -> link.send(new ClientMessage.Ready(fields));
         case 3 -> link.send(new ClientMessage.Hello(random.nextInt(), random.nextLong(), "x", 7));
         default -> link.send(new ClientMessage.Leave());
       }
@@ -137,7 +138,7 @@ class HostileScenarioTest {
             // Never the one sentence that lets one in.
             o.link.send(
                 o.random.nextBoolean()
-                    ? new ClientMessage.Ready(Schema.EMPTY.digest())
+                    ? new ClientMessage.Ready(o.fields)
                     : new ClientMessage.Hello(o.random.nextInt(), o.random.nextLong(), "", 7));
           } else {
             o.garbageDatagram();
@@ -156,7 +157,9 @@ class HostileScenarioTest {
 
   private static Offender offender(Stepper stepper, long seed) {
     return new Offender(
-        stepper.transport().connect("localhost", 0, 0), Stepper.SEED * 7_919 + seed);
+        stepper.transport().connect("localhost", 0, 0),
+        stepper.room().simulation().schema().digest(),
+        Stepper.SEED * 7_919 + seed);
   }
 
   @Test
@@ -179,7 +182,7 @@ class HostileScenarioTest {
         } else if (offender.welcome == null) {
           if (slice % 50 == 0) {
             offender.hello();
-            offender.link.send(new ClientMessage.Ready(Schema.EMPTY.digest()));
+            offender.link.send(new ClientMessage.Ready(offender.fields));
           }
         } else {
           for (int i = 0; i < 5; i++) {
@@ -227,7 +230,7 @@ class HostileScenarioTest {
         Offender offender = offender(stepper, i);
         offender.hello();
         offender.link.send(new ClientMessage.LevelRequest(0));
-        offender.link.send(new ClientMessage.Ready(Schema.EMPTY.digest()));
+        offender.link.send(new ClientMessage.Ready(offender.fields));
         offenders.add(offender);
       }
       stepper.run(1);

@@ -1,5 +1,7 @@
 package carom.server;
 
+import carom.game.Games;
+import carom.net.field.FieldTables;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.InputDatagram;
 import carom.net.protocol.Limits;
@@ -12,9 +14,12 @@ import carom.net.snapshot.event.EventRecord;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.table.TableInbox;
+import carom.net.snapshot.table.TableLayout;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.sim.Input;
+import carom.sim.field.Schema;
+import carom.sim.field.Scope;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import java.util.ArrayDeque;
@@ -107,6 +112,12 @@ final class FakeClient implements LinkHandler {
     link.sendDatagram(buffer, 0, datagram.encode(buffer, 0));
   }
 
+  /** The fields of the game that the server plays. */
+  private Schema schema() {
+    boolean isTest = welcome.game().equals("test");
+    return Schema.of(isTest ? new TestGame(0).fields() : Games.create(welcome.game()).fields());
+  }
+
   @Override
   public void message(Link from, Object message) {
     messages.add((ServerMessage) message);
@@ -114,9 +125,15 @@ final class FakeClient implements LinkHandler {
       welcome = w;
       level = new byte[w.packedSize()];
       loaded = 0;
+      FieldTables layouts = new FieldTables(schema(), Limits.MAX_PLAYERS, Limits.MAX_ENTITIES);
       decoder =
           new SnapshotDecoder(
-              Limits.MAX_ENTITIES, w.datagramKey(), w.tick(), w.tickRate(), 4, new TableInbox());
+              Limits.MAX_ENTITIES,
+              w.datagramKey(),
+              w.tick(),
+              w.tickRate(),
+              schema().toldWords(Scope.PLAYER),
+              new TableInbox(layouts.layouts().toArray(new TableLayout[0])));
       if (loads) {
         link.send(new ClientMessage.LevelRequest(0));
       }

@@ -13,7 +13,6 @@ import carom.net.protocol.Protocol;
 import carom.net.protocol.RefusalReason;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
-import carom.sim.field.Schema;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -44,7 +43,7 @@ class LobbyTest {
     FakeClient client = rig.connect().hello("Ann");
     client.loads = false;
     rig.steps(2);
-    client.link.send(new ClientMessage.Ready(Schema.EMPTY.digest()));
+    client.link.send(new ClientMessage.Ready(client.welcome.fieldsDigest()));
     rig.steps(3);
     assertTrue(client.decoder.hasAck());
   }
@@ -54,7 +53,7 @@ class LobbyTest {
     FakeClient client = rig.connect().hello("Ann");
     client.loads = false;
     rig.steps(2);
-    client.link.send(new ClientMessage.Ready(Schema.EMPTY.digest() + 1));
+    client.link.send(new ClientMessage.Ready(client.welcome.fieldsDigest() + 1));
     rig.steps(3);
     assertEquals(RefusalReason.GAME_VERSION, client.refused.reason());
   }
@@ -121,7 +120,7 @@ class LobbyTest {
     FakeClient client = rig.connect().hello("a");
     client.loads = false;
     rig.steps(2);
-    client.link.send(new ClientMessage.Ready(Schema.EMPTY.digest()));
+    client.link.send(new ClientMessage.Ready(client.welcome.fieldsDigest()));
     client.link.close("gone");
     rig.seconds(0.5);
     assertEquals(0, rig.count(Counter.PLAYERS), "not after five seconds of silence");
@@ -205,7 +204,7 @@ class LobbyTest {
   @Test
   void wrongMessageInWrongStateIsRefused() {
     FakeClient early = rig.connect();
-    early.link.send(new ClientMessage.Ready(Schema.EMPTY.digest()));
+    early.link.send(new ClientMessage.Ready(0));
     FakeClient twice = rig.connect().hello("Ann");
     twice.loads = false;
     twice.hello("Ann");

@@ -19,7 +19,6 @@ import carom.server.room.Room;
 import carom.sim.Entity;
 import carom.sim.Input;
 import carom.sim.Simulation;
-import carom.sim.field.Schema;
 import java.lang.reflect.Field;
 import java.util.List;
 import java.util.Random;
@@ -228,7 +227,7 @@ class RoomTest {
       FakeClient after = rig.connect().hello("Ann", before.welcome.sessionSecret());
       after.loads = false;
       rig.seconds(5);
-      after.link.send(new ClientMessage.Ready(Schema.EMPTY.digest()));
+      after.link.send(new ClientMessage.Ready(after.welcome.fieldsDigest()));
       rig.steps(3);
       assertSame(body, rig.room.simulation().player(0).body());
       assertEquals(SessionState.PLAYING, rig.room.session(0).state());
@@ -577,7 +576,9 @@ class RoomTest {
     try (Rig rig = new Rig()) {
       rig.join("Ann");
       assertEquals("", ask(rig, () -> rig.room.operator().fields("match")), "it has none");
-      assertEquals("", ask(rig, () -> rig.room.operator().fields("player 0")));
+      assertEquals(
+          "player.mark=77 player.actions=0",
+          ask(rig, () -> rig.room.operator().fields("player 0")));
       assertEquals(
           "of=player 7 isn't there", ask(rig, () -> rig.room.operator().fields("player 7")));
       String wrong = ask(rig, () -> rig.room.operator().fields("player x"));

@@ -7,7 +7,7 @@ import carom.sim.field.FieldValues;
 import carom.sim.field.Schema;
 import carom.sim.field.Scope;
 
-/** The words of the own section: the own player's memory, then its fields that players are told. */
+/** The words of the own section: those of the own player's fields that players are told. */
 public final class OwnWords {
   private final Schema schema;
   private final Player player;
@@ -24,31 +24,24 @@ public final class OwnWords {
 
   /** Returns the number of words in each own section. */
   public static int count(Schema schema) {
-    return Player.MEMORY_SIZE + schema.toldWords(Scope.PLAYER);
+    return schema.toldWords(Scope.PLAYER);
   }
 
   /** Reads the words as predicted. */
   public void read(OwnState out) {
-    for (int i = 0; i < Player.MEMORY_SIZE; i++) {
-      out.setWord(i, player.memory()[i]);
-    }
     FieldValues values = player.fieldValues();
-    for (int i = Player.MEMORY_SIZE; i < out.words(); i++) {
-      out.setWord(i, values.word(i - Player.MEMORY_SIZE));
+    for (int i = 0; i < out.words(); i++) {
+      out.setWord(i, values.word(i));
     }
   }
 
   /** Gives the player the server's words. One that its field can't hold is passed over. */
   public void write(OwnState server) {
-    for (int i = 0; i < Player.MEMORY_SIZE; i++) {
-      player.memory()[i] = server.word(i);
-    }
     FieldValues values = player.fieldValues();
-    for (int i = Player.MEMORY_SIZE; i < server.words(); i++) {
-      int word = i - Player.MEMORY_SIZE;
-      Field<?> field = schema.field(Scope.PLAYER, word);
+    for (int i = 0; i < server.words(); i++) {
+      Field<?> field = schema.field(Scope.PLAYER, i);
       if (server.word(i) >= field.min() && server.word(i) <= field.max()) {
-        values.mirror(word, server.word(i));
+        values.mirror(i, server.word(i));
       }
     }
   }

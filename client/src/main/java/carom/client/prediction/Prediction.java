@@ -285,11 +285,6 @@ public final class Prediction {
     return player;
   }
 
-  /** Returns one of the own player's memory ints, as predicted. */
-  public int memory(int index) {
-    return player.memory()[index];
-  }
-
   /** Returns what is left to fade of earlier corrections of the own body, metres. */
   public float visualErrorMetres() {
     return poses.own() == null ? 0 : poses.own().error.metres();

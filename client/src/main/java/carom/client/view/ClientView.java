@@ -126,7 +126,6 @@ public final class ClientView {
   int tick;
   double renderTick;
   Simulation predictedWorld;
-  final int[] memory = new int[4];
   ShownFields fields;
   final Input input = new Input();
 
@@ -327,11 +326,6 @@ public final class ClientView {
   /** Returns the last few lines from the server, oldest first. Do not change the list. */
   public List<Notice> notices() {
     return notices;
-  }
-
-  /** Returns one of the game's four ints of the own player, as predicted: cooldowns etc. */
-  public int memory(int index) {
-    return memory[index];
   }
 
   /**

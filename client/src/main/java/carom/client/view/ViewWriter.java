@@ -70,11 +70,6 @@ public final class ViewWriter {
     view.input.set(sampled);
   }
 
-  /** Sets one of the game's ints of the own player. */
-  public void memory(int index, int value) {
-    view.memory[index] = value;
-  }
-
   /** Sets where the game's fields are read. */
   public void fields(ShownFields fields) {
     view.fields = fields;

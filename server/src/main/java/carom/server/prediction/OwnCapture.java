@@ -38,18 +38,14 @@ public final class OwnCapture {
 
   /** Returns the number of words in each own section. */
   public int words() {
-    return Player.MEMORY_SIZE + simulation.schema().toldWords(Scope.PLAYER);
+    return simulation.schema().toldWords(Scope.PLAYER);
   }
 
   /** Reads a player's own section after the simulation's last step. */
   public void capture(Player player, OwnState out) {
-    int[] memory = player.memory();
-    for (int i = 0; i < Player.MEMORY_SIZE; i++) {
-      out.setWord(i, memory[i]);
-    }
     FieldValues fields = player.fieldValues();
-    for (int i = Player.MEMORY_SIZE; i < out.words(); i++) {
-      out.setWord(i, fields.word(i - Player.MEMORY_SIZE));
+    for (int i = 0; i < out.words(); i++) {
+      out.setWord(i, fields.word(i));
     }
     Entity entity = player.body();
     if (entity == null) {

@@ -6,12 +6,12 @@
  * <p>What a row holds, and at which offset, is declared here and nowhere else:
  *
  * <pre>
- *            0     1                      8            9                15          19
- *          ┌─────┬──────────────────────┬────────────┬────────────────┬───────────┐
- *   BODY   │ KEY │ MOTION               │ SLEEP_TIME │ LOADS          │ MEMORY    │
- *          │     │ x y cos sin vx vy ω  │ or ASLEEP  │ impulse  force │ m0 ... m3 │
- *          └─────┴──────────────────────┴────────────┴────────────────┴───────────┘
- *           user   physics                                              user
+ *            0     1                      8            9                15
+ *          ┌─────┬──────────────────────┬────────────┬────────────────┐
+ *   BODY   │ KEY │ MOTION               │ SLEEP_TIME │ LOADS          │
+ *          │     │ x y cos sin vx vy ω  │ or ASLEEP  │ impulse  force │
+ *          └─────┴──────────────────────┴────────────┴────────────────┘
+ *           user   physics
  *
  *            0     1        3                          15               19           26       29
  *          ┌─────┬────────┬──────────────────────────┬────────────────┬────────────┬────────┐

@@ -80,9 +80,9 @@ public final class FieldValues {
   }
 
   /**
-   * Returns how often a game wrote another value except in {@code Game.input} of the player whom,
-   * or whose body, the values belong to. A client doesn't run what wrote these, so it can't predict
-   * them. Not saved.
+   * Returns how often a game wrote another value of a field that players are told, except in {@code
+   * Game.input} of the player whom, or whose body, the values belong to. A client doesn't run what
+   * wrote these, so it can't predict them. Not saved.
    */
   public long ruled() {
     return ruled;
@@ -97,7 +97,7 @@ public final class FieldValues {
     }
     if (words[index] != value && store.takes(this, index)) {
       if (store.isRuling(this)) {
-        ruled++;
+        ruled += index < store.schema().toldWords(scope) ? 1 : 0;
         noteHabit(index);
       }
       put(index, value);

@@ -22,6 +22,7 @@ public final class Schema {
   public static final Schema EMPTY = of(List.of());
 
   /** Words of one scope. */
+  @SuppressWarnings("ArrayRecordComponent") // never compared
   private record Layout(Field<?>[] fields, int[] indices, int told, int[] players) {}
 
   private final List<Field<?>> declared;

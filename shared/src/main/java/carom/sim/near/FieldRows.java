@@ -21,6 +21,7 @@ final class FieldRows {
   private static final int OF_PLAYER = Scope.ENTITY.mostWords() / FieldRow.WORD_INTS;
 
   /** The words of a scope: what they are at the start, and who knows them. */
+  @SuppressWarnings("ArrayRecordComponent") // never compared
   private record Words(int[] start, boolean[] shared) {
     static Words of(Schema schema, Scope scope) {
       int told = schema.toldWords(scope);

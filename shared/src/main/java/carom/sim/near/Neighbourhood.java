@@ -16,11 +16,10 @@ import java.util.Arrays;
  * The exact state of some entities of a simulation, as numbers. A server sends it so that a
  * client's simulation of the same entities continues bit for bit as the server's does.
  *
- * <p>The numbers are {@link ExactRows}: a row per entity, with its {@link #key} and the memory of
- * the player whose body it is; a row per joint and per contact among them and with the level's
- * statics; and rows of the fields of the entities and of the players whose bodies they are.
- * Entities are in the order of their bodies in the world they were read from. The order is part of
- * the state, because the solver follows it.
+ * <p>The numbers are {@link ExactRows}: a row per entity, with its {@link #key}; a row per joint
+ * and per contact among them and with the level's statics; and rows of the fields of the entities
+ * and of the players whose bodies they are. Entities are in the order of their bodies in the world
+ * they were read from. The order is part of the state, because the solver follows it.
  *
  * <p>Mutable, reused; allocates only to grow. One thread.
  */
@@ -104,10 +103,6 @@ public final class Neighbourhood {
       Entity e = listed[i];
       bodies.set(i, BodyRow.KEY, key(e.id(), e.generation()));
       Player owner = s.owner(e);
-      if (owner != null && owner.body() == e) {
-        System.arraycopy(
-            owner.memory(), 0, bodies.ints(), bodies.at(i) + BodyRow.MEMORY, Player.MEMORY_SIZE);
-      }
       fields.read(s.schema(), i, e, owner, rows.of(RowKind.FIELDS));
     }
   }
@@ -175,8 +170,6 @@ public final class Neighbourhood {
       rows.setSlot(i, e.body().index());
       Player player = s.player(owner);
       if (player != null && player.body() == e) {
-        System.arraycopy(
-            bodies.ints(), bodies.at(i) + BodyRow.MEMORY, player.memory(), 0, Player.MEMORY_SIZE);
         fields.reset(s.schema(), player);
       }
     }

@@ -30,8 +30,8 @@ final class ExactRowsTest {
 
   @Test
   void theFieldsOfAKindFillItsRow() throws Exception {
-    assertEquals(BodyRow.MEMORY + BodyRow.MEMORY_INTS, BodyRow.INTS);
-    requireFilled(BodyRow.class, BodyRow.MEMORY, Set.of("ASLEEP"));
+    assertEquals(BodyRow.LOADS + BodyRow.LOAD_INTS, BodyRow.INTS);
+    requireFilled(BodyRow.class, BodyRow.INTS, Set.of("ASLEEP"));
     requireFilled(JointRow.class, JointRow.INTS, Set.of("GROUND"));
     requireFilled(JointDefRow.class, JointDefRow.INTS, Set.of());
     requireFilled(ContactRow.class, ContactRow.INTS, Set.of("FLAGS_SHIFT", "POINTS_MASK"));
@@ -194,15 +194,13 @@ final class ExactRowsTest {
   }
 
   @Test
-  void theKeyAndTheMemoryAreLeftToTheProgram() {
+  void theKeyIsLeftToTheProgram() {
     List<Body<String>> boxes = new ArrayList<>();
     World<String> w = tower(boxes);
     ExactRows rows = new ExactRows();
     rows.addBody(boxes.get(0).index());
     rows.bodies().set(0, BodyRow.KEY, 17);
-    rows.bodies().set(0, BodyRow.MEMORY, 4);
     w.readRows(rows);
     assertEquals(17, rows.bodies().get(0, BodyRow.KEY));
-    assertEquals(4, rows.bodies().get(0, BodyRow.MEMORY));
   }
 }

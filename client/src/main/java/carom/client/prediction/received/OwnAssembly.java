@@ -73,7 +73,7 @@ public final class OwnAssembly {
       Entity e = simulation.entity(Neighbourhood.id(keys[i]));
       if (keys[i] != ownKey && e != null && records.readPose(keys[i], tick, pose)) {
         Body<Entity> body = e.body();
-        body.setPose((float) pose.x, (float) pose.y, (float) pose.angle);
+        body.setPose(pose.x, pose.y, pose.angle);
         body.setVelocity(pose.vx, pose.vy);
         body.setAngularVelocity(pose.omega);
       }

@@ -4,8 +4,6 @@ import static carom.physics.rows.BodyRow.ASLEEP;
 import static carom.physics.rows.BodyRow.COS;
 import static carom.physics.rows.BodyRow.LOADS;
 import static carom.physics.rows.BodyRow.LOAD_INTS;
-import static carom.physics.rows.BodyRow.MEMORY;
-import static carom.physics.rows.BodyRow.MEMORY_INTS;
 import static carom.physics.rows.BodyRow.OMEGA;
 import static carom.physics.rows.BodyRow.SLEEP_TIME;
 import static carom.physics.rows.BodyRow.VX;
@@ -175,11 +173,6 @@ public class NearRowCodec {
     for (int i = 0; i < LOAD_INTS; i++) {
       int to = at + LOADS + i;
       r[to] = (which >>> i & 1) == 0 ? 0 : real(c, Row.PUSH, 0, r[to]);
-    }
-    which = symbol(c, Row.REMEMBERED, 0, notZero(r, at + MEMORY, MEMORY_INTS));
-    for (int i = 0; i < MEMORY_INTS; i++) {
-      int to = at + MEMORY + i;
-      r[to] = (which >>> i & 1) == 0 ? 0 : word(c, i, r[to]);
     }
   }
 
@@ -403,12 +396,5 @@ public class NearRowCodec {
     int low = symbol - OFF >> 1;
     int magnitude = 1 << low | c.plain(Math.abs(off), low);
     return Bits.rawBits(from + ((symbol - OFF & 1) == 0 ? magnitude : -magnitude));
-  }
-
-  /** Codes an int that mostly uses only its lowest bits. */
-  private int word(BitCoder c, int context, int value) {
-    int digits = symbol(c, Row.MEMORY, context, Bits.width(value));
-    digits = Math.min(digits, Integer.SIZE);
-    return digits == 0 ? 0 : 1 << digits - 1 | c.plain(value, digits - 1);
   }
 }

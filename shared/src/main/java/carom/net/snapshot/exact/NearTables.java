@@ -1,7 +1,6 @@
 package carom.net.snapshot.exact;
 
 import carom.net.codec.SymbolTable;
-import carom.physics.rows.BodyRow;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -34,8 +33,6 @@ final class NearTables {
     OMEGA(4),
     PUSHED(1),
     PUSH(1),
-    REMEMBERED(1),
-    MEMORY(BodyRow.MEMORY_INTS),
     END(3),
     KIND(1),
     ID(4),

@@ -57,6 +57,6 @@ final class JointRanges {
 
   /** Returns a number that an archive would accept; NaN gives 0. */
   static float finite(float value) {
-    return value == value ? within(value, -BodyStore.MOST, BodyStore.MOST) : 0;
+    return Float.isNaN(value) ? 0 : within(value, -BodyStore.MOST, BodyStore.MOST);
   }
 }

@@ -44,6 +44,7 @@ class TableChannelTest {
     return new TableLayout(500, 4, true, bits, new int[25], new int[25], audiences, false);
   }
 
+  @SuppressWarnings("ArrayRecordComponent") // never compared
   private record Flight(int datagram, int tick, byte[] bytes, int length, int arrives) {}
 
   /** One client on a network that loses, delays and repeats. */
