@@ -265,7 +265,7 @@ class ProtocolDocTest {
 
     FrameState frame = ring.begin(101);
     frame.putQuantized(0, 1, 2, -1, 512, -1024, 256, 0, 0, 0);
-    frame.putQuantized(5, 255, 300, 9, 0, 0, 0, 64, -64, 32);
+    frame.putQuantized(5, 255, 300, 9, 0, 0, 0, 8, -8, 4);
     ring.end();
     feedback.present = true;
     feedback.sequence = 500;
@@ -279,12 +279,12 @@ class ProtocolDocTest {
     for (int tick = 102; tick <= 104; tick++) {
       frame = ring.begin(tick);
       frame.putQuantized(0, 1, 2, -1, 512, -1024, 256, 0, 0, 0);
-      frame.putQuantized(5, 255, 300, 9, 25, -31, 8, 64, -96, 32);
+      frame.putQuantized(5, 255, 300, 9, 25, -31, 8, 8, -12, 4);
       ring.end();
     }
     golden.put("snapshot-delta", send(encoder, decoder, feedback, null));
 
-    ring.begin(105).putQuantized(5, 255, 300, 9, 25, -31, 8, 64, -96, 32);
+    ring.begin(105).putQuantized(5, 255, 300, 9, 25, -31, 8, 8, -12, 4);
     ring.end();
     OwnState own = new OwnState(4);
     own.setBody(5, 255, 1.5f, -2, 1, 0, 0, -0f, 0);
