@@ -6,6 +6,8 @@ import carom.physics.WorldDef;
 import carom.sim.event.Audience;
 import carom.sim.field.Field;
 import carom.sim.level.Level;
+import carom.sim.message.Emote;
+import carom.sim.message.Message;
 import java.util.List;
 
 /**
@@ -98,6 +100,29 @@ public interface Game {
    * and may read contacts.
    */
   void input(Simulation s, Player p, Input in);
+
+  /**
+   * Handles a message of a player, of a kind that {@link #setUp} registered; {@link Role#AUTHORITY}
+   * only, before {@link #beforeStep}, by player id and then in the order of arrival. What the
+   * player may do now is for the game to check; ranges and lengths have been checked.
+   */
+  default void message(Simulation s, Player p, Message m) {}
+
+  /**
+   * Returns what is said when a player writes a line of chat, or null if nothing is; {@link
+   * Role#AUTHORITY} only, when {@link #message} would be called. The place to filter words, and to
+   * switch chat off.
+   *
+   * @param text what the player wrote, 1..120 characters that can be shown
+   */
+  default String chat(Simulation s, Player p, String text) {
+    return text;
+  }
+
+  /** Returns whether a player with a body may show an emote now; {@link Role#AUTHORITY} only. */
+  default boolean emote(Simulation s, Player p, Emote emote) {
+    return true;
+  }
 
   /**
    * Applies the game's forces to one body: a wing's lift, a spring, a thruster; both roles, each

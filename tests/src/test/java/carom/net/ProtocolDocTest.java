@@ -35,6 +35,9 @@ import carom.physics.rows.BodyRow;
 import carom.physics.rows.ContactRow;
 import carom.physics.rows.RowCounts;
 import carom.physics.rows.RowKind;
+import carom.sim.message.BuiltInKinds;
+import carom.sim.message.MessageKind.Direction;
+import carom.sim.message.MessageKinds;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.reflect.Field;
@@ -129,6 +132,14 @@ class ProtocolDocTest {
         "watch", ClientMessageCodec.encode(new ClientMessage.Watch(2, 0x0102030405060708L, 2)));
     golden.put(
         "recording-request", ClientMessageCodec.encode(new ClientMessage.RecordingRequest(4096)));
+    golden.put(
+        "game-message",
+        ClientMessageCodec.encode(
+            new ClientMessage.GameMessage(
+                1,
+                new MessageKinds()
+                    .encode(BuiltInKinds.SAY.of(false, "hi"), Direction.FROM_CLIENT))));
+    golden.put("heard", ClientMessageCodec.encode(new ClientMessage.Heard(7)));
     serverMessages(golden);
     inputs(golden);
     snapshots(golden);
@@ -209,6 +220,14 @@ class ProtocolDocTest {
     golden.put(
         "recording-chunk",
         codec.encode(new ServerMessage.RecordingChunk(4096, new byte[] {0x43, 0x41})));
+    golden.put(
+        "server-game-message",
+        codec.encode(
+            new ServerMessage.GameMessage(
+                300,
+                new MessageKinds()
+                    .encode(BuiltInKinds.SAID.of(3, false, "hi"), Direction.FROM_SERVER))));
+    golden.put("server-heard", codec.encode(new ServerMessage.Heard(7, 0x0102030405060708L)));
     golden.put("goodbye", codec.encode(new ServerMessage.Goodbye(GoodbyeReason.KICKED, "spam")));
   }
 

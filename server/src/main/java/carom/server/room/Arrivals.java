@@ -6,6 +6,7 @@ import carom.net.protocol.SessionState;
 import carom.server.metrics.Counter;
 import carom.server.replication.SessionReplication;
 import carom.server.session.Session;
+import carom.server.session.SessionMessages;
 import carom.sim.Player;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.function.Function;
@@ -106,7 +107,13 @@ final class Arrivals {
     if (session == null) {
       Player player = room.simulation().join(id, a.seat().name());
       session =
-          new Session(a.seat(), player, room.config(), replications.apply(player), room.counters());
+          new Session(
+              a.seat(),
+              player,
+              room.config(),
+              replications.apply(player),
+              new SessionMessages(room.simulation(), player, room.counters()),
+              room.counters());
       sessions.add(session);
     } else if (session.state() == SessionState.PLAYING) {
       // The client is back before we noticed that its old link is dead, or it plays twice.

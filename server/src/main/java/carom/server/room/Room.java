@@ -45,6 +45,7 @@ import org.slf4j.LoggerFactory;
  *   Simulation.step
  *   FrameCapture        the frame state, quantised once for all sessions
  *   SnapshotRound       each session's snapshot
+ *   Post                messages of the game, which Session collected before the step
  *   Announcer           notices of the game
  *   RosterNews          players and scores that changed
  *   Counters, RoomRecording
@@ -78,6 +79,7 @@ public final class Room {
   private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
   private final RoomSessions sessions;
   private final RosterNews roster;
+  private final Post post;
   private final Departures departures;
   private final Arrivals arrivals;
   private final LoadWarnings warnings;
@@ -137,6 +139,7 @@ public final class Room {
     operator =
         new OperatorCommands(
             context, number, sessions, departures, recording, entities, clock, () -> closed);
+    post = new Post(simulation, sessions);
     sendNotice = announcer::notice;
     sendTo = sessions::sendTo;
     capture.capture();
@@ -244,6 +247,7 @@ public final class Room {
     for (int i = sessions.count() - 1; i >= 0; i--) {
       sessions.get(i).consumeInput(next);
     }
+    post.collect();
     boolean stepped = step();
     if (stepped) {
       capture.capture();
@@ -252,6 +256,7 @@ public final class Room {
       if (sends) {
         snapshots.run(beginNs, nowNs);
       }
+      post.send();
       simulation.drainNotices(sendNotice);
       failures.tell(simulation.findings());
       roster.send(sessions.bySeat(), nowNs, sendTo);

@@ -58,6 +58,7 @@ public final class Session implements LinkHandler {
   private final ServerConfig config;
   private final Counters counters;
   private final SessionReplication replication;
+  private final SessionMessages messages;
   private final InputBuffer inputs;
   private final InputDatagram datagram = new InputDatagram();
   private final InputFeedback feedback = new InputFeedback();
@@ -85,17 +86,20 @@ public final class Session implements LinkHandler {
    *
    * @param player the player in the room's simulation
    * @param replication tells the player's client about the room
+   * @param messages the game's, between the player and the room
    */
   public Session(
       Seats.Seat seat,
       Player player,
       ServerConfig config,
       SessionReplication replication,
+      SessionMessages messages,
       Counters counters) {
     this.seat = seat;
     this.player = player;
     this.config = config;
     this.replication = replication;
+    this.messages = messages;
     this.counters = counters;
     this.inputs = new InputBuffer(config.inputWindowTicks(), config.inputHoldTicks());
   }
@@ -112,6 +116,7 @@ public final class Session implements LinkHandler {
     link = newLink;
     datagramKey = key;
     replication.begin(key);
+    messages.attach(newLink, key);
     inputs.reset(tick);
     viewDelay = 0;
     feedback.present = false;
@@ -130,6 +135,7 @@ public final class Session implements LinkHandler {
    */
   public Link detach(long timeNs) {
     state = state.become(SessionState.GRACE);
+    messages.detach();
     graceEndNs = timeNs + config.graceMs() * NS_PER_MS;
     Link old = link;
     link = null;
@@ -168,6 +174,10 @@ public final class Session implements LinkHandler {
       replication.look(look);
     } else if (message instanceof ClientMessage.Diverged report) {
       judge(report);
+    } else if (message instanceof ClientMessage.Heard heard) {
+      messages.heard(heard);
+    } else if (message instanceof ClientMessage.GameMessage m && messages.receive(m)) {
+      return;
     } else if (!(message instanceof ClientMessage.Ready) && departure == Departure.NONE) {
       departure = Departure.EXPEL;
       offence =
@@ -204,6 +214,11 @@ public final class Session implements LinkHandler {
       return;
     }
     counters.add(Counter.BYTES_IN, length);
+    if (messages.isOne(bytes, length)) {
+      counters.add(Counter.DATAGRAMS_IN, 1);
+      messages.receive(bytes, length);
+      return;
+    }
     if (!datagram.decode(bytes, 0, length) || datagram.key != datagramKey) {
       counters.add(Counter.DATAGRAMS_REFUSED, 1);
       return;
@@ -307,6 +322,18 @@ public final class Session implements LinkHandler {
   /** Sends a message that many sessions share, as {@link #send(ServerMessage)} does. */
   public boolean send(Broadcast message) {
     return link != null && link.send(message);
+  }
+
+  /** Sends the messages of the game that are queued, when there is a link. */
+  public void sendMessages() {
+    if (link != null) {
+      messages.flush(link);
+    }
+  }
+
+  /** Returns the messages of the game between the player and the room. */
+  public SessionMessages messages() {
+    return messages;
   }
 
   /** Sends the last message if the link still takes one; the session ends either way. */
