@@ -155,10 +155,10 @@ public interface Game {
 
   /**
    * Returns which players are told about an entity; {@link Role#AUTHORITY} only, after each tick
-   * for each entity. All of an assembly has the audience of its root. Players always know their own body. A client that is not told about an entity
-   * receives neither its exact state nor the {@link Audience#NEAR} events in which it takes part,
-   * and no input of a player whose body it is. An entity that nobody is told about costs nothing,
-   * and no cheat can find it on the wire.
+   * for each entity. All of an assembly has the audience of its root. Players always know their own
+   * body. A client that is not told about an entity receives neither its exact state nor the {@link
+   * Audience#NEAR} events in which it takes part, and no input of a player whose body it is. An
+   * entity that nobody is told about costs nothing, and no cheat can find it on the wire.
    */
   default Audience audience(Simulation s, Entity e) {
     return Audience.NEAR;
