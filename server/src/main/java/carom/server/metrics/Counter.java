@@ -60,6 +60,8 @@ public enum Counter {
    * once.
    */
   EVENTS_LOST,
+  /** Matches begun after the first. */
+  MATCHES,
   /** Exceptions thrown by the game's callbacks. */
   GAME_FAILURES,
   /**

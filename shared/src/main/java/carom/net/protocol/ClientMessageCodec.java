@@ -64,6 +64,7 @@ public final class ClientMessageCodec {
                 + (Limits.MAX_LEVEL_BYTES - 1));
       }
       buffer.put(LEVEL_REQUEST);
+      buffer.putInt(request.datagramKey());
       buffer.putInt(request.offset());
     } else if (message instanceof ClientMessage.Look look) {
       buffer.put(LOOK);
@@ -85,8 +86,8 @@ public final class ClientMessageCodec {
             "RecordingRequest.offset=" + request.offset() + " is negative");
       }
       buffer.put(RECORDING_REQUEST).putLong(request.offset());
-    } else if (message instanceof ClientMessage.Ready) {
-      buffer.put(READY);
+    } else if (message instanceof ClientMessage.Ready ready) {
+      buffer.put(READY).putInt(ready.datagramKey());
     } else {
       buffer.put(LEAVE);
     }
@@ -117,7 +118,7 @@ public final class ClientMessageCodec {
     return switch (buffer.get()) {
       case HELLO -> decodeHello(buffer);
       case LEVEL_REQUEST -> decodeLevelRequest(buffer);
-      case READY -> buffer.hasRemaining() ? null : new ClientMessage.Ready();
+      case READY -> decodeReady(buffer);
       case LEAVE -> buffer.hasRemaining() ? null : new ClientMessage.Leave();
       case LOOK -> decodeLook(buffer);
       case DIVERGED -> decodeDiverged(buffer);
@@ -129,11 +130,16 @@ public final class ClientMessageCodec {
   }
 
   private static ClientMessage decodeLevelRequest(ByteBuffer buffer) {
-    if (buffer.remaining() != 4) {
+    if (buffer.remaining() != 2 * Integer.BYTES) {
       return null;
     }
+    int datagramKey = buffer.getInt();
     int offset = buffer.getInt();
-    return validOffset(offset) ? new ClientMessage.LevelRequest(offset) : null;
+    return validOffset(offset) ? new ClientMessage.LevelRequest(datagramKey, offset) : null;
+  }
+
+  private static ClientMessage decodeReady(ByteBuffer buffer) {
+    return buffer.remaining() == Integer.BYTES ? new ClientMessage.Ready(buffer.getInt()) : null;
   }
 
   /**
