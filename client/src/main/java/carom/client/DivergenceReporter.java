@@ -45,7 +45,7 @@ final class DivergenceReporter {
   private void checkOwn(int tick, boolean alone, long nowNs) {
     if (!prediction.result().compared() || !alone) {
       exactTick = -1;
-    } else if (prediction.result().exact()) {
+    } else if (prediction.result().exact() || prediction.result().told()) {
       exactTick = tick;
     } else if (exactTick >= 0) {
       if (isReportDue(nowNs)) {
@@ -56,11 +56,11 @@ final class DivergenceReporter {
         for (int i = 0; i < OwnState.FLOATS; i++) {
           body.add(wrong.bits(i));
         }
-        List<Integer> memory = new ArrayList<>();
-        for (int i = 0; i < OwnState.MEMORY; i++) {
-          memory.add(wrong.memory(i));
+        List<Integer> words = new ArrayList<>();
+        for (int i = 0; i < Math.min(wrong.words(), ClientMessage.Diverged.MAX_WORDS); i++) {
+          words.add(wrong.word(i));
         }
-        connection.send(new ClientMessage.Diverged(tick, exactTick, body, memory));
+        connection.send(new ClientMessage.Diverged(tick, exactTick, false, body, words));
       }
       exactTick = -1;
     }
@@ -80,7 +80,8 @@ final class DivergenceReporter {
         bodies.add(state.rows().bodies().get(i, j));
       }
     }
-    connection.send(new ClientMessage.Diverged(tick, agreement.equalTick(), bodies, List.of()));
+    connection.send(
+        new ClientMessage.Diverged(tick, agreement.equalTick(), true, bodies, List.of()));
   }
 
   private boolean isReportDue(long nowNs) {

@@ -10,12 +10,14 @@ import carom.client.stats.NetStatsRecorder;
 import carom.client.view.ClientView;
 import carom.client.view.ViewWriter;
 import carom.game.Games;
+import carom.net.field.FieldAgreement;
 import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.transport.ClientTransport;
 import carom.sim.Event;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.field.Schema;
 import carom.sim.level.Level;
 import java.util.function.LongSupplier;
 
@@ -73,6 +75,8 @@ public final class GameClient implements AutoCloseable {
 
   /** The present stay or, after it, the last one; null before the first. */
   private JoinedGame game;
+
+  private long fieldsDigest;
 
   private long nowNs;
   private long lastUpdateNs;
@@ -149,8 +153,20 @@ public final class GameClient implements AutoCloseable {
       } catch (IllegalArgumentException | IllegalStateException e) {
         return "This client can't play " + welcome.game() + ": " + e.getMessage();
       }
-      join(welcome, level, simulation);
-      return null;
+      Schema schema = simulation.schema();
+      String difference =
+          FieldAgreement.difference(
+              schema, welcome.game(), welcome.fieldsDigest(), welcome.fields());
+      if (difference == null) {
+        fieldsDigest = schema.digest();
+        join(welcome, level, simulation);
+      }
+      return difference;
+    }
+
+    @Override
+    public long fieldsDigest() {
+      return fieldsDigest;
     }
 
     @Override

@@ -4,6 +4,8 @@ import carom.client.clock.RenderClock;
 import carom.client.clock.TickClock;
 import carom.client.events.EventListener;
 import carom.client.events.RepeatedEventFilter;
+import carom.client.field.OwnWords;
+import carom.client.field.RemoteFields;
 import carom.client.link.Connection;
 import carom.client.prediction.Prediction;
 import carom.client.stats.NetStatsRecorder;
@@ -12,10 +14,14 @@ import carom.client.view.ViewWriter;
 import carom.net.protocol.Limits;
 import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.SnapshotDecoder;
-import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.table.JointWords;
+import carom.net.snapshot.table.TableInbox;
+import carom.sim.Entity;
 import carom.sim.Input;
+import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.joint.JointTable;
 import carom.sim.level.Level;
 import java.util.List;
 import java.util.function.LongSupplier;
@@ -44,6 +50,7 @@ final class JoinedGame {
   private final ViewWriter view;
   private final NetStatsRecorder stats;
   private final InputSource source;
+  private final RemoteFields fields;
   private final SnapshotDecoder decoder;
   private final SnapshotInbox inbox;
   private final EventReceiver events;
@@ -55,6 +62,7 @@ final class JoinedGame {
   private final ViewComposer composer;
   private final Input input = new Input();
   private final int tickRate;
+  private final int playerId;
   private long firstSnapshotNs;
 
   /**
@@ -79,11 +87,19 @@ final class JoinedGame {
       EventListener listener) {
     this.view = view;
     this.stats = stats;
+    playerId = welcome.playerId();
     this.source = source;
     tickRate = welcome.tickRate();
+    fields = new RemoteFields(simulation.schema(), () -> view.view().tick());
     decoder =
         new SnapshotDecoder(
-            Limits.MAX_ENTITIES, welcome.datagramKey(), welcome.tick(), welcome.tickRate());
+            Limits.MAX_ENTITIES,
+            welcome.datagramKey(),
+            welcome.tick(),
+            welcome.tickRate(),
+            OwnWords.count(simulation.schema()),
+            fields.inbox());
+    placeJoints(level, fields.inbox());
     decoder.gravity(level.gravityX(), level.gravityY());
     decoder.level(FrameState.of(Limits.MAX_ENTITIES, frame -> level.forEachBody(frame::put)));
     inbox = new SnapshotInbox(decoder, stats);
@@ -108,6 +124,7 @@ final class JoinedGame {
         new InputSender(
             config, welcome.datagramKey(), tickRate, decoder, prediction, stats, connection);
     divergence = prediction == null ? null : new DivergenceReporter(prediction, connection);
+    view.fields(fields);
     view.roster(List.of());
     view.tick(welcome.tick());
     view.game(
@@ -117,6 +134,17 @@ final class JoinedGame {
         tickRate,
         prediction == null ? null : simulation);
     composer = new ViewComposer(view.view(), decoder, simulation, prediction, tickRate);
+  }
+
+  /** Places the joints of the level, which the server doesn't tell until they change. */
+  private static void placeJoints(Level level, TableInbox tables) {
+    int[] words = new int[JointWords.WORDS];
+    JointTable.forEachOfLevel(
+        level,
+        (index, endA, endB, definition) -> {
+          JointWords.put(words, endA, endB, JointTable.LEVEL, index, definition, 0);
+          tables.place(JointWords.TABLE, index, 0, words, 0);
+        });
   }
 
   // ---- datagrams
@@ -145,8 +173,8 @@ final class JoinedGame {
       prediction.receive(decoder.own().near(), tick);
     }
     if (inbox.keepOwn() && prediction == null) {
-      for (int i = 0; i < OwnState.MEMORY; i++) {
-        view.memory(i, inbox.own().memory(i));
+      for (int i = 0; i < inbox.own().words(); i++) {
+        fields.own(playerId, i, inbox.own().word(i));
       }
     }
   }
@@ -230,13 +258,22 @@ final class JoinedGame {
   /** Updates the view, except its entities, which are composed on demand. */
   void describe(boolean playing) {
     if (prediction != null) {
-      for (int i = 0; i < OwnState.MEMORY; i++) {
-        view.memory(i, prediction.memory(i));
-      }
+      describeOwnFields();
     }
     if (playing) {
       view.renderTick(renderClock.tick());
       view.invalidate();
+    }
+  }
+
+  private void describeOwnFields() {
+    Player player = prediction.player();
+    fields.own(playerId, player.fieldValues());
+    Entity body = player.body();
+    if (body == null) {
+      fields.ownBody(-1, 0, null);
+    } else {
+      fields.ownBody(body.id(), body.generation(), body.fieldValues());
     }
   }
 

@@ -117,7 +117,7 @@ final class GameChoice {
   private static List<String> builtInLevels() {
     return Stream.concat(
             Games.names().stream().map(name -> Games.create(name).defaultLevel()),
-            Stream.of("commons"))
+            Stream.of("commons", "lagoon"))
         .toList();
   }
 

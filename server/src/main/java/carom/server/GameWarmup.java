@@ -1,11 +1,14 @@
 package carom.server;
 
+import carom.net.field.FieldTables;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.InputDatagram;
 import carom.net.protocol.Limits;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.ServerMessage;
 import carom.net.snapshot.SnapshotDecoder;
+import carom.net.snapshot.table.TableInbox;
+import carom.net.snapshot.table.TableLayout;
 import carom.net.transport.InProcessNetwork;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
@@ -13,6 +16,8 @@ import carom.net.transport.MessageCodec;
 import carom.server.config.ServerConfig;
 import carom.sim.Game;
 import carom.sim.Input;
+import carom.sim.field.Schema;
+import carom.sim.field.Scope;
 import carom.sim.level.Level;
 import java.util.function.Supplier;
 
@@ -45,11 +50,12 @@ final class GameWarmup {
 
   private void run(ServerConfig config, Supplier<Game> games, Level level, MessageCodec codec) {
     long beginNs = System.nanoTime();
+    Schema schema = Schema.of(games.get().fields());
     InProcessNetwork network = new InProcessNetwork(codec);
     try (Server server = new Server(config, games, level, network.server(), () -> virtualNs)) {
       Extra[] extras = new Extra[Math.min(CLIENTS, config.maxPlayers())];
       for (int i = 0; i < extras.length; i++) {
-        extras[i] = new Extra(network.client().connect("", 0, 0), i, level);
+        extras[i] = new Extra(network.client().connect("", 0, 0), i, level, schema);
       }
       for (int i = 0; i < MAX_TICKS && System.nanoTime() - beginNs < MAX_NS; i++) {
         virtualNs += config.tickNs() + 1;
@@ -75,16 +81,18 @@ final class GameWarmup {
     private final Link link;
     private final int number;
     private final Level level;
+    private final Schema schema;
     private final Input input = new Input();
     private final InputDatagram datagram = new InputDatagram();
     private final byte[] buffer = new byte[InputDatagram.MAX_BYTES];
     private SnapshotDecoder decoder;
     private boolean playing;
 
-    Extra(Link link, int number, Level level) {
+    Extra(Link link, int number, Level level, Schema schema) {
       this.link = link;
       this.number = number;
       this.level = level;
+      this.schema = schema;
       link.send(
           new ClientMessage.Hello(Protocol.VERSION, Protocol.physicsDigest(), "extra" + number, 0));
     }
@@ -111,13 +119,19 @@ final class GameWarmup {
     public void message(Link from, Object message) {
       if (message instanceof ServerMessage.Welcome welcome) {
         datagram.key = welcome.datagramKey();
+        FieldTables tables = new FieldTables(schema, Limits.MAX_PLAYERS, Limits.MAX_ENTITIES);
         decoder =
             new SnapshotDecoder(
-                Limits.MAX_ENTITIES, welcome.datagramKey(), welcome.tick(), welcome.tickRate());
+                Limits.MAX_ENTITIES,
+                welcome.datagramKey(),
+                welcome.tick(),
+                welcome.tickRate(),
+                schema.toldWords(Scope.PLAYER),
+                new TableInbox(tables.layouts().toArray(new TableLayout[0])));
         decoder.gravity(level.gravityX(), level.gravityY());
-        link.send(new ClientMessage.LevelRequest(0));
+        link.send(new ClientMessage.LevelRequest(welcome.datagramKey(), 0));
       } else if (message instanceof ServerMessage.LevelChunk) {
-        link.send(new ClientMessage.Ready());
+        link.send(new ClientMessage.Ready(datagram.key, schema.digest()));
         playing = true;
       }
     }

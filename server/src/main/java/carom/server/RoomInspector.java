@@ -48,8 +48,18 @@ final class RoomInspector implements RoomMXBean {
   }
 
   @Override
+  public String fields(String of) {
+    return room.operator().fields(of);
+  }
+
+  @Override
   public String kick(int player, String text) {
     return room.operator().kick(player, text);
+  }
+
+  @Override
+  public String change(String game, String level) {
+    return room.operator().change(game == null ? "" : game, level == null ? "" : level);
   }
 
   @Override

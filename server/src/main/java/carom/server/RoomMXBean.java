@@ -18,12 +18,29 @@ public interface RoomMXBean {
   String why(int player, int entity);
 
   /**
+   * Returns the names and values of fields, also of those that stay on the server.
+   *
+   * @param of {@code match}, {@code player N} or {@code entity N}
+   */
+  String fields(String of);
+
+  /**
    * Removes a player. The player may join again.
    *
    * @param player a player's id, see the log's lines about joins
    * @param text a message to the player, may be empty
    */
   String kick(int player, String text);
+
+  /**
+   * Goes on with another game or level. Players and their links stay.
+   *
+   * @param game name of the game; empty for the one that the level is made for
+   * @param level level file, or the name of a level that comes with the program; empty for the
+   *     default level of the game
+   * @return what the room plays now, or why it goes on as it is
+   */
+  String change(String game, String level);
 
   /**
    * Begins to record the game.

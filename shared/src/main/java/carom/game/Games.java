@@ -10,6 +10,7 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
+import java.util.function.Supplier;
 
 /**
  * Finds games by name. A game is a class with a public constructor without parameters whose name is
@@ -25,7 +26,25 @@ public final class Games {
   /** Most errors before the search ends. A jar that cannot be read may fail at every question. */
   private static final int MAX_ERRORS = 100;
 
+  /** Games that the program itself brings; replaced as a whole. */
+  private static volatile List<Supplier<Game>> added = List.of();
+
   private Games() {}
+
+  /**
+   * Adds a game that needs no entry in a file of services: the game of a program that embeds Carom,
+   * or of a test. It replaces one of the same name that was added before, and holds for all servers
+   * and clients of the process.
+   *
+   * @param game makes a new instance for each simulation
+   */
+  public static synchronized void add(Supplier<Game> game) {
+    String name = game.get().name();
+    List<Supplier<Game>> all = new ArrayList<>(added);
+    all.removeIf(known -> known.get().name().equals(name));
+    all.add(game);
+    added = List.copyOf(all);
+  }
 
   /**
    * Returns a new instance, for one simulation.
@@ -70,6 +89,7 @@ public final class Games {
    */
   private static List<Game> all(StringBuilder broken) {
     List<Game> games = new ArrayList<>();
+    added.forEach(game -> games.add(game.get()));
     Iterator<Game> found = ServiceLoader.load(Game.class, Games.class.getClassLoader()).iterator();
     for (int errors = 0; errors <= MAX_ERRORS; ) {
       try {

@@ -1,6 +1,7 @@
 package carom.game;
 
 import carom.physics.Collision;
+import carom.physics.Joint;
 import carom.physics.WorldDef;
 import carom.sim.Entity;
 import carom.sim.Game;
@@ -8,7 +9,9 @@ import carom.sim.Input;
 import carom.sim.Player;
 import carom.sim.Simulation;
 import carom.sim.event.Audience;
+import carom.sim.field.Field;
 import carom.sim.level.Level;
+import java.util.List;
 import java.util.Objects;
 
 /**
@@ -67,6 +70,11 @@ public final class GuardedGame implements Game {
   }
 
   @Override
+  public List<Field<?>> fields() {
+    return game.fields();
+  }
+
+  @Override
   public int memorySize(Level level) {
     return game.memorySize(level);
   }
@@ -119,6 +127,15 @@ public final class GuardedGame implements Game {
   }
 
   @Override
+  public void forces(Simulation s, Entity e) {
+    try {
+      game.forces(s, e);
+    } catch (RuntimeException | AssertionError | StackOverflowError failure) {
+      watch.failed("forces of " + e, s, failure);
+    }
+  }
+
+  @Override
   public void beforeStep(Simulation s) {
     try {
       game.beforeStep(s);
@@ -152,6 +169,15 @@ public final class GuardedGame implements Game {
       game.hit(s, c);
     } catch (RuntimeException | AssertionError | StackOverflowError e) {
       watch.failed("hit", s, e);
+    }
+  }
+
+  @Override
+  public void broke(Simulation s, Joint<Entity> joint) {
+    try {
+      game.broke(s, joint);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("broke of " + joint, s, e);
     }
   }
 

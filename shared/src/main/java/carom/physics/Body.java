@@ -8,6 +8,7 @@ import carom.physics.math.Aabb;
 import carom.physics.math.Limits;
 import carom.physics.math.StateHash;
 import carom.physics.math.Trig;
+import carom.physics.rows.BodyRow;
 import java.util.function.Consumer;
 
 /**
@@ -493,6 +494,35 @@ public final class Body<T> {
   }
 
   /**
+   * Reads pose, velocities, the time at rest, and what acts on the body in the next step: the
+   * {@link BodyRow#STATE_INTS} ints that a row has from {@link BodyRow#MOTION} on.
+   *
+   * @param row receives them
+   * @param at where the row begins
+   */
+  public void readRow(int[] row, int at) {
+    check();
+    dynamics().readBody(index, row, at);
+  }
+
+  /**
+   * Takes over what {@link #readRow} reads, to the bit. A sleeping body wakes, with its island.
+   *
+   * @param row a row of a body that is awake, with finite numbers
+   * @param at where the row begins
+   */
+  public void writeRow(int[] row, int at) {
+    check();
+    dynamics().wake(index);
+    float oldX = store.x[index];
+    float oldY = store.y[index];
+    float oldCos = store.cos[index];
+    float oldSin = store.sin[index];
+    dynamics().writeBody(index, row, at);
+    movedFrom(oldX, oldY, oldCos, oldSin);
+  }
+
+  /**
    * Returns a hash of pose, velocities, and of the forces and impulses that wait for the next step.
    * It changes when something moves or pushes the body.
    */
@@ -505,6 +535,15 @@ public final class Body<T> {
     h = StateHash.mix(h, store.forceX[index], store.forceY[index]);
     h = StateHash.mix(h, store.impulseX[index], store.impulseY[index]);
     return StateHash.mix(h, store.impulseW[index], 0f);
+  }
+
+  /**
+   * Returns a hash of which joints the body has, and of their settings. It changes when one comes
+   * or goes, or a motor, a limit, a spring or a target is set.
+   */
+  public long jointStamp() {
+    check();
+    return dynamics().jointTransfer().stamp(index);
   }
 
   /**

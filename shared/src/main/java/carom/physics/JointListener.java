@@ -1,7 +1,8 @@
 package carom.physics;
 
 /**
- * Receives the joints that break during {@link World#step}; see {@link World#jointListener}.
+ * Receives the joints that break during {@link World#step}, and those that come and go; see {@link
+ * World#jointListener}.
  *
  * @param <T> the user's type of {@link Body#user()}
  */
@@ -16,4 +17,17 @@ public interface JointListener<T> {
    * @param joint still valid during the call, with the force that broke it
    */
   void broke(Joint<T> joint);
+
+  /**
+   * Receives a joint that was just created, by any method of the world. Does nothing by default.
+   */
+  default void created(Joint<T> joint) {}
+
+  /**
+   * Receives a joint that is about to be destroyed: by the program, because it broke, or with one
+   * of its bodies. Does nothing by default.
+   *
+   * @param joint still valid during the call
+   */
+  default void destroyed(Joint<T> joint) {}
 }

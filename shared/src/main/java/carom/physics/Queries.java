@@ -379,7 +379,7 @@ public final class Queries<T> {
     int number = parts.shapeOf(part);
     Body<T> body = world.body(slot);
     boolean seen = filter == null ? !body.sensor(number) : filter.accepts(body, number);
-    if (seen && measure(part, slot)) {
+    if (seen && world.sees(body, number) && measure(part, slot)) {
       long key =
           (long) Float.floatToIntBits(hit.fraction) << (BODY_BITS + PART_BITS)
               | (long) slot << PART_BITS

@@ -13,6 +13,7 @@ import carom.physics.dynamics.contact.ContactEvents;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.joint.JointEvents;
 import carom.physics.dynamics.joint.JointStore;
+import carom.physics.dynamics.joint.JointTransfer;
 import carom.physics.geometry.MassData;
 import carom.physics.math.Aabb;
 import carom.physics.math.Limits;
@@ -20,6 +21,7 @@ import carom.physics.math.Transform;
 import carom.physics.math.Trig;
 import carom.physics.profile.StageListener;
 import carom.physics.rows.ExactRows;
+import carom.physics.rows.JointDefRow;
 import carom.physics.threads.Workers;
 import java.util.Arrays;
 import java.util.Objects;
@@ -46,7 +48,9 @@ public final class World<T> {
    * differently. States as bytes, recordings and connections of another version are refused; {@code
    * carom.net.protocol.Protocol} has the same number.
    */
-  public static final int PHYSICS_VERSION = 4;
+  public static final int PHYSICS_VERSION = 5;
+
+  private static final JointType[] JOINT_TYPES = JointType.values();
 
   private final WorldDef def;
   private final Dynamics dynamics;
@@ -59,6 +63,7 @@ public final class World<T> {
   private final Handles<T> handles = new Handles<>();
   private final EditQueue<T> edits;
   private long moves;
+  private QueryFilter<T> scope;
   private final JointEvents onBroke = this::broke;
 
   private CollisionListener<T> listener;
@@ -214,6 +219,9 @@ public final class World<T> {
   }
 
   void removeJoint(int slot) {
+    if (jointListener != null) {
+      jointListener.destroyed(joint(slot));
+    }
     dynamics.destroyJoint(slot);
     handles.removeJoint(slot);
   }
@@ -236,12 +244,69 @@ public final class World<T> {
     int b = d.bodyB.index();
     int j = dynamics.createJoint((byte) d.type.ordinal(), a, b);
     new JointMaker(store, joints).fill(j, d);
-    if (d.breakForce < Float.POSITIVE_INFINITY || d.breakTorque < Float.POSITIVE_INFINITY) {
+    return enter(j);
+  }
+
+  /**
+   * Creates a joint from the definition of another world's joint, as {@link #readJoint} reads it.
+   * The numbers are not trusted.
+   *
+   * @param bodyA null for the world, as far as the type allows it
+   * @param bodyB another body
+   * @param definition holds it; {@link JointDefRow} declares its fields
+   * @param at where it begins
+   * @return the joint's handle
+   * @throws IllegalArgumentException if the definition is damaged; no joint is created then
+   * @throws IllegalStateException if a body was destroyed, or during a query
+   */
+  public Joint<T> createJoint(Body<T> bodyA, Body<T> bodyB, int[] definition, int at) {
+    refuseDuringQuery("createJoint");
+    own(bodyB);
+    if (bodyA != null) {
+      own(bodyA);
+    }
+    int type = definition[at + JointDefRow.TYPE];
+    if (!JointTransfer.isType(type)
+        || bodyA == bodyB
+        || (bodyA == null && !JointTransfer.mayBeGrounded(type))) {
+      throw new IllegalArgumentException(
+          "type=" + type + " of a joint between bodyA=" + bodyA + " and bodyB=" + bodyB);
+    }
+    int a = bodyA == null ? -1 : bodyA.index();
+    int j = dynamics.createJoint((byte) type, a, bodyB.index());
+    String problem = dynamics.jointTransfer().writeDefinition(j, definition, at);
+    if (problem != null) {
+      dynamics.destroyJoint(j);
+      throw new IllegalArgumentException(problem);
+    }
+    return enter(j);
+  }
+
+  /** Makes the handle of a joint that has just been filled in, and tells of it. */
+  private Joint<T> enter(int j) {
+    if (joints.breakForce[j] < Float.POSITIVE_INFINITY
+        || joints.breakTorque[j] < Float.POSITIVE_INFINITY) {
       dynamics.watchBreaking();
     }
-    Joint<T> joint = new Joint<>(this, joints, j, joints.generation(j), d.type);
+    JointType type = JOINT_TYPES[joints.type[j]];
+    Joint<T> joint = new Joint<>(this, joints, j, joints.generation(j), type);
     handles.put(joint);
+    if (jointListener != null) {
+      jointListener.created(joint);
+    }
     return joint;
+  }
+
+  /**
+   * Reads the definition of a joint, with the settings that it has now. {@link #createJoint(Body,
+   * Body, int[], int)} makes an equal joint of it.
+   *
+   * @param to receives {@link JointDefRow#INTS} ints
+   * @param at where they begin
+   */
+  public void readJoint(Joint<T> joint, int[] to, int at) {
+    own(joint);
+    dynamics.jointTransfer().readDefinition(joint.index(), to, at);
   }
 
   private void own(Body<T> body) {
@@ -260,11 +325,37 @@ public final class World<T> {
    */
   public void destroyJoint(Joint<T> joint) {
     refuseDuringQuery("destroyJoint");
+    own(joint);
+    edits.destroy(joint);
+  }
+
+  /**
+   * Destroys all joints. Those created next get ascending indices: the solver's order is then the
+   * order of their creation.
+   *
+   * @throws IllegalStateException during a step or a query
+   */
+  public void destroyJoints() {
+    refuseDuringStep("destroyJoints");
+    refuseDuringQuery("destroyJoints");
+    for (int j = joints.slots() - 1; j >= 0; j--) {
+      if (joint(j) != null) {
+        removeJoint(j);
+      }
+    }
+    joints.sortFree();
+  }
+
+  /** Returns a number above all indices of joints that were ever used. */
+  public int jointSlotCount() {
+    return joints.slots();
+  }
+
+  private void own(Joint<T> joint) {
     joint.check();
     if (joint.world() != this) {
       throw new IllegalArgumentException("joint=" + joint + " belongs to another world");
     }
-    edits.destroy(joint);
   }
 
   /**
@@ -496,11 +587,12 @@ public final class World<T> {
   }
 
   /**
-   * Reads the exact state of some bodies and of their contacts, so that another world can take it
-   * over.
+   * Reads the exact state of some bodies and of their joints and contacts, so that another world
+   * can take it over.
    *
    * <p>A contact with a body that is neither listed nor static is left out. The rows then behave as
-   * in this world only until that body matters.
+   * in this world only until that body matters. A joint with such a body is left out, too, and is
+   * counted in {@link ExactRows#cutJoints}; its bodies then behave otherwise at once.
    *
    * @param rows lists the bodies, see {@link ExactRows#addBody}; receives their state except for
    *     what belongs to the using program
@@ -512,15 +604,16 @@ public final class World<T> {
   }
 
   /**
-   * Gives new bodies the exact state and the contacts of bodies of another world. From now on both
-   * behave alike, to the bit, as long as nothing else reaches them.
+   * Gives new bodies the exact state, the joints and the contacts of bodies of another world. From
+   * now on both behave alike, to the bit, as long as nothing else reaches them.
    *
    * <p>A contact is left out if one of its ends is not a body of this world, or the body lacks the
-   * part.
+   * part. A joint's row is left out if it has no slot, or if the joint there has other ends.
    *
-   * @param rows exact state of bodies that were created here since the last step and are awake.
-   *     They have the same kinds and the same order as those the rows were read from; see {@link
-   *     ExactRows#setSlot}
+   * @param rows exact state of bodies that were created here since the last step and are awake, and
+   *     of joints that were {@linkplain #createJoint(Body, Body, int[], int) created} from the
+   *     definitions of the other world's. They have the same kinds and the same order as those the
+   *     rows were read from; see {@link ExactRows#setSlot} and {@link ExactRows#setJointSlot}
    */
   public void writeRows(ExactRows rows) {
     refuseDuringStep("writeRows");
@@ -606,6 +699,20 @@ public final class World<T> {
   }
 
   /**
+   * Visits the dynamic bodies that are awake, by ascending index. Costs about a nanosecond per slot
+   * besides the visits.
+   *
+   * @param visitor receives the bodies; must not create or destroy any
+   */
+  public void forEachAwake(Consumer<Body<T>> visitor) {
+    for (int i = 0; i < store.slots(); i++) {
+      if (store.type[i] == BodyStore.DYNAMIC && store.active(i)) {
+        visitor.accept(body(i));
+      }
+    }
+  }
+
+  /**
    * Visits the bodies with a shape whose AABB overlaps a box, by ascending index.
    *
    * @param minX left edge, m
@@ -681,7 +788,7 @@ public final class World<T> {
 
   private boolean collect(int part) {
     parts.boxOf(part, false, box);
-    if (box.overlaps(queryBox)) {
+    if (box.overlaps(queryBox) && sees(body(parts.bodyOf(part)), parts.shapeOf(part))) {
       if (foundCount == found.length) {
         found = Arrays.copyOf(found, foundCount * 2);
       }
@@ -856,6 +963,19 @@ public final class World<T> {
    */
   public Queries<T> queries(Poses poses) {
     return new Queries<>(this, poses);
+  }
+
+  /**
+   * Limits what all queries of this world see, besides their own filters; no part of its state.
+   *
+   * @param newScope the shapes that queries see from now on; null for all
+   */
+  public void queryScope(QueryFilter<T> newScope) {
+    scope = newScope;
+  }
+
+  boolean sees(Body<T> body, int shape) {
+    return scope == null || scope.accepts(body, shape);
   }
 
   EditQueue<T> edits() {

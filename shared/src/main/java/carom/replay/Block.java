@@ -23,7 +23,7 @@ public enum Block {
   static final long MAGIC = 0x4341524f4d524543L; // "CAROMREC"
 
   /** Version of the file format. Every change of the format raises it. */
-  static final int VERSION = 3;
+  static final int VERSION = 4;
 
   /** Bytes before the first block: magic and version. */
   static final int PREAMBLE_BYTES = 12;

@@ -1,9 +1,13 @@
 package carom.sim;
 
-/** Refuses calls of a simulation's methods in the wrong {@link Role} or during the physics step. */
+/**
+ * Refuses calls of a simulation's methods in the wrong {@link Role}, during the physics step, or in
+ * {@link Game#forces}.
+ */
 final class CallRules {
   private final Role role;
   private boolean inPhysics;
+  private boolean inForces;
 
   CallRules(Role role) {
     this.role = role;
@@ -12,6 +16,26 @@ final class CallRules {
   /** Sets whether the physics step runs now. */
   void inPhysics(boolean now) {
     inPhysics = now;
+  }
+
+  /** Sets whether {@link Game#forces} is called now. */
+  void inForces(boolean now) {
+    inForces = now;
+  }
+
+  /**
+   * Throws in {@link Game#forces}, which may change nothing but its body.
+   *
+   * @param what the method that was called
+   */
+  void requireOutsideForces(String what) {
+    if (inForces) {
+      throw new IllegalStateException(
+          what
+              + " can't be called in Game.forces, which clients run, too: they know only some"
+              + " entities, and it may only push the body it is called for; do it in"
+              + " Game.beforeStep or Game.afterStep");
+    }
   }
 
   /**
@@ -33,6 +57,7 @@ final class CallRules {
   }
 
   private void require(Role wanted, String what) {
+    requireOutsideForces(what);
     if (role != wanted) {
       throw new IllegalStateException(
           what + " is for the " + wanted + " role only, this is " + role);
@@ -46,6 +71,7 @@ final class CallRules {
    * @param what the method that was called
    */
   void requireOutsidePhysics(String what) {
+    requireOutsideForces(what);
     if (inPhysics) {
       throw new IllegalStateException(
           what + " can't be called during the physics step; call it in Game.afterStep");

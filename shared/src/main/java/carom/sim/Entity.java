@@ -1,6 +1,13 @@
 package carom.sim;
 
 import carom.physics.Body;
+import carom.physics.math.Transform;
+import carom.sim.field.EntityRef;
+import carom.sim.field.FieldHolder;
+import carom.sim.field.FieldValues;
+import carom.sim.field.Scope;
+import carom.sim.joint.Assembly;
+import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 
@@ -11,20 +18,28 @@ import carom.sim.level.Level;
  * <p>An entity is a handle that is valid until it is despawned. Its id is then given to another
  * entity, with another generation.
  */
-public final class Entity {
+public final class Entity extends FieldHolder<Entity, Player> {
   /** Id of static level geometry. It never appears in snapshots. */
   public static final int LEVEL = -1;
 
   /** Owner id of an entity that belongs to no player. */
   public static final int NO_OWNER = Level.NO_OWNER;
 
+  /** Root id of an entity that belongs to no assembly. */
+  static final int NO_ROOT = JointTable.NO_ROOT;
+
   private final int id;
   private final int generation;
   private final Archetype archetype;
   private final int ownerId;
   private final EntityTable table;
+  private final FieldValues fields;
   private int tag;
   private int teleports;
+
+  /** Id of the root of its assembly, the entity itself if it is the root, or {@link #NO_ROOT}. */
+  private int rootId = NO_ROOT;
+
   private Body<Entity> body;
   private int bodySlot;
 
@@ -34,6 +49,7 @@ public final class Entity {
     this.generation = generation;
     this.archetype = archetype;
     this.ownerId = ownerId;
+    fields = id == LEVEL ? table.fields().ofLevel() : table.fields().create(Scope.ENTITY);
     tag = archetype.tag();
   }
 
@@ -94,17 +110,59 @@ public final class Entity {
   }
 
   /**
+   * Returns the root of the {@linkplain Assembly assembly} that the entity belongs to. It is the
+   * entity itself if it is the root, belongs to none, or if the root is gone.
+   */
+  public Entity root() {
+    Entity root = rootId == NO_ROOT ? null : table.get(rootId);
+    return root == null ? this : root;
+  }
+
+  int rootId() {
+    return rootId;
+  }
+
+  void rootId(int value) {
+    rootId = value;
+  }
+
+  /** Returns whether it is the root of an assembly. */
+  boolean isRoot() {
+    return rootId == id;
+  }
+
+  /**
    * Puts the body somewhere else, as a respawn or a gate does. Clients show it here and then there,
-   * and nothing between. {@link Body#setPose} alone would look like a fast movement.
+   * and nothing between. {@link Body#setPose} alone would look like a fast movement. The root of an
+   * assembly takes all of it along, rigidly.
    *
    * @param x position of the body's origin, metres
    * @param y position of the body's origin, metres
    * @param angle radians, counterclockwise
    */
   public void teleport(float x, float y, float angle) {
+    if (isRoot()) {
+      table.moveMembers(this, x, y, angle);
+    }
+    table.wakeAround(this);
     body.setPose(x, y, angle);
+    table.wakeAround(this);
     teleports++;
     table.noteChange();
+  }
+
+  /** Moves the body with another one, as if both were one rigid body, and counts as a teleport. */
+  void teleportWith(Transform before, Transform after) {
+    float dx = body.x() - before.x;
+    float dy = body.y() - before.y;
+    float c = after.cos * before.cos + after.sin * before.sin;
+    float s = after.sin * before.cos - after.cos * before.sin;
+    body.setPose(
+        after.x + c * dx - s * dy,
+        after.y + s * dx + c * dy,
+        c * body.cos() - s * body.sin(),
+        s * body.cos() + c * body.sin());
+    teleports++;
   }
 
   /**
@@ -117,6 +175,16 @@ public final class Entity {
 
   void teleports(int value) {
     teleports = value;
+  }
+
+  @Override
+  public FieldValues fieldValues() {
+    return fields;
+  }
+
+  @Override
+  protected int reference() {
+    return id == LEVEL ? 0 : EntityRef.word(id, generation);
   }
 
   @Override

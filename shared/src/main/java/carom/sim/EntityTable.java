@@ -3,20 +3,34 @@ package carom.sim;
 import carom.physics.Body;
 import carom.physics.BodyDef;
 import carom.physics.World;
+import carom.physics.math.Transform;
+import carom.physics.math.Trig;
+import carom.physics.rows.JointDefRow;
+import carom.sim.area.AreaForces;
+import carom.sim.field.FieldStore;
+import carom.sim.field.Schema;
 import carom.sim.history.TrackedBodies;
+import carom.sim.joint.Assemblies;
+import carom.sim.joint.Assembly;
+import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 import carom.sim.level.ScriptedMotion;
+import carom.sim.random.SimRandom;
 import java.util.Arrays;
+import java.util.function.IntSupplier;
 
 /**
  * The entities of a simulation by id, their bodies, and their part of its state. A free id keeps
  * its generation, so that its next entity gets another one.
  */
-final class EntityTable implements TrackedBodies<Entity> {
+final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<Entity, Player> {
   private final World<Entity> world;
   private final PlayerTable players;
+  private final AreaForces<Entity> areas;
+  private final Assemblies assemblies;
   private final int tickRate;
+  private final FieldStore fields;
   private Entity[] entities = new Entity[64];
   private byte[] generations = new byte[64];
 
@@ -30,15 +44,41 @@ final class EntityTable implements TrackedBodies<Entity> {
 
   private long version;
 
-  EntityTable(World<Entity> world, PlayerTable players, int tickRate) {
+  EntityTable(
+      World<Entity> world,
+      PlayerTable players,
+      AreaForces<Entity> areas,
+      Assemblies assemblies,
+      int tickRate,
+      Schema schema,
+      IntSupplier clock) {
+    this.areas = areas;
+    this.assemblies = assemblies;
     this.world = world;
     this.players = players;
     this.tickRate = tickRate;
+    fields = new FieldStore(schema, clock, this);
   }
 
   /** Returns the entity under an id, or null when the id is free or out of range. */
   Entity get(int id) {
     return id >= 0 && id < capacity ? entities[id] : null;
+  }
+
+  /** Returns the declared fields and the rules of writing them. */
+  FieldStore fields() {
+    return fields;
+  }
+
+  @Override
+  public Entity entity(int id, int generation) {
+    Entity entity = get(id);
+    return entity != null && entity.generation() == generation ? entity : null;
+  }
+
+  @Override
+  public Player player(int id) {
+    return players.get(id);
   }
 
   /** Returns whether an entity has not been despawned. */
@@ -59,6 +99,11 @@ final class EntityTable implements TrackedBodies<Entity> {
   /** Returns a number that changes with each {@link #noteChange}. */
   long version() {
     return version;
+  }
+
+  /** Notes that an entity is about to be put elsewhere, or has been: its area, if any, wakes. */
+  void wakeAround(Entity entity) {
+    areas.wakeAround(entity.id());
   }
 
   /** Notes that an entity came, went or was teleported. */
@@ -136,6 +181,58 @@ final class EntityTable implements TrackedBodies<Entity> {
     return add(new Entity(this, id, generation, archetype, ownerId), x, y, angle, tick);
   }
 
+  /** Creates the bodies and joints of an assembly; returns its root. */
+  Entity spawn(
+      Assembly assembly,
+      float x,
+      float y,
+      float angle,
+      int ownerId,
+      int tick,
+      JointTable<Entity> joints) {
+    if (count + assembly.bodyCount() > Simulation.MAX_ENTITIES) {
+      throw new IllegalStateException(
+          "assembly=" + assembly + " can't be spawned: entities=" + count + " is the limit");
+    }
+    float c = Trig.cos(angle);
+    float s = Trig.sin(angle);
+    Entity[] members = new Entity[assembly.bodyCount()];
+    for (int i = 0; i < members.length; i++) {
+      float dx = assembly.x(i);
+      float dy = assembly.y(i);
+      members[i] =
+          spawn(
+              assembly.archetypes().get(i),
+              x + c * dx - s * dy,
+              y + s * dx + c * dy,
+              angle + assembly.angle(i),
+              ownerId,
+              tick);
+      members[i].rootId(members[0].id());
+    }
+    for (int i = 0; i < assembly.jointCount(); i++) {
+      int at = i * JointDefRow.INTS;
+      Body<Entity> a = members[assembly.bodyA(i)].body();
+      Body<Entity> b = members[assembly.bodyB(i)].body();
+      joints.create(0, members[0].id(), i, a, b, assembly.definitions(), at);
+    }
+    return members[0];
+  }
+
+  /** Moves the other bodies of an assembly as its root is about to be moved. */
+  void moveMembers(Entity root, float x, float y, float angle) {
+    Transform before = new Transform();
+    Body<Entity> body = root.body();
+    before.set(body.x(), body.y(), body.cos(), body.sin());
+    Transform after = new Transform();
+    after.set(x, y, Trig.cos(angle), Trig.sin(angle));
+    for (int i = 0; i < capacity; i++) {
+      if (entities[i] != null && entities[i] != root && entities[i].rootId() == root.id()) {
+        entities[i].teleportWith(before, after);
+      }
+    }
+  }
+
   private int takeFreeId(Archetype archetype) {
     int id = firstFree;
     while (id < capacity && entities[id] != null) {
@@ -183,15 +280,17 @@ final class EntityTable implements TrackedBodies<Entity> {
     capacity = Math.max(capacity, id + 1);
     count++;
     Player owner = players.get(entity.ownerId());
-    if (owner != null && owner.body == null) {
+    if (owner != null && owner.body == null && !assemblies.isPart(entity.archetype())) {
       owner.body = entity;
     }
+    areas.come(id, entity.body(), entity.archetype());
     return entity;
   }
 
   /** Destroys an entity that the table {@linkplain #holds holds}, and its body. */
   void despawn(Entity entity) {
     int id = entity.id();
+    areas.go(id);
     world.destroyBody(entity.body());
     entities[id] = null;
     noteChange();
@@ -204,26 +303,14 @@ final class EntityTable implements TrackedBodies<Entity> {
     }
   }
 
-  /**
-   * Moves every body with a path. It puts the body where the path was a tick ago, to the bit, and
-   * sets the velocity that leads to the path's present point. A client that knows the tick computes
-   * the same.
-   */
+  /** Moves every body with a path to where it was a tick ago, with the velocity to where it is. */
   void followPaths(int tick) {
     for (int i = 0; i < capacity; i++) {
       Entity e = entities[i];
       if (e == null || e.archetype().motion() == null) {
         continue;
       }
-      ScriptedMotion path = e.archetype().motion();
-      Body<Entity> body = e.body();
-      float x = path.x(tick - 1, tickRate);
-      float y = path.y(tick - 1, tickRate);
-      if (body.x() != x || body.y() != y) {
-        body.setPose(x, y, body.cos(), body.sin());
-      }
-      body.setVelocity(
-          (path.x(tick, tickRate) - x) * tickRate, (path.y(tick, tickRate) - y) * tickRate);
+      e.archetype().motion().drive(e.body(), tick, tickRate);
     }
   }
 
@@ -235,7 +322,9 @@ final class EntityTable implements TrackedBodies<Entity> {
       long identity = generations[i] & 0xff;
       if (e != null) {
         identity |= (long) (e.archetype().index() + 1) << 8 | (long) (e.ownerId() + 1) << 32;
+        h = e.fieldValues().hash(h);
         h = SimRandom.mix(h, ((long) e.tag() << 32) | (e.bodySlot() & 0xffffffffL));
+        h = e.rootId() == Entity.NO_ROOT ? h : SimRandom.mix(h, e.rootId());
       }
       h = SimRandom.mix(h, identity);
     }
@@ -247,6 +336,7 @@ final class EntityTable implements TrackedBodies<Entity> {
     if (s.entities.length < generations.length) {
       s.entities = new Entity[generations.length];
       s.tags = new int[generations.length];
+      s.roots = new int[generations.length];
       s.teleports = new int[generations.length];
       s.generations = new byte[generations.length];
     }
@@ -258,6 +348,10 @@ final class EntityTable implements TrackedBodies<Entity> {
     for (int i = 0; i < capacity; i++) {
       s.tags[i] = entities[i] == null ? 0 : entities[i].tag();
       s.teleports[i] = entities[i] == null ? 0 : entities[i].teleports();
+      if (entities[i] != null) {
+        s.fields.save(entities[i].fieldValues(), i);
+      }
+      s.roots[i] = entities[i] == null ? Entity.NO_ROOT : entities[i].rootId();
     }
   }
 
@@ -269,6 +363,7 @@ final class EntityTable implements TrackedBodies<Entity> {
     grow(capacity - 1);
     System.arraycopy(s.entities, 0, entities, 0, capacity);
     noteChange();
+    areas.clear();
     Arrays.fill(entities, capacity, Math.max(before, capacity), null);
     System.arraycopy(s.generations, 0, generations, 0, capacity);
     Arrays.fill(generations, capacity, Math.max(before, capacity), (byte) 0);
@@ -276,6 +371,9 @@ final class EntityTable implements TrackedBodies<Entity> {
       if (entities[i] != null) {
         entities[i].tag(s.tags[i]);
         entities[i].teleports(s.teleports[i]);
+        s.fields.restore(entities[i].fieldValues(), i);
+        entities[i].rootId(s.roots[i]);
+        areas.add(i, entities[i].body(), entities[i].archetype());
       }
     }
     firstFree = 0;

@@ -1,9 +1,12 @@
 package carom.sim;
 
 import carom.physics.Collision;
+import carom.physics.Joint;
 import carom.physics.WorldDef;
 import carom.sim.event.Audience;
+import carom.sim.field.Field;
 import carom.sim.level.Level;
+import java.util.List;
 
 /**
  * The rules of a game. Implement it, name it in a level file and list it as a service, and it is a
@@ -13,9 +16,9 @@ import carom.sim.level.Level;
  * zones, scratch objects). Everything that changes while playing belongs into {@link
  * Player#memory}, {@link Simulation#memory} or the world, where it is hashed, saved and restored.
  *
- * <p>All methods run on the simulation's thread. {@code setUp}, {@code input}, {@code collision}
- * and {@code hit} run on server and client and must do the same there. The rest runs on {@link
- * Role#AUTHORITY} only.
+ * <p>All methods run on the simulation's thread. {@code setUp}, {@code input}, {@code forces},
+ * {@code collision} and {@code hit} run on server and client and must do the same there. The rest
+ * runs on {@link Role#AUTHORITY} only.
  */
 public interface Game {
   /** Returns the name under which the game is found, in lower case. */
@@ -32,6 +35,14 @@ public interface Game {
   /** Returns the settings of the world. The default takes the level's gravity. */
   default WorldDef world(Level level) {
     return new WorldDef().withGravity(level.gravityX(), level.gravityY());
+  }
+
+  /**
+   * Returns the fields of the game's players, entities and match, in an order that is the same
+   * everywhere. They are constants of the class, and this is the one place that lists them.
+   */
+  default List<Field<?>> fields() {
+    return List.of();
   }
 
   /** Returns how many ints of {@link Simulation#memory} the game needs in a level, 0..65536. */
@@ -93,6 +104,22 @@ public interface Game {
    */
   void input(Simulation s, Player p, Input in);
 
+  /**
+   * Applies the game's forces to one body: a wing's lift, a spring, a thruster; both roles, each
+   * tick after the inputs, once for each entity whose body is dynamic and awake. Clients predict
+   * what it does exactly, so push bodies here rather than in {@link #beforeStep}.
+   *
+   * <p>It must be a function of this entity, of fields that all players near are told (its own, its
+   * owner's, the match's), the tick and the level. It may push this entity's body and change its
+   * velocity, and must change nothing else. Queries of the world see the level's static geometry
+   * only. A body that only {@link carom.physics.Body#applyAmbientForce ambient forces} act on can
+   * fall asleep.
+   *
+   * @param s the simulation
+   * @param e an entity with a dynamic body that is awake
+   */
+  default void forces(Simulation s, Entity e) {}
+
   /** Applies the rules of a tick before the players' inputs. */
   default void beforeStep(Simulation s) {}
 
@@ -118,8 +145,17 @@ public interface Game {
   default void hit(Simulation s, Collision<Entity> c) {}
 
   /**
+   * Handles a joint that breaks because it bears more than it can; both roles, during the step. The
+   * joint is gone after the step. It is the place to {@linkplain Simulation#emit emit} an event. It
+   * may read, and must change nothing else.
+   *
+   * @param joint still valid, with the force that broke it
+   */
+  default void broke(Simulation s, Joint<Entity> joint) {}
+
+  /**
    * Returns which players are told about an entity; {@link Role#AUTHORITY} only, after each tick
-   * for each entity. Players always know their own body. A client that is not told about an entity
+   * for each entity. All of an assembly has the audience of its root. Players always know their own body. A client that is not told about an entity
    * receives neither its exact state nor the {@link Audience#NEAR} events in which it takes part,
    * and no input of a player whose body it is. An entity that nobody is told about costs nothing,
    * and no cheat can find it on the wire.

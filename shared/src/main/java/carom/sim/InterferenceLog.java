@@ -1,13 +1,19 @@
 package carom.sim;
 
+import carom.physics.BodyType;
 import carom.physics.math.StateHash;
+import carom.physics.rows.BodyRow;
+import carom.sim.ruling.Findings;
+import carom.sim.ruling.Habit;
+import carom.sim.ruling.Ruling;
+import carom.sim.ruling.RulingLog;
 import java.util.Arrays;
 
 /**
  * Records what the game itself does to bodies in {@link Game#beforeStep} and {@link
- * Game#afterStep}: it moves or pushes them, wakes them, or changes their players' memories. Clients
- * don't run these methods, so they can't predict the result; replication reads this log and tells
- * them.
+ * Game#afterStep}: it moves or pushes them, wakes them, or changes fields of theirs or of their
+ * players that are told to clients. Clients don't run these methods, so they can't predict the
+ * result; replication reads this log and tells them.
  *
  * <p>One tick of the simulation, and the calls in it:
  *
@@ -19,6 +25,9 @@ import java.util.Arrays;
  *   replication, after tick n         lastTick(entity) == n: the game interfered in tick n
  * </pre>
  *
+ * <p>What it did to a body that stays awake is a {@link Ruling}, which can be told as such. All
+ * else needs the exact state of the entity: see {@link #lastUntoldTick}.
+ *
  * <p>Only watched entities are compared, so the others cost nothing; the bodies of players are
  * always compared, see {@link #lastTick(Player)}. The log is no part of the simulation's state. It
  * is filled on {@link Role#AUTHORITY} only. One thread; allocates only to grow.
@@ -29,9 +38,17 @@ public final class InterferenceLog {
     Object subject;
     boolean watched;
     long stamp;
+    long ruled;
+    int[] row;
     int lastTick;
+    int lastUntoldTick;
     boolean beforeStep;
+    final Habit habit = new Habit();
   }
+
+  private static final int POSE = bits(BodyRow.X, 4);
+  private static final int VELOCITY = bits(BodyRow.VX, 3);
+  private static final int LOADS = bits(BodyRow.LOADS, BodyRow.LOAD_INTS);
 
   private final EntityTable entities;
   private final PlayerTable players;
@@ -42,10 +59,15 @@ public final class InterferenceLog {
   /** Marks of players, by id. */
   private Mark[] ofPlayers = new Mark[16];
 
+  private final Findings findings;
+  private final RulingLog rulings = new RulingLog();
+  private final Ruling ruling = new Ruling();
+  private final int[] row = new int[BodyRow.INTS];
   private Entity[] watched = new Entity[16];
   private int watchedCount;
 
-  InterferenceLog(EntityTable entities, PlayerTable players) {
+  InterferenceLog(EntityTable entities, PlayerTable players, Findings findings) {
+    this.findings = findings;
     this.entities = entities;
     this.players = players;
   }
@@ -58,6 +80,7 @@ public final class InterferenceLog {
       return;
     }
     mark.watched = true;
+    mark.ruled = ruled(entity);
     if (watchedCount == watched.length) {
       watched = Arrays.copyOf(watched, 2 * watchedCount);
     }
@@ -74,7 +97,22 @@ public final class InterferenceLog {
   }
 
   /**
-   * Returns whether the game interfered before the physics of {@link #lastTick(Entity)}. Then the
+   * Returns the last tick in which the game did something to an entity that is no {@link Ruling},
+   * while it was watched, or -1: it put it to sleep, changed fields of it or of its player outside
+   * of {@link Game#input}, or made, destroyed or changed one of its joints.
+   */
+  public int lastUntoldTick(Entity entity) {
+    Mark mark = find(ofEntities, entity.id(), entity);
+    return mark == null ? -1 : mark.lastUntoldTick;
+  }
+
+  /** Returns what the game did to watched bodies that stayed awake. For reading only. */
+  public RulingLog rulings() {
+    return rulings;
+  }
+
+  /**
+   * Returns whether the game interfered before the physics of {@link #lastUntoldTick}. Then the
    * bodies that this one touches are affected in the same tick. Otherwise nothing but this entity
    * differs after that tick.
    */
@@ -85,8 +123,8 @@ public final class InterferenceLog {
 
   /**
    * Returns the last tick whose state of a player's body doesn't follow from input and physics
-   * alone, because the game moved, pushed or exchanged the body; or -1. A push in {@link
-   * Game#afterStep} shows a tick later, so it counts for the tick after.
+   * alone, because the game moved, pushed or exchanged the body, or wrote the player's fields; or
+   * -1. A push in {@link Game#afterStep} shows a tick later, so it counts for the tick after.
    */
   public int lastTick(Player player) {
     Mark mark = find(ofPlayers, player.id(), player);
@@ -104,7 +142,10 @@ public final class InterferenceLog {
     }
     for (int i = 0; i < watchedCount; i++) {
       if (entities.holds(watched[i])) {
-        ofEntities[watched[i].id()].stamp = stamp(watched[i]);
+        Mark mark = ofEntities[watched[i].id()];
+        mark.stamp = stamp(watched[i]);
+        mark.row = mark.row == null ? new int[BodyRow.INTS] : mark.row;
+        watched[i].body().readRow(mark.row, 0);
       }
     }
   }
@@ -133,30 +174,116 @@ public final class InterferenceLog {
         if (bodyStamp(player) != mark.stamp) {
           mark.lastTick = Math.max(mark.lastTick, shownTick);
         }
+        if (ruled(player.body) != mark.ruled) {
+          mark.ruled = ruled(player.body);
+          mark.lastTick = Math.max(mark.lastTick, tick);
+        }
       }
     }
     for (int i = 0; i < watchedCount; i++) {
       if (entities.holds(watched[i])) {
         Mark mark = ofEntities[watched[i].id()];
-        if (stamp(watched[i]) != mark.stamp) {
-          mark.beforeStep = beforeStep || (mark.lastTick == tick && mark.beforeStep);
+        boolean told = noteRuling(watched[i], mark, tick, beforeStep);
+        boolean wrote = ruled(watched[i]) != mark.ruled;
+        mark.ruled = ruled(watched[i]);
+        if (!told || wrote || stamp(watched[i]) != mark.stamp) {
+          mark.beforeStep = beforeStep || (mark.lastUntoldTick == tick && mark.beforeStep);
+          mark.lastUntoldTick = tick;
           mark.lastTick = tick;
         }
       }
     }
   }
 
+  /**
+   * Notes what the rules did to a body, if anything.
+   *
+   * @return false if they did something that a ruling can't say
+   */
+  private boolean noteRuling(Entity entity, Mark mark, int tick, boolean beforeStep) {
+    entity.body().readRow(row, 0);
+    ruling.setDifference(mark.row, row);
+    if (ruling.mask == 0) {
+      return true;
+    }
+    mark.lastTick = tick;
+    if (row[BodyRow.SLEEP_TIME] == BodyRow.ASLEEP) {
+      return false;
+    }
+    ruling.tick = tick;
+    ruling.afterStep = !beforeStep;
+    ruling.key = entity.id() | entity.generation() << 16;
+    rulings.add().set(ruling);
+    if (mark.habit.note(tick)) {
+      find(entity, mark.habit.firstTick(), beforeStep ? "beforeStep" : "afterStep");
+    }
+    return true;
+  }
+
+  /** Counts what the rules wrote to an entity's fields and to those of the player it is of. */
+  private long ruled(Entity entity) {
+    Player owner = players.get(entity.ownerId());
+    boolean isBody = owner != null && owner.body == entity;
+    return entity.fieldValues().ruled() + (isBody ? owner.fieldValues().ruled() : 0);
+  }
+
+  /** Tells that the rules change a body again and again. */
+  private void find(Entity entity, int firstTick, String callback) {
+    String deed = deed(ruling.mask);
+    String advice;
+    if (entity.archetype().type() != BodyType.DYNAMIC) {
+      advice = "give its archetype a motion, which clients know";
+    } else if ((ruling.mask & POSE) != 0) {
+      advice = "let Game.input or Game.forces set its velocity";
+    } else {
+      advice = "use Game.forces";
+    }
+    findings.add(
+        callback + " " + deed + " " + entity.archetype().index(),
+        callback
+            + " "
+            + deed
+            + " entity "
+            + entity.id()
+            + " ("
+            + entity.archetype().name()
+            + ") every tick, so clients can't predict it; "
+            + advice
+            + ". First seen at tick "
+            + firstTick
+            + ".");
+  }
+
+  private static String deed(int mask) {
+    if ((mask & POSE) != 0) {
+      return "moves";
+    }
+    if ((mask & VELOCITY) != 0) {
+      return "sets the velocity of";
+    }
+    return (mask & LOADS) != 0 ? "pushes" : "wakes";
+  }
+
+  /** Returns the bits of a ruling's mask for some ints of a row. */
+  private static int bits(int from, int count) {
+    return ((1 << count) - 1) << from - BodyRow.MOTION;
+  }
+
   private static long bodyStamp(Player player) {
-    return player.body.body().stamp();
+    return memoryStamp(player.body.body().stamp(), player);
   }
 
   private long stamp(Entity entity) {
-    long h = StateHash.mix(entity.body().stamp(), entity.body().awake() ? 1 : 0);
     Player owner = players.get(entity.ownerId());
-    if (owner != null && owner.body == entity) {
-      for (int value : owner.memory()) {
-        h = StateHash.mix(h, value);
-      }
+    boolean isBody = owner != null && owner.body == entity;
+    long joints = entity.body().jointStamp();
+    return isBody ? memoryStamp(joints, owner) : joints;
+  }
+
+  private static long memoryStamp(long hash, Player player) {
+    long h = hash;
+    for (int value : player.memory()) {
+      h = StateHash.mix(h, value);
     }
     return h;
   }
@@ -178,7 +305,9 @@ public final class InterferenceLog {
       mark.watched = false;
       mark.stamp = 0;
       mark.lastTick = -1;
+      mark.lastUntoldTick = -1;
       mark.beforeStep = false;
+      mark.habit.clear();
     }
     return mark;
   }

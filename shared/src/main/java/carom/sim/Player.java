@@ -1,15 +1,18 @@
 package carom.sim;
 
-import carom.physics.rows.BodyRow;
+import carom.sim.field.FieldHolder;
+import carom.sim.field.FieldValues;
+import carom.sim.field.PlayerRef;
+import carom.sim.field.Scope;
 import carom.sim.history.PoseHistory;
 
 /**
  * A person or bot that plays: a name, an input, a score, perhaps a body. It belongs to one {@link
  * Simulation} and its thread.
  */
-public final class Player {
+public final class Player extends FieldHolder<Entity, Player> {
   /** Number of ints of {@link #memory}. */
-  public static final int MEMORY_SIZE = BodyRow.MEMORY_INTS;
+  public static final int MEMORY_SIZE = 4;
 
   /** Number of parts of a tick in which {@link #viewDelay} counts. */
   public static final int VIEW_STEPS = PoseHistory.STEPS_PER_TICK;
@@ -20,6 +23,7 @@ public final class Player {
   private final Simulation simulation;
   private final int id;
   private final String name;
+  private final FieldValues fields;
   private final Input input = new Input();
   private final int[] memory = new int[MEMORY_SIZE];
   private int viewDelay;
@@ -31,6 +35,7 @@ public final class Player {
     this.simulation = simulation;
     this.id = id;
     this.name = name;
+    fields = simulation.entities().fields().create(Scope.PLAYER);
   }
 
   /** Returns the slot, 0..1,023, which is free again once the player has left. */
@@ -73,11 +78,7 @@ public final class Player {
     viewDelay = Math.max(0, Math.min(MAX_VIEW_DELAY, steps));
   }
 
-  /**
-   * Returns four ints for the game's own use in {@link Game#input}, such as cooldowns or the
-   * buttons of the tick before. They are hashed, saved, and sent to the player's own client, so
-   * that its prediction starts from the same numbers. The array is the live one.
-   */
+  /** Returns four ints for the game's own use in {@link Game#input}; {@link #get} replaces them. */
   public int[] memory() {
     return memory;
   }
@@ -120,6 +121,16 @@ public final class Player {
     team = savedTeam;
     input.unpack(savedInput);
     viewDelay = savedViewDelay;
+  }
+
+  @Override
+  public FieldValues fieldValues() {
+    return fields;
+  }
+
+  @Override
+  protected int reference() {
+    return PlayerRef.word(id);
   }
 
   @Override

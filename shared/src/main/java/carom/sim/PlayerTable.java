@@ -1,5 +1,7 @@
 package carom.sim;
 
+import carom.sim.random.SimRandom;
+
 /** The players of a simulation by id, and their part of its state. */
 final class PlayerTable {
   private final Player[] players = new Player[Simulation.MAX_PLAYERS];
@@ -51,6 +53,7 @@ final class PlayerTable {
                 h, ((long) i << 32) | ((p.body == null ? -1 : p.body.id()) & 0xffffffffL));
         h = SimRandom.mix(h, ((long) p.score() << 32) | (p.team() & 0xffffffffL));
         h = SimRandom.mix(h, p.input().pack() | (long) p.viewDelay() << Input.PACKED_BITS);
+        h = p.fieldValues().hash(h);
         for (int value : p.memory()) {
           h = SimRandom.mix(h, value);
         }
@@ -71,6 +74,7 @@ final class PlayerTable {
         s.teams[i] = p.team();
         s.inputs[i] = p.input().pack();
         s.viewDelays[i] = p.viewDelay();
+        s.fields.save(p.fieldValues(), i);
         System.arraycopy(p.memory(), 0, s.playerMemory, i * Player.MEMORY_SIZE, Player.MEMORY_SIZE);
       }
     }
@@ -86,6 +90,7 @@ final class PlayerTable {
       if (p != null) {
         p.body = s.bodies[i];
         p.restore(s.scores[i], s.teams[i], s.inputs[i], s.viewDelays[i]);
+        s.fields.restore(p.fieldValues(), i);
         System.arraycopy(s.playerMemory, i * Player.MEMORY_SIZE, p.memory(), 0, Player.MEMORY_SIZE);
       }
     }

@@ -5,7 +5,10 @@ import carom.physics.WorldState;
 import carom.physics.archive.Archive;
 import carom.physics.archive.ArchiveReader;
 import carom.physics.archive.ArchiveWriter;
+import carom.sim.field.SavedFields;
+import carom.sim.field.Scope;
 import carom.sim.history.PoseHistory;
+import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
 import carom.sim.level.Level;
 import java.util.Arrays;
@@ -16,13 +19,14 @@ import java.util.Arrays;
  */
 public final class SimState {
   private static final int MAX_NAME = 1 << 16;
-  private static final int ENTITY_BYTES = 1 + 5 * Integer.BYTES;
+  private static final int ENTITY_BYTES = 1 + 6 * Integer.BYTES;
 
   final Simulation owner;
+  final SavedFields fields;
   WorldState world;
   int tick;
   long random;
-  int[] memory = {};
+  int[] memory;
   int playerLimit;
   Player[] players = {};
   Entity[] bodies = {};
@@ -36,20 +40,21 @@ public final class SimState {
   Entity[] entities = {};
   int[] tags = {};
   int[] teleports = {};
+  int[] roots = {};
+  final JointTable.Saved joints = new JointTable.Saved();
   byte[] generations = {};
   PoseHistory<Entity> history;
 
   /** Body slot of each entity, by entity id; used while the state is read or written. */
   private int[] slots = {};
 
-  /** Body slots in use, sorted; used while the state is read. */
-  private int[] slotsSorted = {};
-
-  /** Entity ids in the order of {@link #slotsSorted}. */
-  private int[] bySlot = {};
+  /** Body slots in use, sorted, each above an entity's id; used while the state is read. */
+  private long[] bySlot = {};
 
   SimState(Simulation owner) {
     this.owner = owner;
+    fields = new SavedFields(owner.schema());
+    memory = new int[owner.memory().length];
   }
 
   /** Sets a number above all ids of players, and forgets the players beyond it. */
@@ -66,21 +71,6 @@ public final class SimState {
     }
     Arrays.fill(players, limit, Math.max(limit, playerLimit), null);
     playerLimit = limit;
-  }
-
-  /** Copies a simulation's random numbers and memory. */
-  void saveNumbers(SimRandom from, int[] fromMemory) {
-    random = from.state();
-    if (memory.length != fromMemory.length) {
-      memory = new int[fromMemory.length];
-    }
-    System.arraycopy(fromMemory, 0, memory, 0, memory.length);
-  }
-
-  /** Takes a simulation back to these random numbers and this memory. */
-  void restoreNumbers(SimRandom to, int[] toMemory) {
-    to.state(random);
-    System.arraycopy(memory, 0, toMemory, 0, toMemory.length);
   }
 
   /** Copies the remembered poses of a simulation, if there are any. */
@@ -136,14 +126,16 @@ public final class SimState {
     a.require(
         rate == owner.tickRate(),
         "tickRate=" + rate + " is not this simulation's " + owner.tickRate());
+    fields.passSchema(a);
+    fields.pass(a, Scope.MATCH, 0);
     tick = a.integer("tick", tick, 0, Integer.MAX_VALUE);
     random = a.bits("random", random);
     int size = owner.memory().length;
-    memory = a.reads() ? new int[size] : memory;
     int stored = a.count("memory", size, size, Integer.BYTES);
     a.require(stored == size, "memory=" + stored + " ints, this game has " + size);
     a.integers("memory", memory, size, Integer.MIN_VALUE, Integer.MAX_VALUE);
     passEntities(a);
+    joints.pass(a);
     limitPlayers(a.count("players", playerLimit, Simulation.MAX_PLAYERS, Integer.BYTES));
     for (int id = 0; id < playerLimit; id++) {
       if (a.flag("player", players[id] != null)) {
@@ -178,6 +170,7 @@ public final class SimState {
     teams[id] = a.integer("team", teams[id], least, most);
     inputs[id] = a.bits("input", inputs[id]);
     viewDelays[id] = a.integer("view delay", viewDelays[id], 0, Player.MAX_VIEW_DELAY);
+    fields.pass(a, Scope.PLAYER, id);
     for (int i = id * Player.MEMORY_SIZE; i < (id + 1) * Player.MEMORY_SIZE; i++) {
       playerMemory[i] = a.integer("player's memory", playerMemory[i], least, most);
     }
@@ -192,6 +185,7 @@ public final class SimState {
       entities = new Entity[n];
       tags = new int[n];
       teleports = new int[n];
+      roots = new int[n];
       generations = new byte[n];
     }
     slots = new int[n];
@@ -206,9 +200,13 @@ public final class SimState {
     a.integers("owner of entity", owners, n, Entity.NO_OWNER, Simulation.MAX_PLAYERS - 1);
     a.integers("tag of entity", tags, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
     a.integers("teleports of entity", teleports, n, Integer.MIN_VALUE, Integer.MAX_VALUE);
+    a.integers("root of entity", roots, n, Entity.NO_ROOT, Simulation.MAX_ENTITIES - 1);
     a.integers("body of entity", slots, n, -1, Integer.MAX_VALUE);
-    for (int id = 0; a.reads() && id < n; id++) {
+    for (int id = 0; id < n; id++) {
       if (kinds[id] >= 0) {
+        fields.pass(a, Scope.ENTITY, id);
+      }
+      if (a.reads() && kinds[id] >= 0) {
         a.require(slots[id] >= 0, "entity=" + id + " has no body");
         entities[id] = entity(id, owner.archetypes().get(kinds[id]), owners[id]);
         entityCount++;
@@ -233,30 +231,21 @@ public final class SimState {
   }
 
   private void listBySlot() {
-    bySlot = new int[entityCapacity];
+    bySlot = new long[entityCount];
     int n = 0;
     for (int id = 0; id < entityCapacity; id++) {
       if (entities[id] != null) {
-        bySlot[n++] = id;
+        bySlot[n++] = (long) slots[id] << 32 | id;
       }
     }
-    long[] keys = new long[n];
-    for (int i = 0; i < n; i++) {
-      keys[i] = (long) slots[bySlot[i]] << 32 | bySlot[i];
-    }
-    Arrays.sort(keys);
-    bySlot = new int[n];
-    slotsSorted = new int[n];
-    for (int i = 0; i < n; i++) {
-      bySlot[i] = (int) keys[i];
-      slotsSorted[i] = (int) (keys[i] >>> 32);
-    }
+    Arrays.sort(bySlot);
   }
 
   /** Returns the entity with the body in a slot, or null for static level geometry. */
   private Entity user(int slot) {
-    int i = Arrays.binarySearch(slotsSorted, slot);
-    return i < 0 ? null : entities[bySlot[i]];
+    int i = Arrays.binarySearch(bySlot, (long) slot << 32);
+    int at = i < 0 ? -1 - i : i;
+    return at < bySlot.length && bySlot[at] >>> 32 == slot ? entities[(int) bySlot[at]] : null;
   }
 
   private void attachBody(ArchiveReader archive, int id) {

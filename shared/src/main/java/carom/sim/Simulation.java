@@ -1,19 +1,39 @@
 package carom.sim;
 
+import carom.physics.Body;
 import carom.physics.BodyDef;
 import carom.physics.Collision;
 import carom.physics.CollisionListener;
+import carom.physics.Joint;
+import carom.physics.JointDef;
+import carom.physics.JointListener;
 import carom.physics.Queries;
+import carom.physics.QueryFilter;
 import carom.physics.World;
 import carom.physics.archive.ArchiveReader;
+import carom.sim.area.AreaForces;
 import carom.sim.event.EventKind;
 import carom.sim.event.EventKinds;
 import carom.sim.event.NoticeQueue;
+import carom.sim.field.FieldHolder;
+import carom.sim.field.FieldStore;
+import carom.sim.field.FieldUse;
+import carom.sim.field.FieldValues;
+import carom.sim.field.Ratio;
+import carom.sim.field.Schema;
+import carom.sim.field.Scope;
 import carom.sim.history.PoseHistory;
+import carom.sim.joint.Assemblies;
+import carom.sim.joint.Assembly;
+import carom.sim.joint.AssemblyDef;
+import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Archetypes;
 import carom.sim.level.Level;
+import carom.sim.level.LevelJoint;
+import carom.sim.random.SimRandom;
+import carom.sim.ruling.Findings;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -25,8 +45,9 @@ import java.util.function.Consumer;
  * hashes} on every machine.
  *
  * <p>Tick 0 is the state after set-up. {@link #step} computes the next tick in this order: paths of
- * kinematic bodies, {@link Game#beforeStep}, each player's {@link Game#input} by player id, the
- * physics, {@link Game#afterStep}. While a step runs, {@link #tick} is the tick being computed.
+ * kinematic bodies, {@link Game#beforeStep}, each player's {@link Game#input} by player id, areas
+ * and {@link Game#forces} on each awake body, the physics, {@link Game#afterStep}. While a step
+ * runs, {@link #tick} is the tick being computed.
  *
  * <p>A simulation belongs to one thread. A step allocates nothing of its own once arrays have
  * grown.
@@ -36,7 +57,7 @@ import java.util.function.Consumer;
  * EventLog}, {@link NoticeQueue}, {@link InterferenceLog}, {@link PoseHistory} and {@link
  * SimState}.
  */
-public final class Simulation {
+public final class Simulation extends FieldHolder<Entity, Player> {
   /** Most players at a time; ids are 0..1,023. */
   public static final int MAX_PLAYERS = 1_024;
 
@@ -62,18 +83,34 @@ public final class Simulation {
   private final Archetypes archetypes = new Archetypes();
   private final SimRandom random;
   private final int[] memory;
+  private final FieldStore fields;
+
+  /** What notes how the game uses its fields; null on PREDICTION. */
+  private final FieldUse fieldUse;
+
+  private final FieldValues match;
   private final List<Entity> statics = new ArrayList<>();
   private final PlayerTable players = new PlayerTable();
   private final EntityTable entities;
+  private final Findings findings = new Findings();
+  private final JointTable<Entity> joints;
+  private final Assemblies assemblies = new Assemblies(archetypes);
+  private final ForceCheck forceCheck;
   private final InterferenceLog interference;
   private final NoticeQueue notices = new NoticeQueue(MAX_NOTICES, MAX_NOTICE_LENGTH);
   private final EventKinds eventKinds = new EventKinds();
   private final EventLog events = new EventLog();
+  private final AreaForces<Entity> areas;
+  private final QueryFilter<Entity> geometry = (body, shape) -> body.user().isLevel();
+  private final Consumer<Body<Entity>> forces = this::applyForces;
 
   private int tick;
   private boolean inTick;
   private Journal journal;
   private NextMatch nextMatch;
+
+  /** What is known of the server's rules, on PREDICTION; may be null. */
+  private Rulings rulings;
 
   /** Past poses on AUTHORITY if the game looks back; otherwise null. */
   private final PoseHistory<Entity> history;
@@ -94,11 +131,6 @@ public final class Simulation {
     if (tickRate < 1 || tickRate > 1000) {
       throw new IllegalArgumentException("tickRate=" + tickRate + " is outside 1..1000");
     }
-    int memorySize = game.memorySize(level);
-    if (memorySize < 0 || memorySize > 65_536) {
-      throw new IllegalArgumentException(
-          "memorySize=" + memorySize + " of game " + game.name() + " is outside 0..65536");
-    }
     this.game = game;
     this.level = level;
     this.tickRate = tickRate;
@@ -106,11 +138,24 @@ public final class Simulation {
     this.role = role;
     calls = new CallRules(role);
     random = new SimRandom(seed);
-    memory = new int[memorySize];
+    memory = new int[game.memorySize(level)];
     world = new World<>(game.world(level));
     world.listener(new Listener());
-    entities = new EntityTable(world, players, tickRate);
-    interference = new InterferenceLog(entities, players);
+    areas =
+        new AreaForces<>(
+            world,
+            level.areas(),
+            (carrier, power) -> carrier.user().get(power),
+            role == Role.AUTHORITY);
+    Schema schema = Schema.of(game.fields());
+    entities = new EntityTable(world, players, areas, assemblies, tickRate, schema, this::tick);
+    fields = entities.fields();
+    match = fields.create(Scope.MATCH);
+    fieldUse = role == Role.AUTHORITY ? fields.noteUse(findings, this::nameOf) : null;
+    joints = new JointTable<>(world, role == Role.AUTHORITY);
+    world.jointListener(new Joints());
+    forceCheck = new ForceCheck(world, findings);
+    interference = new InterferenceLog(entities, players, findings);
     history = role == Role.AUTHORITY && game.looksBack() ? newHistory() : null;
     past = history == null ? world.queries() : world.queries(history);
     for (ArchetypeDef def : level.archetypes()) {
@@ -124,9 +169,16 @@ public final class Simulation {
         spawn(archetypes.get(p.archetype()), p.x(), p.y(), p.angle(), null);
       }
     }
+    if (role == Role.AUTHORITY) {
+      connectLevel();
+    }
     game.setUp(this);
     archetypes.close();
+    requireDeclaredPowers();
     eventKinds.close();
+    if (role == Role.PREDICTION) {
+      fields.predict();
+    }
     if (history != null) {
       history.capture(tick);
     }
@@ -140,6 +192,17 @@ public final class Simulation {
    */
   public void journal(Journal newJournal) {
     journal = newJournal;
+  }
+
+  /**
+   * Sets what is known of the server's rules.
+   *
+   * @param known asked in every step from now on
+   * @throws IllegalStateException on {@link Role#AUTHORITY}
+   */
+  public void rulings(Rulings known) {
+    calls.requirePrediction("rulings");
+    rulings = known;
   }
 
   /** Returns the physics world. */
@@ -159,6 +222,7 @@ public final class Simulation {
    * @throws IllegalStateException on {@link Role#AUTHORITY}, when {@link Game#looksBack} is false
    */
   public Queries<Entity> asSeenBy(Player player) {
+    calls.requireOutsideForces("asSeenBy");
     if (history != null) {
       history.look(tick, player.viewDelay());
     } else if (role == Role.AUTHORITY) {
@@ -216,21 +280,42 @@ public final class Simulation {
 
   /** Returns the random numbers, which only {@link Role#AUTHORITY} may draw. */
   public SimRandom random() {
+    calls.requireOutsideForces("random");
     return random;
   }
 
-  /**
-   * Returns the game's own ints, as many as {@link Game#memorySize} says, 0 at first: timers,
-   * goals, anything that changes while playing. They are hashed and saved, but not sent to clients.
-   * The array is the live one.
-   */
+  /** Returns the game's own ints, {@link Game#memorySize} of them; {@link #get} replaces them. */
   public int[] memory() {
     return memory;
+  }
+
+  /**
+   * Returns the fields that the game declares. {@link #get}, {@link #set} and {@link #add} of this
+   * class are for those of the match.
+   */
+  public Schema schema() {
+    return fields.schema();
+  }
+
+  /** Returns the values of the match's fields. */
+  @Override
+  public FieldValues fieldValues() {
+    return match;
+  }
+
+  /** Returns a number that grows with each change of a field in a scope. */
+  public long fieldChanges(Scope scope) {
+    return fields.changes(scope);
   }
 
   /** Returns the registered archetypes. */
   public Archetypes archetypes() {
     return archetypes;
+  }
+
+  /** Returns the registered assemblies: groups of bodies and joints, such as cars. */
+  public Assemblies assemblies() {
+    return assemblies;
   }
 
   /** Returns the registered kinds of events. */
@@ -276,6 +361,161 @@ public final class Simulation {
   }
 
   /**
+   * Creates the bodies of an assembly as entities, and its joints. All belong to one owner. If that
+   * is a player without a body, the root becomes the player's body.
+   *
+   * @param assembly what to make
+   * @param x where the assembly's origin is, metres
+   * @param y where the assembly's origin is, metres
+   * @param angle of the whole assembly, radians, counterclockwise
+   * @param owner the player it belongs to, or null
+   * @return the root
+   * @throws IllegalStateException on {@link Role#PREDICTION}, during the physics, or beyond {@value
+   *     #MAX_ENTITIES}
+   */
+  public Entity spawn(Assembly assembly, float x, float y, float angle, Player owner) {
+    calls.requireAuthority("spawn");
+    int ownerId = owner == null ? Entity.NO_OWNER : owner.id();
+    return entities.spawn(assembly, x, y, angle, ownerId, tick, joints);
+  }
+
+  /**
+   * Creates a joint between bodies of the world. Clients mirror and predict it. It goes with either
+   * of its bodies, by {@link #disconnect}, or when it breaks.
+   *
+   * @return the joint, whose motor, limits, spring and target may be changed at any time; those
+   *     that {@link Game#input} changes are predicted
+   * @throws IllegalStateException on {@link Role#PREDICTION}, during the physics, or beyond {@value
+   *     JointTable#MAX_JOINTS} joints
+   */
+  public Joint<Entity> connect(JointDef<Entity> def) {
+    calls.requireAuthority("connect");
+    return world.createJoint(def);
+  }
+
+  /**
+   * Destroys a joint. Nothing happens if it is gone already.
+   *
+   * @throws IllegalStateException on {@link Role#PREDICTION} or during the physics
+   */
+  public void disconnect(Joint<Entity> joint) {
+    calls.requireAuthority("disconnect");
+    if (joint.isValid()) {
+      world.destroyJoint(joint);
+    }
+  }
+
+  /** Makes the level's joints, which so get the first indices in file order. */
+  private void connectLevel() {
+    for (int i = 0; i < level.joints().size(); i++) {
+      LevelJoint joint = level.joints().get(i);
+      Body<Entity> a = levelBody(joint.a());
+      joints.create(0, JointTable.LEVEL, i, a, levelBody(joint.b()), joint.definition(), 0);
+    }
+  }
+
+  private Body<Entity> levelBody(int end) {
+    if (end == LevelJoint.GROUND) {
+      return null;
+    }
+    return (end < 0 ? statics.get(~end) : entities.get(end)).body();
+  }
+
+  /**
+   * Returns a joint of the level by its name; both roles.
+   *
+   * @return null if it broke or was destroyed, or if this client doesn't simulate it
+   * @throws IllegalArgumentException if the level has no joint of that name
+   */
+  public Joint<Entity> joint(String name) {
+    for (int i = 0; i < level.joints().size(); i++) {
+      if (level.joints().get(i).name().equals(name)) {
+        return joints.find(JointTable.LEVEL, i);
+      }
+    }
+    throw new IllegalArgumentException(
+        "level=" + level.name() + " has no joint with \"name\": \"" + name + "\"");
+  }
+
+  /**
+   * Returns a joint of an assembly by its name; both roles.
+   *
+   * @param member any entity of the assembly
+   * @param name as the {@link AssemblyDef} gives it
+   * @return null if it broke or was destroyed, or if this client doesn't simulate it
+   * @throws IllegalArgumentException if the assembly has no joint of that name; the message lists
+   *     the names
+   */
+  public Joint<Entity> joint(Entity member, String name) {
+    Entity root = member.root();
+    return joints.find(root.id(), assembly(root).joint(name));
+  }
+
+  /**
+   * Returns a body of an assembly by its name; both roles. Clients know the members by their joints
+   * and find none whose joints are all gone.
+   *
+   * @param member any entity of the assembly
+   * @param name as the {@link AssemblyDef} gives it
+   * @return null if it was despawned, or if this client doesn't know it
+   * @throws IllegalArgumentException if the assembly has no body of that name; the message lists
+   *     the names
+   */
+  public Entity part(Entity member, String name) {
+    Entity root = member.root();
+    Assembly assembly = assembly(root);
+    Archetype archetype = assembly.archetypes().get(assembly.body(name));
+    for (int i = 0; i < entities.capacity(); i++) {
+      Entity e = entities.get(i);
+      if (e != null && e.root() == root && e.archetype() == archetype) {
+        return e;
+      }
+    }
+    return null;
+  }
+
+  private Assembly assembly(Entity root) {
+    Assembly assembly = assemblies.of(root.archetype());
+    if (assembly == null) {
+      throw new IllegalArgumentException(
+          root + " is no assembly; spawn it by spawn(Assembly, ...)");
+    }
+    return assembly;
+  }
+
+  /** Returns what is known of the joints beyond the physics: keys, definitions, assemblies. */
+  public JointTable<Entity> joints() {
+    return joints;
+  }
+
+  /**
+   * Mirrors a joint of the server. Joints must be mirrored in ascending order of their keys.
+   *
+   * @param key as the server's {@link JointTable} has it
+   * @param root id of the root of its assembly, or as {@link JointTable#root} says
+   * @param number which joint of it
+   * @param a null for the world
+   * @param b another entity
+   * @param definition what it is made with, see {@link World#createJoint(Body, Body, int[], int)}
+   * @param at where that begins
+   * @throws IllegalStateException on {@link Role#AUTHORITY}
+   * @throws IllegalArgumentException if the definition is damaged; no joint is made then
+   */
+  public Joint<Entity> connectAs(
+      int key, int root, int number, Entity a, Entity b, int[] definition, int at) {
+    calls.requirePrediction("connectAs");
+    Joint<Entity> joint =
+        joints.create(key, root, number, a == null ? null : a.body(), b.body(), definition, at);
+    if (root >= 0) {
+      if (a != null) {
+        a.rootId(root);
+      }
+      b.rootId(root);
+    }
+    return joint;
+  }
+
+  /**
    * Mirrors an entity of the server under the server's id. An entity under that id with another
    * generation or archetype must be despawned before. If the owner is a player here and has no
    * body, this becomes the body.
@@ -298,8 +538,8 @@ public final class Simulation {
   }
 
   /**
-   * Destroys an entity. If it was a player's body, the player then has none. Nothing happens when
-   * the entity is gone already.
+   * Destroys an entity with its joints, and with the root of an assembly all of it. If it was a
+   * player's body, the player then has none. Nothing happens when the entity is gone already.
    *
    * @throws IllegalStateException during the physics
    */
@@ -310,6 +550,14 @@ public final class Simulation {
     }
     if (history != null) {
       history.forget(entity.bodySlot());
+    }
+    if (entity.isRoot()) {
+      for (int i = 0; i < entities.capacity(); i++) {
+        Entity member = entities.get(i);
+        if (member != null && member != entity && member.rootId() == entity.id()) {
+          despawn(member);
+        }
+      }
     }
     entities.despawn(entity);
   }
@@ -341,6 +589,7 @@ public final class Simulation {
 
   /** Returns the entity under an id, or null when the id is free or out of range. */
   public Entity entity(int id) {
+    calls.requireOutsideForces("entity");
     return entities.get(id);
   }
 
@@ -351,12 +600,13 @@ public final class Simulation {
 
   /** Returns the player under an id, or null when the id is free or out of range. */
   public Player player(int id) {
+    calls.requireOutsideForces("player");
     return players.get(id);
   }
 
   /** Returns the player to whom an entity belongs, or null. */
   public Player owner(Entity entity) {
-    return player(entity.ownerId());
+    return players.get(entity.ownerId());
   }
 
   /**
@@ -444,6 +694,22 @@ public final class Simulation {
       }
     }
     players.remove(id);
+    forget(id);
+  }
+
+  /** Sets all fields that mean a player who left to null. */
+  private void forget(int playerId) {
+    match.forget(playerId);
+    for (int i = 0; i < players.limit(); i++) {
+      if (players.get(i) != null) {
+        players.get(i).fieldValues().forget(playerId);
+      }
+    }
+    for (int i = 0; i < entities.capacity(); i++) {
+      if (entities.get(i) != null) {
+        entities.get(i).fieldValues().forget(playerId);
+      }
+    }
   }
 
   /**
@@ -531,6 +797,7 @@ public final class Simulation {
       computeTick();
     } finally {
       inTick = false;
+      fields.end();
     }
     if (history != null) {
       history.capture(tick);
@@ -544,15 +811,22 @@ public final class Simulation {
     entities.followPaths(tick);
     if (role == Role.AUTHORITY) {
       interference.beginRules();
+      during("beforeStep");
       game.beforeStep(this);
       interference.endRulesBeforeStep(tick);
+    } else if (rulings != null) {
+      rulings.beforeStep(this);
     }
     for (int i = 0; i < players.limit(); i++) {
       Player player = players.get(i);
       if (player != null && player.body != null) {
+        fields.beginInput(player.fieldValues(), player.body.fieldValues());
         game.input(this, player, player.input());
       }
     }
+    fields.end();
+    applyForces();
+    during("hit");
     calls.inPhysics(true);
     try {
       world.step(tickSeconds);
@@ -561,9 +835,77 @@ public final class Simulation {
     }
     if (role == Role.AUTHORITY) {
       interference.beginRules();
+      during("afterStep");
       game.afterStep(this);
+      during("a callback between two steps");
       interference.endRulesAfterStep(tick);
+    } else if (rulings != null) {
+      rulings.afterStep(this);
     }
+  }
+
+  private void requireDeclaredPowers() {
+    for (int i = 0; i < archetypes.size(); i++) {
+      Ratio power = archetypes.get(i).areaPower();
+      if (power != null && !schema().fields().contains(power)) {
+        throw new IllegalArgumentException(
+            "archetype="
+                + archetypes.get(i).name()
+                + ": field "
+                + power.path()
+                + " isn't declared; return it from Game.fields");
+      }
+    }
+  }
+
+  private void during(String callback) {
+    if (fieldUse != null) {
+      fieldUse.during(callback);
+    }
+  }
+
+  /** Names what has values: a player, an entity or the match. */
+  private String nameOf(FieldValues values) {
+    for (int i = 0; i < players.limit(); i++) {
+      if (players.get(i) != null && players.get(i).fieldValues() == values) {
+        return "player " + i;
+      }
+    }
+    for (int i = 0; i < entities.capacity(); i++) {
+      if (entities.get(i) != null && entities.get(i).fieldValues() == values) {
+        return "entity " + i;
+      }
+    }
+    return values == match ? "the match" : "a player or entity that is gone";
+  }
+
+  /** Lets areas and the game's forces act on each awake body. */
+  private void applyForces() {
+    areas.begin();
+    forceCheck.beginTick(role == Role.AUTHORITY ? tick : 1);
+    calls.inForces(true);
+    fields.beginForces();
+    world.queryScope(geometry);
+    try {
+      world.forEachAwake(forces);
+    } finally {
+      world.queryScope(null);
+      fields.end();
+      calls.inForces(false);
+    }
+  }
+
+  private void applyForces(Body<Entity> body) {
+    Entity entity = body.user();
+    areas.act(body, entity.archetype(), tickSeconds);
+    forceCheck.begin(body);
+    game.forces(this, entity);
+    forceCheck.end(body, tick);
+  }
+
+  /** Returns the areas of the level and those that entities carry. For reading only. */
+  public AreaForces<Entity> areas() {
+    return areas;
   }
 
   /** Returns the log of what the game did to bodies; filled on {@link Role#AUTHORITY} only. */
@@ -572,9 +914,18 @@ public final class Simulation {
   }
 
   /**
+   * Returns what the game does again and again although no client can foresee it, with advice.
+   * Filled on {@link Role#AUTHORITY} only, and only about what clients predict; no part of the
+   * state.
+   */
+  public Findings findings() {
+    return findings;
+  }
+
+  /**
    * Returns 64 bits of everything that decides the future: tick, world, random numbers, memory,
-   * players with score, team, memory and input, entities with archetype, owner and tag. Equal runs
-   * have equal hashes.
+   * fields, players with score, team, memory and input, entities with archetype, owner and tag.
+   * Equal runs have equal hashes.
    */
   public long stateHash() {
     long h = SimRandom.mix(world.stateHash(), tick);
@@ -582,7 +933,7 @@ public final class Simulation {
     for (int value : memory) {
       h = SimRandom.mix(h, value);
     }
-    return entities.hash(players.hash(h));
+    return joints.hash(entities.hash(players.hash(match.hash(h))));
   }
 
   /**
@@ -596,9 +947,12 @@ public final class Simulation {
     requireOwn(s);
     s.world = world.save(s.world);
     s.tick = tick;
-    s.saveNumbers(random, memory);
+    s.random = random.state();
+    System.arraycopy(memory, 0, s.memory, 0, memory.length);
+    s.fields.save(match, 0);
     players.save(s);
     entities.save(s);
+    joints.save(s.joints);
     s.saveHistory(history);
     return s;
   }
@@ -614,9 +968,12 @@ public final class Simulation {
     calls.requireOutsidePhysics("restore");
     world.restore(s.world);
     tick = s.tick;
-    s.restoreNumbers(random, memory);
+    random.state(s.random);
+    System.arraycopy(s.memory, 0, memory, 0, memory.length);
+    s.fields.restore(match, 0);
     players.restore(s);
     entities.restore(s);
+    joints.restore(s.joints);
     if (history != null) {
       s.history.copyTo(history);
     }
@@ -671,12 +1028,32 @@ public final class Simulation {
   private final class Listener implements CollisionListener<Entity> {
     @Override
     public boolean preSolve(Collision<Entity> c) {
-      return game.collision(Simulation.this, c);
+      fields.beginCollision();
+      boolean responds = game.collision(Simulation.this, c);
+      fields.end();
+      return responds;
     }
 
     @Override
     public void hit(Collision<Entity> c) {
       game.hit(Simulation.this, c);
+    }
+  }
+
+  private final class Joints implements JointListener<Entity> {
+    @Override
+    public void broke(Joint<Entity> joint) {
+      game.broke(Simulation.this, joint);
+    }
+
+    @Override
+    public void created(Joint<Entity> joint) {
+      joints.created(joint);
+    }
+
+    @Override
+    public void destroyed(Joint<Entity> joint) {
+      joints.destroyed();
     }
   }
 }

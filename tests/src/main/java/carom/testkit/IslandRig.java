@@ -1,14 +1,19 @@
 package carom.testkit;
 
+import carom.client.field.OwnWords;
 import carom.client.prediction.Prediction;
 import carom.game.Games;
+import carom.net.field.FieldTables;
 import carom.net.protocol.Limits;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.table.TableInbox;
+import carom.net.snapshot.table.TableLayout;
 import carom.physics.Body;
 import carom.physics.rows.ContactRow;
+import carom.physics.rows.RowCounts;
 import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
 import carom.sim.Entity;
@@ -36,8 +41,8 @@ public final class IslandRig {
   private final Prediction client;
   private final Simulation predicted;
   private final SnapshotDecoder decoder;
-  private final Neighbourhood island = new Neighbourhood();
-  private final OwnState own = new OwnState();
+  private final Neighbourhood island;
+  private final OwnState own;
 
   /**
    * Builds the wall. The client doesn't know of it yet.
@@ -50,9 +55,16 @@ public final class IslandRig {
     Level level = level(crates);
     server = new Simulation(Games.create(level.gameName()), level, 1, 60, Role.AUTHORITY);
     serverPlayer = server.join("p");
+    island = new Neighbourhood(serverPlayer.id());
     predicted = new Simulation(Games.create(level.gameName()), level, 1, 60, Role.PREDICTION);
     client = new Prediction(predicted, serverPlayer.id(), "p", 120, maxReplayNs, stopwatch, false);
-    decoder = new SnapshotDecoder(Limits.MAX_ENTITIES, 1, 0, 60);
+    int words = OwnWords.count(predicted.schema());
+    own = new OwnState(words);
+    TableLayout[] tables =
+        new FieldTables(predicted.schema(), Limits.MAX_PLAYERS, Limits.MAX_ENTITIES)
+            .layouts()
+            .toArray(new TableLayout[0]);
+    decoder = new SnapshotDecoder(Limits.MAX_ENTITIES, 1, 0, 60, words, new TableInbox(tables));
     Entity body = serverPlayer.body();
     decoder.level(
         FrameState.of(
@@ -190,8 +202,8 @@ public final class IslandRig {
         b.velocityX(),
         b.velocityY(),
         b.angularVelocity());
-    for (int i = 0; i < OwnState.MEMORY; i++) {
-      own.setMemory(i, serverPlayer.memory()[i]);
+    for (int i = 0; i < own.words(); i++) {
+      own.setWord(i, serverPlayer.fieldValues().word(i));
     }
   }
 
@@ -205,12 +217,15 @@ public final class IslandRig {
   private void part(int first, int end, int total) {
     list();
     NearState near = own.near();
-    near.beginPart(0, total, first);
+    RowCounts counts = new RowCounts();
+    counts.set(RowKind.BODY, island.count());
+    counts.set(RowKind.CONTACT, total - island.count());
+    near.beginPart(0, counts, first);
     for (int i = 0; i < island.count(); i++) {
       near.tell(i);
     }
     for (int row = first; row < end; row++) {
-      RowKind kind = RowKind.of(row, island.count());
+      RowKind kind = counts.kind(row);
       Rows rows = island.rows().of(kind);
       near.addRow(rows.ints(), rows.at(kind == RowKind.BODY ? row : row - island.count()));
     }

@@ -2,7 +2,7 @@ package carom.testkit;
 
 import carom.client.InputSource;
 import carom.sim.Input;
-import carom.sim.SimRandom;
+import carom.sim.random.SimRandom;
 
 /** Input sources that follow a simple rule. */
 public final class Scripts {

@@ -128,7 +128,7 @@ final class ArchitectureTest {
         "dynamics.body",
         "dynamics.contact",
         "dynamics.pairs");
-    stage("joint", "settings", "archive", "math", "dynamics.store", "dynamics.body");
+    stage("joint", "settings", "archive", "math", "rows", "dynamics.store", "dynamics.body");
     stage(
         "jointsolver",
         "settings",
@@ -181,17 +181,50 @@ final class ArchitectureTest {
     allow("carom.physics.effects", "carom.physics..");
     allow("carom.physics.particles", "carom.physics..");
     allow("carom.sim.event");
-    allow("carom.sim.level", "carom.physics..");
+    allow("carom.sim.level", "carom.physics..", "carom.sim.field", "carom.sim.event");
     allow("carom.sim.history", "carom.physics..", "carom.sim.level");
+    allow("carom.sim.area", "carom.physics..", "carom.sim.level", "carom.sim.field");
+    allow("carom.sim.joint", "carom.physics..", "carom.sim.level");
+    allow("carom.sim.ruling", "carom.physics", "carom.physics.rows");
+    allow("carom.sim.random");
     allow(
-        "carom.sim", "carom.physics..", "carom.sim.level", "carom.sim.event", "carom.sim.history");
-    allow("carom.sim.near", "carom.physics..", "carom.sim", "carom.sim.level");
+        "carom.sim.field",
+        "carom.physics.math",
+        "carom.physics.archive",
+        "carom.sim.event",
+        "carom.sim.ruling");
+    allow(
+        "carom.sim",
+        "carom.physics..",
+        "carom.sim.level",
+        "carom.sim.event",
+        "carom.sim.field",
+        "carom.sim.history",
+        "carom.sim.random",
+        "carom.sim.area",
+        "carom.sim.joint",
+        "carom.sim.ruling");
+    allow(
+        "carom.sim.near",
+        "carom.physics..",
+        "carom.sim",
+        "carom.sim.level",
+        "carom.sim.event",
+        "carom.sim.field",
+        "carom.sim.joint");
+    allow(
+        "carom.net.field",
+        "carom.net.protocol",
+        "carom.net.snapshot.table",
+        "carom.sim.event",
+        "carom.sim.field");
     allow("carom.sim.scene", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.event");
     allow(
         "carom.sim.scene.catalog",
         "carom.physics..",
         "carom.sim",
         "carom.sim.level",
+        "carom.sim.random",
         "carom.sim.scene");
     allow("carom.game", "carom.physics..", "carom.sim..");
     game("arena");
@@ -216,9 +249,11 @@ final class ArchitectureTest {
     allow(
         "carom.net.snapshot.exact",
         "carom.net.codec",
+        "carom.net.protocol",
         "carom.net.snapshot.frame",
         "carom.net.snapshot.relay",
         "carom.physics.rows"); // codes rows field by field, and sees no world
+    allow("carom.net.snapshot.table", "carom.net.codec", "carom.net.snapshot.frame");
     allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol", "carom.net.snapshot.*");
     allow("carom.net.protocol", "carom.net.codec", "carom.physics.rows");
     allow("carom.values");
@@ -235,6 +270,7 @@ final class ArchitectureTest {
     allow(
         "carom.replay",
         "carom.sim",
+        "carom.sim.field",
         "carom.sim.level",
         "carom.physics",
         "carom.physics.archive",
@@ -273,7 +309,13 @@ final class ArchitectureTest {
   /** Allows what a game that ships may use; the name is the one below {@code carom.game}. */
   private static void game(String name) {
     allow(
-        "carom.game." + name, "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.event");
+        "carom.game." + name,
+        "carom.physics..",
+        "carom.sim",
+        "carom.sim.level",
+        "carom.sim.event",
+        "carom.sim.field",
+        "carom.sim.random");
   }
 
   private static void allow(String from, String... to) {

@@ -58,6 +58,16 @@ final class ConnectionTest {
   }
 
   @Test
+  void leavesAGameWithOtherFieldsAndSaysWhich() {
+    server.fields = List.of("player.shield count 0..9 to ALL");
+    run(2);
+    assertEquals(ConnectionPhase.ENDED, phase());
+    String text = client.view().message();
+    assertTrue(text.contains("field player.shield differs"), text);
+    assertTrue(text.contains("use the same build of game arena"), text);
+  }
+
+  @Test
   void findsItsWayIntoTheGame() {
     assertEquals(ConnectionPhase.IDLE, phase());
     client.update(now);

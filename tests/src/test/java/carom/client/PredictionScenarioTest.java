@@ -14,8 +14,8 @@ import carom.net.transport.InProcessNetwork;
 import carom.physics.Body;
 import carom.sim.Entity;
 import carom.sim.Input;
-import carom.sim.SimRandom;
 import carom.sim.level.Level;
+import carom.sim.random.SimRandom;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 

@@ -51,8 +51,8 @@ final class ScriptedServer {
     long newestNs;
     long last;
     int missing;
-    final OwnState own = new OwnState();
-    final PredictedSet near = capture.predictedSet(e -> true);
+    final OwnState own = new OwnState(capture.words());
+    PredictedSet near;
     int disagreedTick = -1;
 
     Guest(Link link) {
@@ -73,6 +73,7 @@ final class ScriptedServer {
       } else if (message instanceof ClientMessage.Ready) {
         ready = true;
         player = simulation.join(hello.name());
+        near = capture.predictedSet(player, e -> true);
         encoder = new SnapshotEncoder(ring, KEY, 60);
       } else if (message instanceof ClientMessage.Leave) {
         closed = true;
@@ -91,13 +92,16 @@ final class ScriptedServer {
               KEY,
               guests.indexOf(this),
               60,
+              1,
               simulation.tick(),
               1,
               level.gameName(),
               "test.json",
               level.contentHash(),
               bytes.length,
-              PackedLevel.pack(bytes).length));
+              PackedLevel.pack(bytes).length,
+              simulation.schema().digest() + (fields.isEmpty() ? 0 : 1),
+              fields));
     }
 
     void sendLevel(int offset) {
@@ -181,6 +185,10 @@ final class ScriptedServer {
   private final byte[] buffer = new byte[SnapshotEncoder.MAX_DATAGRAM_BYTES];
   final Level level;
   final Simulation simulation;
+
+  /** Declarations that the server says its game has; none if it has those of the client. */
+  List<String> fields = List.of();
+
   final List<Guest> guests = new ArrayList<>();
   Script script = new Script();
   long nowNs;

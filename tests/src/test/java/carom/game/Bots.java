@@ -2,8 +2,8 @@ package carom.game;
 
 import carom.sim.Input;
 import carom.sim.Player;
-import carom.sim.SimRandom;
 import carom.sim.Simulation;
+import carom.sim.random.SimRandom;
 
 /** Inputs for tests: a pure function of seed, tick and player. */
 final class Bots {

@@ -17,6 +17,7 @@ import carom.net.protocol.SessionState;
 import carom.net.snapshot.BaselineReason;
 import carom.net.snapshot.DecodeStatus;
 import carom.net.snapshot.InputFeedback;
+import carom.net.snapshot.Interest;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.SnapshotEncoder;
 import carom.net.snapshot.event.EventRecord;
@@ -24,8 +25,16 @@ import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.record.Deltas;
+import carom.net.snapshot.table.RowAudience;
+import carom.net.snapshot.table.Table;
+import carom.net.snapshot.table.TableInbox;
+import carom.net.snapshot.table.TableLayout;
+import carom.net.snapshot.table.Tables;
 import carom.physics.rows.BodyRow;
 import carom.physics.rows.ContactRow;
+import carom.physics.rows.RowCounts;
+import carom.physics.rows.RowKind;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.reflect.Field;
@@ -98,8 +107,8 @@ class ProtocolDocTest {
     golden.put(
         "hello",
         ClientMessageCodec.encode(new ClientMessage.Hello(2, 0x0102030405060708L, "Zoë", 0)));
-    golden.put("level-request", ClientMessageCodec.encode(new ClientMessage.LevelRequest(4096)));
-    golden.put("ready", ClientMessageCodec.encode(new ClientMessage.Ready()));
+    golden.put("level-request", ClientMessageCodec.encode(new ClientMessage.LevelRequest(0x11223344, 4096)));
+    golden.put("ready", ClientMessageCodec.encode(new ClientMessage.Ready(0x11223344, 0x0102030405060708L)));
     golden.put("leave", ClientMessageCodec.encode(new ClientMessage.Leave()));
     golden.put(
         "diverged",
@@ -107,13 +116,14 @@ class ProtocolDocTest {
             new ClientMessage.Diverged(
                 1000,
                 998,
+                false,
                 List.of(65_534 | 255 << 16, 1, 2, 3, 4, 5, 6, 7),
                 List.of(8, 9, 10, 11))));
     golden.put(
         "diverged-near",
         ClientMessageCodec.encode(
             new ClientMessage.Diverged(
-                1000, 998, List.of(65_538, 1, 2, 3, 4, 5, 6, 7), List.of())));
+                1000, 998, true, List.of(65_538, 1, 2, 3, 4, 5, 6, 7), List.of())));
     golden.put("look", ClientMessageCodec.encode(new ClientMessage.Look(-1.5f, 2, 16, 9)));
     golden.put(
         "watch", ClientMessageCodec.encode(new ClientMessage.Watch(2, 0x0102030405060708L, 2)));
@@ -124,7 +134,45 @@ class ProtocolDocTest {
     snapshots(golden);
     events(golden);
     near(golden);
+    tables(golden);
     return golden;
+  }
+
+  /** An entity's health fell from 100 to 80; its other word is as at the start. */
+  private static void tables(Map<String, byte[]> golden) {
+    TableLayout layout =
+        new TableLayout(
+            10,
+            8,
+            false,
+            new int[] {7, 32},
+            new int[2],
+            new int[] {100, 0},
+            new int[] {2, 2},
+            false);
+    Table table = new Table(layout);
+    RowAudience all =
+        new RowAudience() {
+          @Override
+          public long inSight(int place, int block, long keys) {
+            return keys;
+          }
+
+          @Override
+          public int of(int place, int key) {
+            return 1;
+          }
+        };
+    FrameRing ring = new FrameRing(10);
+    SnapshotEncoder encoder =
+        new SnapshotEncoder(
+            new Deltas(ring, 60), 7, Interest.EVERYTHING, new Tables(List.of(table)), all);
+    SnapshotDecoder decoder = new SnapshotDecoder(10, 7, 90, 60, 0, new TableInbox(layout));
+    table.put(5, 255, new int[] {80, 0}, 0, 100);
+    ring.begin(100);
+    ring.end();
+    golden.put("snapshot-table", send(encoder, decoder, new InputFeedback(), null));
+    assertEquals(80, decoder.tables().get(0, 5, 255, 0));
   }
 
   private static void serverMessages(Map<String, byte[]> golden) {
@@ -137,13 +185,16 @@ class ProtocolDocTest {
                 0x11223344,
                 3,
                 60,
+                1,
                 1000,
                 42,
                 "arena",
                 "arena.json",
                 -1,
                 300,
-                200)));
+                200,
+                5,
+                List.of("player.ammo count 0..30 to OWNER"))));
     golden.put(
         "level-chunk", codec.encode(new ServerMessage.LevelChunk(4096, new byte[] {0x7b, 0x7d})));
     golden.put("refused", codec.encode(new ServerMessage.Refused(RefusalReason.SERVER_FULL, "")));
@@ -187,7 +238,7 @@ class ProtocolDocTest {
   private static void snapshots(Map<String, byte[]> golden) {
     FrameRing ring = new FrameRing(10);
     SnapshotEncoder encoder = new SnapshotEncoder(ring, 7, 60);
-    SnapshotDecoder decoder = new SnapshotDecoder(10, 7, 90, 60);
+    SnapshotDecoder decoder = new SnapshotDecoder(10, 7, 90, 60, 4, new TableInbox());
     InputFeedback feedback = new InputFeedback();
 
     ring.begin(100);
@@ -217,10 +268,10 @@ class ProtocolDocTest {
 
     ring.begin(105).putQuantized(5, 255, 300, 9, 25, -31, 8, 64, -96, 32);
     ring.end();
-    OwnState own = new OwnState();
+    OwnState own = new OwnState(4);
     own.setBody(5, 255, 1.5f, -2, 1, 0, 0, -0f, 0);
-    own.setMemory(1, 1);
-    own.setMemory(2, -1);
+    own.setWord(1, 1);
+    own.setWord(2, -1);
     golden.put("snapshot-own", send(encoder, decoder, feedback, own));
     assertTrue(decoder.own().sameAs(own));
   }
@@ -263,7 +314,9 @@ class ProtocolDocTest {
     near.begin(0x0123_4567_89ab_cdefL);
     near.add(5 | 255 << 16);
     near.add(6 | 255 << 16);
-    near.beginPart(2, 2, 0);
+    RowCounts counts = new RowCounts();
+    counts.set(RowKind.CONTACT, 1);
+    near.beginPart(2, counts, 0);
     near.tell(1);
     near.addRow(entity(6 | 255 << 16, 1.5f, 2.5f, 1, 0, -1, 0, 0), 0);
     near.addRow(contact(1, ~7, 0, 1), 0);

@@ -37,7 +37,7 @@ final class DeterminismTest {
       PILE f4f82460b3f181d0 88d3aba7796f5380
       GAS c0c610f591943f4 b2bf88269a94facd
       SPIN a4c4e5bf9218572d f9f5085f30978756
-      NET 15bab75dffa82cf3 11
+      NET b4b495a92dedba4e 11
       JOINTS f98bc431a52f3576 e6020dccf5d9a78
       BELTS adb5a27bede8c9aa b98c309a7312afe6
       CHAINS 8af92c7f0d0cae7c 3df11dec5926c9b1

@@ -4,7 +4,7 @@ import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Compound;
 import carom.physics.geometry.Polygon;
-import carom.sim.SimRandom;
+import carom.sim.random.SimRandom;
 import carom.sim.scene.Stage;
 import carom.sim.scene.catalog.BenchmarkScenes;
 

@@ -36,12 +36,15 @@ class HostileScenarioTest {
   /** A peer that talks as it likes. */
   private static final class Offender implements LinkHandler {
     final Link link;
+    final long fields;
+    int key;
     final Random random;
     ServerMessage.Welcome welcome;
     boolean closed;
 
-    Offender(Link link, long seed) {
+    Offender(Link link, long fields, long seed) {
       this.link = link;
+      this.fields = fields;
       this.random = new Random(seed);
     }
 
@@ -85,8 +88,8 @@ class HostileScenarioTest {
     void randomMessage() {
       switch (random.nextInt(5)) {
         case 0 -> hello();
-        case 1 -> link.send(new ClientMessage.LevelRequest(random.nextInt(Limits.MAX_LEVEL_BYTES)));
-        case 2 -> link.send(new ClientMessage.Ready());
+        case 1 -> link.send(new ClientMessage.LevelRequest(key, random.nextInt(Limits.MAX_LEVEL_BYTES)));
+        case 2 -> link.send(new ClientMessage.Ready(key, fields));
         case 3 -> link.send(new ClientMessage.Hello(random.nextInt(), random.nextLong(), "x", 7));
         default -> link.send(new ClientMessage.Leave());
       }
@@ -136,7 +139,7 @@ class HostileScenarioTest {
             // Never the one sentence that lets one in.
             o.link.send(
                 o.random.nextBoolean()
-                    ? new ClientMessage.Ready()
+                    ? new ClientMessage.Ready(o.key, o.fields)
                     : new ClientMessage.Hello(o.random.nextInt(), o.random.nextLong(), "", 7));
           } else {
             o.garbageDatagram();
@@ -155,7 +158,9 @@ class HostileScenarioTest {
 
   private static Offender offender(Stepper stepper, long seed) {
     return new Offender(
-        stepper.transport().connect("localhost", 0, 0), Stepper.SEED * 7_919 + seed);
+        stepper.transport().connect("localhost", 0, 0),
+        stepper.room().simulation().schema().digest(),
+        Stepper.SEED * 7_919 + seed);
   }
 
   @Test
@@ -178,7 +183,7 @@ class HostileScenarioTest {
         } else if (offender.welcome == null) {
           if (slice % 50 == 0) {
             offender.hello();
-            offender.link.send(new ClientMessage.Ready());
+            offender.link.send(new ClientMessage.Ready(offender.key, offender.fields));
           }
         } else {
           for (int i = 0; i < 5; i++) {
@@ -225,8 +230,8 @@ class HostileScenarioTest {
       for (int i = 0; i < 20; i++) {
         Offender offender = offender(stepper, i);
         offender.hello();
-        offender.link.send(new ClientMessage.LevelRequest(0));
-        offender.link.send(new ClientMessage.Ready());
+        offender.link.send(new ClientMessage.LevelRequest(offender.key, 0));
+        offender.link.send(new ClientMessage.Ready(offender.key, offender.fields));
         offenders.add(offender);
       }
       stepper.run(1);

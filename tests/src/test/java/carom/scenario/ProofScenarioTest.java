@@ -118,7 +118,7 @@ final class ProofScenarioTest {
   private static Body<Entity> crate(Simulation simulation) {
     for (int id = 0; id < simulation.entityCapacity(); id++) {
       Entity e = simulation.entity(id);
-      if (e != null && simulation.owner(e) == null && Neighbourhood.isSolid(e.archetype())) {
+      if (e != null && simulation.owner(e) == null && Neighbourhood.affectsOthers(e.archetype())) {
         return e.body();
       }
     }

@@ -1,5 +1,7 @@
 package carom.server;
 
+import carom.game.Games;
+import carom.net.field.FieldTables;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.InputDatagram;
 import carom.net.protocol.Limits;
@@ -11,9 +13,13 @@ import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.event.EventRecord;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameState;
+import carom.net.snapshot.table.TableInbox;
+import carom.net.snapshot.table.TableLayout;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.sim.Input;
+import carom.sim.field.Schema;
+import carom.sim.field.Scope;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import java.util.ArrayDeque;
@@ -30,7 +36,7 @@ final class FakeClient implements LinkHandler {
 
   final Link link;
   final List<ServerMessage> messages = new ArrayList<>();
-  final OwnState own = new OwnState();
+  final OwnState own = new OwnState(4);
   final Input input = new Input();
   ServerMessage.Welcome welcome;
   ServerMessage.Refused refused;
@@ -106,6 +112,12 @@ final class FakeClient implements LinkHandler {
     link.sendDatagram(buffer, 0, datagram.encode(buffer, 0));
   }
 
+  /** The fields of the game that the server plays. */
+  private Schema schema() {
+    boolean isTest = welcome.game().equals("test");
+    return Schema.of(isTest ? new TestGame(0).fields() : Games.create(welcome.game()).fields());
+  }
+
   @Override
   public void message(Link from, Object message) {
     messages.add((ServerMessage) message);
@@ -113,19 +125,27 @@ final class FakeClient implements LinkHandler {
       welcome = w;
       level = new byte[w.packedSize()];
       loaded = 0;
-      decoder = new SnapshotDecoder(Limits.MAX_ENTITIES, w.datagramKey(), w.tick(), w.tickRate());
+      FieldTables layouts = new FieldTables(schema(), Limits.MAX_PLAYERS, Limits.MAX_ENTITIES);
+      decoder =
+          new SnapshotDecoder(
+              Limits.MAX_ENTITIES,
+              w.datagramKey(),
+              w.tick(),
+              w.tickRate(),
+              schema().toldWords(Scope.PLAYER),
+              new TableInbox(layouts.layouts().toArray(new TableLayout[0])));
       if (loads) {
-        link.send(new ClientMessage.LevelRequest(0));
+        link.send(new ClientMessage.LevelRequest(welcome.datagramKey(), 0));
       }
     } else if (message instanceof ServerMessage.LevelChunk chunk) {
       System.arraycopy(chunk.bytes(), 0, level, chunk.offset(), chunk.bytes().length);
       loaded = chunk.offset() + chunk.bytes().length;
       if (loaded < level.length) {
-        link.send(new ClientMessage.LevelRequest(loaded));
+        link.send(new ClientMessage.LevelRequest(welcome.datagramKey(), loaded));
       } else {
         level = PackedLevel.unpack(level, welcome.levelSize());
         start(level);
-        link.send(new ClientMessage.Ready());
+        link.send(new ClientMessage.Ready(welcome.datagramKey(), welcome.fieldsDigest()));
         ready = true;
       }
     } else if (message instanceof ServerMessage.Refused r) {

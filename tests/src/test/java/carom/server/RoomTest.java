@@ -82,7 +82,7 @@ class RoomTest {
       rig.steps(10);
       assertEquals(ay + TestGame.SPEED, a.own.y(), 0.3f);
       assertEquals(bx, b.own.x());
-      assertEquals(77, a.own.memory(0));
+      assertEquals(77, a.own.word(0));
       Entity body = rig.room.simulation().player(0).body();
       assertEquals(body.body().centerX(), a.own.x());
       assertEquals(body.id(), a.own.slot());
@@ -227,7 +227,7 @@ class RoomTest {
       FakeClient after = rig.connect().hello("Ann", before.welcome.sessionSecret());
       after.loads = false;
       rig.seconds(5);
-      after.link.send(new ClientMessage.Ready());
+      after.link.send(new ClientMessage.Ready(after.welcome.datagramKey(), after.welcome.fieldsDigest()));
       rig.steps(3);
       assertSame(body, rig.room.simulation().player(0).body());
       assertEquals(SessionState.PLAYING, rig.room.session(0).state());
@@ -568,6 +568,21 @@ class RoomTest {
       assertNull(bob.goodbye);
       String nobody = ask(rig, () -> rig.room.operator().kick(0, ""));
       assertTrue(nobody.contains("player=0 doesn't play here"), nobody);
+    }
+  }
+
+  @Test
+  void anOperatorSeesFieldsAndIsToldWhatIsWrongWithAQuestion() {
+    try (Rig rig = new Rig()) {
+      rig.join("Ann");
+      assertEquals("", ask(rig, () -> rig.room.operator().fields("match")), "it has none");
+      assertEquals(
+          "player.mark=77 player.actions=0",
+          ask(rig, () -> rig.room.operator().fields("player 0")));
+      assertEquals(
+          "of=player 7 isn't there", ask(rig, () -> rig.room.operator().fields("player 7")));
+      String wrong = ask(rig, () -> rig.room.operator().fields("player x"));
+      assertEquals("of=player x must be match, player N or entity N", wrong);
     }
   }
 

@@ -10,11 +10,14 @@ import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.event.Audience;
 import carom.sim.event.EventKind;
+import carom.sim.field.Count;
+import carom.sim.field.Field;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.Random;
 
 /** A game with balls without gravity, one of which each player steers. It fails on demand. */
@@ -31,6 +34,12 @@ final class TestGame implements Game {
         "spawns": [ { "name": "player", "at": [0, 0] } ]
       }
       """;
+
+  /** The first word of each player, 77 from the join on. */
+  static final Count MARK = Field.count("mark", 0, 100);
+
+  /** How often the player pressed the action. */
+  static final Count ACTIONS = Field.count("actions", 0, 1 << 30);
 
   final int balls;
   boolean ballsMove = true;
@@ -105,6 +114,11 @@ final class TestGame implements Game {
   }
 
   @Override
+  public List<Field<?>> fields() {
+    return List.of(MARK, ACTIONS);
+  }
+
+  @Override
   public void join(Simulation s, Player p) {
     joins++;
     whileJoining.run();
@@ -115,7 +129,7 @@ final class TestGame implements Game {
       p.team(1 + p.id() % 2);
     }
     s.spawn(ball, 3 * p.id(), -20, 0, p);
-    p.memory()[0] = 77;
+    p.set(MARK, 77);
   }
 
   @Override
@@ -128,7 +142,7 @@ final class TestGame implements Game {
     inputs++;
     p.body().body().setVelocity(SPEED * in.moveX(), SPEED * in.moveY());
     if (in.held(Input.ACTION)) {
-      p.memory()[1]++;
+      p.add(ACTIONS, 1);
       if (teamsHide) {
         s.emit(shout).at(p.body().body().x(), p.body().body().y()).by(p);
       }
@@ -160,8 +174,8 @@ final class TestGame implements Game {
   public void afterStep(Simulation s) {
     for (int i = 0; i < s.playerCapacity(); i++) {
       Player p = s.player(i);
-      if (p != null && s.role() == Role.AUTHORITY && p.memory()[1] != p.score()) {
-        p.score(p.memory()[1]);
+      if (p != null && s.role() == Role.AUTHORITY && p.get(ACTIONS) != p.score()) {
+        p.score(p.get(ACTIONS));
       }
     }
     if (failEvery > 0 && s.tick() % failEvery == 0) {

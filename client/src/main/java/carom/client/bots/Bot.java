@@ -3,9 +3,9 @@ package carom.client.bots;
 import carom.client.InputSource;
 import carom.client.view.ClientView;
 import carom.sim.Input;
-import carom.sim.SimRandom;
 import carom.sim.level.Appearance.Look;
 import carom.sim.level.Level;
+import carom.sim.random.SimRandom;
 import java.util.List;
 
 /**

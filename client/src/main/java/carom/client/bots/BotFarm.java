@@ -6,7 +6,7 @@ import carom.client.link.ConnectionPhase;
 import carom.client.stats.NetStats;
 import carom.net.transport.ClientTransport;
 import carom.physics.threads.Workers;
-import carom.sim.SimRandom;
+import carom.sim.random.SimRandom;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;

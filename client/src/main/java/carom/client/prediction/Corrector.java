@@ -1,16 +1,24 @@
 package carom.client.prediction;
 
+import carom.client.field.OwnWords;
 import carom.client.interpolation.Pose;
+import carom.client.prediction.received.OwnAssembly;
+import carom.client.prediction.received.SnapshotRecords;
 import carom.net.codec.Quantizer;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.physics.Body;
 import carom.physics.rows.BodyRow;
 import carom.physics.rows.ContactRow;
+import carom.physics.rows.FieldRow;
+import carom.physics.rows.JointRow;
 import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
 import carom.sim.Entity;
+import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.joint.JointTable;
+import carom.sim.near.JointTies;
 import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
 
@@ -29,15 +37,18 @@ final class Corrector {
 
   private final Simulation simulation;
   private final SnapshotRecords records;
+  private final OwnWords words;
 
   /** The predicted set before the correction. */
-  private final Neighbourhood current = new Neighbourhood();
+  private final Neighbourhood current;
 
   /** The predicted set after it. */
-  private final Neighbourhood next = new Neighbourhood();
+  private final Neighbourhood next;
 
   private final int[] bodyRow = new int[BodyRow.INTS];
   private final int[] contactRow = new int[ContactRow.INTS];
+  private final int[] fieldRow = new int[FieldRow.INTS];
+  private final int[] jointRow = new int[JointRow.INTS];
 
   /** By place in the update: the place in {@link #next}, or -1. */
   private final int[] placeOf = new int[NearState.MAX_ENTITIES];
@@ -46,10 +57,21 @@ final class Corrector {
   private int[] newPlace = new int[16];
 
   private final Pose target = new Pose();
+  private final JointTies ties = new JointTies();
+  private final OwnAssembly assembly;
 
-  Corrector(Simulation simulation, SnapshotRecords records) {
+  Corrector(Simulation simulation, Player player, SnapshotRecords records, OwnWords words) {
     this.simulation = simulation;
     this.records = records;
+    this.words = words;
+    current = new Neighbourhood(player.id());
+    next = new Neighbourhood(player.id());
+    assembly = new OwnAssembly(records);
+  }
+
+  /** Returns what makes the own assembly without exact state. */
+  OwnAssembly assembly() {
+    return assembly;
   }
 
   /** Removes all entities from the simulation. */
@@ -93,14 +115,65 @@ final class Corrector {
     if (next.find(ownKey, 0) < 0) {
       return false; // the update is for another body
     }
+    addJoints(update);
+    keepJoints();
     addContacts(update);
     keepContacts();
+    addFields(update);
+    keepFields();
     next.write(simulation, records);
     return true;
   }
 
   private void add(Rows from, int row) {
     next.rows().add(RowKind.BODY, from.ints(), from.at(row));
+  }
+
+  private void addJoints(NearUpdate update) {
+    for (int row = 0; row < update.rows().count(); row++) {
+      if (update.kind(row) == RowKind.JOINT) {
+        copy(update.rows(), row, jointRow);
+        jointRow[JointRow.END_A] = translate(update, jointRow[JointRow.END_A]);
+        jointRow[JointRow.END_B] = translate(update, jointRow[JointRow.END_B]);
+        addJoint();
+      }
+    }
+  }
+
+  /** Keeps the present joints between entities that stay as they are. */
+  private void keepJoints() {
+    Rows joints = current.rows().joints();
+    for (int row = 0; row < joints.count(); row++) {
+      copy(joints, row, jointRow);
+      jointRow[JointRow.END_A] = newPlace(jointRow[JointRow.END_A]);
+      jointRow[JointRow.END_B] = newPlace(jointRow[JointRow.END_B]);
+      addJoint();
+    }
+  }
+
+  /** Adds a joint in the order of keys, which is the order in which the server solves joints. */
+  private void addJoint() {
+    if (jointRow[JointRow.END_A] == DROPPED || jointRow[JointRow.END_B] == DROPPED) {
+      return;
+    }
+    Rows joints = next.rows().joints();
+    int index = JointTable.index(jointRow[JointRow.KEY]);
+    int at = joints.count();
+    while (at > 0 && JointTable.index(joints.get(at - 1, JointRow.KEY)) > index) {
+      at--;
+    }
+    if (at > 0 && JointTable.index(joints.get(at - 1, JointRow.KEY)) == index) {
+      return; // told twice
+    }
+    next.rows().add(RowKind.JOINT, jointRow, 0);
+    for (int i = joints.count() - 1; i > at; i--) {
+      joints.set(i, joints, i - 1);
+    }
+    System.arraycopy(jointRow, 0, joints.ints(), joints.at(at), JointRow.INTS);
+  }
+
+  private static void copy(Rows from, int row, int[] to) {
+    System.arraycopy(from.ints(), from.at(row), to, 0, to.length);
   }
 
   private void addContacts(NearUpdate update) {
@@ -145,6 +218,33 @@ final class Corrector {
     }
   }
 
+  private void addFields(NearUpdate update) {
+    for (int row = 0; row < update.rows().count(); row++) {
+      if (update.kind(row) == RowKind.FIELDS) {
+        int place = update.rows().get(row, FieldRow.PLACE);
+        if (place < update.count() && update.hasState(place)) {
+          addFields(update.rows(), row, translate(update, place));
+        }
+      }
+    }
+  }
+
+  /** Keeps the present fields of entities that stay as they are. */
+  private void keepFields() {
+    Rows fields = current.rows().of(RowKind.FIELDS);
+    for (int row = 0; row < fields.count(); row++) {
+      addFields(fields, row, newPlace[fields.get(row, FieldRow.PLACE)]);
+    }
+  }
+
+  private void addFields(Rows from, int row, int place) {
+    if (place != DROPPED) {
+      System.arraycopy(from.ints(), from.at(row), fieldRow, 0, FieldRow.INTS);
+      fieldRow[FieldRow.PLACE] = place;
+      next.rows().add(RowKind.FIELDS, fieldRow, 0);
+    }
+  }
+
   /** Translates a place in {@link #current} into one in {@link #next}. */
   private int newPlace(int end) {
     return end < 0 ? end : newPlace[end];
@@ -157,8 +257,9 @@ final class Corrector {
   }
 
   /**
-   * Corrects the simulation without an update. The own body gets the server's exact state; another
-   * body moves to its quantised record if it is farther away than quantisation explains.
+   * Corrects the simulation without an update. The own body gets the server's exact state, and what
+   * joints tie to it moves along rigidly. Another body moves to its quantised record if it is
+   * farther away than quantisation explains, unless joints hold it: then it waits for the update.
    *
    * @param own the own body after {@code stateTick}, as the server has it
    * @param ownOnly whether all other entities are removed
@@ -171,17 +272,21 @@ final class Corrector {
     int ownKey = Neighbourhood.key(own.slot(), own.generation());
     next.clear();
     reserve();
-    boolean ownListed = false;
+    int ownPlace = current.find(ownKey, 0);
+    ties.find(current, ownPlace);
     for (int i = 0; i < current.count(); i++) {
       int key = current.key(i);
       newPlace[i] = DROPPED;
       if (key == ownKey) {
         readOwn(own, ownKey);
-        ownListed = true;
       } else if (records.isKnown(key)) {
         Rows bodies = current.rows().bodies();
         System.arraycopy(bodies.ints(), bodies.at(i), bodyRow, 0, BodyRow.INTS);
-        if (records.readPose(key, stateTick, target) && !isAtTarget(key)) {
+        if (ties.isTiedToOwn(i)) {
+          moveWithOwn(bodies, bodies.at(ownPlace), own);
+        } else if (!ties.isTied(i)
+            && records.readPose(key, stateTick, target)
+            && !isAtTarget(key)) {
           moveBody();
         }
       } else {
@@ -190,14 +295,68 @@ final class Corrector {
       newPlace[i] = next.count();
       next.rows().add(RowKind.BODY, bodyRow, 0);
     }
-    if (!ownListed) {
+    if (ownPlace < 0) {
       next.clear();
       readOwn(own, ownKey);
-      next.rows().add(RowKind.BODY, bodyRow, 0);
+      assembly.add(bodyRow, stateTick, next.rows());
     } else {
+      keepJoints();
       keepContacts();
+      keepFields();
     }
     next.write(simulation, records);
+    if (ownPlace < 0) {
+      assembly.place(simulation, ownKey, stateTick);
+    }
+    records.holdCut(simulation);
+    words.write(own);
+  }
+
+  /**
+   * Moves {@link #bodyRow} as the own body is moved, as if both were one rigid body.
+   *
+   * @param bodies rows of the present set
+   * @param from where the own body's row begins
+   * @param own where the own body is moved to
+   */
+  private void moveWithOwn(Rows bodies, int from, OwnState own) {
+    boolean same = true;
+    for (int i = 0; i < BodyRow.MOTION_INTS; i++) {
+      same &= bodies.ints()[from + BodyRow.MOTION + i] == own.bits(i);
+    }
+    if (same) {
+      return;
+    }
+    float cosBefore = Float.intBitsToFloat(bodies.ints()[from + BodyRow.COS]);
+    float sinBefore = Float.intBitsToFloat(bodies.ints()[from + BodyRow.SIN]);
+    float cosAfter = own(own, BodyRow.COS);
+    float sinAfter = own(own, BodyRow.SIN);
+    float c = cosAfter * cosBefore + sinAfter * sinBefore;
+    float s = sinAfter * cosBefore - cosAfter * sinBefore;
+    float dx = get(BodyRow.X) - Float.intBitsToFloat(bodies.ints()[from + BodyRow.X]);
+    float dy = get(BodyRow.Y) - Float.intBitsToFloat(bodies.ints()[from + BodyRow.Y]);
+    float cos = get(BodyRow.COS);
+    float sin = get(BodyRow.SIN);
+    set(BodyRow.X, own(own, BodyRow.X) + c * dx - s * dy);
+    set(BodyRow.Y, own(own, BodyRow.Y) + s * dx + c * dy);
+    set(BodyRow.COS, c * cos - s * sin);
+    set(BodyRow.SIN, s * cos + c * sin);
+    for (int i = BodyRow.VX; i <= BodyRow.OMEGA; i++) {
+      set(i, get(i) + own(own, i) - Float.intBitsToFloat(bodies.ints()[from + i]));
+    }
+    clearLoads();
+  }
+
+  private static float own(OwnState own, int field) {
+    return Float.intBitsToFloat(own.bits(field - BodyRow.MOTION));
+  }
+
+  private float get(int field) {
+    return Float.intBitsToFloat(bodyRow[field]);
+  }
+
+  private void set(int field, float value) {
+    bodyRow[field] = Float.floatToRawIntBits(value);
   }
 
   /** Reads the own body, awake and without loads, into {@link #bodyRow}. */
@@ -207,9 +366,6 @@ final class Corrector {
       bodyRow[BodyRow.MOTION + i] = own.bits(i);
     }
     clearLoads();
-    for (int i = 0; i < BodyRow.MEMORY_INTS; i++) {
-      bodyRow[BodyRow.MEMORY + i] = own.memory(i);
-    }
   }
 
   /** Makes {@link #bodyRow} awake, with nothing acting on it. */

@@ -1,6 +1,7 @@
 package carom.client.prediction;
 
 import carom.net.snapshot.exact.NearState;
+import carom.physics.rows.RowCounts;
 import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
 import java.util.Arrays;
@@ -26,6 +27,7 @@ final class NearUpdate {
 
   private int count;
   private int states;
+  private final RowCounts counts = new RowCounts();
   private int missing;
   private boolean[] has = {};
 
@@ -76,11 +78,12 @@ final class NearUpdate {
       keys[i] = near.key(i);
     }
     states = near.toldCount();
+    counts.set(near.counts());
     Arrays.fill(stateOf, -1);
     for (int i = 0; i < states; i++) {
       stateOf[near.told(i)] = i;
     }
-    missing = Math.max(states, near.totalRows());
+    missing = near.totalRows();
     rows.resize(missing);
     if (has.length < missing) {
       has = new boolean[Math.max(2 * has.length, missing)];
@@ -140,10 +143,10 @@ final class NearUpdate {
 
   /** Returns the kind of a row. */
   RowKind kind(int row) {
-    return RowKind.of(row, states);
+    return counts.kind(row);
   }
 
-  /** Returns the rows: of entities with a state, then of contacts. */
+  /** Returns the rows: of entities with a state, then of the other kinds. */
   Rows rows() {
     return rows;
   }

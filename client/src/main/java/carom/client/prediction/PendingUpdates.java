@@ -1,6 +1,9 @@
 package carom.client.prediction;
 
+import carom.client.prediction.received.SnapshotRecords;
 import carom.net.snapshot.exact.NearState;
+import carom.physics.rows.JointRow;
+import carom.physics.rows.RowKind;
 
 /**
  * Exact updates that wait to be applied: the one that snapshots bring at present, and a complete
@@ -111,8 +114,17 @@ final class PendingUpdates {
     }
   }
 
-  /** Returns whether the identity of all listed entities is known. */
+  /**
+   * Returns whether the identity of all listed entities and the definition of all told joints are
+   * known.
+   */
   private boolean isUsable(NearUpdate update) {
+    for (int row = 0; row < update.rows().count(); row++) {
+      if (update.kind(row) == RowKind.JOINT
+          && !records.isJointKnown(update.rows().get(row, JointRow.KEY))) {
+        return false;
+      }
+    }
     for (int i = 0; i < update.count(); i++) {
       if (!records.isKnown(update.key(i))) {
         return false;

@@ -1,5 +1,6 @@
 package carom.client.prediction;
 
+import carom.client.prediction.received.SnapshotRecords;
 import carom.net.snapshot.relay.RelayedInputs;
 import carom.sim.Input;
 import carom.sim.Player;

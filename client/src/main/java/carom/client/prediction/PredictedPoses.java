@@ -1,6 +1,7 @@
 package carom.client.prediction;
 
 import carom.client.interpolation.Pose;
+import carom.client.prediction.received.SnapshotRecords;
 import carom.sim.Entity;
 import carom.sim.Simulation;
 import java.util.ArrayList;

@@ -1,7 +1,10 @@
 package carom.client.prediction;
 
+import carom.client.field.MatchWords;
+import carom.client.field.OwnWords;
 import carom.client.interpolation.Pose;
 import carom.client.interpolation.VisualError;
+import carom.client.prediction.received.SnapshotRecords;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
@@ -9,6 +12,7 @@ import carom.sim.Input;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.joint.Assembly;
 import carom.sim.near.Neighbourhood;
 import java.util.function.LongSupplier;
 
@@ -25,9 +29,10 @@ import java.util.function.LongSupplier;
  * <p>What happens when the server's state after tick T arrives:
  *
  * <ol>
- *   <li>If an input of another player was mispredicted, or an {@linkplain NearUpdate update} of
- *       exact states is complete, the simulation rolls back to the tick before. It applies the
- *       update and resimulates up to T with the real inputs.
+ *   <li>If an input of another player was mispredicted, a {@linkplain ReceivedRulings ruling} of
+ *       the game came, or an {@linkplain NearUpdate update} of exact states is complete, the
+ *       simulation rolls back to the tick before. It applies the update and resimulates up to T
+ *       with the real inputs and rulings.
  *   <li>If the hash of T is now the server's, T is right.
  *   <li>Otherwise the own body is corrected from the own section, and others from the quantised
  *       records where these disagree. The client reports that the hash differed, and the server
@@ -47,15 +52,21 @@ import java.util.function.LongSupplier;
  * nothing.
  */
 public final class Prediction {
+  /** States for which the joints of a new own body are waited for; some may have broken. */
+  private static final int MOST_WAITED = 30;
+
   private final Simulation simulation;
   private final Player player;
   private final SnapshotRecords records;
+  private final OwnWords words;
+  private final MatchWords match;
   private final PlayerInputs inputs;
   private final PredictedPoses poses;
   private final Timeline timeline;
   private final Corrector corrector;
   private final ReplayBudget budget;
   private final PendingUpdates updates;
+  private final ReceivedRulings rulings = new ReceivedRulings();
   private final Reconciler reconciler;
   private final Agreement agreement = new Agreement();
   private final Reconciliation result = new Reconciliation();
@@ -64,6 +75,7 @@ public final class Prediction {
   private final boolean runsSyncTest;
   private boolean active;
   private int confirmedTick = -1;
+  private int waited;
 
   /**
    * Creates a prediction that waits for the server's first state.
@@ -97,15 +109,28 @@ public final class Prediction {
     this.runsSyncTest = runsSyncTest;
     records = new SnapshotRecords(simulation);
     player = simulation.joinAs(playerId, name);
+    words = new OwnWords(simulation.schema(), player);
+    match = new MatchWords(simulation);
     inputs = new PlayerInputs(simulation, player, records, Timeline.RING);
     poses = new PredictedPoses(simulation, records);
-    timeline = new Timeline(simulation, player, inputs, poses);
-    corrector = new Corrector(simulation, records);
+    timeline = new Timeline(simulation, player, words, match, inputs, poses);
+    corrector = new Corrector(simulation, player, records, words);
     budget = new ReplayBudget(maxRollbackTicks, maxReplayNs, stopwatch);
+    simulation.rulings(rulings);
     updates = new PendingUpdates(records, timeline, budget, corrector);
     reconciler =
         new Reconciler(
-            simulation, inputs, poses, timeline, corrector, updates, budget, agreement, result);
+            simulation,
+            inputs,
+            poses,
+            timeline,
+            corrector,
+            updates,
+            words,
+            rulings,
+            budget,
+            agreement,
+            result);
     syncTester = new SyncTester(timeline, inputs);
   }
 
@@ -161,6 +186,7 @@ public final class Prediction {
    */
   public void receive(NearState near, int stateTick) {
     updates.add(near, stateTick);
+    rulings.add(near, stateTick);
   }
 
   /**
@@ -181,11 +207,12 @@ public final class Prediction {
     confirmedTick = stateTick;
     server.set(newest);
     records.readFrom(decoder);
+    int changedTick = match.receive(decoder.tables());
     if (!followOwnBody()) {
       return;
     }
     if (active) {
-      reconciler.reconcile(server, stateTick, before);
+      reconciler.reconcile(server, stateTick, before, changedTick);
     } else {
       reconciler.start(server, stateTick);
       active = true;
@@ -197,7 +224,8 @@ public final class Prediction {
     if (server.slot() < 0) {
       deactivate();
       updates.clear();
-      takeMemory();
+      words.write(server);
+      match.apply(confirmedTick);
       return false;
     }
     PredictedBody own = poses.own();
@@ -208,8 +236,20 @@ public final class Prediction {
     if (!records.isKnown(Neighbourhood.key(server.slot(), server.generation()))) {
       return false; // its record is still on the way
     }
+    if (!isAssemblyKnown() && waited++ < MOST_WAITED) {
+      return false; // its joints are on the way; without them it would fall apart
+    }
+    waited = 0;
     poses.begin(server.slot(), server.generation());
     return true;
+  }
+
+  /**
+   * Returns whether all joints of the own assembly are known, if the own body is the root of one.
+   */
+  private boolean isAssemblyKnown() {
+    Assembly assembly = simulation.assemblies().of(records.archetype(server.slot()));
+    return assembly == null || corrector.assembly().isKnown(assembly, server.slot());
   }
 
   private void deactivate() {
@@ -218,12 +258,6 @@ public final class Prediction {
     agreement.reset();
     corrector.clear();
     timeline.forget();
-  }
-
-  private void takeMemory() {
-    for (int i = 0; i < OwnState.MEMORY; i++) {
-      player.memory()[i] = server.memory(i);
-    }
   }
 
   // ---- the picture
@@ -246,9 +280,9 @@ public final class Prediction {
     return active ? poses.readPose(id, generation, fraction, out) : 0;
   }
 
-  /** Returns one of the own player's memory ints, as predicted. */
-  public int memory(int index) {
-    return player.memory()[index];
+  /** Returns the own player, as predicted. Do not change it. */
+  public Player player() {
+    return player;
   }
 
   /** Returns what is left to fade of earlier corrections of the own body, metres. */

@@ -1,5 +1,6 @@
 package carom.client.prediction;
 
+import carom.client.field.OwnWords;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.sim.Simulation;
@@ -17,6 +18,8 @@ final class Reconciler {
   private final Timeline timeline;
   private final Corrector corrector;
   private final PendingUpdates updates;
+  private final OwnWords words;
+  private final ReceivedRulings rulings;
   private final ReplayBudget budget;
   private final Agreement agreement;
   private final Reconciliation result;
@@ -30,6 +33,8 @@ final class Reconciler {
       Timeline timeline,
       Corrector corrector,
       PendingUpdates updates,
+      OwnWords words,
+      ReceivedRulings rulings,
       ReplayBudget budget,
       Agreement agreement,
       Reconciliation result) {
@@ -39,6 +44,8 @@ final class Reconciler {
     this.timeline = timeline;
     this.corrector = corrector;
     this.updates = updates;
+    this.words = words;
+    this.rulings = rulings;
     this.budget = budget;
     this.agreement = agreement;
     this.result = result;
@@ -63,8 +70,10 @@ final class Reconciler {
    *
    * @param own the own body's state after {@code tick}; used during the call only
    * @param lastTick tick of the last reconciliation
+   * @param changedTick the first tick after which the match has other fields than was known, or
+   *     {@link Integer#MAX_VALUE}
    */
-  void reconcile(OwnState own, int tick, int lastTick) {
+  void reconcile(OwnState own, int tick, int lastTick, int changedTick) {
     begin(own, tick);
     poses.beginCorrection();
     int present = Math.max(timeline.tick(), tick);
@@ -75,7 +84,11 @@ final class Reconciler {
       timeline.pin(tick);
     }
     int oldest = Math.max(lastTick, timeline.tick() - Timeline.RING + 1);
-    int mispredicted = inputs.firstMispredicted(oldest, timeline.tick());
+    int ruled = rulings.takeFirst();
+    if (changedTick < timeline.tick()) {
+      ruled = Math.min(ruled, Math.max(changedTick, oldest) + 1);
+    }
+    int mispredicted = Math.min(ruled, inputs.firstMispredicted(oldest, timeline.tick()));
     int from = rewind(mispredicted, present);
     if (from < 0 && tick > timeline.tick()) {
       timeline.skipTo(tick); // the server is ahead: this tick was never predicted
@@ -83,6 +96,9 @@ final class Reconciler {
       from = tick;
     } else {
       from = compare(from);
+      if (ruled <= tick) {
+        tell(tick);
+      }
       if (from < 0 && isWorthRollback(mispredicted, present)) {
         from = mispredicted - 1;
         timeline.restore(from);
@@ -93,8 +109,18 @@ final class Reconciler {
       replay(present);
       result.correctionMetres = poses.endCorrection();
     }
-    result.corrected = result.compared && !result.exact;
+    result.corrected = result.compared && !result.exact && !result.told;
     end();
+  }
+
+  /** Counts what was predicted otherwise, and is right with a ruling that came, as told. */
+  private void tell(int tick) {
+    boolean right = timeline.isSaved(tick) && timeline.own(tick).sameAs(server);
+    result.told |= result.compared && !result.exact && right;
+    if (right && agreement.agreedTick() == tick) {
+      result.toldBodies = result.awakeBodies - result.exactBodies;
+      result.awakeBodies = result.exactBodies;
+    }
   }
 
   private void begin(OwnState own, int tick) {
@@ -164,6 +190,10 @@ final class Reconciler {
       }
       return from;
     }
+    boolean sameSet = !near.present() || timeline.hash(stateTick) == near.hash();
+    if (sameSet && timeline.isSaved(stateTick) && timeline.own(stateTick).sameBody(server)) {
+      return takeWords(from);
+    }
     boolean updateComes = near.updating() || (updates.isReady() && near.present());
     if (ownEqual && updateComes) {
       return from;
@@ -184,6 +214,23 @@ final class Reconciler {
       agreement.divergedState().readAll(simulation);
     }
     correctTick(false);
+    return from < 0 ? stateTick : from;
+  }
+
+  /**
+   * Takes the server's words of the own player's fields: its rules wrote them, so they are told and
+   * nobody predicted wrongly. All bodies are equal and stay as they are.
+   *
+   * @param from the tick of a rollback that has happened, or -1
+   */
+  private int takeWords(int from) {
+    if (timeline.tick() != stateTick) {
+      timeline.restore(stateTick);
+    }
+    words.write(server);
+    timeline.saveCorrection();
+    result.told = result.compared;
+    agreement.agree(stateTick, server.near().present());
     return from < 0 ? stateTick : from;
   }
 

@@ -15,6 +15,8 @@ public final class Reconciliation {
   float correctionMetres;
   int awakeBodies;
   int exactBodies;
+  int toldBodies;
+  boolean told;
   int replayedTicks;
   int rolledBackTicks;
   long replayNs;
@@ -30,6 +32,8 @@ public final class Reconciliation {
     rolledBackTicks = 0;
     awakeBodies = 0;
     exactBodies = 0;
+    toldBodies = 0;
+    told = false;
   }
 
   /** Returns whether there was a prediction to compare with. */
@@ -52,6 +56,23 @@ public final class Reconciliation {
     return compared && agreed;
   }
 
+  /**
+   * Returns whether the own body was predicted otherwise because the game's rules acted on it or
+   * near it, as the server has told, and is right with what was told.
+   */
+  public boolean told() {
+    return told;
+  }
+
+  /**
+   * Returns how many awake bodies were predicted otherwise because of what the game's rules did, as
+   * the server has told, and are right with what was told. They don't count in {@link
+   * #awakeBodies}.
+   */
+  public int toldBodies() {
+    return toldBodies;
+  }
+
   /** Returns how many awake bodies of the predicted set were compared. */
   public int awakeBodies() {
     return awakeBodies;
@@ -62,14 +83,14 @@ public final class Reconciliation {
     return exactBodies;
   }
 
-  /** Returns whether the own body was corrected. */
+  /** Returns whether the own body was corrected; what was {@linkplain #told told} doesn't count. */
   public boolean corrected() {
     return corrected;
   }
 
   /** Returns how far the correction moved the own body in the present, metres. */
   public float correctionMetres() {
-    return corrected ? correctionMetres : 0;
+    return corrected || told ? correctionMetres : 0;
   }
 
   /** Returns how many ticks were resimulated. */

@@ -1,5 +1,7 @@
 package carom.client.prediction;
 
+import carom.client.field.MatchWords;
+import carom.client.field.OwnWords;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.physics.Body;
@@ -21,7 +23,8 @@ final class Timeline {
   private static final int MASK = RING - 1;
 
   private final Simulation simulation;
-  private final Player player;
+  private final OwnWords words;
+  private final MatchWords match;
   private final PlayerInputs inputs;
   private final PredictedPoses poses;
   private final SimState[] saved = new SimState[RING];
@@ -29,17 +32,25 @@ final class Timeline {
   private final int[] hash = new int[RING];
   private final OwnState[] own = new OwnState[RING];
   private final PredictedHashes hashes = new PredictedHashes(RING);
-  private final Neighbourhood scratch = new Neighbourhood();
+  private final Neighbourhood scratch;
   private int tick = -1;
   private int correctedTick;
 
-  Timeline(Simulation simulation, Player player, PlayerInputs inputs, PredictedPoses poses) {
+  Timeline(
+      Simulation simulation,
+      Player player,
+      OwnWords words,
+      MatchWords match,
+      PlayerInputs inputs,
+      PredictedPoses poses) {
     this.simulation = simulation;
-    this.player = player;
+    this.words = words;
+    this.match = match;
+    scratch = new Neighbourhood(player.id());
     this.inputs = inputs;
     this.poses = poses;
     for (int i = 0; i < RING; i++) {
-      own[i] = new OwnState();
+      own[i] = new OwnState(OwnWords.count(simulation.schema()));
     }
     forget();
   }
@@ -64,6 +75,7 @@ final class Timeline {
     inputs.apply(tick + 1, input, repeat);
     simulation.step();
     tick++;
+    match.apply(tick);
     save();
   }
 
@@ -74,12 +86,15 @@ final class Timeline {
     }
     simulation.tick(wanted);
     tick = wanted;
+    match.apply(tick);
   }
 
   /** Rolls back (or forward) to a saved tick. */
   void restore(int wanted) {
     simulation.restore(saved[wanted & MASK]);
     tick = wanted;
+    match.restored();
+    match.apply(tick);
     poses.bind();
   }
 
@@ -113,9 +128,7 @@ final class Timeline {
         body.velocityX(),
         body.velocityY(),
         body.angularVelocity());
-    for (int i = 0; i < OwnState.MEMORY; i++) {
-      out.setMemory(i, player.memory()[i]);
-    }
+    words.read(out);
   }
 
   /** Returns whether a tick is saved. */

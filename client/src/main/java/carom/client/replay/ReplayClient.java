@@ -1,6 +1,7 @@
 package carom.client.replay;
 
 import carom.client.events.EventListener;
+import carom.client.field.RecordedFields;
 import carom.client.interpolation.Pose;
 import carom.client.link.ConnectionPhase;
 import carom.client.stats.NetStatsRecorder;
@@ -95,6 +96,7 @@ public final class ReplayClient implements AutoCloseable {
     Simulation s = replay.simulation();
     marks.reset(FIRST_GAP_SECONDS * s.tickRate());
     view.game(s.game().name(), s.level(), -1, s.tickRate(), s);
+    view.fields(new RecordedFields(s));
     mark();
     show();
   }

@@ -183,6 +183,20 @@ public final class NetStats {
     return prediction.exactBodies;
   }
 
+  /**
+   * Returns how many predictions of awake bodies were otherwise than the server's state because of
+   * what the game's rules did, and right with what the server told of that. They don't count in
+   * {@link #awakeBodies}.
+   */
+  public long toldBodies() {
+    return prediction.toldBodies;
+  }
+
+  /** Returns how often the own body was put right because of what the game's rules did, as told. */
+  public long told() {
+    return prediction.told;
+  }
+
   /** Returns the awake bodies of the predicted set at the last comparison, own one included. */
   public int nearBodies() {
     return prediction.nearBodies;

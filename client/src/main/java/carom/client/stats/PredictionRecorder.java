@@ -16,6 +16,8 @@ final class PredictionRecorder {
   int nearBodies;
   long awakeBodies;
   long exactBodies;
+  long toldBodies;
+  long told;
   long disagreements;
   long rollbacks;
   long rollbackTicks;
@@ -33,6 +35,8 @@ final class PredictionRecorder {
       compared++;
       nearBodies = result.awakeBodies();
       exact += result.exact() ? 1 : 0;
+      told += result.told() ? 1 : 0;
+      toldBodies += result.toldBodies();
       awakeBodies += result.awakeBodies();
       exactBodies += result.exactBodies();
     }

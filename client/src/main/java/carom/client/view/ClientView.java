@@ -1,5 +1,7 @@
 package carom.client.view;
 
+import carom.client.field.FieldView;
+import carom.client.field.ShownFields;
 import carom.client.interpolation.Pose;
 import carom.client.link.ConnectionPhase;
 import carom.client.stats.NetStats;
@@ -110,6 +112,8 @@ public final class ClientView {
   private Runnable composer = () -> {};
   private boolean stale;
   private int count;
+  private final List<JointView> joints = new ArrayList<>();
+  private int jointCount;
   private int own = -1;
 
   ConnectionPhase phase = ConnectionPhase.IDLE;
@@ -122,7 +126,7 @@ public final class ClientView {
   int tick;
   double renderTick;
   Simulation predictedWorld;
-  final int[] memory = new int[4];
+  ShownFields fields;
   final Input input = new Input();
 
   ClientView(NetStats stats) {
@@ -151,7 +155,19 @@ public final class ClientView {
 
   void clear() {
     count = 0;
+    jointCount = 0;
     own = -1;
+  }
+
+  void clearJoints() {
+    jointCount = 0;
+  }
+
+  JointView addJoint() {
+    if (jointCount == joints.size()) {
+      joints.add(new JointView());
+    }
+    return joints.get(jointCount++);
   }
 
   Drawn add() {
@@ -251,6 +267,21 @@ public final class ClientView {
     return pool.get(index);
   }
 
+  /** Returns the number of joints of which both bodies are visible. */
+  public int jointCount() {
+    compose();
+    return jointCount;
+  }
+
+  /** Returns a visible joint by index, 0..{@link #jointCount} - 1, ascending by its own index. */
+  public JointView joint(int index) {
+    compose();
+    if (index < 0 || index >= jointCount) {
+      throw new IndexOutOfBoundsException("index=" + index + " is outside 0.." + (jointCount - 1));
+    }
+    return joints.get(index);
+  }
+
   /** Returns the visible entity with this id, or null. */
   public Drawn find(int id) {
     compose();
@@ -297,9 +328,46 @@ public final class ClientView {
     return notices;
   }
 
-  /** Returns one of the game's four ints of the own player, as predicted: cooldowns etc. */
-  public int memory(int index) {
-    return memory[index];
+  /**
+   * Returns the fields of a player: of the own one as predicted, of others as the server told last.
+   * What the own player may not know is as declared. Read values by the typed methods {@code get}.
+   *
+   * @param id 0..1,023
+   * @throws IllegalStateException if there is no game yet
+   */
+  public FieldView player(int id) {
+    return fields().player(id);
+  }
+
+  /**
+   * Returns the fields of an entity: of the own body as predicted, of others as the server told
+   * last, which may be a moment newer than the pose that is drawn.
+   *
+   * @throws IllegalStateException as for {@link #player}
+   */
+  public FieldView fields(Drawn entity) {
+    return fields().entity(entity.id, entity.generation);
+  }
+
+  /**
+   * Returns the fields of the match.
+   *
+   * @throws IllegalStateException as for {@link #player}
+   */
+  public FieldView match() {
+    return fields().match();
+  }
+
+  /** Returns whether fields can be asked for: there is a game. */
+  public boolean knowsFields() {
+    return fields != null;
+  }
+
+  private ShownFields fields() {
+    if (fields == null) {
+      throw new IllegalStateException("there are no fields before a game was joined");
+    }
+    return fields;
   }
 
   /** Returns the input that was sampled last. Do not change it. */

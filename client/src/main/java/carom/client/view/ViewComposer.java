@@ -65,6 +65,7 @@ public final class ViewComposer {
   private final Prediction prediction;
   private final Interpolator interpolator;
   private final DecodedHistory states = new DecodedHistory();
+  private final JointComposer joints;
   private final Pose pose = new Pose();
   private final Pose then = new Pose();
   private Track[] tracks = {};
@@ -97,6 +98,7 @@ public final class ViewComposer {
     this.simulation = simulation;
     this.prediction = prediction;
     interpolator = new Interpolator(tickRate);
+    joints = new JointComposer(view, decoder.tables(), prediction == null ? null : simulation);
   }
 
   /**
@@ -128,6 +130,7 @@ public final class ViewComposer {
         compose(slot, history, own);
       }
     }
+    joints.compose();
     composed = true;
     composedNs = nowNs;
     composedTick = newTick;

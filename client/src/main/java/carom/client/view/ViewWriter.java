@@ -1,5 +1,6 @@
 package carom.client.view;
 
+import carom.client.field.ShownFields;
 import carom.client.interpolation.Pose;
 import carom.client.link.ConnectionPhase;
 import carom.client.stats.NetStats;
@@ -69,9 +70,9 @@ public final class ViewWriter {
     view.input.set(sampled);
   }
 
-  /** Sets one of the game's ints of the own player. */
-  public void memory(int index, int value) {
-    view.memory[index] = value;
+  /** Sets where the game's fields are read. */
+  public void fields(ShownFields fields) {
+    view.fields = fields;
   }
 
   /** Changes the list of players. */

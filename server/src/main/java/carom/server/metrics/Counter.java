@@ -64,6 +64,8 @@ public enum Counter {
   MATCHES,
   /** Exceptions thrown by the game's callbacks. */
   GAME_FAILURES,
+  /** Things that the game's rules do again and again and no client can foresee, each once. */
+  UNFORESEEN,
   /**
    * Mispredictions reported by clients, of the own body or of other predicted entities, for which
    * the client knew no reason.

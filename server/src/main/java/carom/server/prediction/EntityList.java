@@ -22,6 +22,11 @@ final class EntityList {
     entities[count++] = entity;
   }
 
+  /** Removes the last entity and returns it. */
+  Entity removeLast() {
+    return entities[--count];
+  }
+
   int count() {
     return count;
   }

@@ -27,6 +27,16 @@ final class EntityMarks {
     return fresh;
   }
 
+  /** Removes the mark of a listed entity. */
+  void unlist(int id) {
+    listed[id] = 0;
+  }
+
+  /** Returns whether an entity is marked as listed. */
+  boolean isListed(int id) {
+    return listed[id] == round;
+  }
+
   /** Marks an entity as a member of the set that was chosen before. */
   void member(int id) {
     if (id < member.length) {

@@ -10,8 +10,8 @@ import carom.sim.Simulation;
  * the client in parts. The twin of the client's {@code NearUpdate}, which puts the parts together.
  *
  * <p>An update tells the entities that the client doesn't know exactly: newcomers and what they
- * struck, entities with which the game interfered in the base tick, and on a line that loses
- * datagrams what the update before told. Or it tells all of them.
+ * struck, entities with which the game interfered in the base tick by more than rulings, and on a
+ * line that loses datagrams what the update before told. Or it tells all of them.
  *
  * <pre>
  *             begin                   last row sent                  all acknowledged
@@ -42,7 +42,7 @@ final class ExactUpdate {
 
   private final Simulation simulation;
   private final InterferenceLog interference;
-  private final UpdateRows rows = new UpdateRows();
+  private final UpdateRows rows;
   private final UpdateDelivery delivery = new UpdateDelivery();
 
   /** The list that this update, or the last one, belongs to. */
@@ -63,7 +63,8 @@ final class ExactUpdate {
   private int lossTick = -LOSSY_TICKS;
   private int sentTick = -1;
 
-  ExactUpdate(Simulation simulation) {
+  ExactUpdate(Simulation simulation, int viewer) {
+    rows = new UpdateRows(viewer);
     this.simulation = simulation;
     interference = simulation.interference();
   }
@@ -147,7 +148,7 @@ final class ExactUpdate {
   }
 
   private boolean isChanged(EntityList near, int place) {
-    return interference.lastTick(near.get(place)) == baseTick;
+    return interference.lastUntoldTick(near.get(place)) == baseTick;
   }
 
   private void noteUnconfirmed() {
@@ -159,7 +160,8 @@ final class ExactUpdate {
     }
   }
 
-  private boolean isLossy() {
+  /** Returns whether the line has lost datagrams lately. */
+  boolean isLossy() {
     return simulation.tick() - lossTick < LOSSY_TICKS;
   }
 

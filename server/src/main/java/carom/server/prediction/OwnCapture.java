@@ -2,19 +2,24 @@ package carom.server.prediction;
 
 import carom.net.snapshot.exact.OwnState;
 import carom.physics.Body;
+import carom.physics.math.Aabb;
 import carom.sim.Entity;
 import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.area.AreaForces;
+import carom.sim.field.FieldValues;
+import carom.sim.field.Scope;
 import java.util.function.Predicate;
 
 /**
- * Reads from a room's simulation the exact state of a player's body and its memory, which the
- * player's client needs to predict. Shared by the room's sessions. The room's thread; no allocation
- * but by {@link #predictedSet}.
+ * Reads from a room's simulation the exact state of a player's body and the words of its fields,
+ * which the player's client needs to predict. Shared by the room's sessions. The room's thread; no
+ * allocation but by {@link #predictedSet}.
  */
 public final class OwnCapture {
   private final Simulation simulation;
   private final EntityMarks marks = new EntityMarks();
+  private final Aabb box = new Aabb();
 
   /** Creates a reader of a room's simulation. */
   public OwnCapture(Simulation simulation) {
@@ -24,17 +29,23 @@ public final class OwnCapture {
   /**
    * Creates the predicted set of one player's client.
    *
+   * @param viewer the player
    * @param mayKnow returns whether the game lets that player know of an entity, at present
    */
-  public PredictedSet predictedSet(Predicate<Entity> mayKnow) {
-    return new PredictedSet(simulation, marks, mayKnow);
+  public PredictedSet predictedSet(Player viewer, Predicate<Entity> mayKnow) {
+    return new PredictedSet(simulation, viewer, marks, mayKnow);
+  }
+
+  /** Returns the number of words in each own section. */
+  public int words() {
+    return simulation.schema().toldWords(Scope.PLAYER);
   }
 
   /** Reads a player's own section after the simulation's last step. */
   public void capture(Player player, OwnState out) {
-    int[] memory = player.memory();
-    for (int i = 0; i < OwnState.MEMORY; i++) {
-      out.setMemory(i, memory[i]);
+    FieldValues fields = player.fieldValues();
+    for (int i = 0; i < out.words(); i++) {
+      out.setWord(i, fields.word(i));
     }
     Entity entity = player.body();
     if (entity == null) {
@@ -52,6 +63,19 @@ public final class OwnCapture {
         body.velocityX(),
         body.velocityY(),
         body.angularVelocity());
+  }
+
+  /** Returns whether an entity carries an area that may act on a player's body. */
+  public boolean isInArea(Player player) {
+    AreaForces<Entity> areas = simulation.areas();
+    for (int i = 0; player.body() != null && i < areas.carriers(); i++) {
+      areas.reach(i, box);
+      box.grow(1);
+      if (box.contains(player.body().body().centerX(), player.body().body().centerY())) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /**

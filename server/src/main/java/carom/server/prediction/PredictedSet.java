@@ -1,6 +1,7 @@
 package carom.server.prediction;
 
 import carom.net.snapshot.SnapshotEncoder;
+import carom.net.snapshot.exact.NearCodec;
 import carom.net.snapshot.exact.NearState;
 import carom.net.snapshot.exact.OwnState;
 import carom.sim.Entity;
@@ -8,6 +9,8 @@ import carom.sim.InterferenceLog;
 import carom.sim.Player;
 import carom.sim.Simulation;
 import carom.sim.near.Neighbourhood;
+import carom.sim.ruling.Ruling;
+import carom.sim.ruling.RulingLog;
 import java.util.function.Predicate;
 
 /**
@@ -20,7 +23,8 @@ import java.util.function.Predicate;
  *
  * <ul>
  *   <li>when an entity enters or leaves the set;
- *   <li>when the game {@linkplain InterferenceLog interferes} with an entity of it;
+ *   <li>when the game {@linkplain InterferenceLog interferes} with an entity of it by more than
+ *       {@linkplain RulingDelivery rulings}, which are told by themselves;
  *   <li>when the client reports another hash: then all of it is told.
  * </ul>
  *
@@ -35,10 +39,16 @@ public final class PredictedSet {
   private final InterferenceLog interference;
   private final PredictedSetChooser chooser;
   private final ExactUpdate update;
+  private final RulingDelivery rulings = new RulingDelivery();
   private final UpdateLimits limits = new UpdateLimits();
   private final RelayedInputs relayedInputs;
-  private final Neighbourhood state = new Neighbourhood();
+  private final Neighbourhood state;
   private int capturedTick = -1;
+
+  /** Number of the first ruling that was not there at the last capture. */
+  private long nextRuling;
+
+  private long toldRulings;
 
   /** Whether the next update must tell all, because the game interfered too long ago. */
   private boolean mustTellAll;
@@ -47,11 +57,12 @@ public final class PredictedSet {
   private long updates;
   private long disagreements;
 
-  PredictedSet(Simulation simulation, EntityMarks marks, Predicate<Entity> mayKnow) {
+  PredictedSet(Simulation simulation, Player viewer, EntityMarks marks, Predicate<Entity> mayKnow) {
+    state = new Neighbourhood(viewer.id());
     this.simulation = simulation;
     interference = simulation.interference();
     chooser = new PredictedSetChooser(simulation, marks, mayKnow);
-    update = new ExactUpdate(simulation);
+    update = new ExactUpdate(simulation, viewer.id());
     relayedInputs = new RelayedInputs(mayKnow);
   }
 
@@ -75,11 +86,13 @@ public final class PredictedSet {
     limits.earn(simulation.tick() - capturedTick);
     endUselessUpdate();
     if (update.isSending()) {
+      takeRulings();
       if (mayTellInterference()) {
         mustTellAll = true; // the base is of another tick
       }
     } else {
       chooser.choose(player, all, update.members(), limits.entities());
+      takeRulings();
       updateIfNeeded(disagreedTick);
     }
     readState(updates + disagreements != before);
@@ -101,6 +114,34 @@ public final class PredictedSet {
     }
   }
 
+  /** Takes over what the rules did to chosen entities since the last capture. */
+  private void takeRulings() {
+    RulingLog log = interference.rulings();
+    mustTellAll |= nextRuling < log.oldest();
+    long first = Math.max(nextRuling, log.oldest());
+    nextRuling = log.next();
+    int bits = 0;
+    for (long n = first; n < nextRuling; n++) {
+      bits += isChosen(log.get(n)) ? NearCodec.rulingBits(log.get(n).mask) : 0;
+    }
+    if (bits > RulingDelivery.MOST_BITS) {
+      mustTellAll = true; // an update is shorter
+      rulings.clear();
+      return;
+    }
+    int copies = update.isLossy() ? 2 : 1;
+    for (long n = first; n < nextRuling; n++) {
+      if (isChosen(log.get(n))) {
+        mustTellAll |= !rulings.add(log.get(n), copies);
+        toldRulings++;
+      }
+    }
+  }
+
+  private boolean isChosen(Ruling ruling) {
+    return chooser.isChosen(Neighbourhood.id(ruling.key));
+  }
+
   private void updateIfNeeded(int disagreedTick) {
     boolean disagreed = mayTellDisagreement(disagreedTick);
     boolean interfered = mayTellInterference();
@@ -120,6 +161,7 @@ public final class PredictedSet {
   private boolean mayTellDisagreement(int disagreedTick) {
     return disagreedTick > update.sentTick()
         && !update.isHelping()
+        && !rulings.isBehind()
         && limits.takeFullUpdate(simulation.tick());
   }
 
@@ -132,9 +174,10 @@ public final class PredictedSet {
     boolean interfered = mustTellAll;
     for (int i = 0; i < chooser.chosen().count(); i++) {
       Entity e = chooser.chosen().get(i);
-      if (interference.lastTick(e) > capturedTick) {
+      int last = interference.lastUntoldTick(e);
+      if (last > capturedTick) {
         interfered = true;
-        mustTellAll |= interference.wasBeforeStep(e) || interference.lastTick(e) < tick;
+        mustTellAll |= interference.wasBeforeStep(e) || last < tick;
       }
     }
     return interfered && limits.takeInterference();
@@ -150,7 +193,7 @@ public final class PredictedSet {
       interference.watch(e);
     }
     state.read(simulation);
-    hasOutsideCause |= state.leaks() > 0;
+    hasOutsideCause |= state.leaks() > 0 || state.cutJoints() > 0 || chooser.isReachedFromOutside();
   }
 
   private void relayInputs(Player player, OwnState out) {
@@ -168,7 +211,8 @@ public final class PredictedSet {
     for (int i = 0; i < members.count(); i++) {
       near.add(members.get(i));
     }
-    update.write(rowBits, out);
+    int rulingBits = rulings.write(simulation.tick(), members, rowBits, near);
+    update.write(rowBits - rulingBits, out);
     limits.listed(near.listBits(), members.count());
   }
 
@@ -185,16 +229,20 @@ public final class PredictedSet {
     limits.earn(simulation.tick() - capturedTick);
     capturedTick = simulation.tick();
     update.reset();
+    rulings.clear();
+    nextRuling = interference.rulings().next();
     mustTellAll = false;
   }
 
   /** Notes that the set captured last is sent. */
   public void sent() {
     update.sent();
+    rulings.sent(simulation.tick());
   }
 
   /** Looks which parts of the update have arrived, and which are lost and must be sent again. */
   public void acknowledge(SnapshotEncoder encoder) {
+    rulings.acknowledge(encoder);
     if (update.acknowledge(encoder)) {
       limits.arrived();
     }
@@ -227,6 +275,11 @@ public final class PredictedSet {
    */
   public long updates() {
     return updates;
+  }
+
+  /** Returns the number of rulings of the game that were told. */
+  public long rulings() {
+    return toldRulings;
   }
 
   /** Returns the number of updates begun because the client had another state. */

@@ -1,14 +1,19 @@
 package carom.server.prediction;
 
+import carom.net.snapshot.exact.NearState;
 import carom.physics.Body;
 import carom.physics.BodyContactVisitor;
+import carom.physics.BodyType;
 import carom.physics.BodyVisitor;
+import carom.physics.Joint;
 import carom.physics.math.Aabb;
 import carom.sim.Entity;
 import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.area.AreaForces;
 import carom.sim.near.Neighbourhood;
 import java.util.Arrays;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 
 /**
@@ -17,11 +22,17 @@ import java.util.function.Predicate;
  * <ol>
  *   <li>the body itself, and all that it touches, directly or through others;
  *   <li>what is close to it or soon will be, the closest first, each with all that it touches;
- *       while the list is shorter than {@value #MOST_CLOSE}.
+ *       while the list is shorter than {@value #MOST_CLOSE};
+ *   <li>all that joints hold together with one of these, directly or through others: bodies that
+ *       joints hold together are chosen as a whole or not at all. Only what no set could hold is
+ *       cut if the own body touches it, and the client holds the bodies at the cut;
+ *   <li>what carries an {@linkplain carom.sim.level.Area area} that acts on one of these, or soon
+ *       may.
  * </ol>
  *
  * <p>An entity that was chosen before stays until it is {@value #LEAVE} times as far away. Sensors
- * and statics of the level are never chosen, nor is what the game hides from the player.
+ * without an area and statics of the level are never chosen, nor is what the game hides from the
+ * player.
  *
  * <p>The room's thread; allocates only to grow.
  */
@@ -31,6 +42,9 @@ final class PredictedSetChooser {
 
   /** The same for a client that takes as many entities as there is room for, metres. */
   private static final float ALL_METRES = 15;
+
+  /** An entity whose area ends this far away enters, metres: bodies move while it is told. */
+  private static final float CARRIER_METRES = 4;
 
   /** An entity leaves at this many times the distance at which it enters. */
   private static final float LEAVE = 1.4f;
@@ -51,6 +65,21 @@ final class PredictedSetChooser {
   private final BodyContactVisitor<Entity> addVisitor =
       (other, normalX, normalY, impulse) -> addIfFit(other.user());
 
+  private final Consumer<Joint<Entity>> jointVisitor = this::follow;
+
+  /** Whether the own body is being chosen, with all that joints tie to it. */
+  private boolean choosesOwn;
+
+  /** Whether what touches the own body is being chosen, directly or through others. */
+  private boolean spreadsOwn;
+
+  /** Whether all that joints tie to an entity could be chosen so far. */
+  private boolean fits;
+
+  /** Whether joints tie more to an entity than any set holds. */
+  private boolean isTooLarge;
+
+  private boolean reachedFromOutside;
   private int limit;
   private Body<Entity> own;
   private float enterMetres;
@@ -86,14 +115,59 @@ final class PredictedSetChooser {
     }
     chosen.clear();
     limit = most;
-    addWithContacts(player.body());
+    choosesOwn = true;
+    addIfFit(player.body());
+    choosesOwn = false;
+    spreadsOwn = true;
+    spreadContacts(0);
+    spreadsOwn = false;
     limit = Math.min(most, Math.max(chosen.count(), MOST_CLOSE));
     gatherCandidates();
     for (int i = 0; i < candidates.count(); i++) {
       addWithContacts(candidates.get(i));
     }
     candidates.clear();
+    limit = most;
+    addCarriers();
     chosen.sort(simulation);
+  }
+
+  /** Adds the entities whose areas act on a chosen one, or soon may. */
+  private void addCarriers() {
+    AreaForces<Entity> areas = simulation.areas();
+    reachedFromOutside = false;
+    for (int i = 0; i < areas.carriers(); i++) {
+      Entity carrier = simulation.entity(areas.carrierId(i));
+      areas.reach(i, box);
+      box.grow(CARRIER_METRES * (marks.isMember(carrier.id()) ? LEAVE : 1));
+      if (!marks.isListed(carrier.id()) && isOneWithin(box)) {
+        addWithContacts(carrier);
+        reachedFromOutside |= !marks.isListed(carrier.id());
+      }
+    }
+  }
+
+  private boolean isOneWithin(Aabb area) {
+    for (int i = 0; i < chosen.count(); i++) {
+      Body<Entity> body = chosen.get(i).body();
+      if (area.contains(body.centerX(), body.centerY())) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Returns whether an entity was chosen. Valid until another session chooses. */
+  boolean isChosen(int id) {
+    return marks.isListed(id);
+  }
+
+  /**
+   * Returns whether an area may act on a chosen entity whose carrier isn't among them, because
+   * there was no room or the game hides it.
+   */
+  boolean isReachedFromOutside() {
+    return reachedFromOutside;
   }
 
   /**
@@ -103,11 +177,13 @@ final class PredictedSetChooser {
    */
   boolean chooseAgain(KeyList before) {
     chosen.clear();
+    marks.clear(simulation.entityCapacity());
     for (int i = 0; i < before.count(); i++) {
       Entity e = EntityList.find(simulation, before.get(i));
       if (e == null || !mayKnow.test(e)) {
         return false;
       }
+      marks.list(e.id());
       chosen.add(e);
     }
     return true;
@@ -115,21 +191,73 @@ final class PredictedSetChooser {
 
   /** Adds an entity and all that it touches, directly or through others, while there is room. */
   private void addWithContacts(Entity from) {
-    int next = chosen.count();
+    int first = chosen.count();
     addIfFit(from);
-    for (; next < chosen.count(); next++) {
+    spreadContacts(first);
+  }
+
+  /** Adds all that the chosen entities from a place on touch, directly or through others. */
+  private void spreadContacts(int first) {
+    for (int next = first; next < chosen.count(); next++) {
       chosen.get(next).body().forEachContact(addVisitor);
     }
   }
 
   private void addIfFit(Entity e) {
-    if (isSolid(e) && chosen.count() < limit && marks.list(e.id()) && mayKnow.test(e)) {
-      chosen.add(e);
+    if (!affectsOthers(e) || chosen.count() >= limit || !mayKnow.test(e) || !marks.list(e.id())) {
+      return;
+    }
+    int first = chosen.count();
+    chosen.add(e);
+    addJointed(first);
+    if (choosesOwn || (fits && chosen.count() <= limit)) {
+      return; // the own body is never left out, whatever hangs on it
+    }
+    // What no set could hold is cut where there is no more room, if the own island touches it.
+    int keep = isTooLarge && spreadsOwn ? limit : first;
+    while (chosen.count() > keep) {
+      marks.unlist(chosen.removeLast().id());
     }
   }
 
-  private static boolean isSolid(Entity e) {
-    return !e.isLevel() && Neighbourhood.isSolid(e.archetype());
+  /**
+   * Adds all that joints tie to a chosen entity, through dynamic bodies, the nearest along joints
+   * first. Notes whether the game hides some, and whether it is more than any set holds.
+   *
+   * @param first place of the entity, the last one
+   */
+  private void addJointed(int first) {
+    fits = true;
+    isTooLarge = false;
+    for (int i = first; i < chosen.count() && fits; i++) {
+      Body<Entity> body = chosen.get(i).body();
+      if (body.type() == BodyType.DYNAMIC) {
+        body.forEachJoint(jointVisitor);
+      }
+    }
+  }
+
+  private void follow(Joint<Entity> joint) {
+    addTied(joint.bodyA());
+    addTied(joint.bodyB());
+  }
+
+  private void addTied(Body<Entity> body) {
+    Entity e = body == null ? null : body.user();
+    if (e == null || e.isLevel() || marks.isListed(e.id())) {
+      return;
+    }
+    isTooLarge |= chosen.count() == NearState.MAX_ENTITIES;
+    if (isTooLarge || !mayKnow.test(e)) {
+      fits = false;
+      return;
+    }
+    marks.list(e.id());
+    chosen.add(e);
+  }
+
+  private static boolean affectsOthers(Entity e) {
+    return !e.isLevel() && Neighbourhood.affectsOthers(e.archetype());
   }
 
   private void gatherCandidates() {
@@ -149,7 +277,7 @@ final class PredictedSetChooser {
   /** Makes a body a candidate if it is close enough, or soon will be. */
   private boolean consider(Body<Entity> body) {
     Entity e = body.user();
-    if (!isSolid(e) || body == own || !mayKnow.test(e)) {
+    if (!affectsOthers(e) || body == own || !mayKnow.test(e)) {
       return true;
     }
     body.aabb(box);

@@ -26,7 +26,6 @@ public final class PredictionAudit {
   static final int TICKS = 64;
 
   private static final int BODY_INTS = Diverged.BODY_INTS;
-  private static final int OWN_INTS = BODY_INTS + OwnState.MEMORY;
   private static final String[] NAMES = {"x", "y", "cos", "sin", "vx", "vy", "omega"};
 
   /** What a report turned out to be: among reasons, a later one outweighs an earlier one. */
@@ -49,7 +48,8 @@ public final class PredictionAudit {
   private final boolean[] inputMissing = new boolean[TICKS];
 
   // Of the own body.
-  private final int[] own = new int[TICKS * OWN_INTS];
+  private final int ownInts;
+  private final int[] own;
   private final boolean[] touched = new boolean[TICKS];
   private final boolean[] interfered = new boolean[TICKS];
 
@@ -65,8 +65,14 @@ public final class PredictionAudit {
 
   private int[] bodies = new int[0];
 
-  /** Creates an audit that remembers nothing. */
-  public PredictionAudit() {
+  /**
+   * Creates an audit that remembers nothing.
+   *
+   * @param words number of words of the player's fields in each state
+   */
+  public PredictionAudit(int words) {
+    ownInts = BODY_INTS + Math.min(words, Diverged.MAX_WORDS);
+    own = new int[TICKS * ownInts];
     clear();
   }
 
@@ -78,7 +84,7 @@ public final class PredictionAudit {
   /**
    * Remembers a tick.
    *
-   * @param state the state after it; body and memory are copied
+   * @param state the state after it; body and words are copied
    * @param isInputMissing whether the player's input for it wasn't there in time; see {@link
    *     #confirmInput}
    * @param wasTouched whether anything that is not static touched the body in it
@@ -88,9 +94,9 @@ public final class PredictionAudit {
       int tick, OwnState state, boolean isInputMissing, boolean wasTouched, boolean wasInterfered) {
     int slot = slot(tick);
     ticks[slot] = tick;
-    int at = slot * OWN_INTS;
+    int at = slot * ownInts;
     own[at] = state.slot() < 0 ? -1 : Neighbourhood.key(state.slot(), state.generation());
-    for (int i = 1; i < OWN_INTS; i++) {
+    for (int i = 1; i < ownInts; i++) {
       own[at + i] = state.bits(i - 1);
     }
     inputMissing[slot] = isInputMissing;
@@ -160,7 +166,7 @@ public final class PredictionAudit {
     int last = slot(report.tick());
     if ((long) report.tick() - report.equalTick() >= TICKS
         || !isKept(report.tick(), report)
-        || (report.isOfSet() && count[last] == 0)) {
+        || (report.ofSet() && count[last] == 0)) {
       return Finding.UNKNOWN;
     }
     int different = firstDifferent(report);
@@ -171,12 +177,12 @@ public final class PredictionAudit {
       return Finding.UNKNOWN; // of another body
     }
     Finding finding = Finding.UNEXPLAINED;
-    int first = report.isOfSet() ? report.equalTick() + 1 : report.equalTick();
+    int first = report.ofSet() ? report.equalTick() + 1 : report.equalTick();
     for (int tick = first; tick <= report.tick(); tick++) {
       if (!isKept(tick, report)) {
         return Finding.UNKNOWN;
       }
-      Finding reason = reason(slot(tick), report.isOfSet());
+      Finding reason = reason(slot(tick), report.ofSet());
       finding = reason.compareTo(finding) > 0 ? reason : finding;
     }
     return finding;
@@ -187,7 +193,7 @@ public final class PredictionAudit {
     if (tick < 0 || ticks[slot] != tick) {
       return false;
     }
-    return report.isOfSet() ? hasSet[slot] : own[slot * OWN_INTS] == report.bodies().get(0);
+    return report.ofSet() ? hasSet[slot] : own[slot * ownInts] == report.bodies().get(0);
   }
 
   private Finding reason(int slot, boolean ofSet) {
@@ -205,7 +211,7 @@ public final class PredictionAudit {
    */
   private int firstDifferent(Diverged report) {
     int slot = slot(report.tick());
-    int n = report.isOfSet() ? count[slot] * BODY_INTS : OWN_INTS;
+    int n = report.ofSet() ? count[slot] * BODY_INTS : ownInts;
     for (int i = 0; i < Math.min(n, report.count()); i++) {
       if (report.number(i) != kept(report, i)) {
         return i;
@@ -217,14 +223,14 @@ public final class PredictionAudit {
   /** Returns what the server has for a number of a report. */
   private int kept(Diverged report, int index) {
     int slot = slot(report.tick());
-    return report.isOfSet() ? bodies[at(slot, 0) + index] : own[slot * OWN_INTS + index];
+    return report.ofSet() ? bodies[at(slot, 0) + index] : own[slot * ownInts + index];
   }
 
   /** Describes both states of the first body that differs, of a report judged to differ. */
   public String describe(Diverged report) {
     StringBuilder text = new StringBuilder();
     int body = 0;
-    if (report.isOfSet()) {
+    if (report.ofSet()) {
       body = firstDifferent(report) / BODY_INTS * BODY_INTS;
       int key = report.number(body);
       text.append(" entity=").append(Neighbourhood.id(key));
@@ -235,11 +241,11 @@ public final class PredictionAudit {
       float there = Float.intBitsToFloat(report.number(body + 1 + i));
       text.append(String.format(Locale.ROOT, " %s server=%s client=%s", NAMES[i], here, there));
     }
-    for (int i = 0; i < report.memory().size(); i++) {
+    for (int i = 0; i < report.words().size() && BODY_INTS + i < ownInts; i++) {
       int here = kept(report, BODY_INTS + i);
       int there = report.number(BODY_INTS + i);
       if (here != there) {
-        text.append(String.format(Locale.ROOT, " m%d server=%d client=%d", i, here, there));
+        text.append(String.format(Locale.ROOT, " word%d server=%d client=%d", i, here, there));
       }
     }
     return text.toString();

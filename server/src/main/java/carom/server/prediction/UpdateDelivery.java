@@ -107,7 +107,7 @@ final class UpdateDelivery {
     while (firstRow < totalRows && !due[firstRow]) {
       firstRow++;
     }
-    near.beginPart(age, totalRows, firstRow);
+    near.beginPart(age, rows.counts(), firstRow);
     for (int i = 0; i < rows.toldCount(); i++) {
       near.tell(rows.told(i));
     }

@@ -2,6 +2,9 @@ package carom.server.prediction;
 
 import carom.net.snapshot.exact.NearState;
 import carom.physics.rows.ContactRow;
+import carom.physics.rows.FieldRow;
+import carom.physics.rows.JointRow;
+import carom.physics.rows.RowCounts;
 import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
 import carom.sim.Simulation;
@@ -11,12 +14,12 @@ import java.util.Arrays;
 /**
  * What an exact update holds: the state of the predicted set at one tick, the base, and which of it
  * is told. Told entities come first, in the order of the list, then the contacts of which at least
- * one end is told.
+ * one end is told, then the fields of told entities.
  *
  * <p>The room's thread; allocates only to grow.
  */
 final class UpdateRows {
-  private final Neighbourhood base = new Neighbourhood();
+  private final Neighbourhood base;
 
   /** By place in the list: whether the entity is told. */
   private boolean[] isTold = new boolean[16];
@@ -27,10 +30,19 @@ final class UpdateRows {
   private int[] told = new int[16];
   private int toldCount;
 
-  /** By row of a contact in the update: its row among the base's contacts. */
-  private int[] contacts = new int[16];
+  /** By row of the update behind those of bodies: its row among the base's rows of its kind. */
+  private int[] others = new int[16];
 
-  private int contactCount;
+  private final RowCounts counts = new RowCounts();
+
+  /**
+   * Creates an empty update.
+   *
+   * @param viewer id of the player whose client predicts
+   */
+  UpdateRows(int viewer) {
+    base = new Neighbourhood(viewer);
+  }
 
   /** Reads the base, of which nothing is told yet. */
   void begin(EntityList entities, Simulation simulation) {
@@ -40,7 +52,7 @@ final class UpdateRows {
     }
     base.read(simulation);
     toldCount = 0;
-    contactCount = 0;
+    counts.clear();
     if (isTold.length < base.count()) {
       int room = Math.max(2 * isTold.length, base.count());
       isTold = new boolean[room];
@@ -75,52 +87,78 @@ final class UpdateRows {
         told[toldCount++] = i;
       }
     }
-    Rows all = base.rows().contacts();
+    counts.set(RowKind.BODY, toldCount);
+    Rows all = base.rows().joints();
+    for (int i = 0; i < all.count(); i++) {
+      if (isTold(all.get(i, JointRow.END_A)) || isTold(all.get(i, JointRow.END_B))) {
+        add(RowKind.JOINT, i);
+      }
+    }
+    all = base.rows().contacts();
     for (int i = 0; i < all.count(); i++) {
       if (isTold(all.get(i, ContactRow.END_A)) || isTold(all.get(i, ContactRow.END_B))) {
-        addContact(i);
+        add(RowKind.CONTACT, i);
+      }
+    }
+    all = base.rows().of(RowKind.FIELDS);
+    for (int i = 0; i < all.count(); i++) {
+      if (isTold[all.get(i, FieldRow.PLACE)]) {
+        add(RowKind.FIELDS, i);
       }
     }
   }
 
   private void spreadIslands() {
-    Rows all = base.rows().contacts();
     boolean grew = true;
     while (grew) {
-      grew = false;
-      for (int i = 0; i < all.count(); i++) {
-        int one = all.get(i, ContactRow.END_A);
-        int other = all.get(i, ContactRow.END_B);
-        if (one >= 0 && other >= 0 && inNewIsland[one] != inNewIsland[other]) {
-          inNewIsland[one] = inNewIsland[other] = true;
-          isTold[one] = isTold[other] = true;
-          grew = true;
-        }
-      }
+      grew = spread(base.rows().joints(), JointRow.END_A, JointRow.END_B);
+      grew |= spread(base.rows().contacts(), ContactRow.END_A, ContactRow.END_B);
     }
   }
 
+  /** Spreads the new islands over rows that tie two bodies; returns whether one grew. */
+  private boolean spread(Rows ties, int endA, int endB) {
+    boolean grew = false;
+    for (int i = 0; i < ties.count(); i++) {
+      int one = ties.get(i, endA);
+      int other = ties.get(i, endB);
+      if (one >= 0 && other >= 0 && inNewIsland[one] != inNewIsland[other]) {
+        inNewIsland[one] = inNewIsland[other] = true;
+        isTold[one] = isTold[other] = true;
+        grew = true;
+      }
+    }
+    return grew;
+  }
+
   /**
-   * Returns whether an end of a contact is told. An end is a place in the list, or negative for a
-   * static body of the level.
+   * Returns whether an end of a joint or contact is told. An end is a place in the list, or
+   * negative for a static body of the level.
    */
   private boolean isTold(int end) {
     return end >= 0 && isTold[end];
   }
 
-  private void addContact(int row) {
+  private void add(RowKind kind, int row) {
     if (count() == NearState.MAX_ROWS) {
       return;
     }
-    if (contactCount == contacts.length) {
-      contacts = Arrays.copyOf(contacts, 2 * contactCount);
+    int at = count() - toldCount;
+    if (at == others.length) {
+      others = Arrays.copyOf(others, 2 * at);
     }
-    contacts[contactCount++] = row;
+    others[at] = row;
+    counts.set(kind, counts.get(kind) + 1);
   }
 
   /** Returns the number of rows. */
   int count() {
-    return toldCount + contactCount;
+    return counts.total();
+  }
+
+  /** Returns the number of rows by kind. The counts are live. */
+  RowCounts counts() {
+    return counts;
   }
 
   /** Returns the number of told entities. Their rows come first. */
@@ -135,7 +173,7 @@ final class UpdateRows {
 
   /** Returns the kind of a row. */
   RowKind kind(int row) {
-    return RowKind.of(row, toldCount);
+    return counts.kind(row);
   }
 
   /** Returns the array that holds a row, from {@link #at} on. */
@@ -145,9 +183,6 @@ final class UpdateRows {
 
   /** Returns where a row begins in {@link #source}. */
   int at(int row) {
-    return switch (kind(row)) {
-      case BODY -> base.rows().bodies().at(told[row]);
-      case CONTACT -> base.rows().contacts().at(contacts[row - toldCount]);
-    };
+    return base.rows().of(kind(row)).at(row < toldCount ? told[row] : others[row - toldCount]);
   }
 }

@@ -7,6 +7,7 @@
  *        ├─────────► ExactUpdate           exact state of newcomers and of what the game moved
  *        │               ├──► UpdateRows       what an update holds
  *        │               └──► UpdateDelivery   which of it is sent, lost, acknowledged
+ *        ├─────────► RulingDelivery        what the game's rules did to near bodies
  *        ├─────────► UpdateLimits          how many entities, how often
  *        └─────────► RelayedInputs         whose inputs are relayed
  * </pre>

@@ -4,15 +4,15 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.IntFunction;
 import java.util.function.IntSupplier;
-import java.util.function.Supplier;
 
 /**
  * The recordings of one room that spectators may watch: one for each match. The room's thread calls
  * {@link #next}; any thread the rest.
  */
 public final class ShownRecordings implements RecordingFiles, AutoCloseable {
-  private final Supplier<Path> names;
+  private final IntFunction<Path> names;
   private final IntSupplier age;
   private final boolean temporary;
   private final List<DelayedRecording> recordings = new CopyOnWriteArrayList<>();
@@ -21,11 +21,11 @@ public final class ShownRecordings implements RecordingFiles, AutoCloseable {
   /**
    * Creates a list without a recording.
    *
-   * @param names gives another path at each call
+   * @param names gives the path of a recording by its number, from 1 on
    * @param age returns how many ticks the room has run; called on the room's thread
    * @param temporary whether {@link #close} deletes the files
    */
-  public ShownRecordings(Supplier<Path> names, IntSupplier age, boolean temporary) {
+  public ShownRecordings(IntFunction<Path> names, IntSupplier age, boolean temporary) {
     this.names = names;
     this.age = age;
     this.temporary = temporary;
@@ -34,7 +34,7 @@ public final class ShownRecordings implements RecordingFiles, AutoCloseable {
   @Override
   public DelayedRecording next() throws IOException {
     DelayedRecording recording =
-        new DelayedRecording(new RecordingFile(names.get()), age, temporary);
+        new DelayedRecording(new RecordingFile(names.apply(recordings.size() + 1)), age, temporary);
     if (delayTicks > 0) {
       recording.delay(delayTicks);
     }

@@ -6,6 +6,7 @@ import carom.net.snapshot.event.EventRecord;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.record.Deltas;
+import carom.net.snapshot.table.Tables;
 import carom.physics.World;
 import carom.physics.math.Trig;
 import carom.sim.Entity;
@@ -14,6 +15,7 @@ import carom.sim.Game;
 import carom.sim.Player;
 import carom.sim.Simulation;
 import carom.sim.event.Audience;
+import carom.sim.joint.JointTable;
 import java.util.Arrays;
 import java.util.function.Consumer;
 
@@ -39,6 +41,9 @@ public final class FrameCapture {
   private final FrameRing ring;
   private final Deltas deltas;
   private final InterestIndex index;
+  private final FieldCapture fields;
+  private final JointCapture joints;
+  private final Tables tables;
   private final EventRecord record = new EventRecord();
   private final Consumer<Event> takeEvent = this::take;
 
@@ -68,6 +73,9 @@ public final class FrameCapture {
     ring.level(
         FrameState.of(Limits.MAX_ENTITIES, frame -> simulation.level().forEachBody(frame::put)));
     deltas = new Deltas(ring, simulation.tickRate());
+    fields = new FieldCapture(simulation);
+    joints = new JointCapture(simulation);
+    tables = fields.with(joints.table());
   }
 
   /** Returns the deltas that the room's sessions share. */
@@ -93,6 +101,8 @@ public final class FrameCapture {
       }
     }
     ring.end();
+    fields.capture();
+    joints.capture();
     simulation.drainEvents(takeEvent);
     return frame;
   }
@@ -127,7 +137,7 @@ public final class FrameCapture {
     Game game = simulation.game();
     for (int i = 0; i < entityCount; i++) {
       Entity entity = simulation.entity(ids[i]);
-      Audience audience = game.audience(simulation, entity);
+      Audience audience = game.audience(simulation, entity.root());
       if (audience != Audience.NEAR) {
         Player owner = simulation.owner(entity);
         int team = audience == Audience.TEAM && owner != null ? owner.team() : 0;
@@ -181,6 +191,16 @@ public final class FrameCapture {
     ring.events().add(record, whom(e.audience(), team));
   }
 
+  /** Returns the joints of the simulation, by index. */
+  JointTable<Entity> joints() {
+    return simulation.joints();
+  }
+
+  /** Returns the room's tables: what clients are told apart from how entities move. */
+  public Tables tables() {
+    return tables;
+  }
+
   /** Returns the captured frames. */
   public FrameRing frames() {
     return ring;
@@ -208,6 +228,11 @@ public final class FrameCapture {
   /** Returns the team if the audience of an entity is {@link Audience#TEAM}. */
   static int team(FrameState frame, int slot) {
     return teamOf(frame.audience(slot));
+  }
+
+  /** Returns the fields of the newest frame. */
+  FieldCapture fields() {
+    return fields;
   }
 
   /** Returns the index of where the entities of the newest frame are. */

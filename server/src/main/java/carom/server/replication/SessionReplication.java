@@ -33,7 +33,7 @@ public final class SessionReplication {
   private final FrameCapture frames;
   private final OwnCapture capture;
   private final Counters counters;
-  private final OwnState own = new OwnState();
+  private final OwnState own;
 
   /** Null before the first link and after the end. */
   private SnapshotSender sender;
@@ -72,6 +72,7 @@ public final class SessionReplication {
     this.config = config;
     this.frames = frames;
     this.capture = capture;
+    own = new OwnState(capture.words());
     this.counters = counters;
   }
 
@@ -155,8 +156,8 @@ public final class SessionReplication {
     sender.tick();
     capture.capture(player, own);
     if (wanted != InputDatagram.NEAR_NONE && predictedSet == null) {
-      predictedSet = capture.predictedSet(sender::mayKnow);
-      audit = audit == null ? new PredictionAudit() : audit;
+      predictedSet = capture.predictedSet(player, sender::mayKnow);
+      audit = audit == null ? new PredictionAudit(own.words()) : audit;
     }
     if (audit != null) {
       lookForTouch();
@@ -166,9 +167,9 @@ public final class SessionReplication {
     sender.prepare(own, inputsLate);
   }
 
-  /** Finds out whether anything that is not static touched the body in the last step. */
+  /** Finds out whether anything that is not static touched or reached the body in the last step. */
   private void lookForTouch() {
-    touched = false;
+    touched = capture.isInArea(player);
     if (player.body() != null) {
       player.body().body().forEachContact(touchVisitor);
     }

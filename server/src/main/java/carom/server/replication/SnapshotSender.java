@@ -43,6 +43,7 @@ public final class SnapshotSender {
 
   private final FrameRing frames;
   private final SessionView view;
+  private final FieldAudience audience;
   private final SnapshotEncoder encoder;
   private final Counters counters;
   private final byte[] buffer = new byte[SnapshotEncoder.MAX_DATAGRAM_BYTES];
@@ -78,7 +79,10 @@ public final class SnapshotSender {
       Counters counters) {
     this.frames = capture.frames();
     this.view = new SessionView(capture.index(), player, config.viewMetres(), config.tickRateHz());
-    this.encoder = new SnapshotEncoder(capture.deltas(), datagramKey, view);
+    this.audience = new FieldAudience(capture, new JointAudience(capture, view), player);
+    this.encoder =
+        new SnapshotEncoder(capture.deltas(), datagramKey, view, capture.tables(), audience);
+    audience.of(encoder);
     this.counters = counters;
     this.tickRateHz = config.tickRateHz();
     this.snapshotRateHz = Math.min(config.snapshotRateHz(), tickRateHz);
@@ -157,6 +161,7 @@ public final class SnapshotSender {
     due = rateAccumulator >= tickRateHz;
     if (due) {
       view.update(frames.newest(), encoder);
+      audience.update(frames.newest().tick());
       offerEvents();
       boolean news = !encoder.nothingNew(own);
       // Over budget, or over what the line takes: fewer snapshots, never none, each of the newest

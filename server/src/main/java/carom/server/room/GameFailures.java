@@ -4,6 +4,7 @@ import carom.game.GuardedGame;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.sim.Simulation;
+import carom.sim.ruling.Findings;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -20,6 +21,7 @@ final class GameFailures implements GuardedGame.Watch {
   private boolean failedThisTick;
   private int failedTicksInARow;
   private long nextLogged = 1;
+  private int toldFindings;
 
   /**
    * Creates a log without failures.
@@ -38,6 +40,14 @@ final class GameFailures implements GuardedGame.Watch {
     failedTicksInARow = failedThisTick ? failedTicksInARow + 1 : 0;
     failedThisTick = false;
     return failedTicksInARow;
+  }
+
+  /** Logs and counts what was found since the last call that the game's rules do wrongly. */
+  void tell(Findings findings) {
+    for (; toldFindings < findings.count(); toldFindings++) {
+      counters.add(Counter.UNFORESEEN, 1);
+      LOG.warn("{}game {}: {}", label, game, findings.get(toldFindings));
+    }
   }
 
   @Override

@@ -45,10 +45,10 @@ final class Match {
       Counters counters) {
     this.config = config;
     this.counters = counters;
-    info = new MatchInfo(number, rules.name(), level, seed);
     failures = new GameFailures(rules.name(), counters, label);
     GuardedGame game = new GuardedGame(rules, failures);
     simulation = new Simulation(game, level.level(), seed, config.tickRateHz(), Role.AUTHORITY);
+    info = new MatchInfo(number, rules.name(), level, seed, simulation.schema());
     capture = new FrameCapture(simulation);
     ownCapture = new OwnCapture(simulation);
   }

@@ -1,8 +1,10 @@
 package carom.server.room;
 
+import carom.net.field.FieldAgreement;
 import carom.net.protocol.ServerMessage.Welcome;
 import carom.server.session.LoadedLevel;
 import carom.server.session.Seats;
+import carom.sim.field.Schema;
 
 /**
  * What a client must know of a room's match to play it. Immutable; any thread.
@@ -11,8 +13,9 @@ import carom.server.session.Seats;
  * @param game name of the game
  * @param level the level with its download
  * @param seed seed of the match's random numbers
+ * @param schema declarations of the game's fields
  */
-public record MatchInfo(int number, String game, LoadedLevel level, long seed) {
+public record MatchInfo(int number, String game, LoadedLevel level, long seed, Schema schema) {
   /**
    * Returns the message that lets a player load and join the match.
    *
@@ -32,6 +35,8 @@ public record MatchInfo(int number, String game, LoadedLevel level, long seed) {
         level.level().name(),
         level.contentHash(),
         level.size(),
-        level.packedSize());
+        level.packedSize(),
+        schema.digest(),
+        FieldAgreement.tell(schema));
   }
 }

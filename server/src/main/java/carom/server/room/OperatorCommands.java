@@ -4,6 +4,8 @@ import carom.net.protocol.SessionState;
 import carom.server.recording.RecordingFile;
 import carom.server.session.Session;
 import carom.sim.NextMatch;
+import carom.sim.Simulation;
+import carom.sim.field.FieldHolder;
 import java.nio.file.Path;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.Callable;
@@ -24,6 +26,9 @@ public final class OperatorCommands {
   private static final int MAX_WAITING = 16;
 
   private static final long ANSWER_S = 2;
+  private static final int MAX_FIELDS_TEXT = 4_096;
+  private static final String PLAYER = "player ";
+  private static final String ENTITY = "entity ";
 
   private final RoomContext room;
   private final int number;
@@ -76,6 +81,15 @@ public final class OperatorCommands {
    */
   public String why(int playerId, int entityId) {
     return ask(() -> explain(playerId, entityId));
+  }
+
+  /**
+   * Returns the names and values of fields.
+   *
+   * @param of {@code match}, {@code player N} or {@code entity N}
+   */
+  public String fields(String of) {
+    return ask(() -> describeFields(of));
   }
 
   /**
@@ -182,6 +196,34 @@ public final class OperatorCommands {
       return "entity=" + entityId + " is outside 0.." + (entityCapacity - 1);
     }
     return "player=" + playerId + " " + session.replication().explain(entityId);
+  }
+
+  private String describeFields(String of) {
+    FieldHolder<?, ?> holder;
+    try {
+      holder = find(of == null ? "" : of.trim());
+    } catch (NumberFormatException e) {
+      return "of=" + of + " must be match, player N or entity N";
+    }
+    if (holder == null) {
+      return "of=" + of + " isn't there";
+    }
+    String text = holder.fieldValues().toString();
+    return text.length() <= MAX_FIELDS_TEXT ? text : text.substring(0, MAX_FIELDS_TEXT) + " ...";
+  }
+
+  private FieldHolder<?, ?> find(String of) {
+    Simulation s = room.simulation();
+    if (of.startsWith(PLAYER)) {
+      return s.player(Integer.parseInt(of, PLAYER.length(), of.length(), 10));
+    }
+    if (of.startsWith(ENTITY)) {
+      return s.entity(Integer.parseInt(of, ENTITY.length(), of.length(), 10));
+    }
+    if (of.equals("match")) {
+      return s;
+    }
+    throw new NumberFormatException(of);
   }
 
   private String noSuchPlayer(int playerId) {

@@ -264,6 +264,7 @@ public final class Room {
         snapshots.run(beginNs, nowNs);
       }
       simulation.drainNotices(sendNotice);
+      match.failures().tell(simulation.findings());
       roster.send(sessions.bySeat(), nowNs, sendTo);
     }
     counters.add(Counter.TICKS, 1);

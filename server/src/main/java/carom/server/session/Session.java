@@ -263,7 +263,7 @@ public final class Session implements LinkHandler {
     counters.add(Counter.DIVERGENCES_UNEXPLAINED, 1);
     if (divergenceLines.tryBegin(nowNs)) {
       LOG.warn(
-          report.isOfSet()
+          report.ofSet()
               ? "diverged: {} predicted tick {} of what is near otherwise, though equal at tick"
                   + " {}:{}"
               : "diverged: {} predicted tick {} otherwise, though equal at tick {} and alone"

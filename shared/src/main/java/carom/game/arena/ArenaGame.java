@@ -1,5 +1,10 @@
 package carom.game.arena;
 
+import static carom.sim.event.Audience.ALL;
+import static carom.sim.event.Audience.NOBODY;
+import static carom.sim.field.Scope.ENTITY;
+import static carom.sim.field.Scope.MATCH;
+
 import carom.physics.Body;
 import carom.physics.BodyContactVisitor;
 import carom.physics.BodyType;
@@ -16,14 +21,20 @@ import carom.sim.Input;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
-import carom.sim.event.Audience;
 import carom.sim.event.EventKind;
 import carom.sim.event.Sound;
+import carom.sim.field.Choice;
+import carom.sim.field.Count;
+import carom.sim.field.Countdown;
+import carom.sim.field.EntityRef;
+import carom.sim.field.Field;
+import carom.sim.field.Flag;
+import carom.sim.field.PlayerRef;
+import carom.sim.field.Real;
 import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
-import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -89,30 +100,47 @@ public final class ArenaGame implements Game {
   private static final String[] TEAM_NAMES = {"", "Red", "Blue"};
   private static final int[] TEAM_COLORS = {0, 0xff5d5d, 0x4da3ff};
 
-  // Layout of a player's memory: what its client needs to predict a dash or a jolt.
-  private static final int COOLDOWN = 0; // ticks until the next dash; << 16: until the next jolt
-  private static final int DASH = 1; // ticks left of a dash, and the flags below
-  private static final int DASH_X = 2; // float bits
-  private static final int DASH_Y = 3;
-  private static final int HELD = 1 << 16;
-  private static final int JOLT_HELD = 1 << 17;
-  private static final int JOLTS = 1 << 18; // gives a jolt in this tick
-
-  // Layout of the simulation's memory.
-  private static final int GOALS = 0; // + team
-  private static final int PAUSE = 3; // ticks until the next match
-  private static final int BALLS = 4; // + ball * BALL_INTS
-  private static final int BALL_INTS = 7;
-  private static final int BALL_ENTITY = 0; // id + 1, 0 = not in play
-  private static final int BALL_WAIT = 1; // ticks until it is in play again
-  private static final int BALL_TOUCHED = 2; // player id + 1
-  private static final int BALL_TOUCHED_BEFORE = 3;
-  private static final int BALL_IDLE = 4; // ticks spent around one place
-  private static final int BALL_PLACE_X = 5; // float bits
-  private static final int BALL_PLACE_Y = 6;
-  private static final int LAMPS = BALLS + MAX_BALLS * BALL_INTS; // entity id + 1
-  private static final int SPARKS = LAMPS + TEAMS * GOALS_TO_WIN; // entity id + 1, and ticks left
   private static final int MAX_SPARKS = 16;
+
+  /** What the match is at. */
+  private enum Phase {
+    PLAY,
+    PAUSE
+  }
+
+  // Of a player. Input writes them, so that clients predict dashes and jolts.
+  private static final Countdown DASH = Field.countdown("dash"); // while it lasts
+  private static final Countdown DASH_WAIT = Field.countdown("dashWait"); // until the next one
+  private static final Real DASH_X = Field.real("dashX"); // where it goes
+  private static final Real DASH_Y = Field.real("dashY");
+  private static final Flag DASH_HELD = Field.flag("dashHeld"); // the button, a tick ago
+  private static final Flag JOLTS = Field.flag("jolts"); // gives a jolt in this tick
+  private static final Countdown JOLT_WAIT = Field.countdown("joltWait");
+  private static final Flag JOLT_HELD = Field.flag("joltHeld");
+
+  // Of the match. Goals have the team as index.
+  private static final Choice<Phase> PHASE = Field.choice("phase", Phase.class).of(MATCH).to(ALL);
+  private static final Countdown PAUSE = Field.countdown("pause").of(MATCH).to(ALL);
+  private static final Count GOALS =
+      Field.count("goals", 0, GOALS_TO_WIN).of(MATCH).to(ALL).times(TEAMS + 1);
+  private static final EntityRef BALL = Field.entity("ball").of(MATCH).to(ALL).times(MAX_BALLS);
+  private static final Countdown BALL_WAIT =
+      Field.countdown("ballWait").of(MATCH).to(NOBODY).times(MAX_BALLS);
+  private static final EntityRef LAMP =
+      Field.entity("lamp").of(MATCH).to(NOBODY).times(TEAMS * GOALS_TO_WIN);
+  private static final EntityRef SPARK =
+      Field.entity("spark").of(MATCH).to(NOBODY).times(MAX_SPARKS);
+
+  // Of a ball: who touched it, and for how long it has stayed around one place.
+  private static final PlayerRef TOUCHED = Field.player("touched").of(ENTITY).to(NOBODY);
+  private static final PlayerRef TOUCHED_BEFORE =
+      Field.player("touchedBefore").of(ENTITY).to(NOBODY);
+  private static final Real PLACE_X = Field.real("placeX").of(ENTITY).to(NOBODY);
+  private static final Real PLACE_Y = Field.real("placeY").of(ENTITY).to(NOBODY);
+  private static final Countdown UNTIL_STUCK = Field.countdown("untilStuck").of(ENTITY).to(NOBODY);
+
+  // Of a spark.
+  private static final Countdown GLOW = Field.countdown("glow").of(ENTITY).to(NOBODY);
 
   private final Archetype[] discs = new Archetype[TEAMS + 1];
   private final Archetype[] lamps = new Archetype[TEAMS + 1];
@@ -120,6 +148,7 @@ public final class ArenaGame implements Game {
   private final BodyContactVisitor<Entity> touch = this::touched;
   private final QueryHit<Entity> hit = new QueryHit<>();
   private final QueryFilter<Entity> inTheWay = this::isInTheWay;
+  private Simulation simulation;
   private Body<Entity> jolter;
   private Archetype spark;
   private Archetype ball;
@@ -130,7 +159,7 @@ public final class ArenaGame implements Game {
   private EventKind goalEvent;
   private List<Level.Zone> goals = List.of();
   private List<Level.Spawn> kickOffs = List.of();
-  private int lastTouch;
+  private Player lastTouch;
 
   /** Creates the game, for the service loader. */
   public ArenaGame() {}
@@ -151,8 +180,29 @@ public final class ArenaGame implements Game {
   }
 
   @Override
-  public int memorySize(Level level) {
-    return SPARKS + 2 * MAX_SPARKS;
+  public List<Field<?>> fields() {
+    return List.of(
+        DASH,
+        DASH_WAIT,
+        DASH_X,
+        DASH_Y,
+        DASH_HELD,
+        JOLTS,
+        JOLT_WAIT,
+        JOLT_HELD,
+        PHASE,
+        PAUSE,
+        GOALS,
+        BALL,
+        BALL_WAIT,
+        LAMP,
+        SPARK,
+        TOUCHED,
+        TOUCHED_BEFORE,
+        PLACE_X,
+        PLACE_Y,
+        UNTIL_STUCK,
+        GLOW);
   }
 
   @Override
@@ -168,6 +218,7 @@ public final class ArenaGame implements Game {
 
   @Override
   public void setUp(Simulation s) {
+    simulation = s;
     Material skin = new Material(1, 0.3f, 0.4f);
     for (int team = 1; team <= TEAMS; team++) {
       discs[team] =
@@ -241,19 +292,7 @@ public final class ArenaGame implements Game {
   }
 
   @Override
-  public void leave(Simulation s, Player p) {
-    for (int i = 0; i < MAX_BALLS; i++) {
-      for (int field = BALL_TOUCHED; field <= BALL_TOUCHED_BEFORE; field++) {
-        if (ball(s, i, field) == p.id() + 1) {
-          ball(s, i, field, 0); // another player may get the id
-        }
-      }
-    }
-  }
-
-  @Override
   public void input(Simulation s, Player p, Input in) {
-    int[] m = p.memory();
     Body<Entity> body = p.body().body();
     float x = in.moveX();
     float y = in.moveY();
@@ -262,30 +301,27 @@ public final class ArenaGame implements Game {
       x /= length;
       y /= length;
     }
-    int untilDash = Math.max(0, (m[COOLDOWN] & 0xffff) - 1);
-    int untilJolt = Math.max(0, (m[COOLDOWN] >>> 16) - 1);
-    boolean jolts = in.held(Input.SECOND) && (m[DASH] & JOLT_HELD) == 0 && untilJolt == 0;
+    boolean jolts = in.held(Input.SECOND) && !p.get(JOLT_HELD) && p.get(JOLT_WAIT) == 0;
     if (jolts) {
-      untilJolt = s.ticks(JOLT_COOLDOWN);
+      p.set(JOLT_WAIT, s.ticks(JOLT_COOLDOWN));
       s.emit(joltEvent).at(body.x(), body.y()).of(p.body()).by(p);
     }
-    int dash = Math.max(0, (m[DASH] & 0xffff) - 1);
-    boolean held = in.held(Input.ACTION);
-    if (held && (m[DASH] & HELD) == 0 && untilDash == 0) {
-      dash = s.ticks(DASH_SECONDS);
-      untilDash = s.ticks(DASH_COOLDOWN);
-      s.emit(dashEvent).at(body.x(), body.y()).of(p.body()).by(p);
+    boolean dashes = in.held(Input.ACTION) && !p.get(DASH_HELD) && p.get(DASH_WAIT) == 0;
+    if (dashes) {
+      p.set(DASH, s.ticks(DASH_SECONDS));
+      p.set(DASH_WAIT, s.ticks(DASH_COOLDOWN));
       boolean steered = length > 0.3f;
       float scale = Math.min(1, length);
-      m[DASH_X] = Float.floatToIntBits(steered ? x / scale : Trig.cos(in.aim()));
-      m[DASH_Y] = Float.floatToIntBits(steered ? y / scale : Trig.sin(in.aim()));
+      p.set(DASH_X, steered ? x / scale : Trig.cos(in.aim()));
+      p.set(DASH_Y, steered ? y / scale : Trig.sin(in.aim()));
+      s.emit(dashEvent).at(body.x(), body.y()).of(p.body()).by(p);
     }
-    m[COOLDOWN] = untilJolt << 16 | untilDash;
-    m[DASH] =
-        dash | (held ? HELD : 0) | (in.held(Input.SECOND) ? JOLT_HELD : 0) | (jolts ? JOLTS : 0);
-    if (dash > 0) {
-      float dashX = Float.intBitsToFloat(m[DASH_X]) * DASH_SPEED;
-      float dashY = Float.intBitsToFloat(m[DASH_Y]) * DASH_SPEED;
+    p.set(JOLTS, jolts);
+    p.set(JOLT_HELD, in.held(Input.SECOND));
+    p.set(DASH_HELD, in.held(Input.ACTION));
+    if (p.get(DASH) > 0) {
+      float dashX = p.get(DASH_X) * DASH_SPEED;
+      float dashY = p.get(DASH_Y) * DASH_SPEED;
       body.seekVelocity(dashX, dashY, DASH_STEER * body.mass());
     } else {
       body.seekVelocity(x * SPEED, y * SPEED, STEER * body.mass());
@@ -325,23 +361,15 @@ public final class ArenaGame implements Game {
 
   @Override
   public void beforeStep(Simulation s) {
-    int[] m = s.memory();
-    if (m[PAUSE] > 0) {
-      m[PAUSE]--;
-      if (m[PAUSE] == 0) {
+    if (s.get(PHASE) == Phase.PAUSE) {
+      if (s.get(PAUSE) == 0) {
         newMatch(s);
       }
       return;
     }
     int wanted = Math.min(MAX_BALLS, 1 + playerCount(s) / PLAYERS_PER_BALL);
-    for (int i = 0; i < MAX_BALLS; i++) {
-      if (ball(s, i, BALL_ENTITY) != 0) {
-        continue;
-      }
-      int wait = ball(s, i, BALL_WAIT);
-      if (wait > 0) {
-        ball(s, i, BALL_WAIT, wait - 1);
-      } else if (i < wanted) {
+    for (int i = 0; i < wanted; i++) {
+      if (s.get(BALL, i) == null && s.get(BALL_WAIT, i) == 0) {
         kickOff(s, i);
       }
     }
@@ -351,15 +379,14 @@ public final class ArenaGame implements Game {
   public void afterStep(Simulation s) {
     for (int id = 0; id < s.playerCapacity(); id++) {
       Player p = s.player(id);
-      if (p != null && p.body() != null && (p.memory()[DASH] & JOLTS) != 0) {
+      if (p != null && p.body() != null && p.get(JOLTS)) {
         jolt(s, p);
       }
     }
     fadeSparks(s);
     for (int i = 0; i < MAX_BALLS; i++) {
-      Entity e = s.entity(ball(s, i, BALL_ENTITY) - 1);
-      if (e != null) {
-        followBall(s, i, e);
+      if (s.get(BALL, i) != null) {
+        followBall(s, i, s.get(BALL, i));
       }
     }
     bringBack(s);
@@ -392,41 +419,40 @@ public final class ArenaGame implements Game {
    * too many sparks, the oldest one goes.
    */
   private void showSpark(Simulation s, Player p, float x, float y) {
-    int[] m = s.memory();
-    int oldest = SPARKS;
-    for (int i = SPARKS; i < SPARKS + 2 * MAX_SPARKS; i += 2) {
-      oldest = m[i + 1] < m[oldest + 1] ? i : oldest;
+    int oldest = 0;
+    for (int i = 0; i < MAX_SPARKS; i++) {
+      oldest = glow(s, i) < glow(s, oldest) ? i : oldest;
     }
-    removeSpark(s, oldest);
-    m[oldest] = s.spawn(spark, x, y, 0, p).id() + 1;
-    m[oldest + 1] = s.ticks(SPARK_SECONDS);
+    if (s.get(SPARK, oldest) != null) {
+      s.despawn(s.get(SPARK, oldest));
+    }
+    Entity shown = s.spawn(spark, x, y, 0, p);
+    shown.set(GLOW, s.ticks(SPARK_SECONDS));
+    s.set(SPARK, oldest, shown);
+  }
+
+  /** Returns the ticks that a spark still glows, 0 if there is none. */
+  private static int glow(Simulation s, int i) {
+    Entity shown = s.get(SPARK, i);
+    return shown == null ? 0 : shown.get(GLOW);
   }
 
   private static void fadeSparks(Simulation s) {
-    int[] m = s.memory();
-    for (int i = SPARKS; i < SPARKS + 2 * MAX_SPARKS; i += 2) {
-      if (m[i] != 0 && --m[i + 1] == 0) {
-        removeSpark(s, i);
+    for (int i = 0; i < MAX_SPARKS; i++) {
+      Entity shown = s.get(SPARK, i);
+      if (shown != null && shown.get(GLOW) == 0) {
+        s.despawn(shown);
       }
     }
   }
 
-  private static void removeSpark(Simulation s, int i) {
-    Entity old = s.entity(s.memory()[i] - 1);
-    if (old != null) {
-      s.despawn(old);
-    }
-    s.memory()[i] = 0;
-    s.memory()[i + 1] = 0;
-  }
-
   private void followBall(Simulation s, int i, Entity e) {
     Body<Entity> body = e.body();
-    lastTouch = 0;
+    lastTouch = null;
     body.forEachContact(touch);
-    if (lastTouch != 0 && lastTouch != ball(s, i, BALL_TOUCHED)) {
-      ball(s, i, BALL_TOUCHED_BEFORE, ball(s, i, BALL_TOUCHED));
-      ball(s, i, BALL_TOUCHED, lastTouch);
+    if (lastTouch != null && lastTouch != e.get(TOUCHED)) {
+      e.set(TOUCHED_BEFORE, e.get(TOUCHED));
+      e.set(TOUCHED, lastTouch);
     }
     float speed2 = body.velocityX() * body.velocityX() + body.velocityY() * body.velocityY();
     if (speed2 > BALL_MAX_SPEED * BALL_MAX_SPEED) {
@@ -439,42 +465,40 @@ public final class ArenaGame implements Game {
         return;
       }
     }
-    int idle = idle(s, i, body);
-    if (idle > s.ticks(STUCK_SECONDS) || !s.level().bounds().contains(body.x(), body.y())) {
+    if (isStuck(s, i, e) || !s.level().bounds().contains(body.x(), body.y())) {
       removeBall(s, i, e);
       s.notice("The ball is back in the middle");
     }
   }
 
-  /** Returns for how many ticks the ball has stayed around one place since it was first played. */
-  private int idle(Simulation s, int i, Body<Entity> body) {
+  /** Returns whether a ball has stayed around one place for long since it was first played. */
+  private boolean isStuck(Simulation s, int i, Entity e) {
+    Body<Entity> body = e.body();
     Level.Spawn spot = kickOffs.get(i % kickOffs.size());
-    float dx = body.x() - Float.intBitsToFloat(ball(s, i, BALL_PLACE_X));
-    float dy = body.y() - Float.intBitsToFloat(ball(s, i, BALL_PLACE_Y));
+    float dx = body.x() - e.get(PLACE_X);
+    float dy = body.y() - e.get(PLACE_Y);
     boolean moved = dx * dx + dy * dy > STUCK_RADIUS * STUCK_RADIUS;
     boolean waits = body.x() == spot.x() && body.y() == spot.y();
     if (moved || waits) {
-      ball(s, i, BALL_PLACE_X, Float.floatToIntBits(body.x()));
-      ball(s, i, BALL_PLACE_Y, Float.floatToIntBits(body.y()));
-      ball(s, i, BALL_IDLE, 0);
-    } else {
-      ball(s, i, BALL_IDLE, ball(s, i, BALL_IDLE) + 1);
+      e.set(PLACE_X, body.x());
+      e.set(PLACE_Y, body.y());
+      e.set(UNTIL_STUCK, s.ticks(STUCK_SECONDS));
     }
-    return ball(s, i, BALL_IDLE);
+    return e.get(UNTIL_STUCK) == 0;
   }
 
   private void touched(Body<Entity> other, float normalX, float normalY, float impulse) {
-    if (other.user().ownerId() != Entity.NO_OWNER) {
-      lastTouch = other.user().ownerId() + 1;
+    Player owner = simulation.owner(other.user());
+    if (owner != null) {
+      lastTouch = owner;
     }
   }
 
   private void score(Simulation s, int i, Entity e, int defender) {
     int team = TEAMS + 1 - defender;
-    int[] m = s.memory();
-    m[GOALS + team]++;
-    Player last = s.player(ball(s, i, BALL_TOUCHED) - 1);
-    Player before = s.player(ball(s, i, BALL_TOUCHED_BEFORE) - 1);
+    s.add(GOALS, team, 1);
+    Player last = e.get(TOUCHED);
+    Player before = e.get(TOUCHED_BEFORE);
     String who = "";
     Player scorer = last;
     if (last != null && last.team() == team) {
@@ -487,18 +511,18 @@ public final class ArenaGame implements Game {
     } else if (last != null) {
       who = ", own goal by " + last.name();
     }
-    s.emit(goalEvent).at(e.body().x(), e.body().y()).of(e).by(scorer).data(team).to(Audience.ALL);
-    String standing = m[GOALS + 1] + " : " + m[GOALS + 2];
+    s.emit(goalEvent).at(e.body().x(), e.body().y()).of(e).by(scorer).data(team).to(ALL);
+    String standing = s.get(GOALS, 1) + " : " + s.get(GOALS, 2);
     s.notice("Goal for " + TEAM_NAMES[team] + who + " (" + standing + ")");
     removeBall(s, i, e);
     setLamps(s);
-    if (m[GOALS + team] >= GOALS_TO_WIN) {
+    if (s.get(GOALS, team) == GOALS_TO_WIN) {
       s.notice(TEAM_NAMES[team] + " wins " + standing + "!");
-      m[PAUSE] = s.ticks(INTERMISSION_SECONDS);
+      s.set(PHASE, Phase.PAUSE);
+      s.set(PAUSE, s.ticks(INTERMISSION_SECONDS));
       for (int other = 0; other < MAX_BALLS; other++) {
-        Entity rest = s.entity(ball(s, other, BALL_ENTITY) - 1);
-        if (rest != null) {
-          removeBall(s, other, rest);
+        if (s.get(BALL, other) != null) {
+          removeBall(s, other, s.get(BALL, other));
         }
       }
     } else {
@@ -509,21 +533,19 @@ public final class ArenaGame implements Game {
   private void kickOff(Simulation s, int i) {
     Level.Spawn spot = kickOffs.get(i % kickOffs.size());
     Entity e = s.spawn(ball, spot.x(), spot.y(), 0, null);
-    for (int field = 0; field < BALL_INTS; field++) {
-      ball(s, i, field, 0);
-    }
-    ball(s, i, BALL_ENTITY, e.id() + 1);
+    e.set(UNTIL_STUCK, s.ticks(STUCK_SECONDS));
+    s.set(BALL, i, e);
   }
 
-  private void removeBall(Simulation s, int i, Entity e) {
+  private static void removeBall(Simulation s, int i, Entity e) {
     s.despawn(e);
-    ball(s, i, BALL_ENTITY, 0);
-    ball(s, i, BALL_WAIT, s.ticks(KICK_OFF_SECONDS));
+    s.set(BALL_WAIT, i, s.ticks(KICK_OFF_SECONDS));
   }
 
   private void newMatch(Simulation s) {
-    s.memory()[GOALS + 1] = 0;
-    s.memory()[GOALS + 2] = 0;
+    s.set(PHASE, Phase.PLAY);
+    s.set(GOALS, 1, 0);
+    s.set(GOALS, 2, 0);
     setLamps(s);
     for (int id = 0; id < s.level().bodies().size(); id++) {
       sendHome(s, id);
@@ -594,7 +616,7 @@ public final class ArenaGame implements Game {
     if (p.body() != null) {
       s.despawn(p.body());
     }
-    Arrays.fill(p.memory(), 0);
+    p.resetFields();
     Level.Zone home = homes[p.team()];
     float cell = 2.2f * PLAYER_RADIUS;
     int columns = Math.max(1, (int) ((home.maxX() - home.minX()) / cell));
@@ -634,9 +656,9 @@ public final class ArenaGame implements Game {
     for (Level.Zone zone : s.level().zones("lamps")) {
       int team = zone.team();
       for (int i = 0; i < GOALS_TO_WIN && team >= 1 && team <= TEAMS; i++) {
-        Archetype kind = lamps[s.memory()[GOALS + team] > i ? team : 0];
-        int slot = LAMPS + (team - 1) * GOALS_TO_WIN + i;
-        Entity lamp = s.entity(s.memory()[slot] - 1);
+        Archetype kind = lamps[s.get(GOALS, team) > i ? team : 0];
+        int slot = (team - 1) * GOALS_TO_WIN + i;
+        Entity lamp = s.get(LAMP, slot);
         if (lamp != null && lamp.archetype() != kind) {
           s.despawn(lamp);
           lamp = null;
@@ -644,7 +666,7 @@ public final class ArenaGame implements Game {
         if (lamp == null) {
           float x = zone.minX() + (zone.maxX() - zone.minX()) * (i + 0.5f) / GOALS_TO_WIN;
           lamp = s.spawn(kind, x, (zone.minY() + zone.maxY()) / 2, 0, null);
-          s.memory()[slot] = lamp.id() + 1;
+          s.set(LAMP, slot, lamp);
         }
       }
     }
@@ -663,13 +685,5 @@ public final class ArenaGame implements Game {
 
   private static int playerCount(Simulation s) {
     return size(s, 1) + size(s, 2);
-  }
-
-  private static int ball(Simulation s, int i, int field) {
-    return s.memory()[BALLS + i * BALL_INTS + field];
-  }
-
-  private static void ball(Simulation s, int i, int field, int value) {
-    s.memory()[BALLS + i * BALL_INTS + field] = value;
   }
 }

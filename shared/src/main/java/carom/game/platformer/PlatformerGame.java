@@ -1,5 +1,10 @@
 package carom.game.platformer;
 
+import static carom.sim.event.Audience.ALL;
+import static carom.sim.event.Audience.NOBODY;
+import static carom.sim.event.Audience.OWNER;
+import static carom.sim.field.Scope.MATCH;
+
 import carom.physics.Body;
 import carom.physics.BodyContactVisitor;
 import carom.physics.BodyType;
@@ -15,14 +20,17 @@ import carom.sim.OneWay;
 import carom.sim.Player;
 import carom.sim.Role;
 import carom.sim.Simulation;
-import carom.sim.event.Audience;
 import carom.sim.event.EventKind;
 import carom.sim.event.Sound;
+import carom.sim.field.Count;
+import carom.sim.field.Countdown;
+import carom.sim.field.EntityRef;
+import carom.sim.field.Field;
+import carom.sim.field.Flag;
 import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
-import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -77,22 +85,26 @@ public final class PlatformerGame implements Game {
     0xef476f, 0xffd166, 0x06d6a0, 0x4cc9f0, 0xb388eb, 0xf78c6b, 0x9ef01a, 0xff9ebb
   };
 
-  // Layout of a player's memory: what its client needs to predict a jump.
-  private static final int COYOTE = 0; // ticks in which a jump is possible
-  private static final int BUFFER = 1; // ticks in which a jump is wanted
-  private static final int DROP = 2; // ticks in which one-way platforms don't hold
-  private static final int STATE = 3; // HELD, JUMPING
-  private static final int HELD = 1;
-  private static final int JUMPING = 2;
-  // While dead: ticks until respawn, and the spawn's index.
-  private static final int WAIT = 0;
-  private static final int PLACE = 1;
+  private static final int MAX_COINS = 1_024;
 
-  // Layout of the simulation's memory.
-  private static final int FLAG = 0; // entity id + 1
-  private static final int FLAG_PLACE = 1;
-  private static final int FLAG_WAIT = 2;
-  private static final int COINS = 3; // + 2 * coin: entity id + 1, ticks until it is back
+  // Of a player. Input writes them, so that clients predict jumps.
+  private static final Count CAN_JUMP = Field.count("canJump", 0, 1_000); // ticks after an edge
+  private static final Countdown WANTS_JUMP = Field.countdown("wantsJump"); // also before landing
+  private static final Countdown DROPS = Field.countdown("drops"); // one-way platforms don't hold
+  private static final Flag JUMPING = Field.flag("jumping");
+  private static final Flag JUMP_HELD = Field.flag("jumpHeld"); // the button, a tick ago
+
+  // Of a player without a body: when and at which spawn it comes back.
+  private static final Countdown RESPAWN = Field.countdown("respawn").to(OWNER);
+  private static final Count RESPAWN_PLACE = Field.count("respawnPlace", 0, 65_535).to(NOBODY);
+
+  // Of the match.
+  private static final EntityRef FLAG = Field.entity("flag").of(MATCH).to(ALL);
+  private static final Count FLAG_PLACE = Field.count("flagPlace", 0, 65_535).of(MATCH).to(NOBODY);
+  private static final Countdown FLAG_WAIT = Field.countdown("flagWait").of(MATCH).to(ALL);
+  private static final EntityRef COIN = Field.entity("coin").of(MATCH).to(NOBODY).times(MAX_COINS);
+  private static final Countdown COIN_WAIT =
+      Field.countdown("coinWait").of(MATCH).to(NOBODY).times(MAX_COINS);
 
   private final Archetype[] kinds = new Archetype[COLORS.length];
 
@@ -144,8 +156,20 @@ public final class PlatformerGame implements Game {
   }
 
   @Override
-  public int memorySize(Level level) {
-    return COINS + 2 * level.spawns("coin").size();
+  public List<Field<?>> fields() {
+    return List.of(
+        CAN_JUMP,
+        WANTS_JUMP,
+        DROPS,
+        JUMPING,
+        JUMP_HELD,
+        RESPAWN,
+        RESPAWN_PLACE,
+        FLAG,
+        FLAG_PLACE,
+        FLAG_WAIT,
+        COIN,
+        COIN_WAIT);
   }
 
   @Override
@@ -190,6 +214,10 @@ public final class PlatformerGame implements Game {
               + s.level().name()
               + "\" can't be played as platformer: it needs spawns named \"player\" and \"flag\"");
     }
+    if (coins.size() > MAX_COINS) {
+      throw new IllegalArgumentException(
+          "level \"" + s.level().name() + "\" has coins=" + coins.size() + ", limit " + MAX_COINS);
+    }
     if (s.role() == Role.AUTHORITY) {
       for (int i = 0; i < coins.size(); i++) {
         placeCoin(s, i);
@@ -228,7 +256,6 @@ public final class PlatformerGame implements Game {
 
   @Override
   public void input(Simulation s, Player p, Input in) {
-    int[] m = p.memory();
     Body<Entity> body = p.body().body();
     groundImpulse = 0;
     groundX = 0;
@@ -236,27 +263,32 @@ public final class PlatformerGame implements Game {
     groundOneWay = false;
     body.forEachContact(groundFinder);
     boolean held = in.held(Input.JUMP);
-    boolean pressed = held && (m[STATE] & HELD) == 0;
-    boolean jumping = (m[STATE] & JUMPING) != 0 && body.velocityY() > groundY;
+    boolean jumping = p.get(JUMPING) && body.velocityY() > groundY;
     boolean grounded = groundImpulse > 0 && !jumping;
 
-    m[COYOTE] = grounded ? s.ticks(COYOTE_SECONDS) : Math.max(0, m[COYOTE] - 1);
-    m[BUFFER] = pressed ? s.ticks(BUFFER_SECONDS) : Math.max(0, m[BUFFER] - 1);
-    m[DROP] = Math.max(0, m[DROP] - 1);
-    if ((in.held(Input.DOWN) || in.moveY() < -0.6f) && grounded && groundOneWay) {
-      m[DROP] = s.ticks(DROP_SECONDS);
-      m[COYOTE] = 0;
+    if (grounded) {
+      p.set(CAN_JUMP, s.ticks(COYOTE_SECONDS));
+    } else {
+      p.add(CAN_JUMP, -1);
     }
-    if (m[BUFFER] > 0 && m[COYOTE] > 0) {
-      m[BUFFER] = 0;
-      m[COYOTE] = 0;
+    if (held && !p.get(JUMP_HELD)) {
+      p.set(WANTS_JUMP, s.ticks(BUFFER_SECONDS));
+    }
+    if ((in.held(Input.DOWN) || in.moveY() < -0.6f) && grounded && groundOneWay) {
+      p.set(DROPS, s.ticks(DROP_SECONDS));
+      p.set(CAN_JUMP, 0);
+    }
+    if (p.get(WANTS_JUMP) > 0 && p.get(CAN_JUMP) > 0) {
+      p.set(WANTS_JUMP, 0);
+      p.set(CAN_JUMP, 0);
       jumping = true;
       body.setVelocity(body.velocityX(), JUMP_SPEED + Math.max(0, groundY));
       s.emit(jumpEvent).at(body.x(), body.y() - PLAYER_HEIGHT / 2).of(p.body()).by(p);
     } else if (jumping && !held) {
       body.applyForce(0, -CUT_GRAVITY * body.mass());
     }
-    m[STATE] = (held ? HELD : 0) | (jumping ? JUMPING : 0);
+    p.set(JUMPING, jumping);
+    p.set(JUMP_HELD, held);
 
     float steer = grounded ? GROUND_STEER : in.moveX() == 0 ? AIR_DRAG : AIR_STEER;
     float goal = in.moveX() * SPEED + groundX;
@@ -289,25 +321,23 @@ public final class PlatformerGame implements Game {
       return false;
     }
     Player p = s.owner(rider);
-    return p != null && p.body() == rider && p.memory()[DROP] > 0;
+    return p != null && p.body() == rider && p.get(DROPS) > 0;
   }
 
   @Override
   public void beforeStep(Simulation s) {
-    int[] m = s.memory();
     for (int i = 0; i < coins.size(); i++) {
-      int slot = COINS + 2 * i;
-      if (m[slot] == 0 && --m[slot + 1] <= 0) {
+      if (s.get(COIN, i) == null && s.get(COIN_WAIT, i) == 0) {
         placeCoin(s, i);
       }
     }
-    if (m[FLAG] == 0 && --m[FLAG_WAIT] <= 0) {
+    if (s.get(FLAG) == null && s.get(FLAG_WAIT) == 0) {
       placeFlag(s);
     }
     for (int id = 0; id < s.playerCapacity(); id++) {
       Player p = s.player(id);
-      if (p != null && p.body() == null && --p.memory()[WAIT] <= 0) {
-        giveBody(s, p, p.memory()[PLACE]);
+      if (p != null && p.body() == null && p.get(RESPAWN) == 0) {
+        giveBody(s, p, p.get(RESPAWN_PLACE));
       }
     }
   }
@@ -325,9 +355,8 @@ public final class PlatformerGame implements Game {
         int place = nearestPlace(body.x(), body.y());
         s.emit(fallEvent).at(body.x(), body.y()).by(p);
         s.despawn(p.body());
-        Arrays.fill(p.memory(), 0);
-        p.memory()[WAIT] = s.ticks(RESPAWN_SECONDS);
-        p.memory()[PLACE] = place;
+        p.set(RESPAWN, s.ticks(RESPAWN_SECONDS));
+        p.set(RESPAWN_PLACE, place);
       }
     }
     for (int id = 0; id < s.level().bodies().size(); id++) {
@@ -351,24 +380,20 @@ public final class PlatformerGame implements Game {
   }
 
   private void collect(Simulation s, Player p) {
-    int[] m = s.memory();
     Body<Entity> body = p.body().body();
     for (int i = 0; i < coins.size(); i++) {
-      int slot = COINS + 2 * i;
-      if (m[slot] != 0 && reaches(body, coins.get(i))) {
+      if (s.get(COIN, i) != null && reaches(body, coins.get(i))) {
         s.emit(coinEvent).at(coins.get(i).x(), coins.get(i).y()).of(p.body()).by(p).data(i);
-        s.despawn(s.entity(m[slot] - 1));
-        m[slot] = 0;
-        m[slot + 1] = s.ticks(COIN_SECONDS);
+        s.despawn(s.get(COIN, i));
+        s.set(COIN_WAIT, i, s.ticks(COIN_SECONDS));
         award(s, p, 1);
       }
     }
-    if (m[FLAG] != 0 && reaches(body, flags.get(m[FLAG_PLACE]))) {
-      Level.Spawn spot = flags.get(m[FLAG_PLACE]);
-      s.emit(flagEvent).at(spot.x(), spot.y()).of(p.body()).by(p).to(Audience.ALL);
-      s.despawn(s.entity(m[FLAG] - 1));
-      m[FLAG] = 0;
-      m[FLAG_WAIT] = s.ticks(FLAG_SECONDS);
+    Level.Spawn spot = flags.get(s.get(FLAG_PLACE));
+    if (s.get(FLAG) != null && reaches(body, spot)) {
+      s.emit(flagEvent).at(spot.x(), spot.y()).of(p.body()).by(p).to(ALL);
+      s.despawn(s.get(FLAG));
+      s.set(FLAG_WAIT, s.ticks(FLAG_SECONDS));
       s.notice(p.name() + " got the flag: +" + FLAG_POINTS);
       award(s, p, FLAG_POINTS);
     }
@@ -393,17 +418,17 @@ public final class PlatformerGame implements Game {
 
   private void placeCoin(Simulation s, int i) {
     Level.Spawn spot = coins.get(i);
-    s.memory()[COINS + 2 * i] = s.spawn(coin, spot.x(), spot.y(), 0, null).id() + 1;
+    s.set(COIN, i, s.spawn(coin, spot.x(), spot.y(), 0, null));
   }
 
   /** Puts the flag at another place than last time. */
   private void placeFlag(Simulation s) {
-    int[] m = s.memory();
     if (flags.size() > 1) {
-      m[FLAG_PLACE] = (m[FLAG_PLACE] + 1 + s.random().nextInt(flags.size() - 1)) % flags.size();
+      int further = 1 + s.random().nextInt(flags.size() - 1);
+      s.set(FLAG_PLACE, (s.get(FLAG_PLACE) + further) % flags.size());
     }
-    Level.Spawn spot = flags.get(m[FLAG_PLACE]);
-    m[FLAG] = s.spawn(flag, spot.x(), spot.y(), 0, null).id() + 1;
+    Level.Spawn spot = flags.get(s.get(FLAG_PLACE));
+    s.set(FLAG, s.spawn(flag, spot.x(), spot.y(), 0, null));
   }
 
   private int nearestPlace(float x, float y) {
@@ -423,7 +448,7 @@ public final class PlatformerGame implements Game {
   /** Gives a player a body at a spawn, above any player who stands there already. */
   private void giveBody(Simulation s, Player p, int place) {
     Level.Spawn spot = places.get(place);
-    Arrays.fill(p.memory(), 0);
+    p.resetFields();
     float y = spot.y();
     for (int i = 0; i < 5 && !isFree(s, spot.x(), y); i++) {
       y += PLAYER_HEIGHT + 0.1f;

@@ -198,6 +198,11 @@ public final class KryoMessageCodec implements MessageCodec {
       out.writeLong(m.levelHash());
       out.writeVarInt(inRange("levelSize", m.levelSize(), 0, Limits.MAX_LEVEL_BYTES), true);
       out.writeVarInt(inRange("packedSize", m.packedSize(), 0, Limits.MAX_LEVEL_BYTES), true);
+      out.writeLong(m.fieldsDigest());
+      out.writeVarInt(inRange("fields", m.fields().size(), 0, Limits.MAX_FIELD_LINES), true);
+      for (String line : m.fields()) {
+        writeText(out, "field", line, Limits.MAX_FIELD_LINE_BYTES);
+      }
     }
 
     @Override
@@ -214,7 +219,18 @@ public final class KryoMessageCodec implements MessageCodec {
           readText(in, "levelName", Limits.MAX_LEVEL_NAME_BYTES),
           in.readLong(),
           inRange("levelSize", in.readVarInt(true), 0, Limits.MAX_LEVEL_BYTES),
-          inRange("packedSize", in.readVarInt(true), 0, Limits.MAX_LEVEL_BYTES));
+          inRange("packedSize", in.readVarInt(true), 0, Limits.MAX_LEVEL_BYTES),
+          in.readLong(),
+          fields(in));
+    }
+
+    private static List<String> fields(Input in) {
+      int count = inRange("fields", in.readVarInt(true), 0, Limits.MAX_FIELD_LINES);
+      List<String> lines = new ArrayList<>(count);
+      for (int i = 0; i < count; i++) {
+        lines.add(readText(in, "field", Limits.MAX_FIELD_LINE_BYTES));
+      }
+      return lines;
     }
   }
 

@@ -35,8 +35,10 @@ public sealed interface ClientMessage {
    * Says that the client has loaded the level and asks for a body.
    *
    * @param datagramKey key of the {@link ServerMessage.Welcome} that named the level
+   * @param fieldsDigest digest of the fields of the client's game; the server refuses another than
+   *     its own
    */
-  record Ready(int datagramKey) implements ClientMessage {}
+  record Ready(int datagramKey, long fieldsDigest) implements ClientMessage {}
 
   /**
    * Tells the server what part of the world the client shows. The client sends it on every change.
@@ -57,20 +59,21 @@ public sealed interface ClientMessage {
    *
    * @param tick first tick that differs
    * @param equalTick last tick before {@code tick} at which the prediction was equal in every bit
+   * @param ofSet whether the report is about the predicted set rather than the own body alone
    * @param bodies the predicted state, {@value #BODY_INTS} ints for each body: slot and generation
    *     as {@code slot | generation << 16}, then the float bits of x, y, cos, sin, vx, vy and omega
    *     of the centre of mass. It holds either the own body alone, or the first bodies of the
    *     predicted set in world order, at most {@value #MAX_BODIES}
-   * @param memory the player's {@value #MEMORY_INTS} memory ints if {@code bodies} is the own body
-   *     alone, else empty
+   * @param words the first words of the player's fields, at most {@value #MAX_WORDS}, if {@code
+   *     bodies} is the own body alone; else empty
    */
-  record Diverged(int tick, int equalTick, List<Integer> bodies, List<Integer> memory)
+  record Diverged(int tick, int equalTick, boolean ofSet, List<Integer> bodies, List<Integer> words)
       implements ClientMessage {
     /** Ints for each body in {@link #bodies}: the head of its row. */
     public static final int BODY_INTS = BodyRow.HEAD_INTS;
 
-    /** Ints in {@link #memory}, unless it is empty. */
-    public static final int MEMORY_INTS = BodyRow.MEMORY_INTS;
+    /** Largest number of {@link #words}. */
+    public static final int MAX_WORDS = 64;
 
     /** Largest number of bodies in a report, as many as a message has room for. */
     public static final int MAX_BODIES = 31;
@@ -78,22 +81,17 @@ public sealed interface ClientMessage {
     /** Copies both lists. */
     public Diverged {
       bodies = List.copyOf(bodies);
-      memory = List.copyOf(memory);
+      words = List.copyOf(words);
     }
 
-    /** Returns whether this report is about the predicted set rather than the own body alone. */
-    public boolean isOfSet() {
-      return memory.isEmpty();
-    }
-
-    /** Returns the number of ints in {@link #bodies} and {@link #memory} together. */
+    /** Returns the number of ints in {@link #bodies} and {@link #words} together. */
     public int count() {
-      return bodies.size() + memory.size();
+      return bodies.size() + words.size();
     }
 
-    /** Returns an int of {@link #bodies} or, at higher indices, of {@link #memory}. */
+    /** Returns an int of {@link #bodies} or, at higher indices, of {@link #words}. */
     public int number(int index) {
-      return index < bodies.size() ? bodies.get(index) : memory.get(index - bodies.size());
+      return index < bodies.size() ? bodies.get(index) : words.get(index - bodies.size());
     }
   }
 

@@ -2,7 +2,7 @@ package carom.net.protocol;
 
 import static carom.net.protocol.ClientMessage.Diverged.BODY_INTS;
 import static carom.net.protocol.ClientMessage.Diverged.MAX_BODIES;
-import static carom.net.protocol.ClientMessage.Diverged.MEMORY_INTS;
+import static carom.net.protocol.ClientMessage.Diverged.MAX_WORDS;
 
 import java.nio.ByteBuffer;
 import java.nio.CharBuffer;
@@ -87,7 +87,7 @@ public final class ClientMessageCodec {
       }
       buffer.put(RECORDING_REQUEST).putLong(request.offset());
     } else if (message instanceof ClientMessage.Ready ready) {
-      buffer.put(READY).putInt(ready.datagramKey());
+      buffer.put(READY).putInt(ready.datagramKey()).putLong(ready.fieldsDigest());
     } else {
       buffer.put(LEAVE);
     }
@@ -139,7 +139,9 @@ public final class ClientMessageCodec {
   }
 
   private static ClientMessage decodeReady(ByteBuffer buffer) {
-    return buffer.remaining() == Integer.BYTES ? new ClientMessage.Ready(buffer.getInt()) : null;
+    return buffer.remaining() == Integer.BYTES + Long.BYTES
+        ? new ClientMessage.Ready(buffer.getInt(), buffer.getLong())
+        : null;
   }
 
   /**
@@ -173,14 +175,15 @@ public final class ClientMessageCodec {
           "Diverged.bodies has size=%d, which is not %d for each of 1..%d bodies"
               .formatted(ints, BODY_INTS, MAX_BODIES));
     }
-    if (!d.isOfSet() && (bodies != 1 || d.memory().size() != MEMORY_INTS)) {
+    int words = d.words().size();
+    if (d.ofSet() ? words > 0 : bodies != 1 || words > MAX_WORDS) {
       throw new IllegalArgumentException(
-          "Diverged.memory has size=%d with bodies=%d; %d belong to one body"
-              .formatted(d.memory().size(), bodies, MEMORY_INTS));
+          "Diverged.words has size=%d with bodies=%d; at most %d belong to one own body"
+              .formatted(words, bodies, MAX_WORDS));
     }
-    buffer.put(d.isOfSet() ? DIVERGED_NEAR : DIVERGED).putInt(d.tick()).putInt(d.equalTick());
+    buffer.put(d.ofSet() ? DIVERGED_NEAR : DIVERGED).putInt(d.tick()).putInt(d.equalTick());
     int first = 0;
-    if (!d.isOfSet()) {
+    if (!d.ofSet()) {
       buffer.putShort((short) d.number(0)).put((byte) (d.number(0) >>> Short.SIZE));
       first = 1;
     }
@@ -190,8 +193,9 @@ public final class ClientMessageCodec {
   }
 
   private static ClientMessage decodeDiverged(ByteBuffer buffer) {
-    int ints = BODY_INTS - 1 + MEMORY_INTS;
-    if (buffer.remaining() != 4 + 4 + 2 + 1 + Integer.BYTES * ints) {
+    int bytes = buffer.remaining() - (4 + 4 + 2 + 1 + Integer.BYTES * (BODY_INTS - 1));
+    int words = bytes / Integer.BYTES;
+    if (bytes < 0 || bytes % Integer.BYTES != 0 || words > MAX_WORDS) {
       return null;
     }
     int tick = buffer.getInt();
@@ -199,9 +203,9 @@ public final class ClientMessageCodec {
     List<Integer> body = new ArrayList<>(BODY_INTS);
     body.add(buffer.getShort() & 0xffff | (buffer.get() & 0xff) << Short.SIZE);
     addInts(buffer, BODY_INTS - 1, body);
-    List<Integer> memory = new ArrayList<>(MEMORY_INTS);
-    addInts(buffer, MEMORY_INTS, memory);
-    return diverged(tick, equalTick, body, memory);
+    List<Integer> fields = new ArrayList<>(words);
+    addInts(buffer, words, fields);
+    return diverged(new ClientMessage.Diverged(tick, equalTick, false, body, fields));
   }
 
   private static ClientMessage decodeDivergedNear(ByteBuffer buffer) {
@@ -214,7 +218,7 @@ public final class ClientMessageCodec {
     int equalTick = buffer.getInt();
     List<Integer> bodies = new ArrayList<>(bytes / Integer.BYTES);
     addInts(buffer, bytes / Integer.BYTES, bodies);
-    return diverged(tick, equalTick, bodies, List.of());
+    return diverged(new ClientMessage.Diverged(tick, equalTick, true, bodies, List.of()));
   }
 
   private static void addInts(ByteBuffer buffer, int count, List<Integer> to) {
@@ -223,11 +227,8 @@ public final class ClientMessageCodec {
     }
   }
 
-  private static ClientMessage diverged(
-      int tick, int equalTick, List<Integer> bodies, List<Integer> memory) {
-    return equalTick >= 0 && equalTick < tick
-        ? new ClientMessage.Diverged(tick, equalTick, bodies, memory)
-        : null;
+  private static ClientMessage diverged(ClientMessage.Diverged d) {
+    return d.equalTick() >= 0 && d.equalTick() < d.tick() ? d : null;
   }
 
   private static ClientMessage decodeWatch(ByteBuffer buffer) {

@@ -22,7 +22,9 @@ public enum RefusalReason {
   /** The server stops. */
   SHUTTING_DOWN("The server is shutting down.", true),
   /** The handshake took too long. */
-  TOO_SLOW("Joining took too long. Check your connection and try again.", true);
+  TOO_SLOW("Joining took too long. Check your connection and try again.", true),
+  /** The client's game has other fields. */
+  GAME_VERSION("The server plays another version of this game. Use the same build.", false);
 
   private final String playerText;
   private final boolean retryUseful;

@@ -27,6 +27,9 @@ public sealed interface ServerMessage {
    * @param levelSize size of the level file in bytes
    * @param packedSize size of the {@linkplain PackedLevel packed} level file in bytes; the chunks
    *     are pieces of it
+   * @param fieldsDigest digest of the game's fields
+   * @param fields declarations of the game's fields, which name a difference: at most {@value
+   *     Limits#MAX_FIELD_LINES} texts of at most {@value Limits#MAX_FIELD_LINE_BYTES} bytes
    */
   record Welcome(
       long sessionSecret,
@@ -40,8 +43,15 @@ public sealed interface ServerMessage {
       String levelName,
       long levelHash,
       int levelSize,
-      int packedSize)
-      implements ServerMessage {}
+      int packedSize,
+      long fieldsDigest,
+      List<String> fields)
+      implements ServerMessage {
+    /** Copies the list. */
+    public Welcome {
+      fields = List.copyOf(fields);
+    }
+  }
 
   /**
    * Carries a piece of the packed level file in answer to a {@link ClientMessage.LevelRequest}.

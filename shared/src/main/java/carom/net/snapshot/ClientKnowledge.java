@@ -189,6 +189,11 @@ final class ClientKnowledge {
     return inSight.has(slot);
   }
 
+  /** Returns those of 64 neighbouring slots, from 64 {@code word} on, that are in sight. */
+  long inSight(int word) {
+    return inSight.word(word);
+  }
+
   /** Returns whether the client sees a living entity in the slot. */
   boolean seesAlive(int slot) {
     return inSight.has(slot) && ring.newest().alive(slot);

@@ -7,23 +7,19 @@ import carom.net.codec.BitReader;
 import carom.net.codec.Crc16;
 import carom.net.codec.RangeDecoder;
 import carom.net.codec.Sequence;
-import carom.net.protocol.PlayerId;
 import carom.net.snapshot.event.EventInbox;
-import carom.net.snapshot.exact.NearCodec;
-import carom.net.snapshot.exact.NearRowCodec;
-import carom.net.snapshot.exact.OwnCodec;
+import carom.net.snapshot.exact.OwnInbox;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.frame.Motion;
-import carom.net.snapshot.frame.PlayerSet;
 import carom.net.snapshot.frame.Predictor;
 import carom.net.snapshot.frame.SlotSet;
 import carom.net.snapshot.record.DeltaCodec;
 import carom.net.snapshot.record.RecordCodec;
 import carom.net.snapshot.record.SlotCodec;
-import carom.net.snapshot.relay.RelayCodec;
 import carom.net.snapshot.relay.RelayedInputs;
+import carom.net.snapshot.table.TableInbox;
 import java.util.Arrays;
 
 /**
@@ -37,7 +33,6 @@ import java.util.Arrays;
 public final class SnapshotDecoder {
 
   private static final int MIN_RECORDS = 64;
-  private static final int HISTORY = FrameRing.SIZE;
   private static final int ACK_BITS = 64;
 
   /** Bytes of check, sequence number and tick: no datagram is shorter. */
@@ -48,9 +43,7 @@ public final class SnapshotDecoder {
   private final Predictor predictor;
   private final BitReader reader = new BitReader();
   private final RangeDecoder range = new RangeDecoder();
-  private final NearRowCodec nearRows = new NearRowCodec();
   private final RecordCodec records = new RecordCodec();
-  private final RelayCodec relay = new RelayCodec();
   private final DatagramHead head = new DatagramHead();
   private final DeltaCodec deltas;
   private EntityHistory[] histories = {};
@@ -62,22 +55,14 @@ public final class SnapshotDecoder {
   private int tick;
   private int newestTick;
 
-  private final OwnState[] owns = new OwnState[HISTORY];
-  private final int[] ownTicks = new int[HISTORY];
-  private final OwnState nothing = new OwnState();
   private final InputFeedback feedback = new InputFeedback();
   private boolean hasNews;
   private boolean hasOwn;
-  private OwnState own = nothing;
-  private final RelayedInputs inputs = new RelayedInputs();
+  private final OwnInbox own;
   private final EventInbox events = new EventInbox();
+  private final TableInbox tables;
 
   // A datagram is read into these first and counts only when all of it was good.
-  private final OwnState readOwn = new OwnState();
-  private final long[] readInputs = new long[RelayCodec.maxInputs()];
-  private final byte[] readWaiting = new byte[PlayerId.MAX + 1];
-  private final PlayerSet readKnown = new PlayerSet();
-  private int readWindow;
   private final SlotSet named = new SlotSet(); // a slot comes once at most
   private int[] slots = {};
   private byte[] kinds = {};
@@ -94,6 +79,11 @@ public final class SnapshotDecoder {
   private int[] touchedSlots = {};
   private int touched;
 
+  /** Creates a decoder that knows nothing, of a game without fields. */
+  public SnapshotDecoder(int capacity, int key, int tick, int tickRate) {
+    this(capacity, key, tick, tickRate, 0, new TableInbox());
+  }
+
   /**
    * Creates a decoder that knows nothing.
    *
@@ -101,18 +91,19 @@ public final class SnapshotDecoder {
    * @param key the session's datagram key
    * @param tick the server's tick in {@code Welcome}: datagrams carry 16 bits of theirs
    * @param tickRate ticks per second, as in {@code Welcome}
+   * @param words number of words of the player's fields in an own section
+   * @param tables takes the rows of the server's tables, whose layouts it has
    */
-  public SnapshotDecoder(int capacity, int key, int tick, int tickRate) {
+  public SnapshotDecoder(
+      int capacity, int key, int tick, int tickRate, int words, TableInbox tables) {
+    own = new OwnInbox(words);
+    this.tables = tables;
     this.capacity = capacity;
     this.key = key;
     this.tick = tick;
     newestTick = tick;
     predictor = new Predictor(tickRate);
     deltas = new DeltaCodec(tickRate);
-    Arrays.fill(ownTicks, -1);
-    for (int i = 0; i < HISTORY; i++) {
-      owns[i] = new OwnState();
-    }
     named.ensure(capacity);
     growRecords(MIN_RECORDS);
   }
@@ -180,35 +171,24 @@ public final class SnapshotDecoder {
       return DAMAGED;
     }
     if (head.hasOwn) {
-      OwnState baseline = head.ownAge == 0 ? nothing : ownAt(head.tick - head.ownAge);
-      if (baseline == null) {
+      if (!own.hasBaseline(head.tick, head.ownAge)) {
         return DecodeStatus.NO_BASELINE;
       }
-      OwnCodec.code(r, baseline, readOwn);
-      if (!readOwn.isSane()) {
+      if (!own.read(r, head.tick, head.ownAge)) {
         return DAMAGED;
       }
-      readWindow = RelayCodec.window(head.ownAge);
-      readKnown.set(baseline.relayed);
-      PlayerSet players = readOwn.relayed;
-      relay.read(r, inputs, head.tick, readWindow, readKnown, players, readInputs, readWaiting);
-      NearCodec.code(r, baseline.near, readOwn.near);
     }
     events.read(r, head.tick);
+    tables.read(r);
     int at = r.align();
     if (r.failed()) {
       return DAMAGED;
     }
     range.reset(bytes, at, end - at);
-    if (head.hasOwn && readOwn.near.updating) {
-      nearRows.part(range, readOwn);
+    if (head.hasOwn) {
+      own.readRows(range);
     }
     return readRecords(head.tick);
-  }
-
-  private OwnState ownAt(int wantedTick) {
-    int at = wantedTick & (HISTORY - 1);
-    return wantedTick >= 0 && ownTicks[at] == wantedTick ? owns[at] : null;
   }
 
   private DecodeStatus readRecords(int datagramTick) {
@@ -353,12 +333,9 @@ public final class SnapshotDecoder {
     newestTick = Math.max(newestTick, datagramTick);
     feedback.set(head.feedback);
     events.keep(datagramTick);
+    tables.keep(datagramTick);
     if (hasOwn) {
-      int at = datagramTick & (HISTORY - 1);
-      owns[at].set(readOwn);
-      ownTicks[at] = datagramTick;
-      own = owns[at];
-      keepInputs(datagramTick);
+      own.keep(datagramTick);
     }
     for (int i = 0; i < count; i++) {
       EntityHistory history = historyFor(slots[i]);
@@ -378,17 +355,6 @@ public final class SnapshotDecoder {
     }
     System.arraycopy(slots, 0, touchedSlots, 0, count);
     touched = count;
-  }
-
-  private void keepInputs(int datagramTick) {
-    PlayerSet players = readOwn.relayed;
-    int at = 0;
-    for (int p = players.next(0); p >= 0; p = players.next(p + 1)) {
-      int ticks = readWindow > 0 && readKnown.has(p) ? readWindow : 1;
-      for (int i = 1 - ticks; i <= readWaiting[p]; i++) {
-        inputs.put(p, datagramTick + i, readInputs[at++]);
-      }
-    }
   }
 
   private EntityHistory historyFor(int slot) {
@@ -436,17 +402,22 @@ public final class SnapshotDecoder {
    * Valid if {@link #hasOwn}, until the next {@link #decode}.
    */
   public OwnState own() {
-    return own;
+    return own.own();
   }
 
   /** Returns the inputs of other players that were received; always the same object. */
   public RelayedInputs inputs() {
-    return inputs;
+    return own.inputs();
   }
 
   /** Returns the events that were received; always the same object. */
   public EventInbox events() {
     return events;
+  }
+
+  /** Returns the rows of the server's tables that were received; always the same object. */
+  public TableInbox tables() {
+    return tables;
   }
 
   /** Returns the number of records in the last decoded datagram. */

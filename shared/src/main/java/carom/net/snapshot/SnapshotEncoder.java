@@ -11,6 +11,9 @@ import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.net.snapshot.record.Deltas;
 import carom.net.snapshot.record.RecordSizes;
+import carom.net.snapshot.table.RowAudience;
+import carom.net.snapshot.table.TableOutbox;
+import carom.net.snapshot.table.Tables;
 
 /**
  * Writes the snapshots of one session. Each tick that sends calls, after {@link FrameRing#end}:
@@ -41,8 +44,11 @@ public final class SnapshotEncoder {
    */
   private static final int MIN_FURTHER_BYTES = 64;
 
-  /** Part of the budget that events may take, as a divisor; others wait for the next datagram. */
-  private static final int EVENTS_SHARE = 4;
+  /**
+   * Part of the budget that events may take, and again that rows of tables may take, as a divisor.
+   * Others wait for the next datagram.
+   */
+  private static final int SHARE = 4;
 
   private final FrameRing ring;
   private final int key;
@@ -57,6 +63,7 @@ public final class SnapshotEncoder {
   private final RecordsWriter records;
   private final OwnAcks own;
   private final EventOutbox events;
+  private final TableOutbox tables;
 
   private final InputFeedback feedback = new InputFeedback();
   private boolean hasLost;
@@ -87,7 +94,7 @@ public final class SnapshotEncoder {
    * @param tickRate ticks per second, for prediction; the client's decoder must be given the same
    */
   public SnapshotEncoder(FrameRing ring, int key, int tickRate) {
-    this(new Deltas(ring, tickRate), key, Interest.EVERYTHING);
+    this(new Deltas(ring, tickRate), key, Interest.EVERYTHING, Tables.NONE, null);
   }
 
   /**
@@ -96,10 +103,14 @@ public final class SnapshotEncoder {
    * @param deltas those of the room, shared by all sessions, like the frames they are of
    * @param key the session's datagram key; seeds the check that each datagram carries
    * @param interest what the client is told about
+   * @param tables those of the room, shared by all sessions
+   * @param audience what the client may know of them; null without tables
    */
-  public SnapshotEncoder(Deltas deltas, int key, Interest interest) {
+  public SnapshotEncoder(
+      Deltas deltas, int key, Interest interest, Tables tables, RowAudience audience) {
     ring = deltas.ring();
     events = new EventOutbox(ring.events(), SentLog.SIZE);
+    this.tables = new TableOutbox(tables, audience, SentLog.SIZE);
     RecordSizes sizes = new RecordSizes();
     client = new ClientKnowledge(ring, interest, sizes);
     selection = new Selection(ring, interest, sizes, client);
@@ -119,6 +130,7 @@ public final class SnapshotEncoder {
     hasLost = false;
     sent.forget();
     events.clear();
+    tables.reset();
   }
 
   /**
@@ -135,6 +147,16 @@ public final class SnapshotEncoder {
    */
   public void takeOverEvents(SnapshotEncoder before) {
     events.takeOver(before.events);
+  }
+
+  /** Returns what the client is told of the room's tables. */
+  public TableOutbox tables() {
+    return tables;
+  }
+
+  /** Returns those of 64 neighbouring slots, from 64 {@code word} on, that the client sees. */
+  public long inSight(int word) {
+    return client.inSight(word);
   }
 
   /** Returns the number of events offered that are not acked yet. */
@@ -162,6 +184,7 @@ public final class SnapshotEncoder {
     }
     if (ackDelayTicks >= 0) {
       events.ackTook(ackDelayTicks);
+      tables.ackTook(ackDelayTicks);
     }
     // What came before the client could read it doesn't count.
     hasLost = ackedDatagrams >= 2 * Long.SIZE && ~ackBits >>> OVERTAKING != 0;
@@ -183,6 +206,7 @@ public final class SnapshotEncoder {
       client.ack(sent.wordAt(at, i), sent.slotsAt(at, i), tick);
     }
     events.ack(at);
+    tables.ack(at, tick);
     if (sent.ownAt(at)) {
       own.ack(tick);
     }
@@ -217,7 +241,7 @@ public final class SnapshotEncoder {
     if (newest == null) {
       return true;
     }
-    if (events.isDue(newest.tick())) {
+    if (events.isDue(newest.tick()) || tables.hasDue(newest.tick())) {
       return false;
     }
     if (state != null && !own.isKnown(state, newest)) {
@@ -247,7 +271,9 @@ public final class SnapshotEncoder {
       own.begin(state, frame.tick());
     }
     int count = client.updated(frame);
-    news = count > 0 || events.hasUnacked() || sendOwn && !own.isKnown(state, frame);
+    boolean knowsOwn = !sendOwn || own.isKnown(state, frame);
+    int rows = tables.unacked(frame.tick());
+    news = count > 0 || rows > 0 || events.hasUnacked() || !knowsOwn;
     selection.choose(frame, count, Math.max(0, budgetBytes - headerBytes));
     budget = budgetBytes;
     givenBytes = budgetBytes;
@@ -264,7 +290,7 @@ public final class SnapshotEncoder {
    * @return its length, or 0 when there is nothing more to send this tick
    */
   public int next(byte[] out) {
-    if (!first && (frame == null || !selection.hasChosen() || budget < MIN_FURTHER_BYTES)) {
+    if (!first && (frame == null || budget < MIN_FURTHER_BYTES || !hasMore())) {
       frame = null;
       return 0;
     }
@@ -293,6 +319,10 @@ public final class SnapshotEncoder {
     return length;
   }
 
+  private boolean hasMore() {
+    return selection.hasChosen() || tables.hasDue(frame.tick());
+  }
+
   private void writeHeader(BitWriter w, int sequence, boolean withOwn) {
     head.sequence = sequence;
     head.tick = frame.tick();
@@ -305,8 +335,9 @@ public final class SnapshotEncoder {
     if (withOwn) {
       nearBytes = own.write(w, head.ownAge);
     }
-    int share = Math.min(budget, MAX_DATAGRAM_BYTES) * Byte.SIZE / EVENTS_SHARE;
+    int share = Math.min(budget, MAX_DATAGRAM_BYTES) * Byte.SIZE / SHARE;
     events.write(w, frame.tick(), sequence, share);
+    tables.write(w, frame.tick(), sequence, share);
   }
 
   /**

@@ -6,12 +6,13 @@
  * entities a client is sent. Each section is described by one method that writes and reads:
  *
  * <pre>
- *                 ┌─────────────── only if it has an own section ───────────────┐
- * ┌──────────────┬─────────────┬────────────────┬──────────────────────────────┬────────┐
- * │ head         │ own section │ relayed inputs │ near: list, hash, update     │ events │ plain
- * │ DatagramHead │ OwnCodec    │ RelayCodec     │ NearCodec                    │ Event- │ bits:
- * │              │ (exact)     │ (relay)        │ (exact)                      │ Codec  │ BitPass
- * └──────────────┴─────────────┴────────────────┴──────────────────────────────┴────────┘
+ *           ┌──────────────── only if it has an own section ───────────────┐
+ * ┌────────┬─────────────┬────────────────┬──────────────────────────────┬────────┬────────┐
+ * │ head   │ own section │ relayed inputs │ near: list, hash, update     │ events │ tables │ plain
+ * │ Data-  │ OwnCodec    │ RelayCodec     │ NearCodec                    │ Event- │ Table- │ bits:
+ * │ gram-  │ (exact)     │ (relay)        │ (exact)                      │ Codec  │ Codec  │ BitPass
+ * │ Head   │             │                │                              │ (event)│ (table)│
+ * └────────┴─────────────┴────────────────┴──────────────────────────────┴────────┴────────┘
  *   zeros up to a whole byte
  * ┌─────────────────────┬───────────────────────────────────────────────────────────────┐
  * │ rows of near update │ records: kind, slot, ...    RecordCodec (record)              │ arith-

@@ -11,6 +11,7 @@ import carom.physics.dynamics.contact.SleepingContacts;
 import carom.physics.dynamics.continuous.ContinuousCollision;
 import carom.physics.dynamics.joint.JointEvents;
 import carom.physics.dynamics.joint.JointStore;
+import carom.physics.dynamics.joint.JointTransfer;
 import carom.physics.dynamics.pairs.PairFinder;
 import carom.physics.dynamics.parallel.ParallelFor;
 import carom.physics.dynamics.sleep.Sleeping;
@@ -88,8 +89,9 @@ public final class Dynamics {
 
   private final SleepingContacts sleepers = new SleepingContacts();
   private final BodyContacts bodyContacts = new BodyContacts(contacts, sleepers);
+  private final JointTransfer jointTransfer = new JointTransfer(bodies, joints);
   private final RowTransfer transfer =
-      new RowTransfer(bodies, parts, contacts, sleepers, bodyContacts);
+      new RowTransfer(bodies, parts, contacts, sleepers, bodyContacts, jointTransfer);
 
   /** Scratch: the bodies of rows that sleep there. */
   private final IntList asleepThere = new IntList();
@@ -168,6 +170,11 @@ public final class Dynamics {
     sleeping.wakeEnds(joint);
     sleeping.jointActivity().refresh(joint);
     return joint;
+  }
+
+  /** Returns what passes definitions of joints from world to world. */
+  public JointTransfer jointTransfer() {
+    return jointTransfer;
   }
 
   /**
@@ -375,7 +382,7 @@ public final class Dynamics {
   }
 
   /**
-   * Reads the exact state of listed bodies, and their contacts.
+   * Reads the exact state of listed bodies, and their joints and contacts.
    *
    * @param rows lists bodies in use
    * @return contacts left out, because they are with bodies that are not listed
@@ -385,16 +392,27 @@ public final class Dynamics {
     return transfer.read(rows);
   }
 
+  /** Reads the state of one body into its row, which begins at an index. */
+  public void readBody(int slot, int[] row, int at) {
+    transfer.readBody(slot, row, at);
+  }
+
+  /** Gives a body that is awake the state of its row, which says that it is awake. */
+  public void writeBody(int slot, int[] row, int at) {
+    transfer.writeBody(slot, false, row, at);
+  }
+
   /**
-   * Gives listed bodies the exact state of their rows, with their contacts.
+   * Gives listed bodies the exact state of their rows, with their joints and contacts.
    *
-   * @param rows lists bodies that were made since the last step, awake
+   * @param rows lists bodies and joints that were made since the last step, awake
    */
   public void write(ExactRows rows) {
     sleeping.mergeWoken();
     transfer.writeBodies(rows);
     pairs.posesChanged();
     transfer.writeContacts(rows);
+    jointTransfer.write(rows);
     asleepThere.count = 0;
     for (int i = 0; i < rows.bodies().count(); i++) {
       if (rows.isAsleep(i)) {

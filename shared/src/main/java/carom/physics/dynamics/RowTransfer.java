@@ -6,6 +6,7 @@ import carom.physics.dynamics.contact.BodyContacts;
 import carom.physics.dynamics.contact.ContactKey;
 import carom.physics.dynamics.contact.ContactTable;
 import carom.physics.dynamics.contact.SleepingContacts;
+import carom.physics.dynamics.joint.JointTransfer;
 import carom.physics.rows.BodyRow;
 import carom.physics.rows.ContactRow;
 import carom.physics.rows.ExactRows;
@@ -14,7 +15,7 @@ import java.util.Arrays;
 
 /**
  * Reads bodies and their contacts out of a world into {@link ExactRows}, and writes such rows into
- * it. One world's; allocates only to grow.
+ * it; joints by {@link JointTransfer}. One world's; allocates only to grow.
  */
 final class RowTransfer {
   private static final int KEPT_FLAGS = ContactTable.VETOED;
@@ -24,6 +25,7 @@ final class RowTransfer {
   private final ContactTable awake;
   private final SleepingContacts asleep;
   private final BodyContacts links;
+  private final JointTransfer joints;
 
   /** By slot: the place of a listed body, or -1; all are -1 between calls. */
   private int[] placeOf = new int[0];
@@ -45,16 +47,18 @@ final class RowTransfer {
       ShapeTable parts,
       ContactTable awake,
       SleepingContacts asleep,
-      BodyContacts links) {
+      BodyContacts links,
+      JointTransfer joints) {
     this.store = store;
     this.parts = parts;
     this.awake = awake;
     this.asleep = asleep;
     this.links = links;
+    this.joints = joints;
   }
 
   /**
-   * Reads the listed bodies, and the contacts among them and with statics.
+   * Reads the listed bodies, and the joints and contacts among them and with statics.
    *
    * @return contacts that are left out because the other body is not listed
    */
@@ -87,13 +91,15 @@ final class RowTransfer {
       int at = contacts.add();
       readContact(table, ends[i] >> 1, contacts.ints(), at);
     }
+    joints.read(rows, placeOf);
     for (int i = 0; i < count; i++) {
       placeOf[rows.slot(i)] = -1;
     }
     return leaks;
   }
 
-  private void readBody(int slot, int[] row, int at) {
+  /** Reads the state of a body into its row, which begins at an index. */
+  void readBody(int slot, int[] row, int at) {
     row[at + BodyRow.X] = Float.floatToRawIntBits(store.x[slot]);
     row[at + BodyRow.Y] = Float.floatToRawIntBits(store.y[slot]);
     row[at + BodyRow.COS] = Float.floatToRawIntBits(store.cos[slot]);
@@ -185,7 +191,8 @@ final class RowTransfer {
     }
   }
 
-  private void writeBody(int slot, boolean sleeps, int[] row, int at) {
+  /** Gives a body the state of its row; it doesn't fall asleep by that. */
+  void writeBody(int slot, boolean sleeps, int[] row, int at) {
     store.x[slot] = Float.intBitsToFloat(row[at + BodyRow.X]);
     store.y[slot] = Float.intBitsToFloat(row[at + BodyRow.Y]);
     store.cos[slot] = Float.intBitsToFloat(row[at + BodyRow.COS]);

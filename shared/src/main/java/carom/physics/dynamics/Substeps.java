@@ -88,7 +88,9 @@ final class Substeps {
     jointSolver.prepare(joints, bodies, settings, h, solverBodies);
     boolean jointsToo = jointSolver.count() > 0;
     for (int i = 0; i < substeps; i++) {
-      boolean warm = i > 0 && !settings.explicitEuler() && contactSolver.blocks() > 0;
+      // Joints are enough: contacts far away mustn't change how jointed bodies are rounded.
+      boolean warm =
+          i > 0 && !settings.explicitEuler() && (jointsToo || contactSolver.blocks() > 0);
       begins(StepStage.INTEGRATE);
       solverBodies.integrateVelocities(phases, warm);
       if (jointsToo) {
@@ -133,15 +135,11 @@ final class Substeps {
   private void beforeJoints() {
     phases.run();
     begins(StepStage.JOINTS);
-    if (contactSolver.blocks() > 0) {
-      solverBodies.beforeJoints();
-    }
+    solverBodies.beforeJoints();
   }
 
   private void afterJoints() {
-    if (contactSolver.blocks() > 0) {
-      solverBodies.afterJoints();
-    }
+    solverBodies.afterJoints();
   }
 
   /** Begins a stage. Where stages are measured, each ends before the next one begins. */

@@ -4,6 +4,7 @@ import carom.physics.Body;
 import carom.physics.World;
 import carom.physics.math.Aabb;
 import carom.physics.math.Limits;
+import carom.physics.math.Transform;
 
 /**
  * A force, an acceleration, a wind or a drag that acts on bodies in an area. Call {@link #apply}
@@ -16,10 +17,11 @@ import carom.physics.math.Limits;
  * it. After a change, or for a new effect, call {@link #wake} once. It is immutable except for
  * scratch memory, and not thread-safe. A steady call allocates nothing.
  */
-public final class AreaEffect {
+public final class AreaEffect implements Effect {
   private enum Kind {
     FORCE,
     ACCELERATION,
+    GRAVITY,
     FLOW
   }
 
@@ -66,6 +68,25 @@ public final class AreaEffect {
   public static AreaEffect acceleration(Aabb area, float ax, float ay) {
     return new AreaEffect(
         Kind.ACCELERATION,
+        area,
+        Limits.range("ax", ax, -1e5f, 1e5f),
+        Limits.range("ay", ay, -1e5f, 1e5f),
+        0,
+        0);
+  }
+
+  /**
+   * Returns an effect that adds to the world's gravity, as far as a body's gravity scale lets it.
+   * Its direction is that of the world, whatever the frame.
+   *
+   * @param area the area, m; copied
+   * @param ax acceleration along x, m/s^2, within 1e5
+   * @param ay acceleration along y, m/s^2, within 1e5
+   * @return the effect
+   */
+  public static AreaEffect gravity(Aabb area, float ax, float ay) {
+    return new AreaEffect(
+        Kind.GRAVITY,
         area,
         Limits.range("ax", ax, -1e5f, 1e5f),
         Limits.range("ay", ay, -1e5f, 1e5f),
@@ -137,10 +158,31 @@ public final class AreaEffect {
       if (body.awake()
           && area.contains(body.centerX(), body.centerY())
           && Nearby.isOf(body, categories)) {
-        act(body, dtSeconds);
+        act(body, x, y, 1, dtSeconds);
       }
     }
     nearby.clear();
+  }
+
+  @Override
+  public void act(World<?> world, Body<?> body, Transform frame, float strength, float dtSeconds) {
+    float localX = frame.localX(body.centerX(), body.centerY());
+    float localY = frame.localY(body.centerX(), body.centerY());
+    if (Nearby.isActedOn(body) && area.contains(localX, localY) && Nearby.isOf(body, categories)) {
+      boolean turns = kind != Kind.GRAVITY;
+      float wx = turns ? frame.rotateX(x, y) : x;
+      float wy = turns ? frame.rotateY(x, y) : y;
+      act(body, wx, wy, strength, dtSeconds);
+    }
+  }
+
+  @Override
+  public void reach(Transform frame, Aabb out) {
+    out.setEmpty();
+    out.add(frame.worldX(area.minX, area.minY), frame.worldY(area.minX, area.minY));
+    out.add(frame.worldX(area.maxX, area.minY), frame.worldY(area.maxX, area.minY));
+    out.add(frame.worldX(area.maxX, area.maxY), frame.worldY(area.maxX, area.maxY));
+    out.add(frame.worldX(area.minX, area.maxY), frame.worldY(area.minX, area.maxY));
   }
 
   /**
@@ -156,7 +198,7 @@ public final class AreaEffect {
     for (int i = 0; i < nearby.count(); i++) {
       Body<?> body = nearby.get(i);
       if (body.awake() && Nearby.isOf(body, categories)) {
-        act(body, dtSeconds);
+        act(body, x, y, 1, dtSeconds);
       }
     }
     nearby.clear();
@@ -171,18 +213,29 @@ public final class AreaEffect {
     Areas.wake(nearby, world, area);
   }
 
-  private void act(Body<?> body, float dt) {
-    if (kind == Kind.FORCE) {
-      body.applyAmbientForce(x, y, 0);
-    } else if (kind == Kind.ACCELERATION) {
-      body.applyAmbientForce(body.mass() * x, body.mass() * y, 0);
-    } else {
-      float pull = body.mass() * rate / (1 + rate * dt);
-      float brake = body.inertia() * angularRate / (1 + angularRate * dt);
-      body.applyAmbientForce(
-          pull * (x - body.velocityX()),
-          pull * (y - body.velocityY()),
-          -brake * body.angularVelocity());
+  /**
+   * Acts on a body.
+   *
+   * @param wx the vector of the effect, world axes
+   * @param wy the vector of the effect, world axes
+   */
+  private void act(Body<?> body, float wx, float wy, float strength, float dt) {
+    switch (kind) {
+      case FORCE -> body.applyAmbientForce(strength * wx, strength * wy, 0);
+      case ACCELERATION -> accelerate(body, strength * body.mass(), wx, wy);
+      case GRAVITY -> accelerate(body, strength * body.gravityScale() * body.mass(), wx, wy);
+      case FLOW -> {
+        float pull = body.mass() * (strength * rate) / (1 + strength * rate * dt);
+        float brake = body.inertia() * (strength * angularRate) / (1 + strength * angularRate * dt);
+        body.applyAmbientForce(
+            pull * (wx - body.velocityX()),
+            pull * (wy - body.velocityY()),
+            -brake * body.angularVelocity());
+      }
     }
+  }
+
+  private static void accelerate(Body<?> body, float factor, float ax, float ay) {
+    body.applyAmbientForce(factor * ax, factor * ay, 0);
   }
 }

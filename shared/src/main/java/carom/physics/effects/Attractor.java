@@ -4,6 +4,7 @@ import carom.physics.Body;
 import carom.physics.World;
 import carom.physics.math.Aabb;
 import carom.physics.math.Limits;
+import carom.physics.math.Transform;
 
 /**
  * A point that attracts bodies, repels them, or swirls them round. Call {@link #apply} before every
@@ -25,7 +26,7 @@ import carom.physics.math.Limits;
  * <p>It has no influence on sleeping bodies. After a change, or for a new attractor, call {@link
  * #wake} once. It is not thread-safe. A steady call allocates nothing.
  */
-public final class Attractor {
+public final class Attractor implements Effect {
   /** Law by which the acceleration depends on the distance. */
   public enum Falloff {
     /** The acceleration is the same at every distance. */
@@ -126,10 +127,25 @@ public final class Attractor {
     for (int i = 0; i < nearby.count(); i++) {
       Body<?> body = nearby.get(i);
       if (body.awake() && Nearby.isOf(body, categories)) {
-        pull(body, ahead);
+        pull(body, x, y, 1, ahead);
       }
     }
     nearby.clear();
+  }
+
+  @Override
+  public void act(World<?> world, Body<?> body, Transform frame, float strength, float dtSeconds) {
+    if (Nearby.isActedOn(body) && Nearby.isOf(body, categories)) {
+      float ahead = Lookahead.seconds(world.def(), dtSeconds);
+      pull(body, frame.worldX(x, y), frame.worldY(x, y), strength, ahead);
+    }
+  }
+
+  @Override
+  public void reach(Transform frame, Aabb out) {
+    float atX = frame.worldX(x, y);
+    float atY = frame.worldY(x, y);
+    out.set(atX - range, atY - range, atX + range, atY + range);
   }
 
   /**
@@ -142,9 +158,9 @@ public final class Attractor {
     Areas.wake(nearby, world, area);
   }
 
-  private void pull(Body<?> body, float ahead) {
-    double dx = (double) x - body.centerX() - (double) body.velocityX() * ahead;
-    double dy = (double) y - body.centerY() - (double) body.velocityY() * ahead;
+  private void pull(Body<?> body, float atX, float atY, float factorOfAll, float ahead) {
+    double dx = (double) atX - body.centerX() - (double) body.velocityX() * ahead;
+    double dy = (double) atY - body.centerY() - (double) body.velocityY() * ahead;
     double d = Math.sqrt(dx * dx + dy * dy);
     if (!(d <= range)) {
       return;
@@ -156,7 +172,7 @@ public final class Attractor {
           case LINEAR -> 1 - at / range;
           case INVERSE_SQUARE -> minimum * (double) minimum / (at * at);
         };
-    double k = body.mass() * factor / at;
+    double k = factorOfAll * (body.mass() * factor / at);
     body.applyAmbientForce(
         (float) (k * (strength * dx + swirl * dy)), (float) (k * (strength * dy - swirl * dx)), 0);
   }

@@ -5,6 +5,7 @@ import carom.physics.World;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
 import carom.physics.math.Limits;
+import carom.physics.math.Transform;
 
 /**
  * A fluid that lifts bodies, brakes them, and carries them along. Call {@link #apply} before every
@@ -35,7 +36,7 @@ import carom.physics.math.Limits;
  * a change, call {@link #wake} once. Settings are not part of any saved state. It is not
  * thread-safe. A steady call allocates nothing.
  */
-public final class Buoyancy {
+public final class Buoyancy implements Effect {
   private final Aabb area = new Aabb();
   private final float density;
   private float surfaceX;
@@ -151,6 +152,24 @@ public final class Buoyancy {
   }
 
   /**
+   * Acts on a body in the next step. The frame moves the fluid, but doesn't turn it: area and
+   * surface stay upright. The strength is a factor on the fluid's density.
+   */
+  @Override
+  public void act(World<?> world, Body<?> body, Transform frame, float strength, float dtSeconds) {
+    if (Nearby.isActedOn(body)) {
+      reach(frame, box);
+      float ahead = Lookahead.seconds(world.def(), dtSeconds);
+      lift(world, body, box, frame.x, frame.y, strength * density, ahead, dtSeconds);
+    }
+  }
+
+  @Override
+  public void reach(Transform frame, Aabb out) {
+    out.set(area.minX + frame.x, area.minY + frame.y, area.maxX + frame.x, area.maxY + frame.y);
+  }
+
+  /**
    * Applies the fluid to the bodies that were in a sensor in the last step. The sensor's box bounds
    * the fluid, wherever the sensor has moved. The box's upper edge is the surface unless one was
    * set.
@@ -172,7 +191,7 @@ public final class Buoyancy {
     for (int i = 0; i < nearby.count(); i++) {
       Body<?> body = nearby.get(i);
       if (body.awake()) {
-        lift(world, body, bounds, ahead, dt);
+        lift(world, body, bounds, 0, 0, density, ahead, dt);
       }
     }
     nearby.clear();
@@ -187,9 +206,24 @@ public final class Buoyancy {
     Areas.wake(nearby, world, area);
   }
 
-  private void lift(World<?> world, Body<?> body, Aabb bounds, float ahead, float dt) {
-    measure(body, bounds, ahead);
-    double mass = density * submerged.area;
+  /**
+   * Acts on a body.
+   *
+   * @param movedX how far a given surface has moved with the fluid, m
+   * @param movedY how far a given surface has moved with the fluid, m
+   * @param thickness density of the fluid, kg/m^2
+   */
+  private void lift(
+      World<?> world,
+      Body<?> body,
+      Aabb bounds,
+      float movedX,
+      float movedY,
+      float thickness,
+      float ahead,
+      float dt) {
+    measure(body, bounds, movedX, movedY, ahead);
+    double mass = thickness * submerged.area;
     if (!(mass > 0)) {
       return;
     }
@@ -202,12 +236,12 @@ public final class Buoyancy {
     double w = body.angularVelocity();
     double fx = -mass * world.gravityX() + pull * (flowX - (body.velocityX() - w * ry));
     double fy = -mass * world.gravityY() + pull * (flowY - (body.velocityY() + w * rx));
-    double turn = angularDrag * density * submerged.second;
+    double turn = angularDrag * thickness * submerged.second;
     double brake = turn / (1 + dt * turn * inverseInertia);
     body.applyAmbientForce((float) fx, (float) fy, (float) (rx * fy - ry * fx - brake * w));
   }
 
-  private void measure(Body<?> body, Aabb bounds, float ahead) {
+  private void measure(Body<?> body, Aabb bounds, float movedX, float movedY, float ahead) {
     double cos = body.cos();
     double sin = body.sin();
     double turn = body.angularVelocity() * ahead;
@@ -228,8 +262,8 @@ public final class Buoyancy {
         c,
         s,
         bounds,
-        surfaceGiven ? surfaceX : bounds.maxX,
-        surfaceGiven ? surfaceY : bounds.maxY,
+        surfaceGiven ? surfaceX + movedX : bounds.maxX,
+        surfaceGiven ? surfaceY + movedY : bounds.maxY,
         normalX,
         normalY);
     for (int i = 0; i < body.shapeCount(); i++) {

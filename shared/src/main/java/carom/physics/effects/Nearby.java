@@ -61,6 +61,11 @@ final class Nearby {
     return true;
   }
 
+  /** Returns whether effects act on a body: it is dynamic, enabled and awake. */
+  static boolean isActedOn(Body<?> body) {
+    return body.type() == BodyType.DYNAMIC && body.isEnabled() && body.awake();
+  }
+
   /** Returns whether one of a body's solid shapes has one of the categories. */
   static boolean isOf(Body<?> body, int categories) {
     for (int i = 0; i < body.shapeCount(); i++) {

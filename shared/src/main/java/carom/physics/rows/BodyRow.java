@@ -5,8 +5,8 @@ package carom.physics.rows;
  * drawing.
  *
  * <p>Floats are stored by their raw bits. Positions are metres, velocities m/s and rad/s, all of
- * the centre of mass. The physics reads and writes {@link #MOTION} to {@link #LOADS}. The key and
- * the memory belong to the program that uses the world; the physics leaves them as they are.
+ * the centre of mass. The physics reads and writes {@link #MOTION} to {@link #LOADS}. The key
+ * belongs to the program that uses the world; the physics leaves it as it is.
  */
 public final class BodyRow {
   /** Key by which the using program knows the body in every world; an int of its choice. */
@@ -72,14 +72,11 @@ public final class BodyRow {
   /** Torque, N m. */
   public static final int TORQUE = FORCE_Y + 1;
 
-  /** First of {@link #MEMORY_INTS} ints that the using program keeps with the body. */
-  public static final int MEMORY = LOADS + LOAD_INTS;
-
-  /** Number of the ints of {@link #MEMORY}. */
-  public static final int MEMORY_INTS = 4;
+  /** Number of the ints from {@link #MOTION} to the last load: all that the physics keeps. */
+  public static final int STATE_INTS = LOADS + LOAD_INTS - MOTION;
 
   /** Number of ints of a row. */
-  public static final int INTS = MEMORY + MEMORY_INTS;
+  public static final int INTS = LOADS + LOAD_INTS;
 
   private BodyRow() {}
 }

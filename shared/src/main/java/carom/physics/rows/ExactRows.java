@@ -4,20 +4,24 @@ import carom.physics.math.StateHash;
 import java.util.Arrays;
 
 /**
- * The exact state of some bodies and of the contacts among them, as rows of ints that can be
- * carried to another world. There the same bodies go on in the same way, to the bit.
+ * The exact state of some bodies and of the joints and contacts among them, as rows of ints that
+ * can be carried to another world. There the same bodies go on in the same way, to the bit.
  *
  * <p>Two worlds continue alike if three things are alike: the bodies, with what acts on them in the
- * next step; the order of their slots, because constraints are solved in that order; and the
- * impulses that contacts start with. So bodies are listed by ascending slot, and a contact names
- * them by their place in that list. The slots themselves are no part of a row: each world has its
- * own. Joints are not in it.
+ * next step; the order of the slots of bodies and joints, because constraints are solved in that
+ * order; and the impulses that joints and contacts start with. So bodies and joints are listed by
+ * ascending slot, and joints and contacts name bodies by their place in that list. The slots
+ * themselves are no part of a row: each world has its own.
+ *
+ * <p>A row of a joint holds its state and what a game may change. The constants of a joint are its
+ * {@link JointDefRow}, from which the other world has made it before.
  *
  * <pre>
  *   one world                                                       another world
  *   addBody(slot)   ┌───────────────────────────────────────────┐   setSlot(place, slot)
- *   readRows ──────►│ slots │ 12        │ 17        │ 40        │──────► writeRows
- *                   │ BODY  │ place 0   │ place 1   │ place 2   │
+ *   readRows ──────►│ slots │ 12        │ 17        │ 40        │   setJointSlot(row, slot)
+ *                   │ BODY  │ place 0   │ place 1   │ place 2   │──────► writeRows
+ *                   │ JOINT    0-1                              │
  *                   │ CONTACT  0-1  1-2  2-~3                   │   (~3: a static of both worlds)
  *                   └───────────────────────────────────────────┘
  * </pre>
@@ -32,10 +36,16 @@ public final class ExactRows {
   private final Rows[] rows = new Rows[KINDS.length];
 
   private final Rows bodies;
+  private final Rows joints;
   private final Rows contacts;
 
   /** By place: the slot of the body in a world. */
   private int[] slots = new int[8];
+
+  /** By row of a joint: its slot in a world. */
+  private int[] jointSlots = new int[8];
+
+  private int cutJoints;
 
   /** Creates an empty list. */
   public ExactRows() {
@@ -43,6 +53,7 @@ public final class ExactRows {
       rows[kind.ordinal()] = Rows.of(kind);
     }
     bodies = of(RowKind.BODY);
+    joints = of(RowKind.JOINT);
     contacts = of(RowKind.CONTACT);
   }
 
@@ -56,6 +67,11 @@ public final class ExactRows {
     return bodies;
   }
 
+  /** Returns the rows of joints, whose fields {@link JointRow} declares. */
+  public Rows joints() {
+    return joints;
+  }
+
   /** Returns the rows of contacts, whose fields {@link ContactRow} declares. */
   public Rows contacts() {
     return contacts;
@@ -66,6 +82,7 @@ public final class ExactRows {
     for (Rows of : rows) {
       of.clear();
     }
+    cutJoints = 0;
   }
 
   /**
@@ -81,7 +98,8 @@ public final class ExactRows {
   }
 
   /**
-   * Adds a copy of a row that comes from elsewhere. A body has no slot until {@link #setSlot}.
+   * Adds a copy of a row that comes from elsewhere. A body has no slot until {@link #setSlot}, a
+   * joint none until {@link #setJointSlot}.
    *
    * @param from holds the row
    * @param at where it begins
@@ -91,7 +109,53 @@ public final class ExactRows {
     if (kind == RowKind.BODY) {
       reserveSlots();
       slots[bodies.count() - 1] = NO_SLOT;
+    } else if (kind == RowKind.JOINT) {
+      reserveJointSlots();
+      jointSlots[joints.count() - 1] = NO_SLOT;
     }
+  }
+
+  /**
+   * Adds a joint of a world, whose row is zero until it is read.
+   *
+   * @param slot its index in the world, larger than that of the joint before
+   * @return where its ints begin in the rows of joints
+   */
+  public int addJoint(int slot) {
+    int at = joints.add();
+    reserveJointSlots();
+    jointSlots[joints.count() - 1] = slot;
+    return at;
+  }
+
+  private void reserveJointSlots() {
+    if (jointSlots.length < joints.count()) {
+      jointSlots = Arrays.copyOf(jointSlots, 2 * joints.count());
+    }
+  }
+
+  /** Returns the slot of the joint of a row, or -1 if it has none yet. */
+  public int jointSlot(int row) {
+    return jointSlots[row];
+  }
+
+  /** Says which joint of a world a row stands for: its index there. */
+  public void setJointSlot(int row, int slot) {
+    jointSlots[row] = slot;
+  }
+
+  /**
+   * Returns how many joints of listed bodies hold bodies that are not listed, and so have no row,
+   * as of the last time that a world read these rows. A world that lacks such a joint moves the
+   * bodies in another way at once.
+   */
+  public int cutJoints() {
+    return cutJoints;
+  }
+
+  /** Sets the number that {@link #cutJoints} returns. */
+  public void cutJoints(int count) {
+    cutJoints = count;
   }
 
   private void reserveSlots() {

@@ -8,8 +8,14 @@ public enum RowKind {
   /** A body; its fields are in {@link BodyRow}. */
   BODY(BodyRow.INTS),
 
+  /** A joint of a body; its fields are in {@link JointRow}. */
+  JOINT(JointRow.INTS),
+
   /** A contact between two bodies; its fields are in {@link ContactRow}. */
-  CONTACT(ContactRow.INTS);
+  CONTACT(ContactRow.INTS),
+
+  /** Words of the using program that belong to a body; its fields are in {@link FieldRow}. */
+  FIELDS(FieldRow.INTS);
 
   /** Number of ints of the longest kind. */
   static final int LONGEST;
@@ -31,15 +37,5 @@ public enum RowKind {
   /** Returns the number of ints of a row of this kind. */
   public int ints() {
     return ints;
-  }
-
-  /**
-   * Returns the kind of a row in a sequence that has all bodies before all contacts.
-   *
-   * @param row its number, from 0
-   * @param bodies number of bodies in the sequence
-   */
-  public static RowKind of(int row, int bodies) {
-    return row < bodies ? BODY : CONTACT;
   }
 }

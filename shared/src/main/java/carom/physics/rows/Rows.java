@@ -48,7 +48,7 @@ public final class Rows {
   /**
    * Returns an int of a row.
    *
-   * @param field offset that {@link BodyRow} or {@link ContactRow} declares
+   * @param field offset that {@link BodyRow}, {@link JointRow} or {@link ContactRow} declares
    */
   public int get(int row, int field) {
     return ints[row * stride + field];
@@ -57,7 +57,7 @@ public final class Rows {
   /**
    * Changes an int of a row.
    *
-   * @param field offset that {@link BodyRow} or {@link ContactRow} declares
+   * @param field offset that {@link BodyRow}, {@link JointRow} or {@link ContactRow} declares
    */
   public void set(int row, int field, int value) {
     ints[row * stride + field] = value;

@@ -8,6 +8,7 @@ import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
 import carom.physics.math.Transform;
 import carom.sim.OneWay;
+import carom.sim.field.Ratio;
 import java.util.List;
 
 /**
@@ -100,6 +101,16 @@ public final class Archetype {
   /** Returns the path of a kinematic body, or null. */
   public ScriptedMotion motion() {
     return def.motion;
+  }
+
+  /** Returns the area that its entities carry, in the body's frame, or null. */
+  public Area area() {
+    return def.area;
+  }
+
+  /** Returns the entity field that says how strong {@link #area} is, or null if it always is. */
+  public Ratio areaPower() {
+    return def.areaPower;
   }
 
   /** Returns how its entities are drawn. */

@@ -4,6 +4,9 @@ import carom.physics.BodyType;
 import carom.physics.Material;
 import carom.physics.geometry.Shape;
 import carom.sim.OneWay;
+import carom.sim.event.Audience;
+import carom.sim.field.Ratio;
+import carom.sim.field.Scope;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -33,6 +36,8 @@ public final class ArchetypeDef {
   float spin;
   ScriptedMotion motion;
   Appearance appearance = Appearance.DEFAULT;
+  Area area;
+  Ratio areaPower;
 
   /**
    * Creates a dynamic archetype without shapes. The name is for people and for {@link
@@ -57,6 +62,8 @@ public final class ArchetypeDef {
     spin = d.spin;
     motion = d.motion;
     appearance = d.appearance;
+    area = d.area;
+    areaPower = d.areaPower;
   }
 
   /** Sets whether the bodies are static, kinematic or dynamic; dynamic by default. */
@@ -125,6 +132,40 @@ public final class ArchetypeDef {
   /** Sets the path of a kinematic body. The simulation keeps each such body on it. */
   public ArchetypeDef motion(ScriptedMotion value) {
     motion = value;
+    return this;
+  }
+
+  /**
+   * Sets an area that the entities carry along, in the body's frame: a fan's wind, a magnet. It
+   * acts on all bodies but the carrier; none by default. Clients predict it like an area of the
+   * level.
+   */
+  public ArchetypeDef area(Area value) {
+    area = value;
+    areaPower = null;
+    return this;
+  }
+
+  /**
+   * Sets an area that the entities carry along, as strong as a field of the entity says: 0 is off,
+   * 1 is as set. What is in such an area stays awake while it is on.
+   *
+   * @param value the area
+   * @param power a field of entities that all players near are told, so that they predict it
+   * @throws IllegalArgumentException if the field belongs to something else or is told to fewer
+   */
+  public ArchetypeDef area(Area value, Ratio power) {
+    boolean told = power.audience() == Audience.NEAR || power.audience() == Audience.ALL;
+    if (power.scope() != Scope.ENTITY || !told) {
+      throw new IllegalArgumentException(
+          "archetype="
+              + name
+              + ": field "
+              + power
+              + " can't be the power of an area; declare it .of(ENTITY).to(NEAR)");
+    }
+    area = value;
+    areaPower = power;
     return this;
   }
 

@@ -124,6 +124,8 @@ public final class Level {
   private final List<Placement> bodies;
   private final List<Spawn> spawns;
   private final List<Zone> zones;
+  private final List<Area> areas;
+  private final List<LevelJoint> joints;
 
   Level(LevelReader r, byte[] source) {
     this.source = source;
@@ -138,6 +140,8 @@ public final class Level {
     bodies = List.copyOf(r.bodies);
     spawns = List.copyOf(r.spawns);
     zones = List.copyOf(r.zones);
+    areas = List.copyOf(r.areas);
+    joints = List.copyOf(r.joints);
   }
 
   /**
@@ -292,6 +296,19 @@ public final class Level {
       }
     }
     return found;
+  }
+
+  /** Returns the areas in file order, unmodifiable. Those that bodies carry aren't among them. */
+  public List<Area> areas() {
+    return areas;
+  }
+
+  /**
+   * Returns the joints in file order, unmodifiable. On the server, the joint with index n is the
+   * n-th of them for as long as it holds.
+   */
+  public List<LevelJoint> joints() {
+    return joints;
   }
 
   private static void requireSize(String fileName, int size) throws LevelException {

@@ -2,6 +2,7 @@ package carom.sim.level;
 
 import carom.physics.BodyType;
 import carom.physics.Material;
+import carom.physics.effects.Attractor;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Capsule;
 import carom.physics.geometry.Chain;
@@ -30,6 +31,7 @@ final class LevelReader {
   static final int MAX_PLACEMENTS = 16_384;
   static final int MAX_SPAWNS = 1024;
   static final int MAX_ZONES = 256;
+  static final int MAX_AREAS = 256;
   static final int MAX_PARTS = 32;
   static final int MAX_POINTS = 8;
   static final int MAX_CHAIN_POINTS = 256;
@@ -48,11 +50,14 @@ final class LevelReader {
           "materials",
           "spawns",
           "zones",
+          "areas",
           "statics",
-          "bodies");
+          "bodies",
+          "joints");
   static final List<String> BOUNDS = List.of("min", "max");
   static final List<String> THEME = List.of("background", "sky", "grid", "accent");
-  static final List<String> MATERIAL = List.of("density", "friction", "restitution");
+  static final List<String> MATERIAL =
+      List.of("density", "friction", "restitution", "surfaceSpeed");
   static final List<String> SPAWN = List.of("name", "at", "team");
   static final List<String> ZONE = List.of("name", "min", "max", "team", "color");
   static final List<String> STATIC =
@@ -89,7 +94,22 @@ final class LevelReader {
           "gravityScale",
           "fixedRotation",
           "motion",
-          "spin");
+          "spin",
+          "area");
+  static final List<String> WATER =
+      List.of(
+          "type", "name", "tag", "color", "min", "max", "density", "drag", "angularDrag", "flow");
+  static final List<String> WIND =
+      List.of("type", "name", "tag", "color", "min", "max", "velocity", "rate");
+  static final List<String> GRAVITY =
+      List.of("type", "name", "tag", "color", "min", "max", "gravity");
+  static final List<String> DRAG =
+      List.of("type", "name", "tag", "color", "min", "max", "drag", "angularDrag");
+  static final List<String> ATTRACTOR =
+      List.of(
+          "type", "name", "tag", "color", "at", "range", "strength", "swirl", "falloff", "core");
+  static final List<String> AREAS = List.of("water", "wind", "gravity", "drag", "attractor");
+  static final List<String> FALLOFFS = List.of("constant", "linear", "inverseSquare");
   static final List<String> CIRCLE = List.of("type", "radius", "at");
   static final List<String> BOX = List.of("type", "width", "height", "at");
   static final List<String> POLYGON = List.of("type", "points");
@@ -106,6 +126,7 @@ final class LevelReader {
   static final List<String> LOOKS = looks();
 
   private static final Material DEFAULT_MATERIAL = new Material(1, 0.5f, 0);
+  private static final float[] ZERO = new float[2];
   private static final float RAD_PER_DEGREE = (float) (Math.PI / 180);
 
   String name;
@@ -119,8 +140,11 @@ final class LevelReader {
   final List<Level.Placement> bodies = new ArrayList<>();
   final List<Level.Spawn> spawns = new ArrayList<>();
   final List<Level.Zone> zones = new ArrayList<>();
+  final List<Area> areas = new ArrayList<>();
+  final List<LevelJoint> joints = new ArrayList<>();
 
   private final String file;
+  private final LevelJointReader jointReader = new LevelJointReader(this);
   private final Map<String, Material> materials = new LinkedHashMap<>();
 
   LevelReader(String file, byte[] bytes) throws LevelException {
@@ -148,11 +172,17 @@ final class LevelReader {
     for (Json zone : list(root, "zones", MAX_ZONES)) {
       readZone(zone);
     }
+    for (Json area : list(root, "areas", MAX_AREAS)) {
+      areas.add(area(area));
+    }
     for (Json body : list(root, "statics", MAX_STATIC_ITEMS)) {
       readBody(body, STATIC, statics);
     }
     for (Json body : list(root, "bodies", MAX_BODY_ITEMS)) {
       readBody(body, BODY, bodies);
+    }
+    for (Json joint : list(root, "joints", LevelJointReader.MAX_JOINTS)) {
+      joints.add(jointReader.read(joint));
     }
   }
 
@@ -195,7 +225,10 @@ final class LevelReader {
     return new Material(
         number(node, "density", DEFAULT_MATERIAL.density(), 0.001f, 1000),
         number(node, "friction", DEFAULT_MATERIAL.friction(), 0, 10),
-        number(node, "restitution", DEFAULT_MATERIAL.restitution(), 0, 2));
+        number(node, "restitution", DEFAULT_MATERIAL.restitution(), 0, 2),
+        0,
+        number(node, "surfaceSpeed", 0, -1000, 1000),
+        0);
   }
 
   private Material material(Json node) throws LevelException {
@@ -246,6 +279,85 @@ final class LevelReader {
             color(node, "color", -1)));
   }
 
+  private Area area(Json node) throws LevelException {
+    require(node, Json.Kind.OBJECT);
+    required(node, "type");
+    String type = word(node, "type", AREAS, "");
+    Area area;
+    try {
+      area =
+          switch (type) {
+            case "water" -> water(node);
+            case "wind" -> wind(node);
+            case "gravity" -> gravityArea(node);
+            case "drag" -> dragArea(node);
+            default -> attractor(node);
+          };
+    } catch (IllegalArgumentException e) {
+      throw wrong(node, ": " + e.getMessage());
+    }
+    Json areaName = node.fields.get("name");
+    return area.named(areaName == null ? "" : text(areaName))
+        .onlyTag(integer(node, "tag", Area.ANY_TAG, 0, 65535))
+        .colored(color(node, "color", area.rgb()));
+  }
+
+  private Area water(Json node) throws LevelException {
+    knownFields(node, WATER);
+    float[] box = box4(node);
+    float[] flow = node.fields.containsKey("flow") ? vector(node.fields.get("flow"), 1000) : ZERO;
+    required(node, "density");
+    return Area.water(box[0], box[1], box[2], box[3], number(node, "density", 1, 0.001f, 1000))
+        .drag(number(node, "drag", 1, 0, 1000), number(node, "angularDrag", 1, 0, 1000))
+        .flow(flow[0], flow[1]);
+  }
+
+  private Area wind(Json node) throws LevelException {
+    knownFields(node, WIND);
+    float[] box = box4(node);
+    float[] velocity = vector(required(node, "velocity"), 1000);
+    float rate = number(node, "rate", 1, 0, 1000);
+    return Area.wind(box[0], box[1], box[2], box[3], velocity[0], velocity[1], rate);
+  }
+
+  private Area gravityArea(Json node) throws LevelException {
+    knownFields(node, GRAVITY);
+    float[] box = box4(node);
+    float[] gravity = vector(required(node, "gravity"), 1000);
+    return Area.gravity(box[0], box[1], box[2], box[3], gravity[0], gravity[1]);
+  }
+
+  private Area dragArea(Json node) throws LevelException {
+    knownFields(node, DRAG);
+    float[] box = box4(node);
+    required(node, "drag");
+    float drag = number(node, "drag", 1, 0, 1000);
+    return Area.drag(
+        box[0], box[1], box[2], box[3], drag, number(node, "angularDrag", drag, 0, 1000));
+  }
+
+  private Area attractor(Json node) throws LevelException {
+    knownFields(node, ATTRACTOR);
+    float[] at = vector(required(node, "at"), MAX_COORDINATE);
+    required(node, "range");
+    required(node, "strength");
+    float range = number(node, "range", 1, MIN_SIZE, MAX_SIZE);
+    String falloff = word(node, "falloff", FALLOFFS, FALLOFFS.get(0));
+    return Area.attractor(at[0], at[1], range, number(node, "strength", 0, -10_000, 10_000))
+        .swirl(number(node, "swirl", 0, -10_000, 10_000))
+        .falloff(
+            Attractor.Falloff.values()[FALLOFFS.indexOf(falloff)],
+            number(node, "core", Math.max(0.01f, 0.01f * range), 0.01f, Math.max(0.01f, range)));
+  }
+
+  /** Returns the corners of an area: min x and y, max x and y. */
+  private float[] box4(Json node) throws LevelException {
+    float[] min = vector(required(node, "min"), MAX_COORDINATE);
+    float[] max = vector(required(node, "max"), MAX_COORDINATE);
+    requireOrder(node, min, max);
+    return new float[] {min[0], min[1], max[0], max[1]};
+  }
+
   private void readBody(Json node, List<String> known, List<Level.Placement> out)
       throws LevelException {
     knownFields(node, known);
@@ -265,7 +377,9 @@ final class LevelReader {
     } else {
       readMoving(node, def, at);
     }
+    int first = out.size();
     place(node, at, angle, out);
+    jointReader.item(def.name, isStatic, first, out.size() - first);
     archetypes.add(def);
   }
 
@@ -283,6 +397,8 @@ final class LevelReader {
     def.angularDamping(number(node, "angularDamping", 0, 0, 100));
     def.gravityScale(number(node, "gravityScale", 1, -10, 10));
     def.fixedRotation(bool(node, "fixedRotation", false));
+    Json area = node.fields.get("area");
+    def.area(area == null ? null : area(area));
     def.spin(number(node, "spin", 0, -1080, 1080) * RAD_PER_DEGREE);
     Json motion = node.fields.get("motion");
     if (motion != null) {
@@ -476,7 +592,7 @@ final class LevelReader {
     return node.items;
   }
 
-  private float[] vector(Json node, float limit) throws LevelException {
+  float[] vector(Json node, float limit) throws LevelException {
     require(node, Json.Kind.ARRAY);
     if (node.items.size() != 2) {
       throw wrong(node, " has " + node.items.size() + " numbers, needs 2: [x, y]");
@@ -486,7 +602,7 @@ final class LevelReader {
     };
   }
 
-  private float number(Json parent, String field, float otherwise, float min, float max)
+  float number(Json parent, String field, float otherwise, float min, float max)
       throws LevelException {
     Json node = parent.fields.get(field);
     return node == null ? otherwise : number(node, min, max);
@@ -513,7 +629,7 @@ final class LevelReader {
     return Math.round(value);
   }
 
-  private boolean bool(Json parent, String field, boolean otherwise) throws LevelException {
+  boolean bool(Json parent, String field, boolean otherwise) throws LevelException {
     Json node = parent.fields.get(field);
     if (node == null) {
       return otherwise;
@@ -522,7 +638,7 @@ final class LevelReader {
     return node.truth;
   }
 
-  private String text(Json node) throws LevelException {
+  String text(Json node) throws LevelException {
     require(node, Json.Kind.STRING);
     if (node.text.isBlank() || node.text.length() > 64) {
       throw wrong(node, "=" + node.shown() + " must have 1..64 characters");
@@ -530,7 +646,7 @@ final class LevelReader {
     return node.text;
   }
 
-  private String word(Json parent, String field, List<String> words, String otherwise)
+  String word(Json parent, String field, List<String> words, String otherwise)
       throws LevelException {
     Json node = parent.fields.get(field);
     if (node == null) {
@@ -555,7 +671,7 @@ final class LevelReader {
     return Integer.parseInt(node.text.substring(1), 16);
   }
 
-  private void knownFields(Json node, List<String> known) throws LevelException {
+  void knownFields(Json node, List<String> known) throws LevelException {
     require(node, Json.Kind.OBJECT);
     for (Map.Entry<String, Json> entry : node.fields.entrySet()) {
       if (!known.contains(entry.getKey())) {
@@ -566,7 +682,7 @@ final class LevelReader {
     }
   }
 
-  private Json required(Json parent, String field) throws LevelException {
+  Json required(Json parent, String field) throws LevelException {
     require(parent, Json.Kind.OBJECT);
     Json node = parent.fields.get(field);
     if (node == null) {
@@ -576,7 +692,7 @@ final class LevelReader {
     return node;
   }
 
-  private void require(Json node, Json.Kind kind) throws LevelException {
+  void require(Json node, Json.Kind kind) throws LevelException {
     if (node.kind != kind) {
       throw wrong(
           node,
@@ -587,14 +703,14 @@ final class LevelReader {
     }
   }
 
-  private LevelException unknownWord(Json node, Iterable<String> words, String limit) {
+  LevelException unknownWord(Json node, Iterable<String> words, String limit) {
     List<String> known = new ArrayList<>();
     words.forEach(known::add);
     return wrong(
         node, "=" + node.shown() + " must be " + limit + Suggestion.didYouMean(node.text, known));
   }
 
-  private LevelException wrong(Json node, String problem) {
+  LevelException wrong(Json node, String problem) {
     return new LevelException(file, node.line, node.column, node.path, problem);
   }
 

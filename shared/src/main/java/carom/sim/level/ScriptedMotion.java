@@ -1,5 +1,7 @@
 package carom.sim.level;
 
+import carom.physics.Body;
+
 /**
  * The path of a kinematic body: back and forth between two points, for ever. It is a pure function
  * of the tick, so server and client agree on it without a byte on the wire.
@@ -23,6 +25,20 @@ public record ScriptedMotion(
   /** Returns the vertical position at a tick, metres. */
   public float y(int tick, int tickRate) {
     return y0 + (y1 - y0) * progress(tick, tickRate);
+  }
+
+  /**
+   * Moves a body along the path. It puts the body where the path was a tick ago, to the bit, and
+   * sets the velocity that leads to the path's present point. A client that knows the tick computes
+   * the same.
+   */
+  public void drive(Body<?> body, int tick, int tickRate) {
+    float x = x(tick - 1, tickRate);
+    float y = y(tick - 1, tickRate);
+    if (body.x() != x || body.y() != y) {
+      body.setPose(x, y, body.cos(), body.sin());
+    }
+    body.setVelocity((x(tick, tickRate) - x) * tickRate, (y(tick, tickRate) - y) * tickRate);
   }
 
   /** Returns 0 at the first point, 1 at the second, and the fraction of the way between. */

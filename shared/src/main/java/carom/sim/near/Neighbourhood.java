@@ -2,6 +2,8 @@ package carom.sim.near;
 
 import carom.physics.rows.BodyRow;
 import carom.physics.rows.ExactRows;
+import carom.physics.rows.FieldRow;
+import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
 import carom.sim.Entity;
 import carom.sim.Player;
@@ -14,24 +16,40 @@ import java.util.Arrays;
  * The exact state of some entities of a simulation, as numbers. A server sends it so that a
  * client's simulation of the same entities continues bit for bit as the server's does.
  *
- * <p>The numbers are {@link ExactRows}: a row per entity, with its {@link #key} and the memory of
- * the player whose body it is, and a row per contact among them and with the level's statics.
- * Entities are in the order of their bodies in the world they were read from. The order is part of
- * the state, because the solver follows it.
+ * <p>The numbers are {@link ExactRows}: a row per entity, with its {@link #key}; a row per joint
+ * and per contact among them and with the level's statics; and rows of the fields of the entities
+ * and of the players whose bodies they are. Entities are in the order of their bodies in the world
+ * they were read from. The order is part of the state, because the solver follows it.
  *
  * <p>Mutable, reused; allocates only to grow. One thread.
  */
 public final class Neighbourhood {
+  private static final int EVERYBODY = -1;
+
   private final ExactRows rows = new ExactRows();
+  private final FieldRows fields;
 
   /** Entities to read, or scratch of {@link #despawnAll}. */
   private Entity[] listed = new Entity[8];
 
   private int listedCount;
   private int leaks;
+  private final NearJoints joints = new NearJoints();
 
-  /** Creates an empty neighbourhood. */
-  public Neighbourhood() {}
+  /** Creates an empty neighbourhood with all fields that any player is told. */
+  public Neighbourhood() {
+    this(EVERYBODY);
+  }
+
+  /**
+   * Creates an empty neighbourhood with the fields that a player's client can predict: those of
+   * that player and its entities, and of others those that are told to {@code NEAR} or {@code ALL}.
+   *
+   * @param viewer the player's id
+   */
+  public Neighbourhood(int viewer) {
+    fields = new FieldRows(viewer);
+  }
 
   /** Returns a key that tells entities apart, including earlier ones with the same id. */
   public static int key(int id, int generation) {
@@ -49,11 +67,11 @@ public final class Neighbourhood {
   }
 
   /**
-   * Returns whether entities of an archetype can push others, so that they affect the others'
-   * motion.
+   * Returns whether entities of an archetype affect the motion of others: they are solid, or carry
+   * an area.
    */
-  public static boolean isSolid(Archetype archetype) {
-    return !archetype.sensor();
+  public static boolean affectsOthers(Archetype archetype) {
+    return !archetype.sensor() || archetype.area() != null;
   }
 
   /** Removes all entities and contacts. */
@@ -79,24 +97,22 @@ public final class Neighbourhood {
       rows.addBody(listed[i].body().index());
     }
     leaks = s.world().readRows(rows);
+    joints.read(s, rows);
     Rows bodies = rows.bodies();
     for (int i = 0; i < listedCount; i++) {
       Entity e = listed[i];
       bodies.set(i, BodyRow.KEY, key(e.id(), e.generation()));
       Player owner = s.owner(e);
-      if (owner != null && owner.body() == e) {
-        System.arraycopy(
-            owner.memory(), 0, bodies.ints(), bodies.at(i) + BodyRow.MEMORY, Player.MEMORY_SIZE);
-      }
+      fields.read(s.schema(), i, e, owner, rows.of(RowKind.FIELDS));
     }
   }
 
-  /** Lists and reads all entities that can push others. */
+  /** Lists and reads all entities that affect the motion of others. */
   public void readAll(Simulation s) {
     clear();
     for (int id = 0; id < s.entityCapacity(); id++) {
       Entity e = s.entity(id);
-      if (e != null && isSolid(e.archetype())) {
+      if (e != null && affectsOthers(e.archetype())) {
         add(e);
       }
     }
@@ -118,8 +134,13 @@ public final class Neighbourhood {
     }
   }
 
-  /** Gives the archetype and owner of entities, for {@link #write}. */
+  /** Gives the archetype and owner of entities, and what joints are, for {@link #write}. */
   public interface Identity {
+    /** Returns what knows the definitions of joints. */
+    default JointDefinitions joints() {
+      return (key, to) -> false;
+    }
+
     /** Returns the archetype of an entity. */
     Archetype archetype(int id);
 
@@ -133,7 +154,7 @@ public final class Neighbourhood {
    * long as the inputs are the same and nothing else comes near.
    *
    * @param s of role {@link Role#PREDICTION}, of the same level and game
-   * @param who gives archetypes and owners
+   * @param who gives archetypes, owners and definitions of joints
    */
   public void write(Simulation s, Identity who) {
     despawnAll(s);
@@ -149,18 +170,32 @@ public final class Neighbourhood {
       rows.setSlot(i, e.body().index());
       Player player = s.player(owner);
       if (player != null && player.body() == e) {
-        System.arraycopy(
-            bodies.ints(), bodies.at(i) + BodyRow.MEMORY, player.memory(), 0, Player.MEMORY_SIZE);
+        fields.reset(s.schema(), player);
       }
     }
+    joints.make(s, rows, who.joints());
+    joints.toggle(s, rows);
     s.world().writeRows(rows);
+    joints.toggle(s, rows);
+    writeFields(s);
+  }
+
+  private void writeFields(Simulation s) {
+    Rows from = rows.of(RowKind.FIELDS);
+    for (int row = 0; row < from.count(); row++) {
+      Entity e = s.entity(id(key(from.get(row, FieldRow.PLACE))));
+      Player owner = s.owner(e);
+      boolean isBody = owner != null && owner.body() == e;
+      fields.write(s.schema(), from.ints(), from.at(row), e, isBody ? owner : null);
+    }
   }
 
   /**
-   * Despawns all entities, last slot first. The world reuses free slots in reverse, so new bodies
-   * then get slots in order.
+   * Destroys all joints and despawns all entities, last slot first. The world reuses free slots in
+   * reverse, so new bodies then get slots in order, and joints do so, too.
    */
   private void despawnAll(Simulation s) {
+    s.world().destroyJoints();
     Arrays.fill(listed, 0, listedCount, null);
     listedCount = 0;
     for (int id = 0; id < s.entityCapacity(); id++) {
@@ -196,6 +231,14 @@ public final class Neighbourhood {
    */
   public int leaks() {
     return leaks;
+  }
+
+  /**
+   * Returns the number of joints with bodies that were not listed, as of the last {@link #read}.
+   * The listed bodies then don't move as these rows say.
+   */
+  public int cutJoints() {
+    return rows.cutJoints();
   }
 
   /**

@@ -29,10 +29,10 @@ import java.util.TreeMap;
  * The server's world is that of {@link Scene#start} with sleep and continuous collision, bit for
  * bit.
  *
- * <p>Every body is an entity, and bodies that look the same share an archetype. Joints and
- * particles are not sent; clients see their effects. Both sides learn the archetypes by running the
- * scene's actions {@value #PREVIEW_TICKS} ticks ahead in a world that stands still. A body that
- * first appears later, with a look of its own, exists but is not seen.
+ * <p>Every body is an entity, and bodies that look the same share an archetype. Joints are sent as
+ * in any game. Particles are not; clients see their effects. Both sides learn the archetypes by
+ * running the scene's actions {@value #PREVIEW_TICKS} ticks ahead in a world that stands still. A
+ * body that first appears later, with a look of its own, exists but is not seen.
  */
 public final class SceneGame implements Game {
   /** Prefix of the names of these games; the scene's name follows. */

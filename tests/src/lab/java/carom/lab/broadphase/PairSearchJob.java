@@ -15,7 +15,7 @@ import carom.physics.geometry.Box;
 import carom.physics.geometry.Shape;
 import carom.physics.profile.StageListener;
 import carom.physics.profile.StepStage;
-import carom.sim.SimRandom;
+import carom.sim.random.SimRandom;
 import carom.sim.scene.SceneReport;
 import java.util.Arrays;
 import java.util.LinkedHashMap;

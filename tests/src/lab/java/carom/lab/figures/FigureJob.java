@@ -34,6 +34,7 @@ interface FigureJob {
     jobs.put("perfect", PredictionFigures::perfect);
     jobs.put("alone", PredictionFigures::alone);
     jobs.put("push", PredictionFigures::push);
+    jobs.put("forces", ForceFigures::measure);
     jobs.put("feel", FeelFigures::measure);
     jobs.put("rollback", RollbackFigures::measure);
     jobs.put("encode", EncodeFigures::measure);

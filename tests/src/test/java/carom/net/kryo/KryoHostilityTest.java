@@ -175,7 +175,7 @@ final class KryoHostilityTest {
       udp.write(challenge.put(0, (byte) 8).flip());
       Link[] link = new Link[1];
       eventually(() -> (link[0] = network.server.accept()) != null, () -> "not accepted");
-      tcp.getOutputStream().write(new byte[] {0, 0, 0, 1, 3, 0, 0, 0, 2, 4, 3, 0, 0, 0, 1, 5});
+      tcp.getOutputStream().write(new byte[] {0, 0, 0, 1, 3, 0, 0, 0, 2, 4, 4, 0, 0, 0, 1, 5});
       Network.Inbox inbox = new Network.Inbox();
       eventually(
           () -> {
@@ -183,7 +183,7 @@ final class KryoHostilityTest {
             return inbox.closed == 1;
           },
           link[0]::toString);
-      assertEquals(List.of(new ClientMessage.Ready()), inbox.messages);
+      assertEquals(List.of(new ClientMessage.Leave()), inbox.messages);
       assertEquals("the client left", inbox.reason);
     }
   }
@@ -445,10 +445,10 @@ final class KryoHostilityTest {
   void unreadMessagesHaveAnEnd() throws IOException {
     try (Stranger stranger = new Stranger()) {
       Link link = stranger.join();
-      byte[] ready = {Frame.MESSAGE, ClientMessageCodec.encode(new ClientMessage.Ready())[0]};
+      byte[] leave = {Frame.MESSAGE, ClientMessageCodec.encode(new ClientMessage.Leave())[0]};
       try {
         for (int i = 0; i < 1_500; i++) {
-          stranger.frame(ready);
+          stranger.frame(leave);
         }
       } catch (SocketException x) {
         assertTrue(stranger.closedByServer());

@@ -32,7 +32,20 @@ final class KryoMessageCodecTest {
     Arrays.fill(chunk, (byte) 0xa5);
     return List.of(
         new ServerMessage.Welcome(
-            -2, 0x01020304, 255, 240, 77, Long.MIN_VALUE, "arena", "arena.json", 42, 12_345, 678),
+            -2,
+            0x01020304,
+            255,
+            240,
+            9,
+            77,
+            Long.MIN_VALUE,
+            "arena",
+            "arena.json",
+            42,
+            12_345,
+            678,
+            -9,
+            List.of("player.ammo count 0..30 to OWNER", "")),
         new ServerMessage.LevelChunk(4_096, chunk),
         new ServerMessage.Refused(RefusalReason.NAME_INVALID, "Ünal is no name"),
         new ServerMessage.Roster(List.of()),
@@ -45,8 +58,8 @@ final class KryoMessageCodecTest {
         new ClientMessage.Watch(1, -5, 255),
         new ClientMessage.RecordingRequest(Long.MAX_VALUE),
         new ClientMessage.Hello(1, -5, "Ünal", 99),
-        new ClientMessage.LevelRequest(1_000),
-        new ClientMessage.Ready(),
+        new ClientMessage.LevelRequest(7, 1_000),
+        new ClientMessage.Ready(7, 5),
         new ClientMessage.Leave(),
         new ClientMessage.Look(1.5f, -2, 0, 1e30f));
   }
@@ -91,7 +104,9 @@ final class KryoMessageCodecTest {
             + "0a6172656e612e6a736f6e" // levelName
             + "2a00000000000000" // levelHash
             + "b960" // levelSize
-            + "a605", // packedSize
+            + "a605" // packedSize
+            + "f7ffffffffffffff" // fieldsDigest
+            + "0220706c617965722e616d6d6f20636f756e7420302e2e333020746f204f574e455200", // fields
         hex.formatHex(codec.encode(everyMessage().get(0))));
     assertEquals(
         "4180200201ff",
@@ -120,8 +135,11 @@ final class KryoMessageCodecTest {
             new ClientMessage.Watch(1, 2, 0),
             new ClientMessage.RecordingRequest(-1),
             new ServerMessage.LevelChunk(-1, new byte[1]),
-            new ServerMessage.Welcome(1, 1, Limits.MAX_PLAYERS, 60, 0, 0, "g", "l", 0, 0, 0),
-            new ServerMessage.Welcome(1, 1, 1, 0, 0, 0, "g", "l", 0, 0, 0),
+            new ServerMessage.Welcome(
+                1, 1, Limits.MAX_PLAYERS, 60, 1, 0, 0, "g", "l", 0, 0, 0, 0, List.of()),
+            new ServerMessage.Welcome(1, 1, 1, 0, 1, 0, 0, "g", "l", 0, 0, 0, 0, List.of()),
+            new ServerMessage.Welcome(
+                1, 1, 1, 60, 1, 0, 0, "g", "l", 0, 0, 0, 0, List.of("x".repeat(101))),
             "no message");
     for (Object message : wrong) {
       IllegalArgumentException x =

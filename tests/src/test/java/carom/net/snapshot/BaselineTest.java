@@ -8,6 +8,8 @@ import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
 import carom.net.snapshot.frame.FrameState;
 import carom.physics.rows.BodyRow;
+import carom.physics.rows.RowCounts;
+import carom.physics.rows.RowKind;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 
@@ -152,16 +154,16 @@ class BaselineTest {
   @Test
   void ownStateCountsAsNews() {
     frame(-1, -1, 0);
-    OwnState own = new OwnState();
-    own.setMemory(2, 5);
+    OwnState own = new OwnState(4);
+    own.setWord(2, 5);
     assertEquals(false, encoder.nothingNew(own));
     encoder.begin(feedback, own, 0);
     encoder.next(buffer);
     ackNewest();
     assertEquals(true, encoder.nothingNew(own));
-    own.setMemory(2, 6);
+    own.setWord(2, 6);
     assertEquals(false, encoder.nothingNew(own));
-    assertThrows(IndexOutOfBoundsException.class, () -> own.setMemory(4, 0));
+    assertThrows(IndexOutOfBoundsException.class, () -> own.setWord(4, 0));
   }
 
   @Test
@@ -175,14 +177,14 @@ class BaselineTest {
       frame.putQuantized(slot, 1, 7, -1, 1_000 * slot, -slot, slot, slot, 1, 1);
     }
     many.end();
-    OwnState own = new OwnState();
+    OwnState own = new OwnState(4);
     int[] row = new int[BodyRow.INTS];
     Arrays.fill(row, 0x3f9d_70a4);
     own.near().begin(1);
     for (int i = 0; i < 12; i++) {
       own.near().add(i | 1 << 16);
     }
-    own.near().beginPart(0, 12, 0);
+    own.near().beginPart(0, contacts(12), 0);
     for (int i = 0; i < 12; i++) {
       own.near().tell(i);
     }
@@ -209,5 +211,11 @@ class BaselineTest {
       sum += n;
     }
     return sum;
+  }
+
+  private static RowCounts contacts(int count) {
+    RowCounts counts = new RowCounts();
+    counts.set(RowKind.CONTACT, count);
+    return counts;
   }
 }

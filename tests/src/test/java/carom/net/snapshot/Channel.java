@@ -9,6 +9,8 @@ import carom.net.snapshot.frame.PlayerSet;
 import carom.net.snapshot.frame.WaitingInputs;
 import carom.net.snapshot.record.Deltas;
 import carom.net.snapshot.relay.RelayedInputs;
+import carom.net.snapshot.table.TableInbox;
+import carom.net.snapshot.table.Tables;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumMap;
@@ -62,8 +64,8 @@ final class Channel {
   private final List<Delayed> up = new ArrayList<>();
   private final byte[] buffer = new byte[SnapshotEncoder.MAX_DATAGRAM_BYTES];
   private final InputFeedback feedback = new InputFeedback();
-  private final OwnState own = new OwnState();
-  private final OwnState expectedOwn = new OwnState();
+  private final OwnState own = new OwnState(4);
+  private final OwnState expectedOwn = new OwnState(4);
 
   Channel(Scene scene, long seed) {
     this(scene, seed, Scene.TICK_RATE);
@@ -77,8 +79,9 @@ final class Channel {
     this.scene = scene;
     dice = new Dice(seed);
     name = "seed=" + seed;
-    encoder = new SnapshotEncoder(new Deltas(scene.ring, tickRate), KEY, interest);
-    decoder = new SnapshotDecoder(scene.slots, KEY, scene.firstTick, tickRate);
+    encoder =
+        new SnapshotEncoder(new Deltas(scene.ring, tickRate), KEY, interest, Tables.NONE, null);
+    decoder = new SnapshotDecoder(scene.slots, KEY, scene.firstTick, tickRate, 4, new TableInbox());
   }
 
   void tick() {

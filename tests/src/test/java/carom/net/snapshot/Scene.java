@@ -182,9 +182,9 @@ final class Scene {
     for (int i = 0; i < tick / 30 % 32; i++) {
       own.relayed().add((tick / 60 + 7 * i) % PLAYERS);
     }
-    own.setMemory(0, tick / 50);
-    own.setMemory(1, -1);
-    own.setMemory(2, Integer.MIN_VALUE + tick);
-    own.setMemory(3, 0);
+    own.setWord(0, tick / 50);
+    own.setWord(1, -1);
+    own.setWord(2, Integer.MIN_VALUE + tick);
+    own.setWord(3, 0);
   }
 }

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.net.snapshot.frame.PlayerSet;
 import carom.net.snapshot.relay.RelayedInputs;
+import carom.net.snapshot.table.TableInbox;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -211,7 +212,9 @@ class SnapshotChannelTest {
     Channel channel = new Channel(new Scene(100, 0, 81), 82);
     run(channel, 500);
     channel.encoder.reset();
-    channel.decoder = new SnapshotDecoder(100, Channel.KEY, channel.scene.tick, Scene.TICK_RATE);
+    channel.decoder =
+        new SnapshotDecoder(
+            100, Channel.KEY, channel.scene.tick, Scene.TICK_RATE, 4, new TableInbox());
     runAndSettle(channel, 500);
   }
 

@@ -17,6 +17,7 @@ import carom.net.snapshot.frame.Predictor;
 import carom.net.snapshot.record.DeltaCodec;
 import carom.net.snapshot.record.RecordCodec;
 import carom.net.snapshot.record.SlotCodec;
+import carom.net.snapshot.table.TableInbox;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.Set;
@@ -34,11 +35,11 @@ class SnapshotWireTest {
   private final SnapshotEncoder encoder = new SnapshotEncoder(scene.ring, KEY, Scene.TICK_RATE);
   private SnapshotDecoder decoder = newDecoder();
   private final InputFeedback feedback = new InputFeedback();
-  private final OwnState own = new OwnState();
+  private final OwnState own = new OwnState(4);
   private final byte[] buffer = new byte[SnapshotEncoder.MAX_DATAGRAM_BYTES];
 
   private static SnapshotDecoder newDecoder() {
-    return new SnapshotDecoder(60, KEY, 0, Scene.TICK_RATE);
+    return new SnapshotDecoder(60, KEY, 0, Scene.TICK_RATE, 4, new TableInbox());
   }
 
   private byte[] datagram() {
@@ -213,7 +214,8 @@ class SnapshotWireTest {
   @Test
   void anotherSessionsKeyIsDamage() {
     byte[] bytes = nextDatagram();
-    SnapshotDecoder other = new SnapshotDecoder(60, KEY + 1, 0, Scene.TICK_RATE);
+    SnapshotDecoder other =
+        new SnapshotDecoder(60, KEY + 1, 0, Scene.TICK_RATE, 4, new TableInbox());
     assertEquals(DecodeStatus.DAMAGED, other.decode(bytes, 0, bytes.length));
     assertFalse(other.hasAck());
   }
@@ -232,7 +234,7 @@ class SnapshotWireTest {
   @Test
   void slotsBeyondTheCapacityAreDamage() {
     byte[] bytes = nextDatagram();
-    SnapshotDecoder small = new SnapshotDecoder(1, KEY, 0, Scene.TICK_RATE);
+    SnapshotDecoder small = new SnapshotDecoder(1, KEY, 0, Scene.TICK_RATE, 4, new TableInbox());
     assertEquals(DecodeStatus.DAMAGED, small.decode(bytes, 0, bytes.length));
   }
 

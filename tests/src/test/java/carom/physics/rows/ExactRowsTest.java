@@ -30,8 +30,10 @@ final class ExactRowsTest {
 
   @Test
   void theFieldsOfAKindFillItsRow() throws Exception {
-    assertEquals(BodyRow.MEMORY + BodyRow.MEMORY_INTS, BodyRow.INTS);
-    requireFilled(BodyRow.class, BodyRow.MEMORY, Set.of("ASLEEP"));
+    assertEquals(BodyRow.LOADS + BodyRow.LOAD_INTS, BodyRow.INTS);
+    requireFilled(BodyRow.class, BodyRow.INTS, Set.of("ASLEEP"));
+    requireFilled(JointRow.class, JointRow.INTS, Set.of("GROUND"));
+    requireFilled(JointDefRow.class, JointDefRow.INTS, Set.of());
     requireFilled(ContactRow.class, ContactRow.INTS, Set.of("FLAGS_SHIFT", "POINTS_MASK"));
   }
 
@@ -68,9 +70,13 @@ final class ExactRowsTest {
   @Test
   void rowsOfMixedKindsStayApart() {
     Rows rows = Rows.mixed();
+    RowCounts counts = new RowCounts();
+    counts.set(RowKind.BODY, 20);
+    counts.set(RowKind.JOINT, 10);
+    counts.set(RowKind.FIELDS, 5);
     List<int[]> added = new ArrayList<>();
     for (int i = 0; i < 50; i++) {
-      RowKind kind = RowKind.of(i, 20);
+      RowKind kind = counts.kind(i);
       int[] row = new int[kind.ints()];
       Arrays.fill(row, i + 1);
       rows.add(kind, row, 0);
@@ -85,8 +91,12 @@ final class ExactRowsTest {
       int[] found = Arrays.copyOfRange(copy.ints(), at, at + expected.length);
       assertArrayEquals(expected, found, "row " + i);
     }
-    assertEquals(RowKind.BODY, RowKind.of(19, 20));
-    assertEquals(RowKind.CONTACT, RowKind.of(20, 20));
+    assertEquals(RowKind.BODY, counts.kind(19));
+    assertEquals(RowKind.JOINT, counts.kind(20));
+    assertEquals(RowKind.JOINT, counts.kind(29));
+    assertEquals(RowKind.FIELDS, counts.kind(30));
+    assertEquals(20, counts.first(RowKind.JOINT));
+    assertEquals(35, counts.total());
   }
 
   @Test
@@ -184,15 +194,13 @@ final class ExactRowsTest {
   }
 
   @Test
-  void theKeyAndTheMemoryAreLeftToTheProgram() {
+  void theKeyIsLeftToTheProgram() {
     List<Body<String>> boxes = new ArrayList<>();
     World<String> w = tower(boxes);
     ExactRows rows = new ExactRows();
     rows.addBody(boxes.get(0).index());
     rows.bodies().set(0, BodyRow.KEY, 17);
-    rows.bodies().set(0, BodyRow.MEMORY, 4);
     w.readRows(rows);
     assertEquals(17, rows.bodies().get(0, BodyRow.KEY));
-    assertEquals(4, rows.bodies().get(0, BodyRow.MEMORY));
   }
 }

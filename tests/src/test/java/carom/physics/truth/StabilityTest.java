@@ -20,7 +20,7 @@ import carom.physics.World;
 import carom.physics.WorldDef;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Polygon;
-import carom.sim.SimRandom;
+import carom.sim.random.SimRandom;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneRun;
 import carom.sim.scene.catalog.Scenes;

@@ -15,7 +15,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 
 final class PredictionAuditTest {
-  private final PredictionAudit audit = new PredictionAudit();
+  private final PredictionAudit audit = new PredictionAudit(4);
 
   @Test
   void namesTheFirstBodyThatDiffersWithBothStates() {
@@ -28,7 +28,7 @@ final class PredictionAuditTest {
     assertEquals(Finding.EQUAL, audit.judge(right));
     List<Integer> bits = new ArrayList<>(right.bodies());
     bits.set(Diverged.BODY_INTS + 5, Float.floatToRawIntBits(-2.5f)); // vx of the second
-    Diverged wrong = new Diverged(104, 101, bits, List.of());
+    Diverged wrong = new Diverged(104, 101, true, bits, List.of());
     assertEquals(Finding.UNEXPLAINED, audit.judge(wrong));
     assertEquals(
         " entity=11 generation=7 x server=104.0 client=104.0 y server=104.0 client=104.0"
@@ -38,7 +38,7 @@ final class PredictionAuditTest {
         audit.describe(wrong));
     audit.keepSet(103, true);
     assertEquals(Finding.INTERFERED, audit.judge(wrong));
-    assertEquals(Finding.UNEXPLAINED, audit.judge(new Diverged(104, 103, bits, List.of())));
+    assertEquals(Finding.UNEXPLAINED, audit.judge(new Diverged(104, 103, true, bits, List.of())));
     audit.clear();
     assertEquals(Finding.UNKNOWN, audit.judge(wrong));
   }
@@ -68,7 +68,7 @@ final class PredictionAuditTest {
         " x server=104.0 client=-1.0 y server=104.0 client=104.0 cos server=104.0 client=104.0"
             + " sin server=104.0 client=104.0 vx server=104.0 client=104.0"
             + " vy server=104.0 client=104.0 omega server=104.0 client=104.0"
-            + " m3 server=8 client=9",
+            + " word3 server=8 client=9",
         audit.describe(wrong));
     audit.keep(103, own(103), true, false, false);
     assertEquals(Finding.INPUT_MISSING, audit.judge(wrong));
@@ -76,7 +76,7 @@ final class PredictionAuditTest {
     assertEquals(Finding.INTERFERED, audit.judge(wrong));
     audit.keep(104, own(104), false, true, false);
     assertEquals(Finding.TOUCHED, audit.judge(wrong));
-    audit.keep(102, new OwnState(), false, false, false); // no body in between
+    audit.keep(102, new OwnState(4), false, false, false); // no body in between
     assertEquals(Finding.UNKNOWN, audit.judge(wrong));
   }
 
@@ -111,25 +111,25 @@ final class PredictionAuditTest {
     audit.keep(tick, own(tick), inputMissing, false, false);
   }
 
-  /** Entity 10 of generation 7, all of whose numbers are the tick's; memory 5 to 8. */
+  /** Entity 10 of generation 7, all of whose numbers are the tick's; words 5 to 8. */
   private static OwnState own(int tick) {
-    OwnState own = new OwnState();
+    OwnState own = new OwnState(4);
     own.setBody(10, 7, tick, tick, tick, tick, tick, tick, tick);
-    for (int i = 0; i < OwnState.MEMORY; i++) {
-      own.setMemory(i, 5 + i);
+    for (int i = 0; i < 4; i++) {
+      own.setWord(i, 5 + i);
     }
     return own;
   }
 
-  /** Of the body of {@link #own}, but for x and the last int of the memory. */
-  private static Diverged ownReport(int tick, int equalTick, float x, int lastMemory) {
+  /** Of the body of {@link #own}, but for x and the last word. */
+  private static Diverged ownReport(int tick, int equalTick, float x, int lastWord) {
     List<Integer> body = new ArrayList<>();
     body.add(Neighbourhood.key(10, 7));
     body.add(Float.floatToRawIntBits(x));
     for (int i = 2; i < Diverged.BODY_INTS; i++) {
       body.add(Float.floatToRawIntBits(tick));
     }
-    return new Diverged(tick, equalTick, body, List.of(5, 6, 7, lastMemory));
+    return new Diverged(tick, equalTick, false, body, List.of(5, 6, 7, lastWord));
   }
 
   /** Entities 10, 11, ... of generation 7, all of whose numbers are the tick's. */
@@ -151,6 +151,6 @@ final class PredictionAuditTest {
         bits.add(near.rows().bodies().get(i, j));
       }
     }
-    return new Diverged(tick, equalTick, bits, List.of());
+    return new Diverged(tick, equalTick, true, bits, List.of());
   }
 }

@@ -26,7 +26,7 @@ class UpdateDeliveryTest {
   private final FrameRing ring = new FrameRing(16);
   private final SnapshotEncoder encoder = new SnapshotEncoder(ring, 1, 60);
   private final byte[] buffer = new byte[SnapshotEncoder.MAX_DATAGRAM_BYTES];
-  private final UpdateRows rows = new UpdateRows();
+  private final UpdateRows rows = new UpdateRows(-1);
   private final UpdateDelivery delivery = new UpdateDelivery();
   private final OwnState prepared = new OwnState();
   private int tick;

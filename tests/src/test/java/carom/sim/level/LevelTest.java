@@ -101,6 +101,7 @@ class LevelTest {
             "turned zone",
             "\"zones\": [{\"name\":\"z\", \"min\": [0, 0], \"max\": [1, 0]}]",
             "4:46: zones[0].max=[1.0, 0.0] must be right of and above min=[0.0, 0.0]"));
+    addAreas(c);
     c.add(
         field(
             "colour",
@@ -197,6 +198,54 @@ class LevelTest {
     return c;
   }
 
+  private static void addAreas(List<Case> c) {
+    c.add(
+        field(
+            "area without a type",
+            "\"areas\": [{\"min\": [0, 0], \"max\": [1, 1]}]",
+            "4:11: areas[0].type is missing"));
+    c.add(
+        field(
+            "area of an unknown type",
+            "\"areas\": [{\"type\": \"watr\"}]",
+            "4:20: areas[0].type=\"watr\" must be one of [water, wind, gravity, drag, attractor];"
+                + " did you mean \"water\"?"));
+    c.add(
+        field(
+            "area with another's field",
+            "\"areas\": [{\"type\": \"water\", \"min\": [0, 0], \"max\": [1, 1], \"density\": 1,"
+                + " \"velocity\": [1, 0]}]",
+            "4:85: areas[0].velocity is unknown; known are [type, name, tag, color, min, max,"
+                + " density, drag, angularDrag, flow]"));
+    c.add(
+        field(
+            "water without density",
+            "\"areas\": [{\"type\": \"water\", \"min\": [0, 0], \"max\": [1, 1]}]",
+            "4:11: areas[0].density is missing"));
+    c.add(
+        field(
+            "wind too fast",
+            "\"areas\": [{\"type\": \"wind\", \"min\": [0, 0], \"max\": [1, 1], \"velocity\":"
+                + " [2000, 0]}]",
+            "4:71: areas[0].velocity[0]=2000 must be in -1000..1000"));
+    c.add(
+        meaning(
+            "turned area",
+            "\"areas\": [{\"type\": \"drag\", \"min\": [0, 0], \"max\": [1, 0], \"drag\": 1}]",
+            "4:50: areas[0].max=[1.0, 0.0] must be right of and above min=[0.0, 0.0]"));
+    c.add(
+        meaning(
+            "attractor whose core is beyond its range",
+            "\"areas\": [{\"type\": \"attractor\", \"at\": [0, 0], \"range\": 2, \"strength\": 1,"
+                + " \"core\": 3}]",
+            "4:82: areas[0].core=3 must be in 0.01..2"));
+    c.add(
+        field(
+            "static with an area",
+            "\"statics\": [{\"at\": [0, 0], \"area\": {}, " + BOX + "}]",
+            "4:36: statics[0].area is unknown; known are"));
+  }
+
   @TestFactory
   List<DynamicTest> namesThePlaceOfEveryMistake() {
     List<DynamicTest> tests = new ArrayList<>();
@@ -235,7 +284,7 @@ class LevelTest {
   @Test
   void theSchemaAcceptsWhatShips() throws Exception {
     SchemaChecker schema = SchemaChecker.levels();
-    for (String name : List.of("arena", "commons", "platformer")) {
+    for (String name : List.of("arena", "commons", "lagoon", "platformer")) {
       Level level = Level.builtIn(name);
       assertEquals("", schema.check(Json.parse(name, level.source())));
     }
@@ -279,6 +328,11 @@ class LevelTest {
     assertEquals(LevelReader.ZONE, schema.fields("zone"));
     assertEquals(LevelReader.STATIC, schema.fields("static"));
     assertEquals(LevelReader.BODY, schema.fields("body"));
+    assertEquals(LevelReader.WATER, schema.fields("water"));
+    assertEquals(LevelReader.WIND, schema.fields("wind"));
+    assertEquals(LevelReader.GRAVITY, schema.fields("gravity"));
+    assertEquals(LevelReader.DRAG, schema.fields("drag"));
+    assertEquals(LevelReader.ATTRACTOR, schema.fields("attractor"));
     assertEquals(LevelReader.CIRCLE, schema.fields("circle"));
     assertEquals(LevelReader.BOX, schema.fields("box"));
     assertEquals(LevelReader.POLYGON, schema.fields("polygon"));
@@ -288,6 +342,20 @@ class LevelTest {
     assertEquals(LevelReader.COMPOUND, schema.fields("compound"));
     assertEquals(LevelReader.MOTION, schema.fields("motion"));
     assertEquals(LevelReader.REPEAT, schema.fields("repeat"));
+    assertEquals(LevelJointReader.REVOLUTE, schema.fields("revolute"));
+    assertEquals(LevelJointReader.DISTANCE, schema.fields("distance"));
+    assertEquals(LevelJointReader.ROPE, schema.fields("rope"));
+    assertEquals(LevelJointReader.PRISMATIC, schema.fields("prismatic"));
+    assertEquals(LevelJointReader.WHEEL, schema.fields("wheel"));
+    assertEquals(LevelJointReader.WELD, schema.fields("weld"));
+    assertEquals(LevelJointReader.MOTOR, schema.fields("motorJoint"));
+    assertEquals(LevelJointReader.MOUSE, schema.fields("mouse"));
+    assertEquals(LevelJointReader.GEAR, schema.fields("gear"));
+    assertEquals(LevelJointReader.RACK, schema.fields("rack"));
+    assertEquals(LevelJointReader.PULLEY, schema.fields("pulley"));
+    assertEquals(LevelJointReader.MOTOR_FIELDS, schema.fields("drive"));
+    assertEquals(LevelJointReader.SPRING, schema.fields("spring"));
+    assertEquals(LevelJointReader.BREAKS, schema.fields("breaks"));
     assertEquals(LevelReader.LOOKS, schema.words("look"));
   }
 

@@ -1,12 +1,15 @@
 package carom.client.desktop.game;
 
 import carom.client.desktop.paint.Canvas;
+import carom.client.desktop.paint.JointPainter;
 import carom.client.desktop.paint.ShapePainter;
 import carom.client.desktop.paint.Theme;
 import carom.client.view.ClientView;
 import carom.client.view.ClientView.Drawn;
+import carom.client.view.JointView;
 import carom.game.Games;
 import carom.physics.Body;
+import carom.physics.JointType;
 import carom.physics.geometry.Box;
 import carom.physics.geometry.Circle;
 import carom.physics.geometry.Convex;
@@ -14,8 +17,10 @@ import carom.physics.geometry.Shape;
 import carom.sim.Entity;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.field.Ratio;
 import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
+import carom.sim.level.Area;
 import carom.sim.level.Level;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.graphics.OrthographicCamera;
@@ -29,6 +34,11 @@ final class WorldPainter {
   private static final float SHADOW_X_M = 0.10f;
   private static final float SHADOW_Y_M = -0.14f;
   private static final float EDGE_M = 0.07f;
+
+  /** Distance between the marks of a conveyor belt, and their size, metres. */
+  private static final float BELT_STEP_M = 0.8f;
+
+  private static final float BELT_MARK_M = 0.2f;
 
   /** Opacity of sensors. */
   private static final float SENSOR = 0.25f;
@@ -46,6 +56,8 @@ final class WorldPainter {
 
   private final Canvas canvas;
   private final ShapePainter shapes;
+  private final JointPainter joints;
+  private final AreaPainter areas;
   private final Impacts impacts = new Impacts();
   private final float[] streak = new float[6];
   private final Color fill = new Color();
@@ -57,6 +69,8 @@ final class WorldPainter {
   WorldPainter(Canvas canvas) {
     this.canvas = canvas;
     shapes = new ShapePainter(canvas);
+    joints = new JointPainter(canvas);
+    areas = new AreaPainter(canvas);
   }
 
   /**
@@ -76,6 +90,7 @@ final class WorldPainter {
     flashes.age(deltaSeconds);
     canvas.begin(camera.combined, pixelsPerMetre);
     backdrop(level, camera);
+    areasBehind(view, seconds);
     for (Scenery s : scenery) {
       shapes.pose(s.x + SHADOW_X_M, s.y + SHADOW_Y_M, s.cos, s.sin);
       shadow(s.archetype, 1);
@@ -103,9 +118,68 @@ final class WorldPainter {
         face(drawn, drawn == own, view, seconds);
       }
     }
+    joints(view, pixelsPerMetre);
+    areasBefore(view, seconds);
     impacts.draw(canvas);
     flashes.draw(canvas);
     canvas.end();
+  }
+
+  private void joints(ClientView view, float pixelsPerMetre) {
+    joints.begin(pixelsPerMetre);
+    for (int i = 0; i < view.jointCount(); i++) {
+      JointView j = view.joint(i);
+      if (j.type() == JointType.PULLEY) {
+        joints.pulley(
+            j.ax(),
+            j.ay(),
+            j.groundAX(),
+            j.groundAY(),
+            j.groundBX(),
+            j.groundBY(),
+            j.bx(),
+            j.by(),
+            j.alpha());
+      } else {
+        joints.draw(j.type(), j.ax(), j.ay(), j.bx(), j.by(), j.isSprung(), j.rest(), j.alpha());
+      }
+    }
+  }
+
+  private void areasBehind(ClientView view, float seconds) {
+    areas.frame(0, 0, 1, 0);
+    areas.power(1);
+    for (Area area : view.level().areas()) {
+      areas.behind(area, seconds);
+    }
+    for (int i = 0; i < view.entityCount(); i++) {
+      Drawn drawn = view.entity(i);
+      if (drawn.archetype().area() != null) {
+        frame(view, drawn);
+        areas.behind(drawn.archetype().area(), seconds);
+      }
+    }
+  }
+
+  private void areasBefore(ClientView view, float seconds) {
+    areas.frame(0, 0, 1, 0);
+    areas.power(1);
+    for (Area area : view.level().areas()) {
+      areas.before(area, seconds);
+    }
+    for (int i = 0; i < view.entityCount(); i++) {
+      Drawn drawn = view.entity(i);
+      if (drawn.archetype().area() != null) {
+        frame(view, drawn);
+        areas.before(drawn.archetype().area(), seconds);
+      }
+    }
+  }
+
+  private void frame(ClientView view, Drawn drawn) {
+    Ratio power = drawn.archetype().areaPower();
+    areas.power(power == null || !view.knowsFields() ? 1 : view.fields(drawn).get(power));
+    areas.frame(drawn.x(), drawn.y(), MathUtils.cos(drawn.angle()), MathUtils.sin(drawn.angle()));
   }
 
   private float glow(Archetype archetype, float x, float y) {
@@ -206,10 +280,36 @@ final class WorldPainter {
     for (Shape shape : archetype.shapes()) {
       shapes.paint(shape, fill, EDGE_M, edge);
     }
-    for (Shape shape : archetype.shapes()) {
-      for (Convex part : shape.parts()) {
+    for (int i = 0; i < archetype.shapes().size(); i++) {
+      float speed = archetype.materials().get(i).tangentSpeed();
+      for (Convex part : archetype.shapes().get(i).parts()) {
         detail(look, part, alpha, seconds);
+        if (speed != 0 && part instanceof Box box) {
+          Theme.shade(look.rgb(), 1.5f, alpha, detail);
+          belt(box, speed * seconds, 1);
+          belt(box, -speed * seconds, -1);
+        }
       }
+    }
+  }
+
+  /** Draws slanted marks along the upper (side 1) or lower (side -1) edge of a conveyor belt. */
+  private void belt(Box box, float moved, int side) {
+    float left = box.vertexX(0);
+    float inset = Math.min(BELT_MARK_M, box.halfHeight());
+    float outer = box.vertexY(side > 0 ? 2 : 0);
+    float inner = outer - side * inset;
+    float first = ((moved % BELT_STEP_M) + BELT_STEP_M) % BELT_STEP_M;
+    float lean = Math.signum(moved) * inset;
+    for (float at = first; at < 2 * box.halfWidth() - inset; at += BELT_STEP_M) {
+      float from = left + Math.max(at, inset);
+      canvas.line(
+          shapes.worldX(from - lean, outer),
+          shapes.worldY(from - lean, outer),
+          shapes.worldX(from, inner),
+          shapes.worldY(from, inner),
+          EDGE_M,
+          detail);
     }
   }
 

@@ -1,6 +1,7 @@
 package carom.client.desktop.scene;
 
 import carom.client.desktop.paint.Canvas;
+import carom.client.desktop.paint.JointPainter;
 import carom.client.desktop.paint.ShapePainter;
 import carom.client.desktop.paint.Theme;
 import carom.physics.Body;
@@ -19,7 +20,6 @@ import carom.sim.scene.SceneParticles;
 import carom.sim.scene.SceneRun;
 import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.graphics.OrthographicCamera;
-import com.badlogic.gdx.math.MathUtils;
 
 /**
  * Draws the world of a scene, in metres: what the materials' tags say in colour, see {@link
@@ -45,12 +45,12 @@ final class ScenePainter {
 
   private final Canvas canvas;
   private final ShapePainter shapes;
+  private final JointPainter joints;
   private final Color fill = new Color();
   private final Color edge = new Color();
   private final Color lower = Theme.rgb(0x0e1420);
   private final Color upper = Theme.rgb(0x1d2838);
   private final Color gridLine = new Color(0.6f, 0.75f, 1, 0.05f);
-  private final Color rope = Theme.rgb(0xc9d4e4);
   private final Aabb box = new Aabb();
   private final Aabb seen = new Aabb();
   private final float[] band = new float[8];
@@ -60,6 +60,7 @@ final class ScenePainter {
   ScenePainter(Canvas canvas) {
     this.canvas = canvas;
     shapes = new ShapePainter(canvas);
+    joints = new JointPainter(canvas);
   }
 
   /** Draws everything that the camera sees. */
@@ -80,6 +81,7 @@ final class ScenePainter {
     world.forEachBody(body -> body(body, true));
     run.particles().forEach(this::particles);
     world.forEachBody(body -> body(body, false));
+    joints.begin(scale);
     world.forEachJoint(this::joint);
     canvas.end();
   }
@@ -257,60 +259,24 @@ final class ScenePainter {
         : rgb;
   }
 
-  /** Draws rods, ropes and springs; other joints don't show. */
   private <T> void joint(Joint<T> joint) {
-    if (joint.type() == JointType.PULLEY) {
-      pulley(joint);
-      return;
-    }
-    if (joint.type() != JointType.DISTANCE && joint.type() != JointType.MOUSE) {
-      return;
-    }
     float ax = joint.anchorAX();
     float ay = joint.anchorAY();
     float bx = joint.anchorBX();
     float by = joint.anchorBY();
-    float dx = bx - ax;
-    float dy = by - ay;
-    float length = (float) Math.sqrt(dx * dx + dy * dy);
-    float width = Math.max(1.2f / pixelsPerMetre, 0.035f);
-    if (joint.type() == JointType.MOUSE) {
-      canvas.line(ax, ay, bx, by, width, Theme.ACCENT);
-      canvas.disc(ax, ay, 4 / pixelsPerMetre, Theme.ACCENT);
-    } else if (!joint.isSprung() || length < 0.3f) {
-      canvas.line(ax, ay, bx, by, width, rope);
+    if (joint.type() == JointType.PULLEY) {
+      joints.pulley(
+          ax,
+          ay,
+          joint.groundAX(),
+          joint.groundAY(),
+          joint.groundBX(),
+          joint.groundBY(),
+          bx,
+          by,
+          1);
     } else {
-      spring(ax, ay, dx, dy, length, joint.rest(), width);
-    }
-  }
-
-  private <T> void pulley(Joint<T> joint) {
-    float width = Math.max(1.2f / pixelsPerMetre, 0.035f);
-    float ax = joint.groundAX();
-    float ay = joint.groundAY();
-    float bx = joint.groundBX();
-    float by = joint.groundBY();
-    canvas.line(joint.anchorAX(), joint.anchorAY(), ax, ay, width, rope);
-    canvas.line(ax, ay, bx, by, width, rope);
-    canvas.line(bx, by, joint.anchorBX(), joint.anchorBY(), width, rope);
-  }
-
-  /** Draws a zigzag of a fixed number of turns, wider when it is compressed. */
-  private void spring(
-      float ax, float ay, float dx, float dy, float length, float rest, float width) {
-    int turns = 12;
-    float amplitude = MathUtils.clamp(0.09f * rest * rest / length, 0.04f, 0.25f);
-    float px = ax;
-    float py = ay;
-    for (int i = 1; i <= turns; i++) {
-      boolean end = i == 1 || i == turns;
-      float side = end ? 0 : i % 2 == 0 ? amplitude : -amplitude;
-      float t = i / (float) turns;
-      float x = ax + dx * t - dy / length * side;
-      float y = ay + dy * t + dx / length * side;
-      canvas.line(px, py, x, y, width, rope);
-      px = x;
-      py = y;
+      joints.draw(joint.type(), ax, ay, bx, by, joint.isSprung(), joint.rest(), 1);
     }
   }
 }

@@ -2,6 +2,8 @@ package carom.net.snapshot.exact;
 
 import carom.net.codec.BitPass;
 import carom.net.snapshot.frame.FrameRing;
+import carom.physics.rows.BodyRow;
+import carom.physics.rows.RowKind;
 
 /**
  * Codes the near section: the list of near entities, the hash of their state, and the header of a
@@ -10,11 +12,14 @@ import carom.net.snapshot.frame.FrameRing;
  */
 public final class NearCodec {
   private static final int PART_BITS = 6;
+  private static final int PLACE_BITS = 8;
+  private static final int RULING_BITS = 6;
   private static final int KEY_BITS = 24;
   private static final int MAX_KEY = (1 << KEY_BITS) - 1;
   private static final int SLOT_MASK = 0xffff;
   private static final int CLOSE_BITS = 4;
   private static final int ROW_BITS = 11;
+  private static final RowKind[] KINDS = RowKind.values();
 
   private NearCodec() {}
 
@@ -43,6 +48,55 @@ public final class NearCodec {
     if (c.flag(near.updating)) {
       part(c, near);
     }
+    if (c.flag(near.rulings > 0)) {
+      rulings(c, near);
+    }
+  }
+
+  /** Codes the rulings, at least one. Those of one tick that follow each other are often alike. */
+  private static void rulings(BitPass c, NearState near) {
+    boolean writes = !c.isReading();
+    int n = c.plain(near.rulings, RULING_BITS);
+    int age = 0;
+    boolean afterStep = false;
+    int mask = 0;
+    for (int i = 0; i < n; i++) {
+      int place = c.plain(writes ? near.rulingPlace(i) : 0, PLACE_BITS);
+      if (c.flag(writes && (near.rulingAge(i) != age || near.isRulingAfterStep(i) != afterStep))) {
+        age = c.plain(writes ? near.rulingAge(i) : 0, FrameRing.AGE_BITS);
+        afterStep = c.flag(writes && near.isRulingAfterStep(i));
+      }
+      boolean otherMask = c.flag(writes && near.rulingMask(i) != mask);
+      mask = otherMask ? c.plain(writes ? near.rulingMask(i) : 0, BodyRow.STATE_INTS) : mask;
+      boolean same = i > 0 && !otherMask && !c.flag(writes && !near.hasSameWords(i));
+      if (!c.require(place < near.count)) {
+        return;
+      }
+      if (c.isReading()) {
+        near.addRuling(place, age, afterStep, mask);
+      }
+      for (int word = 0; word < BodyRow.STATE_INTS; word++) {
+        if ((mask & 1 << word) != 0) {
+          int bits = same ? near.rulingWord(i - 1, word) : word(c, near, i, word);
+          if (c.isReading()) {
+            near.setRulingWord(word, bits);
+          }
+        }
+      }
+    }
+  }
+
+  private static int word(BitPass c, NearState near, int ruling, int word) {
+    return c.plain(c.isReading() ? 0 : near.rulingWord(ruling, word), Integer.SIZE);
+  }
+
+  /** Returns how many bits a ruling takes at most. */
+  public static int rulingBits(int mask) {
+    return PLACE_BITS
+        + FrameRing.AGE_BITS
+        + 4
+        + BodyRow.STATE_INTS
+        + Integer.SIZE * Integer.bitCount(mask);
   }
 
   /**
@@ -118,7 +172,7 @@ public final class NearCodec {
   private static void part(BitPass c, NearState near) {
     int age = c.plain(near.age, FrameRing.AGE_BITS);
     if (c.isReading()) {
-      near.beginPart(age, 0, 0);
+      near.beginPart(age, near.counts, 0);
     }
     int told = 0;
     for (int i = 0; i < near.count; i++) {
@@ -129,7 +183,13 @@ public final class NearCodec {
         told++;
       }
     }
-    near.totalRows = c.plain(near.totalRows, ROW_BITS);
+    for (RowKind kind : KINDS) {
+      if (kind != RowKind.BODY) {
+        boolean any = c.flag(near.counts.get(kind) > 0);
+        near.counts.set(kind, any ? c.plain(near.counts.get(kind), ROW_BITS) : 0);
+      }
+    }
+    c.require(near.totalRows() <= NearState.MAX_ROWS);
     near.firstRow = c.plain(near.firstRow, ROW_BITS);
     int rows = c.plain(near.partRows(), PART_BITS);
     if (c.isReading()) {

@@ -4,8 +4,6 @@ import static carom.physics.rows.BodyRow.ASLEEP;
 import static carom.physics.rows.BodyRow.COS;
 import static carom.physics.rows.BodyRow.LOADS;
 import static carom.physics.rows.BodyRow.LOAD_INTS;
-import static carom.physics.rows.BodyRow.MEMORY;
-import static carom.physics.rows.BodyRow.MEMORY_INTS;
 import static carom.physics.rows.BodyRow.OMEGA;
 import static carom.physics.rows.BodyRow.SLEEP_TIME;
 import static carom.physics.rows.BodyRow.VX;
@@ -27,10 +25,17 @@ import static carom.physics.rows.ContactRow.TANGENT_IMPULSE_0;
 import static carom.physics.rows.ContactRow.TANGENT_IMPULSE_1;
 import static carom.physics.rows.ContactRow.TOTAL_IMPULSE_0;
 import static carom.physics.rows.ContactRow.TOTAL_IMPULSE_1;
+import static carom.physics.rows.FieldRow.CHUNK;
+import static carom.physics.rows.FieldRow.PLACE;
+import static carom.physics.rows.FieldRow.WORDS;
+import static carom.physics.rows.FieldRow.WORD_INTS;
+import static carom.physics.rows.JointRow.IMPULSE_INTS;
+import static carom.physics.rows.JointRow.TURN_INTS;
 
 import carom.net.codec.BitCoder;
 import carom.net.codec.Bits;
 import carom.net.snapshot.exact.NearTables.Row;
+import carom.physics.rows.JointRow;
 import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
 
@@ -48,6 +53,7 @@ public class NearRowCodec {
   private static final int POINTS_BITS = 16;
   private static final int PLACE_BITS = 8;
   private static final int WIDTH_BITS = 5;
+  private static final int CHUNK_BITS = 6;
 
   /**
    * Number by which an impulse is multiplied to predict the total impulse of a tick, which sums the
@@ -78,10 +84,33 @@ public class NearRowCodec {
   /** Symbol of a feature id that isn't two vertices below 8; the id follows in plain bits. */
   private static final int ANY_ID = 64;
 
+  /** Bits of a joint's key. */
+  private static final int KEY_BITS = 24;
+
+  /** Bits of the slot of a static body. */
+  private static final int STATIC_BITS = 24;
+
+  /** Substeps per second at the usual tick rate: a joint's force is its impulse times that. */
+  private static final float SUBSTEP_RATE = 1 / (1 / 60f / 4);
+
+  private static final int SETTINGS_HALF = JointRow.SETTING_INTS / 2;
+
+  /** Impulses of a joint's point: x, y and angular; springs, motors and limits follow. */
+  private static final int POINT_IMPULSES = 3;
+
+  // Symbols of an end of a joint: how far it is from the likely one, or what else it is.
+  private static final int END_MIDDLE = 16;
+  private static final int FAR_END = 32;
+  private static final int STATIC_END = 33;
+  private static final int GROUND_END = 34;
+
   private OwnState own;
   private int endA;
   private int endB;
   private int lastStatic;
+  private int lastJoint;
+  private int lastJointA;
+  private int lastPlace;
 
   /** Creates a codec; call {@link #begin} before use. */
   public NearRowCodec() {}
@@ -96,6 +125,9 @@ public class NearRowCodec {
     endA = 0;
     endB = 0;
     lastStatic = 0;
+    lastJoint = 0;
+    lastJointA = 0;
+    lastPlace = 0;
   }
 
   /** Codes a symbol. */
@@ -118,7 +150,9 @@ public class NearRowCodec {
   final void row(BitCoder c, RowKind kind, int[] rows, int at) {
     switch (kind) {
       case BODY -> body(c, rows, at);
+      case JOINT -> joint(c, rows, at);
       case CONTACT -> contact(c, rows, at);
+      case FIELDS -> fields(c, rows, at);
     }
   }
 
@@ -140,11 +174,25 @@ public class NearRowCodec {
       int to = at + LOADS + i;
       r[to] = (which >>> i & 1) == 0 ? 0 : real(c, Row.PUSH, 0, r[to]);
     }
-    which = symbol(c, Row.REMEMBERED, 0, notZero(r, at + MEMORY, MEMORY_INTS));
-    for (int i = 0; i < MEMORY_INTS; i++) {
-      int to = at + MEMORY + i;
-      r[to] = (which >>> i & 1) == 0 ? 0 : word(c, i, r[to]);
+  }
+
+  private void fields(BitCoder c, int[] r, int at) {
+    boolean same = c.plain(r[at + PLACE] == lastPlace ? 1 : 0, 1) != 0;
+    lastPlace = same ? lastPlace : c.plain(r[at + PLACE], PLACE_BITS);
+    r[at + PLACE] = lastPlace;
+    r[at + CHUNK] = c.plain(r[at + CHUNK], CHUNK_BITS);
+    int which = c.plain(notZero(r, at + WORDS, WORD_INTS), WORD_INTS);
+    for (int i = 0; i < WORD_INTS; i++) {
+      int to = at + WORDS + i;
+      r[to] = (which >>> i & 1) == 0 ? 0 : difference(c, r[to]);
     }
+  }
+
+  /** Codes a number that is not 0 as its width, and then its zigzag form. */
+  private static int difference(BitCoder c, int value) {
+    int z = Bits.zigzag(value);
+    int width = 1 + c.plain(Bits.width(z) - 1, WIDTH_BITS);
+    return Bits.unzigzag(c.plain(z, width));
   }
 
   private static int notZero(int[] r, int at, int count) {
@@ -153,6 +201,61 @@ public class NearRowCodec {
       which |= r[at + i] != 0 ? 1 << i : 0;
     }
     return which;
+  }
+
+  private void joint(BitCoder c, int[] r, int at) {
+    int step = r[at + JointRow.KEY] - lastJoint;
+    int symbol = symbol(c, Row.JOINT_KEY, 0, step > 0 && step < NearTables.SYMBOLS ? step : 0);
+    lastJoint = symbol > 0 ? lastJoint + symbol : c.plain(r[at + JointRow.KEY], KEY_BITS);
+    r[at + JointRow.KEY] = lastJoint;
+    lastJointA = jointEnd(c, 0, r[at + JointRow.END_A], lastJointA);
+    r[at + JointRow.END_A] = lastJointA;
+    r[at + JointRow.END_B] = jointEnd(c, 1, r[at + JointRow.END_B], Math.max(0, lastJointA));
+    some(c, Row.JOINT_SET, 0, r, at + JointRow.SETTINGS, SETTINGS_HALF);
+    some(c, Row.JOINT_SET, 1, r, at + JointRow.SETTINGS + SETTINGS_HALF, SETTINGS_HALF);
+    some(c, Row.JOINT_TURNED, 0, r, at + JointRow.TURNS, TURN_INTS);
+    impulses(c, 0, r, at + JointRow.IMPULSES, POINT_IMPULSES);
+    impulses(c, 1, r, at + JointRow.IMPULSES + POINT_IMPULSES, IMPULSE_INTS - POINT_IMPULSES);
+    for (int i = 0; i < JointRow.LOAD_INTS; i++) {
+      int impulse = r[at + JointRow.IMPULSES + i];
+      int guess = Float.floatToIntBits(SUBSTEP_RATE * Float.intBitsToFloat(impulse));
+      int to = at + JointRow.LOADS + i;
+      r[to] = like(c, Row.JOINT_LOAD, i, r[to], guess);
+    }
+  }
+
+  /** Codes ints of which most are zero, and of the others nothing is known. */
+  private void some(BitCoder c, Row row, int context, int[] r, int at, int count) {
+    int which = symbol(c, row, context, notZero(r, at, count));
+    for (int i = 0; i < count; i++) {
+      r[at + i] = (which >>> i & 1) == 0 ? 0 : c.plain(r[at + i], Integer.SIZE);
+    }
+  }
+
+  private void impulses(BitCoder c, int context, int[] r, int at, int count) {
+    int which = symbol(c, Row.JOINT_PUSHED, context, notZero(r, at, count));
+    for (int i = 0; i < count; i++) {
+      r[at + i] = (which >>> i & 1) == 0 ? 0 : real(c, Row.JOINT_IMPULSE, context, r[at + i]);
+    }
+  }
+
+  /** Codes an end of a joint against another one that is probably near it in the list. */
+  private int jointEnd(BitCoder c, int context, int end, int likely) {
+    int symbol = end - likely + END_MIDDLE;
+    if (end < 0) {
+      symbol = end == JointRow.GROUND ? GROUND_END : STATIC_END;
+    } else if (likely < 0 || symbol < 0 || symbol >= FAR_END) {
+      symbol = FAR_END;
+    }
+    symbol = symbol(c, Row.JOINT_END, context, symbol);
+    if (symbol == GROUND_END) {
+      return JointRow.GROUND;
+    }
+    if (symbol >= STATIC_END) {
+      return ~c.plain(~end, STATIC_BITS);
+    }
+    int near = likely + symbol - END_MIDDLE;
+    return symbol == FAR_END || likely < 0 || near < 0 ? c.plain(end, PLACE_BITS) : near;
   }
 
   private void contact(BitCoder c, int[] r, int at) {
@@ -293,12 +396,5 @@ public class NearRowCodec {
     int low = symbol - OFF >> 1;
     int magnitude = 1 << low | c.plain(Math.abs(off), low);
     return Bits.rawBits(from + ((symbol - OFF & 1) == 0 ? magnitude : -magnitude));
-  }
-
-  /** Codes an int that mostly uses only its lowest bits. */
-  private int word(BitCoder c, int context, int value) {
-    int digits = symbol(c, Row.MEMORY, context, Bits.width(value));
-    digits = Math.min(digits, Integer.SIZE);
-    return digits == 0 ? 0 : 1 << digits - 1 | c.plain(value, digits - 1);
   }
 }

@@ -1,6 +1,7 @@
 package carom.net.snapshot.exact;
 
 import carom.physics.rows.BodyRow;
+import carom.physics.rows.RowCounts;
 import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
 import java.util.Arrays;
@@ -14,9 +15,12 @@ import java.util.Arrays;
  * one tick, its <em>base</em>, of those entities of the list that are <em>told</em>, with their
  * contacts. Its rows are spread over as many snapshots as they take. A client that has all of them
  * knows the state at the base tick and computes what follows. The told entities come first, each a
- * {@link BodyRow} with its key and the memory of its player, in the order of the list; then the
- * contacts, each a {@link carom.physics.rows.ContactRow} whose ends are places in the list or
- * inverted slots of static bodies.
+ * {@link BodyRow} with its key, in the order of the list; then rows of the other kinds, whose ends
+ * are places in the list or inverted slots of static bodies.
+ *
+ * <p>What the game's rules did to a listed body by themselves is told as a <em>ruling</em>: the new
+ * bits of the numbers that changed, at a tick. A client that applies it at that tick computes what
+ * the server did.
  *
  * <p>The order of the list is that of the server's world and is part of the state. Mutable, reused.
  */
@@ -24,12 +28,19 @@ public final class NearState {
   /** Largest number of entities in the list. */
   public static final int MAX_ENTITIES = 255;
 
-  /** Largest number of rows in an update: five for each entity, four of them contacts. */
-  public static final int MAX_ROWS = 5 * MAX_ENTITIES;
+  /** Largest number of rows in an update: eight for each entity. */
+  public static final int MAX_ROWS = 8 * MAX_ENTITIES;
 
   /** Largest number of rows of an update in one snapshot. */
   public static final int MAX_PART = 63;
 
+  /** Largest number of rulings in one snapshot. */
+  public static final int MAX_RULINGS = 63;
+
+  /** Ints of a ruling that say what it is about, before those that changed. */
+  private static final int RULING_HEAD = 3;
+
+  private static final int RULING_INTS = RULING_HEAD + BodyRow.STATE_INTS;
   private static final int FIRST_ROOM = 16;
   private static final int[] NONE = {};
 
@@ -41,8 +52,13 @@ public final class NearState {
   int age;
   int toldCount;
   int[] told = NONE;
-  int totalRows;
   int firstRow;
+
+  int rulings;
+  private int[] rulingInts = NONE;
+
+  /** Rows of the whole update by kind; bodies are the told entities. */
+  final RowCounts counts = new RowCounts();
 
   /** The part's rows, of mixed kinds. */
   final Rows rows = Rows.mixed();
@@ -54,6 +70,7 @@ public final class NearState {
     present = false;
     hash = 0;
     count = 0;
+    rulings = 0;
     endUpdate();
   }
 
@@ -86,14 +103,16 @@ public final class NearState {
    * {@link #addRow} for each row of the part.
    *
    * @param ticksAgo age of the base tick, ticks, 0..63
-   * @param total rows of the whole update, 0..{@value #MAX_ROWS}
+   * @param total rows of the whole update, at most {@value #MAX_ROWS}; bodies are counted by {@link
+   *     #tell}; copied
    * @param first number within the update of the part's first row
    */
-  public void beginPart(int ticksAgo, int total, int first) {
+  public void beginPart(int ticksAgo, RowCounts total, int first) {
     updating = true;
     age = ticksAgo;
     toldCount = 0;
-    totalRows = total;
+    counts.set(total);
+    counts.set(RowKind.BODY, 0);
     firstRow = first;
     rows.clear();
   }
@@ -108,6 +127,7 @@ public final class NearState {
       told = Arrays.copyOf(told, Math.max(FIRST_ROOM, 2 * toldCount));
     }
     told[toldCount++] = place;
+    counts.set(RowKind.BODY, toldCount);
   }
 
   /**
@@ -132,35 +152,110 @@ public final class NearState {
     }
   }
 
+  /**
+   * Adds a ruling without changed numbers; {@link #setRulingWord} follows for each.
+   *
+   * @param place of its entity in the list
+   * @param ticksAgo age of its tick, ticks, 0..63
+   * @param afterStep whether it was made after the physics of its tick, instead of before the
+   *     inputs
+   * @param mask bit i says that the int {@code BodyRow.MOTION + i} of the body's row changed
+   * @throws IllegalStateException if there are {@value #MAX_RULINGS}
+   */
+  public void addRuling(int place, int ticksAgo, boolean afterStep, int mask) {
+    if (rulings == MAX_RULINGS) {
+      throw new IllegalStateException("rulings=" + rulings + " is the most in one snapshot");
+    }
+    int at = rulings++ * RULING_INTS;
+    if (at == rulingInts.length) {
+      rulingInts = Arrays.copyOf(rulingInts, Math.max(4 * RULING_INTS, 2 * at));
+    }
+    rulingInts[at] = place;
+    rulingInts[at + 1] = ticksAgo << 1 | (afterStep ? 1 : 0);
+    rulingInts[at + 2] = mask;
+  }
+
+  /** Sets the new bits of a number that the ruling added last changed; 0 is the first one. */
+  public void setRulingWord(int word, int bits) {
+    rulingInts[(rulings - 1) * RULING_INTS + RULING_HEAD + word] = bits;
+  }
+
+  /** Returns the number of rulings. */
+  public int rulings() {
+    return rulings;
+  }
+
+  /** Returns the place in the list of a ruling's entity. */
+  public int rulingPlace(int index) {
+    return rulingInts[index * RULING_INTS];
+  }
+
+  /** Returns the age of a ruling's tick, in ticks before the snapshot's tick. */
+  public int rulingAge(int index) {
+    return rulingInts[index * RULING_INTS + 1] >> 1;
+  }
+
+  /** Returns whether a ruling was made after the physics of its tick. */
+  public boolean isRulingAfterStep(int index) {
+    return (rulingInts[index * RULING_INTS + 1] & 1) != 0;
+  }
+
+  /** Returns which numbers of a body's row a ruling changed, see {@link #addRuling}. */
+  public int rulingMask(int index) {
+    return rulingInts[index * RULING_INTS + 2];
+  }
+
+  /** Returns the new bits of a number that a ruling changed. */
+  public int rulingWord(int index, int word) {
+    return rulingInts[index * RULING_INTS + RULING_HEAD + word];
+  }
+
+  /** Returns whether a ruling changed the same numbers to the same as the one before it did. */
+  boolean hasSameWords(int index) {
+    int mask = rulingMask(index);
+    for (int word = 0; word < BodyRow.STATE_INTS; word++) {
+      if ((mask & 1 << word) != 0 && rulingWord(index, word) != rulingWord(index - 1, word)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   /** Returns the kind of a row of this part. */
   public RowKind kind(int row) {
-    return RowKind.of(firstRow + row, toldCount);
+    return counts.kind(firstRow + row);
   }
 
   void endUpdate() {
     updating = false;
     age = 0;
     toldCount = 0;
-    totalRows = 0;
+    counts.clear();
     firstRow = 0;
     rows.clear();
   }
 
   void set(NearState other) {
     setList(other);
+    rulings = other.rulings;
+    if (rulingInts.length < rulings * RULING_INTS) {
+      rulingInts = new int[other.rulingInts.length];
+    }
+    System.arraycopy(other.rulingInts, 0, rulingInts, 0, rulings * RULING_INTS);
     updating = other.updating;
     age = other.age;
     toldCount = 0;
     for (int i = 0; i < other.toldCount; i++) {
       tell(other.told[i]);
     }
-    totalRows = other.totalRows;
+    counts.set(other.counts);
     firstRow = other.firstRow;
     rows.set(other.rows);
   }
 
-  /** Copies the list and the hash of another state, but not its update. */
+  /** Copies the list and the hash of another state, but not its update and its rulings. */
   void setList(NearState other) {
+    rulings = 0;
     present = other.present;
     hash = other.hash;
     endUpdate();
@@ -221,7 +316,12 @@ public final class NearState {
 
   /** Returns the number of rows of the whole update. */
   public int totalRows() {
-    return totalRows;
+    return counts.total();
+  }
+
+  /** Returns the rows of the whole update by kind. The counts are live. */
+  public RowCounts counts() {
+    return counts;
   }
 
   /** Returns the number within the update of this part's first row. */

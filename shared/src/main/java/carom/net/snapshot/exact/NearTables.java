@@ -33,8 +33,6 @@ final class NearTables {
     OMEGA(4),
     PUSHED(1),
     PUSH(1),
-    REMEMBERED(1),
-    MEMORY(OwnState.MEMORY),
     END(3),
     KIND(1),
     ID(4),
@@ -42,7 +40,14 @@ final class NearTables {
     TANGENT(6),
     SECOND(4),
     ROLLING(1),
-    LAST(6);
+    LAST(6),
+    JOINT_KEY(1),
+    JOINT_END(2),
+    JOINT_SET(2),
+    JOINT_TURNED(1),
+    JOINT_PUSHED(2),
+    JOINT_IMPULSE(2),
+    JOINT_LOAD(3);
 
     private final int contexts;
 

@@ -71,7 +71,8 @@ public final class OwnAcks {
     if (ackedTick < 0
         || !own.sameSection(acked)
         || !own.near.sameAs(acked.near)
-        || own.near.updating) {
+        || own.near.updating
+        || own.near.rulings > 0) {
       return false;
     }
     int window = newest.tick() - ackedTick;
@@ -114,6 +115,7 @@ public final class OwnAcks {
    * @return bytes of the near section, rounded
    */
   public int write(BitWriter w, int age) {
+    nothing.setWords(now.words());
     OwnState baseline = age > 0 ? acked : nothing;
     OwnCodec.code(w, baseline, now);
     relay.write(w, ring, RelayCodec.window(age), baseline.relayed, now.relayed);

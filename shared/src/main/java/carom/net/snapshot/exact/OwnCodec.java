@@ -3,21 +3,27 @@ package carom.net.snapshot.exact;
 import carom.net.codec.BitPass;
 import carom.net.codec.Bits;
 import carom.net.snapshot.relay.RelayCodec;
+import java.util.Arrays;
 
 /**
- * Codes the own section: the exact state of the player's own body and the set of relayed players,
- * as a difference from a baseline. One description serves writing and reading.
+ * Codes the own section: the exact state of the player's own body, the words of the player's fields
+ * and the set of relayed players, as a difference from a baseline. One description serves writing
+ * and reading.
  */
 public final class OwnCodec {
   private static final int SLOT_BITS = 16;
   private static final int GENERATION_BITS = 8;
+
+  /** Words that share a bit which says whether any of them differs. */
+  private static final int GROUP = 8;
 
   private OwnCodec() {}
 
   /**
    * Codes the section.
    *
-   * @param baseline the state that both sides know, or a new state if there is none
+   * @param baseline the state that both sides know, or a new state of as many words if there is
+   *     none
    * @param own the section to write; a reader fills all of it except the near state
    */
   public static void code(BitPass c, OwnState baseline, OwnState own) {
@@ -33,20 +39,25 @@ public final class OwnCodec {
       own.slot = hasBody ? c.plain(own.slot, SLOT_BITS) : -1;
       own.generation = hasBody ? c.plain(own.generation, GENERATION_BITS) : 0;
     }
-    for (int i = 0; i < own.values.length; i++) {
-      int from = form(i, baseline.values[i]);
-      own.values[i] = form(i, from + c.difference(form(i, own.values[i]) - from));
+    for (int i = 0; i < OwnState.FLOATS; i++) {
+      int from = Bits.orderedBits(baseline.values[i]);
+      int to = Bits.orderedBits(own.values[i]);
+      own.values[i] = Bits.orderedBits(from + c.difference(to - from));
     }
+    words(c, baseline.values, own.values);
     if (c.flag(!own.relayed.sameAs(baseline.relayed))) {
       RelayCodec.players(c, own.relayed);
     }
   }
 
-  /**
-   * Converts the bits of a float to ints in numeric order, and leaves memory ints as they are. The
-   * function is its own inverse.
-   */
-  private static int form(int index, int value) {
-    return index < OwnState.FLOATS ? Bits.orderedBits(value) : value;
+  private static void words(BitPass c, int[] baseline, int[] own) {
+    for (int from = OwnState.FLOATS; from < own.length; from += GROUP) {
+      int to = Math.min(own.length, from + GROUP);
+      if (c.flag(!Arrays.equals(own, from, to, baseline, from, to))) {
+        for (int i = from; i < to; i++) {
+          own[i] = baseline[i] + c.difference(own[i] - baseline[i]);
+        }
+      }
+    }
   }
 }

@@ -3,19 +3,20 @@ package carom.net.snapshot.exact;
 import carom.net.snapshot.frame.PlayerSet;
 import carom.net.snapshot.relay.RelayCodec;
 import carom.physics.rows.BodyRow;
+import java.util.Arrays;
 
 /**
- * The exact state of a player's own body, bit for bit, with the player's four memory ints. Client
- * prediction restores it. Positions and velocities are those of the body's centre of mass, in
- * metres, m/s and rad/s. Mutable, reused.
+ * The exact state of a player's own body, bit for bit, with the words of the player's fields that
+ * players may be told. Client prediction restores it. Positions and velocities are those of the
+ * body's centre of mass, in metres, m/s and rad/s. Mutable, reused.
  */
 public final class OwnState {
 
   /** Number of exact floats, those of {@link BodyRow#MOTION}: x, y, cos, sin, vx, vy, omega. */
   public static final int FLOATS = BodyRow.MOTION_INTS;
 
-  /** Number of memory ints. */
-  public static final int MEMORY = BodyRow.MEMORY_INTS;
+  /** Largest number of words. */
+  public static final int MAX_WORDS = 256;
 
   /** Largest number of players whose inputs are relayed to one client. */
   public static final int MAX_RELAYED = RelayCodec.MAX_PLAYERS;
@@ -25,12 +26,36 @@ public final class OwnState {
 
   public int slot = -1;
   public int generation;
-  public final int[] values = new int[FLOATS + MEMORY];
+  public int[] values = new int[FLOATS];
   public final PlayerSet relayed = new PlayerSet();
   public final NearState near = new NearState();
 
-  /** Creates the state of a player without a body. */
+  /** Creates the state of a player without body and words. */
   public OwnState() {}
+
+  /**
+   * Creates the state of a player without a body, whose words are 0.
+   *
+   * @param words their number, 0..{@value #MAX_WORDS}
+   */
+  public OwnState(int words) {
+    setWords(words);
+  }
+
+  /** Changes the number of words; those that are new are 0. */
+  void setWords(int words) {
+    if (words < 0 || words > MAX_WORDS) {
+      throw new IllegalArgumentException("words=" + words + " is outside 0.." + MAX_WORDS);
+    }
+    if (words != words()) {
+      values = Arrays.copyOf(values, FLOATS + words);
+    }
+  }
+
+  /** Returns the number of words. */
+  public int words() {
+    return values.length - FLOATS;
+  }
 
   /** Sets the body's exact state. */
   public void setBody(
@@ -67,7 +92,7 @@ public final class OwnState {
     return values[field - BodyRow.MOTION];
   }
 
-  /** Removes the body; the memory stays. */
+  /** Removes the body; the words stay. */
   public void clearBody() {
     slot = -1;
     generation = 0;
@@ -84,8 +109,8 @@ public final class OwnState {
     return relayed;
   }
 
-  /** Sets one of the player's memory ints, index 0..3. */
-  public void setMemory(int index, int value) {
+  /** Sets a word of the player's fields, index 0..{@link #words} - 1. */
+  public void setWord(int index, int value) {
     values[FLOATS + checked(index)] = value;
   }
 
@@ -134,26 +159,24 @@ public final class OwnState {
     return Float.intBitsToFloat(motion(BodyRow.OMEGA));
   }
 
-  /** Returns one of the player's memory ints, index 0..3. */
-  public int memory(int index) {
+  /** Returns a word of the player's fields, index 0..{@link #words} - 1. */
+  public int word(int index) {
     return values[FLOATS + checked(index)];
   }
 
-  /**
-   * Returns the bits of a value by index 0..10: the {@link #FLOATS} floats, then the {@link
-   * #MEMORY} memory ints.
-   */
+  /** Returns the bits of a value: the {@link #FLOATS} floats come first, then the words. */
   public int bits(int index) {
     return values[index];
   }
 
   /**
-   * Copies only body and memory of another state. Copying the relayed players and near entities too
+   * Copies only body and words of another state. Copying the relayed players and near entities too
    * takes many times as long.
    */
   public void setBody(OwnState other) {
     slot = other.slot;
     generation = other.generation;
+    setWords(other.words());
     System.arraycopy(other.values, 0, values, 0, values.length);
   }
 
@@ -171,7 +194,7 @@ public final class OwnState {
     near.setList(other.near);
   }
 
-  /** Returns whether body, memory and relayed players are the same, bit for bit. */
+  /** Returns whether body, words and relayed players are the same, bit for bit. */
   public boolean sameSection(OwnState other) {
     return sameAs(other) && relayed.sameAs(other.relayed);
   }
@@ -194,17 +217,24 @@ public final class OwnState {
     return near;
   }
 
-  /** Returns whether all bits of body and memory are the same. */
+  /** Returns whether all bits of body and words are the same. */
   public boolean sameAs(OwnState other) {
     return slot == other.slot
         && generation == other.generation
-        && java.util.Arrays.equals(values, other.values);
+        && Arrays.equals(values, other.values);
   }
 
-  private static int checked(int index) {
-    if (index < 0 || index >= MEMORY) {
+  /** Returns whether the body is the same, bit for bit. */
+  public boolean sameBody(OwnState other) {
+    return slot == other.slot
+        && generation == other.generation
+        && Arrays.equals(values, 0, FLOATS, other.values, 0, FLOATS);
+  }
+
+  private int checked(int index) {
+    if (index < 0 || index >= words()) {
       throw new IndexOutOfBoundsException(
-          "memory index=" + index + " is outside 0.." + (MEMORY - 1));
+          "word index=" + index + " is outside 0.." + (words() - 1));
     }
     return index;
   }

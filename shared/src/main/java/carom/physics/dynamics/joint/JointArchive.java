@@ -2,7 +2,6 @@ package carom.physics.dynamics.joint;
 
 import carom.physics.archive.Archive;
 import carom.physics.dynamics.body.BodyStore;
-import carom.physics.math.Limits;
 
 /**
  * Passes all joints of a store through an archive, in either direction, and checks what was read:
@@ -35,16 +34,7 @@ final class JointArchive {
       s.grow();
     }
     a.bytes("type of joint", s.type, n, JointStore.FREE, JointStore.PULLEY);
-    a.bytes(
-        "flags of joint",
-        s.flags,
-        n,
-        0,
-        JointStore.COLLIDE
-            | JointStore.LIMITED
-            | JointStore.DRIVEN
-            | JointStore.SPRUNG
-            | JointStore.WINDS);
+    a.bytes("flags of joint", s.flags, n, 0, JointRanges.FLAGS);
     s.slots.passGenerations(a, "joint", n);
     a.integers("body of joint", s.bodyA, n, -1, bodies.slots() - 1);
     a.integers("body of joint", s.bodyB, n, -1, bodies.slots() - 1);
@@ -75,32 +65,15 @@ final class JointArchive {
         s.clearFree(j);
         continue;
       }
-      boolean grounded = s.bodyA[j] < 0 && s.type[j] < JointStore.GEAR;
+      boolean grounded = s.bodyA[j] < 0 && JointTransfer.mayBeGrounded(s.type[j]);
       a.require(
           s.bodyB[j] >= 0
               && bodies.type[s.bodyB[j]] != BodyStore.FREE
               && s.bodyA[j] != s.bodyB[j]
               && (grounded || (s.bodyA[j] >= 0 && bodies.type[s.bodyA[j]] != BodyStore.FREE)),
           "joint=" + j + " of body=" + s.bodyA[j] + " with body=" + s.bodyB[j]);
-      a.require(s.lower[j] <= s.upper[j], "joint=" + j + " has limits in the wrong order");
-      range(j, "hertz", s.hertz[j], Limits.MAX_HERTZ);
-      range(j, "angular hertz", s.angularHertz[j], Limits.MAX_HERTZ);
-      range(j, "damping ratio", s.damping[j], Limits.MAX_DAMPING_RATIO);
-      range(j, "angular damping ratio", s.angularDamping[j], Limits.MAX_DAMPING_RATIO);
-      range(j, "motor speed", Math.abs(s.motorSpeed[j]), Limits.MAX_VELOCITY);
-      range(j, "most of the motor", s.motorMax[j], Limits.MAX_FORCE);
-      range(j, "most force", s.maxForce[j], Limits.MAX_FORCE);
-      range(j, "most torque", s.maxTorque[j], Limits.MAX_FORCE);
-      range(j, "ratio", Math.abs(s.ratio[j]), Limits.MAX_RATIO);
-      range(j, "breaking force", s.breakForce[j], Float.POSITIVE_INFINITY);
-      range(j, "breaking torque", s.breakTorque[j], Float.POSITIVE_INFINITY);
-    }
-  }
-
-  /** Requires a number of a joint to be 0..most. */
-  private void range(int joint, String what, float value, float most) {
-    if (!(value >= 0 && value <= most)) {
-      a.require(false, what + "=" + value + " of joint=" + joint + " is outside 0.." + most);
+      String problem = JointRanges.problem(s, j);
+      a.require(problem == null, problem);
     }
   }
 
@@ -130,6 +103,7 @@ final class JointArchive {
           "end=" + end + " of no joint");
       seen[end] = true;
       if (last >= 0 && end(last) == body) {
+        a.require(end < last, "the joints of body=" + body + " are out of order");
         s.lists.setNext(last, end);
       } else {
         a.require(s.lists.first(body) < 0, "the joints of body=" + body + " are in two lists");

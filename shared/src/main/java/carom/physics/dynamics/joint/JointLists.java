@@ -5,7 +5,8 @@ import java.util.Arrays;
 
 /**
  * Lists of each body's joints. Joint j has two ends, 2 j at body A and 2 j + 1 at body B; each end
- * points to the next one of the same body. The order is part of the state.
+ * points to the next one of the same body, by descending ends. So the order follows from the joints
+ * alone, and another world with the same joints has the same lists.
  */
 final class JointLists {
   /** Per end: the next end of a joint of the same body, -1 for none. */
@@ -39,7 +40,10 @@ final class JointLists {
     return first.length;
   }
 
-  /** Puts an end first in the list of a body, or in none if the body is negative. */
+  /**
+   * Puts an end into the list of a body, or into none if the body is negative. Takes as long as the
+   * body has joints of larger slots.
+   */
   void link(int end, int body) {
     next[end] = -1;
     if (body < 0) {
@@ -50,8 +54,17 @@ final class JointLists {
       first = Arrays.copyOf(first, Math.max(body + 1, 2 * old));
       Arrays.fill(first, old, first.length, -1);
     }
-    next[end] = first[body];
-    first[body] = end;
+    if (first[body] < end) {
+      next[end] = first[body];
+      first[body] = end;
+      return;
+    }
+    int before = first[body];
+    while (next[before] > end) {
+      before = next[before];
+    }
+    next[end] = next[before];
+    next[before] = end;
   }
 
   /** Takes an end out of the list of a body. */

@@ -13,8 +13,8 @@ import java.util.Arrays;
  * order in which joints are solved.
  *
  * <p>Slots are reused last in, first out; each reuse has another generation. Each body has a list
- * of its joints ({@link JointLists}). The lists and the free list are part of the state, so that a
- * restored world does the same again.
+ * of its joints ({@link JointLists}). The free list is part of the state, so that a restored world
+ * does the same again.
  *
  * <p>What a step changes, impulses and forces, is copied whenever the state is; all else only if
  * something of it changed; the code that writes it must call {@link #coldChanged}.
@@ -76,7 +76,7 @@ public final class JointStore {
   private static final int FIRST_CAPACITY = 16;
 
   /** The last of the float arrays change in every step: those from this one on. */
-  private static final int HOT = 21;
+  static final int HOT = 21;
 
   /** {@link #FREE} or one of the types. */
   public byte[] type = new byte[FIRST_CAPACITY];
@@ -308,6 +308,12 @@ public final class JointStore {
     type[slot] = FREE;
     clearFree(slot);
     slots.release(slot);
+    coldChanged();
+  }
+
+  /** Gives free slots out in ascending order from now on, until others are released. */
+  public void sortFree() {
+    slots.sortFree();
     coldChanged();
   }
 

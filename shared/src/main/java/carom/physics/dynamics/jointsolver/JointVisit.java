@@ -13,8 +13,8 @@ import carom.physics.dynamics.joint.JointStore;
 import carom.physics.math.Trig;
 
 /**
- * Visits joints one by one, for one worker: loads a joint, makes the {@linkplain JointRow rows} it
- * consists of, and solves them.
+ * Visits joints one by one, for one worker: loads a joint, makes the {@linkplain ConstraintRow
+ * rows} it consists of, and solves them.
  *
  * <p>Each type of joint is a list of rows:
  *
@@ -39,7 +39,7 @@ import carom.physics.math.Trig;
  * <p>Lever arms turn with the bodies in each substep, other than those of contacts: a pendulum
  * turns much between two ticks.
  */
-final class JointVisit extends JointRow {
+final class JointVisit extends ConstraintRow {
   // What the step is about.
   private JointStore store;
   private BodyStore bodies;

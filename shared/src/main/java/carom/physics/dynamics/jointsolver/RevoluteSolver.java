@@ -31,7 +31,7 @@ public final class RevoluteSolver {
   /** Joints in a block. */
   public static final int LANES = VectorModule.LANES;
 
-  /** Most gap between anchors that counts, m, as in {@link JointRow#MAX_ERROR}. */
+  /** Most gap between anchors that counts, m, as in {@link ConstraintRow#MAX_ERROR}. */
   public static final float MAX_ERROR = 4;
 
   // Quantities of a joint: offsets in its block of data.

@@ -3,6 +3,6 @@
  *
  * <p>May import {@code carom.physics.math} and {@code simd}, and {@code dynamics.body}, {@code
  * joint}, {@code solver} and {@code parallel}. Read first: {@code JointSolver}, {@code JointVisit},
- * {@code JointRow}.
+ * {@code ConstraintRow}.
  */
 package carom.physics.dynamics.jointsolver;

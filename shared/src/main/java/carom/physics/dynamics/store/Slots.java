@@ -47,6 +47,16 @@ public final class Slots {
     free[freeCount++] = slot;
   }
 
+  /** Gives free slots out in ascending order from now on, until others are released. */
+  public void sortFree() {
+    Arrays.sort(free, 0, freeCount);
+    for (int i = 0, j = freeCount - 1; i < j; i++, j--) {
+      int low = free[i];
+      free[i] = free[j];
+      free[j] = low;
+    }
+  }
+
   /** Makes room for slots below a number. */
   private void reserve(int slots) {
     if (generation.length < slots) {

@@ -14,7 +14,7 @@ import carom.physics.geometry.Shape;
 import carom.physics.math.Transform;
 import carom.physics.particles.ParticleDef;
 import carom.physics.particles.Particles;
-import carom.sim.SimRandom;
+import carom.sim.random.SimRandom;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneColors;
 import carom.sim.scene.Stage;

@@ -23,7 +23,7 @@ import carom.physics.geometry.Compound;
 import carom.physics.geometry.Polygon;
 import carom.physics.geometry.Shape;
 import carom.physics.math.Aabb;
-import carom.sim.SimRandom;
+import carom.sim.random.SimRandom;
 import carom.sim.scene.Scene;
 import carom.sim.scene.SceneColors;
 import carom.sim.scene.Stage;

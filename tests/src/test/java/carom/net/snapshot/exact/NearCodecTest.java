@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import carom.net.codec.BitMeter;
 import carom.net.codec.SectionCheck;
 import carom.physics.rows.BodyRow;
+import carom.physics.rows.RowCounts;
 import carom.physics.rows.RowKind;
 import java.util.Random;
 import java.util.Set;
@@ -38,6 +39,9 @@ class NearCodecTest {
     if (random.nextBoolean()) {
       update(near);
     }
+    for (int n = random.nextInt(4); n > 0 && near.count > 0; n--) {
+      ruling(near);
+    }
     return near;
   }
 
@@ -54,7 +58,10 @@ class NearCodecTest {
   }
 
   private void update(NearState near) {
-    near.beginPart(random.nextInt(64), random.nextInt(NearState.MAX_ROWS + 1), random.nextInt(9));
+    RowCounts counts = new RowCounts();
+    counts.set(RowKind.CONTACT, random.nextInt(NearState.MAX_ROWS - 400));
+    counts.set(RowKind.FIELDS, random.nextInt(3) * random.nextInt(60));
+    near.beginPart(random.nextInt(64), counts, random.nextInt(9));
     for (int i = 0; i < near.count; i++) {
       if (random.nextBoolean()) {
         near.tell(i);
@@ -62,6 +69,16 @@ class NearCodecTest {
     }
     for (int n = random.nextInt(NearState.MAX_PART + 1); n > 0; n--) {
       near.growRow();
+    }
+  }
+
+  private void ruling(NearState near) {
+    int mask = random.nextInt(1 << BodyRow.STATE_INTS);
+    near.addRuling(random.nextInt(near.count), random.nextInt(64), random.nextBoolean(), mask);
+    for (int word = 0; word < BodyRow.STATE_INTS; word++) {
+      if ((mask & 1 << word) != 0) {
+        near.setRulingWord(word, random.nextInt(2));
+      }
     }
   }
 
@@ -74,9 +91,17 @@ class NearCodecTest {
     for (int i = 0; i < near.toldCount; i++) {
       out.append(' ').append(near.told[i]);
     }
-    out.append(" rows ").append(near.totalRows).append(' ').append(near.firstRow);
+    out.append(" rows ").append(near.totalRows()).append(' ').append(near.firstRow);
     for (int i = 0; i < near.partRows(); i++) {
       out.append(' ').append(near.kind(i) == RowKind.BODY ? near.rows.get(i, BodyRow.KEY) : 0);
+    }
+    for (int i = 0; i < near.rulings(); i++) {
+      out.append(" ruling ").append(near.rulingPlace(i)).append(' ').append(near.rulingAge(i));
+      out.append(near.isRulingAfterStep(i) ? " after " : " before ").append(near.rulingMask(i));
+      for (int word = 0; word < BodyRow.STATE_INTS; word++) {
+        boolean changed = (near.rulingMask(i) & 1 << word) != 0;
+        out.append(' ').append(changed ? near.rulingWord(i, word) : 0);
+      }
     }
     return out.toString();
   }
@@ -103,9 +128,10 @@ class NearCodecTest {
     for (int i = 0; i < 100; i++) {
       NearState near = near(near(nothing));
       near.endUpdate();
+      near.rulings = 0;
       BitMeter meter = new BitMeter();
       NearCodec.code(meter, nothing, near);
-      int flagsAndHash = near.present ? 4 + 32 : 1;
+      int flagsAndHash = near.present ? 5 + 32 : 1;
       int list = meter.bits() - flagsAndHash;
       if (near.present && near.count > 0) {
         assertTrue(list <= near.listBits(), "bits=" + list + " of " + near.listBits());
@@ -126,8 +152,8 @@ class NearCodecTest {
       int between = key(three);
       three.add(between);
       three.add(two.key(1));
-      // A bit each: near, list changed, two entities stay, the list ends, no update.
-      int expected = 6 + Integer.SIZE + NearCodec.insertBits(two.key(0), between);
+      // A bit each: near, list changed, two entities stay, the list ends, no update, no ruling.
+      int expected = 7 + Integer.SIZE + NearCodec.insertBits(two.key(0), between);
       BitMeter meter = new BitMeter();
       NearCodec.code(meter, two, three);
       assertEquals(expected, meter.bits());

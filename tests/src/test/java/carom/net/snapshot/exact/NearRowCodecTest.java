@@ -8,6 +8,8 @@ import carom.net.codec.RangeDecoder;
 import carom.net.codec.RangeEncoder;
 import carom.physics.rows.BodyRow;
 import carom.physics.rows.ContactRow;
+import carom.physics.rows.FieldRow;
+import carom.physics.rows.RowCounts;
 import carom.physics.rows.RowKind;
 import carom.physics.rows.Rows;
 import java.util.Arrays;
@@ -82,7 +84,18 @@ final class NearRowCodecTest {
     return row;
   }
 
-  /** A part of some entities, all told, and contacts. */
+  private int[] words() {
+    int[] row = new int[FieldRow.INTS];
+    row[FieldRow.PLACE] = random.nextInt(1 + random.nextInt(256));
+    row[FieldRow.CHUNK] = random.nextInt(FieldRow.MAX_CHUNKS);
+    for (int i = 0; i < FieldRow.WORD_INTS; i++) {
+      row[FieldRow.WORDS + i] =
+          random.nextBoolean() ? 0 : random.nextInt() >> random.nextInt(Integer.SIZE);
+    }
+    return row;
+  }
+
+  /** A part of some entities, all told, contacts, and fields. */
   private OwnState part() {
     OwnState own = new OwnState();
     own.setBody(1, 1, number(30), number(30), 1, 0, 0, 0, 0);
@@ -92,7 +105,12 @@ final class NearRowCodecTest {
     for (int i = 0; i < entities; i++) {
       near.add(random.nextInt(1 << 24));
     }
-    near.beginPart(1, entities + ROWS, 0);
+    int contacts = random.nextInt(ROWS / 2);
+    int fields = random.nextInt(4);
+    RowCounts counts = new RowCounts();
+    counts.set(RowKind.CONTACT, contacts);
+    counts.set(RowKind.FIELDS, fields);
+    near.beginPart(1, counts, 0);
     for (int i = 0; i < entities; i++) {
       near.tell(i);
     }
@@ -100,13 +118,16 @@ final class NearRowCodecTest {
       near.addRow(entity(own), 0);
     }
     int[] before = contact();
-    for (int i = random.nextInt(ROWS / 2); i > 0; i--) {
+    for (int i = contacts; i > 0; i--) {
       int[] contact = contact();
       if (random.nextBoolean()) {
         contact[ContactRow.END_A] = before[ContactRow.END_A];
       }
       near.addRow(contact, 0);
       before = contact;
+    }
+    for (int i = 0; i < fields; i++) {
+      near.addRow(words(), 0);
     }
     return own;
   }

@@ -6,11 +6,15 @@ import carom.client.bots.Bot;
 import carom.net.codec.BitCoder;
 import carom.net.snapshot.SnapshotDecoder;
 import carom.net.transport.Impairment;
+import carom.server.config.ServerConfig;
+import carom.testkit.MachineGame;
+import carom.testkit.Scripts;
 import carom.testkit.SimulatedClient;
 import carom.testkit.Stepper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Locale;
 
 /**
@@ -18,7 +22,7 @@ import java.util.Locale;
  * in virtual time. A {@code main}, run by hand when the rows' form changes.
  */
 final class NearTraining {
-  private static final String[] GAMES = {"arena", "platformer"};
+  private static final String[] GAMES = {"arena", "platformer", "machines"};
   private static final int BOTS = 10;
   private static final double SECONDS = 20;
 
@@ -49,15 +53,19 @@ final class NearTraining {
       double[] shares = new double[NearTables.SYMBOLS];
       for (double[][] game : seen) {
         double all = BEFORE * NearTables.SYMBOLS;
+        if (Arrays.stream(game[row]).sum() == 0) {
+          continue; // a game without joints says nothing about them
+        }
         for (double n : game[row]) {
           all += n;
         }
         for (int s = 0; s < shares.length; s++) {
-          shares[s] += (game[row][s] + BEFORE) / all / seen.length;
+          shares[s] += (game[row][s] + BEFORE) / all;
         }
       }
+      double sum = Arrays.stream(shares).sum();
       for (double share : shares) {
-        text.append(NearTables.letter(share));
+        text.append(NearTables.letter(sum == 0 ? 1 : share / sum));
       }
       text.append('\n');
     }
@@ -68,16 +76,17 @@ final class NearTraining {
     Counting counting = new Counting();
     int[] last = new int[BOTS];
     long rows = 0;
-    try (Stepper stepper = Stepper.of(game)) {
-      for (int i = 0; i < BOTS; i++) {
+    int bots = isMachines(game) ? 2 : BOTS; // as many as have a place to start
+    try (Stepper stepper = play(game)) {
+      for (int i = 0; i < bots; i++) {
         Impairment line = Impairment.NONE.withLatency(50, 0).withLoss(2).withSeed(Stepper.SEED + i);
         ClientConfig config = ClientConfig.of("b" + i).withPrediction(mode(i));
-        stepper.add(config, line, new Bot(i));
+        stepper.add(config, line, isMachines(game) ? Scripts.wander(Stepper.SEED + i) : new Bot(i));
       }
       stepper.run(3);
       for (long end = stepper.nowNs() + (long) (SECONDS * 1e9); stepper.nowNs() < end; ) {
         stepper.step();
-        for (int i = 0; i < BOTS; i++) {
+        for (int i = 0; i < bots; i++) {
           SimulatedClient client = stepper.clients().get(i);
           SnapshotDecoder decoder = client.game().decoder();
           if (decoder.hasAck() && decoder.ackSequence() != last[i]) {
@@ -93,6 +102,26 @@ final class NearTraining {
     }
     System.out.printf(Locale.ROOT, "%s: rows=%d%n", game, rows);
     return counting.seen;
+  }
+
+  private static boolean isMachines(String game) {
+    return game.equals("machines");
+  }
+
+  private static Stepper play(String game) {
+    if (!isMachines(game)) {
+      return Stepper.of(game);
+    }
+    StringBuilder spawns = new StringBuilder();
+    for (int i = 0; i < 6; i++) {
+      int x = 8 * i - 20;
+      spawns.append(", {\"name\": \"ragdoll\", \"at\": [" + x + ", 0.1]}");
+      spawns.append(", {\"name\": \"crate\", \"at\": [" + (x + 3) + ", 8]}");
+    }
+    spawns.append(", {\"name\": \"bridge\", \"at\": [-12, 4], \"team\": 12}");
+    spawns.append(", {\"name\": \"weak bridge\", \"at\": [12, 4], \"team\": 12}");
+    spawns.append(", {\"name\": \"crane\", \"at\": [0, 6]}");
+    return Stepper.of(MachineGame.level(spawns.toString()), ServerConfig.defaults());
   }
 
   private static PredictionMode mode(int bot) {

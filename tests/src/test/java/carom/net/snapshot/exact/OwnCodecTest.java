@@ -12,7 +12,7 @@ class OwnCodecTest {
   private final Random random = new Random(73);
 
   private OwnState own() {
-    OwnState own = new OwnState();
+    OwnState own = new OwnState(20);
     if (random.nextInt(4) > 0) {
       own.slot = random.nextInt(1 << 16);
       own.generation = random.nextInt(256);
@@ -54,7 +54,7 @@ class OwnCodecTest {
   @Test
   void whatIsWrittenIsMeasuredAndRead() {
     for (int i = 0; i < 200; i++) {
-      OwnState baseline = i % 4 == 0 ? new OwnState() : own();
+      OwnState baseline = i % 4 == 0 ? new OwnState(20) : own();
       SectionCheck<OwnState> check =
           new SectionCheck<>(
               (c, own) -> OwnCodec.code(c, baseline, own), this::own, OwnCodecTest::text);

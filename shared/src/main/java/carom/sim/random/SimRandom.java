@@ -1,12 +1,12 @@
-package carom.sim;
+package carom.sim.random;
 
 /**
  * A simulation's random numbers: splitmix64, whose whole state is one {@code long} that is hashed,
  * saved and restored with the simulation.
  *
  * <p>Source: Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014.
- * Games draw from it on {@link Role#AUTHORITY} only, because a prediction cannot know what the
- * server drew.
+ * Games draw from it on the server only, because a client's prediction cannot know what the server
+ * drew.
  */
 public final class SimRandom {
   private static final long GAMMA = 0x9e3779b97f4a7c15L;
@@ -59,7 +59,7 @@ public final class SimRandom {
   }
 
   /** Mixes a value into a hash. */
-  static long mix(long hash, long value) {
+  public static long mix(long hash, long value) {
     return mix(hash * GAMMA ^ value);
   }
 

@@ -68,7 +68,7 @@ import carom.physics.math.Trig;
  *
  * <p>The row for the spring follows Erin Catto's GDC 2011 talk; written from the algebra above.
  */
-abstract class JointRow {
+abstract class ConstraintRow {
   static final float TWO_PI = 6.2831855f;
 
   /**
@@ -156,7 +156,7 @@ abstract class JointRow {
   private boolean split;
 
   /** Makes rows of these joints. */
-  JointRow(JointRecords joints) {
+  ConstraintRow(JointRecords joints) {
     this.joints = joints;
   }
 

@@ -1,0 +1,61 @@
+package carom.client.field;
+
+import carom.sim.Entity;
+import carom.sim.Player;
+import carom.sim.Simulation;
+import carom.sim.field.FieldStore;
+import carom.sim.field.FieldValues;
+import carom.sim.field.Scope;
+
+/**
+ * The fields of a simulation of which everything is known, such as a recording's. Each look copies
+ * the values, so that nothing can be changed. One thread; allocates for each look.
+ */
+public final class RecordedFields implements ShownFields {
+  private final Simulation simulation;
+  private final FieldStore store;
+
+  /** Creates the fields of a simulation. */
+  public RecordedFields(Simulation simulation) {
+    this.simulation = simulation;
+    store = new FieldStore(simulation.schema(), simulation::tick, new Finder());
+  }
+
+  private final class Finder implements FieldStore.References<FieldView, FieldView> {
+    @Override
+    public FieldView entity(int id, int generation) {
+      return RecordedFields.this.entity(id, generation);
+    }
+
+    @Override
+    public FieldView player(int id) {
+      return RecordedFields.this.player(id);
+    }
+  }
+
+  @Override
+  public FieldView match() {
+    return view(Scope.MATCH, 0, simulation.fieldValues());
+  }
+
+  @Override
+  public FieldView player(int id) {
+    Player player = simulation.player(id);
+    return view(Scope.PLAYER, id + 1, player == null ? null : player.fieldValues());
+  }
+
+  @Override
+  public FieldView entity(int id, int generation) {
+    Entity entity = simulation.entity(id);
+    boolean same = entity != null && entity.generation() == generation;
+    return view(Scope.ENTITY, 0, same ? entity.fieldValues() : null);
+  }
+
+  private FieldView view(Scope scope, int reference, FieldValues values) {
+    FieldView view = new FieldView(store, scope, reference);
+    for (int i = 0; values != null && i < values.size(); i++) {
+      view.fieldValues().mirror(i, values.word(i));
+    }
+    return view;
+  }
+}

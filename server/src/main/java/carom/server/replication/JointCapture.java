@@ -1,0 +1,72 @@
+package carom.server.replication;
+
+import carom.net.snapshot.table.JointWords;
+import carom.net.snapshot.table.Table;
+import carom.physics.Body;
+import carom.physics.Joint;
+import carom.physics.rows.JointDefRow;
+import carom.physics.rows.JointRow;
+import carom.sim.Entity;
+import carom.sim.Simulation;
+import carom.sim.joint.JointTable;
+import carom.sim.near.Neighbourhood;
+
+/**
+ * Keeps the table of joints that clients are told: what each was made with, once. Ticks in which no
+ * joint comes or goes cost nothing. The room's thread; allocates only to grow.
+ */
+final class JointCapture {
+  private final Simulation simulation;
+  private final Table table = new Table(JointWords.LAYOUT);
+  private final int[] words = new int[JointWords.WORDS];
+  private final int[] definition = new int[JointDefRow.INTS];
+  private long version;
+  private int limit;
+
+  JointCapture(Simulation simulation) {
+    this.simulation = simulation;
+    JointTable.forEachOfLevel(
+        simulation.level(),
+        (index, endA, endB, made) -> {
+          JointWords.put(words, endA, endB, JointTable.LEVEL, index, made, 0);
+          table.place(index, 0, words, 0);
+        });
+  }
+
+  /** Returns the table. */
+  Table table() {
+    return table;
+  }
+
+  /** Takes over the joints after the simulation's last step. */
+  void capture() {
+    JointTable<Entity> joints = simulation.joints();
+    if (joints.version() == version) {
+      return;
+    }
+    version = joints.version();
+    limit = Math.max(limit, joints.limit());
+    for (int i = 0; i < limit; i++) {
+      Joint<Entity> joint = i < joints.limit() ? joints.get(i) : null;
+      if (joint == null) {
+        table.remove(i, simulation.tick());
+        continue;
+      }
+      joints.definition(i, definition, 0);
+      int endA = end(joint.bodyA());
+      int endB = end(joint.bodyB());
+      JointWords.put(words, endA, endB, joints.root(i), joints.number(i), definition, 0);
+      int generation = JointTable.generation(joints.key(i));
+      table.put(i, generation, words, 0, simulation.tick());
+    }
+  }
+
+  private static int end(Body<Entity> body) {
+    if (body == null) {
+      return JointRow.GROUND;
+    }
+    Entity e = body.user();
+    boolean isEntity = e != null && !e.isLevel();
+    return isEntity ? Neighbourhood.key(e.id(), e.generation()) : ~body.index();
+  }
+}

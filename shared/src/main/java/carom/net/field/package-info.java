@@ -1,0 +1,9 @@
+/**
+ * How a game's fields are sent: the layouts of their tables, which server and client derive from
+ * the same declarations.
+ *
+ * <p>The one package of {@code carom.net} that knows of fields. May import {@code
+ * carom.net.protocol}, {@code carom.net.snapshot.table}, {@code carom.sim.event} and {@code
+ * carom.sim.field}. Read first: {@link carom.net.field.FieldTables}.
+ */
+package carom.net.field;

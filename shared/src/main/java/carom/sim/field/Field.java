@@ -1,0 +1,285 @@
+package carom.sim.field;
+
+import carom.sim.event.Audience;
+import java.util.Objects;
+
+/**
+ * A piece of a game's state: what it is called, what it can hold, what has it, who is told, and how
+ * it begins. Declare each as a constant and return it from {@code Game.fields}; Carom then stores,
+ * hashes, saves, sends, predicts and rolls back its values.
+ *
+ * <pre>{@code
+ * static final Count HEALTH = Field.count("health", 0, 100).of(PLAYER).to(ALL).startsAt(100);
+ * static final Flag DOOR_OPEN = Field.flag("doorOpen").of(MATCH).to(ALL).times(4);
+ *
+ * p.add(HEALTH, -20);                // stops at 0
+ * s.set(DOOR_OPEN, 2, true);         // the third door
+ * }</pre>
+ *
+ * <p>Without more words a field belongs to each player, is told to players near, and begins at 0,
+ * false, the first constant or nobody. Fields are immutable: each of {@link #of}, {@link #to},
+ * {@link #times} and {@code startsAt} returns another one. Several simulations and games may share
+ * a field. Any thread.
+ *
+ * @param <F> the kind of field
+ */
+public abstract class Field<F extends Field<F>> {
+  /** Most characters of a name. */
+  public static final int MAX_NAME = 32;
+
+  /** Most values of one field. */
+  public static final int MAX_TIMES = 65_536;
+
+  private static int created;
+
+  private final int id = nextId();
+  private final Spec spec;
+
+  /** Creates a field that differs from its predecessor in what it is, who has it or who knows. */
+  Field(Spec spec) {
+    this.spec = spec;
+  }
+
+  /** What all kinds of fields have; the limits are those of a word. */
+  record Spec(
+      String name,
+      String range,
+      int min,
+      int max,
+      int start,
+      Scope scope,
+      Audience audience,
+      int times) {
+    Spec {
+      Objects.requireNonNull(scope, "scope");
+      Objects.requireNonNull(audience, "audience");
+      if (!isName(name)) {
+        throw new IllegalArgumentException(
+            "field name=\""
+                + name
+                + "\" must be a letter a-z and then letters and digits, "
+                + MAX_NAME
+                + " at most, such as dashWait");
+      }
+      if (times < 1 || times > MAX_TIMES) {
+        throw new IllegalArgumentException(
+            "times=" + times + " of field " + name + " is outside 1.." + MAX_TIMES);
+      }
+    }
+
+    static Spec of(String name, String range, int min, int max, int start) {
+      return new Spec(name, range, min, max, start, Scope.PLAYER, Audience.NEAR, 1);
+    }
+
+    Spec of(Scope newScope) {
+      return new Spec(name, range, min, max, start, newScope, audience, times);
+    }
+
+    Spec to(Audience newAudience) {
+      return new Spec(name, range, min, max, start, scope, newAudience, times);
+    }
+
+    Spec times(int newTimes) {
+      return new Spec(name, range, min, max, start, scope, audience, newTimes);
+    }
+
+    Spec startsAt(int newStart) {
+      return new Spec(name, range, min, max, newStart, scope, audience, times);
+    }
+
+    private static boolean isName(String name) {
+      boolean good = !name.isEmpty() && name.length() <= MAX_NAME;
+      for (int i = 0; good && i < name.length(); i++) {
+        char c = name.charAt(i);
+        boolean lower = c >= 'a' && c <= 'z';
+        good = lower || (i > 0 && ((c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9')));
+      }
+      return good;
+    }
+  }
+
+  private static synchronized int nextId() {
+    return created++;
+  }
+
+  /**
+   * Creates a field for a whole number in a range, such as health, ammunition or a score.
+   *
+   * @param name a letter a-z and then letters and digits, {@value #MAX_NAME} at most
+   * @param min smallest value
+   * @param max largest value, above {@code min}
+   * @throws IllegalArgumentException if the name or the range is no good
+   */
+  public static Count count(String name, int min, int max) {
+    return Count.create(name, min, max);
+  }
+
+  /** Creates a field for yes or no. The name is as of {@link #count}. */
+  public static Flag flag(String name) {
+    return new Flag(Spec.of(name, "flag", 0, 1, 0));
+  }
+
+  /**
+   * Creates a field for one of an enum's constants, such as the phase of a match. The name is as of
+   * {@link #count}.
+   */
+  public static <E extends Enum<E>> Choice<E> choice(String name, Class<E> type) {
+    return Choice.create(name, type);
+  }
+
+  /**
+   * Creates a field for a part of a whole, 0..1 in steps of 1/{@value Ratio#STEPS}, such as fuel.
+   * The name is as of {@link #count}.
+   */
+  public static Ratio ratio(String name) {
+    return ratio(name, Ratio.STEPS);
+  }
+
+  /**
+   * Creates a field for a part of a whole, 0..1 in steps. Fewer steps take fewer bits. The name is
+   * as of {@link #count}.
+   *
+   * @param steps 1..{@value Ratio#MAX_STEPS}
+   * @throws IllegalArgumentException if the name or the number of steps is no good
+   */
+  public static Ratio ratio(String name, int steps) {
+    return Ratio.create(name, steps);
+  }
+
+  /**
+   * Creates a field for any {@code float}, kept to the last bit. It takes 32 bits, so a {@link
+   * #count} or {@link #ratio} is better where one will do. The name is as of {@link #count}.
+   */
+  public static Real real(String name) {
+    return new Real(Spec.of(name, "real", Integer.MIN_VALUE, Integer.MAX_VALUE, 0));
+  }
+
+  /**
+   * Creates a field for a time in ticks that runs down by itself: set it to {@code s.ticks(1.5f)}
+   * and it is 0 when the time is over. It changes, and is sent, only when it is set. The name is as
+   * of {@link #count}.
+   */
+  public static Countdown countdown(String name) {
+    return new Countdown(Spec.of(name, "countdown", 0, Integer.MAX_VALUE, 0));
+  }
+
+  /**
+   * Creates a field for an entity. It is null at first, and when the entity is gone. The name is as
+   * of {@link #count}.
+   */
+  public static EntityRef entity(String name) {
+    return new EntityRef(Spec.of(name, "entity", 0, EntityRef.MOST, 0));
+  }
+
+  /**
+   * Creates a field for a player. It is null at first, and when the player has left. The name is as
+   * of {@link #count}.
+   */
+  public static PlayerRef player(String name) {
+    return new PlayerRef(Spec.of(name, "player", 0, PlayerRef.MOST, 0));
+  }
+
+  /** Creates a field of the same kind with another specification. */
+  abstract F with(Spec changed);
+
+  /** Returns the same field for another scope. */
+  public final F of(Scope scope) {
+    return with(spec.of(scope));
+  }
+
+  /**
+   * Returns the same field for another audience. {@link Audience#NOBODY} keeps it on the server.
+   */
+  public final F to(Audience audience) {
+    return with(spec.to(audience));
+  }
+
+  /**
+   * Returns the same field with several values, which have the indices 0..count-1.
+   *
+   * @param count 1..{@value #MAX_TIMES}
+   * @throws IllegalArgumentException if the count is outside its range
+   */
+  public final F times(int count) {
+    return with(spec.times(count));
+  }
+
+  /** Returns the same field with another word to start with, which must be in its range. */
+  final F startingWith(int word) {
+    return with(spec.startsAt(word));
+  }
+
+  /** Returns the name, which is unique in its scope. */
+  public final String name() {
+    return spec.name;
+  }
+
+  /** Returns what has a value of the field. */
+  public final Scope scope() {
+    return spec.scope;
+  }
+
+  /** Returns which players are told the value. */
+  public final Audience audience() {
+    return spec.audience;
+  }
+
+  /** Returns the number of values, 1 unless {@link #times} says otherwise. */
+  public final int times() {
+    return spec.times;
+  }
+
+  /** Returns the smallest word, which is the value as the kind stores it. */
+  public final int min() {
+    return spec.min;
+  }
+
+  /** Returns the largest word. */
+  public final int max() {
+    return spec.max;
+  }
+
+  /** Returns the word with which each value begins. */
+  public final int start() {
+    return spec.start;
+  }
+
+  /** Returns the number of bits that hold every word of the range, 1..32. */
+  public final int bits() {
+    return Math.max(1, 64 - Long.numberOfLeadingZeros((long) spec.max - spec.min));
+  }
+
+  /** Returns a number that no other field of this process has. */
+  final int id() {
+    return id;
+  }
+
+  /** Returns scope and name, such as {@code player.health}. */
+  public final String path() {
+    return spec.scope.label() + "." + spec.name;
+  }
+
+  /**
+   * Returns a word as people read it.
+   *
+   * @param word in {@link #min}..{@link #max}
+   */
+  public abstract String show(int word);
+
+  /** Returns the declaration in one line, such as {@code player.health count 0..100 to ALL}. */
+  @Override
+  public final String toString() {
+    return path()
+        + " "
+        + spec.range
+        + (spec.times == 1 ? "" : " x" + spec.times)
+        + " to "
+        + spec.audience
+        + (spec.start == 0 ? "" : " starts " + show(spec.start));
+  }
+
+  /** Returns an exception about a value that the field can't hold. */
+  final IllegalArgumentException outside(Object value, String hint) {
+    return new IllegalArgumentException(path() + "=" + value + " is outside " + spec.range + hint);
+  }
+}

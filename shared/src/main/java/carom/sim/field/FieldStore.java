@@ -1,0 +1,179 @@
+package carom.sim.field;
+
+import carom.sim.ruling.Findings;
+import java.util.function.IntSupplier;
+
+/**
+ * The fields of one simulation: their schema, how references are found, and which writes count at
+ * the moment. The values themselves are with the players, the entities and the match.
+ *
+ * <p>A server takes every write but those of {@code Game.collision} and {@code Game.forces}. A
+ * client takes the writes that it can foresee: those of {@code Game.input} to that player and its
+ * body, of fields that players are told. It drops all others, and the server's word follows. One
+ * thread; a write allocates nothing.
+ */
+public final class FieldStore {
+  /** Finds what references mean; the simulation knows. */
+  public interface References<E, P> {
+    /** Returns the entity under an id if it has this generation, or null. */
+    E entity(int id, int generation);
+
+    /** Returns the player under an id, or null. */
+    P player(int id);
+  }
+
+  private enum Writes {
+    ALL,
+    OWN,
+    NONE,
+    REFUSED
+  }
+
+  private final Schema schema;
+  private final IntSupplier clock;
+  private final References<?, ?> references;
+  private final long[] changes = new long[Scope.values().length];
+  private final FieldValues[] shared = new FieldValues[Scope.values().length];
+  private final FieldValues ofLevel;
+  private Writes rest = Writes.ALL;
+  private Writes writes = Writes.ALL;
+  private FieldValues own;
+  private FieldValues ownBody;
+  private boolean isInput;
+  private String refuser;
+  private FieldUse use;
+
+  /**
+   * Creates the store of a simulation.
+   *
+   * @param clock returns the simulation's tick
+   */
+  public FieldStore(Schema schema, IntSupplier clock, References<?, ?> references) {
+    this.schema = schema;
+    this.clock = clock;
+    this.references = references;
+    for (Scope scope : Scope.values()) {
+      shared[scope.ordinal()] = new FieldValues(this, scope, true);
+    }
+    ofLevel = new FieldValues(this, Scope.ENTITY, false);
+  }
+
+  /** Returns the declarations. */
+  public Schema schema() {
+    return schema;
+  }
+
+  /** Creates the values of a player, an entity or the match, which begin as declared. */
+  public FieldValues create(Scope scope) {
+    boolean empty = schema.words(scope) == 0;
+    return empty ? shared[scope.ordinal()] : new FieldValues(this, scope, true);
+  }
+
+  /** Returns the values of static level geometry, which are as declared and can't be written. */
+  public FieldValues ofLevel() {
+    return ofLevel;
+  }
+
+  /**
+   * Returns a number that grows with each change of a value in a scope. {@link FieldValues#stamp}
+   * tells which target has changed since.
+   */
+  public long changes(Scope scope) {
+    return changes[scope.ordinal()];
+  }
+
+  /** Drops from now on what a client can't foresee. A client calls it after set-up. */
+  public void predict() {
+    rest = Writes.NONE;
+    writes = Writes.NONE;
+  }
+
+  /**
+   * Notes from now on how the game uses its fields. A server calls it.
+   *
+   * @param findings receives what no client can foresee
+   * @return what notes it
+   */
+  public FieldUse noteUse(Findings findings, FieldUse.Owners owners) {
+    use = new FieldUse(schema, findings, owners);
+    return use;
+  }
+
+  FieldUse use() {
+    return use;
+  }
+
+  /** Begins {@code Game.input} of a player. A client takes writes to these two. */
+  public void beginInput(FieldValues player, FieldValues body) {
+    beginReading("input");
+    writes = rest == Writes.NONE ? Writes.OWN : rest;
+    own = player;
+    ownBody = body;
+    isInput = true;
+  }
+
+  /** Begins {@code Game.collision}, which must change nothing: refuses writes. */
+  public void beginCollision() {
+    writes = Writes.REFUSED;
+    refuser = "Game.collision, which must change nothing; write it in Game.hit or Game.afterStep";
+  }
+
+  /** Begins {@code Game.forces}, which may push bodies only: refuses writes. */
+  public void beginForces() {
+    writes = Writes.REFUSED;
+    refuser = "Game.forces, which may only push its body; write it in Game.input";
+    beginReading("forces");
+  }
+
+  private void beginReading(String callback) {
+    if (use != null) {
+      use.beginReading(callback, tick());
+    }
+  }
+
+  /** Ends what began. */
+  public void end() {
+    writes = rest;
+    isInput = false;
+    if (use != null) {
+      use.endReading();
+    }
+  }
+
+  /** Returns whether a client couldn't foresee a write to these values now. */
+  boolean isRuling(FieldValues values) {
+    return !isInput || (values != own && values != ownBody);
+  }
+
+  /**
+   * Returns whether a write counts now.
+   *
+   * @throws IllegalStateException if writes are refused
+   */
+  boolean takes(FieldValues values, int word) {
+    switch (writes) {
+      case ALL:
+        return true;
+      case OWN:
+        return (values == own || values == ownBody) && word < schema.toldWords(values.scope());
+      case NONE:
+        return false;
+      default:
+        throw new IllegalStateException(
+            schema.name(values.scope(), word) + " can't be written in " + refuser);
+    }
+  }
+
+  /** Notes a change and returns its number. */
+  long noteChange(Scope scope) {
+    return ++changes[scope.ordinal()];
+  }
+
+  int tick() {
+    return clock.getAsInt();
+  }
+
+  References<?, ?> references() {
+    return references;
+  }
+}

@@ -1,0 +1,141 @@
+package carom.sim.field;
+
+import carom.sim.event.Audience;
+import carom.sim.ruling.Findings;
+import carom.sim.ruling.Habit;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Finds fields that a game uses so that no client can foresee them: rules write them again and
+ * again, and {@code Game.input} or {@code Game.forces} reads them; or these read what clients
+ * aren't told. Writes are noted always, reads in some ticks only. One thread; allocates for a
+ * finding, and for the first write of a rule to a word.
+ */
+public final class FieldUse {
+  /** Names what the values of a finding belong to. */
+  public interface Owners {
+    /** Returns what has these values, such as {@code player 2}. */
+    String nameOf(FieldValues values);
+  }
+
+  /** Reads are noted in one tick of so many. */
+  private static final int TICKS = 8;
+
+  /** A word that is written at 5 Hz and more is a habit after some seconds. */
+  private static final int RISE = 12;
+
+  /** Most words whose writes wait for a reader. */
+  private static final int MOST_WRITTEN = 64;
+
+  /** A word that rules write again and again. */
+  private record Written(FieldValues values, int word, String callback, int firstTick) {}
+
+  private final Schema schema;
+  private final Findings findings;
+  private final Owners owners;
+  private final List<Written> written = new ArrayList<>();
+
+  /** By scope and word: the callback that reads it, or null. */
+  private final String[][] readers = new String[Scope.values().length][];
+
+  private String callback = "a callback between two steps";
+  private String reader;
+
+  FieldUse(Schema schema, Findings findings, Owners owners) {
+    this.schema = schema;
+    this.findings = findings;
+    this.owners = owners;
+    for (Scope scope : Scope.values()) {
+      readers[scope.ordinal()] = new String[schema.words(scope)];
+    }
+  }
+
+  /** Says which of the game's callbacks runs from now on. */
+  public void during(String name) {
+    callback = name;
+  }
+
+  /** Notes reads from now on, if it is a tick for that. */
+  void beginReading(String name, int tick) {
+    reader = tick % TICKS == 0 ? name : null;
+  }
+
+  /** Ends {@link #beginReading}. */
+  void endReading() {
+    if (reader != null) {
+      reader = null;
+      judge();
+    }
+  }
+
+  void read(FieldValues values, int word) {
+    if (reader == null) {
+      return;
+    }
+    Scope scope = values.scope();
+    if (readers[scope.ordinal()][word] == null) {
+      readers[scope.ordinal()][word] = reader;
+      Audience audience = schema.field(scope, word).audience();
+      boolean isForces = reader.equals("forces");
+      if (audience == Audience.NOBODY) {
+        unknown(scope, word, "no client is told", isForces ? "NEAR" : "OWNER");
+      } else if (isForces && audience != Audience.NEAR && audience != Audience.ALL) {
+        unknown(scope, word, "not all clients near are told", "NEAR");
+      }
+    }
+  }
+
+  private void unknown(Scope scope, int word, String why, String better) {
+    String name = schema.name(scope, word);
+    findings.add(
+        "reads " + name,
+        reader
+            + " reads "
+            + name
+            + ", which "
+            + why
+            + ", so clients can't predict what follows; declare it .to("
+            + better
+            + ") or don't read it in "
+            + reader
+            + ".");
+  }
+
+  /** Notes a write that no client can foresee. */
+  void wrote(FieldValues values, int word, Habit habit, int tick) {
+    if (habit.note(tick, RISE) && written.size() < MOST_WRITTEN) {
+      written.add(new Written(values, word, callback, habit.firstTick()));
+    }
+  }
+
+  private void judge() {
+    for (int i = written.size() - 1; i >= 0; i--) {
+      Written w = written.get(i);
+      Scope scope = w.values.scope();
+      String by = readers[scope.ordinal()][w.word];
+      if (by != null) {
+        written.remove(i);
+        String name = schema.name(scope, w.word);
+        String advice =
+            scope == Scope.MATCH
+                ? "use Field.countdown for a clock, or read it in afterStep"
+                : "move the write to input or make the field server-only";
+        findings.add(
+            "writes " + w.callback + " " + name,
+            w.callback
+                + " writes "
+                + name
+                + ", which "
+                + by
+                + " reads, so clients can't predict it; "
+                + advice
+                + ". First seen at tick "
+                + w.firstTick
+                + ", "
+                + owners.nameOf(w.values)
+                + ".");
+      }
+    }
+  }
+}

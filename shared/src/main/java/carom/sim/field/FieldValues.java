@@ -1,0 +1,186 @@
+package carom.sim.field;
+
+import carom.physics.math.StateHash;
+import carom.sim.ruling.Habit;
+
+/**
+ * The words of one player, one entity or the match, by the layout of the {@link Schema}. Games use
+ * the typed methods of {@link FieldHolder} instead. One thread; only the constructor allocates.
+ */
+public final class FieldValues {
+  private final FieldStore store;
+  private final Scope scope;
+  private final boolean writable;
+  private final int[] words;
+  private long stamp;
+  private long ruled;
+
+  /** By word: how often rules write it; null where they never did. */
+  private Habit[] habits;
+
+  FieldValues(FieldStore store, Scope scope, boolean writable) {
+    this.store = store;
+    this.scope = scope;
+    this.writable = writable;
+    words = new int[store.schema().words(scope)];
+    for (int i = 0; i < words.length; i++) {
+      words[i] = store.schema().field(scope, i).start();
+    }
+  }
+
+  /** Returns what these words belong to. */
+  public Scope scope() {
+    return scope;
+  }
+
+  /** Returns the number of words. */
+  public int size() {
+    return words.length;
+  }
+
+  /** Returns a word. */
+  public int word(int index) {
+    return words[index];
+  }
+
+  /** Returns a word that a game asks for. */
+  int read(int index) {
+    if (store.use() != null) {
+      store.use().read(this, index);
+    }
+    return words[index];
+  }
+
+  /**
+   * Sets a word to what the server says, whatever writes are taken now.
+   *
+   * @throws IllegalArgumentException if the word is outside its field's range
+   */
+  public void mirror(int index, int value) {
+    Field<?> field = store.schema().field(scope, index);
+    if (value < field.min() || value > field.max()) {
+      throw new IllegalArgumentException(
+          store.schema().name(scope, index)
+              + "="
+              + value
+              + " is outside "
+              + field.min()
+              + ".."
+              + field.max());
+    }
+    put(index, value);
+  }
+
+  /**
+   * Returns the value of {@link FieldStore#changes} at the last change, or 0 if nothing has changed
+   * since the values were created.
+   */
+  public long stamp() {
+    return stamp;
+  }
+
+  /**
+   * Returns how often a game wrote another value of a field that players are told, except in {@code
+   * Game.input} of the player whom, or whose body, the values belong to. A client doesn't run what
+   * wrote these, so it can't predict them. Not saved.
+   */
+  public long ruled() {
+    return ruled;
+  }
+
+  /** Sets a word as a game asks for it, if the write counts now. */
+  void write(int index, int value) {
+    if (!writable) {
+      throw new IllegalStateException(
+          store.schema().name(scope, index)
+              + " can't be written: level geometry has no values of its own; ask Entity.isLevel");
+    }
+    if (words[index] != value && store.takes(this, index)) {
+      if (store.isRuling(this)) {
+        ruled += index < store.schema().toldWords(scope) ? 1 : 0;
+        noteHabit(index);
+      }
+      put(index, value);
+    }
+  }
+
+  private void noteHabit(int index) {
+    if (store.use() == null) {
+      return;
+    }
+    if (habits == null) {
+      habits = new Habit[words.length];
+    }
+    if (habits[index] == null) {
+      habits[index] = new Habit();
+    }
+    store.use().wrote(this, index, habits[index], store.tick());
+  }
+
+  private void put(int index, int value) {
+    if (words[index] != value) {
+      words[index] = value;
+      stamp = store.noteChange(scope);
+    }
+  }
+
+  /** Sets all words to their start values, as a game asks for it. */
+  void reset() {
+    for (int i = 0; i < words.length; i++) {
+      write(i, store.schema().field(scope, i).start());
+    }
+  }
+
+  /** Forgets a player, who leaves. */
+  public void forget(int playerId) {
+    for (int word : store.schema().playerWords(scope)) {
+      if (words[word] == playerId + 1) {
+        put(word, 0);
+      }
+    }
+  }
+
+  /** Mixes all words into a hash. */
+  public long hash(long hash) {
+    return hash(hash, words.length);
+  }
+
+  /** Mixes the words that some player may be told into a hash. */
+  public long hashTold(long hash) {
+    return hash(hash, store.schema().toldWords(scope));
+  }
+
+  private long hash(long hash, int count) {
+    long h = hash;
+    for (int i = 0; i < count; i++) {
+      h = StateHash.mix(h, words[i]);
+    }
+    return h;
+  }
+
+  /** Copies all words into an array. */
+  public void copyTo(int[] target, int at) {
+    System.arraycopy(words, 0, target, at, words.length);
+  }
+
+  /** Takes all words from an array that {@link #copyTo} filled. */
+  public void copyFrom(int[] source, int at) {
+    for (int i = 0; i < words.length; i++) {
+      put(i, source[at + i]);
+    }
+  }
+
+  FieldStore store() {
+    return store;
+  }
+
+  @Override
+  public String toString() {
+    StringBuilder text = new StringBuilder();
+    for (int i = 0; i < words.length; i++) {
+      text.append(i == 0 ? "" : " ").append(store.schema().name(scope, i)).append('=');
+      text.append(store.schema().field(scope, i).show(words[i]));
+    }
+    return text.toString();
+  }
+}

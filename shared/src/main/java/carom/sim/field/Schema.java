@@ -1,0 +1,273 @@
+package carom.sim.field;
+
+import carom.physics.math.StateHash;
+import carom.sim.event.Audience;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * The fields of one game, and where the words of each lie. Server and client build it from the same
+ * declarations, so an index of a word means the same on both.
+ *
+ * <p>Each value takes a word of 32 bits in memory. In each scope the words that some player may be
+ * told come first, in the order of declaration, and then those that stay on the server ({@link
+ * Audience#NOBODY}). Immutable; any thread.
+ */
+public final class Schema {
+  /** Most fields of a game. */
+  public static final int MAX_FIELDS = 1_024;
+
+  /** The schema of a game without fields. */
+  public static final Schema EMPTY = of(List.of());
+
+  /** Words of one scope. */
+  @SuppressWarnings("ArrayRecordComponent") // never compared
+  private record Layout(Field<?>[] fields, int[] indices, int told, int[] players) {}
+
+  private final List<Field<?>> declared;
+  private final List<String> lines;
+  private final long digest;
+  private final int firstId;
+
+  /** First word of a field by its id minus {@link #firstId}; -1 for one that isn't declared. */
+  private final int[] offsets;
+
+  private final Layout[] layouts = new Layout[Scope.values().length];
+
+  private Schema(List<? extends Field<?>> fields) {
+    if (fields.size() > MAX_FIELDS) {
+      throw new IllegalArgumentException(
+          "fields=" + fields.size() + " are above the limit of " + MAX_FIELDS);
+    }
+    declared = List.copyOf(fields);
+    List<String> texts = new ArrayList<>();
+    int first = Integer.MAX_VALUE;
+    int last = -1;
+    long hash = StateHash.SEED;
+    for (Field<?> field : declared) {
+      first = Math.min(first, field.id());
+      last = Math.max(last, field.id());
+      String line = field.toString();
+      texts.add(line);
+      for (int i = 0; i < line.length(); i++) {
+        hash = StateHash.mix(hash, line.charAt(i));
+      }
+      hash = StateHash.mix(hash, -1);
+    }
+    lines = List.copyOf(texts);
+    digest = StateHash.finish(hash);
+    firstId = first;
+    offsets = new int[declared.isEmpty() ? 0 : last - first + 1];
+    Arrays.fill(offsets, -1);
+    for (Scope scope : Scope.values()) {
+      layouts[scope.ordinal()] = layOut(scope);
+    }
+  }
+
+  /**
+   * Creates the schema of a game.
+   *
+   * @param fields its declarations, in an order that is the same everywhere
+   * @throws IllegalArgumentException if two fields of a scope have one name, there are more than
+   *     {@value #MAX_FIELDS}, or those of a scope take more words than {@link Scope#mostWords}
+   */
+  public static Schema of(List<? extends Field<?>> fields) {
+    return new Schema(fields);
+  }
+
+  private Layout layOut(Scope scope) {
+    List<Field<?>> order = new ArrayList<>();
+    for (Field<?> field : declared) {
+      if (field.scope() == scope && field.audience() != Audience.NOBODY) {
+        order.add(field);
+      }
+    }
+    int toldFields = order.size();
+    for (Field<?> field : declared) {
+      if (field.scope() == scope && field.audience() == Audience.NOBODY) {
+        order.add(field);
+      }
+    }
+    long size = 0;
+    int told = 0;
+    for (int i = 0; i < order.size(); i++) {
+      Field<?> field = order.get(i);
+      requireNewName(order, i);
+      offsets[field.id() - firstId] = (int) size;
+      size += field.times();
+      if (size > scope.mostWords()) {
+        throw new IllegalArgumentException(
+            "field "
+                + field.path()
+                + " makes words="
+                + size
+                + " of scope "
+                + scope
+                + ", above the limit of "
+                + scope.mostWords()
+                + "; declare fewer values with times");
+      }
+      told = i < toldFields ? (int) size : told;
+    }
+    Field<?>[] fields = new Field<?>[(int) size];
+    int[] indices = new int[(int) size];
+    int[] players = new int[(int) size];
+    int playerCount = 0;
+    for (Field<?> field : order) {
+      for (int i = 0; i < field.times(); i++) {
+        int word = offsets[field.id() - firstId] + i;
+        fields[word] = field;
+        indices[word] = i;
+        if (field instanceof PlayerRef) {
+          players[playerCount++] = word;
+        }
+      }
+    }
+    return new Layout(fields, indices, told, Arrays.copyOf(players, playerCount));
+  }
+
+  private static void requireNewName(List<Field<?>> order, int at) {
+    for (int i = 0; i < at; i++) {
+      if (order.get(i).name().equals(order.get(at).name())) {
+        throw new IllegalArgumentException(
+            "field " + order.get(at).path() + " is declared twice; give one another name");
+      }
+    }
+  }
+
+  /** Returns the fields in the order of declaration; unmodifiable. */
+  public List<Field<?>> fields() {
+    return declared;
+  }
+
+  /** Returns the number of words that each target of a scope has. */
+  public int words(Scope scope) {
+    return layouts[scope.ordinal()].fields.length;
+  }
+
+  /** Returns the number of words that some player may be told; they come first. */
+  public int toldWords(Scope scope) {
+    return layouts[scope.ordinal()].told;
+  }
+
+  /** Returns the field to which a word belongs. It has the word's range, start and audience. */
+  public Field<?> field(Scope scope, int word) {
+    return layouts[scope.ordinal()].fields[word];
+  }
+
+  /** Returns which of its field's values a word is, from 0 on. */
+  public int index(Scope scope, int word) {
+    return layouts[scope.ordinal()].indices[word];
+  }
+
+  /** Returns what a word is called, such as {@code player.health} or {@code match.lamp[3]}. */
+  public String name(Scope scope, int word) {
+    Field<?> field = field(scope, word);
+    return field.times() == 1 ? field.path() : field.path() + "[" + index(scope, word) + "]";
+  }
+
+  /** Returns the words of a scope that mean players. The array is the live one. */
+  int[] playerWords(Scope scope) {
+    return layouts[scope.ordinal()].players;
+  }
+
+  /**
+   * Returns the word of a field's value.
+   *
+   * @throws IllegalArgumentException if the field is of another scope or game, or has no such index
+   */
+  int word(Field<?> field, Scope scope, int index) {
+    int at = field.id() - firstId;
+    if (at < 0 || at >= offsets.length || offsets[at] < 0) {
+      throw new IllegalArgumentException(
+          "field " + field.path() + " isn't declared; return it from Game.fields");
+    }
+    if (field.scope() != scope) {
+      throw new IllegalArgumentException(
+          "field " + field.path() + " belongs to scope " + field.scope() + ", not to " + scope);
+    }
+    if (index < 0 || index >= field.times()) {
+      throw new IndexOutOfBoundsException(
+          "index=" + index + " of field " + field.path() + " is outside 0.." + (field.times() - 1));
+    }
+    return offsets[at] + index;
+  }
+
+  /**
+   * Returns the word of a field with one value.
+   *
+   * @throws IllegalArgumentException if the field is of another scope or game, or has several
+   *     values
+   */
+  int word(Field<?> field, Scope scope) {
+    if (field.times() != 1) {
+      throw new IllegalArgumentException(
+          "field " + field.path() + " has values=" + field.times() + "; say which by an index");
+    }
+    return word(field, scope, 0);
+  }
+
+  /** Returns 64 bits that differ when any declaration or their order differs. */
+  public long digest() {
+    return digest;
+  }
+
+  /** Returns a line for each field, in the order of declaration; unmodifiable. */
+  public List<String> lines() {
+    return lines;
+  }
+
+  /**
+   * Returns what the first difference to another schema's {@link #lines} is.
+   *
+   * @param others the lines, which may come from a file or another machine
+   * @return a phrase that names the field, or null if there is no difference
+   */
+  public String difference(List<String> others) {
+    for (int i = 0; i < Math.max(lines.size(), others.size()); i++) {
+      if (i == others.size()) {
+        return "field " + path(lines.get(i)) + " is declared here only";
+      }
+      if (i == lines.size()) {
+        return "field " + path(others.get(i)) + " is declared there only";
+      }
+      if (!lines.get(i).equals(others.get(i))) {
+        return difference(lines.get(i), others.get(i), others);
+      }
+    }
+    return null;
+  }
+
+  private String difference(String mine, String other, List<String> others) {
+    if (path(mine).equals(path(other))) {
+      return "field " + path(mine) + " is \"" + mine + "\" here and \"" + other + "\" there";
+    }
+    if (!isAmong(path(mine), others)) {
+      return "field " + path(mine) + " is declared here only";
+    }
+    if (!isAmong(path(other), lines)) {
+      return "field " + path(other) + " is declared there only";
+    }
+    return "field " + path(mine) + " is declared here where " + path(other) + " is there";
+  }
+
+  private static boolean isAmong(String path, List<String> lines) {
+    for (String line : lines) {
+      if (path(line).equals(path)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private static String path(String line) {
+    int end = line.indexOf(' ');
+    return end < 0 ? line : line.substring(0, end);
+  }
+
+  @Override
+  public String toString() {
+    return "fields=" + declared.size() + " digest=" + Long.toHexString(digest);
+  }
+}

@@ -1,0 +1,91 @@
+package carom.sim;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.physics.Body;
+import carom.physics.rows.BodyRow;
+import carom.sim.ruling.Ruling;
+import carom.sim.ruling.RulingLog;
+import carom.testkit.ForceGame;
+import java.util.Random;
+import java.util.function.Consumer;
+import org.junit.jupiter.api.Test;
+
+/** Goal: what rules do to a body can be told, and done again elsewhere to the bit. */
+final class RulingTest {
+  private static final String CRATES =
+      ", \"bodies\": [{\"at\": [0, -4.5], \"shape\": {\"type\": \"box\", \"width\": 1, \"height\":"
+          + " 1}, \"repeat\": {\"rows\": 4, \"step\": [0, 1]}}]";
+
+  private final int[] row = new int[BodyRow.INTS];
+
+  private static Simulation tower(int ticks) {
+    Simulation s =
+        new Simulation(new ForceGame(), ForceGame.level(-10, CRATES), 1, 60, Role.AUTHORITY);
+    for (int i = 0; i < ticks; i++) {
+      s.step();
+    }
+    return s;
+  }
+
+  @Test
+  void aRulingDoesElsewhereWhatTheRulesDid() {
+    long seed = System.nanoTime();
+    Random random = new Random(seed);
+    for (int ticks : new int[] {20, 400}) { // awake, asleep
+      check(seed, ticks, b -> b.applyImpulse(random.nextFloat(), 2));
+      check(seed, ticks, b -> b.applyForce(40 * random.nextFloat(), 1));
+      check(seed, ticks, b -> b.applyForce(1, 2, b.x() + 0.3f, b.y()));
+      check(seed, ticks, b -> b.setVelocity(random.nextFloat(), 5));
+      check(seed, ticks, b -> b.setAngularVelocity(random.nextFloat()));
+      check(seed, ticks, b -> b.setPose(3, 4 * random.nextFloat(), random.nextFloat()));
+      check(seed, ticks, Body::wake);
+    }
+  }
+
+  private void check(long seed, int ticks, Consumer<Body<Entity>> rule) {
+    Simulation server = tower(ticks);
+    Simulation client = tower(ticks);
+    int[] before = new int[BodyRow.INTS];
+    int[] after = new int[BodyRow.INTS];
+    Body<Entity> body = server.entity(3).body();
+    body.readRow(before, 0);
+    rule.accept(body);
+    body.readRow(after, 0);
+    Ruling ruling = new Ruling();
+    ruling.setDifference(before, after);
+    assertTrue(ruling.isSane());
+    ruling.apply(client.entity(3).body(), row);
+    for (int i = 0; i < 120; i++) {
+      server.step();
+      client.step();
+      assertEquals(server.stateHash(), client.stateHash(), "seed=" + seed + " ticks after: " + i);
+    }
+  }
+
+  @Test
+  void numbersThatNoBodyCanHaveAreNoRuling() {
+    Ruling ruling = new Ruling();
+    ruling.mask = 1 << BodyRow.VX - BodyRow.MOTION;
+    ruling.row[BodyRow.VX] = Float.floatToRawIntBits(1e30f);
+    assertFalse(ruling.isSane());
+    ruling.row[BodyRow.VX] = Float.floatToRawIntBits(Float.NaN);
+    assertFalse(ruling.isSane());
+    ruling.row[BodyRow.VX] = Float.floatToRawIntBits(3);
+    assertTrue(ruling.isSane());
+  }
+
+  @Test
+  void theLogKeepsTheLatest() {
+    RulingLog log = new RulingLog();
+    for (int i = 0; i < RulingLog.MOST + 10; i++) {
+      log.add().tick = i;
+    }
+    assertEquals(10, log.oldest());
+    assertEquals(RulingLog.MOST + 10, log.next());
+    assertEquals(10, log.get(10).tick);
+    assertEquals(RulingLog.MOST + 9, log.get(log.next() - 1).tick);
+  }
+}

@@ -1,0 +1,243 @@
+package carom.sim.joint;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import carom.physics.Joint;
+import carom.physics.JointDef;
+import carom.physics.archive.ArchiveReader;
+import carom.physics.archive.ArchiveWriter;
+import carom.sim.Entity;
+import carom.sim.Player;
+import carom.sim.Role;
+import carom.sim.SimState;
+import carom.sim.Simulation;
+import carom.sim.level.Archetype;
+import carom.sim.near.JointDefinitions;
+import carom.sim.near.Neighbourhood;
+import carom.sim.random.SimRandom;
+import carom.testkit.MachineGame;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** Joints and assemblies as things of a simulation. */
+final class JointSimulationTest {
+  private final MachineGame game = new MachineGame();
+  private final Simulation s = new Simulation(game, MachineGame.level(""), 1, 60, Role.AUTHORITY);
+
+  private static void run(Simulation s, int ticks) {
+    for (int i = 0; i < ticks; i++) {
+      s.step();
+    }
+  }
+
+  @Test
+  void anAssemblyHasOneOwnerNamedPartsAndNamedJoints() {
+    Player ann = s.join("Ann");
+    Entity chassis = ann.body();
+    Entity rear = s.part(chassis, "rear");
+    assertEquals("chassis", chassis.archetype().name());
+    assertEquals(ann.id(), rear.ownerId());
+    assertSame(chassis, rear.root());
+    assertSame(chassis, s.part(rear, "chassis"));
+    Joint<Entity> drive = s.joint(rear, "drive");
+    assertSame(rear.body(), drive.bodyB());
+    assertTrue(drive.isDriven());
+    assertFalse(s.joint(chassis, "roll").isDriven());
+    String message =
+        assertThrows(IllegalArgumentException.class, () -> s.joint(chassis, "gears")).getMessage();
+    assertTrue(message.contains("gears") && message.contains("[drive, roll]"), message);
+  }
+
+  @Test
+  void anAssemblyDrivesIsTeleportedRigidlyAndDespawnedWhole() {
+    Player ann = s.join("Ann");
+    ann.input().move(1, 0);
+    run(s, 240);
+    assertTrue(ann.body().body().x() > -20, "x=" + ann.body().body().x());
+    ann.input().move(0, 0);
+    Joint<Entity> drive = s.joint(ann.body(), "drive");
+    float gap = gap(drive);
+    ann.body().teleport(5, 9, 2.5f);
+    assertEquals(gap, gap(drive), 1e-5f);
+    assertTrue(s.part(ann.body(), "rear").body().y() > 7);
+    assertEquals(1, s.part(ann.body(), "rear").teleports());
+    run(s, 30);
+    assertTrue(gap(drive) < 0.45f, "gap=" + gap(drive));
+    int before = s.entityCount();
+    s.despawn(ann.body());
+    assertEquals(before - 3, s.entityCount());
+    assertEquals(0, s.world().jointCount());
+  }
+
+  private static float gap(Joint<Entity> j) {
+    return (float) Math.hypot(j.anchorAX() - j.anchorBX(), j.anchorAY() - j.anchorBY());
+  }
+
+  @Test
+  void aMemberThatGoesTakesItsJointsAlong() {
+    Player ann = s.join("Ann");
+    s.despawn(s.part(ann.body(), "rear"));
+    assertNull(s.part(ann.body(), "rear"));
+    assertNull(s.joint(ann.body(), "drive"));
+    assertNotNull(s.joint(ann.body(), "roll"));
+    run(s, 10);
+  }
+
+  @Test
+  void jointsComeBackWithASavedStateAndWithItsBytes() {
+    Player ann = s.join("Ann");
+    game.ragdoll(s, 0, 0.2f);
+    Entity[] bridge = game.bridge(s, 0, 6, 8, 1e9f);
+    ann.input().move(1, 0);
+    run(s, 60);
+    SimState saved = s.save(null);
+    ArchiveWriter bytes = new ArchiveWriter();
+    saved.write(bytes);
+    List<Long> hashes = hashes(s, 120);
+    s.despawn(bridge[3]);
+    s.disconnect(s.joint(ann.body(), "roll"));
+    run(s, 5);
+    s.restore(saved);
+    assertEquals(hashes, hashes(s, 120), "restored");
+    Simulation other =
+        new Simulation(new MachineGame(), MachineGame.level(""), 1, 60, Role.AUTHORITY);
+    other.restore(other.read(new ArchiveReader(bytes.toBytes())));
+    assertEquals(hashes, hashes(other, 120), "from bytes");
+    assertNotNull(other.joint(other.player(ann.id()).body(), "roll"));
+    assertEquals(s.joints().key(0), other.joints().key(0));
+  }
+
+  private static List<Long> hashes(Simulation s, int ticks) {
+    List<Long> hashes = new ArrayList<>();
+    for (int i = 0; i < ticks; i++) {
+      s.step();
+      hashes.add(s.stateHash());
+    }
+    return hashes;
+  }
+
+  @Test
+  void aBrokenJointIsToldAndGone() {
+    game.bridge(s, 0, 6, 8, 150);
+    for (int i = 0; i < 4; i++) {
+      game.crate(s, -1 + 0.6f * i, 9 + 1.2f * i);
+    }
+    int before = s.world().jointCount();
+    List<String> told = new ArrayList<>();
+    for (int i = 0; i < 240; i++) {
+      s.step();
+      s.drainEvents(e -> told.add(e.kind().name()));
+    }
+    assertTrue(s.world().jointCount() < before, "joints=" + s.world().jointCount());
+    assertEquals(before - s.world().jointCount(), told.stream().filter("snap"::equals).count());
+  }
+
+  @Test
+  void onlyTheServerMakesJoints() {
+    Simulation client =
+        new Simulation(new MachineGame(), MachineGame.level(""), 1, 60, Role.PREDICTION);
+    Simulation server = s;
+    Player ann = server.join("Ann");
+    Neighbourhood near = new Neighbourhood();
+    near.readAll(server);
+    near.write(client, identity(server));
+    Entity chassis = client.entity(ann.body().id());
+    JointDef<Entity> def = JointDef.revolute(null, chassis.body(), 0, 0);
+    int before = client.world().jointCount();
+    assertEquals(2, before);
+    assertThrows(IllegalStateException.class, () -> client.connect(def));
+    String message =
+        assertThrows(IllegalStateException.class, () -> client.world().createJoint(def))
+            .getMessage();
+    assertTrue(message.contains("only the server makes joints"), message);
+    assertEquals(before, client.world().jointCount());
+  }
+
+  static Neighbourhood.Identity identity(Simulation server) {
+    return new Neighbourhood.Identity() {
+      @Override
+      public JointDefinitions joints() {
+        return JointDefinitions.of(server.joints());
+      }
+
+      @Override
+      public Archetype archetype(int id) {
+        return server.archetypes().get(server.entity(id).archetype().index());
+      }
+
+      @Override
+      public int owner(int id) {
+        return server.entity(id).ownerId();
+      }
+    };
+  }
+
+  /** A client takes all of a world of machines over again and again, with changed settings. */
+  @Test
+  void whoTakesMachinesOverGoesOnAlikeAndAlsoBreaksJointsAlike() {
+    long seed = Long.getLong("carom.seed", System.nanoTime());
+    SimRandom random = new SimRandom(seed);
+    Simulation client =
+        new Simulation(new MachineGame(), MachineGame.level(""), 1, 60, Role.PREDICTION);
+    Player ann = s.join("Ann");
+    Player bob = s.join("Bob");
+    game.ragdoll(s, 3, 1);
+    game.ragdoll(s, -3, 1);
+    game.bridge(s, 0, 5, 8, 220);
+    Neighbourhood there = new Neighbourhood();
+    Neighbourhood here = new Neighbourhood();
+    int joints = s.world().jointCount();
+    int compared = 0;
+    boolean mirrored = false;
+    for (int tick = 1; tick <= 1_500; tick++) {
+      if (random.nextInt(20) == 0) {
+        ann.input().move(random.between(-1, 1), 0);
+        bob.input().move(random.between(-1, 1), 0);
+      }
+      if (tick % 300 == 100) {
+        game.crate(s, random.between(-4, 4), 12);
+        mirrored = false;
+      }
+      if (mirrored) {
+        for (Player p : List.of(ann, bob)) {
+          client.player(p.id()).input().set(p.input());
+          assertEquals(p.body().id(), client.player(p.id()).body().id());
+        }
+        client.step();
+      }
+      s.step();
+      there.readAll(s);
+      if (mirrored) {
+        here.readAll(client);
+        String where = "seed=" + seed + " tick=" + tick;
+        assertEquals(s.world().jointCount(), client.world().jointCount(), where);
+        assertEquals(there.hash(), here.hash(), where);
+        compared++;
+      }
+      if (!mirrored || random.nextInt(100) == 0) {
+        client.tick(s.tick());
+        there.write(client, identity(s));
+        mirrored = true;
+      }
+    }
+    assertTrue(compared > 1_400, "compared=" + compared);
+    assertTrue(s.world().jointCount() < joints, "some broke, seed=" + seed);
+  }
+
+  @Test
+  void anAssemblyIsRefusedWithWhatIsWrong() {
+    AssemblyDef def = new AssemblyDef("cart");
+    assertThrows(IllegalArgumentException.class, () -> def.joint("axle", "a", "b", (a, b) -> null));
+    Assemblies fresh = new Assemblies(new carom.sim.level.Archetypes());
+    String message =
+        assertThrows(IllegalArgumentException.class, () -> fresh.add(def)).getMessage();
+    assertTrue(message.contains("assembly=cart"), message);
+  }
+}
