@@ -55,14 +55,18 @@ public record RoomConfig(
     metadata = Collections.unmodifiableMap(new LinkedHashMap<>(metadata));
   }
 
-  /** Returns the rooms of a server in which all are equal, with the names 1, 2, 3 and so on. */
+  /**
+   * Returns the rooms of a server in which all are equal, with the names 1, 2, 3 and so on.
+   *
+   * @param levels as in {@link #levels}
+   */
   public static List<RoomConfig> equalRooms(ServerConfig config, List<String> levels) {
     List<RoomConfig> rooms = new ArrayList<>();
     for (int number = 1; number <= config.rooms(); number++) {
       rooms.add(
           new RoomConfig(
               String.valueOf(number),
-              config.gameName(),
+              levels.isEmpty() ? config.gameName() : "",
               levels,
               config.maxPlayers(),
               config.seed() + number - 1,

@@ -98,6 +98,7 @@ final class KryoMessageCodecTest {
             + "04030201" // datagramKey
             + "ff01" // playerId
             + "f0" // tickRate
+            + "09" // match
             + "4d000000" // tick
             + "0000000000000080" // seed
             + "056172656e61" // game
