@@ -6,18 +6,17 @@ import carom.physics.threads.WorkerThreads;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.lobby.Lobby;
+import carom.server.match.HandedInMatch;
+import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
 import carom.server.recording.RecordingFile;
 import carom.server.recording.RotatingRecording;
 import carom.server.recording.RotationLimit;
 import carom.server.recording.ShownRecordings;
-import carom.server.room.MatchLibrary;
 import carom.server.room.Room;
-import carom.server.session.LoadedLevel;
 import carom.server.session.Seats;
 import carom.sim.Game;
 import carom.sim.level.Level;
-import carom.sim.level.LevelException;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -104,7 +103,7 @@ public final class Server implements AutoCloseable {
     this(
         config,
         RoomConfig.equalRooms(config, List.of(level.name())),
-        new OneLevelMore(games, level),
+        new HandedInMatch(games, level),
         transport,
         clock);
   }
@@ -117,7 +116,8 @@ public final class Server implements AutoCloseable {
    * @param library finds games and levels, for the first matches and for those that follow
    * @param transport accepts links; owned by the server from now on
    * @param clock as above
-   * @throws IllegalArgumentException when a room's first match can't be played; the message says why
+   * @throws IllegalArgumentException when a room's first match can't be played; the message says
+   *     why
    */
   public Server(
       ServerConfig config,
@@ -222,30 +222,6 @@ public final class Server implements AutoCloseable {
               });
     }
     return loader;
-  }
-
-  /** The installed games and levels, and the game and level that a caller hands in. */
-  private static final class OneLevelMore implements MatchLibrary {
-    private final Supplier<Game> games;
-    private final LoadedLevel level;
-    private Game next;
-
-    OneLevelMore(Supplier<Game> games, Level level) {
-      this.games = games;
-      this.level = new LoadedLevel(level);
-    }
-
-    @Override
-    public synchronized Game game(String name) {
-      Game game = next == null ? games.get() : next;
-      next = game.name().equals(name) ? null : game;
-      return next == null ? game : INSTALLED.game(name);
-    }
-
-    @Override
-    public LoadedLevel level(String name) throws LevelException {
-      return name.equals(level.level().name()) ? level : INSTALLED.level(name);
-    }
   }
 
   /**

@@ -12,11 +12,11 @@ import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.net.transport.ServerTransport;
 import carom.server.config.ServerConfig;
+import carom.server.match.LevelUpload;
+import carom.server.match.MatchInfo;
 import carom.server.recording.ShownRecordings;
 import carom.server.room.Admission;
-import carom.server.room.MatchInfo;
 import carom.server.room.Room;
-import carom.server.session.LevelUpload;
 import carom.server.session.PartingLinks;
 import carom.server.session.Seats;
 import java.util.ArrayList;
@@ -408,7 +408,8 @@ public final class Lobby {
       upload = new LevelUpload(match.level(), datagramKey);
       deadlineNs = nowNs + config.loadTimeoutMs() * NS_PER_MS;
       state = state.become(SessionState.LOADING);
-      link.send(match.welcome(seat, datagramKey, config.tickRateHz(), room.tick()));
+      link.send(
+          match.welcome(seat.secret(), seat.id(), datagramKey, config.tickRateHz(), room.tick()));
     }
 
     private void enterRoom() {

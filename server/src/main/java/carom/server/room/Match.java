@@ -2,11 +2,12 @@ package carom.server.room;
 
 import carom.game.GuardedGame;
 import carom.server.config.ServerConfig;
+import carom.server.match.LoadedLevel;
+import carom.server.match.MatchInfo;
 import carom.server.metrics.Counters;
 import carom.server.prediction.OwnCapture;
 import carom.server.replication.FrameCapture;
 import carom.server.replication.SessionReplication;
-import carom.server.session.LoadedLevel;
 import carom.sim.Game;
 import carom.sim.Player;
 import carom.sim.Role;

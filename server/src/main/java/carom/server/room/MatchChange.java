@@ -1,8 +1,9 @@
 package carom.server.room;
 
 import carom.net.protocol.SessionState;
+import carom.server.match.LevelUpload;
+import carom.server.match.MatchInfo;
 import carom.server.metrics.Counter;
-import carom.server.session.LevelUpload;
 import carom.server.session.Session;
 import carom.sim.NextMatch;
 import carom.sim.Player;
@@ -106,8 +107,7 @@ final class MatchChange {
     if (wanted.isOfRotation()) {
       inRotation = (inRotation + 1) % rotation.size();
       named =
-          new NextMatch(
-              "", rotation.get(inRotation), wanted.keepsTeams(), wanted.keepsScores());
+          new NextMatch("", rotation.get(inRotation), wanted.keepsTeams(), wanted.keepsScores());
     }
     loading = true;
     NextMatch toLoad = named;
@@ -196,6 +196,7 @@ final class MatchChange {
     int rate = room.config().tickRateHz();
     session.load(
         new LevelUpload(match.level(), key),
-        match.welcome(session.seat(), key, rate, room.simulation().tick()));
+        match.welcome(
+            session.seat().secret(), session.seat().id(), key, rate, room.simulation().tick()));
   }
 }

@@ -2,8 +2,9 @@ package carom.server.room;
 
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
+import carom.server.match.LoadedLevel;
+import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counters;
-import carom.server.session.LoadedLevel;
 import carom.sim.Game;
 import carom.sim.NextMatch;
 import carom.sim.level.LevelException;
@@ -39,11 +40,7 @@ final class MatchLoader {
    * @param label begins each log line
    */
   MatchLoader(
-      ServerConfig config,
-      RoomConfig room,
-      MatchLibrary library,
-      String label,
-      Counters counters) {
+      ServerConfig config, RoomConfig room, MatchLibrary library, String label, Counters counters) {
     this.config = config;
     this.room = room;
     this.library = library;

@@ -10,6 +10,8 @@ import carom.physics.threads.Workers;
 import carom.replay.BlockSink;
 import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
+import carom.server.match.MatchInfo;
+import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.recording.RecordingFiles;
@@ -51,9 +53,8 @@ import org.slf4j.LoggerFactory;
  * <p>Only {@link #admit}, {@link #giveWay}, {@link #operator}, {@link #number}, {@link #name},
  * {@link #match}, {@link #tick}, {@link #age}, {@link #seats}, {@link #counters} and {@link
  * #hasFailed} may be called from any thread; the rest belongs to the thread that calls {@link
- * #doWork}. A tick in the steady state
- * allocates next to nothing. A client can hurt only its own session, and a game only its own room:
- * rooms share nothing that changes.
+ * #doWork}. A tick in the steady state allocates next to nothing. A client can hurt only its own
+ * session, and a game only its own room: rooms share nothing that changes.
  */
 public final class Room {
   /** The room closes in good order before tick numbers run out: 413 days at 60 Hz. */
@@ -152,8 +153,8 @@ public final class Room {
   }
 
   /**
-   * Records the present match from now on, between two ticks. The last block tells why it ended when
-   * the match ends or the room closes.
+   * Records the present match from now on, between two ticks. The last block tells why it ended
+   * when the match ends or the room closes.
    *
    * @param sink takes the blocks, on the room's thread; stays the caller's to close
    */

@@ -12,6 +12,7 @@ import carom.net.transport.Broadcast;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.server.config.ServerConfig;
+import carom.server.match.LevelUpload;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.metrics.LogInterval;
@@ -250,7 +251,9 @@ public final class Session implements LinkHandler {
       offence =
           message == null
               ? "an undecodable message"
-              : message.getClass().getSimpleName() + " while " + state.name().toLowerCase(Locale.ROOT);
+              : message.getClass().getSimpleName()
+                  + " while "
+                  + state.name().toLowerCase(Locale.ROOT);
     }
   }
 

@@ -1,4 +1,4 @@
-package carom.server.session;
+package carom.server.match;
 
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.Limits;

@@ -1,9 +1,7 @@
-package carom.server.room;
+package carom.server.match;
 
 import carom.net.field.FieldAgreement;
 import carom.net.protocol.ServerMessage.Welcome;
-import carom.server.session.LoadedLevel;
-import carom.server.session.Seats;
 import carom.sim.field.Schema;
 
 /**
@@ -19,14 +17,17 @@ public record MatchInfo(int number, String game, LoadedLevel level, long seed, S
   /**
    * Returns the message that lets a player load and join the match.
    *
+   * @param sessionSecret proves the player's identity
+   * @param playerId the player's seat
    * @param datagramKey key of the link's datagrams from now on
    * @param tick the room's present tick
    */
-  public Welcome welcome(Seats.Seat seat, int datagramKey, int tickRateHz, int tick) {
+  public Welcome welcome(
+      long sessionSecret, int playerId, int datagramKey, int tickRateHz, int tick) {
     return new Welcome(
-        seat.secret(),
+        sessionSecret,
         datagramKey,
-        seat.id(),
+        playerId,
         tickRateHz,
         number,
         tick,

@@ -1,4 +1,4 @@
-package carom.server.session;
+package carom.server.match;
 
 import carom.net.protocol.PackedLevel;
 import carom.sim.level.Level;
