@@ -715,8 +715,9 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   /**
    * Asks the room to play something else after this tick: another level, or another game. It loads
    * while this match goes on, which takes some ticks, and then begins at tick 0 with the same
-   * players. If it can't be played, this match goes on. Of several wishes the last counts. It is
-   * not part of the state; without a room, and on {@link Role#PREDICTION}, nothing happens.
+   * players. If it can't be played, this match goes on. Of several wishes in a tick the last
+   * counts, and while one loads, further ones are ignored. It is not part of the state; without a
+   * room, and on {@link Role#PREDICTION}, nothing happens.
    */
   public void playNext(NextMatch next) {
     if (role == Role.AUTHORITY) {
