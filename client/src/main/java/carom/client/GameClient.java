@@ -5,6 +5,8 @@ import carom.client.events.RepeatedEventFilter;
 import carom.client.link.Connection;
 import carom.client.link.ConnectionPhase;
 import carom.client.link.ServerAddress;
+import carom.client.message.MessageExchange;
+import carom.client.message.MessageListener;
 import carom.client.stats.NetStats;
 import carom.client.stats.NetStatsRecorder;
 import carom.client.view.ClientView;
@@ -19,6 +21,9 @@ import carom.sim.Role;
 import carom.sim.Simulation;
 import carom.sim.field.Schema;
 import carom.sim.level.Level;
+import carom.sim.message.BuiltInKinds;
+import carom.sim.message.Emote;
+import carom.sim.message.Message;
 import java.util.function.LongSupplier;
 
 /**
@@ -54,6 +59,7 @@ public final class GameClient implements AutoCloseable {
   private final NetStatsRecorder stats = new NetStatsRecorder();
   private final ViewWriter view = new ViewWriter(stats.stats());
   private final Connection connection;
+  private final MessageExchange messages;
   private final InterestReporter interest = new InterestReporter();
   private final RepeatedEventFilter repeats = new RepeatedEventFilter();
   private final EventListener countingListener =
@@ -114,6 +120,7 @@ public final class GameClient implements AutoCloseable {
             transport,
             new ConnectionListener(),
             stats);
+    messages = new MessageExchange(connection, stats);
     view.composer(this::compose);
   }
 
@@ -128,6 +135,7 @@ public final class GameClient implements AutoCloseable {
     lastUpdateNs = nowNs;
     this.nowNs = nowNs;
     connection.update(nowNs);
+    messages.update(nowNs);
     stats.roll(nowNs);
     if (game != null) {
       game.advance(nowNs, seconds, connection.isPlaying());
@@ -171,7 +179,9 @@ public final class GameClient implements AutoCloseable {
 
     @Override
     public void datagram(byte[] bytes, int length, long arrivedNs) {
-      game.receive(bytes, length, arrivedNs, nowNs, connection.roundTripNs());
+      if (!messages.receive(bytes, length)) {
+        game.receive(bytes, length, arrivedNs, nowNs, connection.roundTripNs());
+      }
     }
 
     @Override
@@ -185,7 +195,18 @@ public final class GameClient implements AutoCloseable {
     }
 
     @Override
+    public void message(ServerMessage.GameMessage message) {
+      messages.receive(message);
+    }
+
+    @Override
+    public String heard(ServerMessage.Heard message) {
+      return messages.heard(message);
+    }
+
+    @Override
     public void stopped() {
+      messages.stop();
       game.close();
       view.freeze();
     }
@@ -193,6 +214,7 @@ public final class GameClient implements AutoCloseable {
 
   private void join(ServerMessage.Welcome welcome, Level level, Simulation simulation) {
     interest.reset();
+    messages.begin(welcome, simulation.messageKinds());
     game =
         new JoinedGame(
             config,
@@ -229,6 +251,45 @@ public final class GameClient implements AutoCloseable {
    */
   public void events(EventListener newListener) {
     listener = newListener;
+  }
+
+  /** Sets who hears messages of the game, chat and emotes. They arrive during {@link #update}. */
+  public void messages(MessageListener newListener) {
+    messages.listener(newListener);
+  }
+
+  /**
+   * Sends a message to the game at the server with the next {@link #update}. A reliable one
+   * survives a broken link: up to 64 wait and arrive once, in order, when the client is back. If
+   * the session is over by then, {@link MessageListener#unsent} names them.
+   *
+   * @param message of a kind that the game registered and clients may send
+   * @return false when it isn't sent: no game is played yet, the kind's rate is exceeded, 64 wait
+   *     already, or the message is unreliable and there is no link
+   * @throws IllegalArgumentException when the kind isn't registered, or only the server sends it
+   */
+  public boolean send(Message message) {
+    return messages.send(message);
+  }
+
+  /** Says a line to all, see {@link #send}. What is longer than a line of chat is cut off. */
+  public boolean chat(String text) {
+    return say(false, text);
+  }
+
+  /** Says a line to the own team, as {@link #chat} does to all. */
+  public boolean teamChat(String text) {
+    return say(true, text);
+  }
+
+  private boolean say(boolean team, String text) {
+    String line = text.substring(0, Math.min(BuiltInKinds.MAX_CHAT, text.length()));
+    return !line.isBlank() && send(BuiltInKinds.SAY.of(team, line));
+  }
+
+  /** Shows an emote above the own body, see {@link #send}. */
+  public boolean emote(Emote emote) {
+    return send(BuiltInKinds.EMOTE.of(emote));
   }
 
   /** Returns what the player sees; the same object for ever. */

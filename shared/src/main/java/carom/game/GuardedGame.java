@@ -11,6 +11,8 @@ import carom.sim.Simulation;
 import carom.sim.event.Audience;
 import carom.sim.field.Field;
 import carom.sim.level.Level;
+import carom.sim.message.Emote;
+import carom.sim.message.Message;
 import java.util.List;
 import java.util.Objects;
 
@@ -123,6 +125,35 @@ public final class GuardedGame implements Game {
       game.input(s, p, in);
     } catch (RuntimeException | AssertionError | StackOverflowError e) {
       watch.failed("input of player " + p.id(), s, e);
+    }
+  }
+
+  @Override
+  public void message(Simulation s, Player p, Message m) {
+    try {
+      game.message(s, p, m);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("message " + m.kind().name() + " of player " + p.id(), s, e);
+    }
+  }
+
+  @Override
+  public String chat(Simulation s, Player p, String text) {
+    try {
+      return game.chat(s, p, text);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("chat of player " + p.id(), s, e);
+      return null; // unfiltered, it might say what the game would not allow
+    }
+  }
+
+  @Override
+  public boolean emote(Simulation s, Player p, Emote emote) {
+    try {
+      return game.emote(s, p, emote);
+    } catch (RuntimeException | AssertionError | StackOverflowError e) {
+      watch.failed("emote of player " + p.id(), s, e);
+      return false;
     }
   }
 

@@ -45,6 +45,7 @@ public enum Block {
   static final int LEAVE = 2;
   static final int TICK = 3;
   static final int STEPPED = 4;
+  static final int MESSAGE = 5;
 
   private static final Block[] ALL = values();
 

@@ -6,6 +6,10 @@ import carom.sim.Journal;
 import carom.sim.Player;
 import carom.sim.SimState;
 import carom.sim.Simulation;
+import carom.sim.message.Message;
+import carom.sim.message.MessageKind.Direction;
+import carom.sim.message.MessageKinds;
+import carom.sim.message.WaitingMessages;
 import java.util.Arrays;
 
 /**
@@ -41,6 +45,8 @@ public final class Recorder implements Journal {
   private int[] keyStates = {};
   private final long[] inputs = new long[Simulation.MAX_PLAYERS];
   private final int[] viewDelays = new int[Simulation.MAX_PLAYERS];
+  private final WaitingMessages.Reader writeMessage = this::writeMessage;
+  private MessageKinds messageKinds;
   private int blockTicks;
   private int begun = -1; // position in the block of the tick that has begun but not ended, or -1
   private int lastTick;
@@ -109,6 +115,8 @@ public final class Recorder implements Journal {
       return;
     }
     begun = out.length();
+    messageKinds = s.messageKinds();
+    s.forEachReceived(writeMessage);
     out.u8(Block.TICK);
     int changed = 0;
     for (int id = 0; id < s.playerCapacity(); id++) {
@@ -125,6 +133,14 @@ public final class Recorder implements Journal {
         viewDelays[id] = p.viewDelay();
       }
     }
+  }
+
+  private void writeMessage(int player, Message message) {
+    byte[] bytes = messageKinds.encode(message, Direction.FROM_CLIENT);
+    out.u8(Block.MESSAGE);
+    out.varint(player);
+    out.varint(bytes.length);
+    out.bytes(bytes, bytes.length);
   }
 
   private boolean hasChanged(Player p) {

@@ -3,6 +3,7 @@ package carom.replay;
 import carom.physics.archive.ArchiveReader;
 import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.message.MessageKind;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.SeekableByteChannel;
@@ -37,6 +38,8 @@ public final class RecordingReader implements AutoCloseable {
     JOIN,
     /** The player {@link #playerId} leaves. */
     LEAVE,
+    /** The player {@link #playerId} has sent the message {@link #message}, for the next step. */
+    MESSAGE,
     /** A step begins; it reads {@link #input} and {@link #viewDelay}. */
     TICK,
     /** The step has ended with the state hash {@link #hash}. */
@@ -86,6 +89,7 @@ public final class RecordingReader implements AutoCloseable {
   private final RecordingHeader header;
   private int playerId;
   private String playerName = "";
+  private byte[] message = {};
   private final long[] inputs = new long[Simulation.MAX_PLAYERS];
   private final int[] viewDelays = new int[Simulation.MAX_PLAYERS];
   private final int[] changedIds = new int[Simulation.MAX_PLAYERS];
@@ -249,6 +253,10 @@ public final class RecordingReader implements AutoCloseable {
       case Block.LEAVE:
         playerId = block.varint("player", 0, Simulation.MAX_PLAYERS - 1);
         return Event.LEAVE;
+      case Block.MESSAGE:
+        playerId = block.varint("player", 0, Simulation.MAX_PLAYERS - 1);
+        message = block.bytes(block.varint("bytes of a message", 1, MessageKind.MAX_BYTES));
+        return Event.MESSAGE;
       case Block.TICK:
         changedCount = block.varint("changed inputs", 0, Simulation.MAX_PLAYERS);
         for (int i = 0; i < changedCount; i++) {
@@ -416,7 +424,7 @@ public final class RecordingReader implements AutoCloseable {
     return new RecordingException(name + ", block at byte " + blockPosition + ": " + what);
   }
 
-  /** Returns the player who joins or leaves. */
+  /** Returns the player who joins, leaves or has sent a message. */
   public int playerId() {
     return playerId;
   }
@@ -424,6 +432,11 @@ public final class RecordingReader implements AutoCloseable {
   /** Returns the name of the player who joins. */
   public String playerName() {
     return playerName;
+  }
+
+  /** Returns the message that a player has sent, as {@link Simulation#messageKinds} codes it. */
+  byte[] message() {
+    return message;
   }
 
   /** Returns how many players' inputs or view delays changed at {@link Event#TICK}. */

@@ -4,6 +4,8 @@ import carom.physics.archive.ArchiveException;
 import carom.sim.Player;
 import carom.sim.SimState;
 import carom.sim.Simulation;
+import carom.sim.message.Message;
+import carom.sim.message.MessageKind.Direction;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -92,6 +94,7 @@ public final class Replay {
       switch (reader.next()) {
         case JOIN -> join();
         case LEAVE -> leave();
+        case MESSAGE -> message();
         case TICK -> begin();
         case STEPPED -> {
           end();
@@ -119,6 +122,16 @@ public final class Replay {
 
   private void leave() throws RecordingException {
     simulation.leave(player(reader.playerId(), "leaves"));
+  }
+
+  private void message() throws RecordingException {
+    byte[] bytes = reader.message();
+    Message message =
+        simulation.messageKinds().decode(bytes, 0, bytes.length, Direction.FROM_CLIENT);
+    if (message == null) {
+      throw contradicts("player " + reader.playerId() + " sends what is no message of this game");
+    }
+    simulation.receive(player(reader.playerId(), "sends a message"), message);
   }
 
   private Player player(int id, String what) throws RecordingException {

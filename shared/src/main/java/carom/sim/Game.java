@@ -6,6 +6,8 @@ import carom.physics.WorldDef;
 import carom.sim.event.Audience;
 import carom.sim.field.Field;
 import carom.sim.level.Level;
+import carom.sim.message.Emote;
+import carom.sim.message.Message;
 import java.util.List;
 
 /**
@@ -105,6 +107,29 @@ public interface Game {
   void input(Simulation s, Player p, Input in);
 
   /**
+   * Handles a message of a player, of a kind that {@link #setUp} registered; {@link Role#AUTHORITY}
+   * only, before {@link #beforeStep}, by player id and then in the order of arrival. What the
+   * player may do now is for the game to check; ranges and lengths have been checked.
+   */
+  default void message(Simulation s, Player p, Message m) {}
+
+  /**
+   * Returns what is said when a player writes a line of chat, or null if nothing is; {@link
+   * Role#AUTHORITY} only, when {@link #message} would be called. The place to filter words, and to
+   * switch chat off.
+   *
+   * @param text what the player wrote, 1..120 characters that can be shown
+   */
+  default String chat(Simulation s, Player p, String text) {
+    return text;
+  }
+
+  /** Returns whether a player with a body may show an emote now; {@link Role#AUTHORITY} only. */
+  default boolean emote(Simulation s, Player p, Emote emote) {
+    return true;
+  }
+
+  /**
    * Applies the game's forces to one body: a wing's lift, a spring, a thruster; both roles, each
    * tick after the inputs, once for each entity whose body is dynamic and awake. Clients predict
    * what it does exactly, so push bodies here rather than in {@link #beforeStep}.
@@ -155,10 +180,10 @@ public interface Game {
 
   /**
    * Returns which players are told about an entity; {@link Role#AUTHORITY} only, after each tick
-   * for each entity. All of an assembly has the audience of its root. Players always know their own body. A client that is not told about an entity
-   * receives neither its exact state nor the {@link Audience#NEAR} events in which it takes part,
-   * and no input of a player whose body it is. An entity that nobody is told about costs nothing,
-   * and no cheat can find it on the wire.
+   * for each entity. All of an assembly has the audience of its root. Players always know their own
+   * body. A client that is not told about an entity receives neither its exact state nor the {@link
+   * Audience#NEAR} events in which it takes part, and no input of a player whose body it is. An
+   * entity that nobody is told about costs nothing, and no cheat can find it on the wire.
    */
   default Audience audience(Simulation s, Entity e) {
     return Audience.NEAR;

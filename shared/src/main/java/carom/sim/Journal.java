@@ -2,8 +2,8 @@ package carom.sim;
 
 /**
  * Receives everything that enters a simulation and is not computed by it: players who join and
- * leave, and their inputs. Level, seed, tick rate and a journal are enough to compute every state
- * again, bit for bit. {@code carom.replay} writes one to a file.
+ * leave, their messages and their inputs. Level, seed, tick rate and a journal are enough to
+ * compute every state again, bit for bit. {@code carom.replay} writes one to a file.
  *
  * <p>{@link Simulation} itself calls it, so that no caller can forget to. A caller that changes the
  * world outside of {@link Game} and of these calls makes the journal incomplete. All methods run on
@@ -17,7 +17,8 @@ public interface Journal {
   void leaving(Simulation s, int id);
 
   /**
-   * Receives the simulation before a step. The step will read {@link Player#input} and {@link
+   * Receives the simulation before a step. The step will handle the messages that {@link
+   * Simulation#forEachReceived} passes on, and read {@link Player#input} and {@link
    * Player#viewDelay} of every player as they are now. {@link Simulation#tick} is the tick before.
    */
   void stepping(Simulation s);

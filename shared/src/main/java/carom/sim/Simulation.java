@@ -32,8 +32,13 @@ import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Archetypes;
 import carom.sim.level.Level;
 import carom.sim.level.LevelJoint;
+import carom.sim.message.Message;
+import carom.sim.message.MessageKind;
+import carom.sim.message.MessageKinds;
+import carom.sim.message.WaitingMessages;
 import carom.sim.random.SimRandom;
 import carom.sim.ruling.Findings;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -45,9 +50,9 @@ import java.util.function.Consumer;
  * hashes} on every machine.
  *
  * <p>Tick 0 is the state after set-up. {@link #step} computes the next tick in this order: paths of
- * kinematic bodies, {@link Game#beforeStep}, each player's {@link Game#input} by player id, areas
- * and {@link Game#forces} on each awake body, the physics, {@link Game#afterStep}. While a step
- * runs, {@link #tick} is the tick being computed.
+ * kinematic bodies, players' {@linkplain Game#message messages}, {@link Game#beforeStep}, each
+ * player's {@link Game#input} by player id, areas and {@link Game#forces} on each awake body, the
+ * physics, {@link Game#afterStep}. While a step runs, {@link #tick} is the tick being computed.
  *
  * <p>A simulation belongs to one thread. A step allocates nothing of its own once arrays have
  * grown.
@@ -72,6 +77,11 @@ public final class Simulation extends FieldHolder<Entity, Player> {
 
   /** Most events that wait for {@link #drainEvents}. Beyond, the oldest are dropped and counted. */
   public static final int MAX_EVENTS = 1 << 10;
+
+  /**
+   * Most messages that wait for {@link #drainMessages}. Beyond, new ones are dropped and counted.
+   */
+  public static final int MAX_MESSAGES = 1 << 10;
 
   private final Game game;
   private final Level level;
@@ -100,6 +110,11 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   private final NoticeQueue notices = new NoticeQueue(MAX_NOTICES, MAX_NOTICE_LENGTH);
   private final EventKinds eventKinds = new EventKinds();
   private final EventLog events = new EventLog();
+  private final MessageKinds messageKinds = new MessageKinds();
+  private final WaitingMessages received = new WaitingMessages();
+  private final WaitingMessages.Reader handleMessage = this::handle;
+  private final ArrayDeque<Delivery> sent = new ArrayDeque<>();
+  private long droppedMessages;
   private final AreaForces<Entity> areas;
   private final QueryFilter<Entity> geometry = (body, shape) -> body.user().isLevel();
   private final Consumer<Body<Entity>> forces = this::applyForces;
@@ -176,6 +191,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     archetypes.close();
     requireDeclaredPowers();
     eventKinds.close();
+    messageKinds.close();
     if (role == Role.PREDICTION) {
       fields.predict();
     }
@@ -321,6 +337,11 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   /** Returns the registered kinds of events. */
   public EventKinds eventKinds() {
     return eventKinds;
+  }
+
+  /** Returns the registered kinds of messages, the built-in ones first. */
+  public MessageKinds messageKinds() {
+    return messageKinds;
   }
 
   /** Returns the static geometry of the level, in file order; unmodifiable. */
@@ -681,6 +702,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     if (players.get(id) != player) {
       return;
     }
+    received.forget(id);
     if (journal != null) {
       journal.leaving(this, id);
     }
@@ -786,6 +808,59 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   }
 
   /**
+   * Hands over a message of a player, which {@link Game#message} receives in the next step. It is
+   * an input of that step: {@link #restore} drops what waits.
+   *
+   * @param player who sent it
+   * @param message a message that a client may send, of a registered kind
+   * @return false when {@value WaitingMessages#MAX_PER_PLAYER} of the player wait; this one is
+   *     dropped
+   * @throws IllegalStateException on {@link Role#PREDICTION}
+   * @throws IllegalArgumentException when the kind isn't registered, or clients don't send it
+   */
+  public boolean receive(Player player, Message message) {
+    calls.requireAuthority("receive");
+    messageKinds.indexOf(message.kind(), MessageKind.Direction.FROM_CLIENT);
+    return received.add(player.id(), message);
+  }
+
+  /** Passes on the messages that the next step will handle, in that order, and keeps them. */
+  public void forEachReceived(WaitingMessages.Reader reader) {
+    received.forEach(reader);
+  }
+
+  /**
+   * Sends a message to clients: {@code s.send(SOLD.of(3)).to(player)}. It is not part of the state.
+   * On {@link Role#PREDICTION} nothing is sent.
+   *
+   * @param message of a kind that {@link Game#setUp} registered
+   * @return what names the recipients
+   * @throws IllegalArgumentException when the kind isn't registered, or clients send it
+   */
+  public Delivery send(Message message) {
+    messageKinds.indexOf(message.kind(), MessageKind.Direction.FROM_SERVER);
+    Delivery delivery = new Delivery(message);
+    if (role == Role.AUTHORITY && sent.size() < MAX_MESSAGES) {
+      sent.add(delivery);
+    } else if (role == Role.AUTHORITY) {
+      droppedMessages++;
+    }
+    return delivery;
+  }
+
+  /** Passes on the messages sent since the last call, oldest first, and forgets them. */
+  public void drainMessages(Consumer<Delivery> consumer) {
+    while (!sent.isEmpty()) {
+      consumer.accept(sent.remove());
+    }
+  }
+
+  /** Returns the number of messages that were lost because {@value #MAX_MESSAGES} waited. */
+  public long droppedMessages() {
+    return droppedMessages;
+  }
+
+  /**
    * Computes the next tick from each player's {@link Player#input} and {@link Player#viewDelay}.
    */
   public void step() {
@@ -812,6 +887,9 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     entities.followPaths(tick);
     if (role == Role.AUTHORITY) {
       interference.beginRules();
+      during("message");
+      received.forEach(handleMessage);
+      received.clear();
       during("beforeStep");
       game.beforeStep(this);
       interference.endRulesBeforeStep(tick);
@@ -842,6 +920,13 @@ public final class Simulation extends FieldHolder<Entity, Player> {
       interference.endRulesAfterStep(tick);
     } else if (rulings != null) {
       rulings.afterStep(this);
+    }
+  }
+
+  private void handle(int playerId, Message message) {
+    Player player = players.get(playerId);
+    if (player != null) { // one handled before may have removed it
+      Talk.handle(this, player, message);
     }
   }
 
@@ -968,6 +1053,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     requireOwn(s);
     calls.requireOutsidePhysics("restore");
     world.restore(s.world);
+    received.clear();
     tick = s.tick;
     random.state(s.random);
     System.arraycopy(s.memory, 0, memory, 0, memory.length);

@@ -181,6 +181,7 @@ final class ArchitectureTest {
     allow("carom.physics.effects", "carom.physics..");
     allow("carom.physics.particles", "carom.physics..");
     allow("carom.sim.event");
+    allow("carom.sim.message");
     allow("carom.sim.level", "carom.physics..", "carom.sim.field", "carom.sim.event");
     allow("carom.sim.history", "carom.physics..", "carom.sim.level");
     allow("carom.sim.area", "carom.physics..", "carom.sim.level", "carom.sim.field");
@@ -199,6 +200,7 @@ final class ArchitectureTest {
         "carom.sim.level",
         "carom.sim.event",
         "carom.sim.field",
+        "carom.sim.message",
         "carom.sim.history",
         "carom.sim.random",
         "carom.sim.area",
@@ -272,6 +274,7 @@ final class ArchitectureTest {
         "carom.sim",
         "carom.sim.field",
         "carom.sim.level",
+        "carom.sim.message",
         "carom.physics",
         "carom.physics.archive",
         "carom.game");
@@ -315,6 +318,7 @@ final class ArchitectureTest {
         "carom.sim.level",
         "carom.sim.event",
         "carom.sim.field",
+        "carom.sim.message",
         "carom.sim.random");
   }
 

@@ -35,6 +35,9 @@ import carom.physics.rows.BodyRow;
 import carom.physics.rows.ContactRow;
 import carom.physics.rows.RowCounts;
 import carom.physics.rows.RowKind;
+import carom.sim.message.BuiltInKinds;
+import carom.sim.message.MessageKind.Direction;
+import carom.sim.message.MessageKinds;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.reflect.Field;
@@ -107,8 +110,12 @@ class ProtocolDocTest {
     golden.put(
         "hello",
         ClientMessageCodec.encode(new ClientMessage.Hello(2, 0x0102030405060708L, "Zoë", 0)));
-    golden.put("level-request", ClientMessageCodec.encode(new ClientMessage.LevelRequest(0x11223344, 4096)));
-    golden.put("ready", ClientMessageCodec.encode(new ClientMessage.Ready(0x11223344, 0x0102030405060708L)));
+    golden.put(
+        "level-request",
+        ClientMessageCodec.encode(new ClientMessage.LevelRequest(0x11223344, 4096)));
+    golden.put(
+        "ready",
+        ClientMessageCodec.encode(new ClientMessage.Ready(0x11223344, 0x0102030405060708L)));
     golden.put("leave", ClientMessageCodec.encode(new ClientMessage.Leave()));
     golden.put(
         "diverged",
@@ -129,6 +136,14 @@ class ProtocolDocTest {
         "watch", ClientMessageCodec.encode(new ClientMessage.Watch(2, 0x0102030405060708L, 2)));
     golden.put(
         "recording-request", ClientMessageCodec.encode(new ClientMessage.RecordingRequest(4096)));
+    golden.put(
+        "game-message",
+        ClientMessageCodec.encode(
+            new ClientMessage.GameMessage(
+                1,
+                new MessageKinds()
+                    .encode(BuiltInKinds.SAY.of(false, "hi"), Direction.FROM_CLIENT))));
+    golden.put("heard", ClientMessageCodec.encode(new ClientMessage.Heard(7)));
     serverMessages(golden);
     inputs(golden);
     snapshots(golden);
@@ -210,6 +225,14 @@ class ProtocolDocTest {
     golden.put(
         "recording-chunk",
         codec.encode(new ServerMessage.RecordingChunk(4096, new byte[] {0x43, 0x41})));
+    golden.put(
+        "server-game-message",
+        codec.encode(
+            new ServerMessage.GameMessage(
+                300,
+                new MessageKinds()
+                    .encode(BuiltInKinds.SAID.of(3, false, "hi"), Direction.FROM_SERVER))));
+    golden.put("server-heard", codec.encode(new ServerMessage.Heard(7, 0x0102030405060708L)));
     golden.put("goodbye", codec.encode(new ServerMessage.Goodbye(GoodbyeReason.KICKED, "spam")));
   }
 
@@ -247,7 +270,7 @@ class ProtocolDocTest {
 
     FrameState frame = ring.begin(101);
     frame.putQuantized(0, 1, 2, -1, 512, -1024, 256, 0, 0, 0);
-    frame.putQuantized(5, 255, 300, 9, 0, 0, 0, 64, -64, 32);
+    frame.putQuantized(5, 255, 300, 9, 0, 0, 0, 8, -8, 4);
     ring.end();
     feedback.present = true;
     feedback.sequence = 500;
@@ -261,12 +284,12 @@ class ProtocolDocTest {
     for (int tick = 102; tick <= 104; tick++) {
       frame = ring.begin(tick);
       frame.putQuantized(0, 1, 2, -1, 512, -1024, 256, 0, 0, 0);
-      frame.putQuantized(5, 255, 300, 9, 25, -31, 8, 64, -96, 32);
+      frame.putQuantized(5, 255, 300, 9, 25, -31, 8, 8, -12, 4);
       ring.end();
     }
     golden.put("snapshot-delta", send(encoder, decoder, feedback, null));
 
-    ring.begin(105).putQuantized(5, 255, 300, 9, 25, -31, 8, 64, -96, 32);
+    ring.begin(105).putQuantized(5, 255, 300, 9, 25, -31, 8, 8, -12, 4);
     ring.end();
     OwnState own = new OwnState(4);
     own.setBody(5, 255, 1.5f, -2, 1, 0, 0, -0f, 0);

@@ -93,7 +93,9 @@ class HostileScenarioTest {
     void randomMessage() {
       switch (random.nextInt(5)) {
         case 0 -> hello();
-        case 1 -> link.send(new ClientMessage.LevelRequest(key(), random.nextInt(Limits.MAX_LEVEL_BYTES)));
+        case 1 ->
+            link.send(
+                new ClientMessage.LevelRequest(key(), random.nextInt(Limits.MAX_LEVEL_BYTES)));
         case 2 -> link.send(new ClientMessage.Ready(key(), fields));
         case 3 -> link.send(new ClientMessage.Hello(random.nextInt(), random.nextLong(), "x", 7));
         default -> link.send(new ClientMessage.Leave());

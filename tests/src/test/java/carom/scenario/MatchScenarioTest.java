@@ -34,8 +34,11 @@ class MatchScenarioTest {
                         client ->
                             client.view().phase() == ConnectionPhase.PLAYING
                                 && client.view().own() != null
-                                && client.view().level().name().equals(
-                                    stepper.room().match().level().level().name())),
+                                && client
+                                    .view()
+                                    .level()
+                                    .name()
+                                    .equals(stepper.room().match().level().level().name())),
             5);
         stepper.run(3);
         assertTrue(stepper.compared() > compared + 200, stepper.describe());

@@ -43,7 +43,8 @@ class LobbyTest {
     FakeClient client = rig.connect().hello("Ann");
     client.loads = false;
     rig.steps(2);
-    client.link.send(new ClientMessage.Ready(client.welcome.datagramKey(), client.welcome.fieldsDigest()));
+    client.link.send(
+        new ClientMessage.Ready(client.welcome.datagramKey(), client.welcome.fieldsDigest()));
     rig.steps(3);
     assertTrue(client.decoder.hasAck());
   }
@@ -53,7 +54,8 @@ class LobbyTest {
     FakeClient client = rig.connect().hello("Ann");
     client.loads = false;
     rig.steps(2);
-    client.link.send(new ClientMessage.Ready(client.welcome.datagramKey(), client.welcome.fieldsDigest() + 1));
+    client.link.send(
+        new ClientMessage.Ready(client.welcome.datagramKey(), client.welcome.fieldsDigest() + 1));
     rig.steps(3);
     assertEquals(RefusalReason.GAME_VERSION, client.refused.reason());
   }
@@ -120,7 +122,8 @@ class LobbyTest {
     FakeClient client = rig.connect().hello("a");
     client.loads = false;
     rig.steps(2);
-    client.link.send(new ClientMessage.Ready(client.welcome.datagramKey(), client.welcome.fieldsDigest()));
+    client.link.send(
+        new ClientMessage.Ready(client.welcome.datagramKey(), client.welcome.fieldsDigest()));
     client.link.close("gone");
     rig.seconds(0.5);
     assertEquals(0, rig.count(Counter.PLAYERS), "not after five seconds of silence");

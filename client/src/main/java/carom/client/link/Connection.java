@@ -48,6 +48,16 @@ public final class Connection implements LinkHandler {
     /** The server has sent a line for the player. */
     void notice(String text);
 
+    /** A reliable message of the game has arrived. */
+    void message(ServerMessage.GameMessage message);
+
+    /**
+     * The server has said which messages of the game it has heard.
+     *
+     * @return null, or why this client can't play, in words for the player
+     */
+    String heard(ServerMessage.Heard message);
+
     /** Playing is over, for now or for good. */
     void stopped();
   }
@@ -224,6 +234,13 @@ public final class Connection implements LinkHandler {
       listener.roster(roster);
     } else if (received instanceof ServerMessage.Notice notice) {
       listener.notice(notice.text());
+    } else if (received instanceof ServerMessage.GameMessage m && stage == Stage.PLAYING) {
+      listener.message(m);
+    } else if (received instanceof ServerMessage.Heard heard && stage == Stage.PLAYING) {
+      String problem = listener.heard(heard);
+      if (problem != null) {
+        end(problem);
+      }
     } else {
       fail("The server at " + address + " sent something unexpected: " + nameOf(received));
     }

@@ -62,6 +62,10 @@ public enum Counter {
   EVENTS_LOST,
   /** Matches begun after the first. */
   MATCHES,
+  /** Messages of games that were dropped because a client or the game sent too many. */
+  MESSAGES_DROPPED,
+  /** Lines of chat and emotes of players whom the operator muted. */
+  MESSAGES_MUTED,
   /** Exceptions thrown by the game's callbacks. */
   GAME_FAILURES,
   /** Things that the game's rules do again and again and no client can foresee, each once. */

@@ -111,8 +111,7 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
       String name = String.valueOf(wanted.getFileName());
       int dot = name.lastIndexOf('.');
       int end = dot < 1 ? name.length() : dot;
-      path =
-          wanted.resolveSibling(name.substring(0, end) + "-" + number + name.substring(end));
+      path = wanted.resolveSibling(name.substring(0, end) + "-" + number + name.substring(end));
     }
     return path;
   }

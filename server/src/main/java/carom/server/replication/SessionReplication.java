@@ -211,6 +211,11 @@ public final class SessionReplication {
     }
   }
 
+  /** Returns whether the client looks at the place of an entity and may know it. */
+  public boolean sees(int entityId) {
+    return sender.sees(entityId);
+  }
+
   /** Explains to an operator why an entity was not sent, or that it was, in one line. */
   public String explain(int entityId) {
     return sender.encoder().explain(entityId)

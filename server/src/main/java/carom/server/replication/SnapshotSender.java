@@ -5,6 +5,7 @@ import carom.net.snapshot.SnapshotEncoder;
 import carom.net.snapshot.event.EventRing;
 import carom.net.snapshot.exact.OwnState;
 import carom.net.snapshot.frame.FrameRing;
+import carom.net.snapshot.frame.FrameState;
 import carom.net.transport.Link;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
@@ -137,6 +138,14 @@ public final class SnapshotSender {
   /** Returns whether the game lets the player know of an entity; of the own body it always does. */
   public boolean mayKnow(Entity e) {
     return view.mayKnow(frames.newest(), e);
+  }
+
+  /** Returns whether the player looks at the place of an entity and may know it. */
+  boolean sees(int entityId) {
+    FrameState frame = frames.newest();
+    return entityId < frame.slotLimit()
+        && frame.alive(entityId)
+        && view.sees(frame, entityId, true);
   }
 
   /** Earns budget for a tick; call once per tick, before anything else. */

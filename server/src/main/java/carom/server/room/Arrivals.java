@@ -117,6 +117,7 @@ final class Arrivals {
               player,
               room.config(),
               room.match().replicationTo(player),
+              room.match().messagesOf(player),
               room.counters());
       sessions.add(session);
     } else if (session.state() != SessionState.GRACE) {

@@ -8,6 +8,7 @@ import carom.server.metrics.Counters;
 import carom.server.prediction.OwnCapture;
 import carom.server.replication.FrameCapture;
 import carom.server.replication.SessionReplication;
+import carom.server.session.SessionMessages;
 import carom.sim.Game;
 import carom.sim.Player;
 import carom.sim.Role;
@@ -78,6 +79,11 @@ final class Match {
     long dropped = now - droppedEvents;
     droppedEvents = now;
     return dropped;
+  }
+
+  /** Creates the messages of the game between a player and the match. */
+  SessionMessages messagesOf(Player player) {
+    return new SessionMessages(simulation, player, counters);
   }
 
   /** Creates what tells the client of a player about the match. */

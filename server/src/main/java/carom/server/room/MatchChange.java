@@ -166,7 +166,7 @@ final class MatchChange {
                 before.name(),
                 brings && wanted.keepsTeams() ? before.team() : 0,
                 brings && wanted.keepsScores() ? before.score() : 0);
-        session.enter(player, next.replicationTo(player));
+        session.enter(player, next.replicationTo(player), next.messagesOf(player));
       }
     }
     if (brings) {

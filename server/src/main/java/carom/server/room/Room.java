@@ -44,6 +44,7 @@ import org.slf4j.LoggerFactory;
  *   Simulation.step
  *   FrameCapture        the frame state, quantised once for all sessions
  *   SnapshotRound       each session's snapshot
+ *   Post                messages of the game, which Session collected before the step
  *   Announcer           notices of the game
  *   RosterNews          players and scores that changed
  *   Counters, RoomRecording
@@ -75,6 +76,7 @@ public final class Room {
   private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
   private final RoomSessions sessions;
   private final RosterNews roster;
+  private final Post post;
   private final Departures departures;
   private final MatchChange changes;
   private final Arrivals arrivals;
@@ -130,6 +132,7 @@ public final class Room {
     operator =
         new OperatorCommands(
             context, number, sessions, departures, recording, changes, clock, () -> closed);
+    post = new Post(context, sessions);
     sendNotice = announcer::notice;
     sendTo = sessions::sendTo;
     context.match().capture().capture();
@@ -257,6 +260,7 @@ public final class Room {
     for (int i = sessions.count() - 1; i >= 0; i--) {
       sessions.get(i).consumeInput(next);
     }
+    post.collect();
     boolean stepped = step();
     if (stepped) {
       match.capture().capture();
@@ -264,6 +268,7 @@ public final class Room {
       if (sends) {
         snapshots.run(beginNs, nowNs);
       }
+      post.send();
       simulation.drainNotices(sendNotice);
       match.failures().tell(simulation.findings());
       roster.send(sessions.bySeat(), nowNs, sendTo);

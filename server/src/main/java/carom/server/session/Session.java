@@ -34,6 +34,9 @@ import org.slf4j.LoggerFactory;
  * <p>What a client sends can change this object only: a wrong message asks the room to expel the
  * session; a wrong datagram is counted and ignored, because anybody can forge a datagram.
  *
+ * <p><b>Length.</b> Just above 500 lines: the ways from state to state are told where they are, and
+ * inputs, messages and replication are classes of their own.
+ *
  * <p>Owned by the room's thread. Polling and sending in the steady state allocate nothing.
  */
 public final class Session implements LinkHandler {
@@ -61,6 +64,7 @@ public final class Session implements LinkHandler {
   private final ServerConfig config;
   private final Counters counters;
   private SessionReplication replication;
+  private SessionMessages messages;
   private final InputBuffer inputs;
   private final InputDatagram datagram = new InputDatagram();
   private final InputFeedback feedback = new InputFeedback();
@@ -91,17 +95,20 @@ public final class Session implements LinkHandler {
    *
    * @param player the player in the room's simulation
    * @param replication tells the player's client about the room
+   * @param messages the game's, between the player and the room
    */
   public Session(
       Seats.Seat seat,
       Player player,
       ServerConfig config,
       SessionReplication replication,
+      SessionMessages messages,
       Counters counters) {
     this.seat = seat;
     this.player = player;
     this.config = config;
     this.replication = replication;
+    this.messages = messages;
     this.counters = counters;
     this.inputs = new InputBuffer(config.inputWindowTicks(), config.inputHoldTicks());
   }
@@ -130,6 +137,7 @@ public final class Session implements LinkHandler {
     upload = null;
     loaded = false;
     replication.begin(key);
+    messages.attach(link, key);
     inputs.reset(tick);
     viewDelay = 0;
     feedback.present = false;
@@ -144,9 +152,13 @@ public final class Session implements LinkHandler {
    *
    * @param newPlayer the player in the match's simulation
    * @param newReplication tells the player's client about the match
+   * @param newMessages of the match's game; those of the last one that wait are forgotten
    */
-  public void enter(Player newPlayer, SessionReplication newReplication) {
+  public void enter(
+      Player newPlayer, SessionReplication newReplication, SessionMessages newMessages) {
     replication.end();
+    newMessages.mute(messages.isMuted());
+    messages = newMessages;
     player = newPlayer;
     replication = newReplication;
   }
@@ -186,6 +198,7 @@ public final class Session implements LinkHandler {
    */
   public Link detach(long timeNs) {
     state = state.become(SessionState.GRACE);
+    messages.detach();
     graceEndNs = timeNs + config.graceMs() * NS_PER_MS;
     Link old = link;
     link = null;
@@ -226,12 +239,16 @@ public final class Session implements LinkHandler {
       replication.look(look);
     } else if (message instanceof ClientMessage.Diverged report) {
       judge(report);
+    } else if (message instanceof ClientMessage.Heard heard) {
+      messages.heard(heard);
+    } else if (message instanceof ClientMessage.GameMessage m && messages.receive(m)) {
+      return;
     } else if (!(message instanceof ClientMessage.Ready)) {
       expelFor(message);
     }
   }
 
-  /** Takes a message while the client loads. Reports about the last match may still arrive. */
+  /** Takes a message while the client loads. What belongs to the last match may still arrive. */
   private void loading(Object message) {
     if (message instanceof ClientMessage.LevelRequest request) {
       if (upload.answer(request, link) != null) {
@@ -240,7 +257,9 @@ public final class Session implements LinkHandler {
     } else if (message instanceof ClientMessage.Ready ready) {
       loaded |= upload.isFinishedBy(ready);
     } else if (!(message instanceof ClientMessage.Look)
-        && !(message instanceof ClientMessage.Diverged)) {
+        && !(message instanceof ClientMessage.Diverged)
+        && !(message instanceof ClientMessage.Heard)
+        && !(message instanceof ClientMessage.GameMessage)) {
       expelFor(message);
     }
   }
@@ -284,6 +303,11 @@ public final class Session implements LinkHandler {
       return;
     }
     counters.add(Counter.BYTES_IN, length);
+    if (messages.isOne(bytes, length)) {
+      counters.add(Counter.DATAGRAMS_IN, 1);
+      messages.receive(bytes, length);
+      return;
+    }
     if (!datagram.decode(bytes, 0, length) || datagram.key != datagramKey) {
       counters.add(Counter.DATAGRAMS_REFUSED, 1);
       return;
@@ -388,6 +412,18 @@ public final class Session implements LinkHandler {
   /** Sends a message that many sessions share, as {@link #send(ServerMessage)} does. */
   public boolean send(Broadcast message) {
     return link != null && link.send(message);
+  }
+
+  /** Sends the messages of the game that are queued, when there is a link. */
+  public void sendMessages() {
+    if (state == SessionState.PLAYING) {
+      messages.flush(link);
+    }
+  }
+
+  /** Returns the messages of the game between the player and the room. */
+  public SessionMessages messages() {
+    return messages;
   }
 
   /** Sends the last message if the link still takes one; the session ends either way. */

@@ -13,20 +13,23 @@ public final class Quantizer {
   /** Steps per turn of an angle. */
   public static final int ANGLE_STEPS = 1_024;
 
-  /** Steps per metre per second of a velocity. */
-  public static final int VELOCITY_STEPS = 64;
+  /**
+   * Steps per metre per second of a velocity. They are coarse because most of a delta's bits would
+   * go to digits of velocities that no picture shows: positions say where a body is.
+   */
+  public static final int VELOCITY_STEPS = 8;
 
-  /** Steps per radian per second of an angular velocity. */
-  public static final int OMEGA_STEPS = 32;
+  /** Steps per radian per second of an angular velocity, coarse for the same reason. */
+  public static final int OMEGA_STEPS = 4;
 
   /** Largest magnitude of a quantised position: 65,536 m. */
   public static final int MAX_POSITION = 1 << 25;
 
   /** Largest magnitude of a quantised velocity: 2,048 m/s. */
-  public static final int MAX_VELOCITY = 1 << 17;
+  public static final int MAX_VELOCITY = 1 << 14;
 
   /** Largest magnitude of a quantised angular velocity: 1,024 rad/s. */
-  public static final int MAX_OMEGA = 1 << 15;
+  public static final int MAX_OMEGA = 1 << 12;
 
   /**
    * Shortest column that is quantised by vector kernels, where the JVM has them. A shorter one

@@ -6,7 +6,9 @@ import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.Limits;
 import carom.net.protocol.RefusalReason;
 import carom.net.protocol.ServerMessage;
+import carom.net.protocol.ServerMessage.GameMessage;
 import carom.net.protocol.ServerMessage.Goodbye;
+import carom.net.protocol.ServerMessage.Heard;
 import carom.net.protocol.ServerMessage.LevelChunk;
 import carom.net.protocol.ServerMessage.Notice;
 import carom.net.protocol.ServerMessage.RecordingChunk;
@@ -65,6 +67,8 @@ public final class KryoMessageCodec implements MessageCodec {
     kryo.register(Goodbye.class, new GoodbyeSerializer(), id++);
     kryo.register(Watching.class, new WatchingSerializer(), id++);
     kryo.register(RecordingChunk.class, new RecordingChunkSerializer(), id++);
+    kryo.register(GameMessage.class, new GameMessageSerializer(), id++);
+    kryo.register(Heard.class, new HeardSerializer(), id++);
     classes = id + 2 - FIRST_SERVER_BYTE;
   }
 
@@ -354,6 +358,35 @@ public final class KryoMessageCodec implements MessageCodec {
         throw new IllegalArgumentException("offset=" + offset + " is negative");
       }
       return offset;
+    }
+  }
+
+  private static final class GameMessageSerializer extends MessageSerializer<GameMessage> {
+    @Override
+    void write(Output out, GameMessage m) {
+      out.writeVarInt(m.number(), true);
+      out.writeVarInt(inRange("bytes", m.bytes().length, 1, Limits.MAX_GAME_MESSAGE_BYTES), true);
+      out.writeBytes(m.bytes());
+    }
+
+    @Override
+    GameMessage read(Input in) {
+      int number = inRange("number", in.readVarInt(true), 1, Integer.MAX_VALUE);
+      int length = inRange("bytes", in.readVarInt(true), 1, Limits.MAX_GAME_MESSAGE_BYTES);
+      return new GameMessage(number, readBytes(in, length));
+    }
+  }
+
+  private static final class HeardSerializer extends MessageSerializer<Heard> {
+    @Override
+    void write(Output out, Heard m) {
+      out.writeVarInt(inRange("number", m.number(), 0, Integer.MAX_VALUE), true);
+      out.writeLong(m.kindsDigest());
+    }
+
+    @Override
+    Heard read(Input in) {
+      return new Heard(inRange("number", in.readVarInt(true), 0, Integer.MAX_VALUE), in.readLong());
     }
   }
 

@@ -1,6 +1,7 @@
 package carom.net.protocol;
 
 import carom.physics.rows.BodyRow;
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -113,6 +114,39 @@ public sealed interface ClientMessage {
    * @param offset not negative
    */
   record RecordingRequest(long offset) implements ClientMessage {}
+
+  /**
+   * Carries a reliable message of the game.
+   *
+   * @param number its place among those of the session, from 1 on, see {@link MessageStream}
+   * @param bytes 1..{@link Limits#MAX_GAME_MESSAGE_BYTES}, as {@code MessageKinds} codes them;
+   *     owned by the message
+   */
+  @SuppressWarnings("ArrayRecordComponent") // The receiver reads the bytes at once.
+  record GameMessage(int number, byte[] bytes) implements ClientMessage {
+    @Override
+    public boolean equals(Object other) {
+      return other instanceof GameMessage m && m.number == number && Arrays.equals(m.bytes, bytes);
+    }
+
+    @Override
+    public int hashCode() {
+      return 31 * number + Arrays.hashCode(bytes);
+    }
+
+    @Override
+    public String toString() {
+      return "GameMessage[number=" + number + ", bytes=" + bytes.length + "]";
+    }
+  }
+
+  /**
+   * Answers {@link ServerMessage.Heard} on each new link: says which of the server's messages of
+   * the game the client has heard.
+   *
+   * @param number the last one's, 0 for none
+   */
+  record Heard(int number) implements ClientMessage {}
 
   /** Says that the player leaves. The server keeps no place for a player who left. */
   record Leave() implements ClientMessage {}

@@ -28,6 +28,8 @@ public final class ClientMessageCodec {
   private static final byte WATCH = 7;
   private static final byte RECORDING_REQUEST = 8;
   private static final byte DIVERGED_NEAR = 9;
+  private static final byte GAME_MESSAGE = 10;
+  private static final byte HEARD = 11;
   private static final int HELLO_FIXED_BYTES = 1 + 4 + 8 + 8 + 1;
 
   private ClientMessageCodec() {}
@@ -86,6 +88,17 @@ public final class ClientMessageCodec {
             "RecordingRequest.offset=" + request.offset() + " is negative");
       }
       buffer.put(RECORDING_REQUEST).putLong(request.offset());
+    } else if (message instanceof ClientMessage.GameMessage m) {
+      if (m.bytes().length < 1 || m.bytes().length > Limits.MAX_GAME_MESSAGE_BYTES) {
+        throw new IllegalArgumentException(
+            "GameMessage.bytes="
+                + m.bytes().length
+                + " is outside 1.."
+                + Limits.MAX_GAME_MESSAGE_BYTES);
+      }
+      buffer.put(GAME_MESSAGE).putInt(m.number()).put(m.bytes());
+    } else if (message instanceof ClientMessage.Heard heard) {
+      buffer.put(HEARD).putInt(heard.number());
     } else if (message instanceof ClientMessage.Ready ready) {
       buffer.put(READY).putInt(ready.datagramKey()).putLong(ready.fieldsDigest());
     } else {
@@ -125,6 +138,8 @@ public final class ClientMessageCodec {
       case DIVERGED_NEAR -> decodeDivergedNear(buffer);
       case WATCH -> decodeWatch(buffer);
       case RECORDING_REQUEST -> decodeRecordingRequest(buffer);
+      case GAME_MESSAGE -> decodeGameMessage(buffer);
+      case HEARD -> decodeHeard(buffer);
       default -> null;
     };
   }
@@ -247,6 +262,25 @@ public final class ClientMessageCodec {
     }
     long offset = buffer.getLong();
     return offset >= 0 ? new ClientMessage.RecordingRequest(offset) : null;
+  }
+
+  private static ClientMessage decodeGameMessage(ByteBuffer buffer) {
+    int length = buffer.remaining() - Integer.BYTES;
+    if (length < 1 || length > Limits.MAX_GAME_MESSAGE_BYTES) {
+      return null;
+    }
+    int number = buffer.getInt();
+    byte[] bytes = new byte[length];
+    buffer.get(bytes);
+    return number >= 1 ? new ClientMessage.GameMessage(number, bytes) : null;
+  }
+
+  private static ClientMessage decodeHeard(ByteBuffer buffer) {
+    if (buffer.remaining() != Integer.BYTES) {
+      return null;
+    }
+    int number = buffer.getInt();
+    return number >= 0 ? new ClientMessage.Heard(number) : null;
   }
 
   private static ClientMessage decodeHello(ByteBuffer buffer) {

@@ -18,6 +18,9 @@ public final class Limits {
    */
   public static final int MAX_SERVER_MESSAGE_BYTES = 16 * 1_024;
 
+  /** Largest message of a game, in bytes, in either direction. */
+  public static final int MAX_GAME_MESSAGE_BYTES = 900;
+
   /** Longest player name in UTF-8 bytes, see {@link PlayerName}. The shortest has 1 byte. */
   public static final int MAX_NAME_BYTES = 32;
 

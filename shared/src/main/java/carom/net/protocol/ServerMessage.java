@@ -180,6 +180,40 @@ public sealed interface ServerMessage {
   }
 
   /**
+   * Carries a reliable message of the game.
+   *
+   * @param number its place among those of the session, from 1 on, see {@link MessageStream}
+   * @param bytes 1..{@link Limits#MAX_GAME_MESSAGE_BYTES}, as {@code MessageKinds} codes them;
+   *     owned by the message
+   */
+  @SuppressWarnings("ArrayRecordComponent") // see LevelChunk
+  record GameMessage(int number, byte[] bytes) implements ServerMessage {
+    @Override
+    public boolean equals(Object other) {
+      return other instanceof GameMessage m && m.number == number && Arrays.equals(m.bytes, bytes);
+    }
+
+    @Override
+    public int hashCode() {
+      return 31 * number + Arrays.hashCode(bytes);
+    }
+
+    @Override
+    public String toString() {
+      return "GameMessage[number=" + number + ", bytes=" + bytes.length + "]";
+    }
+  }
+
+  /**
+   * Begins the messages of the game on a new link: says which of the client's the server has heard.
+   * The client answers with {@link ClientMessage.Heard}.
+   *
+   * @param number the last one's, 0 for none
+   * @param kindsDigest hash of the game's kinds of messages, on which both must agree
+   */
+  record Heard(int number, long kindsDigest) implements ServerMessage {}
+
+  /**
    * Ends the session. The link closes after it.
    *
    * @param reason reason for the program

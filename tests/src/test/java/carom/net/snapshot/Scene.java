@@ -68,7 +68,7 @@ final class Scene {
     int speed = dice.percent(3) ? Quantizer.MAX_VELOCITY : 10 * Quantizer.VELOCITY_STEPS;
     bodies[slot][6] = dice.between(-speed, speed);
     bodies[slot][7] = dice.between(-speed, speed);
-    bodies[slot][8] = dice.between(-100, 100);
+    bodies[slot][8] = dice.between(-12, 12);
   }
 
   void step() {
@@ -113,10 +113,10 @@ final class Scene {
     }
     body[7] -= gravity;
     body[3] =
-        clamp(body[3] + body[6] * 8 / TICK_RATE + dice.between(-1, 1), Quantizer.MAX_POSITION);
+        clamp(body[3] + body[6] * 64 / TICK_RATE + dice.between(-1, 1), Quantizer.MAX_POSITION);
     body[4] =
-        clamp(body[4] + body[7] * 8 / TICK_RATE + dice.between(-1, 1), Quantizer.MAX_POSITION);
-    body[5] = (body[5] + body[8] * 5 / TICK_RATE) & 1023;
+        clamp(body[4] + body[7] * 64 / TICK_RATE + dice.between(-1, 1), Quantizer.MAX_POSITION);
+    body[5] = (body[5] + body[8] * 41 / TICK_RATE) & 1023;
     body[7] = clamp(body[7], Quantizer.MAX_VELOCITY);
   }
 

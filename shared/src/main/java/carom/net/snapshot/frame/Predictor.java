@@ -39,9 +39,9 @@ public final class Predictor {
   public Predictor(int tickRate) {
     this.tickRate = tickRate;
     // Per step of the sum of two velocities: half a mean, in position steps per second; 1024 / (2
-    // pi 32) for angles.
+    // pi 4) for angles.
     long position = (long) (Quantizer.POSITION_STEPS / Quantizer.VELOCITY_STEPS) << (SHIFT - 1);
-    long angle = Math.round(5.092958178940651 * (1L << (SHIFT - 1)));
+    long angle = Math.round(40.743665431525206 * (1L << (SHIFT - 1)));
     for (int age = 0; age < FrameRing.SIZE; age++) {
       positionScale[age] = (position * age + tickRate / 2) / tickRate;
       angleScale[age] = (angle * age + tickRate / 2) / tickRate;

@@ -74,9 +74,9 @@ public class DeltaCodec {
   public static final int NODES = TREE_NODES + TREES * NUMBER_NODES;
 
   /** Position steps that a step of velocity makes in a second, and angle steps, roughly. */
-  private static final int PLACE_RATE = 8;
+  private static final int PLACE_RATE = 64;
 
-  private static final int ANGLE_RATE = 5;
+  private static final int ANGLE_RATE = 41;
 
   static {
     for (int form = 0; form < LONGEST; form++) {

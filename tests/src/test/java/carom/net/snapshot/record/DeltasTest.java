@@ -28,7 +28,7 @@ final class DeltasTest {
   private void frame(int slots) {
     FrameState frame = ring.begin(++tick);
     for (int slot = 0; slot < slots; slot++) {
-      int v = random.nextInt(-20_000, 20_000) >> random.nextInt(16);
+      int v = random.nextInt(-16_000, 16_000) >> random.nextInt(16);
       frame.putQuantized(slot, 1, 1, -1, random.nextInt(100_000), v, v & 1023, v, -v, v >> 3);
     }
     ring.end();

@@ -1,0 +1,58 @@
+package carom.server.room;
+
+import carom.net.protocol.SessionState;
+import carom.server.session.Session;
+import carom.sim.Delivery;
+import carom.sim.message.MessageKind.Direction;
+import java.util.function.Consumer;
+
+/**
+ * Delivers the messages that the game sends to the sessions they are for. A session without a link
+ * gets reliable ones when its client is back. The room's thread.
+ */
+final class Post {
+  private final RoomContext room;
+  private final RoomSessions sessions;
+  private final Consumer<Delivery> deliver = this::deliver;
+
+  Post(RoomContext room, RoomSessions sessions) {
+    this.room = room;
+    this.sessions = sessions;
+  }
+
+  /** Hands the messages of players to the next tick. */
+  void collect() {
+    for (int i = sessions.count() - 1; i >= 0; i--) {
+      sessions.get(i).messages().deliver();
+    }
+  }
+
+  /** Sends what the game has sent since the last call. */
+  void send() {
+    room.simulation().drainMessages(deliver);
+    for (int i = sessions.count() - 1; i >= 0; i--) {
+      sessions.get(i).sendMessages();
+    }
+  }
+
+  private void deliver(Delivery d) {
+    byte[] bytes = room.simulation().messageKinds().encode(d.message(), Direction.FROM_SERVER);
+    for (int i = sessions.count() - 1; i >= 0; i--) {
+      Session session = sessions.get(i);
+      boolean linked = session.state() == SessionState.PLAYING;
+      if (isFor(d, session, linked)) {
+        session.messages().send(d.message(), bytes, linked);
+      }
+    }
+  }
+
+  private static boolean isFor(Delivery d, Session session, boolean linked) {
+    return switch (d.recipients()) {
+      case NOBODY -> false;
+      case ALL -> true;
+      case ONE -> session.player().id() == d.id();
+      case TEAM -> session.player().team() == d.id();
+      case NEAR -> linked && session.replication().sees(d.id());
+    };
+  }
+}

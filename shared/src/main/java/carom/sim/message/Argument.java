@@ -1,0 +1,137 @@
+package carom.sim.message;
+
+import java.util.Arrays;
+
+/**
+ * An argument of a {@link MessageKind}: a name, a type and a range. Numbers of all types are kept
+ * as ints: a real by its float bits, a flag as 0 or 1, a choice by its place.
+ *
+ * @param min least int, or the least real's float bits, or the least length of a text
+ * @param max greatest int, or the greatest real's float bits, or the greatest length of a text
+ * @param constants of a choice, otherwise null
+ */
+record Argument(String name, Type type, int min, int max, Object[] constants) {
+  /** Greatest length of a text, characters. */
+  static final int MAX_TEXT = 290;
+
+  private static final int MAX_CHOICES = 256;
+
+  /** A char takes at most three bytes; what takes four is two chars. */
+  private static final int BYTES_PER_CHAR = 3;
+
+  /** Types of arguments. */
+  enum Type {
+    COUNT,
+    FLAG,
+    REAL,
+    CHOICE,
+    TEXT
+  }
+
+  Argument {
+    if (name.isEmpty() || name.length() > 64) {
+      throw new IllegalArgumentException(
+          "name=\"" + name + "\" of an argument must have 1 to 64 characters");
+    }
+  }
+
+  static Argument count(String name, int min, int max) {
+    if (min > max) {
+      throw new IllegalArgumentException(name + " has the empty range " + min + ".." + max);
+    }
+    return new Argument(name, Type.COUNT, min, max, null);
+  }
+
+  static Argument flag(String name) {
+    return new Argument(name, Type.FLAG, 0, 1, null);
+  }
+
+  static Argument real(String name, float min, float max) {
+    if (!(min <= max && Float.isFinite(min) && Float.isFinite(max))) {
+      throw new IllegalArgumentException(
+          name + " has the range " + min + ".." + max + ", which is empty or not finite");
+    }
+    return new Argument(
+        name, Type.REAL, Float.floatToIntBits(min), Float.floatToIntBits(max), null);
+  }
+
+  static Argument choice(String name, Class<? extends Enum<?>> type) {
+    Object[] constants = type.getEnumConstants();
+    if (constants.length < 1 || constants.length > MAX_CHOICES) {
+      throw new IllegalArgumentException(
+          name + " has constants=" + constants.length + " outside 1.." + MAX_CHOICES);
+    }
+    return new Argument(name, Type.CHOICE, 0, constants.length - 1, constants);
+  }
+
+  static Argument text(String name, int maxLength) {
+    if (maxLength < 1 || maxLength > MAX_TEXT) {
+      throw new IllegalArgumentException(
+          name + " has maxLength=" + maxLength + " outside 1.." + MAX_TEXT);
+    }
+    return new Argument(name, Type.TEXT, 0, maxLength, null);
+  }
+
+  int maxBytes() {
+    return switch (type) {
+      case COUNT -> MessageBytes.size(max - min);
+      case FLAG, CHOICE -> 1;
+      case REAL -> Float.BYTES;
+      case TEXT -> MessageBytes.size(BYTES_PER_CHAR * max) + BYTES_PER_CHAR * max;
+    };
+  }
+
+  /** Puts a developer's value into a message. */
+  void set(Message message, int at, Object value) {
+    boolean fits =
+        switch (type) {
+          case COUNT -> value instanceof Integer i && takes(message, at, i);
+          case FLAG -> value instanceof Boolean b && takes(message, at, b ? 1 : 0);
+          case REAL -> value instanceof Float f && takes(message, at, Float.floatToIntBits(f));
+          case CHOICE ->
+              value instanceof Enum<?> e && takes(message, at, Arrays.asList(constants).indexOf(e));
+          case TEXT -> value instanceof String s && takes(message, at, Texts.clean(s));
+        };
+    if (!fits) {
+      throw new IllegalArgumentException("can't take " + name + "=" + value + "; it is " + this);
+    }
+  }
+
+  /** Puts a number into a message. Returns false when it is out of range. */
+  boolean takes(Message message, int at, int value) {
+    boolean fits =
+        type == Type.REAL
+            ? Float.intBitsToFloat(value) >= Float.intBitsToFloat(min)
+                && Float.intBitsToFloat(value) <= Float.intBitsToFloat(max)
+            : value >= min && value <= max;
+    message.numbers[at] = value;
+    return fits;
+  }
+
+  /** Puts a text into a message. Returns false when it is too long. */
+  boolean takes(Message message, int at, String text) {
+    message.texts[at] = text;
+    return text.length() <= max;
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof Argument a && toString().equals(a.toString());
+  }
+
+  @Override
+  public int hashCode() {
+    return toString().hashCode();
+  }
+
+  @Override
+  public String toString() {
+    return switch (type) {
+      case COUNT -> name + " count " + min + ".." + max;
+      case FLAG -> name + " flag";
+      case REAL -> name + " real " + Float.intBitsToFloat(min) + ".." + Float.intBitsToFloat(max);
+      case CHOICE -> name + " choice " + Arrays.toString(constants);
+      case TEXT -> name + " text " + max;
+    };
+  }
+}

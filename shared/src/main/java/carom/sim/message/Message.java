@@ -1,0 +1,109 @@
+package carom.sim.message;
+
+/**
+ * A message of a {@link MessageKind} with a value for each argument, made by {@link
+ * MessageKind#of}. It never changes; any thread may read it.
+ */
+public final class Message {
+  private final MessageKind kind;
+  final int[] numbers;
+  final String[] texts;
+
+  Message(MessageKind kind) {
+    this.kind = kind;
+    numbers = new int[kind.arguments().size()];
+    texts = new String[numbers.length];
+  }
+
+  /** Returns the kind. */
+  public MessageKind kind() {
+    return kind;
+  }
+
+  /** Returns whether the message is of a kind. */
+  @SuppressWarnings("ReferenceEquality") // a kind is declared once
+  public boolean is(MessageKind other) {
+    return kind == other;
+  }
+
+  /**
+   * Returns an integer.
+   *
+   * @throws IllegalArgumentException when the kind has no count of this name
+   */
+  public int count(String argument) {
+    return numbers[index(argument, Argument.Type.COUNT)];
+  }
+
+  /**
+   * Returns a flag.
+   *
+   * @throws IllegalArgumentException when the kind has no flag of this name
+   */
+  public boolean flag(String argument) {
+    return numbers[index(argument, Argument.Type.FLAG)] != 0;
+  }
+
+  /**
+   * Returns a number.
+   *
+   * @throws IllegalArgumentException when the kind has no real of this name
+   */
+  public float real(String argument) {
+    return Float.intBitsToFloat(numbers[index(argument, Argument.Type.REAL)]);
+  }
+
+  /**
+   * Returns a constant of an enum.
+   *
+   * @throws IllegalArgumentException when the kind has no choice of this name
+   * @throws ClassCastException when the choice is of another enum
+   */
+  public <E extends Enum<E>> E choice(String argument, Class<E> type) {
+    int i = index(argument, Argument.Type.CHOICE);
+    return type.cast(kind.arguments().get(i).constants()[numbers[i]]);
+  }
+
+  /**
+   * Returns a text.
+   *
+   * @throws IllegalArgumentException when the kind has no text of this name
+   */
+  public String text(String argument) {
+    return texts[index(argument, Argument.Type.TEXT)];
+  }
+
+  private int index(String argument, Argument.Type type) {
+    int i = kind.indexOf(argument);
+    if (kind.arguments().get(i).type() != type) {
+      throw kind.refused("has the argument " + kind.arguments().get(i));
+    }
+    return i;
+  }
+
+  /** Returns this message without the characters of its texts that can't be shown. */
+  public Message cleaned() {
+    Message clean = new Message(kind);
+    for (int i = 0; i < numbers.length; i++) {
+      clean.numbers[i] = numbers[i];
+      clean.texts[i] = texts[i] == null ? null : Texts.clean(texts[i]);
+    }
+    return clean;
+  }
+
+  @Override
+  public String toString() {
+    StringBuilder s = new StringBuilder(kind.name());
+    for (int i = 0; i < numbers.length; i++) {
+      Argument a = kind.arguments().get(i);
+      s.append(' ').append(a.name()).append('=');
+      switch (a.type()) {
+        case TEXT -> s.append('"').append(texts[i]).append('"');
+        case REAL -> s.append(Float.intBitsToFloat(numbers[i]));
+        case CHOICE -> s.append(a.constants()[numbers[i]]);
+        default -> s.append(numbers[i]);
+      }
+    }
+    return s.toString();
+  }
+}

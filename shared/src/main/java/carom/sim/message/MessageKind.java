@@ -1,0 +1,231 @@
+package carom.sim.message;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A kind of message between a client and the game at the server, such as a purchase or a vote: its
+ * name, its direction, and its arguments with their ranges. A game declares each kind once, as a
+ * constant, and registers it in {@code Game.setUp}:
+ *
+ * <pre>{@code
+ * static final MessageKind BUY =
+ *     MessageKind.named("buy").fromClient().count("item", 0, 31).text("note", 60);
+ * }</pre>
+ *
+ * <p>Without a direction a kind goes both ways. It is reliable unless {@link #unreliable} says
+ * otherwise. Each method returns another kind and leaves this one as it is. Any thread may use it.
+ */
+public final class MessageKind {
+  /** Largest message in bytes, as its arguments bound it. */
+  public static final int MAX_BYTES = 900;
+
+  /** Largest unreliable message in bytes, so that several fit a datagram. */
+  public static final int MAX_UNRELIABLE_BYTES = 300;
+
+  /** Largest number of arguments. */
+  public static final int MAX_ARGUMENTS = 32;
+
+  /** Messages a second that a client may send unless {@link #atMost} says otherwise. */
+  public static final int DEFAULT_PER_SECOND = 10;
+
+  /** Largest number of messages a second, as many as there are ticks at the fastest rate. */
+  public static final int MAX_PER_SECOND = 240;
+
+  /** Where messages of a kind come from. */
+  public enum Direction {
+    /** From a client to the game. */
+    FROM_CLIENT,
+    /** From the game to clients. */
+    FROM_SERVER,
+    /** Both ways. */
+    BOTH;
+
+    /** Returns whether messages of this direction come from there. */
+    boolean allows(Direction from) {
+      return this == BOTH || this == from;
+    }
+  }
+
+  private final String name;
+  private final Direction direction;
+  private final boolean reliable;
+  private final int perSecond;
+  private final List<Argument> arguments;
+  private final int maxBytes;
+
+  private MessageKind(
+      String name, Direction direction, boolean reliable, int perSecond, List<Argument> arguments) {
+    this.name = name;
+    this.direction = direction;
+    this.reliable = reliable;
+    this.perSecond = perSecond;
+    this.arguments = arguments;
+    int bytes = 1;
+    for (Argument argument : arguments) {
+      bytes += argument.maxBytes();
+    }
+    maxBytes = bytes;
+    int limit = reliable ? MAX_BYTES : MAX_UNRELIABLE_BYTES;
+    if (maxBytes > limit) {
+      throw refused("has bytes=" + maxBytes + ", limit=" + limit + "; shorten its texts");
+    }
+  }
+
+  /**
+   * Begins a kind without arguments that goes both ways, reliably.
+   *
+   * @param name unique in the game, 1..64 characters
+   * @throws IllegalArgumentException when the name is empty or too long
+   */
+  public static MessageKind named(String name) {
+    if (name.isEmpty() || name.length() > 64) {
+      throw new IllegalArgumentException(
+          "name=\"" + name + "\" of a message kind must have 1 to 64 characters");
+    }
+    return new MessageKind(name, Direction.BOTH, true, DEFAULT_PER_SECOND, List.of());
+  }
+
+  /** Returns this kind, sent by clients only. */
+  public MessageKind fromClient() {
+    return new MessageKind(name, Direction.FROM_CLIENT, reliable, perSecond, arguments);
+  }
+
+  /** Returns this kind, sent by the game at the server only. */
+  public MessageKind fromServer() {
+    return new MessageKind(name, Direction.FROM_SERVER, reliable, perSecond, arguments);
+  }
+
+  /**
+   * Returns this kind, sent in datagrams: quick, at most once, and lost when the datagram is lost
+   * or overtaken by a newer one. It suits what the next message replaces, such as a pointer.
+   *
+   * @throws IllegalArgumentException when it may be larger than {@value #MAX_UNRELIABLE_BYTES}
+   *     bytes
+   */
+  public MessageKind unreliable() {
+    return new MessageKind(name, direction, false, perSecond, arguments);
+  }
+
+  /**
+   * Returns this kind with another limit on what one client may send. What exceeds it is dropped.
+   *
+   * @param messagesPerSecond 1..{@value #MAX_PER_SECOND}
+   * @throws IllegalArgumentException when the number is out of range
+   */
+  public MessageKind atMost(int messagesPerSecond) {
+    if (messagesPerSecond < 1 || messagesPerSecond > MAX_PER_SECOND) {
+      throw refused("has atMost=" + messagesPerSecond + " outside 1.." + MAX_PER_SECOND);
+    }
+    return new MessageKind(name, direction, reliable, messagesPerSecond, arguments);
+  }
+
+  /** Returns this kind with one more argument, an integer min..max, inclusive. */
+  public MessageKind count(String argument, int min, int max) {
+    return with(Argument.count(argument, min, max));
+  }
+
+  /** Returns this kind with one more argument, true or false. */
+  public MessageKind flag(String argument) {
+    return with(Argument.flag(argument));
+  }
+
+  /** Returns this kind with one more argument, a number min..max, inclusive. */
+  public MessageKind real(String argument, float min, float max) {
+    return with(Argument.real(argument, min, max));
+  }
+
+  /** Returns this kind with one more argument, a constant of an enum. */
+  public <E extends Enum<E>> MessageKind choice(String argument, Class<E> type) {
+    return with(Argument.choice(argument, type));
+  }
+
+  /** Returns this kind with one more argument, a text of at most so many characters. */
+  public MessageKind text(String argument, int maxLength) {
+    return with(Argument.text(argument, maxLength));
+  }
+
+  private MessageKind with(Argument argument) {
+    for (Argument other : arguments) {
+      if (other.name().equals(argument.name())) {
+        throw refused("has two arguments " + argument.name() + "; rename one");
+      }
+    }
+    if (arguments.size() == MAX_ARGUMENTS) {
+      throw refused("has more than " + MAX_ARGUMENTS + " arguments");
+    }
+    List<Argument> more = new ArrayList<>(arguments);
+    more.add(argument);
+    return new MessageKind(name, direction, reliable, perSecond, List.copyOf(more));
+  }
+
+  /**
+   * Returns a message of this kind. Characters that can't be shown are removed from texts.
+   *
+   * @param values one for each argument, in the order of the declaration: Integer, Boolean, Float,
+   *     a constant, String
+   * @throws IllegalArgumentException when a value is missing, of another type or out of range
+   */
+  public Message of(Object... values) {
+    if (values.length != arguments.size()) {
+      throw refused("takes arguments=" + arguments.size() + ", not " + values.length);
+    }
+    Message message = new Message(this);
+    for (int i = 0; i < values.length; i++) {
+      try {
+        arguments.get(i).set(message, i, values[i]);
+      } catch (IllegalArgumentException e) {
+        throw refused(e.getMessage());
+      }
+    }
+    return message;
+  }
+
+  /** Returns the name. */
+  public String name() {
+    return name;
+  }
+
+  /** Returns who may send it. */
+  public Direction direction() {
+    return direction;
+  }
+
+  /** Returns whether each message arrives, in order. */
+  public boolean isReliable() {
+    return reliable;
+  }
+
+  /** Returns how many messages a second one client may send, in the long run. */
+  public int perSecond() {
+    return perSecond;
+  }
+
+  /** Returns the size of the largest message, in bytes. */
+  public int maxBytes() {
+    return maxBytes;
+  }
+
+  List<Argument> arguments() {
+    return arguments;
+  }
+
+  int indexOf(String argument) {
+    for (int i = 0; i < arguments.size(); i++) {
+      if (arguments.get(i).name().equals(argument)) {
+        return i;
+      }
+    }
+    throw refused("has no argument " + argument + "; it has " + arguments);
+  }
+
+  IllegalArgumentException refused(String why) {
+    return new IllegalArgumentException("message kind " + name + " " + why);
+  }
+
+  /** Returns everything that client and server must agree on, in one line. */
+  @Override
+  public String toString() {
+    return name + " " + direction + (reliable ? " reliable " : " unreliable ") + arguments;
+  }
+}

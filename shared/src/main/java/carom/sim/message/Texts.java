@@ -1,0 +1,51 @@
+package carom.sim.message;
+
+/** Rule for texts of players, which appear on other players' screens. */
+final class Texts {
+  /** Most accents and other marks on one character; more would spill over other lines. */
+  private static final int MAX_MARKS = 3;
+
+  private Texts() {}
+
+  /**
+   * Returns a text without what can't be shown or would change how its neighbours are shown:
+   * control and format characters, line ends, lone surrogates, heaps of accents. Line ends and tabs
+   * become spaces.
+   */
+  static String clean(String text) {
+    StringBuilder clean = null; // made only for texts that aren't clean
+    int marks = 0;
+    for (int i = 0, next; i < text.length(); i = next) {
+      int point = text.codePointAt(i);
+      next = i + Character.charCount(point);
+      marks = isMark(point) ? marks + 1 : 0;
+      boolean space = isLineEnd(point);
+      boolean keep = !space && !isHidden(point) && marks <= MAX_MARKS;
+      if (!keep && clean == null) {
+        clean = new StringBuilder(text.length()).append(text, 0, i);
+      }
+      if (clean != null && (keep || space)) {
+        clean.appendCodePoint(keep ? point : ' ');
+      }
+    }
+    return clean == null ? text : clean.toString();
+  }
+
+  private static boolean isLineEnd(int point) {
+    return point == '\n' || point == '\r' || point == '\t' || point == 0x2028 || point == 0x2029;
+  }
+
+  private static boolean isHidden(int point) {
+    return switch (Character.getType(point)) {
+      case Character.CONTROL, Character.FORMAT, Character.SURROGATE, Character.PRIVATE_USE -> true;
+      default -> false;
+    };
+  }
+
+  private static boolean isMark(int point) {
+    int type = Character.getType(point);
+    return type == Character.NON_SPACING_MARK
+        || type == Character.ENCLOSING_MARK
+        || type == Character.COMBINING_SPACING_MARK;
+  }
+}
