@@ -77,11 +77,6 @@ public final class GuardedGame implements Game {
   }
 
   @Override
-  public int memorySize(Level level) {
-    return game.memorySize(level);
-  }
-
-  @Override
   public boolean keepsMore() {
     return game.keepsMore();
   }

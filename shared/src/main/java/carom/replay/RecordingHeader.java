@@ -4,9 +4,12 @@ import carom.game.Games;
 import carom.game.GuardedGame;
 import carom.sim.Role;
 import carom.sim.Simulation;
+import carom.sim.field.Schema;
 import carom.sim.level.Level;
 import carom.sim.level.LevelException;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Objects;
 
 /**
@@ -20,6 +23,7 @@ import java.util.Objects;
  * @param level the level file; it is not copied, so don't change it
  * @param seed start of the random numbers
  * @param tickRate ticks per second, 1..1000
+ * @param fields declarations of the game's fields, see {@link Schema#lines}
  */
 @SuppressWarnings("ArrayRecordComponent") // equals and hashCode compare its content
 public record RecordingHeader(
@@ -29,8 +33,15 @@ public record RecordingHeader(
     long levelHash,
     byte[] level,
     long seed,
-    int tickRate) {
+    int tickRate,
+    List<String> fields) {
   private static final int MAX_NAME_BYTES = 256;
+  private static final int MAX_LINE_BYTES = 1 << 16;
+
+  /** Creates a header. The list is copied. */
+  public RecordingHeader {
+    fields = List.copyOf(fields);
+  }
 
   /** Returns the header for a simulation. */
   public static RecordingHeader of(Simulation s, long seed, long physicsDigest) {
@@ -42,19 +53,26 @@ public record RecordingHeader(
         level.contentHash(),
         level.source(),
         seed,
-        s.tickRate());
+        s.tickRate(),
+        s.schema().lines());
   }
 
   /**
    * Builds the recorded game's simulation at tick 0. As on the server that recorded, a failure of
    * the game's code doesn't stop the simulation.
    *
-   * @throws RecordingException when this build has no such game, or the level is invalid
+   * @throws RecordingException when this build has no such game, the game has other fields here, or
+   *     the level is invalid
    */
   public Simulation start() throws RecordingException {
     try {
       Level parsed = Level.parse(levelName, level);
       GuardedGame rules = new GuardedGame(Games.create(game), (callback, s, failure) -> {});
+      String difference = Schema.of(rules.fields()).difference(fields);
+      if (difference != null) {
+        throw new RecordingException(
+            "game " + game + " has other fields than the recording: " + difference);
+      }
       return new Simulation(rules, parsed, seed, tickRate, Role.AUTHORITY);
     } catch (LevelException | RuntimeException e) {
       throw new RecordingException("the recorded game can't be built: " + e.getMessage());
@@ -70,6 +88,10 @@ public record RecordingHeader(
     out.i64(levelHash);
     out.varint(level.length);
     out.bytes(level, level.length);
+    out.varint(fields.size());
+    for (String line : fields) {
+      out.text(line);
+    }
   }
 
   static RecordingHeader read(ByteSource in) throws RecordingException {
@@ -80,7 +102,12 @@ public record RecordingHeader(
     String levelName = in.text("level name", MAX_NAME_BYTES);
     long levelHash = in.i64();
     byte[] level = in.bytes(in.varint("level size", 0, Level.MAX_BYTES));
-    return new RecordingHeader(digest, game, levelName, levelHash, level, seed, tickRate);
+    int count = in.varint("fields", 0, Schema.MAX_FIELDS);
+    List<String> fields = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      fields.add(in.text("field", MAX_LINE_BYTES));
+    }
+    return new RecordingHeader(digest, game, levelName, levelHash, level, seed, tickRate, fields);
   }
 
   @Override
@@ -92,12 +119,13 @@ public record RecordingHeader(
         && levelHash == h.levelHash
         && Arrays.equals(level, h.level)
         && seed == h.seed
-        && tickRate == h.tickRate;
+        && tickRate == h.tickRate
+        && fields.equals(h.fields);
   }
 
   @Override
   public int hashCode() {
-    return Objects.hash(physicsDigest, game, levelHash, seed, tickRate);
+    return Objects.hash(physicsDigest, game, levelHash, seed, tickRate, fields);
   }
 
   @Override

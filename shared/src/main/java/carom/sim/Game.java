@@ -14,9 +14,9 @@ import java.util.List;
  * The rules of a game. Implement it, name it in a level file and list it as a service, and it is a
  * multiplayer game. {@code docs/GAMES.md} is the tutorial.
  *
- * <p>One instance serves one simulation. Fields may hold what {@link #setUp} found (archetypes,
- * zones, scratch objects). Everything that changes while playing belongs into {@link
- * Player#memory}, {@link Simulation#memory} or the world, where it is hashed, saved and restored.
+ * <p>One instance serves one simulation. Variables may hold what {@link #setUp} found (archetypes,
+ * zones, scratch objects). Everything that changes while playing belongs into {@link #fields} or
+ * the world, where it is hashed, saved and restored.
  *
  * <p>All methods run on the simulation's thread. {@code setUp}, {@code input}, {@code forces},
  * {@code collision} and {@code hit} run on server and client and must do the same there. The rest
@@ -47,13 +47,8 @@ public interface Game {
     return List.of();
   }
 
-  /** Returns how many ints of {@link Simulation#memory} the game needs in a level, 0..65536. */
-  default int memorySize(Level level) {
-    return 16;
-  }
-
   /**
-   * Returns whether the game keeps changing state outside of {@link Simulation#memory}, players and
+   * Returns whether the game keeps changing state outside of its {@link #fields}, players and
    * entities. A saved state of such a game is incomplete, so its recordings begin at tick 0 and are
    * computed from there. Games should avoid this.
    */
@@ -101,7 +96,7 @@ public interface Game {
 
   /**
    * Turns a player's commands into forces; both roles, each tick before the world steps, for each
-   * player with a body, in order of ids. It may change only the player, its memory and its body,
+   * player with a body, in order of ids. It may change only the player, its fields and its body,
    * and may read contacts.
    */
   void input(Simulation s, Player p, Input in);
@@ -153,8 +148,8 @@ public interface Game {
 
   /**
    * Returns whether a touching pair collides in this tick; both roles, during the step. It may read
-   * entities and the memory of their owners, and must change nothing. The default lets bodies pass
-   * one-way platforms from below.
+   * entities, their fields and those of their owners, and must change nothing. The default lets
+   * bodies pass one-way platforms from below.
    */
   default boolean collision(Simulation s, Collision<Entity> c) {
     return OneWay.responds(s, c);

@@ -1,7 +1,6 @@
 package carom.sim;
 
 import carom.physics.BodyType;
-import carom.physics.math.StateHash;
 import carom.physics.rows.BodyRow;
 import carom.sim.ruling.Findings;
 import carom.sim.ruling.Habit;
@@ -270,22 +269,11 @@ public final class InterferenceLog {
   }
 
   private static long bodyStamp(Player player) {
-    return memoryStamp(player.body.body().stamp(), player);
+    return player.body.body().stamp();
   }
 
-  private long stamp(Entity entity) {
-    Player owner = players.get(entity.ownerId());
-    boolean isBody = owner != null && owner.body == entity;
-    long joints = entity.body().jointStamp();
-    return isBody ? memoryStamp(joints, owner) : joints;
-  }
-
-  private static long memoryStamp(long hash, Player player) {
-    long h = hash;
-    for (int value : player.memory()) {
-      h = StateHash.mix(h, value);
-    }
-    return h;
+  private static long stamp(Entity entity) {
+    return entity.body().jointStamp();
   }
 
   private static Mark find(Mark[] marks, int id, Object subject) {

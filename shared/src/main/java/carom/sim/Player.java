@@ -11,9 +11,6 @@ import carom.sim.history.PoseHistory;
  * Simulation} and its thread.
  */
 public final class Player extends FieldHolder<Entity, Player> {
-  /** Number of ints of {@link #memory}. */
-  public static final int MEMORY_SIZE = 4;
-
   /** Number of parts of a tick in which {@link #viewDelay} counts. */
   public static final int VIEW_STEPS = PoseHistory.STEPS_PER_TICK;
 
@@ -25,7 +22,6 @@ public final class Player extends FieldHolder<Entity, Player> {
   private final String name;
   private final FieldValues fields;
   private final Input input = new Input();
-  private final int[] memory = new int[MEMORY_SIZE];
   private int viewDelay;
   private int score;
   private int team;
@@ -76,11 +72,6 @@ public final class Player extends FieldHolder<Entity, Player> {
    */
   public void viewDelay(int steps) {
     viewDelay = Math.max(0, Math.min(MAX_VIEW_DELAY, steps));
-  }
-
-  /** Returns four ints for the game's own use in {@link Game#input}; {@link #get} replaces them. */
-  public int[] memory() {
-    return memory;
   }
 
   /** Returns the points. */

@@ -54,9 +54,6 @@ final class PlayerTable {
         h = SimRandom.mix(h, ((long) p.score() << 32) | (p.team() & 0xffffffffL));
         h = SimRandom.mix(h, p.input().pack() | (long) p.viewDelay() << Input.PACKED_BITS);
         h = p.fieldValues().hash(h);
-        for (int value : p.memory()) {
-          h = SimRandom.mix(h, value);
-        }
       }
     }
     return h;
@@ -75,7 +72,6 @@ final class PlayerTable {
         s.inputs[i] = p.input().pack();
         s.viewDelays[i] = p.viewDelay();
         s.fields.save(p.fieldValues(), i);
-        System.arraycopy(p.memory(), 0, s.playerMemory, i * Player.MEMORY_SIZE, Player.MEMORY_SIZE);
       }
     }
   }
@@ -91,7 +87,6 @@ final class PlayerTable {
         p.body = s.bodies[i];
         p.restore(s.scores[i], s.teams[i], s.inputs[i], s.viewDelays[i]);
         s.fields.restore(p.fieldValues(), i);
-        System.arraycopy(s.playerMemory, i * Player.MEMORY_SIZE, p.memory(), 0, Player.MEMORY_SIZE);
       }
     }
   }

@@ -26,7 +26,6 @@ public final class SimState {
   WorldState world;
   int tick;
   long random;
-  int[] memory;
   int playerLimit;
   Player[] players = {};
   Entity[] bodies = {};
@@ -34,7 +33,6 @@ public final class SimState {
   int[] teams = {};
   long[] inputs = {};
   int[] viewDelays = {};
-  int[] playerMemory = {};
   int entityCount;
   int entityCapacity;
   Entity[] entities = {};
@@ -54,7 +52,6 @@ public final class SimState {
   SimState(Simulation owner) {
     this.owner = owner;
     fields = new SavedFields(owner.schema());
-    memory = new int[owner.memory().length];
   }
 
   /** Sets a number above all ids of players, and forgets the players beyond it. */
@@ -67,7 +64,6 @@ public final class SimState {
       teams = Arrays.copyOf(teams, grown);
       inputs = Arrays.copyOf(inputs, grown);
       viewDelays = Arrays.copyOf(viewDelays, grown);
-      playerMemory = Arrays.copyOf(playerMemory, grown * Player.MEMORY_SIZE);
     }
     Arrays.fill(players, limit, Math.max(limit, playerLimit), null);
     playerLimit = limit;
@@ -130,10 +126,6 @@ public final class SimState {
     fields.pass(a, Scope.MATCH, 0);
     tick = a.integer("tick", tick, 0, Integer.MAX_VALUE);
     random = a.bits("random", random);
-    int size = owner.memory().length;
-    int stored = a.count("memory", size, size, Integer.BYTES);
-    a.require(stored == size, "memory=" + stored + " ints, this game has " + size);
-    a.integers("memory", memory, size, Integer.MIN_VALUE, Integer.MAX_VALUE);
     passEntities(a);
     joints.pass(a);
     limitPlayers(a.count("players", playerLimit, Simulation.MAX_PLAYERS, Integer.BYTES));
@@ -171,9 +163,6 @@ public final class SimState {
     inputs[id] = a.bits("input", inputs[id]);
     viewDelays[id] = a.integer("view delay", viewDelays[id], 0, Player.MAX_VIEW_DELAY);
     fields.pass(a, Scope.PLAYER, id);
-    for (int i = id * Player.MEMORY_SIZE; i < (id + 1) * Player.MEMORY_SIZE; i++) {
-      playerMemory[i] = a.integer("player's memory", playerMemory[i], least, most);
-    }
   }
 
   private void passEntities(Archive a) {

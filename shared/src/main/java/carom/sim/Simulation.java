@@ -92,7 +92,6 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   private final World<Entity> world;
   private final Archetypes archetypes = new Archetypes();
   private final SimRandom random;
-  private final int[] memory;
   private final FieldStore fields;
 
   /** What notes how the game uses its fields; null on PREDICTION. */
@@ -153,7 +152,6 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     this.role = role;
     calls = new CallRules(role);
     random = new SimRandom(seed);
-    memory = new int[game.memorySize(level)];
     world = new World<>(game.world(level));
     world.listener(new Listener());
     areas =
@@ -298,11 +296,6 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   public SimRandom random() {
     calls.requireOutsideForces("random");
     return random;
-  }
-
-  /** Returns the game's own ints, {@link Game#memorySize} of them; {@link #get} replaces them. */
-  public int[] memory() {
-    return memory;
   }
 
   /**
@@ -1009,16 +1002,13 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   }
 
   /**
-   * Returns 64 bits of everything that decides the future: tick, world, random numbers, memory,
-   * fields, players with score, team, memory and input, entities with archetype, owner and tag.
-   * Equal runs have equal hashes.
+   * Returns 64 bits of everything that decides the future: tick, world, random numbers, fields,
+   * players with score, team and input, entities with archetype, owner and tag. Equal runs have
+   * equal hashes.
    */
   public long stateHash() {
     long h = SimRandom.mix(world.stateHash(), tick);
     h = SimRandom.mix(h, random.state());
-    for (int value : memory) {
-      h = SimRandom.mix(h, value);
-    }
     return joints.hash(entities.hash(players.hash(match.hash(h))));
   }
 
@@ -1034,7 +1024,6 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     s.world = world.save(s.world);
     s.tick = tick;
     s.random = random.state();
-    System.arraycopy(memory, 0, s.memory, 0, memory.length);
     s.fields.save(match, 0);
     players.save(s);
     entities.save(s);
@@ -1056,7 +1045,6 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     received.clear();
     tick = s.tick;
     random.state(s.random);
-    System.arraycopy(s.memory, 0, memory, 0, memory.length);
     s.fields.restore(match, 0);
     players.restore(s);
     entities.restore(s);

@@ -11,6 +11,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
+import carom.sim.field.Count;
+import carom.sim.field.Field;
+import carom.sim.field.Flag;
+import carom.sim.field.Ratio;
+import carom.sim.field.Scope;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
@@ -22,6 +27,10 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class SimulationTest {
+  private static final Count STEPS = Field.count("steps", 0, 1_000_000);
+  private static final Flag DOOR = Field.flag("door").of(Scope.MATCH);
+  private static final Ratio FUEL = Field.ratio("fuel").of(Scope.ENTITY);
+
   /** Does nothing but register one kind. */
   private static final class Quiet implements Game {
     Archetype disc;
@@ -34,6 +43,11 @@ class SimulationTest {
     @Override
     public String defaultLevel() {
       return "quiet";
+    }
+
+    @Override
+    public List<Field<?>> fields() {
+      return List.of(STEPS, DOOR, FUEL);
     }
 
     @Override
@@ -50,7 +64,7 @@ class SimulationTest {
 
     @Override
     public void input(Simulation s, Player p, Input in) {
-      p.memory()[0]++;
+      p.add(STEPS, 1);
     }
   }
 
@@ -144,9 +158,10 @@ class SimulationTest {
     Player p = s.join("ann");
     changes.add(() -> p.score(1));
     changes.add(() -> p.team(2));
-    changes.add(() -> p.memory()[3] = 7);
+    changes.add(() -> p.set(STEPS, 7));
     changes.add(() -> p.input().hold(Input.JUMP, true));
-    changes.add(() -> s.memory()[15] = 1);
+    changes.add(() -> s.set(DOOR, true));
+    changes.add(() -> p.body().set(FUEL, 0.5f));
     changes.add(() -> s.random().nextLong());
     changes.add(() -> p.body().tag(4));
     changes.add(() -> p.body().body().setVelocity(1, 0));

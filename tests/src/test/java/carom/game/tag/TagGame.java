@@ -1,5 +1,8 @@
 package carom.game.tag;
 
+import static carom.sim.event.Audience.ALL;
+import static carom.sim.field.Scope.MATCH;
+
 import carom.physics.Body;
 import carom.physics.Material;
 import carom.physics.geometry.Circle;
@@ -8,15 +11,19 @@ import carom.sim.Game;
 import carom.sim.Input;
 import carom.sim.Player;
 import carom.sim.Simulation;
+import carom.sim.field.Countdown;
+import carom.sim.field.Field;
+import carom.sim.field.PlayerRef;
 import carom.sim.level.Appearance;
 import carom.sim.level.Archetype;
 import carom.sim.level.ArchetypeDef;
 import carom.sim.level.Level;
+import java.util.List;
 
 /** The player who is "it" passes it on by a touch. All others gain a point a second. */
 public final class TagGame implements Game {
-  private static final int IT = 0; // simulation memory: player id + 1, 0 = nobody
-  private static final int GRACE = 1; // the tick from which a touch counts
+  private static final PlayerRef IT = Field.player("it").of(MATCH).to(ALL);
+  private static final Countdown GRACE = Field.countdown("grace").of(MATCH).to(ALL);
 
   private Archetype runner;
   private Archetype chaser;
@@ -29,6 +36,11 @@ public final class TagGame implements Game {
   @Override
   public String defaultLevel() {
     return "tag";
+  }
+
+  @Override
+  public List<Field<?>> fields() {
+    return List.of(IT, GRACE);
   }
 
   @Override
@@ -48,15 +60,8 @@ public final class TagGame implements Game {
   public void join(Simulation s, Player p) {
     Level.Spawn spot = s.level().spawns("player").get(0);
     s.spawn(runner, spot.x() + s.random().between(-3, 3), spot.y(), 0, p);
-    if (s.memory()[IT] == 0) {
+    if (s.get(IT) == null) {
       makeIt(s, p);
-    }
-  }
-
-  @Override
-  public void leave(Simulation s, Player p) {
-    if (s.memory()[IT] == p.id() + 1) {
-      s.memory()[IT] = 0;
     }
   }
 
@@ -68,13 +73,13 @@ public final class TagGame implements Game {
 
   @Override
   public void afterStep(Simulation s) {
-    Player it = s.player(s.memory()[IT] - 1);
+    Player it = s.get(IT);
     for (int id = 0; id < s.playerCapacity(); id++) {
       Player p = s.player(id);
       if (p == null || p == it) {
         continue;
       }
-      if (it == null || (s.tick() >= s.memory()[GRACE] && touches(it, p))) {
+      if (it == null || (s.get(GRACE) == 0 && touches(it, p))) {
         makeIt(s, p);
         it = p;
       } else if (s.tick() % s.tickRate() == 0) {
@@ -91,13 +96,12 @@ public final class TagGame implements Game {
 
   /** A look belongs to an archetype, so both players get another body where they stand. */
   private void makeIt(Simulation s, Player p) {
-    Player before = s.player(s.memory()[IT] - 1);
-    if (before != null) {
-      replaceBody(s, before, runner);
+    if (s.get(IT) != null) {
+      replaceBody(s, s.get(IT), runner);
     }
     replaceBody(s, p, chaser);
-    s.memory()[IT] = p.id() + 1;
-    s.memory()[GRACE] = s.tick() + s.ticks(1.5f);
+    s.set(IT, p);
+    s.set(GRACE, s.ticks(1.5f)); // counts down by itself
     s.notice(p.name() + " is it!");
   }
 
