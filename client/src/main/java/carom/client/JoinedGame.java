@@ -119,7 +119,7 @@ final class JoinedGame {
     events =
         new EventReceiver(
             simulation, welcome.playerId(), prediction != null, repeats, stats, listener);
-    repeats.beginLink(welcome.tick());
+    repeats.beginLink(welcome.match(), welcome.tick());
     sender =
         new InputSender(
             config, welcome.datagramKey(), tickRate, decoder, prediction, stats, connection);

@@ -129,9 +129,9 @@ final class GameWarmup {
                 schema.toldWords(Scope.PLAYER),
                 new TableInbox(tables.layouts().toArray(new TableLayout[0])));
         decoder.gravity(level.gravityX(), level.gravityY());
-        link.send(new ClientMessage.LevelRequest(0));
+        link.send(new ClientMessage.LevelRequest(welcome.datagramKey(), 0));
       } else if (message instanceof ServerMessage.LevelChunk) {
-        link.send(new ClientMessage.Ready(schema.digest()));
+        link.send(new ClientMessage.Ready(datagram.key, schema.digest()));
         playing = true;
       }
     }

@@ -58,6 +58,11 @@ final class RoomInspector implements RoomMXBean {
   }
 
   @Override
+  public String change(String game, String level) {
+    return room.operator().change(game == null ? "" : game, level == null ? "" : level);
+  }
+
+  @Override
   public String record(String target) {
     if (target == null || target.isBlank()) {
       return "target is empty; name a file that is not there yet, or a folder";

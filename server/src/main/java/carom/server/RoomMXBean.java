@@ -33,6 +33,16 @@ public interface RoomMXBean {
   String kick(int player, String text);
 
   /**
+   * Goes on with another game or level. Players and their links stay.
+   *
+   * @param game name of the game; empty for the one that the level is made for
+   * @param level level file, or the name of a level that comes with the program; empty for the
+   *     default level of the game
+   * @return what the room plays now, or why it goes on as it is
+   */
+  String change(String game, String level);
+
+  /**
    * Begins to record the game.
    *
    * @param target a new file, or a folder in which the server creates one; relative to the server's

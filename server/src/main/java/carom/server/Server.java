@@ -3,13 +3,16 @@ package carom.server;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.transport.ServerTransport;
 import carom.physics.threads.WorkerThreads;
+import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.lobby.Lobby;
+import carom.server.match.HandedInMatch;
+import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
-import carom.server.recording.DelayedRecording;
 import carom.server.recording.RecordingFile;
 import carom.server.recording.RotatingRecording;
 import carom.server.recording.RotationLimit;
+import carom.server.recording.ShownRecordings;
 import carom.server.room.Room;
 import carom.server.session.Seats;
 import carom.sim.Game;
@@ -21,6 +24,8 @@ import java.security.SecureRandom;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
@@ -66,8 +71,9 @@ public final class Server implements AutoCloseable {
   private final List<Room> rooms;
   private final Lobby lobby;
   private final StatusLine status;
-  private final List<DelayedRecording> recordings = new ArrayList<>();
+  private final List<ShownRecordings> recordings = new ArrayList<>();
   private final List<RotatingRecording> rotations = new ArrayList<>();
+  private ExecutorService loader;
   private final List<Worker> workers = new ArrayList<>();
   private final CountDownLatch ended = new CountDownLatch(1);
   private long nextStatusNs;
@@ -94,6 +100,31 @@ public final class Server implements AutoCloseable {
       Level level,
       ServerTransport transport,
       LongSupplier clock) {
+    this(
+        config,
+        RoomConfig.equalRooms(config, List.of(level.name())),
+        new HandedInMatch(games, level),
+        transport,
+        clock);
+  }
+
+  /**
+   * Builds the first match of each room. The server accepts no link before it is driven.
+   *
+   * @param config the settings that all rooms share
+   * @param roomConfigs one for each room, with different names
+   * @param library finds games and levels, for the first matches and for those that follow
+   * @param transport accepts links; owned by the server from now on
+   * @param clock as above
+   * @throws IllegalArgumentException when a room's first match can't be played; the message says
+   *     why
+   */
+  public Server(
+      ServerConfig config,
+      List<RoomConfig> roomConfigs,
+      MatchLibrary library,
+      ServerTransport transport,
+      LongSupplier clock) {
     this.config = config;
     this.transport = transport;
     this.clock = clock;
@@ -101,14 +132,16 @@ public final class Server implements AutoCloseable {
         config.threads() == 1 ? null : new WorkerThreads(config.threads(), System::nanoTime);
     SecureRandom random = new SecureRandom();
     List<Room> built = new ArrayList<>();
-    for (int number = 1; number <= config.rooms(); number++) {
-      Seats seats = new Seats(config.maxPlayers(), random::nextLong);
-      Room room = new Room(config, number, games.get(), level, clock, seats);
+    for (RoomConfig each : roomConfigs) {
+      Seats seats = new Seats(each.places(), random::nextLong);
+      boolean alone = roomConfigs.size() == 1;
+      int number = built.size() + 1;
+      Room room = new Room(config, number, alone, each, library, this::load, clock, seats);
       room.helpedBy(helpers);
       built.add(room);
     }
     this.rooms = List.copyOf(built);
-    this.lobby = new Lobby(config, transport, rooms, level, random::nextLong);
+    this.lobby = new Lobby(config, transport, rooms);
     this.status = new StatusLine(rooms, config, clock.getAsLong());
   }
 
@@ -127,10 +160,9 @@ public final class Server implements AutoCloseable {
           "target=" + target + " is no folder; rooms=" + rooms.size() + " need one");
     }
     for (Room room : rooms) {
-      int number = rooms.size() == 1 ? 0 : room.number();
-      record(room, RecordingFile.fileFor(target, config.gameName(), number), false);
+      record(room, target, false);
     }
-    return recordings.stream().map(recording -> recording.file().path()).toList();
+    return recordings.stream().flatMap(recording -> recording.paths().stream()).toList();
   }
 
   /**
@@ -146,20 +178,50 @@ public final class Server implements AutoCloseable {
    */
   public void recordRotating(Path folder, RotationLimit limit, int keep) throws IOException {
     for (Room room : rooms) {
-      int number = rooms.size() == 1 ? 0 : room.number();
-      RotatingRecording files =
-          new RotatingRecording(
-              () -> RecordingFile.fileFor(folder, config.gameName(), number), limit, keep);
+      RotatingRecording files = new RotatingRecording(() -> file(folder, room), limit, keep);
       rotations.add(files);
       room.record(files);
     }
   }
 
-  private void record(Room room, Path path, boolean temporary) throws IOException {
-    DelayedRecording recording =
-        new DelayedRecording(new RecordingFile(path), room.simulation()::tick, temporary);
-    recordings.add(recording);
-    room.record(recording);
+  private void record(Room room, Path target, boolean temporary) throws IOException {
+    ShownRecordings shown =
+        new ShownRecordings(number -> path(target, room, number), room::age, temporary);
+    recordings.add(shown);
+    room.record(shown);
+  }
+
+  /** Returns the path of a room's next recording, free but for that of the first match. */
+  private Path path(Path target, Room room, int number) {
+    Path path = file(target, room);
+    return number == 1 ? path : RecordingFile.free(path);
+  }
+
+  private Path file(Path target, Room room) {
+    int number = rooms.size() == 1 ? 0 : room.number();
+    return RecordingFile.fileFor(target, room.match().game(), number);
+  }
+
+  /** Runs what builds a match: beside the rooms' threads, or at once if the caller drives us. */
+  private void load(Runnable task) {
+    if (started) {
+      loader().execute(task);
+    } else {
+      task.run();
+    }
+  }
+
+  private synchronized ExecutorService loader() {
+    if (loader == null) {
+      loader =
+          Executors.newSingleThreadExecutor(
+              task -> {
+                Thread thread = new Thread(task, "carom-loader");
+                thread.setDaemon(true);
+                return thread;
+              });
+    }
+    return loader;
   }
 
   /**
@@ -178,9 +240,7 @@ public final class Server implements AutoCloseable {
       Path folder = Files.createTempDirectory("carom");
       folder.toFile().deleteOnExit();
       for (Room room : rooms) {
-        Path path = RecordingFile.fileFor(folder, config.gameName(), room.number());
-        path.toFile().deleteOnExit();
-        record(room, path, true);
+        record(room, folder, true);
       }
     }
     recordings.forEach(recording -> recording.delay(delaySeconds * config.tickRateHz()));
@@ -374,11 +434,14 @@ public final class Server implements AutoCloseable {
       lobby.closeLinks();
       rooms.forEach(Room::closeLinks);
     }
+    if (loader != null) {
+      loader.shutdownNow();
+    }
     if (helpers != null) {
       helpers.close();
     }
     rooms.forEach(Room::awaitRecording);
-    recordings.forEach(DelayedRecording::close);
+    recordings.forEach(ShownRecordings::close);
     rotations.forEach(RotatingRecording::close);
     transport.close();
     ended.countDown();

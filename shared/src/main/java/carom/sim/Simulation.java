@@ -121,6 +121,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   private int tick;
   private boolean inTick;
   private Journal journal;
+  private NextMatch nextMatch;
 
   /** What is known of the server's rules, on PREDICTION; may be null. */
   private Rulings rulings;
@@ -645,12 +646,28 @@ public final class Simulation extends FieldHolder<Entity, Player> {
    *     range
    */
   public Player join(int id, String name) {
+    return join(id, name, 0, 0);
+  }
+
+  /**
+   * Adds a player who brings a team and a score from the match before. {@link Game#join} finds them
+   * set.
+   *
+   * @throws IllegalStateException as {@link #join(int, String)}
+   */
+  public Player join(int id, String name, int team, int score) {
     calls.requireAuthority("join");
     requireFree(id);
     if (journal != null) {
+      if (team != 0 || score != 0) {
+        throw new IllegalStateException(
+            "a journal can't tell what " + name + " brings: team=" + team + " score=" + score);
+      }
       journal.joining(this, id, name);
     }
     Player player = newPlayer(id, name);
+    player.team(team);
+    player.score(score);
     game.join(this, player);
     return player;
   }
@@ -708,6 +725,34 @@ public final class Simulation extends FieldHolder<Entity, Player> {
         entities.get(i).fieldValues().forget(playerId);
       }
     }
+  }
+
+  /**
+   * Asks the room to play something else after this tick: another level, or another game. It loads
+   * while this match goes on, which takes some ticks, and then begins at tick 0 with the same
+   * players. If it can't be played, this match goes on. Of several wishes in a tick the last
+   * counts, and while one loads, further ones are ignored. It is not part of the state; without a
+   * room, and on {@link Role#PREDICTION}, nothing happens.
+   */
+  public void playNext(NextMatch next) {
+    if (role == Role.AUTHORITY) {
+      nextMatch = next;
+    }
+  }
+
+  /**
+   * Says that the match is over: the room goes on with the next level of its rotation. In a room
+   * without a rotation nothing happens, so the game should begin again by itself.
+   */
+  public void matchOver() {
+    playNext(NextMatch.OF_ROTATION);
+  }
+
+  /** Returns what the game wants to be played next, and forgets it; null for nothing. */
+  public NextMatch takeNextMatch() {
+    NextMatch taken = nextMatch;
+    nextMatch = null;
+    return taken;
   }
 
   /**

@@ -110,8 +110,12 @@ class ProtocolDocTest {
     golden.put(
         "hello",
         ClientMessageCodec.encode(new ClientMessage.Hello(2, 0x0102030405060708L, "Zoë", 0)));
-    golden.put("level-request", ClientMessageCodec.encode(new ClientMessage.LevelRequest(4096)));
-    golden.put("ready", ClientMessageCodec.encode(new ClientMessage.Ready(0x0102030405060708L)));
+    golden.put(
+        "level-request",
+        ClientMessageCodec.encode(new ClientMessage.LevelRequest(0x11223344, 4096)));
+    golden.put(
+        "ready",
+        ClientMessageCodec.encode(new ClientMessage.Ready(0x11223344, 0x0102030405060708L)));
     golden.put("leave", ClientMessageCodec.encode(new ClientMessage.Leave()));
     golden.put(
         "diverged",
@@ -196,6 +200,7 @@ class ProtocolDocTest {
                 0x11223344,
                 3,
                 60,
+                1,
                 1000,
                 42,
                 "arena",

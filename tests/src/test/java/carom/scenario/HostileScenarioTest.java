@@ -40,6 +40,7 @@ class HostileScenarioTest {
     final Random random;
     ServerMessage.Welcome welcome;
     boolean closed;
+    boolean saidReady;
 
     Offender(Link link, long fields, long seed) {
       this.link = link;
@@ -49,6 +50,11 @@ class HostileScenarioTest {
 
     void hello() {
       link.send(new ClientMessage.Hello(Protocol.VERSION, Protocol.physicsDigest(), "evil", 0));
+    }
+
+    /** The key of the last Welcome, or any number. */
+    int key() {
+      return welcome == null ? 0 : welcome.datagramKey();
     }
 
     void poll() {
@@ -87,8 +93,10 @@ class HostileScenarioTest {
     void randomMessage() {
       switch (random.nextInt(5)) {
         case 0 -> hello();
-        case 1 -> link.send(new ClientMessage.LevelRequest(random.nextInt(Limits.MAX_LEVEL_BYTES)));
-        case 2 -> link.send(new ClientMessage.Ready(fields));
+        case 1 ->
+            link.send(
+                new ClientMessage.LevelRequest(key(), random.nextInt(Limits.MAX_LEVEL_BYTES)));
+        case 2 -> link.send(new ClientMessage.Ready(key(), fields));
         case 3 -> link.send(new ClientMessage.Hello(random.nextInt(), random.nextLong(), "x", 7));
         default -> link.send(new ClientMessage.Leave());
       }
@@ -138,7 +146,7 @@ class HostileScenarioTest {
             // Never the one sentence that lets one in.
             o.link.send(
                 o.random.nextBoolean()
-                    ? new ClientMessage.Ready(o.fields)
+                    ? new ClientMessage.Ready(o.key(), o.fields)
                     : new ClientMessage.Hello(o.random.nextInt(), o.random.nextLong(), "", 7));
           } else {
             o.garbageDatagram();
@@ -182,9 +190,12 @@ class HostileScenarioTest {
         } else if (offender.welcome == null) {
           if (slice % 50 == 0) {
             offender.hello();
-            offender.link.send(new ClientMessage.Ready(offender.fields));
           }
         } else {
+          if (!offender.saidReady) {
+            offender.saidReady = true;
+            offender.link.send(new ClientMessage.Ready(offender.key(), offender.fields));
+          }
           for (int i = 0; i < 5; i++) {
             offender.garbageDatagram();
             offender.absurdInput();
@@ -229,9 +240,13 @@ class HostileScenarioTest {
       for (int i = 0; i < 20; i++) {
         Offender offender = offender(stepper, i);
         offender.hello();
-        offender.link.send(new ClientMessage.LevelRequest(0));
-        offender.link.send(new ClientMessage.Ready(offender.fields));
         offenders.add(offender);
+      }
+      stepper.run(1);
+      for (Offender offender : offenders) {
+        offender.poll();
+        offender.link.send(new ClientMessage.LevelRequest(offender.key(), 0));
+        offender.link.send(new ClientMessage.Ready(offender.key(), offender.fields));
       }
       stepper.run(1);
       offenders.forEach(Offender::poll);

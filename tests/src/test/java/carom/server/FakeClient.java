@@ -135,17 +135,17 @@ final class FakeClient implements LinkHandler {
               schema().toldWords(Scope.PLAYER),
               new TableInbox(layouts.layouts().toArray(new TableLayout[0])));
       if (loads) {
-        link.send(new ClientMessage.LevelRequest(0));
+        link.send(new ClientMessage.LevelRequest(welcome.datagramKey(), 0));
       }
     } else if (message instanceof ServerMessage.LevelChunk chunk) {
       System.arraycopy(chunk.bytes(), 0, level, chunk.offset(), chunk.bytes().length);
       loaded = chunk.offset() + chunk.bytes().length;
       if (loaded < level.length) {
-        link.send(new ClientMessage.LevelRequest(loaded));
+        link.send(new ClientMessage.LevelRequest(welcome.datagramKey(), loaded));
       } else {
         level = PackedLevel.unpack(level, welcome.levelSize());
         start(level);
-        link.send(new ClientMessage.Ready(welcome.fieldsDigest()));
+        link.send(new ClientMessage.Ready(welcome.datagramKey(), welcome.fieldsDigest()));
         ready = true;
       }
     } else if (message instanceof ServerMessage.Refused r) {

@@ -43,7 +43,8 @@ class LobbyTest {
     FakeClient client = rig.connect().hello("Ann");
     client.loads = false;
     rig.steps(2);
-    client.link.send(new ClientMessage.Ready(client.welcome.fieldsDigest()));
+    client.link.send(
+        new ClientMessage.Ready(client.welcome.datagramKey(), client.welcome.fieldsDigest()));
     rig.steps(3);
     assertTrue(client.decoder.hasAck());
   }
@@ -53,7 +54,8 @@ class LobbyTest {
     FakeClient client = rig.connect().hello("Ann");
     client.loads = false;
     rig.steps(2);
-    client.link.send(new ClientMessage.Ready(client.welcome.fieldsDigest() + 1));
+    client.link.send(
+        new ClientMessage.Ready(client.welcome.datagramKey(), client.welcome.fieldsDigest() + 1));
     rig.steps(3);
     assertEquals(RefusalReason.GAME_VERSION, client.refused.reason());
   }
@@ -120,7 +122,8 @@ class LobbyTest {
     FakeClient client = rig.connect().hello("a");
     client.loads = false;
     rig.steps(2);
-    client.link.send(new ClientMessage.Ready(client.welcome.fieldsDigest()));
+    client.link.send(
+        new ClientMessage.Ready(client.welcome.datagramKey(), client.welcome.fieldsDigest()));
     client.link.close("gone");
     rig.seconds(0.5);
     assertEquals(0, rig.count(Counter.PLAYERS), "not after five seconds of silence");
@@ -204,14 +207,14 @@ class LobbyTest {
   @Test
   void wrongMessageInWrongStateIsRefused() {
     FakeClient early = rig.connect();
-    early.link.send(new ClientMessage.Ready(0));
+    early.link.send(new ClientMessage.Ready(0, 0));
     FakeClient twice = rig.connect().hello("Ann");
     twice.loads = false;
     twice.hello("Ann");
     FakeClient outside = rig.connect().hello("Ben");
     outside.loads = false;
     rig.steps(2);
-    outside.link.send(new ClientMessage.LevelRequest(1_000_000));
+    outside.link.send(new ClientMessage.LevelRequest(outside.welcome.datagramKey(), 1_000_000));
     rig.steps(3);
     assertEquals(RefusalReason.BAD_REQUEST, early.refused.reason());
     assertEquals(RefusalReason.BAD_REQUEST, twice.refused.reason());
@@ -225,7 +228,7 @@ class LobbyTest {
     client.loads = false;
     rig.steps(2);
     for (int i = 0; i < 20; i++) {
-      client.link.send(new ClientMessage.LevelRequest(1));
+      client.link.send(new ClientMessage.LevelRequest(client.welcome.datagramKey(), 1));
     }
     rig.steps(3);
     assertEquals(RefusalReason.BAD_REQUEST, client.refused.reason());

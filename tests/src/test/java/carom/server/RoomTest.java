@@ -227,7 +227,8 @@ class RoomTest {
       FakeClient after = rig.connect().hello("Ann", before.welcome.sessionSecret());
       after.loads = false;
       rig.seconds(5);
-      after.link.send(new ClientMessage.Ready(after.welcome.fieldsDigest()));
+      after.link.send(
+          new ClientMessage.Ready(after.welcome.datagramKey(), after.welcome.fieldsDigest()));
       rig.steps(3);
       assertSame(body, rig.room.simulation().player(0).body());
       assertEquals(SessionState.PLAYING, rig.room.session(0).state());

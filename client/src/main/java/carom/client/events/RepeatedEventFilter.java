@@ -7,6 +7,7 @@ package carom.client.events;
  * no allocation.
  */
 public final class RepeatedEventFilter {
+  private int match;
   private int tick = -1;
 
   /** Events of {@link #tick} that were accepted. */
@@ -21,10 +22,12 @@ public final class RepeatedEventFilter {
   /**
    * Notes that a link begins.
    *
+   * @param serverMatch number of the room's match, in which ticks begin at 0
    * @param serverTick the server's tick; below the last event's tick, it is another server
    */
-  public void beginLink(int serverTick) {
-    if (serverTick < tick) {
+  public void beginLink(int serverMatch, int serverTick) {
+    if (serverMatch != match || serverTick < tick) {
+      match = serverMatch;
       tick = -1;
       count = 0;
     }

@@ -221,7 +221,8 @@ public final class Connection implements LinkHandler {
       return; // an old link's last words
     }
     lastHeardNs = nowNs;
-    if (received instanceof ServerMessage.Welcome w && stage == Stage.JOINING) {
+    if (received instanceof ServerMessage.Welcome w
+        && (stage == Stage.JOINING || stage == Stage.LOADING || stage == Stage.PLAYING)) {
       welcomed(w);
     } else if (received instanceof ServerMessage.LevelChunk chunk && stage == Stage.LOADING) {
       chunk(chunk);
@@ -269,8 +270,12 @@ public final class Connection implements LinkHandler {
     }
   }
 
+  /** Takes what to load: at the beginning, and whenever the room goes on with another match. */
   private void welcomed(ServerMessage.Welcome w) {
-    measureRoundTrip();
+    if (stage == Stage.JOINING) {
+      measureRoundTrip();
+    }
+    stop();
     if (w.levelSize() < 1
         || w.levelSize() > Limits.MAX_LEVEL_BYTES
         || w.packedSize() < 1
@@ -328,7 +333,7 @@ public final class Connection implements LinkHandler {
     message = "";
     comeback.stop();
     lastHeardNs = nowNs;
-    link.send(new ClientMessage.Ready(listener.fieldsDigest()));
+    link.send(new ClientMessage.Ready(welcome.datagramKey(), listener.fieldsDigest()));
   }
 
   private void refused(ServerMessage.Refused refused) {

@@ -33,6 +33,7 @@ public final class MessageExchange {
   private MessageKinds kinds;
   private MessageRates rates;
   private long session;
+  private int match;
   private long nowNs;
 
   /** Creates an exchange without a session. */
@@ -47,18 +48,19 @@ public final class MessageExchange {
   }
 
   /**
-   * Begins with a link. A session that goes on keeps what waits; a new one tells the listener what
-   * the old one no longer sends.
+   * Begins with a link or a match. A session that goes on in the same match keeps what waits; else
+   * the listener is told what is no longer sent.
    *
    * @param welcome the server's
    * @param gameKinds of the game that is played
    */
   public void begin(ServerMessage.Welcome welcome, MessageKinds gameKinds) {
     List<Message> unsent = List.of();
-    if (welcome.sessionSecret() != session) {
+    if (welcome.sessionSecret() != session || welcome.match() != match) {
       int waiting = stream.waiting();
       unsent = List.copyOf(offered).subList(offered.size() - waiting, offered.size());
       session = welcome.sessionSecret();
+      match = welcome.match();
       stream = new MessageStream();
       offered.clear();
     }

@@ -1,10 +1,8 @@
 package carom.server.lobby;
 
-import carom.net.field.FieldAgreement;
 import carom.net.protocol.ClientMessage;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.Limits;
-import carom.net.protocol.PackedLevel;
 import carom.net.protocol.PlayerName;
 import carom.net.protocol.Protocol;
 import carom.net.protocol.RefusalReason;
@@ -14,16 +12,15 @@ import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.net.transport.ServerTransport;
 import carom.server.config.ServerConfig;
-import carom.server.recording.DelayedRecording;
+import carom.server.match.LevelUpload;
+import carom.server.match.MatchInfo;
+import carom.server.recording.ShownRecordings;
 import carom.server.room.Admission;
 import carom.server.room.Room;
 import carom.server.session.PartingLinks;
 import carom.server.session.Seats;
-import carom.sim.level.Level;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
-import java.util.function.LongSupplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -61,21 +58,10 @@ public final class Lobby {
 
   private static final int MAX_ACCEPT = 32;
 
-  /**
-   * Number of times that one link may request the whole level. It bounds the bytes that a link can
-   * make the server send.
-   */
-  private static final int MAX_LEVEL_PULLS = 3;
-
   private final ServerConfig config;
   private final ServerTransport transport;
   private final RoomChooser chooser;
-  private final Level level;
-  private final String gameName;
-  private final String levelName;
-  private final int levelSize;
-  private final byte[] packedLevel;
-  private final LongSupplier secrets;
+  private final int places;
   private final int maxVisitors;
   private final List<Visitor> visitors = new ArrayList<>();
   private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
@@ -88,29 +74,16 @@ public final class Lobby {
    *
    * @param config settings of the server
    * @param transport accepts links
-   * @param rooms at least one, all with the same game and level
-   * @param level the level that joining players receive
-   * @param secrets unpredictable numbers, for datagram keys
+   * @param rooms at least one
    */
-  public Lobby(
-      ServerConfig config,
-      ServerTransport transport,
-      List<Room> rooms,
-      Level level,
-      LongSupplier secrets) {
+  public Lobby(ServerConfig config, ServerTransport transport, List<Room> rooms) {
     this.config = config;
     this.transport = transport;
     this.chooser = new RoomChooser(rooms);
     this.spectators = new Spectators(rooms);
-    this.level = level;
-    this.gameName = rooms.get(0).simulation().game().name();
-    this.levelName = level.name();
-    byte[] source = level.source();
-    this.levelSize = source.length;
-    this.packedLevel = PackedLevel.pack(source);
-    this.secrets = secrets;
-    this.maxVisitors = 2 * config.places() + 32;
-    this.rate = new AdmissionRate(config.places());
+    this.places = rooms.stream().mapToInt(room -> room.seats().count()).sum();
+    this.maxVisitors = 2 * places + 32;
+    this.rate = new AdmissionRate(places);
   }
 
   /**
@@ -194,7 +167,7 @@ public final class Lobby {
    * @param recordings one for each room, in the order of the rooms
    * @param delaySeconds age at which spectators see what happens, s
    */
-  public void allowSpectators(List<DelayedRecording> recordings, int delaySeconds) {
+  public void allowSpectators(List<ShownRecordings> recordings, int delaySeconds) {
     spectators.allow(recordings, delaySeconds);
   }
 
@@ -256,7 +229,8 @@ public final class Lobby {
     private ClientMessage.Hello waiting;
     private long waitsUntilNs;
     private long askAgainNs;
-    private long pulledBytes;
+    private MatchInfo match;
+    private LevelUpload upload;
     private boolean done;
 
     Visitor(Link link) {
@@ -286,12 +260,18 @@ public final class Lobby {
         watch(watch);
       } else if (state == SessionState.LOADING
           && message instanceof ClientMessage.LevelRequest request) {
-        sendLevel(request.offset());
+        String problem = upload.answer(request, link);
+        if (problem != null) {
+          refuse(RefusalReason.BAD_REQUEST, problem);
+        }
       } else if (state == SessionState.LOADING && message instanceof ClientMessage.Ready ready) {
-        if (ready.fieldsDigest() == room.schema().digest()) {
+        if (!upload.isFinishedBy(ready)) {
+          refuse(RefusalReason.BAD_REQUEST, "Ready has the key of another Welcome.");
+        } else if (ready.fieldsDigest() == match.schema().digest()) {
           enterRoom();
         } else {
-          refuse(RefusalReason.GAME_VERSION, "The fields of your game " + gameName + " differ.");
+          refuse(
+              RefusalReason.GAME_VERSION, "The fields of your game " + match.game() + " differ.");
         }
       } else if (message instanceof ClientMessage.Leave) {
         end("left before playing");
@@ -386,7 +366,6 @@ public final class Lobby {
         waiting = null;
         welcome();
       } else if (full || (allowed && chooser.seatsLeft() == 0 && nowNs - waitsUntilNs >= 0)) {
-        int places = config.places();
         String text = places == 1 ? "The only place is taken." : "All %d places are taken.";
         refuse(RefusalReason.SERVER_FULL, text.formatted(places));
       } else if (nowNs - waitsUntilNs >= 0) {
@@ -424,45 +403,18 @@ public final class Lobby {
     }
 
     private void welcome() {
-      datagramKey = (int) secrets.getAsLong();
+      match = room.match();
+      datagramKey = room.seats().newDatagramKey();
+      upload = new LevelUpload(match.level(), datagramKey);
       deadlineNs = nowNs + config.loadTimeoutMs() * NS_PER_MS;
       state = state.become(SessionState.LOADING);
       link.send(
-          new ServerMessage.Welcome(
-              seat.secret(),
-              datagramKey,
-              seat.id(),
-              config.tickRateHz(),
-              room.tick(),
-              room.seed(),
-              gameName,
-              levelName,
-              level.contentHash(),
-              levelSize,
-              packedLevel.length,
-              room.schema().digest(),
-              FieldAgreement.tell(room.schema())));
-    }
-
-    private void sendLevel(int offset) {
-      if (offset < 0 || offset >= packedLevel.length) {
-        refuse(
-            RefusalReason.BAD_REQUEST,
-            "LevelRequest.offset=%d is outside 0..%d.".formatted(offset, packedLevel.length - 1));
-        return;
-      }
-      int end = Math.min(packedLevel.length, offset + Limits.MAX_LEVEL_CHUNK_BYTES);
-      pulledBytes += end - offset;
-      if (pulledBytes > (long) MAX_LEVEL_PULLS * packedLevel.length) {
-        refuse(RefusalReason.BAD_REQUEST, "The level was requested again and again.");
-        return;
-      }
-      link.send(new ServerMessage.LevelChunk(offset, Arrays.copyOfRange(packedLevel, offset, end)));
+          match.welcome(seat.secret(), seat.id(), datagramKey, config.tickRateHz(), room.tick()));
     }
 
     private void enterRoom() {
       done = true;
-      if (!room.admit(new Admission(seat, link, datagramKey))) {
+      if (!room.admit(new Admission(seat, link, datagramKey, match.number()))) {
         LOG.warn("{} could not enter: too many enter at once, or the room failed", seat.name());
         link.send(new ServerMessage.Goodbye(GoodbyeReason.SERVER_ERROR, "Try again in a moment."));
         closeLater(link, "room takes nobody");

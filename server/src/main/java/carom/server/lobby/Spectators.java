@@ -7,6 +7,7 @@ import carom.net.protocol.ServerMessage;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.server.recording.DelayedRecording;
+import carom.server.recording.ShownRecordings;
 import carom.server.room.Room;
 import carom.server.session.PartingLinks;
 import java.io.IOException;
@@ -55,7 +56,7 @@ final class Spectators implements LinkHandler {
       this.link = link;
       this.room = room;
       this.recording = recording;
-      skipped = recording.skippableBytes(room.tick());
+      skipped = recording.skippableBytes(room.age());
       heardNs = nowNs;
       filledNs = nowNs;
     }
@@ -64,7 +65,7 @@ final class Spectators implements LinkHandler {
   private final List<Room> rooms;
   private final List<Spectator> spectators = new ArrayList<>();
   private final PartingLinks partings = new PartingLinks(MAX);
-  private List<DelayedRecording> recordings = List.of();
+  private List<ShownRecordings> recordings = List.of();
   private int delaySeconds;
   private long nowNs;
   private Spectator speaking;
@@ -75,7 +76,7 @@ final class Spectators implements LinkHandler {
   }
 
   /** Lets spectators in from now on; the recordings are in the order of the rooms. */
-  void allow(List<DelayedRecording> newRecordings, int newDelaySeconds) {
+  void allow(List<ShownRecordings> newRecordings, int newDelaySeconds) {
     recordings = newRecordings;
     delaySeconds = newDelaySeconds;
   }
@@ -96,7 +97,9 @@ final class Spectators implements LinkHandler {
     if (spectators.size() >= MAX) {
       return MAX + " people watch already.";
     }
-    spectators.add(new Spectator(link, rooms.get(room - 1), recordings.get(room - 1), timeNs));
+    Room watched = rooms.get(room - 1);
+    DelayedRecording recording = recordings.get(room - 1).present(watched.age());
+    spectators.add(new Spectator(link, watched, recording, timeNs));
     link.send(new ServerMessage.Watching(delaySeconds));
     LOG.info("spectator joined room {}: {}, {} in all", room, link.remote(), spectators.size());
     return null;
@@ -140,7 +143,7 @@ final class Spectators implements LinkHandler {
     s.filledNs = nowNs;
     try {
       int most = (int) Math.min(Limits.MAX_LEVEL_CHUNK_BYTES, s.bytes);
-      byte[] bytes = s.recording.read(s.skipped, offset, most, s.room.tick());
+      byte[] bytes = s.recording.read(s.skipped, offset, most, s.room.age());
       s.bytes -= bytes.length;
       s.link.send(new ServerMessage.RecordingChunk(offset, bytes));
     } catch (IOException e) {

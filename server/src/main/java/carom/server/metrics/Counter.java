@@ -60,6 +60,8 @@ public enum Counter {
    * once.
    */
   EVENTS_LOST,
+  /** Matches begun after the first. */
+  MATCHES,
   /** Messages of games that were dropped because a client or the game sent too many. */
   MESSAGES_DROPPED,
   /** Lines of chat and emotes of players whom the operator muted. */

@@ -101,6 +101,21 @@ public final class RecordingFile implements BlockSink, AutoCloseable {
         name + "-" + LocalDateTime.now(ZoneId.systemDefault()).format(STAMP) + number + SUFFIX);
   }
 
+  /**
+   * Returns a path that is free: the given one, or else with a number before its ending. Matches of
+   * one room may follow each other within the second that names a file.
+   */
+  public static Path free(Path wanted) {
+    Path path = wanted;
+    for (int number = 2; Files.exists(path); number++) {
+      String name = String.valueOf(wanted.getFileName());
+      int dot = name.lastIndexOf('.');
+      int end = dot < 1 ? name.length() : dot;
+      path = wanted.resolveSibling(name.substring(0, end) + "-" + number + name.substring(end));
+    }
+    return path;
+  }
+
   @Override
   public boolean take(Block type, byte[] bytes, int length) {
     if (cut != null) {

@@ -15,7 +15,7 @@ import org.slf4j.LoggerFactory;
  * <p>The room's thread calls {@link #next}, which creates and deletes files; that takes a disk
  * about a millisecond. Call {@link #close} after that thread has ended.
  */
-public final class RotatingRecording implements AutoCloseable {
+public final class RotatingRecording implements RecordingFiles, AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(RotatingRecording.class);
 
   private final Supplier<Path> names;
@@ -42,6 +42,7 @@ public final class RotatingRecording implements AutoCloseable {
    *
    * @throws IOException when it can't be created
    */
+  @Override
   public RecordingFile next() throws IOException {
     RecordingFile file = new RecordingFile(names.get());
     files.add(file);

@@ -103,7 +103,9 @@ public final class SessionReplication {
 
   /** Notes the events that the player would hear of; once per tick without a link. */
   public void listen() {
-    sender.listen();
+    if (sender != null) { // a match that began after the link was lost has told it nothing yet
+      sender.listen();
+    }
   }
 
   /** Takes over what the client says it shows. */

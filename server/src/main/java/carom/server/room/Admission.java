@@ -9,5 +9,6 @@ import carom.server.session.Seats;
  * @param seat claimed by the lobby; the room turns the claim into possession
  * @param link the lobby doesn't touch it any more
  * @param datagramKey the key of this link's Welcome
+ * @param match number of the match that it has loaded; perhaps the room plays the next already
  */
-public record Admission(Seats.Seat seat, Link link, int datagramKey) {}
+public record Admission(Seats.Seat seat, Link link, int datagramKey, int match) {}

@@ -4,12 +4,9 @@ import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.ServerMessage;
 import carom.net.protocol.SessionState;
 import carom.server.metrics.Counter;
-import carom.server.replication.SessionReplication;
 import carom.server.session.Session;
-import carom.server.session.SessionMessages;
 import carom.sim.Player;
 import java.util.concurrent.ArrayBlockingQueue;
-import java.util.function.Function;
 import java.util.function.LongSupplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -34,14 +31,14 @@ final class Arrivals {
   private final Departures departures;
   private final RosterNews roster;
   private final Announcer announcer;
-  private final Function<Player, SessionReplication> replications;
+  private final MatchChange changes;
   private final ArrayBlockingQueue<Admission> queue;
 
   /**
    * Creates an empty queue.
    *
    * @param clock nanoseconds, to measure how long admissions take
-   * @param replications creates what tells a player's client about the room
+   * @param changes tells players what to load who loaded a match that is over
    */
   Arrivals(
       RoomContext room,
@@ -50,14 +47,14 @@ final class Arrivals {
       Departures departures,
       RosterNews roster,
       Announcer announcer,
-      Function<Player, SessionReplication> replications) {
+      MatchChange changes) {
     this.room = room;
     this.clock = clock;
     this.sessions = sessions;
     this.departures = departures;
     this.roster = roster;
     this.announcer = announcer;
-    this.replications = replications;
+    this.changes = changes;
     queue = new ArrayBlockingQueue<>(2 * room.seats().count());
   }
 
@@ -72,11 +69,19 @@ final class Arrivals {
   }
 
   /**
-   * Lets in the players that wait, as many as a tick has time for.
+   * Lets in the players that wait, as many as a tick has time for, and lets those play that have
+   * loaded the match.
    *
    * @param beginNs when the tick began, by the clock
    */
   void admit(long beginNs, long nowNs) {
+    for (int i = 0; i < sessions.count(); i++) {
+      Session session = sessions.get(i);
+      if (session.hasLoaded()) {
+        session.play(session.datagramKey(), room.simulation().tick());
+        roster.changed();
+      }
+    }
     long timeNs = room.config().tickNs() / TIME_PARTS;
     for (int i = 0; i < MAX_PER_TICK; i++) {
       if (i > 0 && clock.getAsLong() - beginNs > timeNs) {
@@ -111,16 +116,21 @@ final class Arrivals {
               a.seat(),
               player,
               room.config(),
-              replications.apply(player),
-              new SessionMessages(room.simulation(), player, room.counters()),
+              room.match().replicationTo(player),
+              room.match().messagesOf(player),
               room.counters());
       sessions.add(session);
-    } else if (session.state() == SessionState.PLAYING) {
+    } else if (session.state() != SessionState.GRACE) {
       // The client is back before we noticed that its old link is dead, or it plays twice.
       session.sayGoodbye(GoodbyeReason.RESUMED_ELSEWHERE, "");
       departures.part(session.detach(nowNs), "resumed by another link", nowNs);
     }
-    session.attach(a.link(), a.datagramKey(), room.simulation().tick());
+    session.attach(a.link());
+    if (a.match() == room.match().info().number()) {
+      session.play(a.datagramKey(), room.simulation().tick());
+    } else {
+      changes.tell(session);
+    }
     roster.changed();
     room.counters().add(Counter.JOINS, 1);
     if (resumed) {
@@ -136,7 +146,7 @@ final class Arrivals {
         sessions.count(),
         room.seats().count());
     String what = resumed ? " is back" : " joined";
-    announcer.comingOrGoing(session, a.seat().name() + what, room.simulation().tick());
+    announcer.comingOrGoing(session, a.seat().name() + what, room.age());
     sessions.updateGauges();
   }
 

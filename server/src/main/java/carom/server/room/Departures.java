@@ -113,6 +113,8 @@ final class Departures {
       remove(session, "expelled for " + session.offence(), " was removed", nowNs);
     } else if (session.linkLost()) {
       lose(session, "link lost: " + session.linkLostReason(), nowNs);
+    } else if (session.isTooSlow()) {
+      lose(session, "has not loaded the match in " + room.config().loadTimeoutMs() + " ms", nowNs);
     } else if (session.isSilent()) {
       lose(session, "silent for " + room.config().silenceTimeoutMs() + " ms", nowNs);
     } else {
@@ -202,6 +204,6 @@ final class Departures {
   }
 
   private void announce(Session session, String what) {
-    announcer.comingOrGoing(session, session.seat().name() + what, room.simulation().tick());
+    announcer.comingOrGoing(session, session.seat().name() + what, room.age());
   }
 }

@@ -1,8 +1,10 @@
 package carom.server.room;
 
 import carom.net.protocol.SessionState;
+import carom.server.match.MatchInfo;
 import carom.server.recording.RecordingFile;
 import carom.server.session.Session;
+import carom.sim.NextMatch;
 import carom.sim.Simulation;
 import carom.sim.field.FieldHolder;
 import java.nio.file.Path;
@@ -34,7 +36,7 @@ public final class OperatorCommands {
   private final RoomSessions sessions;
   private final Departures departures;
   private final RoomRecording recording;
-  private final int entityCapacity;
+  private final MatchChange changes;
   private final LongSupplier clock;
   private final BooleanSupplier closed;
   private final ArrayBlockingQueue<FutureTask<String>> waiting =
@@ -44,7 +46,6 @@ public final class OperatorCommands {
    * Creates an empty queue of commands.
    *
    * @param number number of the room
-   * @param entityCapacity all entity ids are below this
    * @param closed returns whether the room is closed
    */
   OperatorCommands(
@@ -53,7 +54,7 @@ public final class OperatorCommands {
       RoomSessions sessions,
       Departures departures,
       RoomRecording recording,
-      int entityCapacity,
+      MatchChange changes,
       LongSupplier clock,
       BooleanSupplier closed) {
     this.room = room;
@@ -61,7 +62,7 @@ public final class OperatorCommands {
     this.sessions = sessions;
     this.departures = departures;
     this.recording = recording;
-    this.entityCapacity = entityCapacity;
+    this.changes = changes;
     this.clock = clock;
     this.closed = closed;
   }
@@ -119,9 +120,9 @@ public final class OperatorCommands {
    * @return the file, or why there is none
    */
   public String record(Path target) {
-    int numberInName = room.config().rooms() == 1 ? 0 : number;
-    Path file =
-        RecordingFile.fileFor(target, room.config().gameName(), numberInName).toAbsolutePath();
+    int numberInName = room.label().isEmpty() ? 0 : number;
+    String game = room.match().info().game();
+    Path file = RecordingFile.fileFor(target, game, numberInName).toAbsolutePath();
     return ask(
         () -> closed.getAsBoolean() ? "room=" + number + " is closed" : recording.begin(file));
   }
@@ -135,6 +136,36 @@ public final class OperatorCommands {
   public String stopRecording() {
     String answer = ask(recording::stop);
     return recording.awaitEnd() ? answer : answer + "; the disk has not taken all of it yet";
+  }
+
+  /**
+   * Goes on with another game or level, between two ticks. Builds the match on the calling thread,
+   * while the room goes on with the present one.
+   *
+   * @param game name of the game; empty for the one that the level is made for
+   * @param level file or name of the level; empty for the default level of the game
+   * @return what the room plays now, or why the match goes on
+   */
+  public String change(String game, String level) {
+    NextMatch wanted = new NextMatch(game.strip(), level.strip(), false, false);
+    if (wanted.isOfRotation()) {
+      return "neither a game nor a level is given; name one of them";
+    }
+    Match next;
+    try {
+      next = changes.load(wanted);
+    } catch (MatchLoader.Unplayable e) {
+      return "not changed: " + e.getMessage();
+    }
+    return ask(
+        () -> {
+          if (closed.getAsBoolean()) {
+            return "room=" + number + " is closed";
+          }
+          changes.begin(next, wanted);
+          MatchInfo match = next.info();
+          return "playing game=" + match.game() + " level=" + match.level().level().name();
+        });
   }
 
   private String ask(Callable<String> what) {
@@ -161,6 +192,7 @@ public final class OperatorCommands {
     if (session.state() != SessionState.PLAYING) {
       return "player=" + playerId + " is away: nothing is sent to it";
     }
+    int entityCapacity = room.match().capture().frames().capacity();
     if (entityId < 0 || entityId >= entityCapacity) {
       return "entity=" + entityId + " is outside 0.." + (entityCapacity - 1);
     }

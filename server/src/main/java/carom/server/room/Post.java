@@ -3,7 +3,6 @@ package carom.server.room;
 import carom.net.protocol.SessionState;
 import carom.server.session.Session;
 import carom.sim.Delivery;
-import carom.sim.Simulation;
 import carom.sim.message.MessageKind.Direction;
 import java.util.function.Consumer;
 
@@ -12,12 +11,12 @@ import java.util.function.Consumer;
  * gets reliable ones when its client is back. The room's thread.
  */
 final class Post {
-  private final Simulation simulation;
+  private final RoomContext room;
   private final RoomSessions sessions;
   private final Consumer<Delivery> deliver = this::deliver;
 
-  Post(Simulation simulation, RoomSessions sessions) {
-    this.simulation = simulation;
+  Post(RoomContext room, RoomSessions sessions) {
+    this.room = room;
     this.sessions = sessions;
   }
 
@@ -30,14 +29,14 @@ final class Post {
 
   /** Sends what the game has sent since the last call. */
   void send() {
-    simulation.drainMessages(deliver);
+    room.simulation().drainMessages(deliver);
     for (int i = sessions.count() - 1; i >= 0; i--) {
       sessions.get(i).sendMessages();
     }
   }
 
   private void deliver(Delivery d) {
-    byte[] bytes = simulation.messageKinds().encode(d.message(), Direction.FROM_SERVER);
+    byte[] bytes = room.simulation().messageKinds().encode(d.message(), Direction.FROM_SERVER);
     for (int i = sessions.count() - 1; i >= 0; i--) {
       Session session = sessions.get(i);
       boolean linked = session.state() == SessionState.PLAYING;

@@ -1,6 +1,5 @@
 package carom.server.room;
 
-import carom.game.GuardedGame;
 import carom.net.protocol.GoodbyeReason;
 import carom.net.protocol.Limits;
 import carom.net.protocol.SessionState;
@@ -9,23 +8,21 @@ import carom.net.transport.Broadcast;
 import carom.physics.Queries;
 import carom.physics.threads.Workers;
 import carom.replay.BlockSink;
+import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
+import carom.server.match.MatchInfo;
+import carom.server.match.MatchLibrary;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
-import carom.server.prediction.OwnCapture;
+import carom.server.recording.RecordingFiles;
 import carom.server.recording.RotatingRecording;
-import carom.server.replication.FrameCapture;
-import carom.server.replication.SessionReplication;
 import carom.server.session.PartingLinks;
 import carom.server.session.Seats;
 import carom.server.session.Session;
 import carom.sim.Entity;
-import carom.sim.Game;
-import carom.sim.Role;
 import carom.sim.Simulation;
-import carom.sim.field.Schema;
-import carom.sim.level.Level;
 import java.io.IOException;
+import java.util.concurrent.Executor;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
@@ -33,7 +30,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A room: one simulation at a fixed rate, and the sessions that steer and see it.
+ * A room: one match after the other at a fixed rate, and the sessions that steer and see them. All
+ * matches but the first begin because the game or an operator wants another level or game; players
+ * and links stay.
  *
  * <p>{@link #doWork} is one turn of the duty cycle: it takes what has arrived and runs the ticks
  * that are due. A tick, in order:
@@ -49,13 +48,14 @@ import org.slf4j.LoggerFactory;
  *   Announcer           notices of the game
  *   RosterNews          players and scores that changed
  *   Counters, RoomRecording
+ *   MatchChange         another match, if one is wanted and loaded
  * </pre>
  *
- * <p>Only {@link #admit}, {@link #giveWay}, {@link #operator}, {@link #number}, {@link #seed},
- * {@link #tick}, {@link #seats}, {@link #counters} and {@link #hasFailed} may be called from any
- * thread; the rest belongs to the thread that calls {@link #doWork}. A tick in the steady state
- * allocates next to nothing. A client can hurt only its own session, and a game only its own room:
- * rooms share nothing that changes.
+ * <p>Only {@link #admit}, {@link #giveWay}, {@link #operator}, {@link #number}, {@link #name},
+ * {@link #match}, {@link #tick}, {@link #age}, {@link #seats}, {@link #counters} and {@link
+ * #hasFailed} may be called from any thread; the rest belongs to the thread that calls {@link
+ * #doWork}. A tick in the steady state allocates next to nothing. A client can hurt only its own
+ * session, and a game only its own room: rooms share nothing that changes.
  */
 public final class Room {
   /** The room closes in good order before tick numbers run out: 413 days at 60 Hz. */
@@ -68,19 +68,17 @@ public final class Room {
 
   private final RoomContext context;
   private final int number;
-  private final long seed;
+  private final RoomConfig settings;
   private final LongSupplier clock;
   private final Counters counters = new Counters();
-  private final GameFailures failures;
-  private final Simulation simulation;
   private final RoomRecording recording;
-  private final FrameCapture capture;
   private final TickLoop loop;
   private final PartingLinks partings = new PartingLinks(Limits.MAX_PLAYERS);
   private final RoomSessions sessions;
   private final RosterNews roster;
   private final Post post;
   private final Departures departures;
+  private final MatchChange changes;
   private final Arrivals arrivals;
   private final LoadWarnings warnings;
   private final SnapshotRound snapshots;
@@ -88,61 +86,64 @@ public final class Room {
   private final Consumer<String> sendNotice;
   private final BiConsumer<Session, Broadcast> sendTo;
   private int failedTicks;
-  private long droppedEvents;
   private volatile int tick;
   private volatile boolean failed;
   private volatile boolean closed;
 
   /**
-   * Builds the level and sets up the game.
+   * Builds the level and sets up the game of the first match.
    *
-   * @param number 1 for the server's first room; log lines name it when there are several
-   * @param gameRules an instance of this room's own
+   * @param config settings of the server
+   * @param number 1 for the server's first room
+   * @param alone whether the server has no other room, so that log lines needn't name this one
+   * @param settings the room's own
+   * @param library finds games and levels
+   * @param loads runs what builds further matches, on a thread that no tick waits for
    * @param clock nanoseconds, to measure how long ticks take
    * @param seats this room's seats, shared with the lobby
+   * @throws IllegalArgumentException when the first match can't be played; the message says why
    */
   public Room(
       ServerConfig config,
       int number,
-      Game gameRules,
-      Level level,
+      boolean alone,
+      RoomConfig settings,
+      MatchLibrary library,
+      Executor loads,
       LongSupplier clock,
       Seats seats) {
     this.number = number;
-    this.seed = config.seed() + number - 1;
+    this.settings = settings;
     this.clock = clock;
-    String label = config.rooms() == 1 ? "" : "room " + number + ": ";
-    failures = new GameFailures(gameRules.name(), counters, label);
-    GuardedGame game = new GuardedGame(gameRules, failures);
-    simulation = new Simulation(game, level, seed, config.tickRateHz(), Role.AUTHORITY);
-    context = new RoomContext(config, label, counters, seats, simulation);
-    recording = new RoomRecording(simulation, seed, label, counters);
-    capture = new FrameCapture(simulation);
+    String label = alone ? "" : "room " + settings.name() + ": ";
+    MatchLoader loader = new MatchLoader(config, settings, library, label, counters);
+    context = new RoomContext(config, label, counters, seats, firstMatch(loader));
+    recording = new RoomRecording(context);
     loop = new TickLoop(config.tickRateHz(), config.catchUpTicks());
     sessions = new RoomSessions(seats.count(), label, counters);
     Announcer announcer = new Announcer(sessions, config.tickRateHz());
     roster = new RosterNews(seats.count(), config.rosterIntervalMs());
     departures = new Departures(context, sessions, roster, announcer, partings);
-    OwnCapture ownCapture = new OwnCapture(simulation);
-    arrivals =
-        new Arrivals(
-            context,
-            clock,
-            sessions,
-            departures,
-            roster,
-            announcer,
-            player -> new SessionReplication(player, config, capture, ownCapture, counters));
+    changes =
+        new MatchChange(context, loader, loads, settings.levels(), sessions, recording, roster);
+    arrivals = new Arrivals(context, clock, sessions, departures, roster, announcer, changes);
     warnings = new LoadWarnings(label, counters, config.tickRateHz());
-    snapshots = new SnapshotRound(context, clock, sessions, departures, capture, warnings);
-    int entities = capture.frames().capacity();
+    snapshots = new SnapshotRound(context, clock, sessions, departures, warnings);
     operator =
         new OperatorCommands(
-            context, number, sessions, departures, recording, entities, clock, () -> closed);
-    post = new Post(simulation, sessions);
+            context, number, sessions, departures, recording, changes, clock, () -> closed);
+    post = new Post(context, sessions);
     sendNotice = announcer::notice;
     sendTo = sessions::sendTo;
-    capture.capture();
+    context.match().capture().capture();
+  }
+
+  private static Match firstMatch(MatchLoader loader) {
+    try {
+      return loader.first();
+    } catch (MatchLoader.Unplayable e) {
+      throw new IllegalArgumentException(e.getMessage(), e);
+    }
   }
 
   /**
@@ -151,17 +152,27 @@ public final class Room {
    * @param helpers null for none; may be shared with other rooms
    */
   public void helpedBy(Workers helpers) {
-    simulation.world().workers(helpers);
+    context.helpedBy(helpers);
   }
 
   /**
-   * Records the game from now on, between two ticks. The last block tells why it ended when the
-   * room closes.
+   * Records the present match from now on, between two ticks. The last block tells why it ended
+   * when the match ends or the room closes.
    *
    * @param sink takes the blocks, on the room's thread; stays the caller's to close
    */
   public void record(BlockSink sink) {
     recording.begin(sink);
+  }
+
+  /**
+   * Records each match into a file of its own, from now on.
+   *
+   * @param files stay the caller's to close
+   * @throws IOException when the first file can't be created
+   */
+  public void record(RecordingFiles files) throws IOException {
+    recording.begin(files);
   }
 
   /**
@@ -243,6 +254,8 @@ public final class Room {
     long beginNs = clock.getAsLong();
     arrivals.admit(beginNs, nowNs);
     departures.serve(nowNs);
+    Match match = context.match();
+    Simulation simulation = match.simulation();
     int next = simulation.tick() + 1;
     for (int i = sessions.count() - 1; i >= 0; i--) {
       sessions.get(i).consumeInput(next);
@@ -250,27 +263,30 @@ public final class Room {
     post.collect();
     boolean stepped = step();
     if (stepped) {
-      capture.capture();
-      counters.add(Counter.EVENTS_LOST, simulation.droppedEvents() - droppedEvents);
-      droppedEvents = simulation.droppedEvents();
+      match.capture().capture();
+      counters.add(Counter.EVENTS_LOST, match.takeDroppedEvents());
       if (sends) {
         snapshots.run(beginNs, nowNs);
       }
       post.send();
       simulation.drainNotices(sendNotice);
-      failures.tell(simulation.findings());
+      match.failures().tell(simulation.findings());
       roster.send(sessions.bySeat(), nowNs, sendTo);
     }
-    tick = simulation.tick();
     counters.add(Counter.TICKS, 1);
+    context.passTick();
     recording.tickEnds();
+    if (stepped) {
+      changes.tickEnds(nowNs);
+    }
+    tick = context.simulation().tick();
     long tookNs = clock.getAsLong() - beginNs;
     counters.tickTook(tookNs);
     if (tookNs > loop.periodNs()) {
       counters.add(Counter.TICKS_OVERRUN, 1);
     }
     int rate = context.config().tickRateHz();
-    if (failures.endTick() >= rate) {
+    if (match.failures().endTick() >= rate && !closed) {
       String game = simulation.game().name();
       fail("game " + game + " failed in each of the last " + rate + " ticks");
     }
@@ -280,7 +296,7 @@ public final class Room {
     int work = 0;
     for (int i = sessions.count() - 1; i >= 0; i--) {
       Session session = sessions.get(i);
-      if (session.state() == SessionState.PLAYING) {
+      if (session.state() == SessionState.PLAYING || session.state() == SessionState.LOADING) {
         try {
           work += session.poll(nowNs);
         } catch (RuntimeException e) {
@@ -303,6 +319,7 @@ public final class Room {
 
   /** Returns false when the step itself threw; the callbacks of the game can't. */
   private boolean step() {
+    Simulation simulation = context.simulation();
     try {
       simulation.step();
       return true;
@@ -367,12 +384,27 @@ public final class Room {
     return number;
   }
 
-  /** Returns the seed of this room's random numbers; from any thread. */
-  public long seed() {
-    return seed;
+  /** Returns the name by which players find the room; from any thread. */
+  public String name() {
+    return settings.name();
   }
 
-  /** Returns the last tick that was computed; from any thread. */
+  /** Returns the room's settings; from any thread. */
+  public RoomConfig settings() {
+    return settings;
+  }
+
+  /** Returns what clients must know to play the present match; from any thread. */
+  public MatchInfo match() {
+    return context.match().info();
+  }
+
+  /** Returns the number of ticks that the room has run, of all matches; from any thread. */
+  public int age() {
+    return context.age();
+  }
+
+  /** Returns the last tick of the present match that was computed; from any thread. */
   public int tick() {
     return tick;
   }
@@ -394,19 +426,14 @@ public final class Room {
     return counters;
   }
 
-  /** Returns the declarations of the game's fields; from any thread. */
-  public Schema schema() {
-    return simulation.schema();
-  }
-
-  /** Returns the world and its players, for reading. */
+  /** Returns the world and the players of the present match, for reading. */
   public Simulation simulation() {
-    return simulation;
+    return context.simulation();
   }
 
   /** Returns the frame states of the last ticks, for reading. */
   public FrameRing frames() {
-    return capture.frames();
+    return context.match().capture().frames();
   }
 
   /**
@@ -416,7 +443,7 @@ public final class Room {
    * @throws IllegalStateException when the game doesn't look back
    */
   public Queries<Entity> asSeenBy(Session session) {
-    return simulation.asSeenBy(session.player());
+    return simulation().asSeenBy(session.player());
   }
 
   /** Returns the session on a seat, or null. */

@@ -1,14 +1,80 @@
 package carom.server.room;
 
+import carom.physics.threads.Workers;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counters;
 import carom.server.session.Seats;
 import carom.sim.Simulation;
 
 /**
- * What the parts of a room share.
- *
- * @param label begins each log line: the room's number, or empty if there is only one room
+ * What the parts of a room share. The room's thread, but for {@link #match} and what never changes.
  */
-record RoomContext(
-    ServerConfig config, String label, Counters counters, Seats seats, Simulation simulation) {}
+final class RoomContext {
+  private final ServerConfig config;
+  private final String label;
+  private final Counters counters;
+  private final Seats seats;
+  private Workers workers;
+  private volatile Match match;
+  private volatile int age;
+
+  /**
+   * Creates the context of a room that begins with a match.
+   *
+   * @param label begins each log line: the room's name, or empty if there is only one room
+   */
+  RoomContext(ServerConfig config, String label, Counters counters, Seats seats, Match match) {
+    this.config = config;
+    this.label = label;
+    this.counters = counters;
+    this.seats = seats;
+    this.match = match;
+  }
+
+  ServerConfig config() {
+    return config;
+  }
+
+  String label() {
+    return label;
+  }
+
+  Counters counters() {
+    return counters;
+  }
+
+  Seats seats() {
+    return seats;
+  }
+
+  /** Returns the present match; from any thread. */
+  Match match() {
+    return match;
+  }
+
+  Simulation simulation() {
+    return match.simulation();
+  }
+
+  /** Goes on with another match. */
+  void play(Match next) {
+    next.simulation().world().workers(workers);
+    match = next;
+  }
+
+  /** Lets other threads help with stepping the worlds; null for none. */
+  void helpedBy(Workers helpers) {
+    workers = helpers;
+    match.simulation().world().workers(helpers);
+  }
+
+  /** Notes that a tick has passed. */
+  void passTick() {
+    age = age + 1;
+  }
+
+  /** Returns the number of ticks of all matches of the room; from any thread. */
+  int age() {
+    return age;
+  }
+}

@@ -5,9 +5,9 @@ import carom.replay.BlockSink;
 import carom.replay.Recorder;
 import carom.replay.RecordingHeader;
 import carom.server.metrics.Counter;
-import carom.server.metrics.Counters;
 import carom.server.recording.DelayedRecording;
 import carom.server.recording.RecordingFile;
+import carom.server.recording.RecordingFiles;
 import carom.server.recording.RotatingRecording;
 import carom.sim.Simulation;
 import java.io.IOException;
@@ -28,34 +28,29 @@ import org.slf4j.LoggerFactory;
 final class RoomRecording {
   private static final Logger LOG = LoggerFactory.getLogger(RoomRecording.class);
 
-  private final Simulation simulation;
-  private final long seed;
-  private final String label;
-  private final Counters counters;
+  private final RoomContext room;
   private Recorder recorder;
   private BlockSink sink;
+  private RecordingFiles files;
+
+  /** {@link #files} if they end by length or size, too; else null. */
   private RotatingRecording rotation;
+
   private int begunAt;
   private boolean toldLeftOut;
 
   /** The last file that was ended, perhaps still being written; null without. */
   private volatile RecordingFile ended;
 
-  /**
-   * Records nothing yet.
-   *
-   * @param seed the room's, for the header
-   * @param label begins log lines, may be empty
-   */
-  RoomRecording(Simulation simulation, long seed, String label, Counters counters) {
-    this.simulation = simulation;
-    this.seed = seed;
-    this.label = label;
-    this.counters = counters;
+  /** Records nothing yet. */
+  RoomRecording(RoomContext room) {
+    this.room = room;
   }
 
   /** Begins to record to a sink; see {@link Room#record(BlockSink)}. */
   void begin(BlockSink newSink) {
+    Simulation simulation = room.simulation();
+    long seed = room.match().info().seed();
     recorder =
         new Recorder(
             simulation, RecordingHeader.of(simulation, seed, Protocol.physicsDigest()), newSink);
@@ -65,14 +60,35 @@ final class RoomRecording {
     simulation.journal(recorder);
   }
 
+  /** Begins to record each match to a file of its own; see {@link Room#record(RecordingFiles)}. */
+  void begin(RecordingFiles newFiles) throws IOException {
+    begin(newFiles.next());
+    files = newFiles;
+  }
+
   /** Begins to record to a sequence of files; see {@link Room#record(RotatingRecording)}. */
-  void begin(RotatingRecording files) throws IOException {
-    if (simulation.game().keepsMore()) {
+  void begin(RotatingRecording newRotation) throws IOException {
+    if (room.simulation().game().keepsMore()) {
       throw new IllegalArgumentException(
-          "game=" + simulation.game().name() + " can be recorded into one file only");
+          "game=" + room.simulation().game().name() + " can be recorded into one file only");
     }
-    begin(files.next());
-    rotation = files;
+    begin((RecordingFiles) newRotation);
+    rotation = newRotation;
+  }
+
+  /** Ends the recording because the match ends; {@link #beginMatch} goes on with the next one. */
+  void endMatch() {
+    if (recorder != null) {
+      recorder.end("NEXT MATCH");
+      endFile();
+    }
+  }
+
+  /** Begins to record the match that has begun, if the last one was recorded into files. */
+  void beginMatch() {
+    if (files != null) {
+      beginNextFile();
+    }
   }
 
   /**
@@ -83,11 +99,12 @@ final class RoomRecording {
     if (recorder != null) {
       return "recorded already to " + sink + "; end that first: stopRecording";
     }
-    if (simulation.game().keepsMore()) {
+    if (room.simulation().game().keepsMore()) {
       return "game="
-          + simulation.game().name()
+          + room.simulation().game().name()
           + " keeps more than its state: it can be recorded from its start on only, by --record";
     }
+    Simulation simulation = room.simulation();
     RecordingFile created;
     try {
       created = new RecordingFile(path);
@@ -100,12 +117,13 @@ final class RoomRecording {
     }
     try {
       begin(created);
+      files = () -> new RecordingFile(RecordingFile.free(path));
     } catch (IllegalArgumentException e) {
       created.finish();
       delete(path);
       return "not recorded: " + e.getMessage();
     }
-    LOG.info("{}recorded to {} from tick {} on", label, path, simulation.tick());
+    LOG.info("{}recorded to {} from tick {} on", room.label(), path, simulation.tick());
     return "recording to " + path + " from tick=" + simulation.tick() + " on";
   }
 
@@ -127,8 +145,8 @@ final class RoomRecording {
     }
     String to = sink.toString();
     end("STOPPED");
-    LOG.info("{}recorded to {} up to tick {}", label, to, simulation.tick());
-    return "recorded to " + to + " up to tick=" + simulation.tick();
+    LOG.info("{}recorded to {} up to tick {}", room.label(), to, room.simulation().tick());
+    return "recorded to " + to + " up to tick=" + room.simulation().tick();
   }
 
   /** Ends the recording if its sink is cut, and begins another file if one is due; per tick. */
@@ -138,28 +156,36 @@ final class RoomRecording {
     }
     if (recorder.isCut()) {
       forget();
-      counters.add(Counter.RECORDINGS_CUT, 1);
-      LOG.error("{}the recording ends at tick {}; the game goes on", label, simulation.tick());
+      room.counters().add(Counter.RECORDINGS_CUT, 1);
+      LOG.error(
+          "{}the recording ends at tick {}; the game goes on",
+          room.label(),
+          room.simulation().tick());
       return;
     }
     if (recorder.leftOut() != null && !toldLeftOut) {
       toldLeftOut = true;
-      LOG.warn("{}the recording leaves whole states out: {}", label, recorder.leftOut());
+      LOG.warn("{}the recording leaves whole states out: {}", room.label(), recorder.leftOut());
     }
+    Simulation simulation = room.simulation();
     double seconds = (simulation.tick() - begunAt) / (double) simulation.tickRate();
     if (rotation != null && rotation.isFull(seconds)) {
-      rotate();
+      recorder.end("ROTATED");
+      beginNextFile();
     }
   }
 
-  private void rotate() {
-    recorder.end("ROTATED");
+  private void beginNextFile() {
     try {
-      begin(rotation.next());
+      begin(files.next());
     } catch (IOException | IllegalArgumentException e) {
-      LOG.error("{}no recording from tick {} on: {}", label, simulation.tick(), e.toString());
+      LOG.error(
+          "{}no recording from tick {} on: {}",
+          room.label(),
+          room.simulation().tick(),
+          e.toString());
       forget();
-      counters.add(Counter.RECORDINGS_CUT, 1);
+      room.counters().add(Counter.RECORDINGS_CUT, 1);
     }
   }
 
@@ -176,15 +202,20 @@ final class RoomRecording {
   }
 
   private void forget() {
+    endFile();
+    files = null;
+    rotation = null;
+  }
+
+  private void endFile() {
     RecordingFile file = fileOf(sink);
     if (file != null) {
       file.finish();
       ended = file;
     }
-    simulation.journal(null);
+    room.simulation().journal(null);
     recorder = null;
     sink = null;
-    rotation = null;
   }
 
   /** Returns the file that a sink writes to; null if it writes to none. */

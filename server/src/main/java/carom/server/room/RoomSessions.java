@@ -93,13 +93,13 @@ final class RoomSessions {
 
   /** Counts how many sessions play, and how many wait for their players. */
   void updateGauges() {
-    int playing = 0;
+    int inGrace = 0;
     for (int i = 0; i < sessions.size(); i++) {
-      if (sessions.get(i).state() == SessionState.PLAYING) {
-        playing++;
+      if (sessions.get(i).state() == SessionState.GRACE) {
+        inGrace++;
       }
     }
-    counters.set(Counter.PLAYERS, playing);
-    counters.set(Counter.PLAYERS_IN_GRACE, sessions.size() - playing);
+    counters.set(Counter.PLAYERS, sessions.size() - inGrace);
+    counters.set(Counter.PLAYERS_IN_GRACE, inGrace);
   }
 }

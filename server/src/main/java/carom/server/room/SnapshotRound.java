@@ -1,7 +1,6 @@
 package carom.server.room;
 
 import carom.net.protocol.SessionState;
-import carom.server.replication.FrameCapture;
 import carom.server.session.Session;
 import java.util.IdentityHashMap;
 import java.util.function.LongSupplier;
@@ -15,7 +14,6 @@ final class SnapshotRound {
   private final LongSupplier clock;
   private final RoomSessions sessions;
   private final Departures departures;
-  private final FrameCapture frames;
   private final SendTurns turns;
   private final LoadWarnings warnings;
   private final IdentityHashMap<Session, RuntimeException> broken = new IdentityHashMap<>();
@@ -24,20 +22,17 @@ final class SnapshotRound {
    * Creates the round of a room.
    *
    * @param clock nanoseconds, to measure how long the tick takes
-   * @param frames the room's frames
    */
   SnapshotRound(
       RoomContext room,
       LongSupplier clock,
       RoomSessions sessions,
       Departures departures,
-      FrameCapture frames,
       LoadWarnings warnings) {
     this.room = room;
     this.clock = clock;
     this.sessions = sessions;
     this.departures = departures;
-    this.frames = frames;
     this.warnings = warnings;
     turns = new SendTurns(room.config().tickRateHz(), room.config().snapshotRateHz());
   }
@@ -72,7 +67,7 @@ final class SnapshotRound {
   private void showWaitingInputs() {
     for (int i = 0; i < sessions.count() && room.simulation().game().relaysAhead(); i++) {
       if (sessions.get(i).state() == SessionState.PLAYING) {
-        sessions.get(i).showWaiting(frames.frames().waiting());
+        sessions.get(i).showWaiting(room.match().capture().frames().waiting());
       }
     }
   }

@@ -12,12 +12,14 @@ import carom.net.transport.Broadcast;
 import carom.net.transport.Link;
 import carom.net.transport.LinkHandler;
 import carom.server.config.ServerConfig;
+import carom.server.match.LevelUpload;
 import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.metrics.LogInterval;
 import carom.server.prediction.PredictionAudit.Finding;
 import carom.server.replication.SessionReplication;
 import carom.sim.Player;
+import java.util.Locale;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -25,11 +27,15 @@ import org.slf4j.LoggerFactory;
  * The protocol's state of one player in a room: the state of the session, its link while there is
  * one, and its inputs. Its {@link SessionReplication} decides what the client is told.
  *
- * <p>A session lives from Ready until the player leaves or the grace period ends. A resumed session
- * keeps this object and gets a new link.
+ * <p>A session lives from the first Ready until the player leaves or the grace period ends. A
+ * resumed session keeps this object and gets a new link. When the room begins another match, the
+ * session gets another player and loads again over the same link.
  *
  * <p>What a client sends can change this object only: a wrong message asks the room to expel the
  * session; a wrong datagram is counted and ignored, because anybody can forge a datagram.
+ *
+ * <p><b>Length.</b> Just above 500 lines: the ways from state to state are told where they are, and
+ * inputs, messages and replication are classes of their own.
  *
  * <p>Owned by the room's thread. Polling and sending in the steady state allocate nothing.
  */
@@ -54,11 +60,11 @@ public final class Session implements LinkHandler {
   }
 
   private final Seats.Seat seat;
-  private final Player player;
+  private Player player;
   private final ServerConfig config;
   private final Counters counters;
-  private final SessionReplication replication;
-  private final SessionMessages messages;
+  private SessionReplication replication;
+  private SessionMessages messages;
   private final InputBuffer inputs;
   private final InputDatagram datagram = new InputDatagram();
   private final InputFeedback feedback = new InputFeedback();
@@ -71,6 +77,9 @@ public final class Session implements LinkHandler {
   private int silentTicks;
   private long sequenceArrivalNs;
   private long graceEndNs;
+  private LevelUpload upload;
+  private boolean loaded;
+  private int loadingTicks;
   private boolean linkLost;
   private String linkLostReason = "";
   private Departure departure = Departure.NONE;
@@ -81,8 +90,8 @@ public final class Session implements LinkHandler {
   private long earlySeen;
 
   /**
-   * Creates a session without a link, in {@link SessionState#LOADING}; {@link #attach} makes it
-   * play.
+   * Creates a session without a link, in {@link SessionState#LOADING}; {@link #attach} and {@link
+   * #play} let it play.
    *
    * @param player the player in the room's simulation
    * @param replication tells the player's client about the room
@@ -105,27 +114,81 @@ public final class Session implements LinkHandler {
   }
 
   /**
-   * Gives the session a link and lets it play; allowed while loading and in grace.
+   * Gives the session a link; {@link #play} or {@link #load} must follow.
    *
    * @param newLink its inbox belongs to this session from now on
-   * @param key first 32 bits of each input datagram of this link
+   */
+  public void attach(Link newLink) {
+    link = newLink;
+    linkLost = false;
+    linkLostReason = "";
+    departure = Departure.NONE;
+  }
+
+  /**
+   * Lets a session play whose client has loaded the match; allowed while loading and in grace.
+   *
+   * @param key first 32 bits of each input datagram from now on
    * @param tick the room's last tick: inputs for later ones are welcome
    */
-  public void attach(Link newLink, int key, int tick) {
+  public void play(int key, int tick) {
     state = state.become(SessionState.PLAYING);
-    link = newLink;
     datagramKey = key;
+    upload = null;
+    loaded = false;
     replication.begin(key);
-    messages.attach(newLink, key);
+    messages.attach(link, key);
     inputs.reset(tick);
     viewDelay = 0;
     feedback.present = false;
     feedback.consumedTick = tick;
     silentTicks = 0;
-    linkLost = false;
-    linkLostReason = "";
-    departure = Departure.NONE;
     knowsRoster = false;
+  }
+
+  /**
+   * Goes on in another match of the room. What a client without a link would have heard of the last
+   * one is forgotten.
+   *
+   * @param newPlayer the player in the match's simulation
+   * @param newReplication tells the player's client about the match
+   * @param newMessages of the match's game; those of the last one that wait are forgotten
+   */
+  public void enter(
+      Player newPlayer, SessionReplication newReplication, SessionMessages newMessages) {
+    replication.end();
+    newMessages.mute(messages.isMuted());
+    messages = newMessages;
+    player = newPlayer;
+    replication = newReplication;
+  }
+
+  /**
+   * Makes the client load the match. Until it {@linkplain #hasLoaded has}, the player's input is
+   * neutral.
+   *
+   * @param newUpload sends the level
+   * @param welcome tells the client
+   */
+  public void load(LevelUpload newUpload, ServerMessage.Welcome welcome) {
+    if (state != SessionState.LOADING) {
+      state = state.become(SessionState.LOADING);
+    }
+    upload = newUpload;
+    datagramKey = welcome.datagramKey();
+    loaded = false;
+    loadingTicks = 0;
+    send(welcome);
+  }
+
+  /** Returns whether the client has loaded the match, so that the session may {@link #play}. */
+  public boolean hasLoaded() {
+    return state == SessionState.LOADING && loaded;
+  }
+
+  /** Returns the key of the link's datagrams. */
+  public int datagramKey() {
+    return datagramKey;
   }
 
   /**
@@ -170,6 +233,8 @@ public final class Session implements LinkHandler {
     silentTicks = 0;
     if (message instanceof ClientMessage.Leave) {
       departure = Departure.LEAVE;
+    } else if (state == SessionState.LOADING) {
+      loading(message);
     } else if (message instanceof ClientMessage.Look look) {
       replication.look(look);
     } else if (message instanceof ClientMessage.Diverged report) {
@@ -178,12 +243,36 @@ public final class Session implements LinkHandler {
       messages.heard(heard);
     } else if (message instanceof ClientMessage.GameMessage m && messages.receive(m)) {
       return;
-    } else if (!(message instanceof ClientMessage.Ready) && departure == Departure.NONE) {
+    } else if (!(message instanceof ClientMessage.Ready)) {
+      expelFor(message);
+    }
+  }
+
+  /** Takes a message while the client loads. What belongs to the last match may still arrive. */
+  private void loading(Object message) {
+    if (message instanceof ClientMessage.LevelRequest request) {
+      if (upload.answer(request, link) != null) {
+        expelFor(message);
+      }
+    } else if (message instanceof ClientMessage.Ready ready) {
+      loaded |= upload.isFinishedBy(ready);
+    } else if (!(message instanceof ClientMessage.Look)
+        && !(message instanceof ClientMessage.Diverged)
+        && !(message instanceof ClientMessage.Heard)
+        && !(message instanceof ClientMessage.GameMessage)) {
+      expelFor(message);
+    }
+  }
+
+  private void expelFor(Object message) {
+    if (departure == Departure.NONE) {
       departure = Departure.EXPEL;
       offence =
           message == null
               ? "an undecodable message"
-              : message.getClass().getSimpleName() + " while playing";
+              : message.getClass().getSimpleName()
+                  + " while "
+                  + state.name().toLowerCase(Locale.ROOT);
     }
   }
 
@@ -210,7 +299,7 @@ public final class Session implements LinkHandler {
 
   @Override
   public void datagram(Link from, byte[] bytes, int length) {
-    if (from != link) {
+    if (from != link || state != SessionState.PLAYING) {
       return;
     }
     counters.add(Counter.BYTES_IN, length);
@@ -261,6 +350,7 @@ public final class Session implements LinkHandler {
     if (state != SessionState.PLAYING) {
       player.input().clear();
       player.viewDelay(0);
+      loadingTicks += state == SessionState.LOADING ? 1 : 0;
       return;
     }
     silentTicks++;
@@ -326,7 +416,7 @@ public final class Session implements LinkHandler {
 
   /** Sends the messages of the game that are queued, when there is a link. */
   public void sendMessages() {
-    if (link != null) {
+    if (state == SessionState.PLAYING) {
       messages.flush(link);
     }
   }
@@ -365,7 +455,7 @@ public final class Session implements LinkHandler {
     return player;
   }
 
-  /** Returns the present state: playing, in grace or closed. */
+  /** Returns the present state: loading, playing, in grace or closed. */
   public SessionState state() {
     return state;
   }
@@ -401,6 +491,12 @@ public final class Session implements LinkHandler {
    */
   public boolean isSilent() {
     return silentTicks * 1_000L > (long) config.silenceTimeoutMs() * config.tickRateHz();
+  }
+
+  /** Returns whether the client takes longer to load the match than it may. */
+  public boolean isTooSlow() {
+    return state == SessionState.LOADING
+        && loadingTicks * 1_000L > (long) config.loadTimeoutMs() * config.tickRateHz();
   }
 
   /** Returns whether the grace period is over; meaningful in grace. */

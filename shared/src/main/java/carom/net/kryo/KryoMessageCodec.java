@@ -194,6 +194,7 @@ public final class KryoMessageCodec implements MessageCodec {
       out.writeInt(m.datagramKey());
       out.writeVarInt(playerId(m.playerId()), true);
       out.writeByte(inRange("tickRate", m.tickRate(), Limits.MIN_TICK_RATE, Limits.MAX_TICK_RATE));
+      out.writeVarInt(inRange("match", m.match(), 1, Integer.MAX_VALUE), true);
       out.writeInt(m.tick());
       out.writeLong(m.seed());
       writeText(out, "game", m.game(), Limits.MAX_GAME_NAME_BYTES);
@@ -215,6 +216,7 @@ public final class KryoMessageCodec implements MessageCodec {
           in.readInt(),
           playerId(in.readVarInt(true)),
           inRange("tickRate", in.readByteUnsigned(), Limits.MIN_TICK_RATE, Limits.MAX_TICK_RATE),
+          inRange("match", in.readVarInt(true), 1, Integer.MAX_VALUE),
           in.readInt(),
           in.readLong(),
           readText(in, "game", Limits.MAX_GAME_NAME_BYTES),

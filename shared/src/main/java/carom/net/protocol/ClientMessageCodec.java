@@ -66,6 +66,7 @@ public final class ClientMessageCodec {
                 + (Limits.MAX_LEVEL_BYTES - 1));
       }
       buffer.put(LEVEL_REQUEST);
+      buffer.putInt(request.datagramKey());
       buffer.putInt(request.offset());
     } else if (message instanceof ClientMessage.Look look) {
       buffer.put(LOOK);
@@ -99,7 +100,7 @@ public final class ClientMessageCodec {
     } else if (message instanceof ClientMessage.Heard heard) {
       buffer.put(HEARD).putInt(heard.number());
     } else if (message instanceof ClientMessage.Ready ready) {
-      buffer.put(READY).putLong(ready.fieldsDigest());
+      buffer.put(READY).putInt(ready.datagramKey()).putLong(ready.fieldsDigest());
     } else {
       buffer.put(LEAVE);
     }
@@ -130,8 +131,7 @@ public final class ClientMessageCodec {
     return switch (buffer.get()) {
       case HELLO -> decodeHello(buffer);
       case LEVEL_REQUEST -> decodeLevelRequest(buffer);
-      case READY ->
-          buffer.remaining() == Long.BYTES ? new ClientMessage.Ready(buffer.getLong()) : null;
+      case READY -> decodeReady(buffer);
       case LEAVE -> buffer.hasRemaining() ? null : new ClientMessage.Leave();
       case LOOK -> decodeLook(buffer);
       case DIVERGED -> decodeDiverged(buffer);
@@ -145,11 +145,18 @@ public final class ClientMessageCodec {
   }
 
   private static ClientMessage decodeLevelRequest(ByteBuffer buffer) {
-    if (buffer.remaining() != 4) {
+    if (buffer.remaining() != 2 * Integer.BYTES) {
       return null;
     }
+    int datagramKey = buffer.getInt();
     int offset = buffer.getInt();
-    return validOffset(offset) ? new ClientMessage.LevelRequest(offset) : null;
+    return validOffset(offset) ? new ClientMessage.LevelRequest(datagramKey, offset) : null;
+  }
+
+  private static ClientMessage decodeReady(ByteBuffer buffer) {
+    return buffer.remaining() == Integer.BYTES + Long.BYTES
+        ? new ClientMessage.Ready(buffer.getInt(), buffer.getLong())
+        : null;
   }
 
   /**

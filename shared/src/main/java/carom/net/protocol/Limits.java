@@ -77,5 +77,17 @@ public final class Limits {
   /** Longest declaration of a field that {@code Welcome} tells, bytes; the rest is cut. */
   public static final int MAX_FIELD_LINE_BYTES = 100;
 
+  /** Longest name of a room. */
+  public static final int MAX_ROOM_NAME_BYTES = 32;
+
+  /** Most entries of a room's metadata. */
+  public static final int MAX_ROOM_METADATA = 8;
+
+  /** Longest key of a room's metadata. */
+  public static final int MAX_METADATA_KEY_BYTES = 16;
+
+  /** Longest value of a room's metadata. */
+  public static final int MAX_METADATA_VALUE_BYTES = 48;
+
   private Limits() {}
 }

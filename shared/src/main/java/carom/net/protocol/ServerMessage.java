@@ -10,12 +10,15 @@ import java.util.List;
 public sealed interface ServerMessage {
 
   /**
-   * Admits a client and gives it what it needs to load the level and to predict.
+   * Admits a client and gives it what it needs to load the level and to predict. A client that
+   * plays receives another one when its room goes on with another level or game: it keeps its
+   * secret and id, and has to load again.
    *
    * @param sessionSecret proves the client's identity when it resumes the session; never 0
    * @param datagramKey first 32 bits of each input datagram, and the key of the snapshots' checksum
    * @param playerId 0..1,023
    * @param tickRate ticks per second, {@link Limits#MIN_TICK_RATE}..{@link Limits#MAX_TICK_RATE}
+   * @param match counts the room's matches from 1 on; ticks begin at 0 in each
    * @param tick the server's tick when it sent this
    * @param seed seed of the simulation
    * @param game name of the game, for {@code Games.create}
@@ -33,6 +36,7 @@ public sealed interface ServerMessage {
       int datagramKey,
       int playerId,
       int tickRate,
+      int match,
       int tick,
       long seed,
       String game,

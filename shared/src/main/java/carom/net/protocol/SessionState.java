@@ -7,7 +7,10 @@ package carom.net.protocol;
 public enum SessionState {
   /** The link is open; the server waits for {@code Hello}. */
   CONNECTED,
-  /** The server has sent {@code Welcome}; the client fetches the level. */
+  /**
+   * The server has sent {@code Welcome}; the client fetches the level. A player whose room changes
+   * its level or game has a body meanwhile.
+   */
   LOADING,
   /** The client has sent {@code Ready}. It has a body, sends inputs and receives snapshots. */
   PLAYING,
@@ -20,9 +23,9 @@ public enum SessionState {
   public boolean canBecome(SessionState next) {
     return switch (this) {
       case CONNECTED -> next == LOADING || next == CLOSED;
-      case LOADING -> next == PLAYING || next == CLOSED;
-      case PLAYING -> next == GRACE || next == CLOSED;
-      case GRACE -> next == PLAYING || next == CLOSED;
+      case LOADING -> next == PLAYING || next == GRACE || next == CLOSED;
+      case PLAYING -> next == LOADING || next == GRACE || next == CLOSED;
+      case GRACE -> next == PLAYING || next == LOADING || next == CLOSED;
       case CLOSED -> false;
     };
   }

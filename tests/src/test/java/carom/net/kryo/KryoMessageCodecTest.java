@@ -36,6 +36,7 @@ final class KryoMessageCodecTest {
             0x01020304,
             255,
             240,
+            9,
             77,
             Long.MIN_VALUE,
             "arena",
@@ -57,8 +58,8 @@ final class KryoMessageCodecTest {
         new ClientMessage.Watch(1, -5, 255),
         new ClientMessage.RecordingRequest(Long.MAX_VALUE),
         new ClientMessage.Hello(1, -5, "Ünal", 99),
-        new ClientMessage.LevelRequest(1_000),
-        new ClientMessage.Ready(5),
+        new ClientMessage.LevelRequest(7, 1_000),
+        new ClientMessage.Ready(7, 5),
         new ClientMessage.Leave(),
         new ClientMessage.Look(1.5f, -2, 0, 1e30f));
   }
@@ -97,6 +98,7 @@ final class KryoMessageCodecTest {
             + "04030201" // datagramKey
             + "ff01" // playerId
             + "f0" // tickRate
+            + "09" // match
             + "4d000000" // tick
             + "0000000000000080" // seed
             + "056172656e61" // game
@@ -135,10 +137,10 @@ final class KryoMessageCodecTest {
             new ClientMessage.RecordingRequest(-1),
             new ServerMessage.LevelChunk(-1, new byte[1]),
             new ServerMessage.Welcome(
-                1, 1, Limits.MAX_PLAYERS, 60, 0, 0, "g", "l", 0, 0, 0, 0, List.of()),
-            new ServerMessage.Welcome(1, 1, 1, 0, 0, 0, "g", "l", 0, 0, 0, 0, List.of()),
+                1, 1, Limits.MAX_PLAYERS, 60, 1, 0, 0, "g", "l", 0, 0, 0, 0, List.of()),
+            new ServerMessage.Welcome(1, 1, 1, 0, 1, 0, 0, "g", "l", 0, 0, 0, 0, List.of()),
             new ServerMessage.Welcome(
-                1, 1, 1, 60, 0, 0, "g", "l", 0, 0, 0, 0, List.of("x".repeat(101))),
+                1, 1, 1, 60, 1, 0, 0, "g", "l", 0, 0, 0, 0, List.of("x".repeat(101))),
             "no message");
     for (Object message : wrong) {
       IllegalArgumentException x =

@@ -222,7 +222,7 @@ public class KryoTransportTest {
         for (int i = 0; i < 4; i++) {
           Link link = i % 2 == 0 ? pair.client : pair.server;
           Object message =
-              i % 2 == 0 ? new ClientMessage.LevelRequest(1) : new ServerMessage.Notice("hello");
+              i % 2 == 0 ? new ClientMessage.LevelRequest(7, 1) : new ServerMessage.Notice("hello");
           threads.add(
               new Thread(
                   () -> {

@@ -17,9 +17,9 @@ class ClientMessageCodecTest {
       List.of(
           new ClientMessage.Hello(1, 0x0123456789abcdefL, "Zoë", -1),
           new ClientMessage.Hello(Integer.MIN_VALUE, 0, "", 0),
-          new ClientMessage.LevelRequest(0),
-          new ClientMessage.LevelRequest(Limits.MAX_LEVEL_BYTES - 1),
-          new ClientMessage.Ready(5),
+          new ClientMessage.LevelRequest(7, 0),
+          new ClientMessage.LevelRequest(7, Limits.MAX_LEVEL_BYTES - 1),
+          new ClientMessage.Ready(7, 5),
           new ClientMessage.Leave());
 
   @Test
@@ -54,7 +54,7 @@ class ClientMessageCodecTest {
     for (int offset : new int[] {-1, Limits.MAX_LEVEL_BYTES}) {
       assertThrows(
           IllegalArgumentException.class,
-          () -> ClientMessageCodec.encode(new ClientMessage.LevelRequest(offset)));
+          () -> ClientMessageCodec.encode(new ClientMessage.LevelRequest(7, offset)));
       byte[] bytes = {
         2, (byte) (offset >> 24), (byte) (offset >> 16), (byte) (offset >> 8), (byte) offset
       };

@@ -189,7 +189,7 @@ class EventOverSnapshotsTest {
         tick(1, random);
         again.offer(ring.events().limit() - 1);
       }
-      repeats.beginLink(tick);
+      repeats.beginLink(1, tick);
       for (int t = 0; t < 300; t++) {
         tick(0, random);
         again.begin(feedback, null, 2_000);

@@ -1,0 +1,43 @@
+package carom.server.match;
+
+import carom.net.field.FieldAgreement;
+import carom.net.protocol.ServerMessage.Welcome;
+import carom.sim.field.Schema;
+
+/**
+ * What a client must know of a room's match to play it. Immutable; any thread.
+ *
+ * @param number counts the room's matches from 1 on
+ * @param game name of the game
+ * @param level the level with its download
+ * @param seed seed of the match's random numbers
+ * @param schema declarations of the game's fields
+ */
+public record MatchInfo(int number, String game, LoadedLevel level, long seed, Schema schema) {
+  /**
+   * Returns the message that lets a player load and join the match.
+   *
+   * @param sessionSecret proves the player's identity
+   * @param playerId the player's seat
+   * @param datagramKey key of the link's datagrams from now on
+   * @param tick the room's present tick
+   */
+  public Welcome welcome(
+      long sessionSecret, int playerId, int datagramKey, int tickRateHz, int tick) {
+    return new Welcome(
+        sessionSecret,
+        datagramKey,
+        playerId,
+        tickRateHz,
+        number,
+        tick,
+        seed,
+        game,
+        level.level().name(),
+        level.contentHash(),
+        level.size(),
+        level.packedSize(),
+        schema.digest(),
+        FieldAgreement.tell(schema));
+  }
+}

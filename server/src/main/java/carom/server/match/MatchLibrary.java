@@ -1,0 +1,50 @@
+package carom.server.match;
+
+import carom.game.Games;
+import carom.sim.Game;
+import carom.sim.level.Level;
+import carom.sim.level.LevelException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+
+/** Finds games and levels by name, for rooms that begin a match. Any thread may ask. */
+public interface MatchLibrary {
+  /** The games on the class path; level files, and levels that come with the program. */
+  MatchLibrary INSTALLED =
+      new MatchLibrary() {
+        @Override
+        public Game game(String name) {
+          return Games.create(name);
+        }
+
+        @Override
+        public LoadedLevel level(String name) throws LevelException {
+          return new LoadedLevel(find(name));
+        }
+      };
+
+  /**
+   * Returns a new instance of a game.
+   *
+   * @throws IllegalArgumentException when there is no such game; the message lists the known ones
+   */
+  Game game(String name);
+
+  /**
+   * Returns a level.
+   *
+   * @param name a file, or the name of a level that comes with the program
+   * @throws LevelException when there is none, or when it can't be used
+   */
+  LoadedLevel level(String name) throws LevelException;
+
+  private static Level find(String name) throws LevelException {
+    try {
+      Path file = Path.of(name);
+      return Files.isRegularFile(file) ? Level.load(file) : Level.builtIn(name);
+    } catch (InvalidPathException e) {
+      throw new LevelException(name, 0, 0, "", "this can't be the name of a file or level");
+    }
+  }
+}

@@ -1,0 +1,93 @@
+package carom.server.room;
+
+import carom.game.GuardedGame;
+import carom.server.config.ServerConfig;
+import carom.server.match.LoadedLevel;
+import carom.server.match.MatchInfo;
+import carom.server.metrics.Counters;
+import carom.server.prediction.OwnCapture;
+import carom.server.replication.FrameCapture;
+import carom.server.replication.SessionReplication;
+import carom.server.session.SessionMessages;
+import carom.sim.Game;
+import carom.sim.Player;
+import carom.sim.Role;
+import carom.sim.Simulation;
+
+/**
+ * One game in one level in a room, from tick 0 on: the simulation and what sessions are told from.
+ * A room that changes its game or level gets another match, in which everything here is new.
+ *
+ * <p>Any thread may build a match. From {@link MatchChange} on it belongs to the room's thread.
+ */
+final class Match {
+  private final MatchInfo info;
+  private final GameFailures failures;
+  private final Simulation simulation;
+  private final FrameCapture capture;
+  private final OwnCapture ownCapture;
+  private final ServerConfig config;
+  private final Counters counters;
+  private long droppedEvents;
+
+  /**
+   * Builds the level and sets up the game.
+   *
+   * @param rules an instance of this match's own
+   * @param label begins each log line
+   * @throws IllegalArgumentException when the game can't be played in the level
+   */
+  Match(
+      int number,
+      Game rules,
+      LoadedLevel level,
+      long seed,
+      ServerConfig config,
+      String label,
+      Counters counters) {
+    this.config = config;
+    this.counters = counters;
+    failures = new GameFailures(rules.name(), counters, label);
+    GuardedGame game = new GuardedGame(rules, failures);
+    simulation = new Simulation(game, level.level(), seed, config.tickRateHz(), Role.AUTHORITY);
+    info = new MatchInfo(number, rules.name(), level, seed, simulation.schema());
+    capture = new FrameCapture(simulation);
+    ownCapture = new OwnCapture(simulation);
+  }
+
+  /** Returns what clients must know to play. */
+  MatchInfo info() {
+    return info;
+  }
+
+  /** Returns the exceptions of the game. */
+  GameFailures failures() {
+    return failures;
+  }
+
+  Simulation simulation() {
+    return simulation;
+  }
+
+  FrameCapture capture() {
+    return capture;
+  }
+
+  /** Returns the number of events that the simulation has dropped since the last call. */
+  long takeDroppedEvents() {
+    long now = simulation.droppedEvents();
+    long dropped = now - droppedEvents;
+    droppedEvents = now;
+    return dropped;
+  }
+
+  /** Creates the messages of the game between a player and the match. */
+  SessionMessages messagesOf(Player player) {
+    return new SessionMessages(simulation, player, counters);
+  }
+
+  /** Creates what tells the client of a player about the match. */
+  SessionReplication replicationTo(Player player) {
+    return new SessionReplication(player, config, capture, ownCapture, counters);
+  }
+}

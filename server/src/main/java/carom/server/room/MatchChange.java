@@ -1,0 +1,202 @@
+package carom.server.room;
+
+import carom.net.protocol.SessionState;
+import carom.server.match.LevelUpload;
+import carom.server.match.MatchInfo;
+import carom.server.metrics.Counter;
+import carom.server.session.Session;
+import carom.sim.NextMatch;
+import carom.sim.Player;
+import carom.sim.Simulation;
+import java.util.List;
+import java.util.concurrent.Executor;
+import java.util.concurrent.atomic.AtomicReference;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Puts another match in the place of a room's present one, because the game or an operator wants
+ * it. The next match is built beside the present one, which goes on until then. A match that can't
+ * be built changes nothing.
+ *
+ * <pre>
+ *   game: playNext, matchOver ──► load, on another thread ──┐
+ *   operator: change ───────────► load, on its thread ──────┴─► begin, between two ticks
+ *                                                                 │
+ *            recording ends and another begins ◄──────────────────┤
+ *            players join the new simulation, links stay ◄────────┤
+ *            clients get a Welcome and load: PLAYING ─► LOADING ◄─┘
+ * </pre>
+ *
+ * <p>The room's thread, but for {@link #load}.
+ */
+final class MatchChange {
+  private static final Logger LOG = LoggerFactory.getLogger(MatchChange.class);
+
+  /** Time for which a wish that couldn't be fulfilled isn't tried again. */
+  private static final long RETRY_NS = 10_000_000_000L;
+
+  private final RoomContext room;
+  private final MatchLoader loader;
+  private final Executor executor;
+  private final List<String> rotation;
+  private final RoomSessions sessions;
+  private final RoomRecording recording;
+  private final RosterNews roster;
+
+  /** What the other thread brings back; null while it loads. */
+  private final AtomicReference<Loaded> loaded = new AtomicReference<>();
+
+  private boolean loading;
+  private int inRotation;
+  private NextMatch failed;
+  private long failedNs;
+
+  /** The outcome of a load: a match, or why there is none. */
+  private record Loaded(NextMatch wanted, Match match, MatchLoader.Unplayable problem) {}
+
+  /**
+   * Creates an object that has nothing to change.
+   *
+   * @param executor loads matches for the game, on a thread that no tick waits for
+   * @param rotation names of the levels that follow each other; the room plays the first
+   */
+  MatchChange(
+      RoomContext room,
+      MatchLoader loader,
+      Executor executor,
+      List<String> rotation,
+      RoomSessions sessions,
+      RoomRecording recording,
+      RosterNews roster) {
+    this.room = room;
+    this.loader = loader;
+    this.executor = executor;
+    this.rotation = rotation;
+    this.sessions = sessions;
+    this.recording = recording;
+    this.roster = roster;
+  }
+
+  /** Fulfils what the game asked for in the tick that ends, as soon as it is loaded. */
+  void tickEnds(long nowNs) {
+    NextMatch wanted = room.simulation().takeNextMatch();
+    if (wanted != null && !loading) {
+      request(wanted, nowNs);
+    }
+    Loaded outcome = loaded.getAndSet(null);
+    if (outcome == null) {
+      return;
+    }
+    loading = false;
+    if (outcome.match() != null) {
+      begin(outcome.match(), outcome.wanted());
+    } else {
+      failed = outcome.wanted();
+      failedNs = nowNs;
+    }
+  }
+
+  private void request(NextMatch wanted, long nowNs) {
+    if (wanted.isOfRotation() && rotation.size() < 2
+        || wanted.equals(failed) && nowNs - failedNs < RETRY_NS) {
+      return;
+    }
+    failed = null;
+    NextMatch named = wanted;
+    if (wanted.isOfRotation()) {
+      inRotation = (inRotation + 1) % rotation.size();
+      named =
+          new NextMatch("", rotation.get(inRotation), wanted.keepsTeams(), wanted.keepsScores());
+    }
+    loading = true;
+    NextMatch toLoad = named;
+    executor.execute(() -> loaded.set(tryToLoad(toLoad, wanted)));
+  }
+
+  private Loaded tryToLoad(NextMatch named, NextMatch wanted) {
+    try {
+      return new Loaded(wanted, load(named), null);
+    } catch (MatchLoader.Unplayable e) {
+      return new Loaded(wanted, null, e);
+    }
+  }
+
+  /**
+   * Builds a match, on the calling thread, and logs why if it can't.
+   *
+   * @throws MatchLoader.Unplayable when it can't be played
+   */
+  Match load(NextMatch named) throws MatchLoader.Unplayable {
+    try {
+      return loader.load(named);
+    } catch (MatchLoader.Unplayable e) {
+      LOG.error(
+          "{}can't change to game=\"{}\" level=\"{}\": {}; the match goes on",
+          room.label(),
+          named.game(),
+          named.level(),
+          e.getMessage(),
+          e.getCause());
+      throw e;
+    }
+  }
+
+  /**
+   * Goes on with a match that was built.
+   *
+   * @param wanted says what players bring with them
+   */
+  void begin(Match next, NextMatch wanted) {
+    Simulation simulation = next.simulation();
+    boolean brings =
+        (wanted.keepsTeams() || wanted.keepsScores()) && !simulation.game().keepsMore();
+    recording.endMatch();
+    room.play(next);
+    if (!brings) {
+      recording.beginMatch(); // from tick 0 without players, which needs no whole state
+    }
+    for (int id = 0; id < room.seats().count(); id++) {
+      Session session = sessions.onSeat(id);
+      if (session != null) {
+        Player before = session.player();
+        Player player =
+            simulation.join(
+                id,
+                before.name(),
+                brings && wanted.keepsTeams() ? before.team() : 0,
+                brings && wanted.keepsScores() ? before.score() : 0);
+        session.enter(player, next.replicationTo(player), next.messagesOf(player));
+      }
+    }
+    if (brings) {
+      recording.beginMatch();
+    }
+    next.capture().capture();
+    for (int i = 0; i < sessions.count(); i++) {
+      if (sessions.get(i).state() != SessionState.GRACE) {
+        tell(sessions.get(i));
+      }
+    }
+    roster.changed();
+    room.counters().add(Counter.MATCHES, 1);
+    LOG.info(
+        "{}match {}: game {}, level {}, {} players",
+        room.label(),
+        next.info().number(),
+        next.info().game(),
+        next.info().level().level().name(),
+        sessions.count());
+  }
+
+  /** Tells a session's client what to load. It plays as soon as it has. */
+  void tell(Session session) {
+    MatchInfo match = room.match().info();
+    int key = room.seats().newDatagramKey();
+    int rate = room.config().tickRateHz();
+    session.load(
+        new LevelUpload(match.level(), key),
+        match.welcome(
+            session.seat().secret(), session.seat().id(), key, rate, room.simulation().tick()));
+  }
+}

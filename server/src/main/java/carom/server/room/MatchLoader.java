@@ -1,0 +1,85 @@
+package carom.server.room;
+
+import carom.server.config.RoomConfig;
+import carom.server.config.ServerConfig;
+import carom.server.match.LoadedLevel;
+import carom.server.match.MatchLibrary;
+import carom.server.metrics.Counters;
+import carom.sim.Game;
+import carom.sim.NextMatch;
+import carom.sim.level.LevelException;
+import java.util.concurrent.atomic.AtomicInteger;
+
+/**
+ * Builds the matches of a room: finds game and level, builds the world and sets the game up. That
+ * takes a large level many ticks, so that any thread may do it while the room plays.
+ */
+final class MatchLoader {
+  /** From match to match the seed grows by the most rooms, so that no two matches share one. */
+  private static final int SEED_STEP = 64;
+
+  private final ServerConfig config;
+  private final RoomConfig room;
+  private final MatchLibrary library;
+  private final String label;
+  private final Counters counters;
+  private final AtomicInteger built = new AtomicInteger();
+
+  /** Says in one line why a match can't be played. */
+  static final class Unplayable extends Exception {
+    private static final long serialVersionUID = 1;
+
+    Unplayable(String why, Throwable cause) {
+      super(why, cause);
+    }
+  }
+
+  /**
+   * Creates a loader that has built no match.
+   *
+   * @param label begins each log line
+   */
+  MatchLoader(
+      ServerConfig config, RoomConfig room, MatchLibrary library, String label, Counters counters) {
+    this.config = config;
+    this.room = room;
+    this.library = library;
+    this.label = label;
+    this.counters = counters;
+  }
+
+  /** Returns the match that the room begins with. */
+  Match first() throws Unplayable {
+    String level = room.levels().isEmpty() ? "" : room.levels().get(0);
+    return load(new NextMatch(room.game(), level, false, false));
+  }
+
+  /**
+   * Builds a match.
+   *
+   * @param wanted names a game, a level or both
+   * @throws Unplayable when the game or level isn't there, or the game can't be played in it
+   */
+  Match load(NextMatch wanted) throws Unplayable {
+    try {
+      Game game = wanted.game().isEmpty() ? null : library.game(wanted.game());
+      String levelName = wanted.level().isEmpty() ? game.defaultLevel() : wanted.level();
+      LoadedLevel level = library.level(levelName);
+      String madeFor = level.level().gameName();
+      if (game == null) {
+        game = library.game(madeFor);
+      } else if (!game.name().equals(madeFor)) {
+        throw new IllegalArgumentException(
+            "game=%s doesn't fit level=%s, which is made for game=%s"
+                .formatted(game.name(), levelName, madeFor));
+      }
+      int number = built.incrementAndGet();
+      long seed = room.seed() + (long) SEED_STEP * (number - 1);
+      return new Match(number, game, level, seed, config, label, counters);
+    } catch (LevelException | IllegalArgumentException e) {
+      throw new Unplayable(e.getMessage(), e);
+    } catch (RuntimeException | AssertionError | StackOverflowError | LinkageError e) {
+      throw new Unplayable("the set-up failed: " + e, e);
+    }
+  }
+}
