@@ -1,6 +1,6 @@
 package carom.sim.message;
 
-import java.util.Arrays;
+import java.util.List;
 
 /**
  * An argument of a {@link MessageKind}: a name, a type and a range. Numbers of all types are kept
@@ -8,9 +8,9 @@ import java.util.Arrays;
  *
  * @param min least int, or the least real's float bits, or the least length of a text
  * @param max greatest int, or the greatest real's float bits, or the greatest length of a text
- * @param constants of a choice, otherwise null
+ * @param constants of a choice in their order, otherwise empty
  */
-record Argument(String name, Type type, int min, int max, Object[] constants) {
+record Argument(String name, Type type, int min, int max, List<Object> constants) {
   /** Greatest length of a text, characters. */
   static final int MAX_TEXT = 290;
 
@@ -39,11 +39,11 @@ record Argument(String name, Type type, int min, int max, Object[] constants) {
     if (min > max) {
       throw new IllegalArgumentException(name + " has the empty range " + min + ".." + max);
     }
-    return new Argument(name, Type.COUNT, min, max, null);
+    return new Argument(name, Type.COUNT, min, max, List.of());
   }
 
   static Argument flag(String name) {
-    return new Argument(name, Type.FLAG, 0, 1, null);
+    return new Argument(name, Type.FLAG, 0, 1, List.of());
   }
 
   static Argument real(String name, float min, float max) {
@@ -52,16 +52,16 @@ record Argument(String name, Type type, int min, int max, Object[] constants) {
           name + " has the range " + min + ".." + max + ", which is empty or not finite");
     }
     return new Argument(
-        name, Type.REAL, Float.floatToIntBits(min), Float.floatToIntBits(max), null);
+        name, Type.REAL, Float.floatToIntBits(min), Float.floatToIntBits(max), List.of());
   }
 
   static Argument choice(String name, Class<? extends Enum<?>> type) {
-    Object[] constants = type.getEnumConstants();
-    if (constants.length < 1 || constants.length > MAX_CHOICES) {
+    List<Object> constants = List.of((Object[]) type.getEnumConstants());
+    if (constants.size() < 1 || constants.size() > MAX_CHOICES) {
       throw new IllegalArgumentException(
-          name + " has constants=" + constants.length + " outside 1.." + MAX_CHOICES);
+          name + " has constants=" + constants.size() + " outside 1.." + MAX_CHOICES);
     }
-    return new Argument(name, Type.CHOICE, 0, constants.length - 1, constants);
+    return new Argument(name, Type.CHOICE, 0, constants.size() - 1, constants);
   }
 
   static Argument text(String name, int maxLength) {
@@ -69,7 +69,7 @@ record Argument(String name, Type type, int min, int max, Object[] constants) {
       throw new IllegalArgumentException(
           name + " has maxLength=" + maxLength + " outside 1.." + MAX_TEXT);
     }
-    return new Argument(name, Type.TEXT, 0, maxLength, null);
+    return new Argument(name, Type.TEXT, 0, maxLength, List.of());
   }
 
   int maxBytes() {
@@ -88,8 +88,7 @@ record Argument(String name, Type type, int min, int max, Object[] constants) {
           case COUNT -> value instanceof Integer i && takes(message, at, i);
           case FLAG -> value instanceof Boolean b && takes(message, at, b ? 1 : 0);
           case REAL -> value instanceof Float f && takes(message, at, Float.floatToIntBits(f));
-          case CHOICE ->
-              value instanceof Enum<?> e && takes(message, at, Arrays.asList(constants).indexOf(e));
+          case CHOICE -> value instanceof Enum<?> e && takes(message, at, constants.indexOf(e));
           case TEXT -> value instanceof String s && takes(message, at, Texts.clean(s));
         };
     if (!fits) {
@@ -130,7 +129,7 @@ record Argument(String name, Type type, int min, int max, Object[] constants) {
       case COUNT -> name + " count " + min + ".." + max;
       case FLAG -> name + " flag";
       case REAL -> name + " real " + Float.intBitsToFloat(min) + ".." + Float.intBitsToFloat(max);
-      case CHOICE -> name + " choice " + Arrays.toString(constants);
+      case CHOICE -> name + " choice " + constants;
       case TEXT -> name + " text " + max;
     };
   }

@@ -61,7 +61,7 @@ public final class Message {
    */
   public <E extends Enum<E>> E choice(String argument, Class<E> type) {
     int i = index(argument, Argument.Type.CHOICE);
-    return type.cast(kind.arguments().get(i).constants()[numbers[i]]);
+    return type.cast(kind.arguments().get(i).constants().get(numbers[i]));
   }
 
   /**
@@ -100,7 +100,7 @@ public final class Message {
       switch (a.type()) {
         case TEXT -> s.append('"').append(texts[i]).append('"');
         case REAL -> s.append(Float.intBitsToFloat(numbers[i]));
-        case CHOICE -> s.append(a.constants()[numbers[i]]);
+        case CHOICE -> s.append(a.constants().get(numbers[i]));
         default -> s.append(numbers[i]);
       }
     }
