@@ -5,6 +5,7 @@ import carom.server.config.ServerConfig;
 import carom.server.metrics.Counters;
 import carom.server.session.Seats;
 import carom.sim.Simulation;
+import java.util.concurrent.atomic.AtomicInteger;
 
 /**
  * What the parts of a room share. The room's thread, but for {@link #match} and what never changes.
@@ -16,7 +17,7 @@ final class RoomContext {
   private final Seats seats;
   private Workers workers;
   private volatile Match match;
-  private volatile int age;
+  private final AtomicInteger age = new AtomicInteger();
 
   /**
    * Creates the context of a room that begins with a match.
@@ -70,11 +71,11 @@ final class RoomContext {
 
   /** Notes that a tick has passed. */
   void passTick() {
-    age = age + 1;
+    age.getAndIncrement();
   }
 
   /** Returns the number of ticks of all matches of the room; from any thread. */
   int age() {
-    return age;
+    return age.get();
   }
 }

@@ -189,7 +189,8 @@ final class MessageKindTest {
     for (int ms = 0; ms < 10_000; ms += 10) {
       if (client.take(quick, ms / 1e3)) {
         sent++;
-        double late = ms / 500 * 0.5 + 0.5; // the network delivers twice a second
+        int deliveries = ms / 500; // the network delivers twice a second
+        double late = deliveries * 0.5 + 0.5;
         assertTrue(server.take(quick, late), "ms=" + ms);
       }
     }
