@@ -166,6 +166,7 @@ class EventOverSnapshotsTest {
     final SnapshotDecoder anew = new SnapshotDecoder(4, KEY, 0, RATE);
 
     Returning() {
+      repeats.beginLink(1, 0);
       tick(2, random);
       byte[] d = next();
       assertEquals(DecodeStatus.OK, decoder.decode(d, 0, d.length));
