@@ -219,10 +219,19 @@ public final class Sleeping {
     wake(joints.bodyB[joint]);
   }
 
-  /** Wakes the bodies that a kinematic body holds by joints, if it moves. */
-  public void wakeJointed(int body) {
+  /**
+   * Wakes the bodies that a kinematic body holds by joints, if it moves, and the bullets that it
+   * may pass over within a step.
+   *
+   * @param dt length of the step, s
+   */
+  public void wakeDriven(int body, float dt) {
     if (!drives(body)) {
       return;
+    }
+    if (asleepCount > 0 && settings.continuous()) {
+      staticReach.listBullets(body, dt, touched);
+      wakeTouched();
     }
     restTime.noteDriven(body);
     for (int end = joints.firstEnd(body); end >= 0; end = joints.nextEnd(end)) {
