@@ -55,7 +55,8 @@ final class StaticReach {
     float wayX = dt * bodies.vx[body];
     float wayY = dt * bodies.vy[body];
     float turned = bodies.reach[body] * Math.min(2, dt * Math.abs(bodies.w[body]));
-    if (Math.abs(wayX) + Math.abs(wayY) + turned <= settings.speculativeDistance()) {
+    boolean seen = Math.abs(wayX) + Math.abs(wayY) + turned <= settings.speculativeDistance();
+    if (seen || !settings.continuous()) {
       return;
     }
     found = to;
