@@ -768,6 +768,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
 
   /** Lets a player into the game. */
   private void enter(Player player) {
+    interference.beginRules();
     inGame++;
     try {
       game.join(this, player);
@@ -778,6 +779,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
 
   /** Takes a player out of the game, with everything the player owns. */
   private void retire(Player player) {
+    interference.beginRules();
     inGame++;
     try {
       game.leave(this, player);
