@@ -665,6 +665,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
       }
       journal.joining(this, id, name);
     }
+    interference.beginRules();
     Player player = newPlayer(id, name);
     player.team(team);
     player.score(score);
@@ -700,6 +701,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
       journal.leaving(this, id);
     }
     if (role == Role.AUTHORITY) {
+      interference.beginRules();
       game.leave(this, player);
       for (int i = 0; i < entities.capacity(); i++) {
         Entity entity = entities.get(i);

@@ -78,6 +78,7 @@ public final class Session implements LinkHandler {
   private long sequenceArrivalNs;
   private long graceEndNs;
   private LevelUpload upload;
+  private long fieldsDigest;
   private boolean loaded;
   private int loadingTicks;
   private boolean linkLost;
@@ -176,6 +177,7 @@ public final class Session implements LinkHandler {
     }
     upload = newUpload;
     datagramKey = welcome.datagramKey();
+    fieldsDigest = welcome.fieldsDigest();
     loaded = false;
     loadingTicks = 0;
     send(welcome);
@@ -255,7 +257,12 @@ public final class Session implements LinkHandler {
         expelFor(message);
       }
     } else if (message instanceof ClientMessage.Ready ready) {
-      loaded |= upload.isFinishedBy(ready);
+      boolean ofThisMatch = upload.isFinishedBy(ready);
+      if (ofThisMatch && ready.fieldsDigest() != fieldsDigest) {
+        expel("Ready with fields that differ from those of the match's game");
+      } else {
+        loaded |= ofThisMatch;
+      }
     } else if (!(message instanceof ClientMessage.Look)
         && !(message instanceof ClientMessage.Diverged)
         && !(message instanceof ClientMessage.Heard)
@@ -265,14 +272,18 @@ public final class Session implements LinkHandler {
   }
 
   private void expelFor(Object message) {
+    expel(
+        message == null
+            ? "an undecodable message"
+            : message.getClass().getSimpleName()
+                + " while "
+                + state.name().toLowerCase(Locale.ROOT));
+  }
+
+  private void expel(String forOffence) {
     if (departure == Departure.NONE) {
       departure = Departure.EXPEL;
-      offence =
-          message == null
-              ? "an undecodable message"
-              : message.getClass().getSimpleName()
-                  + " while "
-                  + state.name().toLowerCase(Locale.ROOT);
+      offence = forOffence;
     }
   }
 
