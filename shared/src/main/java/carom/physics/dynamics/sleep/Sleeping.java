@@ -17,11 +17,10 @@ import carom.physics.settings.Settings;
  *
  * <p>A step looks at the {@linkplain ActiveBodies active bodies} alone. The others have a tree of
  * their own, and {@link SleepingContacts}; their joints are skipped. An island falls asleep when
- * all its bodies have been slow for long enough and nothing keeps it awake: a pending force, a
- * moving kinematic body, a running belt or motor, a body that may not sleep. Kinematic bodies at
- * rest fall asleep alone. A body wakes with its whole island: when something awake begins to touch
- * it or no longer does, when its velocity, forces, pose or joints change, and when what it touches,
- * static bodies too, is moved, changed or removed.
+ * all its bodies have been slow for long and nothing keeps it awake: a pending force, a moving
+ * kinematic body, a running belt or motor, a body that may not sleep. Kinematic bodies at rest fall
+ * asleep alone. A body wakes with its island: when something awake begins to touch it or ceases to,
+ * when its velocity, forces, pose or joints change, and when what it touches moves or changes.
  *
  * <p>The contacts of a body that wakes are in no table until {@link #mergeWoken}.
  */
