@@ -65,7 +65,9 @@ final class ServerStart {
   private ServerTransport openTransport() throws StartFailure {
     ServerTransport transport;
     try {
-      transport = new KryoServerTransport(flags.tcpPort, flags.udpPort, flags.limits());
+      transport =
+          new KryoServerTransport(
+              flags.bindAddress(), flags.tcpPort, flags.udpPort, flags.limits());
     } catch (PortUnavailableException e) {
       throw new StartFailure(e.getMessage(), e);
     }

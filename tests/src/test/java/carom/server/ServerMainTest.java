@@ -48,8 +48,9 @@ class ServerMainTest {
     command.add(System.getProperty("java.class.path"));
     command.add(ServerMain.class.getName());
     command.addAll(List.of(args));
-    Process process =
-        new ProcessBuilder(command).redirectError(folder.resolve("err").toFile()).start();
+    ProcessBuilder builder = new ProcessBuilder(command);
+    builder.environment().put("CAROM_DATA", folder.resolve("data").toString());
+    Process process = builder.redirectError(folder.resolve("err").toFile()).start();
     process.getOutputStream().close(); // closed standard input must not matter
     started.add(process);
     return process;
