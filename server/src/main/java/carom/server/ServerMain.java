@@ -4,9 +4,12 @@ import carom.net.protocol.Protocol;
 import carom.options.BadFlag;
 import carom.server.config.BadSettingException;
 import carom.server.config.DataFolder;
+import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.config.Settings;
 import carom.server.config.SettingsLayers;
+import carom.server.console.LogFiles;
+import carom.server.console.ReadyLine;
 import carom.server.metrics.Counter;
 import carom.sim.scene.SceneRun;
 import carom.sim.scene.catalog.Scenes;
@@ -182,7 +185,7 @@ public final class ServerMain implements Callable<Integer> {
     root.setLevel(ch.qos.logback.classic.Level.ERROR);
     start.warmUp();
     root.setLevel(ch.qos.logback.classic.Level.toLevel(flags.logLevel.name()));
-    logStart(log, config, choice.level().name());
+    logStart(log, config, choice.rooms(config));
     return start.open();
   }
 
@@ -207,22 +210,21 @@ public final class ServerMain implements Callable<Integer> {
     }
   }
 
-  private void logStart(Logger log, ServerConfig config, String levelName) {
+  private void logStart(Logger log, ServerConfig config, List<RoomConfig> rooms) {
     log.info(
-        "start: {} {}, game {}, level {} ({}), {} Hz, seed {}, {}{} places, Java {}",
+        "start: {} {}, {} Hz, seed {}, Java {}",
         config.serverName(),
         version(),
-        config.gameName(),
-        levelName,
-        flags.level == null ? "default" : flags.level,
         config.tickRateHz(),
         config.seed(),
-        config.rooms() == 1 ? "" : config.rooms() + " rooms of ",
-        config.maxPlayers(),
         Runtime.version().feature());
     layers.warnings().forEach(log::warn);
     if (layers.file() != null) {
       log.info("settings: {}", layers.file());
+    }
+    for (RoomConfig room : rooms) {
+      log.info(
+          "room {}: {}, {} places", room.name(), String.join(", ", room.levels()), room.places());
     }
     if (flags.scene != null) {
       SceneRun run = Scenes.get(flags.scene).start();

@@ -1,4 +1,4 @@
-package carom.server;
+package carom.server.console;
 
 import static java.nio.file.StandardOpenOption.APPEND;
 import static java.nio.file.StandardOpenOption.CREATE;
@@ -22,7 +22,7 @@ import java.nio.file.Path;
  * first. Lines pass through a queue, so no tick waits for the disk; when it is full they are
  * dropped.
  */
-final class LogFiles {
+public final class LogFiles {
   private static final String PATTERN = "%d{yyyy-MM-dd HH:mm:ss.SSS} %-5level %msg%n%ex{full}";
   private static final FileSize SIZE = FileSize.valueOf("10MB");
   private static final int QUEUE_LINES = 2_048;
@@ -35,7 +35,7 @@ final class LogFiles {
    * @param keep number of files, the present one included; at least two are, if any
    * @throws IOException if the folder can't be written to; the message says what to do
    */
-  static void begin(LoggerContext logging, Path folder, int keep) throws IOException {
+  public static void begin(LoggerContext logging, Path folder, int keep) throws IOException {
     if (keep == 0) {
       return;
     }
