@@ -218,8 +218,8 @@ class ProtocolDocTest {
         codec.encode(
             new ServerMessage.Roster(
                 List.of(
-                    new ServerMessage.RosterEntry(0, "Zoë", -3),
-                    new ServerMessage.RosterEntry(1000, "x", 300)))));
+                    new ServerMessage.RosterEntry(0, "Zoë", 2, -3, false, true, true, 85),
+                    ServerMessage.RosterEntry.gone(1000)))));
     golden.put("notice", codec.encode(new ServerMessage.Notice("hi")));
     golden.put("watching", codec.encode(new ServerMessage.Watching(10)));
     golden.put(

@@ -211,6 +211,11 @@ public final class SessionReplication {
     }
   }
 
+  /** Returns the round trip to the client and back, ms; 0 while it isn't known. */
+  public int roundTripMs() {
+    return sender == null ? 0 : sender.roundTripMs();
+  }
+
   /** Returns whether the client looks at the place of an entity and may know it. */
   public boolean sees(int entityId) {
     return sender.sees(entityId);
