@@ -131,7 +131,7 @@ class ProtocolDocTest {
         ClientMessageCodec.encode(
             new ClientMessage.Diverged(
                 1000, 998, true, List.of(65_538, 1, 2, 3, 4, 5, 6, 7), List.of())));
-    golden.put("look", ClientMessageCodec.encode(new ClientMessage.Look(-1.5f, 2, 16, 9)));
+    golden.put("look", ClientMessageCodec.encode(new ClientMessage.Look(-1.5f, 2, 16, 9, 7)));
     golden.put(
         "watch", ClientMessageCodec.encode(new ClientMessage.Watch(2, 0x0102030405060708L, 2)));
     golden.put(

@@ -110,7 +110,7 @@ public final class SessionReplication {
 
   /** Takes over what the client says it shows. */
   public void look(ClientMessage.Look look) {
-    sender.look(look.x(), look.y(), look.halfWidth(), look.halfHeight());
+    sender.look(look.x(), look.y(), look.halfWidth(), look.halfHeight(), look.follows());
   }
 
   /** Takes a client's acks as they are. */

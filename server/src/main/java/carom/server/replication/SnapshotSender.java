@@ -142,8 +142,8 @@ public final class SnapshotSender {
   }
 
   /** Takes over what the client says it shows; see {@link SessionView#look}. */
-  public void look(float x, float y, float halfWidth, float halfHeight) {
-    view.look(x, y, halfWidth, halfHeight);
+  public void look(float x, float y, float halfWidth, float halfHeight, int follows) {
+    view.look(x, y, halfWidth, halfHeight, follows);
   }
 
   /** Returns whether the game lets the player know of an entity; of the own body it always does. */

@@ -70,7 +70,7 @@ final class KryoMessageCodecTest {
         new ClientMessage.LevelRequest(7, 1_000),
         new ClientMessage.Ready(7, 5),
         new ClientMessage.Leave(),
-        new ClientMessage.Look(1.5f, -2, 0, 1e30f));
+        new ClientMessage.Look(1.5f, -2, 0, 1e30f, ClientMessage.Look.NOBODY));
   }
 
   @Test
