@@ -14,6 +14,7 @@ import carom.server.recording.RotatingRecording;
 import carom.server.recording.RotationLimit;
 import carom.server.recording.ShownRecordings;
 import carom.server.room.Room;
+import carom.server.room.RoomDirectory;
 import carom.server.session.Seats;
 import carom.sim.Game;
 import carom.sim.level.Level;
@@ -132,17 +133,20 @@ public final class Server implements AutoCloseable {
     this.helpers =
         config.threads() == 1 ? null : new WorkerThreads(config.threads(), System::nanoTime);
     SecureRandom random = new SecureRandom();
+    RoomDirectory directory = new RoomDirectory();
     List<Room> built = new ArrayList<>();
     for (RoomConfig each : roomConfigs) {
       Seats seats = new Seats(each.places(), random::nextLong);
       boolean alone = roomConfigs.size() == 1;
       int number = built.size() + 1;
-      Room room = new Room(config, number, alone, each, library, this::load, clock, seats);
+      Room room =
+          new Room(config, number, alone, each, library, this::load, clock, seats, directory);
       room.helpedBy(helpers);
       built.add(room);
     }
     this.rooms = List.copyOf(built);
-    this.lobby = new Lobby(config, transport, rooms);
+    directory.open(rooms);
+    this.lobby = new Lobby(config, transport, rooms, directory);
     this.status = new StatusLine(rooms, clock.getAsLong());
   }
 
