@@ -5,6 +5,9 @@ import carom.sim.field.FieldValues;
 import carom.sim.field.PlayerRef;
 import carom.sim.field.Scope;
 import carom.sim.history.PoseHistory;
+import carom.sim.spawn.Origin;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
  * A person or bot that plays: a name, an input, a score, perhaps a body. It belongs to one {@link
@@ -27,6 +30,9 @@ public final class Player extends FieldHolder<Entity, Player> {
   private int team;
   Entity body;
 
+  /** Its entities with an origin, oldest first. */
+  private final List<Entity> spawned = new ArrayList<>(0);
+
   Player(Simulation simulation, int id, String name) {
     this.simulation = simulation;
     this.id = id;
@@ -47,6 +53,47 @@ public final class Player extends FieldHolder<Entity, Player> {
   /** Returns the body the player steers, or null while there is none. */
   public Entity body() {
     return body;
+  }
+
+  /**
+   * Returns the number of living entities that {@link Game#input} spawned for this player, at most
+   * {@value Origin#MOST_PER_PLAYER}: an older one is an entity like others. A client knows those of
+   * its own player only.
+   */
+  public int spawnedCount() {
+    return spawned.size();
+  }
+
+  /**
+   * Returns an entity that {@link Game#input} spawned for this player. To despawn some of them, go
+   * from the newest to the oldest.
+   *
+   * @param index 0, the oldest, to {@link #spawnedCount} - 1
+   */
+  public Entity spawned(int index) {
+    return spawned.get(index);
+  }
+
+  /**
+   * Adds an entity with an origin.
+   *
+   * @return the one that is too many now, the oldest, or null
+   */
+  Entity addSpawned(Entity entity) {
+    int at = spawned.size();
+    while (at > 0 && Origin.isEarlier(entity.origin(), spawned.get(at - 1).origin())) {
+      at--;
+    }
+    spawned.add(at, entity);
+    return spawned.size() > Origin.MOST_PER_PLAYER ? spawned.remove(0) : null;
+  }
+
+  void removeSpawned(Entity entity) {
+    spawned.remove(entity);
+  }
+
+  void clearSpawned() {
+    spawned.clear();
   }
 
   /**

@@ -188,12 +188,14 @@ final class ArchitectureTest {
     allow("carom.sim.joint", "carom.physics..", "carom.sim.level");
     allow("carom.sim.ruling", "carom.physics", "carom.physics.rows");
     allow("carom.sim.random");
+    allow("carom.sim.spawn");
     allow(
         "carom.sim.field",
         "carom.physics.math",
         "carom.physics.archive",
         "carom.sim.event",
-        "carom.sim.ruling");
+        "carom.sim.ruling",
+        "carom.sim.spawn");
     allow(
         "carom.sim",
         "carom.physics..",
@@ -205,7 +207,8 @@ final class ArchitectureTest {
         "carom.sim.random",
         "carom.sim.area",
         "carom.sim.joint",
-        "carom.sim.ruling");
+        "carom.sim.ruling",
+        "carom.sim.spawn");
     allow(
         "carom.sim.near",
         "carom.physics..",
