@@ -12,10 +12,12 @@ import java.nio.file.Path;
 import java.security.SecureRandom;
 import java.util.Arrays;
 import java.util.Iterator;
+import java.util.List;
 import java.util.Locale;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
 
@@ -60,6 +62,23 @@ final class ServerFlags {
   String level;
 
   @Option(
+      names = "--levels",
+      paramLabel = "A,B,C",
+      description =
+          "Levels that follow each other in every room: the next begins when a match is over, and"
+              + " the first after the last.")
+  String levels;
+
+  @Option(
+      names = "--room",
+      paramLabel = "NAME=LEVELS",
+      description =
+          "A room with a name of its own, NAME=LEVEL[,LEVEL...][:PLAYERS]; give it once for each"
+              + " room, up to 64 times. A game's name stands for its default level. Example:"
+              + " --room cup=arena,commons:16 --room jump=platformer.")
+  List<String> rooms = List.of();
+
+  @Option(
       names = "--scene",
       paramLabel = "NAME",
       description = "Scene of the library to watch, instead of a game; players have no bodies.")
@@ -90,9 +109,9 @@ final class ServerFlags {
       paramLabel = "N",
       defaultValue = "1",
       description =
-          "Games that are played side by side, 1..64, each with a thread of its own;"
+          "Equal rooms that play side by side, 1..64, each with a thread of its own;"
               + " a newcomer gets into the fullest that has a place (${DEFAULT-VALUE}).")
-  private int rooms;
+  private int equalRooms;
 
   @Option(
       names = "--threads",
@@ -248,14 +267,51 @@ final class ServerFlags {
     requireRange("--tcp-port", tcpPort, MAX_PORT);
     requireRange("--udp-port", udpPort, MAX_PORT);
     requireRange("--grace", graceS, MAX_GRACE_S);
-    if (record != null && rooms > 1 && !Files.isDirectory(record)) {
-      throw bad("--record=" + record + " is no folder; --rooms=" + rooms + " need one");
+    if (record != null && roomCount() > 1 && !Files.isDirectory(record)) {
+      throw bad("--record=" + record + " is no folder; rooms=" + roomCount() + " need one");
     }
     requireRange("--spectator-delay", spectatorDelayS, MAX_SPECTATOR_DELAY_S);
     checkRotation();
     if (network.problem() != null) {
       throw bad(network.problem());
     }
+  }
+
+  /**
+   * Checks that the flags which say what rooms there are exclude each other.
+   *
+   * @throws BadFlag when they don't
+   */
+  void checkRooms() {
+    ParseResult given = program.commandLine().getParseResult();
+    if (!rooms.isEmpty()) {
+      for (String other : List.of("--rooms", "--level", "--levels", "--game", "--scene")) {
+        if (given.hasMatchedOption(other)) {
+          throw bad(
+              "--room and "
+                  + other
+                  + " exclude each other: each --room names its levels; leave "
+                  + other
+                  + " out");
+        }
+      }
+      if (rooms.size() > ServerConfig.MAX_ROOMS) {
+        throw bad(
+            "--room is given %d times, a server has 1..%d rooms; leave some out"
+                .formatted(rooms.size(), ServerConfig.MAX_ROOMS));
+      }
+    }
+    if (levels != null) {
+      for (String other : List.of("--level", "--game", "--scene")) {
+        if (given.hasMatchedOption(other)) {
+          throw bad("--levels and " + other + " exclude each other; leave " + other + " out");
+        }
+      }
+    }
+  }
+
+  private int roomCount() {
+    return rooms.isEmpty() ? equalRooms : rooms.size();
   }
 
   private void checkRotation() {
@@ -298,7 +354,7 @@ final class ServerFlags {
           .withMaxPlayers(maxPlayers)
           .withSnapshotBitsPerSecond(1_000 * Math.max(0, Math.min(1_000_000, budget)))
           .withViewMetres(view)
-          .withRooms(rooms)
+          .withRooms(roomCount())
           .withThreads(threads)
           .withGraceMs(graceS * 1_000)
           .withInputHoldTicks(tickRate / 2)
@@ -312,9 +368,10 @@ final class ServerFlags {
   /**
    * Returns the transport's limits for connections, half-open ones included. A single address may
    * hold all seats, because a whole school may be behind one router.
+   *
+   * @param places number of seats of all rooms
    */
-  KryoLimits limits() {
-    int places = rooms * maxPlayers;
+  KryoLimits limits(int places) {
     return KryoLimits.DEFAULT.withConnections(2 * places + 64, places + 32);
   }
 

@@ -2,12 +2,14 @@ package carom.server;
 
 import carom.net.protocol.Protocol;
 import carom.options.BadFlag;
+import carom.server.config.RoomConfig;
 import carom.server.config.ServerConfig;
 import carom.server.metrics.Counter;
 import carom.sim.scene.SceneRun;
 import carom.sim.scene.catalog.Scenes;
 import ch.qos.logback.classic.LoggerContext;
 import java.io.PrintWriter;
+import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import org.slf4j.Logger;
@@ -136,23 +138,22 @@ public final class ServerMain implements Callable<Integer> {
     root.setLevel(ch.qos.logback.classic.Level.ERROR);
     start.warmUp();
     root.setLevel(ch.qos.logback.classic.Level.toLevel(flags.logLevel.name()));
-    logStart(log, config, choice.level().name());
+    logStart(log, config, choice.rooms(config));
     return start.open();
   }
 
-  private void logStart(Logger log, ServerConfig config, String levelName) {
+  private void logStart(Logger log, ServerConfig config, List<RoomConfig> rooms) {
     log.info(
-        "start: {} {}, game {}, level {} ({}), {} Hz, seed {}, {}{} places, Java {}",
+        "start: {} {}, {} Hz, seed {}, Java {}",
         config.serverName(),
         version(),
-        config.gameName(),
-        levelName,
-        flags.level == null ? "default" : flags.level,
         config.tickRateHz(),
         config.seed(),
-        config.rooms() == 1 ? "" : config.rooms() + " rooms of ",
-        config.maxPlayers(),
         Runtime.version().feature());
+    for (RoomConfig room : rooms) {
+      log.info(
+          "room {}: {}, {} places", room.name(), String.join(", ", room.levels()), room.places());
+    }
     if (flags.scene != null) {
       SceneRun run = Scenes.get(flags.scene).start();
       log.info(

@@ -9,18 +9,17 @@ import carom.sim.ruling.RulingLog;
 import java.util.Arrays;
 
 /**
- * Records what the game itself does to bodies in {@link Game#beforeStep} and {@link
- * Game#afterStep}: it moves or pushes them, wakes them, or changes fields of theirs or of their
- * players that are told to clients. Clients don't run these methods, so they can't predict the
- * result; replication reads this log and tells them.
+ * Records what the game itself does to bodies in its rules: it moves or pushes them, wakes them, or
+ * changes fields of theirs or of their players that are told to clients. Clients don't run these
+ * methods, so they can't predict the result; replication reads this log and tells them.
  *
  * <p>One tick of the simulation, and the calls in it:
  *
  * <pre>
  *   replication, after tick n - 1     watch(entity)
- *   tick n    beginRules   Game.beforeStep   endRulesBeforeStep
+ *   tick n    beginRules   Game.join, leave, message, beforeStep   endRulesBeforeStep
  *             inputs and physics
- *             beginRules   Game.afterStep    endRulesAfterStep: the watched list is empty again
+ *             beginRules   Game.afterStep   endRulesAfterStep: the watched list is empty again
  *   replication, after tick n         lastTick(entity) == n: the game interfered in tick n
  * </pre>
  *
@@ -65,6 +64,9 @@ public final class InterferenceLog {
   private Entity[] watched = new Entity[16];
   private int watchedCount;
 
+  /** Whether the state before the rules is noted, and that after them isn't. */
+  private boolean rulesRun;
+
   InterferenceLog(EntityTable entities, PlayerTable players, Findings findings) {
     this.findings = findings;
     this.entities = entities;
@@ -80,6 +82,9 @@ public final class InterferenceLog {
     }
     mark.watched = true;
     mark.ruled = ruled(entity);
+    if (rulesRun) {
+      noteBefore(entity, mark);
+    }
     if (watchedCount == watched.length) {
       watched = Arrays.copyOf(watched, 2 * watchedCount);
     }
@@ -130,8 +135,16 @@ public final class InterferenceLog {
     return mark == null ? -1 : mark.lastTick;
   }
 
-  /** Notes the state of all watched bodies before the game's rules run. */
+  /**
+   * Notes the state of all watched bodies before the game's rules run. A second call before they
+   * end has no effect: {@link Game#join}, {@link Game#leave} and {@link Game#beforeStep} together
+   * are the rules before a step, and a body is told one ruling of them.
+   */
   void beginRules() {
+    if (rulesRun) {
+      return;
+    }
+    rulesRun = true;
     ofPlayers = grown(ofPlayers, players.limit());
     for (int id = 0; id < players.limit(); id++) {
       Player player = players.get(id);
@@ -141,12 +154,15 @@ public final class InterferenceLog {
     }
     for (int i = 0; i < watchedCount; i++) {
       if (entities.holds(watched[i])) {
-        Mark mark = ofEntities[watched[i].id()];
-        mark.stamp = stamp(watched[i]);
-        mark.row = mark.row == null ? new int[BodyRow.INTS] : mark.row;
-        watched[i].body().readRow(mark.row, 0);
+        noteBefore(watched[i], ofEntities[watched[i].id()]);
       }
     }
+  }
+
+  private static void noteBefore(Entity entity, Mark mark) {
+    mark.stamp = stamp(entity);
+    mark.row = mark.row == null ? new int[BodyRow.INTS] : mark.row;
+    entity.body().readRow(mark.row, 0);
   }
 
   /** Notes what {@link Game#beforeStep} changed in the tick that is being computed. */
@@ -165,6 +181,7 @@ public final class InterferenceLog {
   }
 
   private void endRules(int tick, int shownTick, boolean beforeStep) {
+    rulesRun = false;
     ofPlayers = grown(ofPlayers, players.limit());
     for (int id = 0; id < players.limit(); id++) {
       Player player = players.get(id);

@@ -32,6 +32,7 @@ public final class SimState {
   Entity[] bodies = {};
   int[] scores = {};
   int[] teams = {};
+  int[] standings = {};
   long[] inputs = {};
   int[] viewDelays = {};
   int entityCount;
@@ -65,6 +66,7 @@ public final class SimState {
       bodies = Arrays.copyOf(bodies, grown);
       scores = Arrays.copyOf(scores, grown);
       teams = Arrays.copyOf(teams, grown);
+      standings = Arrays.copyOf(standings, grown);
       inputs = Arrays.copyOf(inputs, grown);
       viewDelays = Arrays.copyOf(viewDelays, grown);
     }
@@ -189,7 +191,7 @@ public final class SimState {
   private void passPlayer(Archive a, int id) {
     String name = a.text("name", players[id] == null ? "" : players[id].name(), MAX_NAME);
     if (a.reads()) {
-      Player known = owner.player(id);
+      Player known = owner.participant(id);
       players[id] =
           known != null && known.name().equals(name) ? known : new Player(owner, id, name);
     }
@@ -201,6 +203,8 @@ public final class SimState {
     bodies[id] = body < 0 ? null : entities[body];
     scores[id] = a.integer("score", scores[id], least, most);
     teams[id] = a.integer("team", teams[id], least, most);
+    standings[id] = a.integer("role and readiness", standings[id], 0, 2);
+    a.require(body < 0 || standings[id] != 1, "player=" + id + " watches and has body=" + body);
     inputs[id] = a.bits("input", inputs[id]);
     viewDelays[id] = a.integer("view delay", viewDelays[id], 0, Player.MAX_VIEW_DELAY);
     fields.pass(a, Scope.PLAYER, id);

@@ -35,6 +35,7 @@ import carom.sim.level.LevelJoint;
 import carom.sim.message.Message;
 import carom.sim.message.MessageKind;
 import carom.sim.message.MessageKinds;
+import carom.sim.message.PlayerRole;
 import carom.sim.message.WaitingMessages;
 import carom.sim.random.SimRandom;
 import carom.sim.ruling.Findings;
@@ -122,6 +123,13 @@ public final class Simulation extends FieldHolder<Entity, Player> {
 
   private int tick;
   private boolean inTick;
+
+  /** How many calls of {@link Game#join} and {@link Game#leave} are on the stack. */
+  private int inGame;
+
+  /** Who is becoming a spectator; null mostly. */
+  private Player retiring;
+
   private Journal journal;
   private NextMatch nextMatch;
 
@@ -742,15 +750,42 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     return entities.get(id);
   }
 
-  /** Returns a number above all player ids. */
+  /** Returns a number above all ids of players and spectators. */
   public int playerCapacity() {
     return players.limit();
   }
 
-  /** Returns the player under an id, or null when the id is free or out of range. */
+  /**
+   * Returns the player under an id, or null when the id is free, out of range or that of a
+   * spectator.
+   */
   public Player player(int id) {
     calls.requireOutsideForces("player");
     return players.get(id);
+  }
+
+  /**
+   * Returns the player or spectator under an id, or null when the id is free or out of range. Games
+   * ask for {@link #player} instead.
+   */
+  public Player participant(int id) {
+    calls.requireOutsideForces("participant");
+    return players.participant(id);
+  }
+
+  /** Returns the number of players, without spectators. */
+  public int playerCount() {
+    return players.count();
+  }
+
+  /** Returns the number of players in a team, without spectators. */
+  public int teamSize(int team) {
+    return players.teamSize(team);
+  }
+
+  /** Returns whether there are players, and all of them are {@linkplain Player#isReady ready}. */
+  public boolean allReady() {
+    return players.allReady();
   }
 
   /** Returns the player to whom an entity belongs, or null. */
@@ -759,7 +794,8 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   }
 
   /**
-   * Adds a player under the smallest free id. The game gives it a body.
+   * Adds a player under the smallest free id. The game gives it a body. If {@link Game#maxPlayers}
+   * play already, it watches instead, and the game doesn't hear of it.
    *
    * @throws IllegalStateException on {@link Role#PREDICTION}, or when {@value #MAX_PLAYERS} players
    *     play
@@ -773,7 +809,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   }
 
   /**
-   * Adds a player under an id that was promised to it. The game gives it a body.
+   * Adds a player under an id that was promised to it, as {@link #join(String)} does.
    *
    * @param id 0..1,023
    * @param name any text
@@ -800,11 +836,97 @@ public final class Simulation extends FieldHolder<Entity, Player> {
       }
       journal.joining(this, id, name);
     }
+    boolean full = players.count() >= game.maxPlayers();
     Player player = newPlayer(id, name);
+    if (full) {
+      player.become(PlayerRole.SPECTATOR);
+      Talk.tell(this, player, Talk.refusalWhenFull(this));
+      return player;
+    }
     player.team(team);
     player.score(score);
-    game.join(this, player);
+    enter(player);
     return player;
+  }
+
+  /**
+   * Adds a spectator under an id that was promised to it. {@link Game#join} isn't called.
+   *
+   * @throws IllegalStateException as {@link #join(int, String)}
+   */
+  public Player joinAsSpectator(int id, String name) {
+    calls.requireAuthority("joinAsSpectator");
+    requireFree(id);
+    if (journal != null) {
+      journal.watching(this, id, name);
+    }
+    Player player = newPlayer(id, name);
+    player.become(PlayerRole.SPECTATOR);
+    return player;
+  }
+
+  /**
+   * Makes a player a spectator, or a spectator a player. For the game a player who becomes a
+   * spectator leaves: {@link Game#leave} is called, everything the player owns is despawned, and
+   * its fields, score and team are gone. A spectator who becomes a player joins: {@link Game#join}
+   * is called. Id, name and link stay. Nothing happens when the participant has the role already,
+   * or has left.
+   *
+   * @throws IllegalStateException on {@link Role#PREDICTION}, during the physics, or in {@link
+   *     Game#leave} for the player who leaves
+   */
+  public void role(Player participant, PlayerRole role) {
+    calls.requireAuthority("role");
+    if (participant == retiring) {
+      throw new IllegalStateException("the role of " + participant + " can't change in Game.leave");
+    }
+    if (players.participant(participant.id()) != participant || participant.role() == role) {
+      return;
+    }
+    if (journal != null && !inTick && inGame == 0) {
+      journal.changing(this, participant.id(), role);
+    }
+    if (role == PlayerRole.PLAYER) {
+      participant.become(role);
+      enter(participant);
+    } else {
+      retiring = participant;
+      try {
+        retire(participant);
+      } finally {
+        retiring = null;
+      }
+      participant.become(role);
+      forget(participant.id());
+    }
+  }
+
+  /** Lets a player into the game. */
+  private void enter(Player player) {
+    interference.beginRules();
+    inGame++;
+    try {
+      game.join(this, player);
+    } finally {
+      inGame--;
+    }
+  }
+
+  /** Takes a player out of the game, with everything the player owns. */
+  private void retire(Player player) {
+    interference.beginRules();
+    inGame++;
+    try {
+      game.leave(this, player);
+    } finally {
+      inGame--;
+    }
+    for (int i = 0; i < entities.capacity(); i++) {
+      Entity entity = entities.get(i);
+      if (entity != null && entity.ownerId() == player.id()) {
+        despawn(entity);
+      }
+    }
   }
 
   /**
@@ -821,27 +943,21 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   }
 
   /**
-   * Removes a player and despawns everything the player owns. Nothing happens when the player is
-   * gone already.
+   * Removes a player or spectator and despawns everything the player owns. Nothing happens when it
+   * is gone already.
    */
   public void leave(Player player) {
     calls.requireOutsidePhysics("leave");
     int id = player.id();
-    if (players.get(id) != player) {
+    if (players.participant(id) != player) {
       return;
     }
     received.forget(id);
     if (journal != null) {
       journal.leaving(this, id);
     }
-    if (role == Role.AUTHORITY) {
-      game.leave(this, player);
-      for (int i = 0; i < entities.capacity(); i++) {
-        Entity entity = entities.get(i);
-        if (entity != null && entity.ownerId() == id) {
-          despawn(entity);
-        }
-      }
+    if (role == Role.AUTHORITY && !player.isSpectator()) {
+      retire(player);
     }
     players.remove(id);
     forget(id);
@@ -851,8 +967,8 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   private void forget(int playerId) {
     match.forget(playerId);
     for (int i = 0; i < players.limit(); i++) {
-      if (players.get(i) != null) {
-        players.get(i).fieldValues().forget(playerId);
+      if (players.participant(i) != null) {
+        players.participant(i).fieldValues().forget(playerId);
       }
     }
     for (int i = 0; i < entities.capacity(); i++) {
@@ -936,8 +1052,9 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   }
 
   /**
-   * Hands over a message of a player, which {@link Game#message} receives in the next step. It is
-   * an input of that step: {@link #restore} drops what waits.
+   * Hands over a message of a player, which {@link Game#message} receives in the next step. Of a
+   * spectator the game receives none but chat. It is an input of that step: {@link #restore} drops
+   * what waits.
    *
    * @param player who sent it
    * @param message a message that a client may send, of a registered kind
@@ -1067,7 +1184,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   }
 
   private void handle(int playerId, Message message) {
-    Player player = players.get(playerId);
+    Player player = players.participant(playerId);
     if (player != null) { // one handled before may have removed it
       Talk.handle(this, player, message);
     }
@@ -1153,8 +1270,8 @@ public final class Simulation extends FieldHolder<Entity, Player> {
 
   /**
    * Returns 64 bits of everything that decides the future: tick, world, random numbers, fields,
-   * players with score, team and input, entities with archetype, owner and tag. Equal runs have
-   * equal hashes.
+   * players with score, team, role and input, entities with archetype, owner and tag. Equal runs
+   * have equal hashes.
    */
   public long stateHash() {
     long h = SimRandom.mix(world.stateHash(), tick);
@@ -1232,7 +1349,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   }
 
   private void requireFree(int playerId) {
-    if (playerId < 0 || playerId >= MAX_PLAYERS || players.get(playerId) != null) {
+    if (playerId < 0 || playerId >= MAX_PLAYERS || players.participant(playerId) != null) {
       throw new IllegalStateException(
           "player id=" + playerId + " is taken or outside 0.." + (MAX_PLAYERS - 1));
     }

@@ -154,6 +154,7 @@ final class ArchitectureTest {
         "settings",
         "math",
         "geometry",
+        "collision",
         "collision.distance",
         "broadphase.index",
         "broadphase.kd",

@@ -2,6 +2,7 @@ package carom.server;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
@@ -18,6 +19,7 @@ import carom.server.metrics.Counter;
 import carom.server.room.Room;
 import carom.sim.Entity;
 import carom.sim.Input;
+import carom.sim.NextMatch;
 import carom.sim.Simulation;
 import java.lang.reflect.Field;
 import java.util.List;
@@ -232,6 +234,25 @@ class RoomTest {
       rig.steps(3);
       assertSame(body, rig.room.simulation().player(0).body());
       assertEquals(SessionState.PLAYING, rig.room.session(0).state());
+    }
+  }
+
+  @Test
+  void aClientWhoseFieldsDifferFromThoseOfTheNextMatchIsRemoved() {
+    try (Rig rig = new Rig()) {
+      FakeClient client = rig.join("Ann");
+      client.loads = false;
+      int key = client.welcome.datagramKey();
+      rig.room.simulation().playNext(NextMatch.level(rig.room.match().level().level().name()));
+      rig.seconds(5);
+      assertNotEquals(key, client.welcome.datagramKey(), "the next match");
+      assertNull(client.goodbye);
+      client.link.send(
+          new ClientMessage.Ready(client.welcome.datagramKey(), client.welcome.fieldsDigest() + 1));
+      rig.seconds(1);
+      assertEquals(GoodbyeReason.PROTOCOL_ERROR, client.goodbye.reason());
+      assertTrue(client.goodbye.text().contains("Ready with fields that differ"));
+      assertNull(rig.room.simulation().player(0));
     }
   }
 

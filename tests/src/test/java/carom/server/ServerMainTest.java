@@ -88,6 +88,20 @@ class ServerMainTest {
   }
 
   @Test
+  void roomsThatCanNotBePlayedAreRefusedWithTheFormThatWorks() throws Exception {
+    assertTrue(fails(2, "--room", "cup").contains("example cup=arena,commons:16"), err());
+    assertTrue(fails(2, "--room", "cup=aren").contains("no file level=aren"), err());
+    assertTrue(fails(2, "--room", "a b=arena").contains("name=a b must be 1..32 letters"), err());
+    assertTrue(fails(2, "--room", "cup=arena:2000").contains("players=2000 is outside"), err());
+    String[] twice = {
+      "--tcp-port", "0", "--udp-port", "0", "--room", "a=arena", "--room", "a=arena"
+    };
+    assertTrue(fails(2, twice).contains("name=a belongs to two rooms"), err());
+    assertTrue(fails(2, "--room", "a=arena", "--rooms", "2").contains("leave --rooms out"), err());
+    assertTrue(fails(2, "--levels", "arena", "--game", "x").contains("leave --game out"), err());
+  }
+
+  @Test
   void brokenLevelNamesFileAndPlaceAndMissingLevelNamesThePath() throws Exception {
     Path level = folder.resolve("broken.json");
     Files.writeString(level, "{\n  \"name\": \"x\",\n  \"gravity\": \"down\"\n}\n");

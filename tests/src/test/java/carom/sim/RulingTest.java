@@ -1,5 +1,6 @@
 package carom.sim;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -75,6 +76,78 @@ final class RulingTest {
     assertFalse(ruling.isSane());
     ruling.row[BodyRow.VX] = Float.floatToRawIntBits(3);
     assertTrue(ruling.isSane());
+  }
+
+  /** Pushes a crate when a player joins, when one leaves, and on demand before each step. */
+  private static final class Pusher implements Game {
+    private boolean pushes;
+
+    @Override
+    public String name() {
+      return "pusher";
+    }
+
+    @Override
+    public String defaultLevel() {
+      return "pusher";
+    }
+
+    @Override
+    public void setUp(Simulation s) {}
+
+    @Override
+    public void join(Simulation s, Player p) {
+      push(s);
+    }
+
+    @Override
+    public void leave(Simulation s, Player p) {
+      push(s);
+    }
+
+    @Override
+    public void input(Simulation s, Player p, Input in) {}
+
+    @Override
+    public void beforeStep(Simulation s) {
+      if (pushes) {
+        push(s);
+      }
+    }
+
+    private static void push(Simulation s) {
+      s.entity(3).body().applyImpulse(1, 2);
+    }
+  }
+
+  @Test
+  void whatJoinLeaveAndBeforeStepDoToABodyIsOneRuling() {
+    Pusher game = new Pusher();
+    Simulation server = new Simulation(game, ForceGame.level(-10, CRATES), 1, 60, Role.AUTHORITY);
+    Simulation client = tower(0);
+    for (int n = 0; n < 4; n++) {
+      game.pushes = n >= 2;
+      Entity crate = server.entity(3);
+      server.interference().watch(crate);
+      final long told = server.interference().rulings().next();
+      if (n % 2 == 0) {
+        server.join(0, "Ann");
+      } else {
+        server.leave(server.player(0));
+      }
+      server.step();
+      assertEquals(told + 1, server.interference().rulings().next());
+      assertEquals(server.tick(), server.interference().lastTick(crate));
+      Ruling ruling = server.interference().rulings().get(told);
+      assertEquals(server.tick(), ruling.tick);
+      assertFalse(ruling.afterStep);
+      ruling.apply(client.entity(3).body(), row);
+      client.step();
+      int[] expected = new int[BodyRow.INTS];
+      client.entity(3).body().readRow(expected, 0);
+      crate.body().readRow(row, 0);
+      assertArrayEquals(expected, row, "n=" + n);
+    }
   }
 
   @Test

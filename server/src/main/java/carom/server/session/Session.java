@@ -18,6 +18,7 @@ import carom.server.metrics.Counters;
 import carom.server.metrics.LogInterval;
 import carom.server.prediction.PredictionAudit.Finding;
 import carom.server.replication.SessionReplication;
+import carom.sim.Input;
 import carom.sim.Player;
 import java.util.Locale;
 import org.slf4j.Logger;
@@ -45,6 +46,7 @@ public final class Session implements LinkHandler {
 
   private static final Logger LOG = LoggerFactory.getLogger(Session.class);
   private static final long NS_PER_MS = 1_000_000;
+  private static final long NEUTRAL = new Input().pack();
   private static final int MAX_HOLD_MS = 255;
   private static final int MIN_MARGIN = -32;
   private static final int MAX_MARGIN = 31;
@@ -78,6 +80,7 @@ public final class Session implements LinkHandler {
   private long sequenceArrivalNs;
   private long graceEndNs;
   private LevelUpload upload;
+  private long fieldsDigest;
   private boolean loaded;
   private int loadingTicks;
   private boolean linkLost;
@@ -176,6 +179,7 @@ public final class Session implements LinkHandler {
     }
     upload = newUpload;
     datagramKey = welcome.datagramKey();
+    fieldsDigest = welcome.fieldsDigest();
     loaded = false;
     loadingTicks = 0;
     send(welcome);
@@ -255,7 +259,12 @@ public final class Session implements LinkHandler {
         expelFor(message);
       }
     } else if (message instanceof ClientMessage.Ready ready) {
-      loaded |= upload.isFinishedBy(ready);
+      boolean ofThisMatch = upload.isFinishedBy(ready);
+      if (ofThisMatch && ready.fieldsDigest() != fieldsDigest) {
+        expel("Ready with fields that differ from those of the match's game");
+      } else {
+        loaded |= ofThisMatch;
+      }
     } else if (!(message instanceof ClientMessage.Look)
         && !(message instanceof ClientMessage.Diverged)
         && !(message instanceof ClientMessage.Heard)
@@ -265,14 +274,18 @@ public final class Session implements LinkHandler {
   }
 
   private void expelFor(Object message) {
+    expel(
+        message == null
+            ? "an undecodable message"
+            : message.getClass().getSimpleName()
+                + " while "
+                + state.name().toLowerCase(Locale.ROOT));
+  }
+
+  private void expel(String forOffence) {
     if (departure == Departure.NONE) {
       departure = Departure.EXPEL;
-      offence =
-          message == null
-              ? "an undecodable message"
-              : message.getClass().getSimpleName()
-                  + " while "
-                  + state.name().toLowerCase(Locale.ROOT);
+      offence = forOffence;
     }
   }
 
@@ -354,8 +367,9 @@ public final class Session implements LinkHandler {
       return;
     }
     silentTicks++;
-    player.viewDelay(viewDelay);
-    player.input().unpack(inputs.consume(tick));
+    long input = inputs.consume(tick);
+    player.viewDelay(player.isSpectator() ? 0 : viewDelay);
+    player.input().unpack(player.isSpectator() ? NEUTRAL : input);
     if (!inputs.lastWasMissing()) {
       feedback.consumedTick = tick;
     }
