@@ -154,6 +154,7 @@ final class ArchitectureTest {
         "settings",
         "math",
         "geometry",
+        "collision",
         "collision.distance",
         "broadphase.index",
         "broadphase.kd",
@@ -188,12 +189,14 @@ final class ArchitectureTest {
     allow("carom.sim.joint", "carom.physics..", "carom.sim.level");
     allow("carom.sim.ruling", "carom.physics", "carom.physics.rows");
     allow("carom.sim.random");
+    allow("carom.sim.spawn");
     allow(
         "carom.sim.field",
         "carom.physics.math",
         "carom.physics.archive",
         "carom.sim.event",
-        "carom.sim.ruling");
+        "carom.sim.ruling",
+        "carom.sim.spawn");
     allow(
         "carom.sim",
         "carom.physics..",
@@ -205,7 +208,8 @@ final class ArchitectureTest {
         "carom.sim.random",
         "carom.sim.area",
         "carom.sim.joint",
-        "carom.sim.ruling");
+        "carom.sim.ruling",
+        "carom.sim.spawn");
     allow(
         "carom.sim.near",
         "carom.physics..",
@@ -255,7 +259,11 @@ final class ArchitectureTest {
         "carom.net.snapshot.frame",
         "carom.net.snapshot.relay",
         "carom.physics.rows"); // codes rows field by field, and sees no world
-    allow("carom.net.snapshot.table", "carom.net.codec", "carom.net.snapshot.frame");
+    allow(
+        "carom.net.snapshot.table",
+        "carom.net.codec",
+        "carom.net.snapshot.frame",
+        "carom.physics.rows"); // what a joint was made with
     allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol", "carom.net.snapshot.*");
     allow("carom.net.protocol", "carom.net.codec", "carom.physics.rows");
     allow("carom.values");
