@@ -25,8 +25,6 @@ import java.security.SecureRandom;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
@@ -74,7 +72,7 @@ public final class Server implements AutoCloseable {
   private final StatusLine status;
   private final List<ShownRecordings> recordings = new ArrayList<>();
   private final List<RotatingRecording> rotations = new ArrayList<>();
-  private ExecutorService loader;
+  private final LoaderThread loader = new LoaderThread();
   private final List<Worker> workers = new ArrayList<>();
   private final CountDownLatch ended = new CountDownLatch(1);
   private long nextStatusNs;
@@ -139,8 +137,7 @@ public final class Server implements AutoCloseable {
       Seats seats = new Seats(each.places(), random::nextLong);
       boolean alone = roomConfigs.size() == 1;
       int number = built.size() + 1;
-      Room room =
-          new Room(config, number, alone, each, library, this::load, clock, seats, directory);
+      Room room = new Room(config, number, alone, each, library, loader, clock, seats, directory);
       room.helpedBy(helpers);
       built.add(room);
     }
@@ -205,28 +202,6 @@ public final class Server implements AutoCloseable {
   private Path file(Path target, Room room) {
     int number = rooms.size() == 1 ? 0 : room.number();
     return RecordingFile.fileFor(target, room.match().game(), number);
-  }
-
-  /** Runs what builds a match: beside the rooms' threads, or at once if the caller drives us. */
-  private void load(Runnable task) {
-    if (started) {
-      loader().execute(task);
-    } else {
-      task.run();
-    }
-  }
-
-  private synchronized ExecutorService loader() {
-    if (loader == null) {
-      loader =
-          Executors.newSingleThreadExecutor(
-              task -> {
-                Thread thread = new Thread(task, "carom-loader");
-                thread.setDaemon(true);
-                return thread;
-              });
-    }
-    return loader;
   }
 
   /**
@@ -306,6 +281,7 @@ public final class Server implements AutoCloseable {
       throw new IllegalStateException(closed ? "the server is closed" : "already started");
     }
     started = true;
+    loader.start();
     workers.add(new Worker("carom-lobby", new LobbyDuty(), clock, this::workerEnded));
     long nowNs = clock.getAsLong();
     for (Room room : rooms) {
@@ -439,9 +415,7 @@ public final class Server implements AutoCloseable {
       lobby.closeLinks();
       rooms.forEach(Room::closeLinks);
     }
-    if (loader != null) {
-      loader.shutdownNow();
-    }
+    loader.close();
     if (helpers != null) {
       helpers.close();
     }

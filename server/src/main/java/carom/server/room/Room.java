@@ -17,6 +17,7 @@ import carom.server.metrics.Counter;
 import carom.server.metrics.Counters;
 import carom.server.recording.RecordingFiles;
 import carom.server.recording.RotatingRecording;
+import carom.server.schedule.LoadWarnings;
 import carom.server.schedule.TickLoop;
 import carom.server.session.PartingLinks;
 import carom.server.session.Seats;
