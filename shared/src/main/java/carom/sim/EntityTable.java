@@ -29,6 +29,7 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   private final PlayerTable players;
   private final AreaForces<Entity> areas;
   private final Assemblies assemblies;
+  private final JointTable<Entity> joints;
   private final int tickRate;
   private final FieldStore fields;
   private Entity[] entities = new Entity[64];
@@ -49,11 +50,13 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
       PlayerTable players,
       AreaForces<Entity> areas,
       Assemblies assemblies,
+      JointTable<Entity> joints,
       int tickRate,
       Schema schema,
       IntSupplier clock) {
     this.areas = areas;
     this.assemblies = assemblies;
+    this.joints = joints;
     this.world = world;
     this.players = players;
     this.tickRate = tickRate;
@@ -182,20 +185,13 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   }
 
   /** Creates the bodies and joints of an assembly; returns its root. */
-  Entity spawn(
-      Assembly assembly,
-      float x,
-      float y,
-      float angle,
-      int ownerId,
-      int tick,
-      JointTable<Entity> joints) {
+  Entity spawn(Assembly assembly, float x, float y, float angle, int ownerId, int tick) {
     if (count + assembly.bodyCount() > Simulation.MAX_ENTITIES) {
       throw new IllegalStateException(
           "assembly=" + assembly + " can't be spawned: entities=" + count + " is the limit");
     }
-    float c = Trig.cos(angle);
-    float s = Trig.sin(angle);
+    Transform pose = new Transform();
+    pose.set(x, y, Trig.cos(angle), Trig.sin(angle));
     Entity[] members = new Entity[assembly.bodyCount()];
     for (int i = 0; i < members.length; i++) {
       float dx = assembly.x(i);
@@ -203,8 +199,8 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
       members[i] =
           spawn(
               assembly.archetypes().get(i),
-              x + c * dx - s * dy,
-              y + s * dx + c * dy,
+              x + pose.cos * dx - pose.sin * dy,
+              y + pose.sin * dx + pose.cos * dy,
               angle + assembly.angle(i),
               ownerId,
               tick);
@@ -214,13 +210,13 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
       int at = i * JointDefRow.INTS;
       Body<Entity> a = members[assembly.bodyA(i)].body();
       Body<Entity> b = members[assembly.bodyB(i)].body();
-      joints.create(0, members[0].id(), i, a, b, assembly.definitions(), at);
+      joints.place(pose, members[0].id(), i, a, b, assembly.definitions(), at);
     }
     return members[0];
   }
 
-  /** Moves the other bodies of an assembly as its root is about to be moved. */
-  void moveMembers(Entity root, float x, float y, float angle) {
+  /** Moves an assembly rigidly to where its root shall be. */
+  void moveAssembly(Entity root, float x, float y, float angle) {
     Transform before = new Transform();
     Body<Entity> body = root.body();
     before.set(body.x(), body.y(), body.cos(), body.sin());
@@ -231,6 +227,8 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
         entities[i].teleportWith(before, after);
       }
     }
+    body.setPose(x, y, angle);
+    joints.assemblyMoved(root.id(), before, after);
   }
 
   private int takeFreeId(Archetype archetype) {

@@ -169,11 +169,12 @@ public final class Simulation extends FieldHolder<Entity, Player> {
             (carrier, power) -> carrier.user().get(power),
             role == Role.AUTHORITY);
     Schema schema = Schema.of(game.fields());
-    entities = new EntityTable(world, players, areas, assemblies, tickRate, schema, this::tick);
+    joints = new JointTable<>(world, role == Role.AUTHORITY);
+    entities =
+        new EntityTable(world, players, areas, assemblies, joints, tickRate, schema, this::tick);
     fields = entities.fields();
     match = fields.create(Scope.MATCH);
     fieldUse = role == Role.AUTHORITY ? fields.noteUse(findings, this::nameOf) : null;
-    joints = new JointTable<>(world, role == Role.AUTHORITY);
     world.jointListener(new Joints());
     forceCheck = new ForceCheck(world, findings);
     interference = new InterferenceLog(entities, players, findings);
@@ -398,7 +399,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
   public Entity spawn(Assembly assembly, float x, float y, float angle, Player owner) {
     calls.requireAuthority("spawn");
     int ownerId = owner == null ? Entity.NO_OWNER : owner.id();
-    return entities.spawn(assembly, x, y, angle, ownerId, tick, joints);
+    return entities.spawn(assembly, x, y, angle, ownerId, tick);
   }
 
   /**
