@@ -5,7 +5,6 @@ import carom.physics.math.Transform;
 import carom.sim.field.EntityRef;
 import carom.sim.field.FieldHolder;
 import carom.sim.field.FieldValues;
-import carom.sim.field.Scope;
 import carom.sim.joint.Assembly;
 import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
@@ -49,7 +48,7 @@ public final class Entity extends FieldHolder<Entity, Player> {
     this.generation = generation;
     this.archetype = archetype;
     this.ownerId = ownerId;
-    fields = id == LEVEL ? table.fields().ofLevel() : table.fields().create(Scope.ENTITY);
+    fields = table.newFields(archetype, id == LEVEL);
     tag = archetype.tag();
   }
 

@@ -8,7 +8,9 @@ import carom.physics.math.Trig;
 import carom.physics.rows.JointDefRow;
 import carom.sim.area.AreaForces;
 import carom.sim.field.FieldStore;
+import carom.sim.field.FieldValues;
 import carom.sim.field.Schema;
+import carom.sim.field.Scope;
 import carom.sim.history.TrackedBodies;
 import carom.sim.joint.Assemblies;
 import carom.sim.joint.Assembly;
@@ -33,6 +35,9 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   private final FieldStore fields;
   private Entity[] entities = new Entity[64];
   private byte[] generations = new byte[64];
+
+  /** By archetype: the words with which its entities begin; null until one does. */
+  private int[][] starts = new int[16][];
 
   /** Number above all ids that were ever used. */
   private int capacity;
@@ -68,6 +73,32 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   /** Returns the declared fields and the rules of writing them. */
   FieldStore fields() {
     return fields;
+  }
+
+  /**
+   * Creates the fields of an entity, which begin as its archetype says.
+   *
+   * @throws IllegalArgumentException if the archetype starts a field that isn't declared
+   */
+  FieldValues newFields(Archetype archetype, boolean ofLevel) {
+    int[] begins = starts(archetype);
+    return ofLevel ? fields.createOfLevel(begins) : fields.create(Scope.ENTITY, begins);
+  }
+
+  /**
+   * Returns the words with which entities of an archetype begin.
+   *
+   * @throws IllegalArgumentException if the archetype starts a field that isn't declared
+   */
+  int[] starts(Archetype archetype) {
+    int index = archetype.index();
+    if (index >= starts.length) {
+      starts = Arrays.copyOf(starts, Math.max(index + 1, 2 * starts.length));
+    }
+    if (starts[index] == null) {
+      starts[index] = fields.schema().starts(Scope.ENTITY, archetype.starts(fields.schema()));
+    }
+    return starts[index];
   }
 
   @Override

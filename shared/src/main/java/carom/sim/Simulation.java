@@ -187,7 +187,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     }
     game.setUp(this);
     archetypes.close();
-    requireDeclaredPowers();
+    requireDeclaredFields();
     eventKinds.close();
     messageKinds.close();
     if (role == Role.PREDICTION) {
@@ -925,8 +925,9 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     }
   }
 
-  private void requireDeclaredPowers() {
+  private void requireDeclaredFields() {
     for (int i = 0; i < archetypes.size(); i++) {
+      entities.starts(archetypes.get(i));
       Ratio power = archetypes.get(i).areaPower();
       if (power != null && !schema().fields().contains(power)) {
         throw new IllegalArgumentException(

@@ -87,6 +87,7 @@ final class LevelReader {
           "oneWay",
           "sensor",
           "tag",
+          "fields",
           "repeat",
           "type",
           "linearDamping",
@@ -397,6 +398,7 @@ final class LevelReader {
     def.angularDamping(number(node, "angularDamping", 0, 0, 100));
     def.gravityScale(number(node, "gravityScale", 1, -10, 10));
     def.fixedRotation(bool(node, "fixedRotation", false));
+    readFields(node.fields.get("fields"), def);
     Json area = node.fields.get("area");
     def.area(area == null ? null : area(area));
     def.spin(number(node, "spin", 0, -1080, 1080) * RAD_PER_DEGREE);
@@ -423,6 +425,25 @@ final class LevelReader {
     }
     if (motion != null && node.fields.containsKey("repeat")) {
       throw wrong(motion, " belongs to one body only; remove \"repeat\"");
+    }
+  }
+
+  private void readFields(Json node, ArchetypeDef def) throws LevelException {
+    if (node == null) {
+      return;
+    }
+    require(node, Json.Kind.OBJECT);
+    for (Map.Entry<String, Json> field : node.fields.entrySet()) {
+      Json value = field.getValue();
+      Object start =
+          switch (value.kind) {
+            case NUMBER -> value.number;
+            case BOOLEAN -> value.truth;
+            case STRING -> value.text;
+            default -> throw wrong(value, " must be a number, true or false, or a text");
+          };
+      String where = file + ":" + value.line + ":" + value.column + ": " + value.path;
+      def.levelFields.add(new LevelField(where, field.getKey(), start));
     }
   }
 
