@@ -3,6 +3,8 @@ package carom.sim.level;
 import carom.sim.field.Field;
 import carom.sim.field.Schema;
 import carom.sim.field.Scope;
+import carom.text.Suggestion;
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -22,8 +24,12 @@ record LevelField(String where, String name, Object value) {
   Field<?> of(Schema schema) {
     Field<?> field = schema.find(Scope.ENTITY, name);
     if (field == null) {
-      List<String> known =
-          schema.fields().stream().filter(f -> f.scope() == Scope.ENTITY).map(Field::name).toList();
+      List<String> known = new ArrayList<>();
+      for (Field<?> other : schema.fields()) {
+        if (other.scope() == Scope.ENTITY) {
+          known.add(other.name());
+        }
+      }
       throw new IllegalArgumentException(
           where
               + " isn't a field of the game's entities"
