@@ -154,6 +154,7 @@ final class ArchitectureTest {
         "settings",
         "math",
         "geometry",
+        "collision",
         "collision.distance",
         "broadphase.index",
         "broadphase.kd",
@@ -194,12 +195,14 @@ final class ArchitectureTest {
     allow("carom.sim.joint", "carom.physics..", "carom.sim.level");
     allow("carom.sim.ruling", "carom.physics", "carom.physics.rows");
     allow("carom.sim.random");
+    allow("carom.sim.spawn");
     allow(
         "carom.sim.field",
         "carom.physics.math",
         "carom.physics.archive",
         "carom.sim.event",
-        "carom.sim.ruling");
+        "carom.sim.ruling",
+        "carom.sim.spawn");
     allow(
         "carom.sim",
         "carom.physics..",
@@ -211,7 +214,8 @@ final class ArchitectureTest {
         "carom.sim.random",
         "carom.sim.area",
         "carom.sim.joint",
-        "carom.sim.ruling");
+        "carom.sim.ruling",
+        "carom.sim.spawn");
     allow(
         "carom.sim.near",
         "carom.physics..",
@@ -262,7 +266,11 @@ final class ArchitectureTest {
         "carom.net.snapshot.frame",
         "carom.net.snapshot.relay",
         "carom.physics.rows"); // codes rows field by field, and sees no world
-    allow("carom.net.snapshot.table", "carom.net.codec", "carom.net.snapshot.frame");
+    allow(
+        "carom.net.snapshot.table",
+        "carom.net.codec",
+        "carom.net.snapshot.frame",
+        "carom.physics.rows"); // what a joint was made with
     allow("carom.net.snapshot", "carom.net.codec", "carom.net.protocol", "carom.net.snapshot.*");
     allow("carom.net.protocol", "carom.net.codec", "carom.physics.rows");
     allow("carom.values");

@@ -9,9 +9,9 @@ import java.util.function.IntSupplier;
  * the moment. The values themselves are with the players, the entities and the match.
  *
  * <p>A server takes every write but those of {@code Game.collision} and {@code Game.forces}. A
- * client takes the writes that it can foresee: those of {@code Game.input} to that player and its
- * body, of fields that players are told. It drops all others, and the server's word follows. One
- * thread; a write allocates nothing.
+ * client takes the writes that it can foresee: those of {@code Game.input} to that player, its body
+ * and what it spawned, of fields that players are told. It drops all others, and the server's word
+ * follows. One thread; a write allocates nothing.
  */
 public final class FieldStore {
   /** Finds what references mean; the simulation knows. */
@@ -39,6 +39,7 @@ public final class FieldStore {
   private Writes writes = Writes.ALL;
   private FieldValues own;
   private FieldValues ownBody;
+  private Object spawner;
   private boolean isInput;
   private String refuser;
   private FieldUse use;
@@ -115,8 +116,12 @@ public final class FieldStore {
     return use;
   }
 
-  /** Begins {@code Game.input} of a player. A client takes writes to these two. */
-  public void beginInput(FieldValues player, FieldValues body) {
+  /**
+   * Begins {@code Game.input} of a player. A client takes writes to these two, and to values whose
+   * {@link FieldValues#spawner} the player is.
+   */
+  public void beginInput(Object who, FieldValues player, FieldValues body) {
+    spawner = who;
     beginReading("input");
     writes = rest == Writes.NONE ? Writes.OWN : rest;
     own = player;
@@ -147,6 +152,7 @@ public final class FieldStore {
   public void end() {
     writes = rest;
     isInput = false;
+    spawner = null;
     if (use != null) {
       use.endReading();
     }
@@ -154,7 +160,13 @@ public final class FieldStore {
 
   /** Returns whether a client couldn't foresee a write to these values now. */
   boolean isRuling(FieldValues values) {
-    return !isInput || (values != own && values != ownBody);
+    return !isInput || !isOwn(values);
+  }
+
+  private boolean isOwn(FieldValues values) {
+    return values == own
+        || values == ownBody
+        || (values.spawner() != null && values.spawner() == spawner);
   }
 
   /**
@@ -167,7 +179,7 @@ public final class FieldStore {
       case ALL:
         return true;
       case OWN:
-        return (values == own || values == ownBody) && word < schema.toldWords(values.scope());
+        return isOwn(values) && word < schema.toldWords(values.scope());
       case NONE:
         return false;
       default:

@@ -16,6 +16,9 @@ public final class FieldValues {
   private long stamp;
   private long ruled;
 
+  /** The player whose input spawned what the values belong to, or null. */
+  private Object spawner;
+
   /** By word: how often rules write it; null where they never did. */
   private Habit[] habits;
 
@@ -35,6 +38,18 @@ public final class FieldValues {
   /** Returns what these words belong to. */
   public Scope scope() {
     return scope;
+  }
+
+  /** Returns the player whose {@code Game.input} spawned what the values belong to, or null. */
+  public Object spawner() {
+    return spawner;
+  }
+
+  /** Sets the player whose {@code Game.input} spawned what the values belong to; not saved. */
+  public void spawner(Object player) {
+    if (words.length > 0) { // without words many share one object
+      spawner = player;
+    }
   }
 
   /** Returns the number of words. */
@@ -145,6 +160,15 @@ public final class FieldValues {
     for (int word : store.schema().playerWords(scope)) {
       if (words[word] == playerId + 1) {
         put(word, 0);
+      }
+    }
+  }
+
+  /** Lets fields mean another entity instead of one, both as {@link EntityRef#word} has them. */
+  public void replaceEntity(int word, int by) {
+    for (int i = 0; i < words.length; i++) {
+      if (words[i] == word && store.schema().field(scope, i) instanceof EntityRef) {
+        put(i, by);
       }
     }
   }
