@@ -5,7 +5,6 @@ import carom.physics.math.Transform;
 import carom.sim.field.EntityRef;
 import carom.sim.field.FieldHolder;
 import carom.sim.field.FieldValues;
-import carom.sim.field.Scope;
 import carom.sim.joint.Assembly;
 import carom.sim.joint.JointTable;
 import carom.sim.level.Archetype;
@@ -55,7 +54,7 @@ public final class Entity extends FieldHolder<Entity, Player> {
     this.generation = generation;
     this.archetype = archetype;
     this.ownerId = ownerId;
-    fields = id == LEVEL ? table.fields().ofLevel() : table.fields().create(Scope.ENTITY);
+    fields = table.newFields(archetype, id == LEVEL);
     tag = archetype.tag();
   }
 
@@ -157,18 +156,20 @@ public final class Entity extends FieldHolder<Entity, Player> {
   /**
    * Puts the body somewhere else, as a respawn or a gate does. Clients show it here and then there,
    * and nothing between. {@link Body#setPose} alone would look like a fast movement. The root of an
-   * assembly takes all of it along, rigidly.
+   * assembly takes all of it along, rigidly, with the points over which its pulleys' ropes run. The
+   * server makes its gears and pulleys anew, so handles of these end.
    *
    * @param x position of the body's origin, metres
    * @param y position of the body's origin, metres
    * @param angle radians, counterclockwise
    */
   public void teleport(float x, float y, float angle) {
-    if (isRoot()) {
-      table.moveMembers(this, x, y, angle);
-    }
     table.wakeAround(this);
-    body.setPose(x, y, angle);
+    if (isRoot()) {
+      table.moveAssembly(this, x, y, angle);
+    } else {
+      body.setPose(x, y, angle);
+    }
     table.wakeAround(this);
     teleports++;
     table.noteChange();

@@ -8,7 +8,9 @@ import carom.physics.math.Trig;
 import carom.physics.rows.JointDefRow;
 import carom.sim.area.AreaForces;
 import carom.sim.field.FieldStore;
+import carom.sim.field.FieldValues;
 import carom.sim.field.Schema;
+import carom.sim.field.Scope;
 import carom.sim.history.TrackedBodies;
 import carom.sim.joint.Assemblies;
 import carom.sim.joint.Assembly;
@@ -30,11 +32,15 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   private final PlayerTable players;
   private final AreaForces<Entity> areas;
   private final Assemblies assemblies;
+  private final JointTable<Entity> joints;
   private final int tickRate;
   private final FieldStore fields;
   private Entity[] entities = new Entity[64];
   private byte[] generations = new byte[64];
   private final ProvisionalEntities provisional = new ProvisionalEntities();
+
+  /** By archetype: the words with which its entities begin; null until one does. */
+  private int[][] starts = new int[16][];
 
   /** Number above all ids that were ever used. */
   private int capacity;
@@ -51,11 +57,13 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
       PlayerTable players,
       AreaForces<Entity> areas,
       Assemblies assemblies,
+      JointTable<Entity> joints,
       int tickRate,
       Schema schema,
       IntSupplier clock) {
     this.areas = areas;
     this.assemblies = assemblies;
+    this.joints = joints;
     this.world = world;
     this.players = players;
     this.tickRate = tickRate;
@@ -78,6 +86,32 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   /** Returns the declared fields and the rules of writing them. */
   FieldStore fields() {
     return fields;
+  }
+
+  /**
+   * Creates the fields of an entity, which begin as its archetype says.
+   *
+   * @throws IllegalArgumentException if the archetype starts a field that isn't declared
+   */
+  FieldValues newFields(Archetype archetype, boolean ofLevel) {
+    int[] begins = starts(archetype);
+    return ofLevel ? fields.createOfLevel(begins) : fields.create(Scope.ENTITY, begins);
+  }
+
+  /**
+   * Returns the words with which entities of an archetype begin.
+   *
+   * @throws IllegalArgumentException if the archetype starts a field that isn't declared
+   */
+  int[] starts(Archetype archetype) {
+    int index = archetype.index();
+    if (index >= starts.length) {
+      starts = Arrays.copyOf(starts, Math.max(index + 1, 2 * starts.length));
+    }
+    if (starts[index] == null) {
+      starts[index] = fields.schema().starts(Scope.ENTITY, archetype.starts(fields.schema()));
+    }
+    return starts[index];
   }
 
   @Override
@@ -232,20 +266,13 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
   }
 
   /** Creates the bodies and joints of an assembly; returns its root. */
-  Entity spawn(
-      Assembly assembly,
-      float x,
-      float y,
-      float angle,
-      int ownerId,
-      int tick,
-      JointTable<Entity> joints) {
+  Entity spawn(Assembly assembly, float x, float y, float angle, int ownerId, int tick) {
     if (count + assembly.bodyCount() > Simulation.MAX_ENTITIES) {
       throw new IllegalStateException(
           "assembly=" + assembly + " can't be spawned: entities=" + count + " is the limit");
     }
-    float c = Trig.cos(angle);
-    float s = Trig.sin(angle);
+    Transform pose = new Transform();
+    pose.set(x, y, Trig.cos(angle), Trig.sin(angle));
     Entity[] members = new Entity[assembly.bodyCount()];
     for (int i = 0; i < members.length; i++) {
       float dx = assembly.x(i);
@@ -253,8 +280,8 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
       members[i] =
           spawn(
               assembly.archetypes().get(i),
-              x + c * dx - s * dy,
-              y + s * dx + c * dy,
+              x + pose.cos * dx - pose.sin * dy,
+              y + pose.sin * dx + pose.cos * dy,
               angle + assembly.angle(i),
               ownerId,
               tick);
@@ -264,13 +291,13 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
       int at = i * JointDefRow.INTS;
       Body<Entity> a = members[assembly.bodyA(i)].body();
       Body<Entity> b = members[assembly.bodyB(i)].body();
-      joints.create(0, members[0].id(), i, a, b, assembly.definitions(), at);
+      joints.place(pose, members[0].id(), i, a, b, assembly.definitions(), at);
     }
     return members[0];
   }
 
-  /** Moves the other bodies of an assembly as its root is about to be moved. */
-  void moveMembers(Entity root, float x, float y, float angle) {
+  /** Moves an assembly rigidly to where its root shall be. */
+  void moveAssembly(Entity root, float x, float y, float angle) {
     Transform before = new Transform();
     Body<Entity> body = root.body();
     before.set(body.x(), body.y(), body.cos(), body.sin());
@@ -281,6 +308,8 @@ final class EntityTable implements TrackedBodies<Entity>, FieldStore.References<
         entities[i].teleportWith(before, after);
       }
     }
+    body.setPose(x, y, angle);
+    joints.assemblyMoved(root.id(), before, after);
   }
 
   private int takeFreeId(Archetype archetype) {

@@ -180,11 +180,12 @@ public final class Simulation extends FieldHolder<Entity, Player> {
             (carrier, power) -> carrier.user().get(power),
             role == Role.AUTHORITY);
     Schema schema = Schema.of(game.fields());
-    entities = new EntityTable(world, players, areas, assemblies, tickRate, schema, this::tick);
+    joints = new JointTable<>(world, role == Role.AUTHORITY);
+    entities =
+        new EntityTable(world, players, areas, assemblies, joints, tickRate, schema, this::tick);
     fields = entities.fields();
     match = fields.create(Scope.MATCH);
     fieldUse = role == Role.AUTHORITY ? fields.noteUse(findings, this::nameOf) : null;
-    joints = new JointTable<>(world, role == Role.AUTHORITY);
     world.jointListener(new Joints());
     forceCheck = new ForceCheck(world, findings);
     interference = new InterferenceLog(entities, players, findings);
@@ -206,7 +207,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     }
     game.setUp(this);
     archetypes.close();
-    requireDeclaredPowers();
+    requireDeclaredFields();
     eventKinds.close();
     messageKinds.close();
     if (role == Role.PREDICTION) {
@@ -524,7 +525,7 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     calls.requireOutsideInput("spawn(assembly, ...)");
     calls.requireAuthority("spawn");
     int ownerId = owner == null ? Entity.NO_OWNER : owner.id();
-    return entities.spawn(assembly, x, y, angle, ownerId, tick, joints);
+    return entities.spawn(assembly, x, y, angle, ownerId, tick);
   }
 
   /**
@@ -1190,8 +1191,9 @@ public final class Simulation extends FieldHolder<Entity, Player> {
     }
   }
 
-  private void requireDeclaredPowers() {
+  private void requireDeclaredFields() {
     for (int i = 0; i < archetypes.size(); i++) {
+      entities.starts(archetypes.get(i));
       Ratio power = archetypes.get(i).areaPower();
       if (power != null && !schema().fields().contains(power)) {
         throw new IllegalArgumentException(

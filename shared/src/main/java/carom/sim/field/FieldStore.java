@@ -1,6 +1,7 @@
 package carom.sim.field;
 
 import carom.sim.ruling.Findings;
+import java.util.List;
 import java.util.function.IntSupplier;
 
 /**
@@ -34,7 +35,6 @@ public final class FieldStore {
   private final References<?, ?> references;
   private final long[] changes = new long[Scope.values().length];
   private final FieldValues[] shared = new FieldValues[Scope.values().length];
-  private final FieldValues ofLevel;
   private Writes rest = Writes.ALL;
   private Writes writes = Writes.ALL;
   private FieldValues own;
@@ -54,9 +54,8 @@ public final class FieldStore {
     this.clock = clock;
     this.references = references;
     for (Scope scope : Scope.values()) {
-      shared[scope.ordinal()] = new FieldValues(this, scope, true);
+      shared[scope.ordinal()] = new FieldValues(this, scope, true, schema.starts(scope));
     }
-    ofLevel = new FieldValues(this, Scope.ENTITY, false);
   }
 
   /** Returns the declarations. */
@@ -66,13 +65,26 @@ public final class FieldStore {
 
   /** Creates the values of a player, an entity or the match, which begin as declared. */
   public FieldValues create(Scope scope) {
-    boolean empty = schema.words(scope) == 0;
-    return empty ? shared[scope.ordinal()] : new FieldValues(this, scope, true);
+    return create(scope, schema.starts(scope));
   }
 
-  /** Returns the values of static level geometry, which are as declared and can't be written. */
-  public FieldValues ofLevel() {
-    return ofLevel;
+  /**
+   * Creates values that begin otherwise.
+   *
+   * @param starts of {@link Schema#starts(Scope, List)}
+   */
+  public FieldValues create(Scope scope, int[] starts) {
+    boolean empty = schema.words(scope) == 0;
+    return empty ? shared[scope.ordinal()] : new FieldValues(this, scope, true, starts);
+  }
+
+  /**
+   * Creates the values of static level geometry, which can't be written.
+   *
+   * @param starts of {@link Schema#starts(Scope, List)}
+   */
+  public FieldValues createOfLevel(int[] starts) {
+    return new FieldValues(this, Scope.ENTITY, false, starts);
   }
 
   /**

@@ -11,6 +11,7 @@ public final class FieldValues {
   private final FieldStore store;
   private final Scope scope;
   private final boolean writable;
+  private final int[] starts;
   private final int[] words;
   private long stamp;
   private long ruled;
@@ -21,14 +22,17 @@ public final class FieldValues {
   /** By word: how often rules write it; null where they never did. */
   private Habit[] habits;
 
-  FieldValues(FieldStore store, Scope scope, boolean writable) {
+  /**
+   * Creates values that are as at the start.
+   *
+   * @param starts what each word begins with; shared, never changed
+   */
+  FieldValues(FieldStore store, Scope scope, boolean writable, int[] starts) {
     this.store = store;
     this.scope = scope;
     this.writable = writable;
-    words = new int[store.schema().words(scope)];
-    for (int i = 0; i < words.length; i++) {
-      words[i] = store.schema().field(scope, i).start();
-    }
+    this.starts = starts;
+    words = starts.clone();
   }
 
   /** Returns what these words belong to. */
@@ -56,6 +60,11 @@ public final class FieldValues {
   /** Returns a word. */
   public int word(int index) {
     return words[index];
+  }
+
+  /** Returns what a word was when the values were created. */
+  public int start(int index) {
+    return starts[index];
   }
 
   /** Returns a word that a game asks for. */
@@ -142,7 +151,7 @@ public final class FieldValues {
   /** Sets all words to their start values, as a game asks for it. */
   void reset() {
     for (int i = 0; i < words.length; i++) {
-      write(i, store.schema().field(scope, i).start());
+      write(i, starts[i]);
     }
   }
 
