@@ -58,6 +58,9 @@ final class MachineScenarioTest {
                 + spawn("crate", -20, 6, 0)
                 + spawn("crate", -19, 8, 0)
                 + spawn("crate", -14, 1, 0)),
+        Arguments.of(
+            "a car among gears and pulleys",
+            spawn("gears", -17, 0.35f, 0) + spawn("gears", -9, 0.35f, 0)),
         Arguments.of("a car under a crane", spawn("crane", -20, 6, 0) + spawn("crate", -16, 1, 0)));
   }
 
