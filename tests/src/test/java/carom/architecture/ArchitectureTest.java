@@ -182,7 +182,14 @@ final class ArchitectureTest {
     allow("carom.physics.particles", "carom.physics..");
     allow("carom.sim.event");
     allow("carom.sim.message");
-    allow("carom.sim.level", "carom.physics..", "carom.sim.field", "carom.sim.event");
+    allow("carom.sim.pool", "carom.physics..");
+    allow(
+        "carom.sim.level",
+        "carom.physics..",
+        "carom.sim.field",
+        "carom.sim.event",
+        "carom.sim.pool",
+        "carom.values");
     allow("carom.sim.history", "carom.physics..", "carom.sim.level");
     allow("carom.sim.area", "carom.physics..", "carom.sim.level", "carom.sim.field");
     allow("carom.sim.joint", "carom.physics..", "carom.sim.level");
@@ -205,6 +212,7 @@ final class ArchitectureTest {
         "carom.sim.random",
         "carom.sim.area",
         "carom.sim.joint",
+        "carom.sim.pool",
         "carom.sim.ruling");
     allow(
         "carom.sim.near",
@@ -219,7 +227,8 @@ final class ArchitectureTest {
         "carom.net.protocol",
         "carom.net.snapshot.table",
         "carom.sim.event",
-        "carom.sim.field");
+        "carom.sim.field",
+        "carom.sim.pool");
     allow("carom.sim.scene", "carom.physics..", "carom.sim", "carom.sim.level", "carom.sim.event");
     allow(
         "carom.sim.scene.catalog",
@@ -227,8 +236,9 @@ final class ArchitectureTest {
         "carom.sim",
         "carom.sim.level",
         "carom.sim.random",
-        "carom.sim.scene");
-    allow("carom.game", "carom.physics..", "carom.sim..");
+        "carom.sim.scene",
+        "carom.values");
+    allow("carom.game", "carom.physics..", "carom.sim..", "carom.values");
     game("arena");
     game("platformer");
     allow("carom.net.codec", "carom.physics.simd");
@@ -319,6 +329,7 @@ final class ArchitectureTest {
         "carom.sim.event",
         "carom.sim.field",
         "carom.sim.message",
+        "carom.sim.pool",
         "carom.sim.random");
   }
 

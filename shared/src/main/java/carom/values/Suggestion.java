@@ -1,4 +1,4 @@
-package carom.sim.level;
+package carom.values;
 
 import java.util.Collection;
 
